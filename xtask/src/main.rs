@@ -1,1 +1,8 @@
+//! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
+
+mod figure;
+mod figures;
+mod image;
+mod output;
+
 fn main() {}
