@@ -1,6 +1,9 @@
 //! What a figure of the gallery is: its place in a source, its caption, and the function that draws it.
 
-use std::{error::Error, sync::atomic::AtomicBool};
+use std::{
+    error::Error,
+    sync::atomic::{AtomicBool, Ordering},
+};
 
 use indicatif::ProgressBar;
 
@@ -34,12 +37,21 @@ pub(crate) struct Context<'a> {
     pub(crate) seed: u32,
     /// The figure's progress; hidden when no terminal looks on.
     pub(crate) progress: &'a ProgressBar,
-    /// Set when the user interrupts: long loops look at it once a row and return [`Interrupted`].
+    /// Set when the user interrupts: long loops call [`Context::checkpoint`] once a row.
     pub(crate) interrupted: &'a AtomicBool,
+}
+
+impl Context<'_> {
+    /// Returns [`Interrupted`] once the user has pressed Ctrl-C.
+    pub(crate) fn checkpoint(&self) -> Result<(), Failure> {
+        if self.interrupted.load(Ordering::Relaxed) { Err(Interrupted.into()) } else { Ok(()) }
+    }
 }
 
 /// What a figure hands back.
 pub(crate) struct Drawn {
+    /// How many square panels stand side by side on a wide page.
+    pub(crate) columns: u32,
     /// The pictures, in reading order.
     pub(crate) panels: Vec<Panel>,
     /// Parameters by name, shown under the caption.

@@ -1,0 +1,210 @@
+//! The gallery's page: one file beside its pictures, light and dark, no network, no script.
+
+use std::fmt::Write;
+
+use serde::{Deserialize, Serialize};
+
+const STYLE: &str = include_str!("page.css");
+
+/// What the page says of one figure; also its provenance on disk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Record {
+    pub(crate) name: String,
+    pub(crate) title: String,
+    pub(crate) source: String,
+    pub(crate) caption: String,
+    pub(crate) seed: u32,
+    pub(crate) seconds: f64,
+    /// Names the program and the settings that drew it: equal keys give equal files.
+    pub(crate) key: String,
+    pub(crate) columns: u32,
+    pub(crate) panels: Vec<PanelRecord>,
+    pub(crate) parameters: Vec<(String, String)>,
+    pub(crate) table: Option<(Vec<String>, Vec<Vec<String>>)>,
+}
+
+/// One picture on disk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PanelRecord {
+    pub(crate) file: String,
+    pub(crate) sha256: String,
+    pub(crate) label: String,
+    pub(crate) alt: String,
+    pub(crate) span: u32,
+    /// Height over width of a raster picture in pixels; `None` for a drawing.
+    pub(crate) pixels: Option<(u32, u32)>,
+}
+
+/// Text made safe for element content and quoted attributes.
+pub(crate) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// The head of every page that the builder writes, up to and with the opening of `<body>`.
+pub(crate) fn head(title: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
+        escape(title)
+    )
+}
+
+/// A `<table>` in its scrolling box.
+pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
+    let cells = |tag: &str, cells: &[String]| {
+        cells.iter().fold(String::new(), |mut row, cell| {
+            let _ = write!(row, "<{tag}>{}</{tag}>", escape(cell));
+            row
+        })
+    };
+    let mut out = format!("<div class=\"scroll\"><table>\n<tr>{}</tr>\n", cells("th", head));
+    for row in rows {
+        let _ = writeln!(out, "<tr>{}</tr>", cells("td", row));
+    }
+    out + "</table></div>\n"
+}
+
+/// The whole gallery; `drawing` hands over the text of an SVG file by its name.
+pub(crate) fn gallery(records: &[Record], version: &str, drawing: impl Fn(&str) -> String) -> String {
+    let mut page = head("Asperity gallery");
+    page += "<div class=\"wide\"><header><h1>Asperity</h1>\n<p>Surface detail from mathematics: noise with \
+             exact gradients, normals drawn from a density, fractal surfaces with exact normals, and shading \
+             that keeps its mean at every zoom. Every picture on this page was computed by the crates \
+             themselves, from nothing but the parameters beneath it.</p></header></div>\n<nav><div class=\"wide\"><ol>\n";
+    for record in records {
+        let _ =
+            writeln!(page, "<li><a href=\"#{}\">{}</a></li>", escape(&record.name), escape(&record.title));
+    }
+    page += "</ol></div></nav>\n<main class=\"wide\">\n";
+    let mut section = "";
+    for record in records {
+        let part = section_of(&record.name);
+        if part != section {
+            page += if section.is_empty() { "" } else { "</section>\n" };
+            let _ = writeln!(page, "<section><h2>{part}</h2>");
+            section = part;
+        }
+        page += &article(record, &drawing);
+    }
+    page += if section.is_empty() { "" } else { "</section>\n" };
+    let _ = write!(
+        page,
+        "</main>\n<footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for \
+         byte, on any number of threads. The tables behind the pictures: <a href=\"../tables/index.html\">\
+         tables</a>.</footer>\n</body>\n</html>\n",
+        escape(version)
+    );
+    page
+}
+
+fn section_of(name: &str) -> &'static str {
+    match name.split('-').next() {
+        Some("kautz") => "Real-Time Bump Map Synthesis, Kautz, Heidrich and Seidel 2001",
+        Some("cochran") => "The Normal of a Fractal Surface, Cochran, Lewis and Hart 2000",
+        _ => "Beyond the sources",
+    }
+}
+
+fn article(record: &Record, drawing: &impl Fn(&str) -> String) -> String {
+    let mut out = format!(
+        "<article id=\"{}\">\n<h3>{}</h3>\n<p class=\"source\">{}</p>\n<p class=\"caption\">{}</p>\n\
+         <div class=\"panels\" style=\"grid-template-columns: repeat({}, minmax(0, 1fr))\">\n",
+        escape(&record.name),
+        escape(&record.title),
+        escape(&record.source),
+        escape(&record.caption),
+        record.columns.max(1)
+    );
+    for panel in &record.panels {
+        let broad = if panel.span > 1 { " class=\"broad\"" } else { "" };
+        let _ = write!(out, "<figure{broad} style=\"grid-column: span {}\">", panel.span.max(1));
+        match panel.pixels {
+            Some((width, height)) => {
+                let file = escape(&panel.file);
+                let _ = write!(
+                    out,
+                    "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{height}\" \
+                     loading=\"lazy\" alt=\"{}\"></a>",
+                    escape(&panel.alt)
+                );
+            }
+            None => out += &drawing(&panel.file),
+        }
+        let _ = writeln!(out, "<figcaption>{}</figcaption></figure>", escape(&panel.label));
+    }
+    out += "</div>\n<dl class=\"facts\">\n";
+    for (name, value) in &record.parameters {
+        out += &fact(name, value);
+    }
+    out += &fact("seed", &record.seed.to_string());
+    out += &fact("time", &format!("{:.1} s", record.seconds));
+    out += &fact("draw it alone", &format!("cargo xtask gallery --only {}", record.name));
+    out += "</dl>\n";
+    if let Some((head, rows)) = &record.table {
+        out += &table(head, rows);
+    }
+    out + "</article>\n"
+}
+
+fn fact(name: &str, value: &str) -> String {
+    format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record() -> Record {
+        Record {
+            name: "kautz-1-sphere".into(),
+            title: "A <sphere>".into(),
+            source: "fig. 1".into(),
+            caption: "bumps & \"zoom\"".into(),
+            seed: 7,
+            seconds: 1.25,
+            key: "k".into(),
+            columns: 2,
+            panels: vec![PanelRecord {
+                file: "kautz-1-sphere-far.png".into(),
+                sha256: "00".into(),
+                label: "far".into(),
+                alt: "a sphere".into(),
+                span: 1,
+                pixels: Some((8, 8)),
+            }],
+            parameters: vec![("alpha_x".into(), "0.2".into())],
+            table: Some((vec!["zoom".into()], vec![vec!["1".into()]])),
+        }
+    }
+
+    #[test]
+    fn text_from_outside_cannot_become_markup() {
+        let page = gallery(&[record()], "0.1.0", |_| String::new());
+        assert!(page.contains("A &lt;sphere&gt;") && page.contains("bumps &amp; &quot;zoom&quot;"));
+        assert!(!page.contains("A <sphere>"));
+    }
+
+    #[test]
+    fn the_page_needs_no_network_and_no_script() {
+        let page = gallery(&[record()], "0.1.0", |_| String::new());
+        for banned in ["http:", "https:", "<script", "<link", "@import", "url("] {
+            assert!(!page.contains(banned), "{banned}");
+        }
+    }
+
+    #[test]
+    fn every_opened_element_is_closed() {
+        let page = gallery(&[record(), record()], "0.1.0", |_| String::new());
+        for tag in ["article", "section", "figure", "dl", "table", "main", "nav", "div", "html", "body"] {
+            let opened = page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
+            assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
+        }
+    }
+
+    #[test]
+    fn a_record_survives_its_file() {
+        let text = serde_json::to_string(&record()).unwrap();
+        assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record());
+    }
+}
