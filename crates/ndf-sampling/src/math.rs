@@ -1,1 +1,24 @@
 //! The float functions that this crate calls; each line names both backends, and `libm` wins.
+
+macro_rules! backend {
+    ($($name:ident($argument:ident: $type:ty) = $libm:ident, $std:ident;)*) => {$(
+        #[inline(always)]
+        pub(crate) fn $name($argument: $type) -> $type {
+            #[cfg(feature = "libm")]
+            { libm::$libm($argument) }
+            #[cfg(not(feature = "libm"))]
+            { $argument.$std() }
+        }
+    )*};
+}
+
+backend! {
+    exp(x: f32) = expf, exp;
+    exp_m1(x: f32) = expm1f, exp_m1;
+    ln(x: f32) = logf, ln;
+    ln_1p(x: f32) = log1pf, ln_1p;
+    sqrt(x: f32) = sqrtf, sqrt;
+    exp_f64(x: f64) = exp, exp;
+    ln_f64(x: f64) = log, ln;
+    sqrt_f64(x: f64) = sqrt, sqrt;
+}

@@ -2,14 +2,86 @@
 
 use glam::{Vec2, Vec3};
 
+/// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
+///
+/// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
+const FARTHEST: f32 = 13.0;
+
 /// A normal density function together with a bijection from Gaussian coordinates to its normals.
+///
+/// ```text
+/// ∫ D(m) cos θ dω = 1,        m = T(z),  z ~ N(0, I)   ⇒   m has the density D over dn_x dn_y = cos θ dω
+/// ```
+///
+/// - **Directions:** unit vectors in a frame whose z axis is the macro normal.
+/// - **Coordinates:** `z` counts standard deviations. Every implementation of this crate is total: a NaN coordinate is read
+///   as 0 and coordinates beyond ±13 (the table's ±8.125 for [`NdfMap`](crate::NdfMap)) as that bound; a direction with
+///   `m.z ≤ 0` or a NaN has the density 0, and its Gaussian coordinates are finite.
+/// - The trait is dyn-compatible, and a reference to an implementation is one.
+///
+/// ```
+/// use asperity_ndf_sampling::{Beckmann, Ggx, Ndf, glam::Vec2};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let beckmann = Beckmann::isotropic(0.3)?;
+/// for ndf in [&ggx as &dyn Ndf, &beckmann] {
+///     let z = Vec2::new(0.7, -1.2);
+///     let m = ndf.from_gaussian(z);
+///     assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
+///     assert!(ndf.to_gaussian(m).abs_diff_eq(z, 1e-5));
+/// }
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+///
+/// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals through tables; that the
+/// density over the map of normals is D itself, not `D/cos θ` or `D cos θ`, follows from sampling a bump map uniformly over
+/// the macro surface.
+#[expect(clippy::wrong_self_convention, reason = "from_gaussian is T of this NDF, not a constructor")]
 pub trait Ndf {
     /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
+    #[must_use]
     fn density(&self, m: Vec3) -> f32;
 
     /// `T(z)`: if `z` is standard Gaussian in the plane, `T(z)` has the density `D` over the macro surface.
+    #[must_use]
     fn from_gaussian(&self, z: Vec2) -> Vec3;
 
     /// `T⁻¹(m)`: the Gaussian coordinates of the normal `m`.
+    #[must_use]
     fn to_gaussian(&self, m: Vec3) -> Vec2;
+}
+
+impl<N: Ndf + ?Sized> Ndf for &N {
+    #[inline]
+    fn density(&self, m: Vec3) -> f32 {
+        (**self).density(m)
+    }
+
+    #[inline]
+    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        (**self).from_gaussian(z)
+    }
+
+    #[inline]
+    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+        (**self).to_gaussian(m)
+    }
+}
+
+/// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].
+#[inline]
+pub(crate) fn bounded(z: Vec2) -> Vec2 {
+    let bound = |c: f32| if c.is_nan() { 0.0 } else { c.clamp(-FARTHEST, FARTHEST) };
+    Vec2::new(bound(z.x), bound(z.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_are_bounded() {
+        assert_eq!(bounded(Vec2::new(f32::NAN, f32::INFINITY)), Vec2::new(0.0, 13.0));
+        assert_eq!(bounded(Vec2::new(-1e30, 0.5)), Vec2::new(-13.0, 0.5));
+    }
 }
