@@ -3,6 +3,8 @@
 mod figure;
 mod figures;
 mod image;
+mod scene;
 mod output;
+mod plot;
 
 fn main() {}
