@@ -1,0 +1,114 @@
+//! Pixels in parallel rows, with samples that depend on the pixel alone.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use glam::{Vec2, Vec3};
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+
+use crate::{
+    figure::{Failure, Interrupted},
+    image::Image,
+};
+
+/// How a picture is sampled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sampling {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) samples_per_pixel: u32,
+    pub(crate) seed: u32,
+}
+
+/// The mean of `radiance` over each pixel, at points given in pixels from the top left.
+///
+/// The same image whatever the number of threads: a pixel's samples come from a hash of its place, and are summed in
+/// order.
+pub(crate) fn render(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let Sampling { width, height, samples_per_pixel, seed } = sampling;
+    progress.inc_length(u64::from(height));
+    let count = samples_per_pixel.max(1);
+    let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
+        .into_par_iter()
+        .map(|y| {
+            if interrupted.load(Ordering::Relaxed) {
+                return Err(Interrupted);
+            }
+            let row = (0..width)
+                .map(|x| {
+                    let shift = shift(x, y, seed);
+                    let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+                        let jitter = sample(k, shift);
+                        sum + radiance(x as f32 + jitter.x, y as f32 + jitter.y)
+                    });
+                    sum / count as f32
+                })
+                .collect();
+            progress.inc(1);
+            Ok(row)
+        })
+        .collect();
+    Ok(Image { width, height, pixels: rows?.concat() })
+}
+
+/// The `k`-th point of the R₂ sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"),
+/// shifted on the torus.
+fn sample(k: u32, shift: Vec2) -> Vec2 {
+    const PLASTIC: f64 = 1.324_717_957_244_746;
+    let (x, y) = (f64::from(k) / PLASTIC, f64::from(k) / (PLASTIC * PLASTIC));
+    Vec2::new((x.fract() as f32 + shift.x).fract(), (y.fract() as f32 + shift.y).fract())
+}
+
+/// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
+fn shift(x: u32, y: u32, seed: u32) -> Vec2 {
+    let first = hash(x ^ hash(y ^ hash(seed)));
+    let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
+    Vec2::new(unit(first), unit(hash(first ^ 0x9e37_79b9)))
+}
+
+/// C. Wellons' two-round multiply-xorshift `lowbias32`.
+fn hash(mut x: u32) -> u32 {
+    x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
+    x = (x ^ (x >> 15)).wrapping_mul(0x846c_a68b);
+    x ^ (x >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn draw(threads: usize) -> Vec<Vec3> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let sampling = Sampling { width: 40, height: 30, samples_per_pixel: 5, seed: 7 };
+        pool.install(|| {
+            let radiance = |x: f32, y: f32| Vec3::new((x * y).sin(), x, y);
+            render(sampling, &ProgressBar::hidden(), &AtomicBool::new(false), radiance).unwrap().pixels
+        })
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit() {
+        assert_eq!(draw(1), draw(3));
+    }
+
+    #[test]
+    fn samples_stay_in_their_pixel_and_differ_between_pixels() {
+        for k in 0..1000 {
+            let jitter = sample(k, shift(k, 3, 1));
+            assert!((0.0..1.0).contains(&jitter.x) && (0.0..1.0).contains(&jitter.y), "{k}: {jitter}");
+        }
+        assert_ne!(shift(0, 1, 0), shift(1, 0, 0));
+    }
+
+    #[test]
+    fn an_interruption_stops_it() {
+        let sampling = Sampling { width: 4, height: 4, samples_per_pixel: 1, seed: 0 };
+        let stopped = render(sampling, &ProgressBar::hidden(), &AtomicBool::new(true), |_, _| Vec3::ZERO);
+        assert!(stopped.is_err_and(|e| e.is::<Interrupted>()));
+    }
+}
