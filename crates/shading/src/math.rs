@@ -1,1 +1,26 @@
 //! The float functions that this crate calls; each line names both backends, and `libm` wins.
+
+/// Defines one function per line: its name, its arguments, the `libm` function, the `std` method.
+macro_rules! backends {
+    ($($name:ident($x:ident $(, $y:ident)*) = $libm:ident | $std:ident;)*) => {
+        $(
+            #[cfg(feature = "libm")]
+            #[inline]
+            pub(crate) fn $name($x: f32 $(, $y: f32)*) -> f32 {
+                libm::$libm($x $(, $y)*)
+            }
+
+            #[cfg(all(feature = "std", not(feature = "libm")))]
+            #[inline]
+            pub(crate) fn $name($x: f32 $(, $y: f32)*) -> f32 {
+                f32::$std($x $(, $y)*)
+            }
+        )*
+    };
+}
+
+backends! {
+    exp2(x) = exp2f | exp2;
+    log2(x) = log2f | log2;
+    sqrt(x) = sqrtf | sqrt;
+}

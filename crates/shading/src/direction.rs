@@ -1,0 +1,104 @@
+//! Directions of reflection: the half vector of two directions, and the mirror of one.
+
+use glam::Vec3;
+
+/// The half vector **h**: the facet normal that mirrors `wi` into `wo`.
+///
+/// ```text
+/// h = (wi + wo) / |wi + wo|
+/// ```
+///
+/// - **Domain:** unit `wi` and `wo`, both pointing away from the surface, in any one frame.
+/// - **Range:** a unit vector in that frame; [`Vec3::ZERO`] where there is none: opposite directions, zero
+///   vectors, a component that is NaN or infinite. Every density is 0 there, so such a pixel is dark.
+///
+/// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*, §3.1.
+///
+/// ```
+/// use asperity_shading::{glam::Vec3, half_vector, reflect};
+///
+/// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, 0.8));
+/// let h = half_vector(wi, wo);
+/// assert!((h.length() - 1.0).abs() < 1e-6);
+/// assert!((reflect(wi, h) - wo).length() < 1e-6);
+/// ```
+#[must_use]
+pub fn half_vector(wi: Vec3, wo: Vec3) -> Vec3 {
+    let sum = wi + wo;
+    // Opposite directions leave only rounding errors, whose direction means nothing.
+    if wi.is_finite() && wo.is_finite() && sum.length_squared() > 1e-12 {
+        sum.normalize_or_zero()
+    } else {
+        Vec3::ZERO
+    }
+}
+
+/// The direction into which a mirror with normal `m` sends light from `w`.
+///
+/// ```text
+/// reflect(w, m) = 2 (w·m) m − w
+/// ```
+///
+/// - **Domain:** `w` of any length, pointing away from the surface; unit `m`, whose sign does not matter.
+/// - **Range:** a vector as long as `w`, pointing away from the surface too. A zero `m` returns `−w`; NaN and
+///   infinity pass through.
+/// - **Symmetry:** `reflect(reflect(w, m), m) = w`.
+///
+/// ```
+/// use asperity_shading::{glam::Vec3, reflect};
+///
+/// let w = Vec3::new(0.6, 0.0, 0.8);
+/// assert_eq!(reflect(w, Vec3::Z), Vec3::new(-0.6, 0.0, 0.8));
+/// ```
+#[must_use]
+#[inline]
+pub fn reflect(w: Vec3, m: Vec3) -> Vec3 {
+    2.0 * w.dot(m) * m - w
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_vector_halves_the_angle() {
+        for i in 1..100 {
+            let (sin, cos) = (i as f32 / 100.0 * core::f32::consts::PI).sin_cos();
+            let (wi, wo) = (Vec3::Z, Vec3::new(sin, 0.0, cos));
+            let h = half_vector(wi, wo);
+            assert!((h.length() - 1.0).abs() < 1e-6, "i = {i}: {h}");
+            assert!((h.dot(wi) - h.dot(wo)).abs() < 1e-5, "i = {i}: {h}");
+            assert_eq!(h, half_vector(wo, wi));
+        }
+    }
+
+    #[test]
+    fn directions_without_a_half_vector_give_zero() {
+        let w = Vec3::new(0.6, 0.0, 0.8);
+        let nearly = Vec3::new(-0.6, 1e-7, -0.8);
+        for (wi, wo) in [
+            (w, -w),
+            (w, nearly),
+            (Vec3::ZERO, Vec3::ZERO),
+            (w, Vec3::NAN),
+            (Vec3::NAN, w),
+            (w, Vec3::INFINITY),
+            (Vec3::splat(f32::MAX), Vec3::splat(f32::MAX)),
+        ] {
+            assert_eq!(half_vector(wi, wo), Vec3::ZERO, "{wi} and {wo}");
+        }
+    }
+
+    #[test]
+    fn reflection_is_its_own_inverse_and_keeps_the_length() {
+        let m = Vec3::new(0.48, -0.6, 0.64);
+        for w in [Vec3::new(0.0, 0.6, 0.8), Vec3::new(3.0, -2.0, 5.0), Vec3::ZERO] {
+            let r = reflect(w, m);
+            assert!((r.length() - w.length()).abs() < 1e-5, "{w} to {r}");
+            assert!((reflect(r, m) - w).length() < 1e-5, "{w} to {r}");
+            assert!((r.dot(m) - w.dot(m)).abs() < 1e-5, "{w} to {r}");
+            assert_eq!(r, reflect(w, -m));
+        }
+        assert_eq!(reflect(Vec3::X, Vec3::ZERO), Vec3::NEG_X);
+    }
+}

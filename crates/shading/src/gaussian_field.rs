@@ -1,0 +1,58 @@
+//! Two Gaussian coordinates at every point of space: what a bump map is made of.
+
+use glam::{Vec2, Vec3};
+
+/// The resolved part of a bump map at one point, as both rules of level of detail take it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coordinates {
+    /// The noise `z_b` of the resolved octaves, in standard deviations: two independent N(0, 1) over the surface.
+    pub z: Vec2,
+    /// The share `s` of the variance that these octaves carry, in `[0, 1]`; 0 where nothing is resolved.
+    pub share: f32,
+    /// The weight of the first octave in `[0, 1]`: how far the bump map has faded in.
+    pub fade: f32,
+}
+
+impl Coordinates {
+    /// What a pixel sees that resolves nothing.
+    pub const FAR: Self = Self { z: Vec2::ZERO, share: 0.0, fade: 0.0 };
+}
+
+/// A pair of independent Gaussian noises over space, made of octaves whose count is a real number.
+///
+/// For every real `octaves > 0`, `z` is standard Gaussian over the surface in both coordinates: a field normalises
+/// what it has resolved, and reports its share of the whole variance beside it.
+///
+/// ```text
+/// z = Σ wᵢ aᵢ zᵢ / √Σ wᵢ² aᵢ²,   share = Σ wᵢ² aᵢ² / Σ aᵢ²,   fade = w₀,   wᵢ = clamp(octaves − i, 0, 1)
+/// ```
+///
+/// At `octaves ≤ 0` or NaN a field returns [`Coordinates::FAR`]; counts above [`GaussianField::max_octaves`] are that
+/// count. A point that is no number gives some finite `z`.
+pub trait GaussianField {
+    /// The coordinates at `p`, in units of the first octave's lattice cells, of so many octaves.
+    #[must_use]
+    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates;
+
+    /// The ratio of each octave's frequency to the last one's, more than 1.
+    #[must_use]
+    fn lacunarity(&self) -> f32;
+
+    /// The most octaves that this field has.
+    #[must_use]
+    fn max_octaves(&self) -> f32;
+}
+
+impl<F: GaussianField + ?Sized> GaussianField for &F {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+        (**self).coordinates(p, octaves)
+    }
+
+    fn lacunarity(&self) -> f32 {
+        (**self).lacunarity()
+    }
+
+    fn max_octaves(&self) -> f32 {
+        (**self).max_octaves()
+    }
+}
