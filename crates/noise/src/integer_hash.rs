@@ -1,0 +1,74 @@
+//! An integer hash of cell and seed without visible period: the default lattice.
+
+use crate::lattice::Lattice;
+
+/// A 64-bit hash of cell and seed; the lattice has no period under 2³² cells.
+///
+/// ```text
+/// h = x·P₁ + y·P₂ + z·P₃                          mod 2⁶⁴
+/// h = (h ^ h ≫ 32)·M₁ ^ key(seed)
+/// h = (h ^ h ≫ 29)·M₂,   word = h ^ h ≫ 32
+/// ```
+///
+/// P are the fractions of g⁻¹, g⁻², g⁻³ with g⁴ = g + 1, which keep small cells far apart modulo 2⁶⁴; M₁ and M₂ are
+/// the multipliers of SplitMix64 (Steele, Lea, Flood 2014); key is SplitMix64's finaliser of the seed. The seed enters
+/// between two rounds, so no lattice is another one's translate. In 2-D z is 0.
+///
+/// - **Measured:** flipping one bit of x, y, z or the seed flips each bit of the word with probability 0.5.
+///
+/// ```
+/// use asperity_noise::{IntegerHash, Lattice};
+///
+/// let flipped = IntegerHash.hash3(4, -7, 0, 1) ^ IntegerHash.hash3(-7, 4, 0, 1);
+/// assert!((16..=48).contains(&flipped.count_ones()));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct IntegerHash;
+
+impl Lattice for IntegerHash {
+    #[inline(always)]
+    fn hash2(&self, x: i32, y: i32, seed: u32) -> u64 {
+        hash(term(x, P1).wrapping_add(term(y, P2)), seed)
+    }
+
+    #[inline(always)]
+    fn hash3(&self, x: i32, y: i32, z: i32, seed: u32) -> u64 {
+        hash(term(x, P1).wrapping_add(term(y, P2)).wrapping_add(term(z, P3)), seed)
+    }
+}
+
+const P1: u64 = 0xd1b5_4a32_d192_ed03;
+const P2: u64 = 0xabc9_8388_fb8f_ac03;
+const P3: u64 = 0x8cb9_2ba7_2f3d_8dd7;
+const M1: u64 = 0xbf58_476d_1ce4_e5b9;
+const M2: u64 = 0x94d0_49bb_1331_11eb;
+/// The increment of SplitMix64, 2⁶⁴ over the golden ratio.
+const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+#[inline(always)]
+fn term(coordinate: i32, multiplier: u64) -> u64 {
+    (i64::from(coordinate) as u64).wrapping_mul(multiplier)
+}
+
+#[inline(always)]
+fn hash(point: u64, seed: u32) -> u64 {
+    let h = (point ^ (point >> 32)).wrapping_mul(M1) ^ mix(u64::from(seed));
+    let h = (h ^ (h >> 29)).wrapping_mul(M2);
+    h ^ (h >> 32)
+}
+
+/// SplitMix64's output for the state `counter`·γ: a bijection with full avalanche.
+#[inline(always)]
+pub(crate) fn mix(counter: u64) -> u64 {
+    let z = counter.wrapping_add(1).wrapping_mul(GOLDEN);
+    let z = (z ^ (z >> 30)).wrapping_mul(M1);
+    let z = (z ^ (z >> 27)).wrapping_mul(M2);
+    z ^ (z >> 31)
+}
+
+/// A second word from a first: another bijection, for the second channel of a noise.
+#[inline(always)]
+pub(crate) fn second_word(word: u64) -> u64 {
+    let h = word.wrapping_mul(GOLDEN);
+    h ^ (h >> 32)
+}

@@ -1,0 +1,69 @@
+//! The lecture's permutation table of 256 entries: the classic lattice, with its period.
+
+use crate::{integer_hash::mix, lattice::Lattice};
+
+/// A random permutation of 0…255 that folds a cell to a byte; the lattice has period 256 along each axis.
+///
+/// ```text
+/// index = perm[(x + perm[(y + perm[z & 255]) & 255]) & 255]
+/// word  = SplitMix64(index, seed)
+/// ```
+///
+/// Only 256 different words exist per seed, and every seed of a noise keeps the same cells alike; take
+/// [`IntegerHash`](crate::IntegerHash) unless the classic look or its period is wanted. In 2-D z is 0.
+///
+/// Ebert (ed.) 1994, "Texturing and Modeling"; Perlin 1985.
+///
+/// ```
+/// use asperity_noise::{Lattice, PermutationTable};
+///
+/// let table = PermutationTable::new(7);
+/// assert_eq!(table.hash3(1, 2, 3, 0), table.hash3(1 + 256, 2 - 256, 3, 0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PermutationTable {
+    entries: [u8; 256],
+}
+
+impl PermutationTable {
+    /// The permutation of a seed: Fisher and Yates's shuffle fed by SplitMix64.
+    #[must_use]
+    pub fn new(seed: u32) -> Self {
+        let mut entries = [0_u8; 256];
+        for (entry, value) in entries.iter_mut().zip(0..=u8::MAX) {
+            *entry = value;
+        }
+        for last in (1..256_usize).rev() {
+            let random = mix((u64::from(seed) << 8) | last as u64) >> 32;
+            entries.swap(last, ((random * (last as u64 + 1)) >> 32) as usize);
+        }
+        Self { entries }
+    }
+
+    /// The permutation itself.
+    #[must_use]
+    pub const fn entries(&self) -> &[u8; 256] {
+        &self.entries
+    }
+
+    /// The byte of a lattice point, the formula's index.
+    #[must_use]
+    #[inline]
+    pub const fn index(&self, x: i32, y: i32, z: i32) -> u8 {
+        let z = self.entries[(z & 255) as usize] as i32;
+        let y = self.entries[(y.wrapping_add(z) & 255) as usize] as i32;
+        self.entries[(x.wrapping_add(y) & 255) as usize]
+    }
+}
+
+impl Lattice for PermutationTable {
+    #[inline]
+    fn hash2(&self, x: i32, y: i32, seed: u32) -> u64 {
+        self.hash3(x, y, 0, seed)
+    }
+
+    #[inline]
+    fn hash3(&self, x: i32, y: i32, z: i32, seed: u32) -> u64 {
+        mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z)))
+    }
+}

@@ -1,0 +1,197 @@
+//! How frequency and amplitude go from octave to octave, and how a fractional octave fades in.
+
+use core::{error::Error, fmt};
+
+/// The most octaves that a sum can have.
+pub const MAX_OCTAVES: u32 = 16;
+
+/// Lacunarity, gain and the greatest number of octaves of a sum of noises.
+///
+/// ```text
+/// fᵢ = lacunarityⁱ,   aᵢ = gainⁱ,   wᵢ = clamp(octaves − i, 0, 1),   i = 0, 1, …
+/// ```
+///
+/// The count of octaves is a real number: its last octave has a weight between 0 and 1 and fades in as the count grows.
+/// Every method takes that count; negative and NaN counts are 0, counts above the maximum are the maximum.
+///
+/// ```
+/// use asperity_noise::Spectrum;
+///
+/// let spectrum = Spectrum::default();
+/// assert_eq!(spectrum.share(1.0), 0.75);
+/// assert!(Spectrum::new(2.17, 1.5, 8).is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spectrum {
+    lacunarity: f32,
+    gain: f32,
+    max_octaves: u32,
+}
+
+impl Default for Spectrum {
+    /// Lacunarity 2.17, which is no round number, so that lattices of neighbouring octaves do not meet; gain 0.5; ten octaves.
+    fn default() -> Self {
+        Self { lacunarity: 2.17, gain: 0.5, max_octaves: 10 }
+    }
+}
+
+impl Spectrum {
+    /// A spectrum of at most `max_octaves` octaves.
+    ///
+    /// # Errors
+    ///
+    /// If `lacunarity` is not above 1 or so large that the highest frequency overflows, if `gain` is not inside (0, 1), or
+    /// if `max_octaves` is not from 1 to [`MAX_OCTAVES`].
+    pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, SpectrumError> {
+        if !(lacunarity > 1.0 && lacunarity.is_finite()) {
+            return Err(SpectrumError::LacunarityNotAboveOne(lacunarity));
+        }
+        if !(gain > 0.0 && gain < 1.0) {
+            return Err(SpectrumError::GainOutsideUnitInterval(gain));
+        }
+        if !(1..=MAX_OCTAVES).contains(&max_octaves) {
+            return Err(SpectrumError::OctavesOutOfRange(max_octaves));
+        }
+        let spectrum = Self { lacunarity, gain, max_octaves };
+        if !spectrum.frequency(max_octaves - 1).is_finite() {
+            return Err(SpectrumError::FrequencyOverflow(lacunarity));
+        }
+        Ok(spectrum)
+    }
+
+    /// The ratio of the frequencies of successive octaves.
+    #[must_use]
+    pub const fn lacunarity(&self) -> f32 {
+        self.lacunarity
+    }
+
+    /// The ratio of the amplitudes of successive octaves.
+    #[must_use]
+    pub const fn gain(&self) -> f32 {
+        self.gain
+    }
+
+    /// The greatest number of octaves.
+    #[must_use]
+    pub const fn max_octaves(&self) -> u32 {
+        self.max_octaves
+    }
+
+    /// fᵢ, the frequency of octave i relative to the first.
+    #[must_use]
+    pub fn frequency(&self, i: u32) -> f32 {
+        power(self.lacunarity, i)
+    }
+
+    /// aᵢ, the amplitude of octave i relative to the first.
+    #[must_use]
+    pub fn amplitude(&self, i: u32) -> f32 {
+        power(self.gain, i)
+    }
+
+    /// wᵢ, the weight of octave i in [0, 1].
+    #[must_use]
+    pub fn weight(&self, octaves: f32, i: u32) -> f32 {
+        (self.clamped(octaves) - i as f32).clamp(0.0, 1.0)
+    }
+
+    /// Σ wᵢ aᵢ, the range of the sum of noises of range 1.
+    #[must_use]
+    pub fn sum_of_amplitudes(&self, octaves: f32) -> f32 {
+        self.active(octaves).fold(0.0, |sum, (_, a)| sum + a)
+    }
+
+    /// √Σ (wᵢ aᵢ)², the standard deviation of the sum of independent noises of standard deviation 1.
+    #[must_use]
+    pub fn root_sum_of_squares(&self, octaves: f32) -> f32 {
+        crate::math::sqrt(self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a))
+    }
+
+    /// The share of the variance of the whole, endless spectrum that the octaves carry, in [0, 1).
+    ///
+    /// ```text
+    /// share = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
+    /// ```
+    ///
+    /// What is missing to 1 belongs to the octaves not evaluated, those beyond the maximum included. It grows
+    /// continuously from 0 at `octaves` = 0 and stays under 1 (2⁻²⁴ under at least).
+    #[must_use]
+    pub fn share(&self, octaves: f32) -> f32 {
+        const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
+        let sum = self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a);
+        (sum * (1.0 - self.gain * self.gain)).min(BELOW_ONE)
+    }
+
+    /// The excess kurtosis of the sum relative to one octave's.
+    ///
+    /// ```text
+    /// κ/κ₁ = Σ wᵢ⁴ aᵢ⁴ / (Σ wᵢ² aᵢ²)²
+    /// ```
+    ///
+    /// 1 where `octaves` ≤ 1.
+    #[must_use]
+    pub fn kurtosis_ratio(&self, octaves: f32) -> f32 {
+        if self.clamped(octaves) <= 1.0 {
+            return 1.0;
+        }
+        let (second, fourth) = self
+            .active(octaves)
+            .fold((0.0, 0.0), |(second, fourth), (_, a)| (second + a * a, fourth + a * a * a * a));
+        fourth / (second * second)
+    }
+
+    /// The octaves that take part, each with wᵢ aᵢ.
+    #[inline(always)]
+    pub(crate) fn active(&self, octaves: f32) -> impl Iterator<Item = (usize, f32)> {
+        let octaves = self.clamped(octaves);
+        let gain = self.gain;
+        let mut amplitude = 1.0;
+        (0..self.max_octaves as usize).map_while(move |i| {
+            let weight = (octaves - i as f32).min(1.0);
+            let weighted = weight * amplitude;
+            amplitude *= gain;
+            (weight > 0.0).then_some((i, weighted))
+        })
+    }
+
+    #[inline(always)]
+    fn clamped(&self, octaves: f32) -> f32 {
+        if octaves > 0.0 { octaves.min(self.max_octaves as f32) } else { 0.0 }
+    }
+}
+
+/// baseⁱ by repeated multiplication, the same bits everywhere.
+fn power(base: f32, i: u32) -> f32 {
+    (0..i).fold(1.0, |product, _| product * base)
+}
+
+/// Why a [`Spectrum`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SpectrumError {
+    /// The lacunarity is not a finite number above 1.
+    LacunarityNotAboveOne(f32),
+    /// The gain is not inside (0, 1).
+    GainOutsideUnitInterval(f32),
+    /// The number of octaves is 0 or above [`MAX_OCTAVES`].
+    OctavesOutOfRange(u32),
+    /// The lacunarity is so large that the highest octave's frequency is infinite.
+    FrequencyOverflow(f32),
+}
+
+impl fmt::Display for SpectrumError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LacunarityNotAboveOne(value) => {
+                write!(f, "lacunarity {value} is not a finite number above 1")
+            }
+            Self::GainOutsideUnitInterval(value) => write!(f, "gain {value} is not inside (0, 1)"),
+            Self::OctavesOutOfRange(value) => write!(f, "max_octaves {value} is not from 1 to {MAX_OCTAVES}"),
+            Self::FrequencyOverflow(value) => {
+                write!(f, "lacunarity {value} makes the frequency of the last octave infinite")
+            }
+        }
+    }
+}
+
+impl Error for SpectrumError {}
