@@ -100,7 +100,7 @@ fn store(
     let mut panels = Vec::new();
     for panel in &drawn.panels {
         let (bytes, ending, pixels) = match &panel.picture {
-            Picture::Raster(image) => (image.to_png()?, "png", Some((image.width, image.height))),
+            Picture::Raster(image) => (image.png()?, "png", Some((image.width, image.height))),
             Picture::Vector(svg) => (svg.clone().into_bytes(), "svg", None),
         };
         let file = format!("{}-{}.{ending}", figure.name, panel.stem);

@@ -1,0 +1,124 @@
+//! `cargo xtask ci`: every gate that stands between a change and `main`.
+
+use std::{
+    ffi::OsString,
+    path::Path,
+    process::{Command, Stdio},
+    sync::atomic::{AtomicBool, Ordering},
+    time::Instant,
+};
+
+use crate::{
+    figure::{Failure, Interrupted},
+    no_std, progress, tables, tidy,
+};
+
+const CRATES: [&str; 4] = ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
+
+/// The float backends that a crate must build and pass its tests with; `alloc` joins where a crate has it.
+const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
+
+type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
+
+const GATES: [Gate; 9] = [
+    ("format", |root| cargo(root, &["fmt", "--all", "--check"])),
+    ("tidy", |_| tidy()),
+    ("generated tables", |_| tables::check()),
+    ("clippy", clippy),
+    ("no float backend is one clear error", neither_backend),
+    ("docs", |root| {
+        let arguments = ["doc", "--workspace", "--no-deps", "--document-private-items", "--quiet"];
+        cargo_with(root, &arguments, &[("RUSTDOCFLAGS", "-D warnings")])
+    }),
+    ("tests under each feature set", tests),
+    ("examples and benches", examples_and_benches),
+    ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
+];
+
+/// Runs the gates in order and stops at the first that fails.
+pub(crate) fn run(root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let all = Instant::now();
+    for (name, gate) in GATES {
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(Interrupted.into());
+        }
+        let start = Instant::now();
+        gate(root).map_err(|error| format!("gate `{name}`: {error}"))?;
+        progress::say(&format!("ok {name:<38} {:6.1} s", start.elapsed().as_secs_f64()));
+    }
+    progress::say(&format!("every gate passed in {:.1} s", all.elapsed().as_secs_f64()));
+    Ok(())
+}
+
+fn tidy() -> Result<(), Failure> {
+    let offences = tidy::offences()?;
+    if offences.is_empty() { Ok(()) } else { Err(offences.join("\n").into()) }
+}
+
+fn clippy(root: &Path) -> Result<(), Failure> {
+    cargo(root, &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"])?;
+    for name in CRATES {
+        for backend in BACKENDS {
+            let features = ["clippy", "--package", name, "--no-default-features", "--features", backend];
+            cargo(root, &[&features[..], &["--quiet", "--", "-D", "warnings"]].concat())?;
+        }
+    }
+    Ok(())
+}
+
+fn neither_backend(root: &Path) -> Result<(), Failure> {
+    for name in CRATES {
+        let output = Command::new(cargo_program())
+            .args(["check", "--quiet", "--package", name, "--no-default-features"])
+            .current_dir(root)
+            .output()?;
+        let said = String::from_utf8_lossy(&output.stderr);
+        if output.status.success() || !said.contains("needs a float backend") {
+            return Err(format!("{name} without `std` or `libm` must fail and name both").into());
+        }
+    }
+    Ok(())
+}
+
+fn tests(root: &Path) -> Result<(), Failure> {
+    for name in CRATES {
+        for backend in BACKENDS {
+            let set = if name == "asperity-noise" { backend.into() } else { format!("{backend},alloc") };
+            cargo(
+                root,
+                &["test", "--quiet", "--package", name, "--no-default-features", "--features", &set],
+            )?;
+        }
+        if name != "asperity-noise" {
+            let bare = ["test", "--quiet", "--package", name, "--no-default-features", "--features", "libm"];
+            cargo(root, &bare)?;
+        }
+    }
+    Ok(())
+}
+
+fn examples_and_benches(root: &Path) -> Result<(), Failure> {
+    for name in CRATES {
+        cargo(root, &["test", "--quiet", "--package", name, "--benches", "--examples"])?;
+    }
+    Ok(())
+}
+
+/// The cargo that runs this program.
+pub(crate) fn cargo_program() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
+fn cargo(root: &Path, arguments: &[&str]) -> Result<(), Failure> {
+    cargo_with(root, arguments, &[])
+}
+
+fn cargo_with(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), Failure> {
+    let status = Command::new(cargo_program())
+        .args(arguments)
+        .current_dir(root)
+        .envs(environment.iter().copied())
+        .stdin(Stdio::null())
+        .status()?;
+    if status.success() { Ok(()) } else { Err(format!("`cargo {}` failed", arguments.join(" ")).into()) }
+}

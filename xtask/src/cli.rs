@@ -1,0 +1,202 @@
+//! The command line: what can be asked, in the words of `--help`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// The builder of Asperity: tables, gallery, single pictures and every check.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, disable_help_subcommand = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// Worker threads; all cores if not given.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) jobs: Option<u16>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Build every table, draw every figure, write the page.
+    #[command(after_help = "Examples:
+  cargo xtask gallery
+  cargo xtask gallery --only teapot --size 768 --spp 16
+  cargo xtask gallery --list")]
+    Gallery(Gallery),
+    /// Build the tables alone: lattices, noise CDFs, densities, normal tables, fractal interpolation functions.
+    #[command(after_help = "Examples:
+  cargo xtask tables
+  cargo xtask tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
+  cargo xtask tables --fif system.json --out /tmp/tables
+  cargo xtask tables --check")]
+    Tables(Tables),
+    /// Render one scene with chosen parameters to a PNG.
+    #[command(after_help = "Examples:
+  cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
+  cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16")]
+    Render(Render),
+    /// Check dependency edges and the heads of all files.
+    Tidy,
+    /// Run every gate that stands before `main`.
+    Ci,
+    /// Link the crates without std and without an allocator, and call them.
+    NoStd,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Gallery {
+    /// Draw only the figures whose name contains NAME; may be given again.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
+    /// List the figures and stop.
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Side of a square panel in pixels.
+    #[arg(long, default_value_t = 384, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    pub(crate) size: u32,
+    /// Samples per pixel; some figures take a multiple.
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) spp: u32,
+    /// Seed of every random choice.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+    /// Draw also what is already there.
+    #[arg(long)]
+    pub(crate) afresh: bool,
+    /// Folder of the gallery and its tables.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Tables {
+    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, or an image file.
+    #[arg(long, value_name = "NDF")]
+    pub(crate) ndf: Vec<String>,
+    /// What the grey values of an image are a density over.
+    #[arg(long, value_enum, default_value_t = Measure::Normals)]
+    pub(crate) measure: Measure,
+    /// Tables of a fractal interpolation function instead of the default set: a JSON file with `knots`, `alpha`, `q`.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) fif: Vec<PathBuf>,
+    /// Compare the tables that the crates ship with newly made ones, and write nothing.
+    #[arg(long, conflicts_with_all = ["ndf", "fif", "ship"])]
+    pub(crate) check: bool,
+    /// Write the tables that the crates ship into the source tree.
+    #[arg(long, conflicts_with_all = ["ndf", "fif"])]
+    pub(crate) ship: bool,
+    /// Folder of the tables.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/tables")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Render {
+    /// What is seen.
+    #[arg(long, value_enum, default_value_t = Scene::Teapot)]
+    pub(crate) scene: Scene,
+    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, or an image file.
+    #[arg(long, default_value = "ggx:0.2,0.4")]
+    pub(crate) ndf: String,
+    /// What the grey values of an image are a density over.
+    #[arg(long, value_enum, default_value_t = Measure::Normals)]
+    pub(crate) measure: Measure,
+    /// The level-of-detail rule.
+    #[arg(long, value_enum, default_value_t = Rule::Exact)]
+    pub(crate) rule: Rule,
+    /// Magnification: 1 shows the whole object.
+    #[arg(long, default_value_t = 1.0, value_parser = positive)]
+    pub(crate) zoom: f32,
+    /// The most octaves of noise.
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=16))]
+    pub(crate) octaves: u32,
+    /// The noise that the bumps are made of.
+    #[arg(long, value_enum, default_value_t = Noise::Gaussian)]
+    pub(crate) noise: Noise,
+    /// Side of the picture in pixels.
+    #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=8192))]
+    pub(crate) size: u32,
+    /// Samples per pixel.
+    #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) spp: u32,
+    /// Seed of every random choice.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+    /// The picture's file.
+    #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
+    pub(crate) out: PathBuf,
+}
+
+/// The measure that an image's values are a density over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Measure {
+    /// Over (n_x, n_y): the value is D itself, up to a factor.
+    Normals,
+    /// Over solid angle: the value is D cos θ, up to a factor.
+    SolidAngle,
+}
+
+/// What `render` shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Scene {
+    /// The Utah teapot.
+    Teapot,
+    /// A sphere.
+    Sphere,
+    /// A plane, seen at an angle.
+    Plane,
+}
+
+/// The level-of-detail rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Rule {
+    /// Keeps the mean at every zoom.
+    Exact,
+    /// The paper's: every facet is shaded with the whole density.
+    Fractal,
+}
+
+/// The noises that `render` offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Noise {
+    /// Exactly Gaussian value-gradient noise.
+    Gaussian,
+    /// Perlin's noise of 2002 through its measured distribution.
+    Perlin,
+    /// Simplex noise through its measured distribution.
+    Simplex,
+}
+
+fn positive(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
+        _ => Err("a number above 0".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_holds_together() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn wrong_values_are_usage_errors() {
+        for line in [
+            "cargo-xtask render --zoom 0",
+            "cargo-xtask render --zoom nan",
+            "cargo-xtask gallery --size 3",
+            "cargo-xtask gallery --jobs 0",
+            "cargo-xtask tables --check --ndf ggx:0.2",
+            "cargo-xtask nothing",
+        ] {
+            let error = Cli::try_parse_from(line.split(' ')).unwrap_err();
+            assert_eq!(error.exit_code(), 2, "{line}");
+        }
+    }
+}
