@@ -21,4 +21,24 @@ backend! {
     exp_f64(x: f64) = exp, exp;
     ln_f64(x: f64) = log, ln;
     sqrt_f64(x: f64) = sqrt, sqrt;
+    floor_f64(x: f64) = floor, floor;
+}
+
+#[cfg(feature = "alloc")]
+backend! {
+    asin_f64(x: f64) = asin, asin;
+}
+
+/// The angle of the vector `(x, y)` in (−π, π].
+#[cfg(feature = "alloc")]
+#[inline(always)]
+pub(crate) fn atan2_f64(y: f64, x: f64) -> f64 {
+    #[cfg(feature = "libm")]
+    {
+        libm::atan2(y, x)
+    }
+    #[cfg(not(feature = "libm"))]
+    {
+        y.atan2(x)
+    }
 }
