@@ -10,31 +10,25 @@ use crate::{ci::cargo_program, figure::Failure};
 /// Builds and, where the platform allows it, links and runs the probe in `tests/no-std`.
 pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
     let folder = root.join("tests/no-std");
-    let cargo = |arguments: &[&str]| -> Result<(), Failure> {
+    let cargo = |failed: &str, arguments: &[&str]| -> Result<(), Failure> {
         let status = Command::new(cargo_program())
             .args(arguments)
             .current_dir(&folder)
             .env_remove("CARGO_TARGET_DIR")
             .env_remove("RUSTFLAGS")
             .status()?;
-        if status.success() { Ok(()) } else { Err("the no_std probe does not build".into()) }
+        if status.success() { Ok(()) } else { Err(format!("the no_std probe does not {failed}").into()) }
     };
     // A library that links std anywhere below it fails here with a duplicate panic handler, on every platform.
-    cargo(&["check", "--quiet", "--release", "--lib"])?;
+    cargo("check without std", &["check", "--quiet", "--locked", "--release", "--lib"])?;
     if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
         return Ok("the no_std probe checks without std".into());
     }
     // A static program with its own entry point and no allocator: whatever is not there cannot be called.
-    let flags = ["-nostartfiles", "-nostdlib", "-static"].map(|flag| format!("-C link-arg={flag}"));
-    let status = Command::new(cargo_program())
-        .args(["build", "--quiet", "--release", "--bin", "probe", "--features", "program"])
-        .current_dir(&folder)
-        .env_remove("CARGO_TARGET_DIR")
-        .env("RUSTFLAGS", format!("{} -C relocation-model=static", flags.join(" ")))
-        .status()?;
-    if !status.success() {
-        return Err("the no_std probe does not link without std".into());
-    }
+    let build = ["rustc", "--quiet", "--locked", "--release", "--bin", "probe", "--features", "program", "--"];
+    let link = ["link-arg=-nostartfiles", "link-arg=-nostdlib", "link-arg=-static", "relocation-model=static"];
+    let link: Vec<&str> = link.iter().flat_map(|flag| ["-C", flag]).collect();
+    cargo("link without std", &[&build[..], &link].concat())?;
     let program: PathBuf = folder.join("target/release/probe");
     let code = Command::new(&program).status()?.code();
     match code {

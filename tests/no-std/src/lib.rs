@@ -1,0 +1,70 @@
+//! Calls into every crate, each compared with a value that can be told by hand.
+#![no_std]
+
+use asperity_fif::FixedFif;
+use asperity_ndf_sampling::{Ggx, Ndf};
+use asperity_noise::{GaussianOctaves, Noise, Perlin2002, Spectrum};
+use asperity_shading::{
+    Coordinates, LevelOfDetail, far_field,
+    glam::{Vec2, Vec3},
+};
+
+/// Takes the part of libc that a freestanding program lacks.
+#[cfg(not(test))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}
+
+/// 0 if every crate's call gives what it must, else the number of the first that does not.
+#[must_use]
+pub fn run() -> i32 {
+    if !noise() {
+        1
+    } else if !ndf_sampling() {
+        2
+    } else if !fif() {
+        3
+    } else if !shading() {
+        4
+    } else {
+        0
+    }
+}
+
+/// Perlin noise is 0 at lattice points; unresolved Gaussian noise is 0, resolved it is not.
+fn noise() -> bool {
+    let Ok(spectrum) = Spectrum::new(2.17, 0.5, 8) else { return false };
+    let field = GaussianOctaves::new(spectrum, 1);
+    let p = Vec3::new(0.3, -4.2, 7.9);
+    let [a, b] = field.pair(p, 4.5);
+    Perlin2002::default().sample(Vec3::new(3.0, -2.0, 5.0), 1).value == 0.0
+        && field.sample(p, 0.0).value == 0.0
+        && a.value != b.value
+        && a.value.is_finite()
+}
+
+/// The coordinates of a normal come back, and the peak of GGX is 1/(π αx αy).
+fn ndf_sampling() -> bool {
+    let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
+    let z = Vec2::new(0.7, -1.1);
+    let back = ggx.to_gaussian(ggx.from_gaussian(z)) - z;
+    let peak = ggx.density(Vec3::Z) * core::f32::consts::PI * 0.08 - 1.0;
+    back.x.abs() < 1e-4 && back.y.abs() < 1e-4 && peak.abs() < 1e-5
+}
+
+/// Takagi's function at one third of its period: f(2/3) = 4/3.
+fn fif() -> bool {
+    let Ok(f) = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]) else { return false };
+    let value = f.evaluate(2.0 / 3.0, 1e-12).value - 4.0 / 3.0;
+    value.abs() < 1e-9
+}
+
+/// From afar both rules are the density itself.
+fn shading() -> bool {
+    let Ok(ggx) = Ggx::new(0.2, 0.4) else { return false };
+    let h = Vec3::new(0.0, 0.6, 0.8);
+    let far = far_field(&ggx, h);
+    let rules = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
+    far > 0.0 && rules.into_iter().all(|rule| rule.radiance(&ggx, h, Coordinates::FAR) == far)
+}

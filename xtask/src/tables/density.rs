@@ -1,0 +1,86 @@
+//! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
+
+use asperity_ndf_sampling::{Frame, Ndf, NormalTable, glam::Vec3};
+use serde_json::json;
+
+use super::{
+    Made,
+    formats::{exr, npy},
+    ramp,
+};
+use crate::{densities::Density, figure::Failure, image::Image};
+
+/// Side of the table L.
+const L_SIZE: usize = 256;
+
+pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
+    let ndf = density.ndf();
+    let map = density.map()?;
+    let (width, height) = (map.cdf().width(), map.cdf().height());
+    // Textures have their first row at the top, where n_y is near +1; arrays follow the map, from n_y = −1 up.
+    let texture: Vec<f32> =
+        (0..height).rev().flat_map(|j| (0..width).map(move |i| [i, j])).map(|t| at_centre(&map, t, [width, height])).collect();
+    let edges = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
+    let marginal: Vec<f64> = edges(width).map(|x| map.cdf().marginal_cdf(x)).collect();
+    let conditional: Vec<f64> = (0..width)
+        .flat_map(|i| edges(height).map(move |y| [(i as f64 + 0.5) / width as f64, y]))
+        .map(|[x, y]| map.cdf().conditional_cdf(x, y))
+        .collect();
+    let table = NormalTable::new(ndf, L_SIZE)?;
+    let files = vec![
+        ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
+        ("marginal_cdf.npy".into(), npy(&[width + 1], &marginal)),
+        ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
+        ("normal_table.exr".into(), frames(&table)?),
+    ];
+    let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
+    let picture = Image::from_fn(256, 256, |x, y| {
+        let (i, j) = (x as usize * width / 256, y as usize * height / 256);
+        let d = texture.get(j * width + i).copied().unwrap_or(0.0);
+        // A logarithm over four decades shows the tails too.
+        ramp(1.0 + f64::from((d / peak).max(1e-9)).log10() / 4.0)
+    });
+    Ok(Made {
+        text: format!(
+            "The density on the {width} × {height} hemispherical map (logarithmic in the picture, four decades), its marginal \
+             CDF M at the columns' edges and conditional CDFs C at the columns' middles, and L(z1, z2): {L_SIZE} × {L_SIZE} \
+             tangent frames over ±{} standard deviations.",
+            NormalTable::RANGE
+        ),
+        parameters: json!({
+            "kind": "normal density function",
+            "ndf": density.spec(),
+            "map": [width, height],
+            "normal_table": { "size": L_SIZE, "range": NormalTable::RANGE, "channels": "n.XYZ, t.XYZ, b.XYZ" },
+            "flat_normal_at": ndf.to_gaussian(Vec3::Z).to_array(),
+        }),
+        files,
+        picture,
+    })
+}
+
+fn at_centre(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> f32 {
+    let centre = |i: usize, n: usize| 2.0 * (i as f64 + 0.5) / n as f64 - 1.0;
+    let (x, y) = (centre(i, width), centre(j, height));
+    let z2 = 1.0 - x * x - y * y;
+    if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
+}
+
+/// Rows run with z2 from −4.5 up, as the table has them.
+fn frames(table: &NormalTable) -> Result<Vec<u8>, Failure> {
+    type Part = fn(&Frame) -> f32;
+    let channels: [(&str, Part); 9] = [
+        ("n.X", |f| f.normal.x),
+        ("n.Y", |f| f.normal.y),
+        ("n.Z", |f| f.normal.z),
+        ("t.X", |f| f.tangent.x),
+        ("t.Y", |f| f.tangent.y),
+        ("t.Z", |f| f.tangent.z),
+        ("b.X", |f| f.bitangent.x),
+        ("b.Y", |f| f.bitangent.y),
+        ("b.Z", |f| f.bitangent.z),
+    ];
+    let named: Vec<_> =
+        channels.iter().map(|(name, part)| (*name, table.frames().iter().map(part).collect())).collect();
+    exr(table.size(), table.size(), &named)
+}

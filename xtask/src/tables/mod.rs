@@ -1,0 +1,179 @@
+//! `cargo xtask tables`: every table of the project, in formats that others read, each with a picture.
+
+mod density;
+mod fif;
+mod formats;
+mod noise;
+mod noise_cdf;
+mod noise_levels;
+mod shipped;
+
+use std::{
+    fmt::Write,
+    path::PathBuf,
+    sync::atomic::{AtomicBool, Ordering},
+};
+
+use serde_json::{Value, json};
+
+use crate::{
+    cli::Measure,
+    densities::Density,
+    figure::{Failure, Interrupted},
+    image::Image,
+    output::Output,
+    page, progress,
+    systems::System,
+};
+pub(crate) use shipped::{check, ship};
+
+/// The tables of one thing: a density, a noise, a fractal interpolation function.
+pub(crate) struct Set {
+    /// Its folder: `ndf/ggx-0.2-0.4`.
+    folder: String,
+    /// A heading of a few words.
+    title: String,
+    subject: Subject,
+}
+
+enum Subject {
+    Lattice { seed: u32 },
+    NoiseCdfs,
+    Density(Density),
+    System(System),
+}
+
+/// What has been made of a set.
+struct Made {
+    /// What the files hold, in a sentence or two.
+    text: String,
+    parameters: Value,
+    files: Vec<(String, Vec<u8>)>,
+    picture: Image,
+}
+
+/// The tables that the gallery is drawn from.
+pub(crate) fn default_sets() -> Vec<Set> {
+    let mut sets = vec![
+        Set {
+            folder: "noise/lattice".into(),
+            title: "Noise lattice".into(),
+            subject: Subject::Lattice { seed: 1 },
+        },
+        Set {
+            folder: "noise/cdf".into(),
+            title: "Noise distributions G".into(),
+            subject: Subject::NoiseCdfs,
+        },
+    ];
+    sets.extend(Density::of_the_gallery().into_iter().map(Set::density));
+    sets.extend(System::of_the_gallery().into_iter().map(Set::system));
+    sets
+}
+
+/// The tables of what the user names; the default ones if that is nothing.
+pub(crate) fn chosen_sets(ndfs: &[String], measure: Measure, fifs: &[PathBuf]) -> Result<Vec<Set>, Failure> {
+    let mut sets = Vec::new();
+    for text in ndfs {
+        sets.push(Set::density(Density::parse(text, measure)?));
+    }
+    for path in fifs {
+        sets.push(Set::system(System::read(path)?));
+    }
+    Ok(if sets.is_empty() { default_sets() } else { sets })
+}
+
+impl Set {
+    fn density(density: Density) -> Self {
+        let (folder, title) = (format!("ndf/{}", density.slug()), density.name());
+        Self { folder, title, subject: Subject::Density(density) }
+    }
+
+    fn system(system: System) -> Self {
+        let (folder, title) = (format!("fif/{}", system.slug()), system.name());
+        Self { folder, title, subject: Subject::System(system) }
+    }
+
+    fn make(&self) -> Result<Made, Failure> {
+        match &self.subject {
+            Subject::Lattice { seed } => noise::lattice(*seed),
+            Subject::NoiseCdfs => noise::distributions(),
+            Subject::Density(density) => density::tables(density),
+            Subject::System(system) => fif::tables(system),
+        }
+    }
+}
+
+/// Makes the sets, writes their files and the page over them.
+pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let bar = progress::bar("tables");
+    bar.set_length(sets.len() as u64);
+    let mut rows = String::new();
+    for set in sets {
+        if interrupted.load(Ordering::Relaxed) {
+            return Err(Interrupted.into());
+        }
+        rows += &store(set, &set.make()?, output)?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    output.write("index.html", index(&rows).as_bytes())?;
+    progress::say(&format!("tables: {} sets", sets.len()));
+    Ok(())
+}
+
+fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
+    let folder = output.inside(&set.folder)?;
+    let mut digests = serde_json::Map::new();
+    let mut links = String::new();
+    for (name, bytes) in &made.files {
+        digests.insert(name.clone(), folder.write(name, bytes)?.into());
+        let _ = write!(
+            links,
+            "<a href=\"{0}/{name}\">{name}</a> <span>{1}</span><br>",
+            page::escape(&set.folder),
+            size(bytes.len())
+        );
+    }
+    folder.write("picture.png", &made.picture.png()?)?;
+    let provenance = json!({
+        "title": set.title,
+        "made_by": format!("asperity {}", env!("CARGO_PKG_VERSION")),
+        "parameters": made.parameters,
+        "sha256": digests,
+    });
+    folder.write("parameters.json", &serde_json::to_vec_pretty(&provenance)?)?;
+    Ok(format!(
+        "<article><h3>{}</h3><p class=\"caption\">{}</p><div class=\"panels\" style=\"grid-template-columns: \
+         minmax(0, 1fr) minmax(0, 2fr)\"><figure><img src=\"{folder}/picture.png\" alt=\"{0}\" width=\"{}\" \
+         height=\"{}\"></figure><p class=\"source\">{links}<a href=\"{folder}/parameters.json\">parameters.json</a>\
+         </p></div></article>\n",
+        page::escape(&set.title),
+        page::escape(&made.text),
+        made.picture.width,
+        made.picture.height,
+        folder = page::escape(&set.folder),
+    ))
+}
+
+fn size(bytes: usize) -> String {
+    if bytes < 10_000 { format!("{bytes} bytes") } else { format!("{} kB", bytes.div_ceil(1000)) }
+}
+
+fn index(rows: &str) -> String {
+    format!(
+        "{}<div class=\"wide\"><header><h1>Tables</h1><p>Textures are OpenEXR with 32-bit floats, arrays are NumPy's \
+         .npy, parameters and checksums are JSON. The same inputs give the same bytes, on any number of \
+         threads.</p></header></div>\n<main class=\"wide\">\n{rows}</main>\n</body>\n</html>\n",
+        page::head("Asperity tables")
+    )
+}
+
+/// A position in `[0, 1]` on a perceptually even ramp from dark blue over rose to pale yellow, in linear RGB.
+fn ramp(t: f64) -> glam::Vec3 {
+    const STOPS: [u32; 6] = [0x10_14_2b, 0x3b_2a_6b, 0x8c_2f_78, 0xd6_56_5c, 0xf6_a1_52, 0xfc_f2_b8];
+    let at = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 } * (STOPS.len() - 1) as f64;
+    let cell = (at as usize).min(STOPS.len() - 2);
+    let (a, b) = (crate::image::hex(STOPS[cell]), crate::image::hex(STOPS[cell + 1]));
+    a.lerp(b, (at - cell as f64) as f32)
+}
