@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::Footprint;
-use crate::math::{exp2, log2};
+use crate::math::{clamp_to, exp2, log2};
 
 /// The real number of octaves that a pixel resolves, none of them above the pixel's Nyquist frequency.
 ///
@@ -81,7 +81,7 @@ impl FrequencyClamp {
     pub fn octaves(&self, footprint: Footprint) -> f32 {
         // A footprint is never NaN and both of its ends are defined: log2(0) = −∞ and log2(∞) = ∞.
         let octaves = -log2(2.0 * footprint.width() * self.frequency) / self.log2_lacunarity;
-        octaves.max(0.0).min(self.max_octaves)
+        clamp_to(octaves, self.max_octaves)
     }
 
     /// The widest footprint that resolves so many octaves: the inverse of [`FrequencyClamp::octaves`].
@@ -93,7 +93,7 @@ impl FrequencyClamp {
     /// `octaves` is clamped to `[0, max_octaves]`, NaN counts as 0.
     #[must_use]
     pub fn footprint(&self, octaves: f32) -> Footprint {
-        let octaves = octaves.max(0.0).min(self.max_octaves);
+        let octaves = clamp_to(octaves, self.max_octaves);
         Footprint::from_width(0.5 / self.frequency * exp2(-octaves * self.log2_lacunarity))
     }
 }

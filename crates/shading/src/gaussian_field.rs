@@ -1,5 +1,6 @@
 //! Two Gaussian coordinates at every point of space: what a bump map is made of.
 
+use asperity_noise::GaussianOctaves;
 use glam::{Vec2, Vec3};
 
 /// The resolved part of a bump map at one point, as both rules of level of detail take it.
@@ -27,6 +28,8 @@ impl Coordinates {
 /// z = Σ wᵢ aᵢ zᵢ / √Σ wᵢ² aᵢ²,   share = Σ wᵢ² aᵢ² / Σ aᵢ²,   fade = w₀,   wᵢ = clamp(octaves − i, 0, 1)
 /// ```
 ///
+/// The last sum is over the endless spectrum: octaves that the field does not have are never resolved.
+///
 /// At `octaves ≤ 0` or NaN a field returns [`Coordinates::FAR`]; counts above [`GaussianField::max_octaves`] are that
 /// count. A point that is no number gives some finite `z`.
 pub trait GaussianField {
@@ -43,6 +46,37 @@ pub trait GaussianField {
     fn max_octaves(&self) -> f32;
 }
 
+/// Exactly Gaussian at every point, so that the `Exact` rule's mean is exact.
+///
+/// ```
+/// use asperity_shading::{Coordinates, GaussianField, glam::Vec3};
+/// use asperity_shading::noise::{GaussianOctaves, Spectrum};
+///
+/// let field = GaussianOctaves::<Vec3>::new(Spectrum::default(), 7);
+/// let p = Vec3::new(0.3, 1.7, -2.2);
+/// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
+/// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
+/// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
+/// ```
+impl GaussianField for GaussianOctaves<Vec3> {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+        let fade = self.spectrum().weight(octaves, 0);
+        if fade == 0.0 {
+            return Coordinates::FAR;
+        }
+        let [x, y] = self.pair(p, octaves);
+        Coordinates { z: Vec2::new(x.value, y.value), share: self.share(octaves), fade }
+    }
+
+    fn lacunarity(&self) -> f32 {
+        self.spectrum().lacunarity()
+    }
+
+    fn max_octaves(&self) -> f32 {
+        self.spectrum().max_octaves() as f32
+    }
+}
+
 impl<F: GaussianField + ?Sized> GaussianField for &F {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         (**self).coordinates(p, octaves)
@@ -54,5 +88,30 @@ impl<F: GaussianField + ?Sized> GaussianField for &F {
 
     fn max_octaves(&self) -> f32 {
         (**self).max_octaves()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_noise::Spectrum;
+
+    #[test]
+    fn every_point_and_count_gives_finite_coordinates() {
+        let field = GaussianOctaves::<Vec3>::new(Spectrum::default(), 1);
+        for octaves in [f32::NAN, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
+            for p in
+                [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::splat(-1e30), Vec3::new(0.5, f32::NAN, 2.0)]
+            {
+                let Coordinates { z, share, fade } = field.coordinates(p, octaves);
+                assert!(z.is_finite(), "{p}, {octaves}: {z}");
+                assert!(
+                    (0.0..1.0).contains(&share) && (0.0..=1.0).contains(&fade),
+                    "{octaves}: {share}, {fade}"
+                );
+            }
+        }
+        assert_eq!(field.coordinates(Vec3::ONE, f32::NAN), Coordinates::FAR);
+        assert_eq!(field.coordinates(Vec3::ONE, -3.0), Coordinates::FAR);
     }
 }

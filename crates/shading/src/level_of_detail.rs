@@ -4,6 +4,7 @@ use asperity_ndf_sampling::{Frame, Ndf, conditional_density};
 use glam::{Vec2, Vec3};
 
 use crate::Coordinates;
+use crate::math::{clamp_to, sqrt};
 
 /// Shading from afar: the density of facets that mirror the light into the eye, shown as it is.
 ///
@@ -52,7 +53,7 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
         return z;
     }
     let flat = ndf.to_gaussian(Vec3::Z);
-    flat + fade.max(0.0) * (z - flat)
+    flat + clamp_to(fade, 1.0) * (z - flat)
 }
 
 /// Which facets a pixel sees while it resolves a part of the bump map.
@@ -126,12 +127,10 @@ impl LevelOfDetail {
     #[must_use]
     pub fn normal<N: Ndf + ?Sized>(self, ndf: &N, coordinates: Coordinates) -> Vec3 {
         match self {
-            Self::Exact => {
-                ndf.from_gaussian(crate::math::sqrt(coordinates.share.max(0.0).min(1.0)) * coordinates.z)
-            }
+            Self::Exact => ndf.from_gaussian(sqrt(clamp_to(coordinates.share, 1.0)) * coordinates.z),
+            Self::Fractal if coordinates.fade > 0.0 => ndf.from_gaussian(facet_coordinates(ndf, coordinates)),
             // To the bit: an inversion need not return to the flat normal exactly.
-            Self::Fractal if !(coordinates.fade > 0.0) => Vec3::Z,
-            Self::Fractal => ndf.from_gaussian(facet_coordinates(ndf, coordinates)),
+            Self::Fractal => Vec3::Z,
         }
     }
 }

@@ -15,9 +15,11 @@ mod fresnel;
 mod gaussian_field;
 mod level_of_detail;
 mod math;
+mod remapped_octaves;
 
 pub use asperity_ndf_sampling as ndf_sampling;
 pub use asperity_ndf_sampling::{Beckmann, Frame, Ggx, Ndf, conditional_density};
+pub use asperity_noise as noise;
 pub use bump_field::BumpField;
 pub use direction::{half_vector, reflect};
 pub use footprint::Footprint;
@@ -26,3 +28,4 @@ pub use fresnel::{Conductor, ConductorError, Dielectric, DielectricError, Schlic
 pub use gaussian_field::{Coordinates, GaussianField};
 pub use glam;
 pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
+pub use remapped_octaves::RemappedOctaves;

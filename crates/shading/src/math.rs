@@ -24,3 +24,9 @@ backends! {
     log2(x) = log2f | log2;
     sqrt(x) = sqrtf | sqrt;
 }
+
+/// `x` within `[0, most]`, with NaN as 0, which `clamp` would pass on.
+#[inline]
+pub(crate) fn clamp_to(x: f32, most: f32) -> f32 {
+    if x > 0.0 { x.min(most) } else { 0.0 }
+}

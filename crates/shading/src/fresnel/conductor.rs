@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::{clamped_cosine, reflectance_or_mirror};
-use crate::math::sqrt;
+use super::reflectance_or_mirror;
+use crate::math::{clamp_to, sqrt};
 
 /// A smooth metal surface, by its complex refractive index `η + i k` relative to the incident side.
 ///
@@ -72,7 +72,7 @@ impl Conductor {
         if eta == 1.0 && k == 0.0 {
             return 0.0;
         }
-        let c = clamped_cosine(cos_theta);
+        let c = clamp_to(cos_theta, 1.0);
         let sin_squared = 1.0 - c * c;
         let real = (eta - k) * (eta + k) - sin_squared;
         let half_imaginary = eta * k;

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::{clamped_cosine, reflectance_or_mirror};
-use crate::math::sqrt;
+use super::reflectance_or_mirror;
+use crate::math::{clamp_to, sqrt};
 
 /// A smooth interface between two dielectrics, by the ratio of their refractive indices.
 ///
@@ -70,7 +70,7 @@ impl Dielectric {
         if eta == 1.0 {
             return 0.0;
         }
-        let c = clamped_cosine(cos_theta);
+        let c = clamp_to(cos_theta, 1.0);
         let excess = (eta - 1.0) * (eta + 1.0);
         let g_squared = excess + c * c;
         if g_squared < 0.0 {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::clamped_cosine;
+use crate::math::clamp_to;
 
 /// Schlick's approximation, by the reflectance `F₀` at normal incidence.
 ///
@@ -47,7 +47,7 @@ impl Schlick {
     /// Schlick 1994, *An Inexpensive BRDF Model for Physically-Based Rendering*, eq. 15.
     #[must_use]
     pub fn reflectance(&self, cos_theta: f32) -> f32 {
-        let x = 1.0 - clamped_cosine(cos_theta);
+        let x = 1.0 - clamp_to(cos_theta, 1.0);
         let x2 = x * x;
         (self.f0 + (1.0 - self.f0) * (x2 * x2 * x)).min(1.0)
     }
