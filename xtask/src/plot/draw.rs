@@ -41,7 +41,7 @@ impl Plot {
         let chart = ChartBuilder::on(area)
             .margin_left(units(ticks + 12.0))
             .margin_right(units(right))
-            .margin_top(units(10.0 + 20.0 * f64::from(head)))
+            .margin_top(units(14.0 + 20.0 * f64::from(head)))
             .margin_bottom(units(if self.x.label.is_empty() { 26.0 } else { 42.0 }))
             .build_cartesian_2d(
                 self.x.place(self.x.range[0])..self.x.place(self.x.range[1]),
