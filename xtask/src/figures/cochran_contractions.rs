@@ -15,7 +15,7 @@ pub(crate) const CONTRACTIONS: Figure = Figure {
     caption: "The interval [0, 2] under L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2082}, one map after the \
               other: each halves the interval around the point 86/63, whose address repeats these six for ever. The \
               boxes hold the graph over each interval, by the same composites. Horizontally f and g converge alike; \
-              the error of the value, at most |A|\u{b7}R, falls by 1/2 a level for f and only by 17/20 for g, so an \
+              the error of the value, at most |A|\u{b7}R with R half of the range, falls by 1/2 a level for f and only by 17/20 for g, so an \
               evaluation must stop on the vertical factors, not on the width of the interval.",
     draw,
 };
@@ -48,7 +48,11 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn {
         panels,
         columns: 3,
-        parameters: vec![fact("point", "86/63"), fact("functions", "f and g of figure 1")],
+        parameters: vec![
+            fact("point", "86/63"),
+            fact("R of f", &format!("{:.4}", 0.5 * f.range().width())),
+            fact("R of g", &format!("{:.4}", 0.5 * g.range().width())),
+        ],
         table: Some(Table { head: head.map(str::to_owned).to_vec(), rows: rows.collect() }),
     })
 }
