@@ -1,0 +1,82 @@
+//! A cell of the domain, the image of a composite of maps, with what bounds `f` over it.
+
+use crate::interval::Interval;
+use crate::map::Piece;
+use crate::polynomial::{UNIT, restrict};
+
+/// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
+///
+/// Children are made from the outside in, `p_child = p|_j + A q_j` and `A_child = A α_j` (eq. 26, 27 in Bernstein form).
+#[derive(Clone, Copy, Debug)]
+pub struct Cell<const C: usize> {
+    /// Product of the vertical factors.
+    pub(crate) product: f64,
+    polynomial: [f64; C],
+    error: f64,
+    /// Roundings in `product`.
+    steps: f64,
+}
+
+impl<const C: usize> Cell<C> {
+    /// The whole domain.
+    #[inline]
+    pub(crate) fn root() -> Self {
+        Self { product: 1.0, polynomial: [0.0; C], error: 0.0, steps: 0.0 }
+    }
+
+    /// The part of the cell that `piece` maps to.
+    #[inline]
+    pub(crate) fn child(&self, piece: &Piece<C>) -> Self {
+        let mut polynomial = restrict(&self.polynomial, piece.s[0], piece.s[1]);
+        let mut largest = 0.0_f64;
+        for ((p, q), old) in polynomial.iter_mut().zip(piece.bernstein).zip(self.polynomial) {
+            let added = self.product * q;
+            *p += added;
+            largest = largest.max(old.abs() + added.abs());
+        }
+        let error = self.error
+            + self.product.abs() * piece.slack
+            + (16.0 * (C + 1) as f64 + self.steps) * UNIT * largest;
+        Self { product: self.product * piece.map().alpha, polynomial, error, steps: self.steps + 1.0 }
+    }
+
+    /// An enclosure of `f` over the cell, from one over the domain.
+    #[inline]
+    pub(crate) fn range(&self, domain: Interval) -> Interval {
+        let p = self.polynomial_range();
+        let f = domain.scaled(self.product);
+        p.sum(f).inflated(1.01 * self.error + (self.steps + 4.0) * UNIT * f.magnitude())
+    }
+
+    /// The polynomial's part of the range, without its error.
+    #[inline]
+    pub(crate) fn polynomial_range(&self) -> Interval {
+        let mut p = match self.polynomial.first() {
+            Some(&first) => Interval::new(first, first),
+            None => return Interval::new(0.0, 0.0),
+        };
+        for &b in self.polynomial.iter().skip(1) {
+            p = Interval::new(if b < p.lo { b } else { p.lo }, if b > p.hi { b } else { p.hi });
+        }
+        p
+    }
+
+    /// Values of `f` at the two ends of the cell, from those at the ends of the domain.
+    #[inline]
+    pub(crate) fn ends(&self, domain: [f64; 2]) -> [Interval; 2] {
+        let first = self.polynomial.first().copied().unwrap_or(0.0);
+        let last = self.polynomial.last().copied().unwrap_or(0.0);
+        [(first, domain[0]), (last, domain[1])].map(|(p, y)| {
+            let value = p + self.product * y;
+            Interval::new(value, value).inflated(
+                1.01 * self.error + (self.steps + 4.0) * UNIT * (p.abs() + (self.product * y).abs()),
+            )
+        })
+    }
+
+    /// Bound of the rounding errors in the polynomial.
+    #[inline]
+    pub(crate) fn error(&self) -> f64 {
+        self.error
+    }
+}

@@ -1,0 +1,123 @@
+//! Polynomials on the unit interval: monomial form for points, Bernstein form for cells.
+//!
+//! A cell of a fractal interpolation function is `A f + p` with a polynomial `p` restricted again and again. In
+//! Bernstein form the restriction is de Casteljau's, only convex combinations, so it is stable at every depth, and the
+//! coefficients enclose the values.
+
+/// Unit roundoff, `2⁻⁵³`.
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// `Σ c_i xⁱ` by Horner's rule.
+#[inline]
+#[must_use]
+pub(crate) fn horner<const C: usize>(c: &[f64; C], x: f64) -> f64 {
+    let mut sum = 0.0;
+    for &coefficient in c.iter().rev() {
+        sum = sum * x + coefficient;
+    }
+    sum
+}
+
+/// `Σ |c_i| |x|ⁱ`, the scale of the rounding error of [`horner`].
+#[must_use]
+pub(crate) fn magnitude<const C: usize>(c: &[f64; C], x: f64) -> f64 {
+    let mut sum = 0.0;
+    for &coefficient in c.iter().rev() {
+        sum = sum * x.abs() + coefficient.abs();
+    }
+    sum
+}
+
+/// Coefficients of `p(a x + b)` (Cochran, Lewis, Hart 2000, eq. 28, by repeated Horner steps).
+#[must_use]
+pub(crate) fn substitute<const C: usize>(p: &[f64; C], a: f64, b: f64) -> [f64; C] {
+    let mut out = [0.0; C];
+    for (step, &coefficient) in p.iter().rev().enumerate() {
+        // out ← out · (a x + b) + coefficient; after `step` steps the degree is `step`.
+        for i in (0..=step.min(C.saturating_sub(1))).rev() {
+            let lower = if i > 0 { out[i - 1] } else { 0.0 };
+            out[i] = out[i] * b + lower * a;
+        }
+        if let Some(first) = out.first_mut() {
+            *first += coefficient;
+        }
+    }
+    out
+}
+
+/// Bernstein coefficients on `[0, 1]` of `Σ c_i sⁱ`:
+///
+/// ```text
+/// b_k = Σ_{i ≤ k} C(k, i)/C(D, i) c_i
+/// ```
+#[must_use]
+pub(crate) fn bernstein<const C: usize>(c: &[f64; C]) -> [f64; C] {
+    let mut b = *c;
+    let degree = C.saturating_sub(1);
+    let mut choose = 1.0;
+    for (i, value) in b.iter_mut().enumerate() {
+        *value /= choose;
+        choose = choose * (degree - i.min(degree)) as f64 / (i + 1) as f64;
+    }
+    // Sums of finite differences: b_k = Σ C(k, i) Δⁱ.
+    for pass in 1..C {
+        for k in (pass..C).rev() {
+            b[k] += b[k - 1];
+        }
+    }
+    b
+}
+
+/// Bernstein coefficients of the same polynomial on `[s0, s1] ⊂ [0, 1]`.
+///
+/// Each coefficient is off by at most `16 C · UNIT · max|b|`.
+#[inline]
+#[must_use]
+pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; C] {
+    let mut out = *b;
+    if s1 < 1.0 {
+        for pass in 1..C {
+            for k in (pass..C).rev() {
+                out[k] = (1.0 - s1) * out[k - 1] + s1 * out[k];
+            }
+        }
+    }
+    if s0 > 0.0 {
+        let t = s0 / s1;
+        for pass in 1..C {
+            for k in 0..C - pass {
+                out[k] = (1.0 - t) * out[k] + t * out[k + 1];
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const P: [f64; 4] = [0.3, -1.25, 2.0, 0.7];
+
+    #[test]
+    fn substitution_is_the_polynomial_of_the_affine_argument() {
+        let p = substitute(&P, 0.4, -0.3);
+        for i in 0..=10 {
+            let x = f64::from(i) * 0.2 - 1.0;
+            let (got, want) = (horner(&p, x), horner(&P, 0.4 * x - 0.3));
+            assert!((got - want).abs() < 1e-14, "x = {x}: {got} != {want}");
+        }
+        assert_eq!(substitute(&[], 0.4, 1.0), [0.0; 0]);
+    }
+
+    #[test]
+    fn restricted_bernstein_coefficients_are_the_same_polynomial() {
+        let b = bernstein(&P);
+        assert!((b[0] - P[0]).abs() < 1e-15 && (b[3] - horner(&P, 1.0)).abs() < 1e-15);
+        let (s0, s1) = (0.2, 0.55);
+        let direct = bernstein(&substitute(&P, s1 - s0, s0));
+        for (got, want) in restrict(&b, s0, s1).iter().zip(direct) {
+            assert!((got - want).abs() < 1e-15, "{got} != {want}");
+        }
+    }
+}
