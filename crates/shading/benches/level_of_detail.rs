@@ -3,8 +3,10 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::noise::{GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::{
-    Beckmann, Conductor, Coordinates, Dielectric, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
+    Beckmann, Conductor, Coordinates, Dielectric, GaussianField, Ggx, LevelOfDetail, Ndf, RemappedOctaves,
+    Schlick, far_field, half_vector,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -25,6 +27,21 @@ fn rules(c: &mut Criterion) {
     }
 }
 
+fn fields(c: &mut Criterion) {
+    let gaussian = GaussianOctaves::<Vec3>::new(Spectrum::default(), 1);
+    let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).expect("a distribution");
+    let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
+    for (name, field) in fields {
+        let mut k = 0.0_f32;
+        c.bench_function(&format!("coordinates/{name}/4_octaves"), |b| {
+            b.iter(|| {
+                k = (k + 1.0) % 1024.0;
+                field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), 4.0)
+            });
+        });
+    }
+}
+
 fn fresnel(c: &mut Criterion) {
     let glass = Dielectric::new(1.5).expect("index in range");
     let gold = Conductor::new(0.2, 3.0).expect("index in range");
@@ -34,5 +51,5 @@ fn fresnel(c: &mut Criterion) {
     c.bench_function("fresnel/schlick", |b| b.iter(|| schlick.reflectance(black_box(0.6))));
 }
 
-criterion_group!(benches, rules, fresnel);
+criterion_group!(benches, rules, fields, fresnel);
 criterion_main!(benches);

@@ -26,11 +26,7 @@ use glam::Vec3;
 pub fn half_vector(wi: Vec3, wo: Vec3) -> Vec3 {
     let sum = wi + wo;
     // Opposite directions leave only rounding errors, whose direction means nothing.
-    if wi.is_finite() && wo.is_finite() && sum.length_squared() > 1e-12 {
-        sum.normalize_or_zero()
-    } else {
-        Vec3::ZERO
-    }
+    if sum.length_squared() > 1e-12 { sum.normalize_or_zero() } else { Vec3::ZERO }
 }
 
 /// The direction into which a mirror with normal `m` sends light from `w`.

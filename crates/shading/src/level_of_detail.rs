@@ -217,6 +217,46 @@ mod tests {
         }
     }
 
+    /// A density that is not 0 below the horizon, and whose inversion misses the flat normal.
+    struct Unruly;
+
+    impl Ndf for Unruly {
+        fn density(&self, m: Vec3) -> f32 {
+            2.0 + m.x
+        }
+
+        fn from_gaussian(&self, z: Vec2) -> Vec3 {
+            Vec3::new(z.x, z.y, 1.0).normalize()
+        }
+
+        fn to_gaussian(&self, _: Vec3) -> Vec2 {
+            Vec2::new(0.01, 0.0)
+        }
+    }
+
+    #[test]
+    fn rules_hold_for_densities_that_break_theirs() {
+        for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+            for h in [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0)] {
+                assert_eq!(rule.radiance(&Unruly, h, near(0.1, 0.1, 0.5, 1.0)), 0.0, "{rule:?}, {h}");
+                assert_eq!(far_field(&Unruly, h), 0.0, "{h}");
+            }
+            let h = Vec3::new(0.6, 0.0, 0.8);
+            assert_eq!(rule.radiance(&Unruly, h, Coordinates::FAR), far_field(&Unruly, h));
+        }
+    }
+
+    #[test]
+    fn share_and_fade_beyond_one_are_one() {
+        let ndf = Ggx::new(0.2, 0.4).unwrap();
+        for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+            assert_eq!(
+                rule.normal(&ndf, near(0.5, 0.7, 4.0, 2.0)),
+                rule.normal(&ndf, near(0.5, 0.7, 1.0, 1.0))
+            );
+        }
+    }
+
     #[test]
     fn every_coordinate_gives_a_finite_radiance() {
         let ndf = Ggx::new(0.05, 1.0).unwrap();

@@ -1,4 +1,67 @@
-//! # asperity-shading
+//! Shading by a density of normals, from afar and close by: the mean radiance of a surface is the same at every zoom.
+//!
+//! A pixel resolves some octaves of a surface's bump map and not the rest. This crate decides how many from the pixel's
+//! [`Footprint`], takes the resolved ones from a noise, and shades what the pixel then sees, by one of two rules
+//! ([`LevelOfDetail`]): `Exact`, whose mean over the surface is the far field at every zoom, and `Fractal`, the rule of
+//! Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis".
+//!
+//! ```
+//! use asperity_shading::glam::Vec3;
+//! use asperity_shading::noise::{GaussianOctaves, Spectrum};
+//! use asperity_shading::{BumpField, Footprint, Frame, Ggx, LevelOfDetail, far_field, half_vector};
+//!
+//! let ndf = Ggx::new(0.2, 0.4)?;
+//! let bumps = BumpField::new(GaussianOctaves::new(Spectrum::default(), 1), 20.0)?;
+//!
+//! // A point of the surface, its normal and ∂P/∂u, the directions to the light and to the eye.
+//! let (p, frame) = (Vec3::new(0.3, 0.1, 0.8), Frame::from_normal_tangent(Vec3::Z, Vec3::X));
+//! let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.4, 0.2, 0.9).normalize());
+//!
+//! let h = frame.to_local(half_vector(wi, wo));
+//! let shade = |distance: f32| {
+//!     let pixel = Footprint::from_distance(distance, 1e-3, wo.dot(frame.normal));
+//!     LevelOfDetail::Exact.radiance(&ndf, h, bumps.coordinates(p, pixel))
+//! };
+//! assert_eq!(shade(100.0), far_field(&ndf, h));
+//! assert_ne!(shade(1.0), far_field(&ndf, h));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! | item | is |
+//! |---|---|
+//! | [`half_vector`], [`reflect`] | the facet that mirrors one direction into another; the mirrored direction |
+//! | [`Frame`] | tangent frame of the macro surface, from its normal with or without ∂P/∂u; of a facet, by minimal rotation |
+//! | [`far_field`] | p(h), shading where nothing is resolved |
+//! | [`Footprint`] | width of a pixel on the surface, from distance and angle or from two derivatives |
+//! | [`FrequencyClamp`] | footprint → real count of octaves, none above the pixel's Nyquist frequency |
+//! | [`GaussianField`], [`Coordinates`] | two Gaussian noises over space; what is resolved of them at a point |
+//! | [`RemappedOctaves`] | classic noise as such a field, through its measured distribution; [`noise::GaussianOctaves`] needs none |
+//! | [`BumpField`] | a field laid into space, with its frequency clamp |
+//! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
+//! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
+//! | [`Dielectric`], [`Conductor`], [`Schlick`] | Fresnel reflectance, unpolarised |
+//!
+//! # Conventions
+//!
+//! - Directions are unit vectors that point away from the surface; `h` is in the frame of the macro surface, whose z axis
+//!   is the normal. Densities and radiances per unit of light are in sr⁻¹, frequencies in lattice cells per unit of
+//!   length, angles in radians.
+//! - Evaluation is total: half vectors that do not exist or are below the horizon are dark, footprints that cannot be
+//!   measured resolve nothing, a cosine that is NaN is the horizon's. Constructors refuse what is no parameter.
+//! - Reproducibility: the same bits on every machine under the feature `libm`.
+//!
+//! # What it does not do
+//!
+//! No masking and shadowing, no diffuse term, no displacement: both rules show p(h) as it is. A Fresnel term is
+//! multiplied on by the caller, at the angle between `h` and either direction.
+//!
+//! # Features
+//!
+//! | feature | does |
+//! |---|---|
+//! | `std` (default) | float functions of the standard library |
+//! | `libm` | float functions of `libm`, without `std`; wins when both are on |
+//! | `alloc` (default) | the owned tables of `asperity-ndf-sampling` |
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -161,6 +161,13 @@ mod tests {
     }
 
     #[test]
+    fn reversed_index_stays_finite_and_positive() {
+        assert_eq!(Dielectric::new(1e-40).unwrap().reversed().relative_index(), f32::MAX);
+        assert_eq!(Dielectric::new(f32::MAX).unwrap().reversed().relative_index(), f32::MIN_POSITIVE);
+        assert_eq!(Dielectric::new(1.25).unwrap().reversed().relative_index(), 0.8);
+    }
+
+    #[test]
     fn refuses_what_is_no_index() {
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -1.5] {
             assert!(matches!(Dielectric::new(bad), Err(DielectricError::Index(_))), "{bad}");
