@@ -1,1 +1,8 @@
 //! Shared statistics of the tests.
+
+pub mod chi_square;
+pub mod disk_bins;
+pub mod low_discrepancy;
+pub mod random;
+pub mod reference;
+pub mod surface_patches;

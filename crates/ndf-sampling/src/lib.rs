@@ -27,6 +27,10 @@ mod ndf;
 mod normal_table;
 mod remap;
 mod roughness;
+#[cfg(feature = "alloc")]
+mod slab;
+#[cfg(feature = "alloc")]
+mod sum;
 
 pub use beckmann::Beckmann;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};

@@ -1,0 +1,191 @@
+//! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
+
+use asperity_ndf_sampling::{Beckmann, Cdf, Ggx, Measure, Ndf, NdfMap};
+use asperity_tests::random::Random;
+use asperity_tests::reference::{self, numbers, rows};
+use glam::{Vec2, Vec3};
+use proptest::prelude::*;
+
+#[test]
+fn marginals_of_a_fine_map_equal_the_reference() {
+    let reference = reference::read("ndf/marginals.json");
+    let x = |item: &serde_json::Value| numbers(&item["x"]);
+    let mut worst = [0.0_f64; 4];
+    let mut compared = 0;
+    for item in reference["items"].as_array().unwrap() {
+        let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
+        let ndf: Box<dyn Ndf> = match item["model"].as_str().unwrap() {
+            "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
+            "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
+            _ => continue,
+        };
+        let map = NdfMap::from_ndf(500, 500, &*ndf).unwrap();
+        let cdf = map.cdf();
+        let mut note = |k: usize, error: f64, tolerance: f64, what: &str| {
+            worst[k] = worst[k].max(error.abs());
+            assert!(error.abs() < tolerance, "{} {} {what}: {error:e}", item["model"], alpha("alpha_x"));
+            compared += 1;
+        };
+        for ((x, m), cumulative) in x(item).into_iter().zip(numbers(&item["m"])).zip(numbers(&item["M"])) {
+            // m is constant on a column: off by its slope times half a texel.
+            let steps = [x - 1e-3, x + 1e-3].map(|x| (cdf.marginal_cdf(x), x));
+            let mean = (steps[1].0 - steps[0].0) / (steps[1].1 - steps[0].1);
+            note(0, (mean - m) / m.max(1.0), 1e-3, "m");
+            note(1, cdf.marginal_cdf(x) - cumulative, 2e-6, "M");
+        }
+        for row in rows(&item["C"]) {
+            note(2, cdf.conditional_cdf(row[0], row[1]) - row[2], 4e-3, "C");
+        }
+        for row in rows(&item["M_inverse"]) {
+            note(3, cdf.marginal_inverse(row[0]) - row[1], 4e-5, "M inverse");
+        }
+    }
+    println!("worst errors of m (relative), M, C, M⁻¹ over {compared} values: {worst:?}");
+    assert!(compared > 300, "{compared}");
+}
+
+/// Uniform numbers at which inversion has gone wrong before, somewhere.
+const EDGES: [f64; 9] =
+    [0.0, 1e-300, 1e-17, 1e-9, 0.25, 0.5, 0.999_999, 1.0 - 5.960_464_477_539_063e-8, 1.0 - 1e-15];
+
+/// Checks `forward(inverse(u)) = u` and that every point is in the disk, where there is weight.
+fn check_round_trip(cdf: &Cdf, u: [f64; 2]) -> f64 {
+    let [x, y] = cdf.inverse(u);
+    assert!((0.0..=1.0).contains(&x), "{u:?}: x = {x}");
+    assert!((2.0 * x - 1.0).hypot(2.0 * y - 1.0) <= 1.0 + 1e-15, "{u:?}: ({x}, {y}) left the disk");
+    let back = cdf.forward([x, y]);
+    (back[0] - u[0]).abs().max((back[1] - u[1]).abs())
+}
+
+fn image(size: usize, value: impl Fn(usize, usize) -> f32) -> NdfMap {
+    let texels: Vec<f32> = (0..size * size).map(|k| value(k % size, k / size)).collect();
+    NdfMap::from_texels(size, size, &texels, Measure::Normals).expect("valid")
+}
+
+#[test]
+fn forward_undoes_inverse_on_every_kind_of_map() {
+    let maps = [
+        ("1×1", image(1, |_, _| 3.0)),
+        ("2×2, one texel", image(2, |i, j| f32::from(i == 1 && j == 0))),
+        ("one hot texel", image(64, |i, j| f32::from(i == 40 && j == 20))),
+        ("hot texel at the rim", image(8, |i, j| f32::from(i == 0 && j == 2))),
+        ("binary mask", image(33, |i, j| f32::from((i * 7 + j * 5) % 11 < 3))),
+        ("two far islands", image(64, |i, j| f32::from((i == 1 || i == 62) && j / 2 == 16))),
+        ("ring", image(64, |i, j| f32::from((i as f32 - 31.5).hypot(j as f32 - 31.5) > 24.0))),
+        ("steep", image(64, |i, j| (-(i as f32) - 0.5 * j as f32).exp2())),
+        ("GGX 0.05", NdfMap::from_ndf(256, 256, &Ggx::isotropic(0.05).unwrap()).unwrap()),
+        ("GGX 1", NdfMap::from_ndf(100, 37, &Ggx::isotropic(1.0).unwrap()).unwrap()),
+        ("bright rim", NdfMap::from_fn(50, 50, Measure::SolidAngle, |n| n.x.abs()).unwrap()),
+    ];
+    for (name, map) in maps {
+        let mut random = Random(11);
+        let largest = |worst: f64, u| check_round_trip(map.cdf(), u).max(worst);
+        let inner = (0..20_000).map(|_| [random.uniform(), random.uniform()]).fold(0.0, largest);
+        let edges = EDGES.into_iter().flat_map(|u1| EDGES.map(|u2| [u1, u2])).fold(0.0, largest);
+        println!("{name}: {inner:e}, at the edges {edges:e}");
+        // A last bit of x, 1e-16, times m(x), at most the number of texels.
+        assert!(inner < 1e-11, "{name}: {inner:e}");
+        // Next to an end the chord is 1e-8 long, and the last bit of y 1e-8 of that.
+        assert!(edges < 1e-7, "{name}: {edges:e}");
+    }
+}
+
+#[test]
+fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
+    let ggx = Ggx::new(0.3, 0.6).unwrap();
+    let map = NdfMap::from_ndf(256, 256, &ggx).unwrap();
+    let mut worst = 0.0_f32;
+    for (j, k) in (-40..=40).flat_map(|j| (-40..=40).map(move |k| (j, k))) {
+        let z = Vec2::new(j as f32, k as f32) * 0.1;
+        worst = worst.max((map.to_gaussian(map.from_gaussian(z)) - z).abs().max_element());
+    }
+    println!("worst |T⁻¹(T(z)) − z| of a map: {worst:e}");
+    // At |z| = 4 near the rim, where dz/dn grows to 10⁴.
+    assert!(worst < 5e-3, "{worst:e}");
+}
+
+#[test]
+fn empty_rows_are_uniform_on_the_chord() {
+    let map = image(16, |i, _| f32::from(i == 3 || i == 12));
+    let x = 0.5;
+    assert_eq!(map.cdf().marginal(x), 0.0);
+    assert!((map.cdf().marginal_cdf(x) - 0.5).abs() < 1e-14);
+    for u in [0.0, 0.25, 0.5, 0.75] {
+        assert!((map.cdf().conditional_inverse(x, u) - u).abs() < 1e-15, "{u}");
+        assert!((map.cdf().conditional_cdf(x, u) - u).abs() < 1e-15, "{u}");
+    }
+    let [_, y] = map.cdf().inverse([0.5, 0.3]);
+    assert!((0.0..=1.0).contains(&y));
+}
+
+#[test]
+fn distribution_functions_never_decrease() {
+    let map = image(31, |i, j| if (i * j) % 7 < 2 { 0.0 } else { ((i * 3 + j) % 5) as f32 });
+    let steps = (0..=10_000).map(|k| f64::from(k) / 10_000.0);
+    let (mut m, mut inverse) = (0.0, 0.0);
+    for t in steps.clone() {
+        assert!(map.cdf().marginal_cdf(t) >= m && map.cdf().marginal_inverse(t) >= inverse, "{t}");
+        (m, inverse) = (map.cdf().marginal_cdf(t), map.cdf().marginal_inverse(t));
+    }
+    for x in [0.001, 0.01, 0.3, 0.5, 0.77, 0.999] {
+        let (mut c, mut inverse) = (0.0, 0.0);
+        for t in steps.clone() {
+            let next = (map.cdf().conditional_cdf(x, t), map.cdf().conditional_inverse(x, t));
+            assert!(next.0 >= c && next.1 >= inverse, "{x} {t}");
+            (c, inverse) = next;
+        }
+    }
+    assert_eq!((map.cdf().marginal_cdf(0.0), map.cdf().marginal_cdf(1.0)), (0.0, 1.0));
+}
+
+#[test]
+fn small_weights_beside_large_ones_are_kept() {
+    // A row of weight 1e-12 beside one of 1: single precision would lose it.
+    let map = image(8, |i, j| {
+        if j != 3 {
+            0.0
+        } else if i == 2 {
+            1.0
+        } else if i == 6 {
+            1e-12
+        } else {
+            0.0
+        }
+    });
+    let [x, _] = map.cdf().inverse([1.0 - 5e-13, 0.5]);
+    assert!((0.75..0.875).contains(&x), "{x}");
+    let n = Vec3::new(0.6, -0.2, (1.0_f32 - 0.36 - 0.04).sqrt());
+    let expected = 1e-12 * 64.0 / 4.0;
+    assert!((map.density(n) / expected - 1.0).abs() < 1e-5, "{:e}", map.density(n));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::with_cases(400)
+    })]
+
+    #[test]
+    fn forward_undoes_inverse(
+        width in 1_usize..12, height in 1_usize..12,
+        weights in proptest::collection::vec(prop_oneof![Just(0.0_f32), 0.01_f32..10.0], 121),
+        u1 in 0.0_f64..1.0, u2 in 0.0_f64..1.0,
+    ) {
+        let texels = &weights[..width * height];
+        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals) else {
+            // Only black maps are refused.
+            prop_assert!(texels.iter().zip(0..).all(|(&t, k)| t == 0.0 || !in_disk(k, width, height)));
+            return Ok(());
+        };
+        let error = check_round_trip(map.cdf(), [u1, u2]);
+        prop_assert!(error < 1e-9, "{error:e}");
+        let m = map.from_gaussian(Vec2::new(4.0 * u1 as f32 - 2.0, 4.0 * u2 as f32 - 2.0));
+        prop_assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
+    }
+}
+
+fn in_disk(texel: usize, width: usize, height: usize) -> bool {
+    let nearest = |k: usize, n: usize| {
+        0.0_f64.clamp(k as f64 / n as f64 * 2.0 - 1.0, (k + 1) as f64 / n as f64 * 2.0 - 1.0)
+    };
+    nearest(texel % width, width).hypot(nearest(texel / width, height)) < 1.0
+}

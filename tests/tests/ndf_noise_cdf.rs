@@ -1,0 +1,65 @@
+//! G: monotone, total, inverse to itself, and right for a noise whose distribution is known.
+
+use asperity_ndf_sampling::{NoiseCdf, phi};
+use asperity_tests::random::Random;
+use proptest::prelude::*;
+
+/// G of the mean of two numbers uniform on ±1: a triangle.
+fn triangle(r: f64) -> f64 {
+    if r < 0.0 { 0.5 * (1.0 + r).max(0.0).powi(2) } else { 1.0 - 0.5 * (1.0 - r).max(0.0).powi(2) }
+}
+
+#[test]
+fn known_noise_becomes_gaussian() {
+    let table: Vec<f32> = (0..1025).map(|k| triangle(f64::from(k) / 512.0 - 1.0) as f32).collect();
+    let g = NoiseCdf::new(1.0, &table).unwrap();
+    let (mut random, samples) = (Random(12), 200_000_u32);
+    let mut values: Vec<f64> = (0..samples)
+        .map(|_| f64::from(g.gaussian((random.uniform() + random.uniform() - 1.0) as f32)))
+        .collect();
+    values.sort_by(f64::total_cmp);
+    let distance = values.iter().zip(0..).fold(0.0_f64, |worst, (&z, k)| {
+        let (below, above) = (f64::from(k) / f64::from(samples), f64::from(k + 1) / f64::from(samples));
+        worst.max((phi(z) - below).abs()).max((phi(z) - above).abs())
+    });
+    // Kolmogorov's 0.1 % point is 1.95/√n = 0.0044.
+    assert!(distance < 1.95 / f64::from(samples).sqrt(), "{distance}");
+}
+
+#[test]
+fn table_is_met_at_its_entries() {
+    let table = [0.0, 0.125, 0.5, 0.5, 0.875, 1.0];
+    let g = NoiseCdf::new(2.5, &table).unwrap();
+    for (k, &value) in table.iter().enumerate() {
+        assert_eq!(g.uniform(k as f32 - 2.5), value, "{k}");
+    }
+    assert_eq!(g.uniform(-2.0), 0.0625);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(5), failure_persistence: None, ..ProptestConfig::with_cases(1000)
+    })]
+
+    #[test]
+    fn monotone_and_inverse(
+        weights in proptest::collection::vec(0.01_f32..1.0, 1..40), range in 0.1_f32..10.0, a in -1.2_f32..1.2, b in -1.2_f32..1.2,
+    ) {
+        let total: f32 = weights.iter().sum();
+        let mut table = vec![0.0];
+        table.extend(weights.iter().scan(0.0_f32, |sum, w| { *sum += w / total; Some(sum.min(1.0)) }));
+        let g = NoiseCdf::new(range, &table).unwrap();
+        let (low, high) = (a.min(b) * range, a.max(b) * range);
+        prop_assert!(g.uniform(low) <= g.uniform(high));
+        prop_assert!(g.gaussian(low) <= g.gaussian(high));
+        prop_assert!(g.gaussian(low).is_finite() && g.gaussian(high).is_finite());
+        // The steepness of the inverse is at most the number of entries over the least weight.
+        let r = a.clamp(-1.0, 1.0) * range;
+        let steep = 2.0 * range * total / 0.01 / weights.len() as f32;
+        prop_assert!((g.inverse(g.uniform(r)) - r).abs() < 3e-7 * (steep + range), "{} {r}", g.inverse(g.uniform(r)));
+        let z = 3.0 * a;
+        let back = g.uniform(g.from_gaussian(z));
+        let u = (phi(f64::from(z)) as f32).clamp(table[0], table[table.len() - 1]);
+        prop_assert!((back - u).abs() < 1e-5, "{back} {u}");
+    }
+}
