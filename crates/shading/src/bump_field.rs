@@ -51,3 +51,29 @@ impl<F: GaussianField> BumpField<F> {
         self.field.coordinates(p * self.clamp.frequency(), self.octaves(footprint))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_noise::{GaussianOctaves, Spectrum};
+
+    #[test]
+    fn field_is_seen_at_its_scale_with_its_own_octaves() {
+        let field = GaussianOctaves::new(Spectrum::new(3.0, 0.6, 5).unwrap(), 4);
+        let bumps = BumpField::new(field, 8.0).unwrap();
+        let p = Vec3::new(0.21, -1.3, 0.77);
+        // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
+        let pixel = Footprint::from_width(0.5 / 72.0);
+        assert!((bumps.octaves(pixel) - 2.0).abs() < 1e-6);
+        assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.octaves(pixel)));
+        assert_eq!(bumps.octaves(Footprint::from_width(0.0)), 5.0);
+    }
+
+    #[test]
+    fn refuses_what_is_no_frequency() {
+        for bad in [f32::NAN, f32::INFINITY, 0.0, -2.0] {
+            let refused = BumpField::new(GaussianOctaves::new(Spectrum::default(), 0), bad);
+            assert!(matches!(refused, Err(FrequencyClampError::Frequency(_))), "{bad}");
+        }
+    }
+}

@@ -60,12 +60,12 @@ pub trait GaussianField {
 /// ```
 impl GaussianField for GaussianOctaves<Vec3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
-        let fade = self.spectrum().weight(octaves, 0);
-        if fade == 0.0 {
-            return Coordinates::FAR;
-        }
         let [x, y] = self.pair(p, octaves);
-        Coordinates { z: Vec2::new(x.value, y.value), share: self.share(octaves), fade }
+        Coordinates {
+            z: Vec2::new(x.value, y.value),
+            share: self.share(octaves),
+            fade: self.spectrum().weight(octaves, 0),
+        }
     }
 
     fn lacunarity(&self) -> f32 {
