@@ -15,7 +15,8 @@ pub(crate) struct Image {
 impl Image {
     /// The image whose pixel in column `x` and row `y` is `f(x, y)`.
     pub(crate) fn from_fn(width: u32, height: u32, mut f: impl FnMut(u32, u32) -> Vec3) -> Self {
-        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
+        let pixels =
+            (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
         Self { width, height, pixels }
     }
 
@@ -29,9 +30,10 @@ impl Image {
 
     /// The mean of all pixels, summed in `f64` in reading order; black for an empty image.
     pub(crate) fn mean(&self) -> Vec3 {
-        let sum = self.pixels.iter().fold([0.0_f64; 3], |s, p| {
-            [s[0] + f64::from(p.x), s[1] + f64::from(p.y), s[2] + f64::from(p.z)]
-        });
+        let sum = self
+            .pixels
+            .iter()
+            .fold([0.0_f64; 3], |s, p| [s[0] + f64::from(p.x), s[1] + f64::from(p.y), s[2] + f64::from(p.z)]);
         let n = self.pixels.len().max(1) as f64;
         Vec3::new((sum[0] / n) as f32, (sum[1] / n) as f32, (sum[2] / n) as f32)
     }

@@ -1,5 +1,7 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
+mod cli;
+mod densities;
 mod figure;
 mod figures;
 mod image;

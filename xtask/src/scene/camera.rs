@@ -1,5 +1,6 @@
 //! A pinhole camera that knows how much of the surface a pixel covers.
 
+use asperity_shading::Footprint;
 use glam::Vec3;
 
 use super::shape::Hit;
@@ -44,16 +45,10 @@ impl Camera {
         (self.forward + self.right * across + self.up * above).normalize()
     }
 
-    /// Side of the square of the surface's tangent plane that a pixel covers along its longer axis.
-    ///
-    /// ```text
-    /// distance along the axis · pixel's side at distance 1 / |cos θ|
-    /// ```
-    ///
-    /// The slant is held at 1/16, where the rim of a shape ends in a pixel anyway.
-    pub(crate) fn footprint(&self, direction: Vec3, hit: &Hit) -> f32 {
+    /// What a pixel around `direction` covers of the surface at `hit`.
+    pub(crate) fn footprint(&self, direction: Vec3, hit: &Hit) -> Footprint {
         let depth = hit.t * direction.dot(self.forward);
-        depth * self.pixel / direction.dot(hit.normal).abs().max(1.0 / 16.0)
+        Footprint::from_distance(depth, self.pixel, direction.dot(hit.normal))
     }
 }
 
@@ -72,7 +67,7 @@ mod tests {
         let (direction, hit) = at(150.0, 100.0);
         let up = at(150.0, 99.5).1.position.distance(at(150.0, 100.5).1.position);
         // The hyperbola of perspective over half a pixel: measured 1e-5 relative.
-        assert!((camera.footprint(direction, &hit) / up - 1.0).abs() < 1e-4);
+        assert!((camera.footprint(direction, &hit).width() / up - 1.0).abs() < 1e-4);
         let across = at(149.5, 100.0).1.position.distance(at(150.5, 100.0).1.position);
         assert!(across < up);
     }

@@ -1,7 +1,15 @@
 //! A small ray caster: shapes, a pinhole camera, and shading by a normal density function.
 
+pub(crate) mod background;
 pub(crate) mod camera;
+pub(crate) mod field;
+pub(crate) mod hemisphere;
+pub(crate) mod lights;
+pub(crate) mod material;
 pub(crate) mod mesh;
+pub(crate) mod relief;
 pub(crate) mod render;
+pub(crate) mod request;
 pub(crate) mod shape;
 pub(crate) mod teapot;
+pub(crate) mod uniform;

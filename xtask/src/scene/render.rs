@@ -41,10 +41,10 @@ pub(crate) fn render(
             }
             let row = (0..width)
                 .map(|x| {
-                    let shift = shift(x, y, seed);
+                    let shift = jitter(x, y, seed);
                     let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
-                        let jitter = sample(k, shift);
-                        sum + radiance(x as f32 + jitter.x, y as f32 + jitter.y)
+                        let place = sample(k, shift);
+                        sum + radiance(x as f32 + place.x, y as f32 + place.y)
                     });
                     sum / count as f32
                 })
@@ -65,7 +65,7 @@ fn sample(k: u32, shift: Vec2) -> Vec2 {
 }
 
 /// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
-fn shift(x: u32, y: u32, seed: u32) -> Vec2 {
+pub(crate) fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
     let first = hash(x ^ hash(y ^ hash(seed)));
     let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
     Vec2::new(unit(first), unit(hash(first ^ 0x9e37_79b9)))
@@ -99,10 +99,10 @@ mod tests {
     #[test]
     fn samples_stay_in_their_pixel_and_differ_between_pixels() {
         for k in 0..1000 {
-            let jitter = sample(k, shift(k, 3, 1));
-            assert!((0.0..1.0).contains(&jitter.x) && (0.0..1.0).contains(&jitter.y), "{k}: {jitter}");
+            let place = sample(k, jitter(k, 3, 1));
+            assert!((0.0..1.0).contains(&place.x) && (0.0..1.0).contains(&place.y), "{k}: {place}");
         }
-        assert_ne!(shift(0, 1, 0), shift(1, 0, 0));
+        assert_ne!(jitter(0, 1, 0), jitter(1, 0, 0));
     }
 
     #[test]

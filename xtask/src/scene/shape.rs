@@ -16,6 +16,17 @@ pub(crate) struct Hit {
     pub(crate) tangent: Vec3,
 }
 
+impl Hit {
+    /// The same point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
+    /// shaded like the outside.
+    pub(crate) fn facing(mut self, direction: Vec3) -> Self {
+        if self.normal.dot(direction) > 0.0 {
+            self.normal = -self.normal;
+        }
+        self
+    }
+}
+
 /// A shape in its own space, z up.
 pub(crate) enum Shape {
     /// Radius 1 about the origin; tangents go east around the z axis.
@@ -24,6 +35,8 @@ pub(crate) enum Shape {
     Plane,
     /// Triangles.
     Mesh(TracedMesh),
+    /// Triangles on the unit disk of the plane z = 0.
+    MeshOnDisk(TracedMesh),
 }
 
 impl Shape {
@@ -33,6 +46,10 @@ impl Shape {
             Self::Sphere => sphere(origin, direction),
             Self::Plane => plane(origin, direction),
             Self::Mesh(mesh) => mesh.first_hit(origin, direction),
+            Self::MeshOnDisk(mesh) => mesh
+                .first_hit(origin, direction)
+                .filter(|hit| hit.position.z > 0.0)
+                .or_else(|| plane(origin, direction).filter(|hit| hit.position.length_squared() < 1.0)),
         }
     }
 }

@@ -143,7 +143,8 @@ mod tests {
     fn every_edge_has_two_triangles_but_the_open_ends_of_handle_and_spout() {
         let edges = edges(&teapot());
         assert!(edges.values().all(|&n| n <= 2), "an edge has more than two triangles");
-        let open: Vec<_> = edges.iter().filter(|(_, n)| **n == 1).map(|(e, _)| e.map(|p| p.map(f32::from_bits))).collect();
+        let open: Vec<_> =
+            edges.iter().filter(|(_, n)| **n == 1).map(|(e, _)| e.map(|p| p.map(f32::from_bits))).collect();
         // Two tubes with two ends of two patch edges each.
         assert_eq!(open.len(), 2 * 2 * 2 * CELLS.0);
         for edge in open {
