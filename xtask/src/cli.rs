@@ -109,11 +109,23 @@ pub(crate) struct Render {
     #[arg(long, default_value_t = 1.0, value_parser = positive)]
     pub(crate) zoom: f32,
     /// The most octaves of noise.
-    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=16))]
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(0..=16))]
     pub(crate) octaves: u32,
+    /// Lattice cells of the first octave per unit of length [default: what suits the scene].
+    #[arg(long, value_parser = positive)]
+    pub(crate) frequency: Option<f32>,
+    /// Each octave's amplitude over the one before, between 0 and 1 [default: 0.8].
+    #[arg(long, value_parser = positive)]
+    pub(crate) gain: Option<f32>,
     /// The noise that the bumps are made of.
     #[arg(long, value_enum, default_value_t = Noise::Gaussian)]
     pub(crate) noise: Noise,
+    /// Colour of the surface, sRGB in hexadecimal.
+    #[arg(long, value_name = "RRGGBB", default_value = "e8b48c", value_parser = colour)]
+    pub(crate) tint: u32,
+    /// Exposure; at 1 the density's peak under the key light is just short of white.
+    #[arg(long, default_value_t = 1.3, value_parser = positive)]
+    pub(crate) exposure: f32,
     /// Side of the picture in pixels.
     #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=8192))]
     pub(crate) size: u32,
@@ -172,6 +184,14 @@ fn positive(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
         _ => Err("a number above 0".into()),
+    }
+}
+
+fn colour(text: &str) -> Result<u32, String> {
+    let digits = text.trim_start_matches('#');
+    match u32::from_str_radix(digits, 16) {
+        Ok(rgb) if digits.len() == 6 => Ok(rgb),
+        _ => Err("six hexadecimal digits, as in d9a066".into()),
     }
 }
 

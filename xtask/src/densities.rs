@@ -2,10 +2,10 @@
 
 use std::{fs, io::Cursor, path::Path};
 
-use asperity_ndf_sampling::{Beckmann, Ggx, Measure, Ndf, NdfMap, glam::Vec3};
+use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, glam::Vec3};
 use exr::prelude::{ReadChannels, ReadLayers};
 
-use crate::{cli, figure::Failure, output::sha256};
+use crate::{cli, figure::Failure, output::sha256, scene::material::SharedNdf};
 
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;
@@ -54,7 +54,7 @@ impl Density {
     }
 
     /// The density itself.
-    pub(crate) fn ndf(&self) -> &(dyn Ndf + Send + Sync) {
+    pub(crate) fn ndf(&self) -> &SharedNdf {
         match &self.form {
             Form::Ggx(ggx) => ggx,
             Form::Beckmann(beckmann) => beckmann,
@@ -91,7 +91,11 @@ impl Density {
         let clean: String =
             name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' }).collect();
         let clean = clean.trim_start_matches('.').to_owned();
-        if name.len() == self.spec.len() { clean } else { format!("{clean}-{}", &sha256(self.spec.as_bytes())[..8]) }
+        if name.len() == self.spec.len() {
+            clean
+        } else {
+            format!("{clean}-{}", &sha256(self.spec.as_bytes())[..8])
+        }
     }
 }
 
@@ -110,9 +114,8 @@ pub(crate) fn painted() -> Result<NdfMap, Failure> {
 }
 
 fn roughness(numbers: &str) -> Result<[f32; 2], String> {
-    let parse = |text: &str| {
-        text.trim().parse::<f32>().map_err(|_| format!("`{}` is not a number", text.trim()))
-    };
+    let parse =
+        |text: &str| text.trim().parse::<f32>().map_err(|_| format!("`{}` is not a number", text.trim()));
     match numbers.split_once(',') {
         Some((x, y)) => Ok([parse(x)?, parse(y)?]),
         None => parse(numbers).map(|alpha| [alpha, alpha]),
@@ -121,7 +124,9 @@ fn roughness(numbers: &str) -> Result<[f32; 2], String> {
 
 fn image_density(path: &Path, measure: cli::Measure) -> Result<NdfMap, Failure> {
     let bytes = fs::read(path).map_err(|error| {
-        format!("neither `ggx:…`, `beckmann:…` nor `painted`, and as an image file it cannot be read: {error}")
+        format!(
+            "neither `ggx:…`, `beckmann:…` nor `painted`, and as an image file it cannot be read: {error}"
+        )
     })?;
     let grey = if bytes.starts_with(b"\x89PNG") {
         png(&bytes)?
@@ -250,7 +255,8 @@ mod tests {
         let deep = [[1_u8, 0], [1, 1]].concat();
         let deep = file(&folder, "deep.png", &encode(1, 2, png::BitDepth::Sixteen, &deep));
         let density = Density::parse(&deep, cli::Measure::Normals).unwrap();
-        let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8)) / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
+        let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8))
+            / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
         assert!((ratio - 257.0 / 256.0).abs() < 1e-5, "{ratio}");
     }
 

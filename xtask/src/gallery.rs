@@ -71,8 +71,7 @@ pub(crate) fn draw(settings: &Settings, output: &Output, interrupted: &AtomicBoo
         .filter(|record| is_whole(record, output))
         .collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    output
-        .write("index.html", page::gallery(&records, env!("CARGO_PKG_VERSION"), drawing).as_bytes())?;
+    output.write("index.html", page::gallery(&records, env!("CARGO_PKG_VERSION"), drawing).as_bytes())?;
     Ok(())
 }
 

@@ -1,12 +1,112 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
+mod ci;
 mod cli;
 mod densities;
 mod figure;
 mod figures;
+mod gallery;
 mod image;
-mod scene;
+mod no_std;
 mod output;
+mod page;
 mod plot;
+mod progress;
+mod render_command;
+mod scene;
+mod systems;
+mod tables;
+mod tidy;
 
-fn main() {}
+use std::{
+    io::Write,
+    path::Path,
+    process::ExitCode,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use clap::Parser;
+
+use cli::{Cli, Command};
+use figure::Failure;
+use output::Output;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match run(cli) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(cli: Cli) -> Result<(), Failure> {
+    if let Some(jobs) = cli.jobs {
+        rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global()?;
+    }
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+    // The manifest's folder is the builder's own; the workspace is the folder above it.
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("the builder has no workspace")?;
+    match cli.command {
+        Command::Gallery(wanted) if wanted.list => {
+            for figure in gallery::chosen(&wanted.only)? {
+                progress::say(&format!("{:<26} {} ({})", figure.name, figure.title, figure.source));
+            }
+            Ok(())
+        }
+        Command::Gallery(wanted) => {
+            gallery::chosen(&wanted.only)?;
+            let output = Output::new(&wanted.out)?;
+            if wanted.only.is_empty() {
+                tables::build(&tables::default_sets(), &output.inside("tables")?, &interrupted)?;
+            }
+            let settings = gallery::Settings {
+                size: wanted.size,
+                samples_per_pixel: wanted.spp,
+                seed: wanted.seed,
+                only: wanted.only,
+                afresh: wanted.afresh,
+            };
+            let pictures = output.inside("gallery")?;
+            gallery::draw(&settings, &pictures, &interrupted)?;
+            tell("gallery", &pictures, "index.html");
+            Ok(())
+        }
+        Command::Tables(wanted) if wanted.check => tables::check(root).map(|()| {
+            progress::say("the tables that the crates ship are what the builder makes");
+        }),
+        Command::Tables(wanted) if wanted.ship => tables::ship(root),
+        Command::Tables(wanted) => {
+            let sets = tables::chosen_sets(&wanted.ndf, wanted.measure, &wanted.fif)?;
+            let output = Output::new(&wanted.out)?;
+            tables::build(&sets, &output, &interrupted)?;
+            tell("tables", &output, "index.html");
+            Ok(())
+        }
+        Command::Render(wanted) => render_command::render(&wanted, &interrupted),
+        Command::Tidy => {
+            let offences = tidy::offences()?;
+            if offences.is_empty() {
+                progress::say("tidy");
+                Ok(())
+            } else {
+                Err(offences.join("\n       ").into())
+            }
+        }
+        Command::Ci => ci::run(root, &interrupted),
+        Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
+    }
+}
+
+fn tell(what: &str, output: &Output, file: &str) {
+    let path = output.folder().join(file);
+    let path = std::path::absolute(&path).unwrap_or(path);
+    progress::say(&format!("the {what}: {}", path.display()));
+}

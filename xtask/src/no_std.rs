@@ -25,8 +25,10 @@ pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
         return Ok("the no_std probe checks without std".into());
     }
     // A static program with its own entry point and no allocator: whatever is not there cannot be called.
-    let build = ["rustc", "--quiet", "--locked", "--release", "--bin", "probe", "--features", "program", "--"];
-    let link = ["link-arg=-nostartfiles", "link-arg=-nostdlib", "link-arg=-static", "relocation-model=static"];
+    let build =
+        ["rustc", "--quiet", "--locked", "--release", "--bin", "probe", "--features", "program", "--"];
+    let link =
+        ["link-arg=-nostartfiles", "link-arg=-nostdlib", "link-arg=-static", "relocation-model=static"];
     let link: Vec<&str> = link.iter().flat_map(|flag| ["-C", flag]).collect();
     cargo("link without std", &[&build[..], &link].concat())?;
     let program: PathBuf = folder.join("target/release/probe");
@@ -36,6 +38,9 @@ pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
             "the no_std probe links without std or allocator, and its calls into all four crates agree ({} bytes)",
             std::fs::metadata(&program)?.len()
         )),
-        code => Err(format!("the no_std probe ended with {code:?}: its exit code names the crate that disagrees").into()),
+        code => {
+            Err(format!("the no_std probe ended with {code:?}: its exit code names the crate that disagrees")
+                .into())
+        }
     }
 }

@@ -197,7 +197,8 @@ mod tests {
     fn every_opened_element_is_closed() {
         let page = gallery(&[record(), record()], "0.1.0", |_| String::new());
         for tag in ["article", "section", "figure", "dl", "table", "main", "nav", "div", "html", "body"] {
-            let opened = page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
+            let opened =
+                page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
             assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
         }
     }

@@ -20,7 +20,11 @@ pub(crate) fn bar(label: &str) -> ProgressBar {
 }
 
 fn target() -> ProgressDrawTarget {
-    if io::stderr().is_terminal() { ProgressDrawTarget::stderr_with_hz(8) } else { ProgressDrawTarget::hidden() }
+    if io::stderr().is_terminal() {
+        ProgressDrawTarget::stderr_with_hz(8)
+    } else {
+        ProgressDrawTarget::hidden()
+    }
 }
 
 /// Prints one line to standard output; a reader that has gone away is no error.

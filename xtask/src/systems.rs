@@ -69,7 +69,12 @@ impl System {
             let mut padded = [0.0; COEFFICIENTS];
             if given.len() > COEFFICIENTS {
                 let most = COEFFICIENTS - 1;
-                return Err(format!("map {}: the degree must be at most {most}, got {}", j + 1, given.len() - 1).into());
+                return Err(format!(
+                    "map {}: the degree must be at most {most}, got {}",
+                    j + 1,
+                    given.len() - 1
+                )
+                .into());
             }
             padded[..given.len()].copy_from_slice(&given);
             q.push(padded);
@@ -148,7 +153,7 @@ mod tests {
             refused(&file("[0, 2, 1]", "[0.5, 0.5]", lines)),
             refused(&file("[0, 1, 2]", "[0.5, 1]", lines)),
             refused(&file("[0, 1]", "[0.5]", "[[0, 0.5]]")),
-            refused(&file("[0, 1, 2]", "[0.5, 0.5]", "[[0, 0.5], [1.5, -0.5]]")),
+            refused(&file("[0, 1, 2]", "[0.5, 0.5]", "[[0, 0.6], [1, -0.5]]")),
             refused(&file("[0, 1, 2]", "[0.5]", lines)),
             refused(&file("[0, 1, 2]", "[0.5, 0.5]", "[[0, 0.5], [\"x\"]]")),
             refused(&file("[0, 1, 2]", "[0.5, 0.5]", "[[0, 0.5], [0, 0, 0, 0, 0, 0, 0, 0, 1]]")),

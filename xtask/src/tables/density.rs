@@ -18,8 +18,11 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let map = density.map()?;
     let (width, height) = (map.cdf().width(), map.cdf().height());
     // Textures have their first row at the top, where n_y is near +1; arrays follow the map, from n_y = −1 up.
-    let texture: Vec<f32> =
-        (0..height).rev().flat_map(|j| (0..width).map(move |i| [i, j])).map(|t| at_centre(&map, t, [width, height])).collect();
+    let texture: Vec<f32> = (0..height)
+        .rev()
+        .flat_map(|j| (0..width).map(move |i| [i, j]))
+        .map(|t| at_centre(&map, t, [width, height]))
+        .collect();
     let edges = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
     let marginal: Vec<f64> = edges(width).map(|x| map.cdf().marginal_cdf(x)).collect();
     let conditional: Vec<f64> = (0..width)

@@ -1,6 +1,6 @@
 //! The tables of a fractal interpolation function: its system, its integrals, their bounds and values.
 
-use asperity_fif::{FifBuf, Fif, Piece};
+use asperity_fif::{Fif, FifBuf, Piece};
 use serde_json::{Value, json};
 
 use super::{Made, formats::npy, ramp};
@@ -22,8 +22,11 @@ pub(super) fn tables(system: &System) -> Result<Made, Failure> {
     let second: FifBuf<{ COEFFICIENTS + 2 }> = first.integral(0.0)?;
     let curves = [values(f), values(&first), values(&second)];
     let names = ["f", "integral", "second_integral"];
-    let files =
-        names.iter().zip(&curves).map(|(name, values)| (format!("{name}.npy"), npy(&[POINTS, 2], &values.concat()))).collect();
+    let files = names
+        .iter()
+        .zip(&curves)
+        .map(|(name, values)| (format!("{name}.npy"), npy(&[POINTS, 2], &values.concat())))
+        .collect();
     Ok(Made {
         text: format!(
             "The system with its first and second integral (each a system on the same knots), rigorous bounds of all three, \
@@ -64,7 +67,9 @@ fn picture(curves: &[Vec<[f64; 2]>]) -> Image {
     for (index, curve) in curves.iter().enumerate() {
         let (low, high) =
             curve.iter().fold((f64::MAX, f64::MIN), |(low, high), &[_, y]| (low.min(y), high.max(y)));
-        let row = |y: f64| ((1.0 - (y - low) / (high - low).max(f64::MIN_POSITIVE)) * 0.86 + 0.07) * f64::from(SIDE);
+        let row = |y: f64| {
+            ((1.0 - (y - low) / (high - low).max(f64::MIN_POSITIVE)) * 0.86 + 0.07) * f64::from(SIDE)
+        };
         for pair in curve.windows(2).enumerate() {
             let (i, &[[_, y0], [_, y1]]) = pair else { continue };
             let column = i * SIDE as usize / (POINTS - 1);

@@ -15,8 +15,7 @@ pub(crate) fn exr(width: usize, height: usize, channels: &[(&str, Vec<f32>)]) ->
         .map(|(name, samples)| AnyChannel::new(*name, FlatSamples::F32(samples.clone())))
         .collect();
     let encoding = Encoding::UNCOMPRESSED;
-    let layer =
-        Layer::new((width, height), LayerAttributes::default(), encoding, AnyChannels::sort(list));
+    let layer = Layer::new((width, height), LayerAttributes::default(), encoding, AnyChannels::sort(list));
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())
@@ -68,7 +67,10 @@ mod tests {
         let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
         assert_eq!((10 + length) % 64, 0);
         let header = std::str::from_utf8(&bytes[10..10 + length]).unwrap();
-        assert!(header.starts_with("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, ), }"), "{header}");
+        assert!(
+            header.starts_with("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, ), }"),
+            "{header}"
+        );
         assert!(header.ends_with('\n'));
         assert_eq!(bytes.len(), 10 + length + 24);
     }

@@ -1,7 +1,8 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
 
 use asperity_noise::{
-    Gaussian, Lattice, Noise, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics, gaussian_variates_3,
+    Gaussian, Lattice, Noise, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics,
+    gaussian_variates_3,
     glam::{Vec2, Vec3},
 };
 use serde_json::{Map, json};

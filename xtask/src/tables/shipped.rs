@@ -29,7 +29,9 @@ pub(crate) fn check(root: &Path) -> Result<(), Failure> {
         let there = fs::read_to_string(&path).map_err(|error| format!("{folder}/{name}: {error}"))?;
         // A checkout may have turned the line ends.
         if there.replace("\r\n", "\n") != make() {
-            return Err(format!("{folder}/{name} has drifted: `cargo xtask tables --ship` makes it anew").into());
+            return Err(
+                format!("{folder}/{name} has drifted: `cargo xtask tables --ship` makes it anew").into()
+            );
         }
     }
     Ok(())
