@@ -22,3 +22,18 @@ impl Fade {
         Self { weight: up * t * (t * (6.0 * t - 15.0) + 10.0), slope: 30.0 * up * down }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_rise_from_zero_to_one_with_level_ends() {
+        for fade in [Fade::cubic, Fade::quintic] {
+            let [start, middle, end] = [0.0, 0.5, 1.0].map(fade);
+            assert_eq!([start.weight, middle.weight, end.weight], [0.0, 0.5, 1.0]);
+            assert_eq!([start.slope, end.slope], [0.0, 0.0]);
+        }
+        assert_eq!([Fade::cubic(0.5).slope, Fade::quintic(0.5).slope], [1.5, 1.875]);
+    }
+}

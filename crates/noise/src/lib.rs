@@ -32,7 +32,7 @@ pub use glam;
 
 pub use gaussian::Gaussian;
 pub use gaussian_octaves::GaussianOctaves;
-pub use integer_hash::IntegerHash;
+pub use integer_hash::{IntegerHash, second_word};
 pub use lattice::Lattice;
 pub use noise::Noise;
 pub use octaves::{Normalisation, Octaves};

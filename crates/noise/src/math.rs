@@ -9,12 +9,3 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     #[cfg(not(feature = "libm"))]
     return x.sqrt();
 }
-
-/// The greatest integer that is not above x.
-#[inline(always)]
-pub(crate) fn floor(x: f32) -> f32 {
-    #[cfg(feature = "libm")]
-    return libm::floorf(x);
-    #[cfg(not(feature = "libm"))]
-    return x.floor();
-}

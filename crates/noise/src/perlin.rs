@@ -20,7 +20,7 @@ use crate::{
 /// n(p) = A Σ_c W_c(p) g_c·(p − c),   W = Π w or 1 − w,   w(t) = 3t² − 2t³
 /// ```
 ///
-/// - **Range:** [−1, 1], attained in cell centres: A = √2 in 2-D, 2/√3 in 3-D, the inverse of max Σ W_c |p − c|.
+/// - **Range:** [−1, 1], attained in cell centres within 2e-6: A = √2 in 2-D, 2/√3 in 3-D, 1/max Σ W_c |p − c|.
 /// - **Zero** at every lattice point; the variance depends on the place in the cell.
 ///
 /// Perlin 1985, "An Image Synthesizer"; Ebert (ed.) 1994, "Texturing and Modeling".
@@ -43,7 +43,7 @@ pub struct Perlin1985<L = IntegerHash>(
 /// n(p) = A Σ_c W_c(p) g_c·(p − c),   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
 /// ```
 ///
-/// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 1e-6.
+/// - **Range:** [−1, 1], attained within 2e-6: A = 1 in 2-D, 1/1.0363538 in 3-D by search of max Σ W_c max_g g·(p − c).
 /// - **Zero** at every lattice point; the variance depends on the place in the cell.
 ///
 /// Perlin 2002, "Improving Noise"; all twelve edges are equally likely here, where he doubles four of them.
@@ -73,14 +73,16 @@ impl Default for Perlin2002 {
     }
 }
 
-/// 1/max Σ W_c |p − c| = √2, in the centre of a square.
-const SCALE_1985_2: f32 = core::f32::consts::SQRT_2;
-/// 1/max Σ W_c |p − c| = 2/√3, in the centre of a cube.
-const SCALE_1985_3: f32 = 1.154_700_5;
-/// 1/max Σ W_c max_g g·(p − c).
-const SCALE_2002_2: f32 = 1.0;
-/// 1/max Σ W_c max_g g·(p − c).
-const SCALE_2002_3: f32 = 1.0 / 1.036_353_9;
+/// Keeps rounding from crossing 1.
+const MARGIN: f32 = 1.0 - 1e-6;
+/// max Σ W_c |p − c| = √½, in the centre of the square.
+const SCALE_1985_2: f32 = MARGIN / core::f32::consts::FRAC_1_SQRT_2;
+/// max Σ W_c |p − c| = √¾, in the centre of the cube.
+const SCALE_1985_3: f32 = MARGIN / 0.866_025_4;
+/// max Σ W_c max_g g·(p − c) = 1, in the centre of the square.
+const SCALE_2002_2: f32 = MARGIN;
+/// max Σ W_c max_g g·(p − c), searched; at (0.5, 0.518508, 0.355257).
+const SCALE_2002_3: f32 = MARGIN / 1.036_353_8;
 
 impl<L: Lattice> Noise<Vec2> for Perlin1985<L> {
     #[inline]

@@ -67,3 +67,31 @@ impl Lattice for PermutationTable {
         mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_are_a_permutation() {
+        for seed in 0..64 {
+            let mut seen = [false; 256];
+            for &entry in PermutationTable::new(seed).entries() {
+                seen[usize::from(entry)] = true;
+            }
+            assert_eq!(seen, [true; 256], "seed {seed}");
+        }
+        assert_ne!(PermutationTable::new(0), PermutationTable::new(1));
+    }
+
+    #[test]
+    fn the_index_is_the_lectures() {
+        let table = PermutationTable::new(3);
+        let perm = |i: i32| i32::from(table.entries()[(i & 255) as usize]);
+        for (x, y, z) in [(0, 0, 0), (1, 2, 3), (-1, -300, 77), (1000, -2000, 255), (250, 250, 250)] {
+            let expected = perm((x + perm((y + perm(z & 255)) & 255)) & 255);
+            assert_eq!(i32::from(table.index(x, y, z)), expected, "({x}, {y}, {z})");
+        }
+        assert_eq!(table.index(i32::MAX, i32::MAX, i32::MAX), table.index(-1, -1, -1));
+    }
+}

@@ -195,3 +195,58 @@ impl fmt::Display for SpectrumError {
 }
 
 impl Error for SpectrumError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_rules_are_named() {
+        for lacunarity in [1.0, 0.5, 0.0, -2.0, f32::INFINITY] {
+            let error = SpectrumError::LacunarityNotAboveOne(lacunarity);
+            assert_eq!(Spectrum::new(lacunarity, 0.5, 8), Err(error));
+        }
+        assert!(matches!(Spectrum::new(f32::NAN, 0.5, 8), Err(SpectrumError::LacunarityNotAboveOne(_))));
+        for gain in [0.0, 1.0, -0.5, f32::INFINITY] {
+            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainOutsideUnitInterval(gain)));
+        }
+        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainOutsideUnitInterval(_))));
+        assert_eq!(Spectrum::new(2.0, 0.5, 0), Err(SpectrumError::OctavesOutOfRange(0)));
+        assert_eq!(Spectrum::new(2.0, 0.5, 17), Err(SpectrumError::OctavesOutOfRange(17)));
+        assert_eq!(Spectrum::new(1e4, 0.5, 16), Err(SpectrumError::FrequencyOverflow(1e4)));
+        assert!(Spectrum::new(1e4, 0.5, 9).is_ok());
+    }
+
+    #[test]
+    fn the_last_octave_fades_in() {
+        let spectrum = Spectrum::default();
+        assert_eq!([0, 1, 2, 3].map(|i| spectrum.weight(2.25, i)), [1.0, 1.0, 0.25, 0.0]);
+        assert_eq!(spectrum.sum_of_amplitudes(2.5), 1.0 + 0.5 + 0.125);
+        assert_eq!(spectrum.root_sum_of_squares(1.0), 1.0);
+        assert_eq!(spectrum.kurtosis_ratio(1.0), 1.0);
+        assert_eq!(spectrum.kurtosis_ratio(2.0), (1.0 + 0.0625) / (1.25 * 1.25));
+        assert_eq!(spectrum.kurtosis_ratio(1e-30), 1.0);
+    }
+
+    #[test]
+    fn shares_rise_from_zero_and_stay_below_one() {
+        let spectrum = Spectrum::new(2.0, 0.5, MAX_OCTAVES).unwrap();
+        assert_eq!([0.0, 0.5, 1.0, 2.0].map(|octaves| spectrum.share(octaves)), [0.0, 0.1875, 0.75, 0.9375]);
+        let mut last = 0.0;
+        for step in 1..=1600 {
+            let share = spectrum.share(step as f32 / 100.0);
+            assert!(share >= last && share < 1.0, "step {step}: {share} after {last}");
+            last = share;
+        }
+    }
+
+    #[test]
+    fn any_count_of_octaves_is_taken() {
+        let spectrum = Spectrum::default();
+        for nothing in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
+            assert_eq!(spectrum.share(nothing), 0.0, "{nothing}");
+            assert_eq!(spectrum.weight(nothing, 0), 0.0, "{nothing}");
+        }
+        assert_eq!(spectrum.share(f32::INFINITY), spectrum.share(10.0));
+    }
+}
