@@ -45,17 +45,19 @@ fn cases() -> [Case; 3] {
     [
         Case {
             name: "GGX 0.2, 0.4",
-            ndf: Box::new(Ggx::new(0.2, 0.4).unwrap()),
+            ndf: Box::new(Ggx::new(0.2, 0.4).expect("roughness in range")),
             half_vectors: slopes([[0.0, 0.0], [0.1, 0.0], [0.0, 0.3], [-0.2, 0.25], [0.33, -0.25]]),
         },
         Case {
             name: "Beckmann 0.3",
-            ndf: Box::new(Beckmann::isotropic(0.3).unwrap()),
+            ndf: Box::new(Beckmann::isotropic(0.3).expect("roughness in range")),
             half_vectors: slopes([[0.0, 0.0], [0.15, 0.0], [0.0, -0.24], [0.2, 0.2], [-0.3, 0.2]]),
         },
         Case {
             name: "two lobes",
-            ndf: Box::new(NdfMap::from_fn(128, 128, Measure::Normals, painted).unwrap()),
+            ndf: Box::new(
+                NdfMap::from_fn(128, 128, Measure::Normals, painted).expect("two lobes have weight"),
+            ),
             half_vectors: on_map([[-0.4, 0.1], [0.45, -0.2], [0.0, 0.0], [-0.5, -0.1], [0.2, -0.1]]),
         },
     ]

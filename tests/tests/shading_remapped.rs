@@ -7,9 +7,9 @@ use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Mean, variance and correlation of the coordinates, then the ratios of the mean radiance to p(h) at two half vectors.
 fn measured<N: Noise<Vec3> + Copy + Sync>(noise: N, octaves: f32) -> [(f64, f64); 6] {
-    let ndf = Beckmann::isotropic(0.3).unwrap();
+    let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
-    let field = |seed| RemappedOctaves::new(noise, Spectrum::default(), seed).unwrap();
+    let field = |seed| RemappedOctaves::new(noise, Spectrum::default(), seed).expect("a distribution");
     let patches = patch_means(64, 4, field, |field, p, sums: &mut [f64; 6]| {
         let coordinates = field.coordinates(p, octaves);
         let (x, y) = (f64::from(coordinates.z.x), f64::from(coordinates.z.y));

@@ -25,7 +25,7 @@ fn part(z: Vec2) -> usize {
 ///
 /// In units of p(h), with the standard error.
 fn changes(rule: LevelOfDetail, before: f32, after: f32) -> [(f64, f64); 8] {
-    let ndf = Ggx::new(0.2, 0.4).unwrap();
+    let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
     let far = f64::from(far_field(&ndf, h));
     let field = |seed| GaussianOctaves::<Vec3>::new(Spectrum::default(), seed);
@@ -66,8 +66,9 @@ fn exact_rule_is_a_martingale_in_zoom() {
 
 /// The largest change of the radiance between neighbouring footprints, over `steps` of them and a few points.
 fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
-    let ndf = Beckmann::isotropic(0.3).unwrap();
-    let bumps = BumpField::new(GaussianOctaves::new(Spectrum::default(), 11), 3.0).unwrap();
+    let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
+    let bumps =
+        BumpField::new(GaussianOctaves::new(Spectrum::default(), 11), 3.0).expect("frequency in range");
     let mut largest = 0.0_f32;
     for k in 0..8 {
         let p = Vec3::new(0.37, -1.21, 0.83) * k as f32;

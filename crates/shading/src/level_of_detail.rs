@@ -244,6 +244,10 @@ mod tests {
             let h = Vec3::new(0.6, 0.0, 0.8);
             assert_eq!(rule.radiance(&Unruly, h, Coordinates::FAR), far_field(&Unruly, h));
         }
+        for i in 1..100 {
+            let z = Vec2::splat(1.0 / i as f32);
+            assert_eq!(facet_coordinates(&Unruly, near(z.x, z.y, 0.5, 1.0)), z, "faded in, the noise itself");
+        }
     }
 
     #[test]

@@ -116,6 +116,16 @@ mod tests {
     }
 
     #[test]
+    fn octaves_add_and_a_lone_one_stays() {
+        let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).unwrap();
+        let at = |octaves| field.coordinates(Vec3::new(0.3, 1.7, -2.2), octaves);
+        assert_eq!(at(0.25).z, at(1.0).z);
+        assert_eq!((at(0.25).fade, at(1.0).fade), (0.25, 1.0));
+        assert_ne!(at(1.5).z, at(1.0).z);
+        assert_ne!(at(8.0).z, at(1.5).z);
+    }
+
+    #[test]
     fn channels_and_seeds_differ() {
         let p = Vec3::new(0.3, 1.7, -2.2);
         let at = |seed| {
