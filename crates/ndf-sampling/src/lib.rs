@@ -1,4 +1,59 @@
-//! # asperity-ndf-sampling
+//! Normal density functions: densities, exact sampling by noise, its inverse, and exact level of detail.
+//!
+//! A normal density `D` says how the facets of a rough surface are tilted. With the bijection `T` from Gaussian coordinates
+//! to normals that every [`Ndf`] brings along, two channels of Gaussian noise become a bump map with exactly that density
+//! (Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis"), and with its inverse the density that a pixel still sees
+//! when it resolves a part of the bump map is known in closed form.
+//!
+//! ```
+//! use asperity_ndf_sampling::{Ggx, Ndf, conditional_density, glam::{Vec2, Vec3}};
+//!
+//! let ggx = Ggx::new(0.2, 0.4)?;
+//! // Two independent, standard Gaussian numbers at a point of the surface, from any noise.
+//! let z = Vec2::new(0.7, -1.2);
+//! let facet = ggx.from_gaussian(z);
+//! assert!(ggx.to_gaussian(facet).abs_diff_eq(z, 1e-5));
+//!
+//! // A pixel that resolves three quarters of the noise's variance, here with the same numbers, sees this of a half vector.
+//! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
+//! assert!(conditional_density(&ggx, h, z, 0.75) > ggx.density(h));
+//! # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+//! ```
+//!
+//! | item | is |
+//! |---|---|
+//! | [`Ndf`] | the trait: `D(m)`, `T(z)`, `T⁻¹(m)` |
+//! | [`Ggx`], [`Beckmann`] | isotropic and anisotropic, in closed form for every roughness |
+//! | [`NdfMap`], [`Measure`] | a density painted or computed on the hemispherical map, sampled exactly |
+//! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
+//! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
+//! | [`NoiseCdf`] | G: the measured distribution of a noise, to uniform and Gaussian numbers and back |
+//! | [`NormalTable`] | table L: tangent frames by look-up |
+//! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
+//! | [`conditional_density`], [`GaussianSplit`] | exact level of detail |
+//!
+//! # Conventions
+//!
+//! - Normals are unit vectors in a frame whose z axis is the macro normal. Densities are in sr⁻¹ with `∫ D cos θ dω = 1`: over
+//!   the map of projected normals (n_x, n_y) the density is `D` itself.
+//! - The slope of a normal is `(n_x, n_y)/n_z`, minus the gradient of the height.
+//! - Constructors refuse what is no parameter; evaluation is total and never panics, see each item for NaN and infinities.
+//! - `f32` outside; `f64` where distribution functions are summed, subtracted and inverted.
+//! - Reproducibility: the same bits on every machine under the feature `libm`. Between `libm` and `std` results differ by
+//!   rounding.
+//!
+//! # What it does not do
+//!
+//! No noise, no images, no masking and shadowing, no sampling of visible normals. Numbers come in as arguments.
+//!
+//! # Features
+//!
+//! | feature | does |
+//! |---|---|
+//! | `std` (default) | float functions of the standard library |
+//! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
+//! | `alloc` (default) | [`NdfMap`], [`Cdf`] and [`NormalTable`], which own their tables |
+
 #![no_std]
 
 #[cfg(feature = "std")]

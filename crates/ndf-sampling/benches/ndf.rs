@@ -1,0 +1,70 @@
+//! Time per call of the densities, their maps and look-ups, and of building the tables.
+
+use std::hint::black_box;
+
+use asperity_ndf_sampling::glam::{Vec2, Vec3};
+use asperity_ndf_sampling::{
+    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, conditional_density, inverse_phi, phi,
+};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+/// Gaussian coordinates without a pattern that a branch predictor could learn.
+fn coordinates() -> Vec<Vec2> {
+    let uniform = |k: u32| f64::from(k.wrapping_mul(0x9E37_79B9) >> 8) / f64::from(1 << 24) + 1e-8;
+    (0..1024)
+        .map(|k| Vec2::new(inverse_phi(uniform(2 * k)) as f32, inverse_phi(uniform(2 * k + 1)) as f32))
+        .collect()
+}
+
+/// Measures `f` over all of `inputs`, one call after another.
+fn each<T: Copy, R>(c: &mut Criterion, name: &str, inputs: &[T], mut f: impl FnMut(T) -> R) {
+    let mut k = 0;
+    c.bench_function(name, |b| {
+        b.iter(|| {
+            k = (k + 1) % inputs.len();
+            f(black_box(inputs[k]))
+        });
+    });
+}
+
+fn maps(c: &mut Criterion) {
+    let coordinates = coordinates();
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let beckmann = Beckmann::new(0.2, 0.4).expect("roughness in range");
+    let map = NdfMap::from_ndf(256, 256, &ggx).expect("a density");
+    let ndfs: [(&str, &dyn Ndf); 3] = [("ggx", &ggx), ("beckmann", &beckmann), ("map_256", &map)];
+    for (name, ndf) in ndfs {
+        let normals: Vec<Vec3> = coordinates.iter().map(|&z| ndf.from_gaussian(z)).collect();
+        each(c, &format!("density/{name}"), &normals, |m| ndf.density(m));
+        each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.from_gaussian(z));
+        each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.to_gaussian(m));
+        each(c, &format!("conditional_density/{name}"), &normals, |h| {
+            conditional_density(ndf, h, Vec2::new(0.3, -0.8), 0.75)
+        });
+    }
+}
+
+fn look_ups(c: &mut Criterion) {
+    let coordinates = coordinates();
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let table = NormalTable::standard(&ggx);
+    let normals: Vec<Vec3> = coordinates.iter().map(|&z| ggx.from_gaussian(z)).collect();
+    each(c, "normal_table/nearest", &coordinates, |z| table.nearest(z));
+    each(c, "normal_table/bilinear", &coordinates, |z| table.bilinear(z));
+    each(c, "frame/from_normal", &normals, Frame::from_normal);
+    each(c, "phi", &coordinates, |z| phi(f64::from(z.x)));
+    let uniforms: Vec<f64> = coordinates.iter().map(|z| phi(f64::from(z.x))).collect();
+    each(c, "inverse_phi", &uniforms, inverse_phi);
+}
+
+fn construction(c: &mut Criterion) {
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let mut group = c.benchmark_group("build");
+    group.sample_size(10);
+    group.bench_function("map_256", |b| b.iter(|| NdfMap::from_ndf(256, 256, black_box(&ggx))));
+    group.bench_function("normal_table_256", |b| b.iter(|| NormalTable::standard(black_box(&ggx))));
+    group.finish();
+}
+
+criterion_group!(benches, maps, look_ups, construction);
+criterion_main!(benches);

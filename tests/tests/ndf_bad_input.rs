@@ -1,0 +1,87 @@
+//! Bad input: each gets one clear line, which names the culprit and its value.
+
+use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, NoiseCdf, NormalTable, RoughnessError};
+
+/// One line, lower case, without a full stop, with every one of `parts`.
+fn check(error: &dyn core::error::Error, parts: &[&str]) {
+    let line = error.to_string();
+    assert!(!line.contains('\n') && !line.ends_with('.') && line.starts_with(char::is_lowercase), "{line:?}");
+    for part in parts {
+        assert!(line.contains(part), "{line:?} lacks {part:?}");
+    }
+}
+
+#[test]
+fn roughness() {
+    for (value, name) in [
+        (f32::NAN, "NaN"),
+        (f32::INFINITY, "inf"),
+        (f32::NEG_INFINITY, "-inf"),
+        (0.0, "0"),
+        (-0.0, "-0"),
+        (-0.3, "-0.3"),
+        (1e-30, "1e-30"),
+        (f32::MAX, "3.4028235e38"),
+    ] {
+        check(&Ggx::new(value, 0.5).unwrap_err(), &["alpha_x", name]);
+        check(&Ggx::new(0.5, value).unwrap_err(), &["alpha_y", name]);
+        check(&Beckmann::new(value, 0.5).unwrap_err(), &["alpha_x", name]);
+        check(&Beckmann::new(0.5, value).unwrap_err(), &["alpha_y", name]);
+        check(&Ggx::isotropic(value).unwrap_err(), &["alpha_x", name]);
+        check(&Beckmann::isotropic(value).unwrap_err(), &["alpha_x", name]);
+        // What a constructor refuses, the repair accepts.
+        for repaired in [Ggx::clamped(value, value).alpha_x(), Beckmann::clamped(value, value).alpha_y()] {
+            assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
+        }
+    }
+    assert!(matches!(
+        Ggx::new(-1.0, 0.5),
+        Err(RoughnessError::NotPositive { parameter: "alpha_x", value: -1.0 })
+    ));
+}
+
+#[test]
+fn images() {
+    let refused = |width, height, texels: &[f32]| {
+        [Measure::Normals, Measure::SolidAngle]
+            .map(|measure| NdfMap::from_texels(width, height, texels, measure).unwrap_err())
+    };
+    for error in refused(0, 0, &[]).iter().chain(&refused(3, 0, &[])) {
+        check(error, &["must have texels"]);
+    }
+    for error in refused(4, 4, &[0.0; 16]) {
+        check(&error, &["black", "4 × 4"]);
+    }
+    for error in refused(4, 4, &[1.0; 15]) {
+        check(&error, &["4 × 4", "15"]);
+    }
+    for error in refused(1 << 20, 1 << 20, &[1.0]).iter().chain(&refused(usize::MAX, usize::MAX, &[1.0])) {
+        check(error, &["at most"]);
+    }
+    for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-2.0, "-2")] {
+        let mut texels = [1.0; 16];
+        texels[9] = bad;
+        for error in refused(4, 4, &texels) {
+            check(&error, &["texel 9", name]);
+        }
+        let error =
+            NdfMap::from_fn(4, 4, Measure::Normals, |n| if n.x > 0.5 { bad } else { 1.0 }).unwrap_err();
+        check(&error, &["texel", name]);
+    }
+    // One pixel, the largest and the smallest values are densities.
+    for value in [1.0, f32::MAX, f32::MIN_POSITIVE, 1e-45] {
+        assert!(NdfMap::from_texels(1, 1, &[value], Measure::Normals).is_ok(), "{value}");
+        assert!(NdfMap::from_texels(2, 2, &[value; 4], Measure::SolidAngle).is_ok(), "{value}");
+    }
+}
+
+#[test]
+fn tables() {
+    let ggx = Ggx::isotropic(0.5).unwrap();
+    check(&NormalTable::new(&ggx, 0).unwrap_err(), &["size", "0"]);
+    check(&NormalTable::new(&ggx, usize::MAX).unwrap_err(), &["size", "18446744073709551615"]);
+    check(&NoiseCdf::new(-1.0, &[0.0, 1.0]).unwrap_err(), &["range", "-1"]);
+    check(&NoiseCdf::new(1.0, &[0.0]).unwrap_err(), &["two entries", "1"]);
+    check(&NoiseCdf::new(1.0, &[0.0, 0.7, 0.6, 1.0]).unwrap_err(), &["entry 2", "0.6"]);
+    check(&NoiseCdf::new(1.0, &[0.0, f32::NAN]).unwrap_err(), &["entry 1", "NaN"]);
+}
