@@ -192,3 +192,51 @@ impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize>
         Some(self.slope.evaluate(x, 0.0).value)
     }
 }
+
+/// A borrowed axis is an axis, so that one table can serve two axes or two surfaces.
+impl<A: sealed::Descend> sealed::Descend for &A {
+    type Cell = A::Cell;
+
+    #[inline]
+    fn root(&self) -> Self::Cell {
+        A::root(self)
+    }
+
+    #[inline]
+    fn count(&self) -> usize {
+        A::count(self)
+    }
+
+    #[inline]
+    fn part(&self, j: usize) -> [f64; 2] {
+        A::part(self, j)
+    }
+
+    #[inline]
+    fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
+        A::child(self, cell, j)
+    }
+
+    #[inline]
+    fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
+        A::bounds(self, cell)
+    }
+}
+
+impl<A: Axis> Axis for &A {
+    fn domain(&self) -> Interval {
+        A::domain(self)
+    }
+
+    fn range(&self) -> Interval {
+        A::range(self)
+    }
+
+    fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
+        A::evaluate(self, x, tolerance)
+    }
+
+    fn slope(&self, x: f64) -> Option<f64> {
+        A::slope(self, x)
+    }
+}

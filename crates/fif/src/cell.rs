@@ -28,15 +28,16 @@ impl<const C: usize> Cell<C> {
     #[inline]
     pub(crate) fn child(&self, piece: &Piece<C>) -> Self {
         let mut polynomial = restrict(&self.polynomial, piece.s[0], piece.s[1]);
-        let mut largest = 0.0_f64;
-        for ((p, q), old) in polynomial.iter_mut().zip(piece.bernstein).zip(self.polynomial) {
+        let (mut old, mut new) = (0.0_f64, 0.0_f64);
+        for ((p, q), before) in polynomial.iter_mut().zip(piece.bernstein).zip(self.polynomial) {
             let added = self.product * q;
             *p += added;
-            largest = largest.max(old.abs() + added.abs());
+            old = if before.abs() > old { before.abs() } else { old };
+            new = if added.abs() > new { added.abs() } else { new };
         }
-        let error = self.error
-            + self.product.abs() * piece.slack
-            + (16.0 * (C + 1) as f64 + self.steps) * UNIT * largest;
+        // Restriction, product (with the roundings in its factor) and sum.
+        let rounding = piece.rounding * old + UNIT * (old + (self.steps + 2.0) * new);
+        let error = self.error + self.product.abs() * piece.slack + rounding;
         Self { product: self.product * piece.map().alpha, polynomial, error, steps: self.steps + 1.0 }
     }
 

@@ -1,6 +1,6 @@
 //! One map of an iterated function system, and the composition of two.
 
-use crate::polynomial::{bernstein, horner, magnitude, substitute};
+use crate::polynomial::{bernstein, horner, magnitude, restriction_error, substitute};
 
 /// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`, coefficients ascending.
 ///
@@ -74,6 +74,8 @@ pub struct Piece<const C: usize> {
     pub(crate) bernstein: [f64; C],
     /// Bound of `|q − local|` and `|q − bernstein|` over the domain, with the defect of the join-up.
     pub(crate) slack: f64,
+    /// Relative error of restricting a polynomial to the interval.
+    pub(crate) rounding: f64,
 }
 
 impl<const C: usize> Piece<C> {
@@ -87,6 +89,7 @@ impl<const C: usize> Piece<C> {
         local: [0.0; C],
         bernstein: [0.0; C],
         slack: 0.0,
+        rounding: 0.0,
     };
 
     /// `domain` is `[x_0, x_N]`; `s` is the piece's interval in units of it.
@@ -112,6 +115,7 @@ impl<const C: usize> Piece<C> {
             local,
             bernstein: bernstein(&local),
             slack,
+            rounding: restriction_error::<C>(s[0], s[1]),
         }
     }
 

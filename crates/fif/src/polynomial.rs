@@ -70,7 +70,7 @@ pub(crate) fn bernstein<const C: usize>(c: &[f64; C]) -> [f64; C] {
 
 /// Bernstein coefficients of the same polynomial on `[s0, s1] ⊂ [0, 1]`.
 ///
-/// Each coefficient is off by at most `16 C · UNIT · max|b|`.
+/// Each coefficient is off by at most [`restriction_error`]` · max|b|`.
 #[inline]
 #[must_use]
 pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; C] {
@@ -91,6 +91,20 @@ pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; 
         }
     }
     out
+}
+
+/// Bound of the error of [`restrict`], relative to the largest coefficient.
+///
+/// One linear interpolation rounds its two products and its sum, and its parameter counts with up to two roundings of
+/// its own in each weight: 7 units. Halving is exact but for the sum.
+#[must_use]
+pub(crate) fn restriction_error<const C: usize>(s0: f64, s1: f64) -> f64 {
+    let split = |t: f64| match t {
+        0.0 | 1.0 => 0.0,
+        0.5 => 1.0,
+        _ => 7.0,
+    };
+    C.saturating_sub(1) as f64 * UNIT * (split(s1) + split(s0 / s1))
 }
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ const LEVELS: u32 = 96;
 /// Boxes that one ray visits at most before it takes them as they are.
 const BUDGET: u32 = 1 << 16;
 
-/// Length of a stretch of the ray, relative to the domain, that is looked at closely.
+/// Length of a stretch of the ray, relative to the domain, that is decided by the signs at its ends.
 const CLOSE: f64 = 1e-12;
 
 impl<X: Axis, Y: Axis> HeightField<X, Y> {
@@ -66,10 +66,11 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// decide, and a bracketed secant finds it to the last places of `t`. A continuous surface is followed down to
     /// stretches of 10⁻¹² of the domain, where a change of sign is a root.
     ///
-    /// No hit is passed by, except within the rounding of the ray itself: the result is that of a ray within a few units
-    /// in the last place, and one that grazes nearer than the rounding error of `h` counts as a hit. Two limits keep
-    /// every ray bounded: a box is split at most 96 times per axis (they bind where a horizontal factor is over 0.75)
-    /// and a ray visits at most 2¹⁶ boxes; beyond, a box is decided by the signs at its two ends.
+    /// No hit is passed by, but a pair of roots within one such stretch: a ray that dips into the surface and out again.
+    /// Rounding counts as that of the ray: the result belongs to a ray within a few units in the last place, and one that
+    /// grazes nearer than the rounding error of `h` counts as a hit. Two limits keep every ray bounded: a box is split
+    /// at most 96 times per axis (that binds where a horizontal factor is over 0.75) and a ray visits at most 2¹⁶ boxes;
+    /// beyond, a box is decided like a stretch.
     ///
     /// `None` for a ray that misses, a zero direction, and any component that is NaN or infinite.
     ///
@@ -191,13 +192,7 @@ impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
         let (x_ends, y_ends) = (x.depth >= LEVELS, y.depth >= LEVELS);
         let whole = self.budget == 0 || (x_ends && y_ends);
         if whole || span.width() <= self.close {
-            if let Some(t) = self.crossing(span) {
-                return Some(t);
-            }
-            let last_places = 4.0 * f64::EPSILON * span.hi.abs();
-            if whole || span.width() <= last_places {
-                return None;
-            }
+            return self.crossing(span);
         }
         if y_ends || (!x_ends && x.width >= y.width) {
             let count = self.surface.x.count();

@@ -1,5 +1,5 @@
 //! The reference systems of `tests/data/fif`, read into systems of the crate.
-#![expect(dead_code, reason = "each test binary uses its part")]
+#![allow(dead_code, unreachable_pub, reason = "each test binary uses its part")]
 
 use std::path::Path;
 
@@ -202,7 +202,7 @@ pub fn digits_of_double<const C: usize>(reference: &Reference<C>, x: f64) -> Vec
         reference.json["knots"].as_array().unwrap().iter().map(|k| integers(k.as_str().unwrap())).collect();
     let (x0, x1) = (knots[0], knots[knots.len() - 1]);
     assert!(x0.1 == 1 && x1.1 == 1, "the reference's domains have whole ends");
-    let mut point = Fixed::from_f64(x - x0.0 as f64, x, x0.0);
+    let mut point = Fixed::from_f64(x, x0.0);
     let width = x1.0 - x0.0;
     let mut digits = Vec::new();
     for _ in 0..200 {
@@ -232,7 +232,7 @@ struct Fixed([u32; 65]);
 
 impl Fixed {
     /// `x − x0`, exactly.
-    fn from_f64(_approximate: f64, x: f64, x0: i64) -> Self {
+    fn from_f64(x: f64, x0: i64) -> Self {
         let mut words = [0; 65];
         let mut add = |mut value: f64| {
             for word in &mut words {
