@@ -28,16 +28,6 @@ impl Image {
         if inside { self.pixels.get(index).copied().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO }
     }
 
-    /// The mean of all pixels, summed in `f64` in reading order; black for an empty image.
-    pub(crate) fn mean(&self) -> Vec3 {
-        let sum = self
-            .pixels
-            .iter()
-            .fold([0.0_f64; 3], |s, p| [s[0] + f64::from(p.x), s[1] + f64::from(p.y), s[2] + f64::from(p.z)]);
-        let n = self.pixels.len().max(1) as f64;
-        Vec3::new((sum[0] / n) as f32, (sum[1] / n) as f32, (sum[2] / n) as f32)
-    }
-
     /// Every pixel times `exposure`, then through [`shoulder`].
     pub(crate) fn exposed(mut self, exposure: f32) -> Self {
         for pixel in &mut self.pixels {

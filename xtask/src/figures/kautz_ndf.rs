@@ -44,7 +44,8 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let top = peak(&ndf);
     let share = |x: f32, y: f32| {
-        let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+        // At the horizon itself a density is 0 by definition; the rim shows its limit.
+        let z = (1.0 - x * x - y * y).max(1e-6).sqrt();
         ndf.density(Vec3::new(x, y, z)) / top
     };
     let hill = relief(|t, phi| {

@@ -1,6 +1,6 @@
 //! The noises that bumps are made of, by name.
 
-use asperity_noise::{GaussianOctaves, Perlin1985, Perlin2002, Simplex, Spectrum};
+use asperity_noise::{GaussianOctaves, Perlin2002, Simplex, Spectrum};
 use asperity_shading::{Coordinates, GaussianField, RemappedOctaves};
 use glam::Vec3;
 
@@ -11,8 +11,6 @@ use crate::figure::Failure;
 pub(crate) enum NoiseKind {
     /// Exactly Gaussian at every point, for every number of octaves.
     Gaussian,
-    /// Gradient noise of 1985, made Gaussian through its measured distribution.
-    Perlin1985,
     /// Gradient noise of 2002, made Gaussian through its measured distribution.
     Perlin2002,
     /// Simplex noise, made Gaussian through its measured distribution.
@@ -24,7 +22,6 @@ pub(crate) enum Field {
     /// No octave at all: the surface is seen from afar at every distance.
     Flat,
     Gaussian(GaussianOctaves<Vec3>),
-    Perlin1985(RemappedOctaves<Perlin1985>),
     Perlin2002(RemappedOctaves<Perlin2002>),
     Simplex(RemappedOctaves<Simplex>),
 }
@@ -40,9 +37,6 @@ impl Field {
         let spectrum = Spectrum::new(LACUNARITY, gain, octaves)?;
         Ok(match kind {
             NoiseKind::Gaussian => Self::Gaussian(GaussianOctaves::new(spectrum, seed)),
-            NoiseKind::Perlin1985 => {
-                Self::Perlin1985(RemappedOctaves::new(Perlin1985::default(), spectrum, seed)?)
-            }
             NoiseKind::Perlin2002 => {
                 Self::Perlin2002(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?)
             }
@@ -56,7 +50,6 @@ impl GaussianField for Field {
         match self {
             Self::Flat => Coordinates::FAR,
             Self::Gaussian(field) => field.coordinates(p, octaves),
-            Self::Perlin1985(field) => field.coordinates(p, octaves),
             Self::Perlin2002(field) => field.coordinates(p, octaves),
             Self::Simplex(field) => field.coordinates(p, octaves),
         }
@@ -66,7 +59,6 @@ impl GaussianField for Field {
         match self {
             Self::Flat => 2.0,
             Self::Gaussian(field) => field.lacunarity(),
-            Self::Perlin1985(field) => field.lacunarity(),
             Self::Perlin2002(field) => field.lacunarity(),
             Self::Simplex(field) => field.lacunarity(),
         }
@@ -76,7 +68,6 @@ impl GaussianField for Field {
         match self {
             Self::Flat => 0.0,
             Self::Gaussian(field) => field.max_octaves(),
-            Self::Perlin1985(field) => field.max_octaves(),
             Self::Perlin2002(field) => field.max_octaves(),
             Self::Simplex(field) => field.max_octaves(),
         }
@@ -91,7 +82,7 @@ mod tests {
     fn kinds_differ_and_no_octaves_are_flat() {
         let p = Vec3::new(0.3, 0.7, -1.9);
         let at = |kind, octaves| Field::new(kind, octaves, 0.8, 3).unwrap().coordinates(p, 2.5).z;
-        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin1985, NoiseKind::Perlin2002, NoiseKind::Simplex];
+        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin2002, NoiseKind::Simplex];
         for (i, &kind) in kinds.iter().enumerate() {
             assert_eq!(at(kind, 0), glam::Vec2::ZERO);
             assert!(kinds[..i].iter().all(|&other| at(other, 16) != at(kind, 16)), "{kind:?}");
