@@ -38,22 +38,23 @@ impl Slab {
             let mass = mass.clamp(least, all - least);
             // Counted from the nearer end, so that what is next to either keeps its digits.
             let left = mass <= 0.5 * all;
+            let nearer = if left { mass } else { all - mass };
             let mut x = self.x + (next.x - self.x) * (mass / all);
             // Newton's steps, halving where they leave the bracket: m may vanish at an end.
             for _ in 0..64 {
-                let excess =
-                    if left { self.mass(self.x, x) - mass } else { (all - mass) - self.mass(x, next.x) };
+                let excess = if left { self.mass(self.x, x) - nearer } else { nearer - self.mass(x, next.x) };
                 if excess > 0.0 {
                     high = x;
                 } else {
                     low = x;
                 }
-                let newton = x - excess / (self.flat + self.curved * half_chord(x));
-                let step = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-                if (step - x).abs() <= 2.0 * f64::EPSILON * x || excess == 0.0 {
+                let correction = excess / (self.flat + self.curved * half_chord(x));
+                // Where rounding of the mass or of x is all that is left, a next step would only wander.
+                if excess.abs() <= 8.0 * f64::EPSILON * nearer || correction.abs() <= f64::EPSILON * x {
                     break;
                 }
-                x = step;
+                let newton = x - correction;
+                x = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             }
             x
         } else {
