@@ -86,18 +86,11 @@ fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
         p_u * DVec3::new(-p.y - p_v.y, p.x + p_v.x, 0.0).dot(p_u).signum()
     };
     Vertex {
-        position: snapped(p),
+        // The two patches at an edge evaluate it in opposite senses; what differs in the last bits of f64 is one f32.
+        position: p.as_vec3(),
         normal: p_u.cross(p_v).normalize_or_zero().as_vec3(),
         tangent: tangent.normalize_or_zero().as_vec3(),
     }
-}
-
-/// Rounds to a grid of 2⁻¹⁸, so that the two patches at an edge, which evaluate it in opposite senses and differ in
-/// the last bits, get the same vertex. The offset keeps round decimals away from the rounding boundary.
-fn snapped(p: DVec3) -> Vec3 {
-    const GRID: f64 = 262_144.0;
-    const OFFSET: f64 = 0.377_7;
-    ((p * GRID + DVec3::splat(OFFSET)).round() / GRID).as_vec3()
 }
 
 fn tensor(control: &[DVec3; 16], u: [f64; 4], v: [f64; 4]) -> DVec3 {
