@@ -5,7 +5,7 @@ use asperity_fif::{FixedFif, Map, paper};
 use super::cochran_curves::{fact, outline, vector};
 use crate::{
     figure::{Context, Drawn, Failure, Figure, Panel, Table},
-    plot::{Axis, Ink, Mark, Names, Plot, Side, Stroke},
+    plot::{Axis, Ink, Mark, Names, Plot, Stroke},
 };
 
 pub(crate) const CONTRACTIONS: Figure = Figure {
@@ -112,7 +112,6 @@ fn ladder() -> Result<Panel, Failure> {
                 shift: [-8.0, 0.0],
                 text: name.to_owned(),
                 ink: Ink::Muted,
-                side: Side::Left,
             });
         }
     }

@@ -111,11 +111,11 @@ fn draw_integrals(context: &Context<'_>) -> Result<Drawn, Failure> {
             let reach = 0.2 / (1.0 + rise * rise).sqrt();
             marks.push(Mark::Line {
                 points: vec![[x - reach, y - rise * reach], [x + reach, y + rise * reach]],
-                stroke: Stroke::solid(Ink::Ink).wide(1.0),
+                stroke: Stroke::solid(Ink::Text).wide(1.0),
                 name: String::new(),
             });
         }
-        marks.push(Mark::Dots { points: touched.to_vec(), ink: Ink::Ink, radius: 2.6 });
+        marks.push(Mark::Dots { points: touched.to_vec(), ink: Ink::Text, radius: 2.6 });
         let plot = Plot {
             title: alt.to_owned(),
             size: SIZE,

@@ -1,6 +1,10 @@
 //! Every figure of the gallery, in the order of the page.
 
 mod asperity_mean_radiance;
+mod cochran_contractions;
+mod cochran_corner;
+mod cochran_curves;
+mod cochran_mirrors;
 mod kautz_isotropic;
 mod kautz_ndf;
 mod kautz_pipeline;
@@ -17,5 +21,10 @@ pub(crate) const FIGURES: &[Figure] = &[
     kautz_pipeline::PIPELINE,
     kautz_teapot::TEAPOT,
     kautz_isotropic::ISOTROPIC,
+    cochran_curves::FUNCTIONS,
+    cochran_contractions::CONTRACTIONS,
+    cochran_curves::INTEGRALS,
+    cochran_mirrors::MIRRORS,
+    cochran_corner::CORNER,
     asperity_mean_radiance::MEAN_RADIANCE,
 ];

@@ -13,7 +13,7 @@ use plotters::{
 };
 
 use super::{
-    Dash, Ink, Mark, Names, Plot, Side, Stroke,
+    Dash, Ink, Mark, Names, Plot, Stroke,
     ink::{colour, line, line_of},
     place::{LETTERS, UNIT, spread, units, width_of},
 };
@@ -93,11 +93,11 @@ impl Plot {
         }
         if !self.x.label.is_empty() {
             let place = ((left + right) / 2, bottom + units(26.0) as i32);
-            area.draw(&words(&self.x.label, place, Ink::Ink, HPos::Center, VPos::Top))?;
+            area.draw(&words(&self.x.label, place, Ink::Text, HPos::Center, VPos::Top))?;
         }
         if !self.y.label.is_empty() {
             let place = (units(4.0) as i32, top - units(24.0) as i32);
-            area.draw(&words(&self.y.label, place, Ink::Ink, HPos::Left, VPos::Top))?;
+            area.draw(&words(&self.y.label, place, Ink::Text, HPos::Left, VPos::Top))?;
         }
         Ok(())
     }
@@ -139,15 +139,10 @@ impl Plot {
                     }
                 }
             }
-            Mark::Note { at, shift, text, ink, side } => {
+            Mark::Note { at, shift, text, ink } => {
                 let (x, y) = self.at(chart, *at);
                 let place = (x + (shift[0] * UNIT) as i32, y + (shift[1] * UNIT) as i32);
-                let side = match side {
-                    Side::Left => HPos::Right,
-                    Side::Middle => HPos::Center,
-                    Side::Right => HPos::Left,
-                };
-                area.draw(&words(text, place, *ink, side, VPos::Center))?;
+                area.draw(&words(text, place, *ink, HPos::Right, VPos::Center))?;
             }
         }
         Ok(())
@@ -186,18 +181,12 @@ fn name_above(area: &Area<'_>, rows: &[(f64, u32)], named: &[Named<'_>]) -> Draw
         let y = units(12.0 + 20.0 * f64::from(row)) as i32;
         area.draw(&PathElement::new([(left, y), (right, y)], line_of(*stroke)))?;
         let place = (right + units(6.0) as i32, y);
-        area.draw(&words(name, place, Ink::Ink, HPos::Left, VPos::Center))?;
+        area.draw(&words(name, place, Ink::Text, HPos::Left, VPos::Center))?;
     }
     Ok(())
 }
 
-fn words<'a>(
-    text: &'a str,
-    place: (i32, i32),
-    ink: Ink,
-    h: HPos,
-    v: VPos,
-) -> Text<'static, (i32, i32), &'a str> {
+fn words(text: &str, place: (i32, i32), ink: Ink, h: HPos, v: VPos) -> Text<'static, (i32, i32), &str> {
     // The backend divides the size by 1.24, its guess of a font's line height.
     let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
     let mut style = TextStyle::from(font).pos(Pos::new(h, v));

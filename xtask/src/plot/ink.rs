@@ -7,8 +7,8 @@ use super::place::units;
 /// A colour of the page.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Ink {
-    /// Text.
-    Ink,
+    /// Of the page's text.
+    Text,
     /// Text of the second rank, axes.
     Muted,
     /// Hairlines.
@@ -33,7 +33,6 @@ pub(crate) struct Stroke {
 pub(crate) enum Dash {
     Solid,
     Dashed,
-    Dotted,
 }
 
 impl Stroke {
@@ -56,7 +55,7 @@ impl Stroke {
 /// The backend writes fixed colours: each ink and dash gets one of its own, exchanged in [`dress`].
 pub(super) fn colour(ink: Ink, dash: Dash) -> RGBAColor {
     let index = match ink {
-        Ink::Ink => 0,
+        Ink::Text => 0,
         Ink::Muted => 1,
         Ink::Rule => 2,
         Ink::Card => 3,
@@ -76,7 +75,7 @@ pub(super) fn line_of(stroke: Stroke) -> ShapeStyle {
 /// Exchanges the placeholders for the page's colours and makes the picture scale with its column.
 pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
     const NAMES: [&str; 8] = ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"];
-    const DASHES: [&str; 3] = ["", " stroke-dasharray=\"55 45\"", " stroke-dasharray=\"1 40\""];
+    const DASHES: [&str; 2] = ["", " stroke-dasharray=\"55 45\""];
     let body = svg.find('\n').map_or("", |end| &svg[end..]);
     let mut text = body.to_owned();
     for (index, name) in NAMES.iter().enumerate() {

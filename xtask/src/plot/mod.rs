@@ -55,16 +55,8 @@ pub(crate) enum Mark {
     },
     /// Round dots with a halo in the background's colour; the radius in CSS pixels.
     Dots { points: Vec<[f64; 2]>, ink: Ink, radius: f64 },
-    /// A few words at a point, moved by some CSS pixels (right and down).
-    Note { at: [f64; 2], shift: [f64; 2], text: String, ink: Ink, side: Side },
-}
-
-/// On which side of its point a note stands.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Side {
-    Left,
-    Middle,
-    Right,
+    /// A few words that end at a point, moved by some CSS pixels (right and down).
+    Note { at: [f64; 2], shift: [f64; 2], text: String, ink: Ink },
 }
 
 impl Plot {
@@ -75,7 +67,7 @@ impl Plot {
     pub(crate) fn svg(&self) -> Result<String, Failure> {
         let mut text = String::new();
         {
-            let size = (units(self.size[0]) as u32, units(self.size[1]) as u32);
+            let size = (units(self.size[0]), units(self.size[1]));
             let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
             self.draw(&area).map_err(|error| error.to_string())?;
             area.present().map_err(|error| error.to_string())?;
@@ -104,13 +96,7 @@ mod tests {
                 },
                 Mark::Dots { points, ink: Ink::Series(7), radius: 3.0 },
                 Mark::Frame { x: [0.5, 1.0], y: [-0.5, 0.5], ink: Ink::Series(4), opacity: 0.0, width: 1.0 },
-                Mark::Note {
-                    at: [1.0, 0.0],
-                    shift: [0.0, -8.0],
-                    text: "here".to_owned(),
-                    ink: Ink::Muted,
-                    side: Side::Middle,
-                },
+                Mark::Note { at: [1.0, 0.0], shift: [0.0, -8.0], text: "here".to_owned(), ink: Ink::Muted },
             ],
         }
     }

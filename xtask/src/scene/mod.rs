@@ -3,10 +3,12 @@
 pub(crate) mod background;
 pub(crate) mod camera;
 pub(crate) mod field;
+pub(crate) mod fractal;
 pub(crate) mod hemisphere;
 pub(crate) mod lights;
 pub(crate) mod material;
 pub(crate) mod mesh;
+pub(crate) mod pattern;
 pub(crate) mod relief;
 pub(crate) mod render;
 pub(crate) mod request;

@@ -72,7 +72,7 @@ pub(crate) fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
 }
 
 /// C. Wellons' two-round multiply-xorshift `lowbias32`.
-fn hash(mut x: u32) -> u32 {
+pub(crate) fn hash(mut x: u32) -> u32 {
     x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
     x = (x ^ (x >> 15)).wrapping_mul(0x846c_a68b);
     x ^ (x >> 16)
