@@ -3,6 +3,7 @@
 pub mod chi_square;
 pub mod disk_bins;
 pub mod low_discrepancy;
+pub mod noise_reference;
 pub mod random;
 pub mod reference;
 pub mod surface_patches;

@@ -62,12 +62,8 @@ fn lerp<const N: usize>(low: [f32; N], high: [f32; N], weight: f32) -> [f32; N] 
     zip(low, high, |l, h| l + weight * (h - l))
 }
 
-/// Lane by lane; a loop over arrays is what the vectoriser sees best.
+/// Lane by lane.
 #[inline(always)]
 fn zip<const N: usize>(a: [f32; N], b: [f32; N], f: impl Fn(f32, f32) -> f32) -> [f32; N] {
-    let mut out = [0.0; N];
-    for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
-        *out = f(a, b);
-    }
-    out
+    core::array::from_fn(|lane| f(a[lane], b[lane]))
 }

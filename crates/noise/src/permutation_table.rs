@@ -9,8 +9,8 @@ use crate::{integer_hash::mix, lattice::Lattice};
 /// word  = SplitMix64(index, seed)
 /// ```
 ///
-/// Only 256 different words exist per seed, and every seed of a noise keeps the same cells alike; take
-/// [`IntegerHash`](crate::IntegerHash) unless the classic look or its period is wanted. In 2-D z is 0.
+/// Only 256 different words exist per seed, and every seed of a noise keeps the same cells alike: two seeds correlate by
+/// ±0.04, as far as 256 samples do. Take [`IntegerHash`](crate::IntegerHash) unless the classic look or its period is wanted. In 2-D z is 0.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling"; Perlin 1985.
 ///
