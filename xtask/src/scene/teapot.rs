@@ -4,7 +4,7 @@
 //! Databases; the numbers are those of three.js' `TeapotGeometry` (MIT). The lid is widened by 14/13, so that its
 //! border at radius 1.3 meets the rim's at 1.4: with the original numbers one looks through the gap into the pot.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use serde::Deserialize;
 
 use super::mesh::{Mesh, Vertex};
@@ -110,6 +110,8 @@ fn bernstein_slope(t: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use std::collections::HashMap;
+
+    use glam::Vec3;
 
     use super::*;
 
