@@ -1,5 +1,4 @@
 //! Evaluations and primary rays per second of the source's functions.
-#![expect(missing_docs, reason = "the macros of criterion make public functions")]
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{Axis, Cached, FifBuf, FixedSmooth, HeightField, Ray, paper};
@@ -47,6 +46,10 @@ fn evaluation(c: &mut Criterion) {
     group.finish();
 }
 
+fn trace<A: Axis>(surface: &HeightField<A, A>, rays: &[Ray]) -> f64 {
+    rays.iter().filter_map(|ray| surface.first_hit(black_box(ray))).map(|hit| hit.t).sum()
+}
+
 fn rays(c: &mut Criterion) {
     let rays = camera(64);
     let mut group = c.benchmark_group("first hit");
@@ -54,9 +57,6 @@ fn rays(c: &mut Criterion) {
     let (f, g) = (paper::f().expect("valid"), paper::g().expect("valid"));
     let f_hat = FixedSmooth::<2, 3, 2>::integral(f, 0.0).expect("valid");
     let g_hat = FixedSmooth::<2, 3, 2>::integral(g, 0.0).expect("valid");
-    fn trace<A: Axis>(surface: &HeightField<A, A>, rays: &[Ray]) -> f64 {
-        rays.iter().filter_map(|ray| surface.first_hit(black_box(ray))).map(|hit| hit.t).sum()
-    }
     let smooth = HeightField::new(Cached::new(f_hat), Cached::new(f_hat));
     group.bench_function("f integral, cached", |b| b.iter(|| trace(&smooth, &rays)));
     let rough_slope = HeightField::new(Cached::new(g_hat), Cached::new(g_hat));

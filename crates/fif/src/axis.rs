@@ -4,7 +4,8 @@ use crate::cell::Cell;
 use crate::interval::{Bounded, Interval};
 use crate::map::Piece;
 use crate::storage::Storage;
-use crate::system::{Fif, SystemError};
+use crate::system::Fif;
+use crate::system_error::SystemError;
 
 /// A function along one axis of a [`HeightField`](crate::HeightField): values, bounds over cells, slopes if it has them.
 ///

@@ -4,7 +4,8 @@ use core::cell::Cell as CoreCell;
 
 use crate::map::Piece;
 use crate::storage::Storage;
-use crate::system::{Fif, SystemError};
+use crate::system::Fif;
+use crate::system_error::SystemError;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// `∫ f` over the whole domain.

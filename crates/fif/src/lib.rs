@@ -1,7 +1,71 @@
 //! # asperity-fif
+//!
+//! Fractal interpolation functions: curves that pass through given points and consist of smaller copies of themselves.
+//! They are evaluated to a stated tolerance, integrated exactly, bounded rigorously, and multiplied to height fields
+//! whose normals are exact and whose ray hits are guaranteed.
+//!
+//! ```
+//! use asperity_fif::glam::DVec3;
+//! use asperity_fif::{FixedFif, FixedSmooth, HeightField, Ray};
+//!
+//! // A rough function through three points; its integral is smooth, and so is the product of two integrals.
+//! let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
+//! let f_hat = FixedSmooth::<2, 3, 2>::integral(f, 0.0)?;
+//! let surface = HeightField::new(f_hat, f_hat);
+//! let ray = Ray { origin: DVec3::new(-1.0, -1.0, 3.0), direction: DVec3::new(1.0, 1.0, -1.0) };
+//! let hit = surface.first_hit(&ray).unwrap();
+//! assert!((hit.t - 2.0).abs() < 1e-12 && hit.normal.unwrap().z > 0.0);
+//! # Ok::<(), asperity_fif::SystemError>(())
+//! ```
+//!
+//! ## What is here
+//!
+//! | item | is |
+//! |---|---|
+//! | [`Fif`], [`FixedFif`], [`FifBuf`], [`FifView`] | a validated system of maps, in an array, a vector, or borrowed |
+//! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
+//! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
+//! | [`Fif::address`] | the maps that close in on a point |
+//! | [`Map::compose`] | the composite of two maps |
+//! | [`Fif::integral`], [`Fif::derivative`], [`Fif::total_integral`] | calculus, within the same class of functions |
+//! | [`Fif::range`], [`Fif::extrema`], [`Fif::extrema_over`] | rigorous bounds |
+//! | [`Smooth`], [`FixedSmooth`], [`SmoothBuf`] | a function with its derivative |
+//! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
+//! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
+//! | [`Cached`] | an axis with a table of bounds: faster hits |
+//! | [`Interval`], [`Bounded`] | enclosures |
+//! | [`paper`] | the functions of the source |
+//!
+//! ## Contract
+//!
+//! - A system is checked once, by its constructor. After that nothing fails and nothing panics: points outside the domain
+//!   are clamped, NaN gives NaN, and a ray that is no ray hits nothing.
+//! - Everything is `f64`. In `f32` the address of a point loses a bit or more per level: an affine function on 8 uneven
+//!   nodes with factor 0.6 is wrong by 6·10⁻³.
+//! - Loops are bounded: [`MAX_DEPTH`] maps per evaluation, a number of cells per search, of boxes per ray. Where a limit
+//!   binds, the returned bound or bracket is wider and still true.
+//! - Values use only `+ − × ÷` and comparisons in a fixed order (the normal also a square root), so they have the same
+//!   bits wherever `f64` is IEEE 754.
+//!
+//! Not here: fits to data, moments, surfaces that are no products, `f32`.
+//!
+//! ## Features
+//!
+//! | feature | gives |
+//! |---|---|
+//! | `std` (default) | the square root of the standard library |
+//! | `libm` | that of `libm`, for targets without a standard library; wins over `std` |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`Cached`] |
+//!
+//! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
+//!
+//! ## Sources
+//!
+//! W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000; M. F. Barnsley, *Fractal functions
+//! and interpolation*, Constructive Approximation 2, 1986. Where the first is corrected, the item says so.
 #![no_std]
 
-#[cfg(feature = "alloc")]
+#[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
@@ -14,6 +78,7 @@ mod bounds;
 #[cfg(feature = "alloc")]
 mod cached;
 mod cell;
+mod descent;
 mod evaluate;
 mod height_field;
 mod integral;
@@ -23,9 +88,11 @@ mod math;
 mod orbit;
 pub mod paper;
 mod polynomial;
+mod range_box;
 mod ray;
 mod storage;
 mod system;
+mod system_error;
 
 pub use axis::{Axis, Smooth};
 pub use bounds::Extrema;
@@ -40,4 +107,5 @@ pub use ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 pub use storage::{FifBuf, SmoothBuf};
 pub use storage::{FifView, FixedFif, FixedSmooth, Storage};
-pub use system::{End, Fif, JOIN_TOLERANCE, List, SystemError};
+pub use system::{Fif, JOIN_TOLERANCE};
+pub use system_error::{End, List, SystemError};

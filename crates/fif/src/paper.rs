@@ -2,7 +2,7 @@
 
 use crate::map::Map;
 use crate::storage::FixedFif;
-use crate::system::SystemError;
+use crate::system_error::SystemError;
 
 /// The knots of all four, `0, 1, 2`.
 pub const KNOTS: [f64; 3] = [0.0, 1.0, 2.0];

@@ -3,8 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use crate::axis::Axis;
+use crate::descent::{BUDGET, CLOSE, Level, Walk, slab};
 use crate::height_field::{HeightField, upward_normal};
-use crate::interval::{Bounded, Interval};
+use crate::interval::Interval;
 
 /// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,15 +45,6 @@ pub struct Hit {
     /// The upward unit normal, where the surface is differentiable.
     pub normal: Option<DVec3>,
 }
-
-/// Cells of one axis that a box is split into, one within the other, at most.
-const LEVELS: u32 = 96;
-
-/// Boxes that one ray visits at most before it takes them as they are.
-const BUDGET: u32 = 1 << 16;
-
-/// Length of a stretch of the ray, relative to the domain, that is decided by the signs at its ends.
-const CLOSE: f64 = 1e-12;
 
 impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// The first point of the ray on the surface, `t ≥ 0`; a ray that starts on the surface hits at `t = 0`.
@@ -130,166 +122,128 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     }
 }
 
-/// A cell of one axis: where it lies and what bounds the function there.
-struct Level<Cell> {
-    cell: Cell,
-    left: f64,
-    width: f64,
-    value: Interval,
-    slope: Interval,
-    depth: u32,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FixedFif, FixedSmooth, paper};
 
-impl<Cell: Copy> Level<Cell> {
-    fn root<A: Axis<Cell = Cell>>(axis: &A) -> Self {
-        let cell = axis.root();
-        let [value, slope] = axis.bounds(&cell);
-        let domain = axis.domain();
-        Self { cell, left: domain.lo, width: domain.width(), value, slope, depth: 0 }
+    type Mirror = HeightField<FixedSmooth<2, 3, 2>, FixedSmooth<2, 3, 2>>;
+
+    fn mirror() -> Mirror {
+        let axis = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+        HeightField::new(axis, axis)
     }
 
-    #[inline]
-    fn child<A: Axis<Cell = Cell>>(&self, axis: &A, j: usize, s: [f64; 2]) -> Self {
-        let cell = axis.child(&self.cell, j);
-        let [value, slope] = axis.bounds(&cell);
-        Self {
-            cell,
-            left: self.left + self.width * s[0],
-            width: self.width * (s[1] - s[0]),
-            value,
-            slope,
-            depth: self.depth + 1,
-        }
+    fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
+        Ray { origin: DVec3::from_array(o), direction: DVec3::from_array(d) }
     }
-}
 
-/// One ray on its way.
-struct Walk<'a, X, Y> {
-    surface: &'a HeightField<X, Y>,
-    o: DVec3,
-    d: DVec3,
-    /// More than the rounding of a coordinate on the ray within the domain.
-    pad: DVec3,
-    close: f64,
-    budget: u32,
-}
-
-impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
-    /// The least root within the box over two cells and a stretch of the ray.
-    fn visit(&mut self, x: &Level<X::Cell>, y: &Level<Y::Cell>, span: Interval) -> Option<f64> {
-        let height = x.value.product(y.value);
-        let span = span.intersection(slab(self.o.z, self.d.z, height.inflated(self.pad.z)));
-        if span.lo.is_nan() || span.hi.is_nan() || span.lo > span.hi {
-            return None;
-        }
-        let falls = x.slope.product(y.value).scaled(-self.d.x);
-        let rate =
-            Interval::new(self.d.z, self.d.z).sum(falls).sum(x.value.product(y.slope).scaled(-self.d.y));
-        if rate.lo > 0.0 || rate.hi < 0.0 {
-            return self.crossing(span);
-        }
-        self.budget = self.budget.saturating_sub(1);
-        let (x_ends, y_ends) = (x.depth >= LEVELS, y.depth >= LEVELS);
-        let whole = self.budget == 0 || (x_ends && y_ends);
-        if whole || span.width() <= self.close {
-            return self.crossing(span);
-        }
-        if y_ends || (!x_ends && x.width >= y.width) {
-            let count = self.surface.x.count();
-            for k in 0..count {
-                let j = if self.d.x < 0.0 { count - 1 - k } else { k };
-                let s = self.surface.x.part(j);
-                let side =
-                    Interval::new(x.left + x.width * s[0], x.left + x.width * s[1]).inflated(self.pad.x);
-                let span = span.intersection(slab(self.o.x, self.d.x, side));
-                if span.lo <= span.hi
-                    && let Some(t) = self.visit(&x.child(&self.surface.x, j, s), y, span)
-                {
-                    return Some(t);
-                }
-            }
-        } else {
-            let count = self.surface.y.count();
-            for k in 0..count {
-                let j = if self.d.y < 0.0 { count - 1 - k } else { k };
-                let s = self.surface.y.part(j);
-                let side =
-                    Interval::new(y.left + y.width * s[0], y.left + y.width * s[1]).inflated(self.pad.y);
-                let span = span.intersection(slab(self.o.y, self.d.y, side));
-                if span.lo <= span.hi
-                    && let Some(t) = self.visit(x, &y.child(&self.surface.y, j, s), span)
-                {
-                    return Some(t);
-                }
+    #[test]
+    fn rays_that_are_no_rays_hit_nothing() {
+        let surface = mirror();
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for k in 0..3 {
+                let (mut o, mut d) = ([0.5, 0.5, 9.0], [0.1, 0.1, -1.0]);
+                assert!(surface.first_hit(&ray(o, d)).is_some());
+                o[k] = bad;
+                assert_eq!(surface.first_hit(&ray(o, d)), None, "origin {o:?}");
+                o[k] = 0.5;
+                d[k] = bad;
+                assert_eq!(surface.first_hit(&ray(o, d)), None, "direction {d:?}");
             }
         }
-        None
+        assert_eq!(surface.first_hit(&ray([1.0, 1.0, 1.0], [0.0; 3])), None);
     }
 
-    /// A root in `span` if the ray's height above the surface changes sign, or cannot be told from 0 at an end.
-    fn crossing(&self, span: Interval) -> Option<f64> {
-        const STEPS: usize = 80;
-        let (mut t0, mut t1) = (span.lo, span.hi);
-        let (above0, above1) = (self.above(t0), self.above(t1));
-        if above0.value.abs() <= above0.bound {
-            return Some(t0);
+    #[test]
+    fn a_ray_that_starts_on_the_surface_hits_at_once() {
+        let surface = mirror();
+        // h(1, 1) = 1 exactly.
+        for d in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.5, 0.3], [-0.2, 1.0, 3.0], [1.0, 0.0, 0.0]] {
+            let hit = surface.first_hit(&ray([1.0, 1.0, 1.0], d)).unwrap();
+            assert!(hit.t.abs() < 1e-15, "{d:?}: {hit:?}");
         }
-        if (above0.value < 0.0) == (above1.value < 0.0) {
-            return (above1.value.abs() <= above1.bound).then_some(t1);
-        }
-        // Illinois: a secant whose older end counts half when it stays, with a bisection now and then.
-        let (mut v0, mut v1) = (above0.value, above1.value);
-        let mut stayed = 0_i32;
-        for step in 0..STEPS {
-            let secant = t1 - v1 * ((t1 - t0) / (v1 - v0));
-            let middle = 0.5 * (t0 + t1);
-            let t = if step % 8 == 7 || !(t0 < secant && secant < t1) { middle } else { secant };
-            if t <= t0 || t >= t1 {
-                break;
-            }
-            let above = self.above(t);
-            if above.value.abs() <= above.bound {
-                return Some(t);
-            }
-            if (above.value < 0.0) == (v0 < 0.0) {
-                (t0, v0) = (t, above.value);
-                v1 *= if stayed > 0 { 0.5 } else { 1.0 };
-                stayed = 1;
-            } else {
-                (t1, v1) = (t, above.value);
-                v0 *= if stayed < 0 { 0.5 } else { 1.0 };
-                stayed = -1;
-            }
-        }
-        Some(0.5 * (t0 + t1))
+        let away = ray([1.0, 1.0, 1.0], [-0.2, 0.3, 3.0]);
+        assert_eq!(surface.first_hit_between(&away, 1e-9, f64::INFINITY), None);
     }
 
-    /// The height of the ray above the surface at `t`.
-    fn above(&self, t: f64) -> Bounded {
-        let z = self.o.z + t * self.d.z;
-        let h = self.surface.evaluate(self.o.x + t * self.d.x, self.o.y + t * self.d.y, 0.0);
-        Bounded { value: z - h.value, bound: h.bound + f64::EPSILON * (self.o.z.abs() + z.abs()) }
-    }
-
-    /// A ray along z meets the surface at one height.
-    fn vertical(&self, span: Interval) -> Option<f64> {
-        if span.lo > span.hi {
-            return None;
+    #[test]
+    fn vertical_rays_hit_the_height() {
+        let surface = mirror();
+        for (x, y) in [(0.3, 1.7), (0.0, 0.0), (2.0, 2.0), (2.0, 0.4)] {
+            let h = surface.height(x, y);
+            let hit = surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, -2.0])).unwrap();
+            assert!((hit.t - (9.0 - h) / 2.0).abs() < 1e-14 && hit.height == h, "({x}, {y}): {hit:?}");
+            assert_eq!(surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, 1.0])), None);
+            assert!(surface.first_hit(&ray([x, y, -9.0], [0.0, 0.0, 1.0])).is_some());
         }
-        let above = self.above(0.0);
-        let t = -above.value / self.d.z;
-        let slack = above.bound / self.d.z.abs();
-        let near = span.lo - slack <= t && t <= span.hi + slack;
-        near.then(|| t.clamp(span.lo, span.hi))
+        assert_eq!(surface.first_hit(&ray([2.1, 1.0, 9.0], [0.0, 0.0, -1.0])), None);
     }
-}
 
-/// The stretch of `t` with `origin + t direction` in `side`; everything or nothing for a ray parallel to it.
-#[inline]
-fn slab(origin: f64, direction: f64, side: Interval) -> Interval {
-    if direction == 0.0 {
-        return if side.contains(origin) { Interval::ENTIRE } else { Interval::EMPTY };
+    #[test]
+    fn rays_parallel_to_an_axis_hit_where_the_factor_takes_the_value() {
+        let surface = mirror();
+        // Along y at x = 1: f̂(1) ĝ(y) = ĝ(y) = 1 at y = 1.
+        let hit = surface.first_hit(&ray([1.0, -3.0, 1.0], [0.0, 1.0, 0.0])).unwrap();
+        assert!((hit.t - 4.0).abs() < 1e-12 && (hit.y - 1.0).abs() < 1e-12, "{hit:?}");
+        let hit = surface.first_hit(&ray([4.0, 1.0, 1.0], [-2.0, 0.0, 0.0])).unwrap();
+        assert!((hit.t - 1.5).abs() < 1e-12, "{hit:?}");
+        assert_eq!(surface.first_hit(&ray([1.0, -3.0, 2.5], [0.0, 1.0, 0.0])), None);
     }
-    let (a, b) = ((side.lo - origin) / direction, (side.hi - origin) / direction);
-    if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
+
+    #[test]
+    fn a_ray_within_the_surface_hits_where_it_enters() {
+        // h = 0 along the border y = 0.
+        let hit = mirror().first_hit(&ray([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0])).unwrap();
+        assert!((hit.t - 1.0).abs() < 1e-12, "{hit:?}");
+    }
+
+    #[test]
+    fn rays_from_below_and_from_within_the_box_hit() {
+        let surface = mirror();
+        let below = surface.first_hit(&ray([1.5, 1.5, 0.1], [0.1, -0.2, 1.0])).unwrap();
+        assert!((0.1 + below.t - below.height).abs() < 1e-13, "{below:?}");
+        let within = surface.first_hit(&ray([0.2, 0.2, 0.5], [1.0, 1.0, 0.1])).unwrap();
+        assert!((0.5 + 0.1 * within.t - within.height).abs() < 1e-13, "{within:?}");
+    }
+
+    #[test]
+    fn the_stretch_of_the_ray_is_respected() {
+        let surface = mirror();
+        let down = ray([1.0, 1.0, 3.0], [0.0, 0.0, -1.0]);
+        assert_eq!(surface.first_hit_between(&down, 0.0, 1.9), None);
+        assert_eq!(surface.first_hit_between(&down, 2.1, 9.0), None);
+        assert_eq!(surface.first_hit_between(&down, 0.0, f64::NAN), None);
+        assert!(surface.first_hit_between(&down, f64::NAN, 9.0).is_some());
+        let slanted = ray([-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
+        let t = surface.first_hit(&slanted).unwrap().t;
+        assert_eq!(surface.first_hit_between(&slanted, 0.0, t - 1e-9), None);
+        assert!(surface.first_hit_between(&slanted, t - 1e-9, t + 1e-9).is_some());
+    }
+
+    #[test]
+    fn extreme_rays_end() {
+        let surface = mirror();
+        for scale in [1e-300, 1e-12, 1e12, 1e300] {
+            let slanted = ray([-1.0, -1.0, 3.0], [scale, scale, -scale]);
+            let hit = surface.first_hit(&slanted).unwrap();
+            assert!((hit.t * scale - 2.0).abs() < 1e-12, "{scale}: {hit:?}");
+            let _ = surface.first_hit(&ray([scale, -scale, scale], [-1.0, 1.0, -1.0]));
+            let _ = surface.first_hit(&ray([1.0, -1.0, 1.0], [scale, 1.0, -scale]));
+        }
+        let _ = surface.first_hit(&ray([f64::MAX; 3], [-f64::MAX; 3]));
+        let _ = surface.first_hit(&ray([0.5, 0.5, 1.0], [f64::MIN_POSITIVE, 0.0, -f64::MIN_POSITIVE]));
+    }
+
+    #[test]
+    fn a_flat_surface_is_hit_and_grazed() {
+        // f = g = 1 with factors 1/2 and constant polynomials.
+        let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
+        let surface = HeightField::new(one, one);
+        let hit = surface.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
+        assert!((hit.t - 2.0).abs() < 1e-11, "{hit:?}");
+        let along = surface.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
+        assert!((along.t - 1.0).abs() < 1e-11, "{along:?}");
+        assert_eq!(surface.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
+    }
 }

@@ -1,0 +1,203 @@
+//! Properties of random fractal interpolation functions and of surfaces made of them.
+
+use asperity_fif::glam::DVec3;
+use asperity_fif::{Cached, FifBuf, HeightField, Ray, SmoothBuf};
+use proptest::prelude::*;
+
+/// Random affine systems: 2 to 64 maps, gaps up to 1 : 100, factors up to `steepest` in size.
+fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+    (2_usize..=64, -5.0..5.0_f64)
+        .prop_flat_map(move |(maps, x0)| {
+            let gaps = prop::collection::vec(0.01..1.0_f64, maps);
+            let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
+            (Just(x0), gaps, y, prop::collection::vec(-steepest..steepest, maps))
+        })
+        .prop_map(|(x0, gaps, y, alpha)| {
+            let mut x = vec![x0];
+            for gap in gaps {
+                x.push(x[x.len() - 1] + gap);
+            }
+            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+        })
+}
+
+/// Random Hermite systems on 2 to 6 even or uneven maps.
+fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
+    (2_usize..=6)
+        .prop_flat_map(|maps| {
+            let list = |range: std::ops::Range<f64>, len| prop::collection::vec(range, len);
+            (
+                list(0.3..1.0, maps),
+                list(-1.0..1.0, maps + 1),
+                list(-2.0..2.0, maps + 1),
+                list(-0.9..0.9, maps),
+            )
+        })
+        .prop_map(|(gaps, y, slopes, share)| {
+            let total: f64 = gaps.iter().sum();
+            let alpha: Vec<f64> = gaps.iter().zip(share).map(|(gap, share)| share * gap / total).collect();
+            let mut x = vec![0.0];
+            for gap in gaps {
+                x.push(x[x.len() - 1] + gap);
+            }
+            let value = FifBuf::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
+            SmoothBuf::of(value).expect("a Hermite system is differentiable")
+        })
+}
+
+fn config(cases: u32) -> ProptestConfig {
+    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x00A5_9E71);
+    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+proptest! {
+    #![proptest_config(config(96))]
+
+    #[test]
+    fn the_functional_equation_holds_to_the_reported_bound(
+        f in affine(0.999),
+        digits in prop::collection::vec(0_usize..64, 24),
+        first in 0_usize..64,
+    ) {
+        let maps = f.pieces().len();
+        let digits: Vec<usize> = digits.into_iter().map(|j| j % maps).collect();
+        let first = first % maps;
+        // x = L_i(L_j(…(x_0))), then the left end for ever.
+        let x = digits.iter().rev().fold(f.domain().lo, |x, &j| f.pieces()[j].map().apply(x, 0.0).0);
+        let address = || digits.iter().copied().chain(std::iter::repeat(0));
+        let inner = f.value_at_address(address(), 1e-12).unwrap();
+        let outer = f.value_at_address(std::iter::once(first).chain(address()), 1e-12).unwrap();
+        let map = f.pieces()[first].map();
+        let want = map.apply(x, inner.value).1;
+        // The slope of q times the rounding of x.
+        let rounding = 1e-14 * (1.0 + map.q[0].abs() + map.q[1].abs() * (1.0 + x.abs()));
+        let bound = outer.bound + map.alpha.abs() * inner.bound + rounding;
+        prop_assert!((outer.value - want).abs() <= bound, "{} != {want} ± {bound:e}", outer.value);
+    }
+
+    #[test]
+    fn knots_are_hit_exactly(f in affine(0.999), tolerance in 1e-15..1.0_f64) {
+        for piece in f.pieces() {
+            for (x, y) in piece.x().into_iter().zip(piece.y()) {
+                let got = f.evaluate(x, tolerance);
+                prop_assert_eq!((got.value, got.bound), (y, 0.0));
+            }
+        }
+        let (below, above) = (f.evaluate(f.domain().lo - 1.0, 1e-6), f.evaluate(f64::INFINITY, 1e-6));
+        prop_assert_eq!([below.value, above.value], f.end_values());
+    }
+
+    #[test]
+    fn a_coarser_tolerance_stays_within_its_bound(f in affine(0.95), s in 0.0..1.0_f64) {
+        let x = f.domain().lo + s * f.domain().width();
+        let fine = f.evaluate(x, 0.0);
+        for tolerance in [1e-1, 1e-4, 1e-8] {
+            let coarse = f.evaluate(x, tolerance);
+            prop_assert!(coarse.bound <= tolerance, "{coarse:?} at {tolerance:e}");
+            prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound, "{coarse:?} {fine:?}");
+        }
+    }
+
+    #[test]
+    fn enclosures_hold_samples(f in affine(0.95), s in prop::collection::vec(0.0..1.0_f64, 2), k in 0.0..1.0_f64) {
+        let at = |s: f64| f.domain().lo + s * f.domain().width();
+        let (l, r) = (at(s[0].min(s[1])), at(s[0].max(s[1])));
+        let extrema = f.extrema_over(l, r, 1e-3).unwrap();
+        let sample = f.evaluate(l + k * (r - l), 1e-12);
+        prop_assert!(extrema.enclosure().inflated(sample.bound).contains(sample.value), "{extrema:?} {sample:?}");
+        prop_assert!(f.range().inflated(sample.bound).contains(sample.value), "{:?} {sample:?}", f.range());
+        prop_assert!(extrema.maximum.lo <= f.range().hi && extrema.minimum.hi >= f.range().lo);
+    }
+
+    #[test]
+    fn integrals_add_up_and_obey_the_mean_value(f in affine(0.95), s in prop::collection::vec(0.0..1.0_f64, 2)) {
+        let integral: FifBuf<3> = f.integral(0.25).unwrap();
+        let at = |s: f64| f.domain().lo + s * f.domain().width();
+        let (l, r) = (at(s[0].min(s[1])), at(s[0].max(s[1])));
+        prop_assume!(r - l > 1e-3);
+        let [lower, upper] = [l, r].map(|x| integral.evaluate(x, 1e-13));
+        let mean = (upper.value - lower.value) / (r - l);
+        let slack = (upper.bound + lower.bound) / (r - l) + 1e-9;
+        let taken = f.extrema_over(l, r, 1e-3).unwrap().enclosure();
+        prop_assert!(taken.inflated(slack).contains(mean), "mean {mean} not in {taken:?}");
+        // The parts between knots, each by the functional equation, add up to the whole.
+        let total = f.total_integral();
+        let width = f.domain().width();
+        let parts: f64 = f.pieces().iter().map(|p| {
+            let q = p.map().q;
+            let middle = q[0] + q[1] * f.domain().middle();
+            p.map().a * (p.map().alpha * total + width * middle)
+        }).sum();
+        prop_assert!((parts - total).abs() < 1e-11 * (1.0 + total.abs()) * width, "{parts} != {total}");
+        prop_assert!((integral.end_values()[1] - 0.25 - total).abs() < 1e-12 * (1.0 + total.abs()));
+    }
+
+    #[test]
+    fn slopes_are_the_limit_of_differences(f in hermite(), s in 0.05..0.95_f64) {
+        let x = s * f.value().domain().width();
+        let slope = f.derivative().extrema_over(x - 1e-5, x + 1e-5, 1e-6).unwrap().enclosure();
+        let [a, b] = [x - 1e-5, x + 1e-5].map(|x| f.value().evaluate(x, 0.0).value);
+        let quotient = (b - a) / 2e-5;
+        prop_assert!(slope.inflated(1e-8).contains(quotient), "{quotient} not in {slope:?}");
+    }
+
+    #[test]
+    fn nothing_of_the_surface_lies_before_the_first_hit(
+        f in hermite(), g in hermite(),
+        from in prop::array::uniform3(-2.0..2.0_f64), to in prop::array::uniform2(0.0..1.0_f64),
+    ) {
+        let cached = HeightField::new(Cached::with_cells(&f, 64), Cached::with_cells(&g, 64));
+        let surface = HeightField::new(&f, &g);
+        let target = DVec3::new(to[0] * f.value().domain().width(), to[1] * g.value().domain().width(), 0.0);
+        let origin = DVec3::new(3.0 * from[0], 3.0 * from[1], from[2]);
+        let target = DVec3::new(target.x, target.y, surface.height(target.x, target.y));
+        let ray = Ray { origin, direction: target - origin };
+        // The target is on the surface, so there is a hit at t ≤ 1.
+        let hit = cached.first_hit(&ray);
+        prop_assert!(hit.is_some(), "{ray:?} passes");
+        let hit = hit.unwrap();
+        prop_assert!(hit.t <= 1.0 + 1e-9, "{hit:?}");
+        prop_assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10, "{hit:?}");
+        let plain = surface.first_hit(&ray).unwrap();
+        prop_assert!((plain.t - hit.t).abs() < 1e-7, "{} != {}", plain.t, hit.t);
+        let inside = |p: DVec3| f.value().domain().contains(p.x) && g.value().domain().contains(p.y);
+        let mut side = None;
+        for k in 0..400 {
+            let p = ray.at((hit.t - 1e-7) * f64::from(k) / 399.0);
+            if inside(p) {
+                let above = p.z > surface.height(p.x, p.y);
+                prop_assert!(side.is_none_or(|side| side == above), "{ray:?} crosses before {hit:?}");
+                side = Some(above);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(12))]
+
+    /// Factors up to 0.999 and up to 64 maps: everything ends, nothing panics, bounds are honest about themselves.
+    #[test]
+    fn near_critical_systems_end(f in affine(0.999), g in affine(0.999), o in prop::array::uniform3(-3.0..3.0_f64)) {
+        let surface = HeightField::new(Cached::new(&f), Cached::new(&g));
+        let corner = DVec3::new(f.domain().middle(), g.domain().middle(), 0.0);
+        let origin = DVec3::from_array(o) * 10.0;
+        let hit = surface.first_hit(&Ray { origin, direction: corner - origin });
+        if let Some(hit) = hit {
+            prop_assert!(hit.t >= 0.0 && f.domain().contains(hit.x) && g.domain().contains(hit.y), "{hit:?}");
+        }
+        let deep = f.evaluate(f.domain().lo + 0.618 * f.domain().width(), 1e-12);
+        prop_assert!(deep.value.is_finite() && f.range().inflated(deep.bound).contains(deep.value), "{deep:?}");
+        let extrema = f.extrema(1e-6);
+        prop_assert!(extrema.maximum.lo <= extrema.maximum.hi && extrema.minimum.lo <= extrema.minimum.hi);
+    }
+}
+
+#[test]
+fn the_slowest_system_reports_the_depth_it_reached() {
+    // Both factors 0.999: 4096 steps leave 0.999^4096 = 0.017 of the range, and the bound says so.
+    let f = FifBuf::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
+    let got = f.evaluate(0.123, 1e-12);
+    let left = 0.999_f64.powi(4096) * 0.5 * f.range().width();
+    assert!(got.bound >= left && got.bound <= 1.01 * left, "{got:?}, {left}");
+}
