@@ -5,5 +5,7 @@ pub mod disk_bins;
 pub mod low_discrepancy;
 pub mod noise_reference;
 pub mod random;
+#[cfg(doctest)]
+pub mod readme;
 pub mod reference;
 pub mod surface_patches;

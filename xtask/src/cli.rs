@@ -121,10 +121,10 @@ pub(crate) struct Render {
     #[arg(long, value_enum, default_value_t = Noise::Gaussian)]
     pub(crate) noise: Noise,
     /// Colour of the surface, sRGB in hexadecimal.
-    #[arg(long, value_name = "RRGGBB", default_value = "e8b48c", value_parser = colour)]
+    #[arg(long, value_name = "RRGGBB", default_value = "f2b184", value_parser = colour)]
     pub(crate) tint: u32,
     /// Exposure; at 1 the density's peak under the key light is just short of white.
-    #[arg(long, default_value_t = 1.3, value_parser = positive)]
+    #[arg(long, default_value_t = 1.45, value_parser = positive)]
     pub(crate) exposure: f32,
     /// Side of the picture in pixels.
     #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=8192))]
