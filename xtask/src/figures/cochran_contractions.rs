@@ -15,8 +15,9 @@ pub(crate) const CONTRACTIONS: Figure = Figure {
     caption: "The interval [0, 2] under L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2082}, one map after the \
               other: each halves the interval around the point 86/63, whose address repeats these six for ever. The \
               boxes hold the graph over each interval, by the same composites. Horizontally f and g converge alike; \
-              the error of the value, at most |A|\u{b7}R with R half of the range, falls by 1/2 a level for f and only by 17/20 for g, so an \
-              evaluation must stop on the vertical factors, not on the width of the interval.",
+              the error of the value, at most |A|\u{b7}R with R half of the range known for it, falls by 1/2 a level for \
+              f and only by 17/20 for g, so an evaluation must stop on the vertical factors, not on the width of the \
+              interval.",
     draw,
 };
 

@@ -20,11 +20,11 @@ pub(crate) const MIRRORS: Figure = Figure {
     name: "cochran-6-mirrors",
     title: "Two fractal mirrors",
     source: "Cochran, Lewis and Hart 2000, figure 6",
-    caption: "Silver mirrors over the square [0, 2]\u{b2}: the products f\u{302}(x) f\u{302}(y) and \u{11d}(x) \u{11d}(y) of the integrals in \
-              figure 3. Walls and ceiling are ruled with straight lines, blue one way and red the other. The left \
+    caption: "Silver mirrors over the square [0, 2]\u{b2}: the products f\u{302}(x) f\u{302}(y) and \u{11d}(x) \u{11d}(y) of the integrals \
+              of figure 3. Walls and ceiling are ruled with straight lines, blue one way and red the other. The left \
               surface looks smooth, but the lines in it fray at every scale: their course shows the derivative, which \
               is fractal. The slope of the right one is so rough (H\u{f6}lder exponent 0.23) that it tears the lines into \
-              grain, although the surface has a tangent plane everywhere.",
+              streaks, although the surface has a tangent plane everywhere.",
     draw,
 };
 
