@@ -28,7 +28,7 @@ pub(crate) const MIRRORS: Figure = Figure {
     draw,
 };
 
-/// Heights are multiplied by these, so that the reflections stay within the room; the products themselves reach 4 and 1.
+/// Heights are multiplied by these, so that the reflections stay within the room; they reach 4 and 1.02.
 const RISE: [f64; 2] = [0.3, 0.1];
 
 /// Samples per pixel, as multiples of the figure's.
