@@ -21,6 +21,8 @@ use crate::ndf::Ndf;
 ///   `(z/RANGE + 1)/2`. A table of even size has no entry at `z = 0`: [`nearest`](NormalTable::nearest) to the flat bump map
 ///   is tilted by half a texel (0.018 standard deviations at 256), [`bilinear`](NormalTable::bilinear) is not. An odd size
 ///   has that entry.
+/// - **Error**, GGX (0.2, 0.4) at 256, against its exact bins: total variation 0.0185 for the nearest entry, 0.0004 bilinear, of
+///   which 0.0003 are the sampling's; (n_x, n_y) is off by up to 0.012 and 1.2e-4 where `z₂ = 0` and `|z₁| ≤ 3.3`.
 /// - **Frames** are minimal rotations from (0, 0, 1), see [`Frame::from_normal`], continuous over the table.
 ///
 /// ```
