@@ -7,7 +7,7 @@ use asperity_fif::{
 use asperity_shading::{Schlick, reflect};
 use glam::Vec3;
 
-use super::panels::{raster, square};
+use super::panels::{half_page, raster};
 use crate::{
     figure::{Context, Drawn, Failure, Figure},
     image::hex,
@@ -46,7 +46,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let mut panels = Vec::new();
     for (grid, [stem, label, alt]) in GRIDS.into_iter().zip(words) {
-        let sampling = Sampling { samples_per_pixel: 1, ..square(context) };
+        let sampling = Sampling { samples_per_pixel: 1, ..half_page(context) };
         let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
         let image = render(sampling, context.progress, context.interrupted, |x, y| {
             let rays = jittered([x as u32, y as u32], grid, context.seed);

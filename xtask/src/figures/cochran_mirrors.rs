@@ -4,7 +4,7 @@ use asperity_fif::{glam::DVec3, paper};
 use asperity_shading::{Conductor, reflect};
 use glam::Vec3;
 
-use super::panels::{raster, square};
+use super::panels::{half_page, raster};
 use crate::{
     figure::{Context, Drawn, Failure, Figure},
     image::hex,
@@ -52,7 +52,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         [paper::f()?, paper::g()?].into_iter().zip(RISE).zip(OVERSAMPLING).zip(words).zip(VIEWS)
     {
         let mirror = Fractal::new(slope, rise)?;
-        let sampling = square(context);
+        let sampling = half_page(context);
         let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * factor, ..sampling };
         let camera = Camera::new(eye, target, FIELD, sampling.width, sampling.height);
         let image = render(sampling, context.progress, context.interrupted, |x, y| {

@@ -24,6 +24,12 @@ pub(crate) fn square(context: &Context<'_>) -> Sampling {
     }
 }
 
+/// A square panel that takes half of the page's width, and so half as many pixels again.
+pub(crate) fn half_page(context: &Context<'_>) -> Sampling {
+    let side = context.size + context.size / 2;
+    Sampling { width: side, height: side, ..square(context) }
+}
+
 /// A square panel of an object with bumps, which wants twice the samples.
 pub(crate) fn fine(context: &Context<'_>) -> Sampling {
     let sampling = square(context);
