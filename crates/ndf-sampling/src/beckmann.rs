@@ -145,5 +145,9 @@ mod tests {
         assert_eq!(beckmann.density(Vec3::NEG_Z), 0.0);
         assert_eq!(beckmann.density(Vec3::X), 0.0);
         assert_eq!(beckmann.density(Vec3::NAN), 0.0);
+        // Just above it, where exp and mz⁴ both underflow.
+        for z in [1e-3, 1e-9, 1e-20, 1e-40] {
+            assert_eq!(beckmann.density(Vec3::new(1.0, 0.0, z)), 0.0, "{z}");
+        }
     }
 }

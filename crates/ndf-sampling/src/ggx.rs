@@ -109,13 +109,11 @@ impl Ndf for Ggx {
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         let (x, y) = (m.x / self.alpha_x, m.y / self.alpha_y);
         let q = math::sqrt(x * x + y * y);
-        if q.is_nan() || q == 0.0 {
-            return Vec2::ZERO;
-        }
         let t = (q / m.z.max(f32::MIN_POSITIVE)).min(f32::MAX);
         // Beyond 10⁹ the 1 in ln(1 + t²) is below half an ulp, and beyond 10¹⁹ t² overflows.
         let rho2 = if t < 1e9 { 2.0 * math::ln_1p(t * t) } else { 4.0 * math::ln(t) };
         let per_length = if t < 1e-5 { t * SQRT_2 / q } else { math::sqrt(rho2) / q };
+        // The flat normal and NaN are 0/0 here, which is read as 0.
         bounded(Vec2::new(x * per_length, y * per_length))
     }
 }
@@ -135,6 +133,15 @@ mod tests {
     fn small_roughness_keeps_its_slopes() {
         let m = Ggx::isotropic(1e-4).unwrap().from_gaussian(Vec2::new(0.01, -0.02));
         assert!((m.x / 7.071e-7 - 1.0).abs() < 1e-3 && (m.y / -1.4142e-6 - 1.0).abs() < 1e-3, "{m}");
+    }
+
+    #[test]
+    fn far_tail_is_inverted_to_the_bound() {
+        let ggx = Ggx::new(0.3, 1.0).unwrap();
+        for k in 1..=48 {
+            let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.25);
+            assert!(ggx.to_gaussian(ggx.from_gaussian(z)).abs_diff_eq(z, 4e-6), "{z}");
+        }
     }
 
     #[test]
