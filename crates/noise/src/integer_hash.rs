@@ -72,8 +72,7 @@ pub(crate) fn mix(counter: u64) -> u64 {
 /// h = word·⌊2⁶⁴/φ⌋,   second = h ^ h ≫ 32          φ = (1 + √5)/2
 /// ```
 ///
-/// A bijection. Any twelve bits of the second word that a variate is made of are independent of any twelve of the
-/// first, because the others are uniform.
+/// A bijection, but the bits that a variate is made of show no dependence on those of any variate of the first word.
 #[must_use]
 #[inline(always)]
 pub const fn second_word(word: u64) -> u64 {
@@ -107,6 +106,30 @@ mod tests {
                 let share = f64::from(flips) / f64::from(COUNT);
                 assert!((share - 0.5).abs() < TOLERANCE, "input bit {input}, output bit {bit}: {share}");
             }
+        }
+    }
+
+    #[test]
+    fn variates_of_both_words_are_independent() {
+        // The twelve-bit fields from bits 4, 16, 28, 40 and 52, by their upper four bits.
+        let fields = |word: u64| [12, 24, 36, 48, 60].map(|shift| (word >> shift & 15) as usize);
+        let mut tables = [[[[0_u32; 16]; 16]; 5]; 5];
+        for i in 0..65_536 {
+            let word = IntegerHash.hash3(i & 255, i >> 8, 3, 1);
+            for (first, tables) in fields(word).into_iter().zip(&mut tables) {
+                for (second, table) in fields(second_word(word)).into_iter().zip(tables) {
+                    table[first][second] += 1;
+                }
+            }
+        }
+        for table in tables.as_flattened() {
+            let chi_square: f64 = table
+                .as_flattened()
+                .iter()
+                .map(|&n| (f64::from(n) - 256.0) * (f64::from(n) - 256.0) / 256.0)
+                .sum();
+            // The quantile 1 − 0.001/25 of χ² with 255 degrees of freedom is 354.
+            assert!(chi_square < 354.0, "chi square {chi_square}");
         }
     }
 
