@@ -104,9 +104,9 @@ impl Kind {
 }
 
 fn word<const D: usize>(cell: [i32; D], seed: u32) -> u64 {
-    match cell.as_slice() {
-        &[x, y] => IntegerHash.hash2(x, y, seed),
-        &[x, y, z] => IntegerHash.hash3(x, y, z, seed),
+    match *cell.as_slice() {
+        [x, y] => IntegerHash.hash2(x, y, seed),
+        [x, y, z] => IntegerHash.hash3(x, y, z, seed),
         _ => 0,
     }
 }

@@ -89,7 +89,6 @@ fn the_wide_simplex_kernel_leaps_at_faces() {
         let sample = Simplex::WIDE.sample(direction * t, seed);
         (sample.value, sample.gradient.dot(direction))
     });
-    println!("leaps of the wide simplex noise: {planar} in 2-D, {spatial} in 3-D");
     assert!(planar > 1e-3 && planar < 0.006, "2-D: {planar}");
     assert!(spatial > 1e-3 && spatial < 0.006, "3-D: {spatial}");
 }

@@ -37,7 +37,6 @@ fn close2(name: &str, kind: Kind, scale: f64, noise: impl Fn(Vec2, u32) -> Sampl
             }
         }
     }
-    println!("{name} 2-D: worst errors of value and gradient {worst:?}");
     assert!(worst[0] < VALUE_TOLERANCE && worst[1] < GRADIENT_TOLERANCE, "{name} 2-D: {worst:?}");
 }
 
@@ -55,7 +54,6 @@ fn close3(name: &str, kind: Kind, scale: f64, noise: impl Fn(Vec3, u32) -> Sampl
             }
         }
     }
-    println!("{name} 3-D: worst errors of value and gradient {worst:?}");
     assert!(worst[0] < VALUE_TOLERANCE && worst[1] < GRADIENT_TOLERANCE, "{name} 3-D: {worst:?}");
 }
 

@@ -66,7 +66,6 @@ fn agree<V: Point + Sync, N: Noise<V> + Copy + Sync>(name: &str, noise: N, point
             (below - f64::from(g)).abs()
         })
         .fold(0.0, f64::max);
-    println!("{name}: sigma {:.5} / {sigma:.5}, KS of G {worst:.5}", variance.sqrt());
     // KS at significance 0.001/10 is 2.23/√n = 0.0062.
     assert!(worst < 2.23 / n.sqrt(), "{name}: KS {worst}");
 }
