@@ -153,7 +153,14 @@ impl NdfMap {
 
 impl Ndf for NdfMap {
     fn density(&self, m: Vec3) -> f32 {
-        if m.z > 0.0 { (0.25 * self.cdf.density(on_map(m))) as f32 } else { 0.0 }
+        let [x, y] = on_map(m);
+        let (nx, ny) = (to_normal(x), to_normal(y));
+        // A unit normal at the rim may be outside the disk by the rounding of its coordinates.
+        if m.z > 0.0 && nx * nx + ny * ny <= 1.0 + 1e-6 {
+            (0.25 * self.cdf.texel([x, y])) as f32
+        } else {
+            0.0
+        }
     }
 
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
@@ -314,6 +321,29 @@ mod tests {
         let map = NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::Normals).unwrap();
         assert!(map.density(Vec3::new(0.0, -0.6, 0.8)) > 0.6);
         assert_eq!(map.density(Vec3::new(0.0, 0.6, 0.8)), 0.0);
+    }
+
+    #[test]
+    fn coordinate_that_is_not_a_number_is_the_median() {
+        let map = NdfMap::from_fn(8, 8, Measure::Normals, |n| 1.5 + n.x + 0.4 * n.y).unwrap();
+        for z in [-1.0, 0.3] {
+            assert_eq!(map.from_gaussian(Vec2::new(f32::NAN, z)), map.from_gaussian(Vec2::new(0.0, z)));
+            assert_eq!(map.from_gaussian(Vec2::new(z, f32::NAN)), map.from_gaussian(Vec2::new(z, 0.0)));
+        }
+    }
+
+    #[test]
+    fn rim_is_above_the_horizon() {
+        for size in 1..6 {
+            let map = NdfMap::from_fn(size, size, Measure::Normals, |_| 1.0).unwrap();
+            for k in -900..=900 {
+                for far in [-9.0, 9.0] {
+                    let m = map.from_gaussian(Vec2::new(k as f32 * 0.01, far));
+                    assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{size} {k}: {m}");
+                    assert!(map.density(m) > 0.3 && map.to_gaussian(m).is_finite(), "{size} {k}: {m}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -163,10 +163,7 @@ impl Cdf {
     #[must_use]
     pub fn density(&self, [x, y]: [f64; 2]) -> f64 {
         let (nx, ny) = (to_normal(x), to_normal(y));
-        if nx * nx + ny * ny > 1.0 || nx.is_nan() || ny.is_nan() {
-            return 0.0;
-        }
-        self.value(self.column(x), self.row(y))
+        if nx * nx + ny * ny <= 1.0 { self.texel([x, y]) } else { 0.0 }
     }
 
     /// `m(x)`, per unit length of the map.
@@ -211,7 +208,6 @@ impl Cdf {
     pub fn conditional_cdf(&self, x: f64, y: f64) -> f64 {
         let (x, y) = (coordinate(x), coordinate(y));
         let (column, c) = (self.column(x), half_chord(x));
-        let y = y.clamp(0.5 - c, 0.5 + c);
         let below = self.sum_to(column, 0.5 - c);
         let all = self.sum_to(column, 0.5 + c) - below;
         if all > 0.0 {
@@ -261,6 +257,11 @@ impl Cdf {
     pub fn inverse(&self, [u1, u2]: [f64; 2]) -> [f64; 2] {
         let x = self.marginal_inverse(u1);
         [x, self.conditional_inverse(x, u2)]
+    }
+
+    /// The density of the texel at a point, without the disk.
+    pub(crate) fn texel(&self, [x, y]: [f64; 2]) -> f64 {
+        self.value(self.column(x), self.row(y))
     }
 
     fn column(&self, x: f64) -> usize {

@@ -210,6 +210,9 @@ mod tests {
                 assert!((table.nearest(z).normal.length() - 1.0).abs() < 1e-6);
                 assert!((table.bilinear(z).normal.length() - 1.0).abs() < 1e-6);
             }
+            let nowhere = Vec2::new(0.3, f32::NAN);
+            assert_eq!(table.nearest(nowhere), table.nearest(Vec2::new(0.3, 0.0)));
+            assert_eq!(table.bilinear(nowhere), table.bilinear(Vec2::new(0.3, 0.0)));
         }
     }
 }

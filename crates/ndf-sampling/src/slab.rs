@@ -36,13 +36,10 @@ impl Slab {
         if self.curved > 0.0 {
             let least = LEAST_MASS.min(0.5 * all);
             let mass = mass.clamp(least, all - least);
-            // Counted from the nearer end, so that what is next to either keeps its digits.
-            let left = mass <= 0.5 * all;
-            let nearer = if left { mass } else { all - mass };
             let mut x = self.x + (next.x - self.x) * (mass / all);
             // Newton's steps, halving where they leave the bracket: m may vanish at an end.
             for _ in 0..64 {
-                let excess = if left { self.mass(self.x, x) - nearer } else { nearer - self.mass(x, next.x) };
+                let excess = self.mass(self.x, x) - mass;
                 if excess > 0.0 {
                     high = x;
                 } else {
@@ -50,7 +47,7 @@ impl Slab {
                 }
                 let correction = excess / (self.flat + self.curved * half_chord(x));
                 // Where rounding of the mass or of x is all that is left, a next step would only wander.
-                if excess.abs() <= 8.0 * f64::EPSILON * nearer || correction.abs() <= f64::EPSILON * x {
+                if excess.abs() <= 8.0 * f64::EPSILON * mass || correction.abs() <= f64::EPSILON * x {
                     break;
                 }
                 let newton = x - correction;
