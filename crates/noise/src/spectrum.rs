@@ -230,13 +230,17 @@ mod tests {
 
     #[test]
     fn shares_rise_from_zero_and_stay_below_one() {
-        let spectrum = Spectrum::new(2.0, 0.5, MAX_OCTAVES).unwrap();
-        assert_eq!([0.0, 0.5, 1.0, 2.0].map(|octaves| spectrum.share(octaves)), [0.0, 0.1875, 0.75, 0.9375]);
-        let mut last = 0.0;
-        for step in 1..=1600 {
-            let share = spectrum.share(step as f32 / 100.0);
-            assert!(share >= last && share < 1.0, "step {step}: {share} after {last}");
-            last = share;
+        let shares = [0.0, 0.5, 1.0, 2.0].map(|octaves| Spectrum::default().share(octaves));
+        assert_eq!(shares, [0.0, 0.1875, 0.75, 0.9375]);
+        for percent in 1..100_u8 {
+            let gain = f32::from(percent) / 100.0;
+            let spectrum = Spectrum::new(2.0, gain, MAX_OCTAVES).unwrap();
+            let mut last = 0.0;
+            for step in 1..=160_u8 {
+                let share = spectrum.share(f32::from(step) / 10.0);
+                assert!(share >= last && share < 1.0, "gain {gain}, step {step}: {share} after {last}");
+                last = share;
+            }
         }
     }
 
