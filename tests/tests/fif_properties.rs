@@ -88,6 +88,30 @@ proptest! {
     }
 
     #[test]
+    fn doubles_on_even_knots_have_exact_addresses(
+        y in prop::collection::vec(-1.0..1.0_f64, 8),
+        alpha in prop::collection::vec(-0.95..0.95_f64, 7),
+        maps in 2_usize..=7,
+        fraction in 1_u64..1 << 53,
+    ) {
+        let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
+        let f = FifBuf::affine(&x, &y[..=maps], &alpha[..maps]).unwrap();
+        let mut rest = u128::from(fraction);
+        let digits: Vec<usize> = (0..1200).map(|_| {
+            rest *= maps as u128;
+            let digit = rest >> 53;
+            rest &= (1 << 53) - 1;
+            usize::try_from(digit).unwrap()
+        }).collect();
+        let point = fraction as f64 / 9_007_199_254_740_992.0;
+        let (by_point, by_address) = (f.evaluate(point, 1e-13), f.value_at_address(digits.iter().copied(), 1e-13).unwrap());
+        let bound = by_point.bound + by_address.bound;
+        prop_assert!((by_point.value - by_address.value).abs() <= bound, "{by_point:?} {by_address:?}");
+        prop_assert!(bound < 1e-10);
+        prop_assert!(f.address(point).zip(&digits).take(300).all(|(got, &want)| got == want));
+    }
+
+    #[test]
     fn a_coarser_tolerance_stays_within_its_bound(f in affine(0.95), s in 0.0..1.0_f64) {
         let x = f.domain().lo + s * f.domain().width();
         let fine = f.evaluate(x, 0.0);

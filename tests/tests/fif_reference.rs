@@ -62,7 +62,7 @@ fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [
 
 #[test]
 fn values_and_integrals_equal_the_exact_rationals() {
-    // Worst measured, over all: f 3e-14 (points) and doubles, first integral 2e-14, second integral 2e-13.
+    // Worst measured: f 8e-15, first integral 1e-14, second integral 2e-14, doubles by their exact address 2e-14.
     let worst = [
         check_points::<1, 2, 3>("cantor"),
         check_points::<4, 5, 6>("cubic5"),

@@ -160,7 +160,7 @@ impl<A: Axis> Axis for Cached<A> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FifBuf, paper};
+    use crate::{FifBuf, FixedSmooth, paper};
 
     #[test]
     fn every_cell_of_the_table_lies_in_its_parent_and_holds_its_samples() {
@@ -186,6 +186,28 @@ mod tests {
                 }
             }
             cells = next;
+        }
+    }
+
+    #[test]
+    fn slopes_lie_in_their_ranges() {
+        let axis = FixedSmooth::<2, 3, 2>::integral(paper::g().unwrap(), 0.0).unwrap();
+        let cached = Cached::with_cells(axis, 16);
+        let mut cells = alloc::vec![(cached.root(), 0.0, 2.0)];
+        for _ in 0..7 {
+            for (cell, left, width) in &cells {
+                let bounds = cached.bounds(cell)[1];
+                for k in 0..=4 {
+                    let x = left + width * f64::from(k) / 4.0;
+                    assert!(bounds.inflated(1e-12).contains(cached.slope(x).unwrap()), "{bounds:?} {x}");
+                }
+            }
+            cells = cells
+                .iter()
+                .flat_map(|(cell, left, width)| {
+                    [0, 1].map(|j| (cached.child(cell, j), left + 0.5 * width * j as f64, 0.5 * width))
+                })
+                .collect();
         }
     }
 

@@ -187,3 +187,52 @@ enum Location {
     /// The distance from `x_0` in units of the domain.
     Inside(f64),
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::paper;
+
+    #[test]
+    fn points_outside_are_clamped_and_nan_is_nan() {
+        let f = paper::f_hat().unwrap();
+        for x in [-1.0, f64::NEG_INFINITY, -0.0] {
+            assert_eq!(f.evaluate(x, 1e-9).value, 0.0, "{x}");
+        }
+        for x in [2.0, 3.0, f64::INFINITY] {
+            assert_eq!(f.evaluate(x, 1e-9).value, 2.0, "{x}");
+        }
+        let nan = f.evaluate(f64::NAN, 1e-9);
+        assert!(nan.value.is_nan() && nan.bound.is_nan(), "{nan:?}");
+    }
+
+    #[test]
+    fn any_tolerance_gives_a_bound_that_holds() {
+        let f = paper::f().unwrap();
+        for tolerance in [f64::INFINITY, 10.0, 1e-3, 1e-300, 0.0, -1.0, f64::NAN] {
+            let got = f.evaluate(2.0 / 3.0, tolerance);
+            assert!((got.value - 4.0 / 3.0).abs() <= got.bound + 1e-14, "{tolerance}: {got:?}");
+            assert!(got.bound <= tolerance.max(1e-12), "{tolerance}: {got:?}");
+        }
+    }
+
+    #[test]
+    fn addresses_end_in_zeros_at_knots_and_are_empty_for_nan() {
+        let f = paper::f().unwrap();
+        assert!(f.address(1.0).take(4).eq([1, 0, 0, 0]));
+        assert!(f.address(0.0).take(3).eq([0, 0, 0]) && f.address(-7.0).take(3).eq([0, 0, 0]));
+        assert!(f.address(2.0).take(3).eq([1, 1, 1]) && f.address(9.0).take(3).eq([1, 1, 1]));
+        assert_eq!(f.address(f64::NAN).next(), None);
+    }
+
+    #[test]
+    fn a_finite_address_bounds_its_cell() {
+        let f = paper::f().unwrap();
+        let cell = f.value_at_address([0, 1], 1e-12).unwrap().interval();
+        for k in 0..=16 {
+            let x = 0.5 + f64::from(k) / 32.0;
+            assert!(cell.contains(f.evaluate(x, 1e-14).value), "{x}: {cell:?}");
+        }
+        let whole = f.value_at_address([], 1e-12).unwrap();
+        assert_eq!(whole.value, f.range().middle());
+    }
+}

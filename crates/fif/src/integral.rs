@@ -152,3 +152,30 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 fn mean<const C: usize>(local: &[f64; C]) -> f64 {
     local.iter().enumerate().rev().map(|(i, c)| c / (i + 1) as f64).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{FixedFif, SystemError, paper};
+
+    #[test]
+    fn a_rough_function_has_no_derivative() {
+        let steep: Result<FixedFif<2, 1>, _> = paper::f().unwrap().derivative();
+        assert_eq!(steep.unwrap_err(), SystemError::SteepFactor { map: 1, alpha: 0.5, a: 0.5 });
+        // Gentle factors, but a corner at the middle knot.
+        let corner = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.1, 0.1]).unwrap();
+        let none: Result<FixedFif<2, 1>, _> = corner.derivative();
+        assert!(matches!(none, Err(SystemError::JoinUp { map: 2, .. })), "{none:?}");
+    }
+
+    #[test]
+    fn the_derivative_of_the_integral_is_the_function() {
+        let g = paper::g().unwrap();
+        let back: FixedFif<2, 2> = paper::g_hat().unwrap().derivative().unwrap();
+        for (a, b) in back.pieces().iter().zip(g.pieces()) {
+            assert!(
+                (a.map().alpha - b.map().alpha).abs() < 1e-15 && a.map().q == b.map().q,
+                "{a:?} != {b:?}"
+            );
+        }
+    }
+}

@@ -152,7 +152,9 @@ mod tests {
                 assert_eq!(surface.first_hit(&ray(o, d)), None, "direction {d:?}");
             }
         }
-        assert_eq!(surface.first_hit(&ray([1.0, 1.0, 1.0], [0.0; 3])), None);
+        for z in [0.5, 1.0, 3.0] {
+            assert_eq!(surface.first_hit(&ray([1.0, 1.0, z], [0.0; 3])), None, "z = {z}");
+        }
     }
 
     #[test]
@@ -215,7 +217,13 @@ mod tests {
         assert_eq!(surface.first_hit_between(&down, 2.1, 9.0), None);
         assert_eq!(surface.first_hit_between(&down, 0.0, f64::NAN), None);
         assert!(surface.first_hit_between(&down, f64::NAN, 9.0).is_some());
+        let below = ray([1.0, 1.0, 0.5], [0.0, 0.0, -1.0]);
+        for t_min in [-5.0, f64::NAN, f64::NEG_INFINITY] {
+            assert_eq!(surface.first_hit_between(&below, t_min, 9.0), None, "behind, {t_min}");
+        }
         let slanted = ray([-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
+        // h(1, 1) = 1 at t = 2: the end of the stretch belongs to it.
+        assert_eq!(surface.first_hit_between(&slanted, 0.0, 2.0).map(|hit| hit.t), Some(2.0));
         let t = surface.first_hit(&slanted).unwrap().t;
         assert_eq!(surface.first_hit_between(&slanted, 0.0, t - 1e-9), None);
         assert!(surface.first_hit_between(&slanted, t - 1e-9, t + 1e-9).is_some());

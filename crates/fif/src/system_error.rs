@@ -285,6 +285,8 @@ mod tests {
     #[test]
     fn lengths_must_fit() {
         says(affine(&X, &[0.0, 1.0], &ALPHA), "3 ordinates are needed, 2 are given");
+        says(affine(&X, &[0.0; 4], &ALPHA), "3 ordinates are needed, 4 are given");
+        says(affine(&X, &Y, &[0.5; 3]), "2 vertical factors are needed, 3 are given");
         says(affine(&X, &Y, &[0.5]), "2 vertical factors are needed, 1 are given");
         says(polynomials(&ALPHA, &Q[..1]), "2 polynomials are needed, 1 are given");
         says(
