@@ -1,10 +1,9 @@
 //! First hits, heights and normals against rigorous brackets and exact rationals.
-
-mod fif_systems;
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{Axis, Cached, FifBuf, FifView, HeightField, Ray, Smooth, SmoothBuf, paper};
-use fif_systems::{Reference, decimal, ratio, read};
+use asperity_tests::fif_systems::{Reference, decimal, ratio, read};
 use serde_json::Value;
 
 fn vector(value: &Value) -> DVec3 {

@@ -1,9 +1,8 @@
 //! Values, integrals and extrema of fractal interpolation functions against exact rationals.
-
-mod fif_systems;
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::FifBuf;
-use fif_systems::{Reference, decimal, digits_of_double, ratio};
+use asperity_tests::fif_systems::{Reference, decimal, digits_of_double, ratio};
 
 /// Largest error allowed where the address is exact; the worst measured is written beside each test.
 const EXACT: f64 = 1e-12;
@@ -80,15 +79,13 @@ fn values_and_integrals_equal_the_exact_rationals() {
 
 fn check_doubles<const C: usize>(name: &str) -> f64 {
     let r = Reference::<C>::load(name);
-    let (mut worst, mut bound) = (0.0_f64, 0.0_f64);
+    let mut bound = 0.0_f64;
     for p in r.doubles() {
         let got = r.system.evaluate(p.x, 1e-13);
         let error = (got.value - p.y).abs();
         assert!(error <= EXACT && error <= got.bound, "{name} x = {}: {got:?} != {}", p.x, p.y);
-        worst = worst.max(error);
         bound = bound.max(got.bound);
     }
-    println!("{name}: worst {worst:e}, largest bound {bound:e}");
     bound
 }
 
@@ -116,7 +113,7 @@ fn values_at_doubles_equal_the_exact_ones() {
 /// same doubles, on the exact knots, gives 1e-12 (above).
 fn backward_stable<const C: usize>(name: &str) {
     let r = Reference::<C>::load(name);
-    let (mut worst, mut over) = (0.0_f64, 0);
+    let mut worst = 0.0_f64;
     for p in r.doubles() {
         let got = r.system.evaluate(p.x, 1e-13);
         let near = 8.0 * f64::EPSILON * r.system.domain().magnitude();
@@ -128,9 +125,9 @@ fn backward_stable<const C: usize>(name: &str) {
             p.x
         );
         worst = worst.max((got.value - p.y).abs());
-        over += usize::from((got.value - p.y).abs() > EXACT);
     }
-    println!("{name}: worst {worst:e}, over 1e-12: {over} of 40");
+    // Measured: 3e-10 and 6e-9, 38 and 37 of 40 points over 1e-12. That is the conditioning, not the sum.
+    assert!(worst < 1e-8, "{name}: worst {worst:e}");
 }
 
 #[test]

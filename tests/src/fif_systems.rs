@@ -1,17 +1,23 @@
 //! The reference systems of `tests/data/fif`, read into systems of the crate.
-#![allow(dead_code, unreachable_pub, reason = "each test binary uses its part")]
-
-use std::path::Path;
+#![expect(
+    clippy::unwrap_used,
+    clippy::missing_panics_doc,
+    reason = "a test that cannot read its reference has failed"
+)]
 
 use asperity_fif::FifBuf;
 use serde_json::Value;
 
+use crate::reference;
+
+/// A file of the reference.
+#[must_use]
 pub fn read(name: &str) -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/fif").join(format!("{name}.json"));
-    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    reference::read(&format!("fif/{name}.json"))
 }
 
 /// `"p/q"` or `"p"`, correctly rounded while p and q are doubles.
+#[must_use]
 pub fn ratio(text: &str) -> f64 {
     match text.split_once('/') {
         Some((p, q)) => p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap(),
@@ -19,15 +25,20 @@ pub fn ratio(text: &str) -> f64 {
     }
 }
 
+/// A list of ratios.
+#[must_use]
 pub fn ratios(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|v| ratio(v.as_str().unwrap())).collect()
 }
 
+/// A decimal number given as text.
+#[must_use]
 pub fn decimal(value: &Value) -> f64 {
     value.as_str().unwrap().parse().unwrap()
 }
 
 /// `p/q` as small integers.
+#[must_use]
 pub fn integers(text: &str) -> (i64, i64) {
     match text.split_once('/') {
         Some((p, q)) => (p.parse().unwrap(), q.parse().unwrap()),
@@ -36,6 +47,7 @@ pub fn integers(text: &str) -> (i64, i64) {
 }
 
 /// Text such as `-0x1.a476310a1a7bep-2`.
+#[must_use]
 pub fn hexadecimal(text: &str) -> f64 {
     let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
     let (mantissa, exponent) = text.strip_prefix("0x").unwrap().split_once('p').unwrap();
@@ -45,23 +57,34 @@ pub fn hexadecimal(text: &str) -> f64 {
         * 2f64.powi(exponent.parse::<i32>().unwrap() - 4 * i32::try_from(fraction.len()).unwrap())
 }
 
+/// One system of the reference.
 pub struct Reference<const C: usize> {
+    /// Its name.
     pub name: String,
+    /// The whole file.
     pub json: Value,
+    /// The system, built by the crate.
     pub system: FifBuf<C>,
 }
 
+/// A point given by its address.
 pub struct Point {
     prefix: Vec<usize>,
     period: Vec<usize>,
+    /// The point, as a ratio.
     pub x: String,
+    /// The value.
     pub y_dec: f64,
+    /// The integral from the left end.
     pub int1_dec: f64,
+    /// The second integral.
     pub int2_dec: f64,
+    /// The slope, if there is one.
     pub dy_dec: Option<f64>,
 }
 
 impl Point {
+    /// Its address, indices from 0, without end.
     pub fn address(&self) -> impl Iterator<Item = usize> + '_ {
         // An empty period stands for x_0, whose address is the first map for ever.
         let period: &[usize] = if self.period.is_empty() { &[1] } else { &self.period };
@@ -69,14 +92,21 @@ impl Point {
     }
 }
 
+/// A double with its exact value.
 pub struct Double {
+    /// The point.
     pub x: f64,
+    /// The value.
     pub y: f64,
+    /// The integral from the left end.
     pub int1: f64,
+    /// The slope, if there is one.
     pub dy: Option<f64>,
 }
 
 impl<const C: usize> Reference<C> {
+    /// Reads a system and builds it.
+    #[must_use]
     pub fn load(name: &str) -> Self {
         let json = read(name);
         let q: Vec<[f64; C]> = json["q"]
@@ -100,10 +130,14 @@ impl<const C: usize> Reference<C> {
         Self { name: name.to_owned(), json, system }
     }
 
+    /// The largest value of the function.
+    #[must_use]
     pub fn scale(&self) -> f64 {
         self.system.range().magnitude()
     }
 
+    /// The points given by address.
+    #[must_use]
     pub fn points(&self) -> Vec<Point> {
         let indices =
             |v: &Value| v.as_array().unwrap().iter().map(|j| j.as_u64().unwrap() as usize).collect();
@@ -124,6 +158,7 @@ impl<const C: usize> Reference<C> {
     }
 
     /// `(x, f, ∫f, address)` for easy rationals on equally spaced knots.
+    #[must_use]
     pub fn simple(&self) -> Vec<(String, f64, f64, Vec<usize>)> {
         let maps = self.system.pieces().len() as i128;
         let (p0, q0) = integers(self.json["knots"][0].as_str().unwrap());
@@ -147,6 +182,8 @@ impl<const C: usize> Reference<C> {
             .collect()
     }
 
+    /// The random doubles.
+    #[must_use]
     pub fn doubles(&self) -> Vec<Double> {
         self.json["f64_points"]
             .as_array()
@@ -165,16 +202,20 @@ impl<const C: usize> Reference<C> {
     }
 
     /// `(l, r, ∫ from l to r)`.
+    #[must_use]
     pub fn integrals(&self) -> Vec<(f64, f64, f64)> {
         let all = self.json["integrals"].as_array().unwrap().iter();
         all.map(|i| (ratio(i["l"].as_str().unwrap()), ratio(i["r"].as_str().unwrap()), decimal(&i["dec"])))
             .collect()
     }
 
+    /// `∫ xᵏ f`.
+    #[must_use]
     pub fn moment(&self, k: usize) -> f64 {
         decimal(&self.json["moments_dec"][k])
     }
 
+    /// Compares a map of an integral with the reference's.
     pub fn check_integral(&self, key: &str, j: usize, alpha: f64, q: &[f64], y: [f64; 2]) {
         let system = &self.json[key];
         let close = |got: f64, want: f64, what: &str| {
@@ -197,6 +238,7 @@ impl<const C: usize> Reference<C> {
 
 /// The address of a double on the exact rational knots, in fixed point with 2048 fractional bits: each step loses at
 /// most log₂(1/a) ≤ 4.4 bits, so 200 digits stand beyond doubt.
+#[must_use]
 pub fn digits_of_double<const C: usize>(reference: &Reference<C>, x: f64) -> Vec<usize> {
     let knots: Vec<(i64, i64)> =
         reference.json["knots"].as_array().unwrap().iter().map(|k| integers(k.as_str().unwrap())).collect();
