@@ -10,7 +10,7 @@ const STRAY: f64 = 5e-6;
 
 /// The probability that samples which do follow `probabilities` fit no better than `counts` do.
 ///
-/// Samples in bins that have no probability make the result 0, beyond [`STRAY`] of them: pooled with others they would hide.
+/// Samples in bins that have no probability make the result 0, beyond five in a million: pooled with others they would hide.
 /// Other bins are pooled in the order of their probability, so that the result does not depend on the counts. What the
 /// probabilities lack to 1 is a further bin, whose count is what `counts` lack to `samples`.
 ///
