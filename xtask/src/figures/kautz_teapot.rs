@@ -32,6 +32,8 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Subject::Teapot);
     let mut request = RenderRequest::new(Subject::Teapot, &ndf, fine(context));
+    // So fine that the view of the whole pot resolves next to nothing.
+    request.bumps.frequency = 27.0;
     let mut panels = vec![density_panel(context, &ndf, "GGX 0.14, 0.56")?];
     for (zoom, label) in ZOOMS {
         request.zoom = zoom;
