@@ -71,7 +71,7 @@ pub(crate) struct Gallery {
 
 #[derive(Debug, Args)]
 pub(crate) struct Tables {
-    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, or an image file.
+    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `painted`, or an image file.
     #[arg(long, value_name = "NDF")]
     pub(crate) ndf: Vec<String>,
     /// What the grey values of an image are a density over.
@@ -96,7 +96,7 @@ pub(crate) struct Render {
     /// What is seen.
     #[arg(long, value_enum, default_value_t = Scene::Teapot)]
     pub(crate) scene: Scene,
-    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, or an image file.
+    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `painted`, or an image file.
     #[arg(long, default_value = "ggx:0.2,0.4")]
     pub(crate) ndf: String,
     /// What the grey values of an image are a density over.
