@@ -227,3 +227,16 @@ fn octaves_take_any_count_and_stay_in_range() {
         assert_eq!(noise.sample(p, f32::INFINITY), noise.sample(p, 10.0));
     }
 }
+
+#[test]
+fn a_lone_octave_stays_as_it_is_however_small_its_weight() {
+    let p = Vec3::new(0.3, -1.7, 2.4);
+    for normalisation in [Normalisation::Range, Normalisation::Variance] {
+        let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), normalisation, 3);
+        for octaves in [1e-45, 1e-40, 1e-39, 1e-30, 3e-23, 0.5] {
+            assert_eq!(noise.sample(p, octaves), noise.sample(p, 1.0), "{normalisation:?} {octaves}");
+            let [lone, whole] = [octaves, 1.0].map(|o| noise.standard_deviation(o));
+            assert_eq!(lone, whole, "{normalisation:?} {octaves}");
+        }
+    }
+}

@@ -4,6 +4,7 @@ use crate::{
     integer_hash::IntegerHash,
     layer::Layer,
     math,
+    octaves::lone_whole,
     sample::Sample,
     space::Point,
     spectrum::{MAX_OCTAVES, Spectrum},
@@ -73,8 +74,7 @@ impl<V: Point> GaussianOctaves<V> {
 
     #[inline(always)]
     fn channels<const C: usize>(&self, p: V, octaves: f32) -> [Sample<V>; C] {
-        // A lone octave fades only after normalisation; its weight would cancel, or underflow.
-        let octaves = if octaves > 0.0 { octaves.max(1.0) } else { 0.0 };
+        let octaves = lone_whole(octaves);
         let mut sums = [Sample::default(); C];
         let mut variance = 0.0;
         for ((_, amplitude), layer) in self.spectrum.active(octaves).zip(&self.layers) {

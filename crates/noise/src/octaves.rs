@@ -69,6 +69,7 @@ impl<V: Point, N: Noise<V>> Octaves<N, V> {
     #[must_use]
     #[inline]
     pub fn sample(&self, p: V, octaves: f32) -> Sample<V> {
+        let octaves = lone_whole(octaves);
         let mut sum = Sample::default();
         for ((_, amplitude), layer) in self.spectrum.active(octaves).zip(&self.layers) {
             layer.accumulate(&mut sum, amplitude, self.noise.sample(layer.point(p), layer.seed));
@@ -80,6 +81,7 @@ impl<V: Point, N: Noise<V>> Octaves<N, V> {
     /// The measured standard deviation of the sum: 1 under [`Normalisation::Variance`], 0 without octaves.
     #[must_use]
     pub fn standard_deviation(&self, octaves: f32) -> f32 {
+        let octaves = lone_whole(octaves);
         self.factor(octaves)
             * self.noise.statistics().standard_deviation
             * self.spectrum.root_sum_of_squares(octaves)
@@ -102,4 +104,10 @@ impl<V: Point, N: Noise<V>> Octaves<N, V> {
         };
         if norm > 0.0 { 1.0 / norm } else { 0.0 }
     }
+}
+
+/// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
+#[inline]
+pub(crate) fn lone_whole(octaves: f32) -> f32 {
+    if octaves > 0.0 { octaves.max(1.0) } else { 0.0 }
 }
