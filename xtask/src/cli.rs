@@ -28,7 +28,7 @@ pub(crate) enum Command {
     #[command(after_help = "Examples:
   cargo xtask tables
   cargo xtask tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
-  cargo xtask tables --fif system.json --out /tmp/tables
+  cargo xtask tables --fif system.json --out my-tables
   cargo xtask tables --check")]
     Tables(Tables),
     /// Render one scene with chosen parameters to a PNG.

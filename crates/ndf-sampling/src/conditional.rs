@@ -29,7 +29,7 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 /// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is clamped to
 ///   `0..=`[`MAX_SHARE`], NaN counts as 0. `z_b` beyond ±13 counts as ±13, NaN as 0.
 /// - **Limits:** `s = 0` gives `D(h)` exactly; `s → 1` a lobe around `T(z_b)` of standard deviation `√(1 − s)` in `z`.
-/// - **Accuracy:** 1e-5 relative for `|z|, |z_b| ≤ 4` and `s ≤ 0.9`; the rounding of `h` itself enters as
+/// - **Accuracy:** 2e-5 relative for `|z|, |z_b| ≤ 4` and `s ≤ 0.9`; the rounding of `h` itself enters as
 ///   `|√s z − z_b|/(1 − s)` times the error of `T⁻¹(h)`.
 ///
 /// ```

@@ -35,7 +35,8 @@ impl Frame {
     /// b = (−nx ny/(1 + nz), 1 − ny²/(1 + nz), −ny)
     /// ```
     ///
-    /// - **Domain:** any vector; it is normalised, and zero, NaN or an overflow gives [`Frame::IDENTITY`].
+    /// - **Domain:** any vector; it is normalised, and one shorter than 10⁻¹⁹ or longer than 10¹⁹, zero or
+    ///   NaN gives [`Frame::IDENTITY`].
     /// - **At (0, 0, −1)** the smallest rotation is not unique: the half turn about x is taken, `t = x`, `b = −y`. Around it
     ///   the frame turns twice per turn of `n`, as every rotation field must have a singularity somewhere.
     /// - **Accuracy:** orthonormal to 1e-6 everywhere, also next to (0, 0, −1), where `1 + nz` would cancel.

@@ -8,7 +8,7 @@ pub(crate) struct Fade {
 }
 
 impl Fade {
-    /// 3t² − 2t³, of the lecture and of Perlin 1985: C¹.
+    /// 3t² − 2t³, of Perlin 1985 and of Ebert (ed.) 1994: C¹.
     #[inline(always)]
     pub(crate) fn cubic(t: f32) -> Self {
         Self { weight: t * t * (3.0 - 2.0 * t), slope: 6.0 * t * (1.0 - t) }

@@ -51,8 +51,8 @@ impl Default for Gaussian {
 impl<L: Lattice> Gaussian<L> {
     /// Two channels from one walk of the lattice, independent of each other.
     ///
-    /// The first is [`sample`](Noise::sample)'s; the second has its own variates at each corner. Half the cost of two
-    /// noises.
+    /// The first is [`sample`](Noise::sample)'s; the second has its own variates at each corner. Cells and weights are
+    /// shared, so that the pair costs less than two noises.
     #[must_use]
     #[inline]
     pub fn pair<V: Point>(&self, p: V, seed: u32) -> [Sample<V>; 2] {

@@ -6,7 +6,7 @@ use crate::{sample::Sample, statistics::Statistics};
 ///
 /// Evaluation is total. A point with an infinite or NaN coordinate gives value 0 and gradient 0. From |x| = 2²³ on
 /// `f32` holds integers only, so the noise is seen at its lattice points; cells wrap modulo 2³², and beyond |x| = 2⁶³
-/// every coordinate falls in one cell per sign.
+/// every coordinate falls in one cell per sign. [`Simplex`](crate::Simplex) has a skewed lattice and is 0 from 2³¹ on.
 ///
 /// ```
 /// use asperity_noise::{Noise, Perlin2002, glam::Vec3};

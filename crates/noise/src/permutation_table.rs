@@ -1,4 +1,4 @@
-//! The lecture's permutation table of 256 entries: the classic lattice, with its period.
+//! The permutation table of 256 entries of Ebert (ed.) 1994: the classic lattice, with its period.
 
 use crate::{integer_hash::mix, lattice::Lattice};
 
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn the_index_is_the_lectures() {
+    fn the_index_is_the_formula_s() {
         let table = PermutationTable::new(3);
         let perm = |i: i32| i32::from(table.entries()[(i & 255) as usize]);
         for (x, y, z) in [(0, 0, 0), (1, 2, 3), (-1, -300, 77), (1000, -2000, 255), (250, 250, 250)] {

@@ -92,7 +92,7 @@ pub enum LevelOfDetail {
     ///
     /// This is the rule of Kautz, Heidrich, Seidel 2001, §3.2 and §5.1, for a surface that is fractal. It convolves
     /// `p` with itself, so that the zoomed surface is rougher than the far one: the mean over a patch of GGX
-    /// (0.2, 0.4) is a third of the far field at the peak and twice as much in the tail.
+    /// (0.2, 0.4) is 0.37 of the far field at the peak and 1.4 of it in the tail.
     Fractal,
 }
 
