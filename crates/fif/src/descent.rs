@@ -129,7 +129,7 @@ impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
         let mut stayed = 0_i32;
         for step in 0..STEPS {
             let secant = t1 - v1 * ((t1 - t0) / (v1 - v0));
-            let middle = 0.5 * (t0 + t1);
+            let middle = 0.5 * t0 + 0.5 * t1;
             let t = if step % 8 == 7 || !(t0 < secant && secant < t1) { middle } else { secant };
             if t <= t0 || t >= t1 {
                 break;
@@ -148,7 +148,7 @@ impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
                 stayed = -1;
             }
         }
-        Some(0.5 * (t0 + t1))
+        Some(0.5 * t0 + 0.5 * t1)
     }
 
     /// The height of the ray above the surface at `t`.

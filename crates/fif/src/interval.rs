@@ -2,7 +2,8 @@
 
 /// A closed interval `[lo, hi]`; every operation rounds outward, so the result encloses the exact one.
 ///
-/// Each bound moves out by one unit in the last place after a rounding to nearest. A NaN operand gives NaN bounds.
+/// Each bound moves out by one unit in the last place after a rounding to nearest. NaN is not an interval's
+/// bound: an operation on one may give any interval.
 ///
 /// ```
 /// use asperity_fif::Interval;

@@ -64,7 +64,8 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// at most 96 times per axis (that binds where a horizontal factor is over 0.75) and a ray visits at most 2¹⁶ boxes;
     /// beyond, a box is decided like a stretch.
     ///
-    /// `None` for a ray that misses, a zero direction, and any component that is NaN or infinite.
+    /// `None` for a ray that misses, a zero direction, one so short that `t` overflows, and any component that is NaN or
+    /// infinite.
     ///
     /// Cochran, Lewis, Hart 2000, §4 and Algorithm 3, corrected: the intervals of eq. 50 are sorted and clipped to
     /// `t ≥ 0`, `t = 0` is a hit, the boxes' heights count and not their contraction alone, and the hit lies on the
@@ -116,6 +117,10 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
             walk.visit(&x, &y, span)?
         };
         let at = ray.at(t);
+        // A direction so short that t or the way to the surface overflows.
+        if !(t.is_finite() && at.is_finite()) {
+            return None;
+        }
         let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
         let gradient = self.gradient(x, y);
         Some(Hit { t, x, y, height: self.height(x, y), gradient, normal: gradient.map(upward_normal) })
@@ -236,11 +241,30 @@ mod tests {
             let slanted = ray([-1.0, -1.0, 3.0], [scale, scale, -scale]);
             let hit = surface.first_hit(&slanted).unwrap();
             assert!((hit.t * scale - 2.0).abs() < 1e-12, "{scale}: {hit:?}");
-            let _ = surface.first_hit(&ray([scale, -scale, scale], [-1.0, 1.0, -1.0]));
-            let _ = surface.first_hit(&ray([1.0, -1.0, 1.0], [scale, 1.0, -scale]));
         }
-        let _ = surface.first_hit(&ray([f64::MAX; 3], [-f64::MAX; 3]));
-        let _ = surface.first_hit(&ray([0.5, 0.5, 1.0], [f64::MIN_POSITIVE, 0.0, -f64::MIN_POSITIVE]));
+        let mut found = 0;
+        for scale in [1e-320, 1e-308, 1e-300, 1e-12, 1e12, 1e300, f64::MAX] {
+            for ray in [
+                ray([1.0, 1.0, 3.0], [0.0, 0.0, -scale]),
+                ray([-1.0, -1.0, 3.0], [scale, scale, -scale]),
+                ray([scale, -scale, scale], [-1.0, 1.0, -1.0]),
+                ray([1.0, -1.0, 1.0], [scale, 1.0, -scale]),
+                ray([scale; 3], [-scale; 3]),
+                ray([0.5, 0.5, 1.0], [scale, 0.0, -scale]),
+            ] {
+                let Some(hit) = surface.first_hit(&ray) else { continue };
+                let at = ray.at(hit.t);
+                let rounding = 1e-9 + 64.0 * f64::EPSILON * ray.origin.abs().max_element();
+                assert!(hit.t.is_finite() && at.is_finite(), "{ray:?}: {hit:?}");
+                assert!(
+                    (at.x - hit.x).abs() < rounding && (at.y - hit.y).abs() < rounding,
+                    "{ray:?}: {hit:?}"
+                );
+                assert!((at.z - hit.height).abs() < rounding, "{ray:?}: {hit:?}");
+                found += 1;
+            }
+        }
+        assert!(found > 10, "{found}");
     }
 
     #[test]
