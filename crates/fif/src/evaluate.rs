@@ -22,9 +22,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     ///
     /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
     ///   NaN or under the rounding error stands for the rounding error.
-    /// - **Accuracy:** knots are exact, with bound 0. Equally spaced knots: `x − x_0` in units of the domain is a
-    ///   binary fraction with all its bits, whose address is exact at every depth, and `value ± bound` holds `f(x)` itself (when
-    ///   `x − x_0` and its quotient by the width are exact, as for a width that is a power of two and `x_0 = 0`).
+    /// - **Accuracy:** knots are exact, with bound 0. Equally spaced knots: `x − x_0` in units of the domain is a binary
+    ///   fraction with all its bits, whose address is exact at every depth, and `value ± bound` holds `f(x)` itself
+    ///   (when `x − x_0` and its quotient by the width are exact, as for a width that is a power of two and `x_0 = 0`).
     ///   Otherwise it holds `f(x′)` for an `x′` within eight units in the last place of `x` and of the ends of the
     ///   domain: mind that one unit of `x` changes the source's `g` by 5·10⁻⁴.
     ///

@@ -69,10 +69,8 @@ impl<N: Noise<Vec3> + Clone> GaussianField for RemappedOctaves<N> {
         if fade == 0.0 {
             return Coordinates::FAR;
         }
-        // A lone octave's weight cancels in the normalisation and would underflow when it is small.
-        let count = octaves.max(1.0);
         let [x, y] =
-            self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.sample(p, count).value));
+            self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.sample(p, octaves).value));
         Coordinates { z: Vec2::new(x, y), share: spectrum.share(octaves), fade }
     }
 
