@@ -6,9 +6,8 @@ use serde_json::json;
 use super::{
     Made,
     formats::{exr, npy},
-    ramp,
 };
-use crate::{densities::Density, figure::Failure, image::Image};
+use crate::{densities::Density, figure::Failure, image::Image, scene::hemisphere::ember};
 
 /// Side of the table L.
 const L_SIZE: usize = 256;
@@ -41,7 +40,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         let (i, j) = (x as usize * width / 256, y as usize * height / 256);
         let d = texture.get(j * width + i).copied().unwrap_or(0.0);
         // A logarithm over four decades shows the tails too.
-        ramp(1.0 + f64::from((d / peak).max(1e-9)).log10() / 4.0)
+        ember(1.0 + (d / peak).max(1e-9).log10() / 4.0)
     });
     Ok(Made {
         text: format!(

@@ -3,10 +3,11 @@
 use asperity_fif::{Fif, FifBuf, Piece};
 use serde_json::{Value, json};
 
-use super::{Made, formats::npy, ramp};
+use super::{Made, formats::npy};
 use crate::{
     figure::Failure,
     image::Image,
+    scene::hemisphere::ember,
     systems::{COEFFICIENTS, System},
 };
 
@@ -63,7 +64,7 @@ fn describe<S: AsRef<[Piece<C>]>, const C: usize>(f: &Fif<S, C>) -> Value {
 /// Every column's span of each curve, scaled to the picture; sampled ten times as densely as the columns.
 fn picture(curves: &[Vec<[f64; 2]>]) -> Image {
     const SIDE: u32 = 256;
-    let mut image = Image::from_fn(SIDE, SIDE, |_, _| ramp(0.0));
+    let mut image = Image::from_fn(SIDE, SIDE, |_, _| ember(0.0));
     for (index, curve) in curves.iter().enumerate() {
         let (low, high) =
             curve.iter().fold((f64::MAX, f64::MIN), |(low, high), &[_, y]| (low.min(y), high.max(y)));
@@ -76,7 +77,7 @@ fn picture(curves: &[Vec<[f64; 2]>]) -> Image {
             let (top, bottom) = (row(y0.max(y1)) as usize, row(y0.min(y1)) as usize);
             for line in top..=bottom.max(top + 1) {
                 if let Some(pixel) = image.pixels.get_mut(line * SIDE as usize + column) {
-                    *pixel = ramp(0.95 - 0.22 * index as f64);
+                    *pixel = ember(0.95 - 0.22 * index as f32);
                 }
             }
         }

@@ -168,12 +168,3 @@ fn index(rows: &str) -> String {
         page::head("Asperity tables")
     )
 }
-
-/// A position in `[0, 1]` on a perceptually even ramp from dark blue over rose to pale yellow, in linear RGB.
-fn ramp(t: f64) -> glam::Vec3 {
-    const STOPS: [u32; 6] = [0x10_14_2b, 0x3b_2a_6b, 0x8c_2f_78, 0xd6_56_5c, 0xf6_a1_52, 0xfc_f2_b8];
-    let at = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 } * (STOPS.len() - 1) as f64;
-    let cell = (at as usize).min(STOPS.len() - 2);
-    let (a, b) = (crate::image::hex(STOPS[cell]), crate::image::hex(STOPS[cell + 1]));
-    a.lerp(b, (at - cell as f64) as f32)
-}

@@ -7,8 +7,8 @@ use asperity_noise::{
 };
 use serde_json::{Map, json};
 
-use super::{Made, formats::npy, ramp};
-use crate::{figure::Failure, image::Image};
+use super::{Made, formats::npy};
+use crate::{figure::Failure, image::Image, scene::hemisphere::ember};
 
 /// Lattice points per side.
 const SIDE: i32 = 128;
@@ -25,7 +25,7 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
     ];
     let picture = Image::from_fn(256, 256, |x, y| {
         let index = (y as usize / 2) * side + x as usize / 2;
-        ramp(0.5 + f64::from(variates.get(index).map_or(0.0, |v| v[0])) / 6.0)
+        ember(0.5 + variates.get(index).map_or(0.0, |v| v[0]) / 6.0)
     });
     Ok(Made {
         text: "The permutation of a seed, and of the integer hash the Gaussian value and gradient at the lattice points \
@@ -75,11 +75,11 @@ pub(super) fn distributions() -> Result<Made, Failure> {
 /// The density of each kind as a band of colour.
 fn slopes(kinds: &[(&str, &'static Statistics)]) -> Image {
     Image::from_fn(256, 256, |x, y| {
-        let Some((_, kind)) = kinds.get(y as usize * kinds.len() / 256) else { return ramp(0.0) };
+        let Some((_, kind)) = kinds.get(y as usize * kinds.len() / 256) else { return ember(0.0) };
         let cells = kind.cdf.len().saturating_sub(1);
         let cell = x as usize * cells / 256;
-        let (Some(a), Some(b)) = (kind.cdf.get(cell), kind.cdf.get(cell + 1)) else { return ramp(0.0) };
+        let (Some(a), Some(b)) = (kind.cdf.get(cell), kind.cdf.get(cell + 1)) else { return ember(0.0) };
         // The peak of a Gaussian is 0.4 per standard deviation.
-        ramp(f64::from(b - a) * cells as f64 / 8.0 / 0.44)
+        ember((b - a) * cells as f32 / 8.0 / 0.44)
     })
 }
