@@ -1,0 +1,209 @@
+//! FastNoise2: C++ with SIMD, `f32`, hashes; fused multiply-add and relaxed floats where the level has them.
+#![expect(unsafe_code, reason = "a C interface")]
+
+use std::{
+    ffi::{CStr, c_void},
+    hint::black_box,
+};
+
+use fastnoise2_sys as sys;
+
+use crate::{
+    differences::Differences,
+    inputs::{self, DIFFERENCE, Grid, POINTS, SEED},
+    level::Level,
+    measure::Contender,
+    row::{Form, Kind, Row},
+};
+
+const NAME: &str = "fastnoise2";
+
+/// The library's sets of features, one bit per extension, that this processor has; the library itself does not look.
+#[cfg(target_arch = "x86_64")]
+fn levels() -> Vec<(Level, u32)> {
+    // Bits 1 to 13: x86, SSE, SSE2, SSE3, SSSE3, SSE4.1, SSE4.2, AVX, AVX2 and four parts of AVX-512.
+    let up_to = |bit: u32| (2 << bit) - 2;
+    let avx512 = is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512vl")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512bw");
+    // Its AVX2 code is compiled with fused multiply-add.
+    let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    [
+        (Level::Simd("sse2"), up_to(3), true),
+        (Level::Simd("sse4.1"), up_to(6), is_x86_feature_detected!("sse4.1")),
+        (Level::Simd("avx2"), up_to(9), avx2),
+        (Level::Simd("avx512"), up_to(13), avx512),
+    ]
+    .into_iter()
+    .filter_map(|(level, features, there)| there.then_some((level, features)))
+    .collect()
+}
+
+/// The library's set of features where NEON is the baseline.
+#[cfg(not(target_arch = "x86_64"))]
+fn levels() -> Vec<(Level, u32)> {
+    // Bits 14 to 16: ARM, NEON, AArch64.
+    vec![(Level::Simd("neon"), 0b111 << 14)]
+}
+
+pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
+    levels()
+        .into_iter()
+        .filter_map(|(level, features)| {
+            let node = Node::of(row.kind, features)?;
+            match (row.form, row.dimension) {
+                (Form::Grid | Form::GridGradients, 2) => Some(grid::<2>(row.form, level, step, node)),
+                (Form::Grid | Form::GridGradients, 3) => Some(grid::<3>(row.form, level, step, node)),
+                (Form::Points | Form::PointsGradients, 2) => Some(points::<2>(row.form, level, node)),
+                (Form::Points | Form::PointsGradients, 3) => Some(points::<3>(row.form, level, node)),
+                // One call of this library walks a tree of virtual functions and fills a whole register.
+                _ => None,
+            }
+        })
+        .collect()
+}
+
+/// A reference to a generator of the library.
+struct Node(*mut c_void);
+
+impl Drop for Node {
+    fn drop(&mut self) {
+        // SAFETY: the handle came from the library and is given back once.
+        unsafe { sys::fnDeleteNodeRef(self.0) }
+    }
+}
+
+impl Node {
+    /// The generator at one level, or nothing where the processor or the library's build lacks it.
+    fn of(kind: Kind, features: u32) -> Option<Self> {
+        let generator = match kind {
+            Kind::Perlin | Kind::Octaves => c"Perlin",
+            Kind::Value => c"Value",
+            Kind::Simplex => c"Simplex",
+        };
+        let source = Self::named(generator, features)?;
+        source.set("Feature Scale", 1.0);
+        if kind != Kind::Octaves {
+            return Some(source);
+        }
+        // Gain 0.5 and lacunarity 2 are what it starts with.
+        let sum = Self::named(c"Fractal FBm", features).or_else(|| Self::named(c"FractalFBm", features))?;
+        // SAFETY: both handles are alive; the source is handed over as the address of its handle, which is what a smart
+        // pointer of the library is, and the sum counts itself in.
+        let done = unsafe { sys::fnSetNodeLookup(sum.0, 0, (&raw const source.0).cast()) };
+        assert!(done, "FastNoise2: a sum of octaves takes a source");
+        sum.set_int("Octaves", 5);
+        sum.set("Lacunarity", 2.0);
+        Some(sum)
+    }
+
+    fn named(name: &CStr, features: u32) -> Option<Self> {
+        // SAFETY: names of the library are strings that live as long as the program.
+        let id = (0..unsafe { sys::fnGetMetadataCount() })
+            .find(|&id| unsafe { CStr::from_ptr(sys::fnGetMetadataName(id)) } == name)?;
+        // SAFETY: the number is one of the library's.
+        let node = Self(unsafe { sys::fnNewFromMetadata(id, features) });
+        // SAFETY: the handle is alive where it is not null.
+        (!node.0.is_null() && unsafe { sys::fnGetSIMDLevel(node.0) } == features).then_some(node)
+    }
+
+    fn variable(&self, name: &str) -> i32 {
+        // SAFETY: the handle is alive, the indices are below the count, the names live as long as the program.
+        unsafe {
+            let id = sys::fnGetMetadataID(self.0);
+            (0..sys::fnGetMetadataVariableCount(id))
+                .find(|&index| {
+                    CStr::from_ptr(sys::fnGetMetadataVariableName(id, index)).to_bytes() == name.as_bytes()
+                })
+                .unwrap_or_else(|| panic!("FastNoise2 has no variable `{name}` here"))
+        }
+    }
+
+    fn set(&self, name: &str, value: f32) {
+        let variable = self.variable(name);
+        // SAFETY: the handle is alive and the variable is one of its own.
+        let done = unsafe { sys::fnSetVariableFloat(self.0, variable, value) };
+        assert!(done, "FastNoise2 does not take {value} for `{name}`");
+    }
+
+    fn set_int(&self, name: &str, value: i32) {
+        let variable = self.variable(name);
+        // SAFETY: as for `set`.
+        let done = unsafe { sys::fnSetVariableIntEnum(self.0, variable, value) };
+        assert!(done, "FastNoise2 does not take {value} for `{name}`");
+    }
+
+    fn fill_grid<const N: usize>(&self, grid: &Grid<N>, values: &mut [f32]) {
+        assert_eq!(values.len(), grid.samples());
+        let size = grid.size.map(|side| side as i32);
+        let (o, step, seed, none) = (grid.origin, grid.step, SEED as i32, std::ptr::null_mut());
+        let out = values.as_mut_ptr();
+        // SAFETY: the array holds the whole grid, and no range is asked for.
+        unsafe {
+            if N == 2 {
+                sys::fnGenUniformGrid2D(self.0, out, o[0], o[1], size[0], size[1], step, step, seed, none);
+            } else {
+                let [x, y, z] = [0, 1, 2].map(|axis| o[axis]);
+                let [nx, ny, nz] = [0, 1, 2].map(|axis| size[axis]);
+                sys::fnGenUniformGrid3D(self.0, out, x, y, z, nx, ny, nz, step, step, step, seed, none);
+            }
+        }
+    }
+
+    fn fill_points<const N: usize>(&self, points: &[Vec<f32>; N], moved: [f32; N], values: &mut [f32]) {
+        assert!(points.iter().all(|axis| axis.len() == values.len()));
+        let (count, seed, none) = (values.len() as i32, SEED as i32, std::ptr::null_mut());
+        let out = values.as_mut_ptr();
+        let at = |axis: usize| points[axis].as_ptr();
+        // SAFETY: all arrays hold `count` floats, and no range is asked for.
+        unsafe {
+            if N == 2 {
+                sys::fnGenPositionArray2D(self.0, out, count, at(0), at(1), moved[0], moved[1], seed, none);
+            } else {
+                let [x, y, z] = [0, 1, 2].map(|axis| moved[axis]);
+                sys::fnGenPositionArray3D(self.0, out, count, at(0), at(1), at(2), x, y, z, seed, none);
+            }
+        }
+    }
+}
+
+fn grid<const N: usize>(form: Form, level: Level, step: f32, node: Node) -> Contender {
+    let grid = Grid::<N>::new(step);
+    let samples = grid.samples();
+    let pass: Box<dyn FnMut()> = if form == Form::Grid {
+        let mut values = vec![0.0; samples];
+        Box::new(move || {
+            node.fill_grid(&grid, &mut values);
+            black_box(&mut values);
+        })
+    } else {
+        let mut differences = Differences::<N>::new(samples);
+        Box::new(move || {
+            differences.pass(|axis, values| {
+                node.fill_grid(&axis.map_or(grid, |axis| grid.moved(axis, DIFFERENCE)), values);
+            });
+        })
+    };
+    Contender { library: NAME, level, samples, pass }
+}
+
+fn points<const N: usize>(form: Form, level: Level, node: Node) -> Contender {
+    let points = inputs::points::<N>();
+    let pass: Box<dyn FnMut()> = if form == Form::Points {
+        let mut values = vec![0.0; POINTS];
+        Box::new(move || {
+            node.fill_points(&points, [0.0; N], &mut values);
+            black_box(&mut values);
+        })
+    } else {
+        let mut differences = Differences::<N>::new(POINTS);
+        Box::new(move || {
+            differences.pass(|axis, values| {
+                let moved = std::array::from_fn(|of| if axis == Some(of) { DIFFERENCE } else { 0.0 });
+                node.fill_points(&points, moved, values);
+            });
+        })
+    };
+    Contender { library: NAME, level, samples: POINTS, pass }
+}

@@ -1,0 +1,83 @@
+//! What every contender of a row is asked: one grid, one set of points.
+
+use std::hint::black_box;
+
+/// The seed of every noise.
+pub(crate) const SEED: u32 = 1;
+
+/// Points per pass over arbitrary points and over calls.
+pub(crate) const POINTS: usize = 1 << 14;
+
+/// The difference that stands for a derivative where a library has none, in lattice cells.
+pub(crate) const DIFFERENCE: f32 = 1.0 / 1024.0;
+
+/// Side of a cube around the origin that arbitrary points lie in.
+const CUBE: f32 = 2000.0;
+
+/// A grid in lattice cells: `size[0]` runs fastest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid<const N: usize> {
+    pub(crate) origin: [f32; N],
+    pub(crate) step: f32,
+    pub(crate) size: [usize; N],
+}
+
+impl<const N: usize> Grid<N> {
+    /// 512 × 512 or 64 × 64 × 64 samples; both are 2¹⁸. It lies across the origin, on both sides of every axis.
+    pub(crate) fn new(step: f32) -> Self {
+        let side = if N == 2 { 512 } else { 64 };
+        let mut origin = [0.0; N];
+        for (axis, start) in origin.iter_mut().enumerate() {
+            *start = -0.37 * side as f32 * step - 0.137 * axis as f32;
+        }
+        Self { origin: black_box(origin), step: black_box(step), size: black_box([side; N]) }
+    }
+
+    /// Samples of the whole grid.
+    pub(crate) fn samples(&self) -> usize {
+        self.size.iter().product()
+    }
+
+    /// The same grid, moved along one axis.
+    pub(crate) fn moved(mut self, axis: usize, by: f32) -> Self {
+        self.origin[axis] += by;
+        self
+    }
+}
+
+/// Arbitrary points, one array per coordinate.
+pub(crate) fn points<const N: usize>() -> [Vec<f32>; N] {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut next = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 40) as f32 / (1 << 24) as f32 - 0.5) * CUBE
+    };
+    std::array::from_fn(|_| (0..POINTS).map(|_| next()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_grids_hold_as_many_samples_and_lie_across_the_origin() {
+        let (plane, space) = (Grid::<2>::new(0.05), Grid::<3>::new(0.05));
+        assert_eq!((plane.samples(), space.samples()), (1 << 18, 1 << 18));
+        for axis in 0..3 {
+            let end = space.origin[axis] + 64.0 * space.step;
+            assert!(space.origin[axis] < 0.0 && end > 0.0, "axis {axis}");
+        }
+        assert_eq!(space.moved(1, 0.5).origin[1], space.origin[1] + 0.5);
+    }
+
+    #[test]
+    fn points_fill_the_cube() {
+        let [x, y] = points::<2>();
+        for axis in [x, y] {
+            assert!(axis.iter().all(|x| x.abs() <= 1000.0));
+            let mean = axis.iter().sum::<f32>() / POINTS as f32;
+            // Standard error 577 / √16384 = 4.5.
+            assert!(mean.abs() < 20.0, "{mean}");
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Times Asperity's noises and those of other libraries side by side, and prints the times of all rounds as JSON.
+
+mod asperity;
+mod bracket;
+mod differences;
+#[cfg(feature = "fastnoise2")]
+mod fastnoise2;
+mod fastnoise_lite;
+mod inputs;
+mod level;
+mod libnoise_rs;
+mod measure;
+mod noise_functions;
+mod noise_rs;
+mod noiz_rs;
+mod opensimplex2_rs;
+mod row;
+mod scalar;
+#[cfg(target_arch = "x86_64")]
+mod simdnoise_rs;
+mod times;
+
+use std::{error::Error, io::Write, process::ExitCode};
+
+use clap::Parser;
+
+use measure::Contender;
+use row::Row;
+use times::{RowTimes, Times};
+
+/// Times noises side by side; `cargo xtask bench --peers` makes tables and charts of what this prints.
+#[derive(Debug, Parser)]
+struct Cli {
+    /// Measure only the rows whose name contains NAME; may be given again.
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    /// List the rows and stop.
+    #[arg(long)]
+    list: bool,
+    /// Turns that every contender has.
+    #[arg(long, default_value_t = 21, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    rounds: u32,
+    /// Lattice cells between neighbours on a grid.
+    #[arg(long, default_value_t = 0.05)]
+    step: f32,
+}
+
+fn main() -> ExitCode {
+    match run(&Cli::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(cli: &Cli) -> Result<(), Box<dyn Error>> {
+    let rows = chosen(&cli.only)?;
+    let mut out = std::io::stdout().lock();
+    if cli.list {
+        for row in rows {
+            writeln!(out, "{row}")?;
+        }
+        return Ok(());
+    }
+    if !(cli.step.is_finite() && cli.step > 0.0) {
+        return Err(format!("the step {} is not a number above 0", cli.step).into());
+    }
+    let mut measured = Vec::new();
+    for (index, &row) in rows.iter().enumerate() {
+        writeln!(std::io::stderr(), "{:>2}/{} {row}", index + 1, rows.len())?;
+        let mut contenders = contenders(row, cli.step);
+        let times = measure::rounds(&mut contenders, cli.rounds);
+        measured.push(RowTimes::new(row, &contenders, times));
+    }
+    let times = Times { step: cli.step, rounds: cli.rounds, rows: measured };
+    writeln!(out, "{}", serde_json::to_string(&times)?)?;
+    Ok(())
+}
+
+fn chosen(only: &[String]) -> Result<Vec<Row>, String> {
+    let rows = row::all();
+    let fits = |word: &String, row: &Row| row.to_string().contains(word.as_str());
+    if let Some(word) = only.iter().find(|word| !rows.iter().any(|row| fits(word, row))) {
+        return Err(format!("no row is called `{word}`; --list names them all"));
+    }
+    Ok(rows.into_iter().filter(|row| only.is_empty() || only.iter().any(|word| fits(word, row))).collect())
+}
+
+/// Everybody who has something to offer for a row.
+fn contenders(row: Row, step: f32) -> Vec<Contender> {
+    let mut all = asperity::contenders(row, step);
+    #[cfg(feature = "fastnoise2")]
+    all.extend(fastnoise2::contenders(row, step));
+    #[cfg(target_arch = "x86_64")]
+    all.extend(simdnoise_rs::contenders(row, step));
+    let scalar = [
+        noise_rs::contender,
+        noise_functions::contender,
+        fastnoise_lite::contender,
+        libnoise_rs::contender,
+        noiz_rs::contender,
+        opensimplex2_rs::contender,
+        bracket::contender,
+    ];
+    all.extend(scalar.into_iter().filter_map(|contender| contender(row, step)));
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_chooses_the_rows_that_contain_it() {
+        assert_eq!(chosen(&[]).unwrap(), row::all());
+        let some = chosen(&["fill_grid/2-d".into()]).unwrap();
+        assert_eq!(some.len(), 4, "{some:?}");
+        assert!(chosen(&["worley".into()]).unwrap_err().contains("`worley`"));
+    }
+
+    #[test]
+    fn every_row_has_contenders_and_all_of_them_run() {
+        for row in row::all() {
+            let mut all = contenders(row, 0.05);
+            assert!(all.len() >= 3, "{row}");
+            for contender in &mut all {
+                (contender.pass)();
+            }
+        }
+    }
+}
