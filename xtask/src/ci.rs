@@ -13,7 +13,8 @@ use crate::{
     no_std, progress, tables, tidy,
 };
 
-const CRATES: [&str; 4] = ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
+pub(crate) const CRATES: [&str; 4] =
+    ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
 
 /// The float backends that a crate must build and pass its tests with; `alloc` joins where a crate has it.
 const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];

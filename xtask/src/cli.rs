@@ -36,6 +36,17 @@ pub(crate) enum Command {
   cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
   cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16")]
     Render(Render),
+    /// Run the crates' benches, or time our noises beside those of other libraries.
+    #[command(after_help = "Examples:
+  cargo xtask bench
+  cargo xtask bench --only perlin
+  cargo xtask bench --peers
+  cargo xtask bench --peers --only fill_grid/3-d --only value/ --rounds 41
+  FASTNOISE2_LIB_DIR=/path/to/lib cargo xtask bench --peers --ship
+
+FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names the folder of its static library;
+xtask/peers/README.md says how to build it.")]
+    Bench(Bench),
     /// Check dependency edges and the heads of all files.
     Tidy,
     /// Run every gate that stands before `main`.
@@ -140,6 +151,28 @@ pub(crate) struct Render {
     pub(crate) out: PathBuf,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct Bench {
+    /// Time our noises beside those of other libraries, in one process, all contenders in turn.
+    #[arg(long)]
+    pub(crate) peers: bool,
+    /// Run only the benches or rows whose name contains NAME; may be given again.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
+    /// Turns of every contender.
+    #[arg(long, value_name = "N", default_value_t = 21, requires = "peers", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) rounds: u32,
+    /// Lattice cells between neighbours on a grid.
+    #[arg(long, default_value_t = 0.05, requires = "peers", value_parser = positive)]
+    pub(crate) step: f32,
+    /// Write the table and the chart also into `docs/bench`, where they are checked in.
+    #[arg(long, requires = "peers", conflicts_with = "only")]
+    pub(crate) ship: bool,
+    /// Folder of the table, the chart and all times.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/bench", requires = "peers")]
+    pub(crate) out: PathBuf,
+}
+
 /// The measure that an image's values are a density over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Measure {
@@ -213,6 +246,9 @@ mod tests {
             "cargo-xtask gallery --size 3",
             "cargo-xtask gallery --jobs 0",
             "cargo-xtask tables --check --ndf ggx:0.2",
+            "cargo-xtask bench --ship",
+            "cargo-xtask bench --peers --ship --only value",
+            "cargo-xtask bench --peers --rounds 0",
             "cargo-xtask nothing",
         ] {
             let error = Cli::try_parse_from(line.split(' ')).unwrap_err();

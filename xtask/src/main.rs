@@ -1,5 +1,6 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
+mod bench;
 mod ci;
 mod cli;
 mod densities;
@@ -91,6 +92,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
             Ok(())
         }
         Command::Render(wanted) => render_command::render(&wanted, &interrupted),
+        Command::Bench(wanted) => bench::run(&wanted, root, &interrupted),
         Command::Tidy => {
             let offences = tidy::offences()?;
             if offences.is_empty() {

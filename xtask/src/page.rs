@@ -35,6 +35,11 @@ pub(crate) struct PanelRecord {
     pub(crate) pixels: Option<(u32, u32)>,
 }
 
+/// The page's colours, light and dark, for a picture that stands alone.
+pub(crate) fn colours() -> &'static str {
+    STYLE.split_once("* {").map_or(STYLE, |(colours, _)| colours)
+}
+
 /// Text made safe for element content and quoted attributes.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")

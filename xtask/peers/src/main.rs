@@ -83,7 +83,8 @@ fn chosen(only: &[String]) -> Result<Vec<Row>, String> {
     let rows = row::all();
     let fits = |word: &String, row: &Row| row.to_string().contains(word.as_str());
     if let Some(word) = only.iter().find(|word| !rows.iter().any(|row| fits(word, row))) {
-        return Err(format!("no row is called `{word}`; --list names them all"));
+        let names: Vec<_> = rows.iter().map(Row::to_string).collect();
+        return Err(format!("no row is called `{word}`; there are {}", names.join(", ")));
     }
     Ok(rows.into_iter().filter(|row| only.is_empty() || only.iter().any(|word| fits(word, row))).collect())
 }

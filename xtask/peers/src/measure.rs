@@ -1,11 +1,17 @@
 //! Rounds over all contenders of a row in turn, so that none has the machine's good minutes to itself.
 
-use std::time::{Duration, Instant};
+use std::{
+    hint::black_box,
+    time::{Duration, Instant},
+};
 
 use crate::level::Level;
 
 /// Shortest time that is measured at once: far above the clock's own cost and grain.
 const SHORTEST: Duration = Duration::from_micros(300);
+
+/// Depths of the stack that rounds go through, about a page together.
+const DEPTHS: u32 = 32;
 
 /// One library at one SIMD level, ready to work off a row's samples once.
 pub(crate) struct Contender {
@@ -20,13 +26,14 @@ pub(crate) struct Contender {
 pub(crate) fn rounds(contenders: &mut [Contender], rounds: u32) -> Vec<Vec<f64>> {
     let repeats: Vec<_> = contenders.iter_mut().map(|c| repeats(&mut c.pass)).collect();
     let mut times = vec![Vec::with_capacity(rounds as usize); contenders.len()];
-    for round in 0..rounds as usize {
+    for round in 0..rounds {
         for turn in 0..contenders.len() {
             // Another one goes first each round, so that nobody always follows the same neighbour's cache.
-            let index = (round + turn) % contenders.len();
+            let index = (round as usize + turn) % contenders.len();
             let contender = &mut contenders[index];
-            let time = time(&mut contender.pass, repeats[index]);
-            times[index].push(per_sample(time, repeats[index], contender.samples));
+            let mut took = Duration::ZERO;
+            deeper(round % DEPTHS, &mut || took = time(&mut contender.pass, repeats[index]));
+            times[index].push(per_sample(took, repeats[index], contender.samples));
         }
     }
     times
@@ -40,6 +47,18 @@ fn repeats(pass: &mut dyn FnMut()) -> u32 {
         repeats *= 2;
     }
     repeats
+}
+
+/// Calls from further down the stack. Where spilled registers lie relative to constants and arrays, modulo a page, was
+/// worth up to a factor of two to one and the same function; a process has one such place, the median over rounds has many.
+#[inline(never)]
+fn deeper(frames: u32, call: &mut dyn FnMut()) {
+    let frame = black_box([0_u8; 80]);
+    match frames.checked_sub(1) {
+        Some(fewer) => deeper(fewer, call),
+        None => call(),
+    }
+    black_box(frame);
 }
 
 fn time(pass: &mut dyn FnMut(), repeats: u32) -> Duration {
@@ -62,6 +81,20 @@ mod tests {
     #[test]
     fn time_is_shared_out_among_passes_and_samples() {
         assert_eq!(per_sample(Duration::from_nanos(6000), 3, 1000), 2.0);
+    }
+
+    #[test]
+    fn depths_differ_by_a_frame_and_stay_within_four_pages() {
+        let place = |depth| {
+            let mut place = 0;
+            deeper(depth, &mut || place = std::ptr::from_ref(&black_box(0_u8)).addr());
+            place
+        };
+        let places: Vec<_> = (0..DEPTHS).map(place).collect();
+        assert!(places.windows(2).all(|pair| pair[1] < pair[0]), "{places:?}");
+        // Frames of a build without optimisation are larger.
+        let reach = places[0] - places[DEPTHS as usize - 1];
+        assert!((2048..=16384).contains(&reach), "{reach}");
     }
 
     #[test]

@@ -144,6 +144,11 @@ impl Plot {
                 let place = (x + (shift[0] * UNIT) as i32, y + (shift[1] * UNIT) as i32);
                 area.draw(&words(text, place, *ink, HPos::Right, VPos::Center))?;
             }
+            Mark::Label { at, text, ink } => {
+                let (x, y) = self.at(chart, *at);
+                let place = (x + units(8.0) as i32, y);
+                area.draw(&words(text, place, *ink, HPos::Left, VPos::Center))?;
+            }
         }
         Ok(())
     }

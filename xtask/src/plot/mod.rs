@@ -57,6 +57,8 @@ pub(crate) enum Mark {
     Dots { points: Vec<[f64; 2]>, ink: Ink, radius: f64 },
     /// A few words that end at a point, moved by some CSS pixels (right and down).
     Note { at: [f64; 2], shift: [f64; 2], text: String, ink: Ink },
+    /// A few words that begin right behind a point.
+    Label { at: [f64; 2], text: String, ink: Ink },
 }
 
 impl Plot {
@@ -97,6 +99,7 @@ mod tests {
                 Mark::Dots { points, ink: Ink::Series(7), radius: 3.0 },
                 Mark::Frame { x: [0.5, 1.0], y: [-0.5, 0.5], ink: Ink::Series(4), opacity: 0.0, width: 1.0 },
                 Mark::Note { at: [1.0, 0.0], shift: [0.0, -8.0], text: "here".to_owned(), ink: Ink::Muted },
+                Mark::Label { at: [1.0, 0.0], text: "x > y".to_owned(), ink: Ink::Muted },
             ],
         }
     }
@@ -110,6 +113,7 @@ mod tests {
                 assert!(svg.contains(&format!("var(--{name})")), "{name} is missing");
             }
             assert!(svg.contains("<title>a &lt; b &amp; c</title>") && svg.contains("ratio &lt;1&gt;"));
+            assert!(svg.contains("x &gt; y"), "{svg}");
             assert_eq!(svg.contains("f &amp; g"), names != Names::Hidden);
             assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
         }
