@@ -4,6 +4,7 @@ pub mod chi_square;
 pub mod disk_bins;
 pub mod fif_systems;
 pub mod low_discrepancy;
+pub mod noise_kinds;
 pub mod noise_reference;
 pub mod random;
 #[cfg(doctest)]

@@ -1,12 +1,9 @@
 //! Every kind of noise once more, in plain `f64` and in any dimension: slow, literal, and sharing only the lattice's words.
 
-use asperity_noise::{
-    IntegerHash, Lattice, edge_direction_2, edge_direction_3, gaussian_variates_2, gaussian_variates_3,
-    unit_direction_2, unit_direction_3,
-};
+use asperity_noise::{IntegerHash, Lattice, edge_gradient, gaussian_corner, unit_gradient};
 
 /// A kind of noise, before the scaling to its range.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Unit gradients, cubic weights.
     Perlin1985,
@@ -14,8 +11,8 @@ pub enum Kind {
     Perlin2002,
     /// Simplex noise with this r².
     Simplex(f64),
-    /// Value-gradient noise over its standard deviation; the variates belong to this function of the word.
-    Gaussian(fn(u64) -> u64),
+    /// A channel of value-gradient noise over its standard deviation.
+    Gaussian(usize),
 }
 
 impl Kind {
@@ -24,8 +21,7 @@ impl Kind {
     pub fn value<const D: usize>(self, p: [f64; D], seed: u32) -> f64 {
         match self {
             Self::Perlin1985 => {
-                let fade = |t: f64| 3.0 * t.powi(2) - 2.0 * t.powi(3);
-                corners(p, fade).map(|(cell, w, d)| w * dot(self.direction(cell, seed), d)).sum()
+                corners(p, cubic).map(|(cell, w, d)| w * dot(self.direction(cell, seed), d)).sum()
             }
             Self::Perlin2002 => {
                 corners(p, quintic).map(|(cell, w, d)| w * dot(self.direction(cell, seed), d)).sum()
@@ -38,8 +34,8 @@ impl Kind {
             Self::Gaussian(channel) => {
                 let (mut n, mut v) = (0.0, 0.0);
                 for (cell, w, d) in corners(p, quintic) {
-                    let variates = variates::<D>(channel(word(cell, seed)));
-                    n += w * (variates.0 + 2.0 * dot(variates.1, d));
+                    let (value, gradient) = gaussian_corner::<D>(IntegerHash.word(cell, seed))[channel];
+                    n += w * (f64::from(value) + 2.0 * dot(gradient.map(f64::from), d));
                     v += w * w * (1.0 + 4.0 * dot(d, d));
                 }
                 n / v.sqrt()
@@ -53,35 +49,36 @@ impl Kind {
     #[must_use]
     pub fn gradient<const D: usize>(self, p: [f64; D], seed: u32) -> Option<[f64; D]> {
         const H: f64 = 1e-4;
-        let lattice_point = |p: [f64; D]| match self {
-            Self::Simplex(_) => simplex(p).map(|(cell, _)| cell).collect::<Vec<_>>(),
-            _ => corners(p, quintic).map(|(cell, ..)| cell).collect(),
-        };
-        let here = lattice_point(p);
+        let here = self.lattice_points(p);
         let mut gradient = [0.0; D];
         for (k, slope) in gradient.iter_mut().enumerate() {
-            let moved = |step: f64| {
+            let at = |step: f64| {
                 let mut q = p;
                 q[k] += step;
                 q
             };
-            if lattice_point(moved(2.0 * H)) != here || lattice_point(moved(-2.0 * H)) != here {
+            if [2.0 * H, -2.0 * H].into_iter().any(|step| self.lattice_points(at(step)) != here) {
                 return None;
             }
-            let at = |step: f64| self.value(moved(step), seed);
-            *slope = (8.0 * (at(H) - at(-H)) - (at(2.0 * H) - at(-2.0 * H))) / (12.0 * H);
+            *slope = difference(H, |step| self.value(at(step), seed));
         }
         Some(gradient)
+    }
+
+    /// The lattice points that the value at `p` comes from, in an order that only another cell or simplex changes.
+    #[must_use]
+    pub fn lattice_points<const D: usize>(self, p: [f64; D]) -> Vec<[i32; D]> {
+        match self {
+            Self::Simplex(_) => simplex(p).map(|(cell, _)| cell).collect(),
+            _ => corners(p, quintic).map(|(cell, ..)| cell).collect(),
+        }
     }
 
     /// The greatest value that directions can give at `p`, if each corner draws the best one.
     #[must_use]
     pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
         match self {
-            Self::Perlin1985 => {
-                let fade = |t: f64| 3.0 * t.powi(2) - 2.0 * t.powi(3);
-                corners(p, fade).map(|(_, w, d)| w * dot(d, d).sqrt()).sum()
-            }
+            Self::Perlin1985 => corners(p, cubic).map(|(_, w, d)| w * dot(d, d).sqrt()).sum(),
             Self::Perlin2002 => corners(p, quintic).map(|(_, w, d)| w * best_edge(d)).sum(),
             Self::Simplex(radius_squared) => {
                 simplex(p).map(|(_, d)| (radius_squared - dot(d, d)).max(0.0).powi(4) * best_edge(d)).sum()
@@ -91,30 +88,23 @@ impl Kind {
     }
 
     fn direction<const D: usize>(self, cell: [i32; D], seed: u32) -> [f64; D] {
-        let word = word(cell, seed);
-        let unit = matches!(self, Self::Perlin1985);
-        let direction: Vec<f32> = match (D, unit) {
-            (2, true) => unit_direction_2(word).to_array().to_vec(),
-            (2, false) => edge_direction_2(word).to_array().to_vec(),
-            (_, true) => unit_direction_3(word).to_array().to_vec(),
-            (_, false) => edge_direction_3(word).to_array().to_vec(),
+        let word = IntegerHash.word(cell, seed);
+        let direction = match self {
+            Self::Perlin1985 => unit_gradient::<D>(word),
+            _ => edge_gradient::<D>(word),
         };
-        std::array::from_fn(|k| f64::from(direction[k]))
+        direction.map(f64::from)
     }
 }
 
-fn word<const D: usize>(cell: [i32; D], seed: u32) -> u64 {
-    match *cell.as_slice() {
-        [x, y] => IntegerHash.hash2(x, y, seed),
-        [x, y, z] => IntegerHash.hash3(x, y, z, seed),
-        _ => 0,
-    }
+/// f′(0) by differences of fourth order.
+#[must_use]
+pub fn difference(h: f64, f: impl Fn(f64) -> f64) -> f64 {
+    (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
 }
 
-fn variates<const D: usize>(word: u64) -> (f64, [f64; D]) {
-    let variates =
-        if D == 2 { gaussian_variates_2(word).to_vec() } else { gaussian_variates_3(word).to_vec() };
-    (f64::from(variates[0]), std::array::from_fn(|k| f64::from(variates[k + 1])))
+fn cubic(t: f64) -> f64 {
+    3.0 * t.powi(2) - 2.0 * t.powi(3)
 }
 
 fn quintic(t: f64) -> f64 {
@@ -125,12 +115,16 @@ fn dot<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
     a.iter().zip(&b).map(|(a, b)| a * b).sum()
 }
 
-/// max g·d over the edge directions: eight of length √2 in the plane, twelve in space.
+/// max g·d over the edge directions: ±1 and less on the line, eight of length √2 in the plane, then all but one axis.
 fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     let mut sizes = d.map(f64::abs);
     sizes.sort_by(f64::total_cmp);
-    let two_greatest = sizes[D - 1] + sizes[D - 2];
-    if D == 2 { two_greatest.max(sizes[1] * std::f64::consts::SQRT_2) } else { two_greatest }
+    match sizes.as_slice() {
+        [size] => *size,
+        [small, large] => (small + large).max(large * std::f64::consts::SQRT_2),
+        [_, rest @ ..] => rest.iter().sum(),
+        [] => 0.0,
+    }
 }
 
 /// The corners of the cube around `p`: lattice point, weight, offset from it.
@@ -149,8 +143,9 @@ fn corners<const D: usize>(
 /// The corners of the simplex around `p`: lattice point and offset from it.
 fn simplex<const D: usize>(p: [f64; D]) -> impl Iterator<Item = ([i32; D], [f64; D])> {
     let n = D as f64;
-    let skew = ((n + 1.0).sqrt() - 1.0) / n;
-    let unskew = (1.0 - 1.0 / (n + 1.0).sqrt()) / n;
+    // On the line there is nothing to shear.
+    let skew = if D == 1 { 0.0 } else { ((n + 1.0).sqrt() - 1.0) / n };
+    let unskew = if D == 1 { 0.0 } else { (1.0 - 1.0 / (n + 1.0).sqrt()) / n };
     let sum: f64 = p.iter().sum();
     let skewed = p.map(|x| x + sum * skew);
     let mut order: [usize; D] = std::array::from_fn(|k| k);

@@ -204,9 +204,6 @@ fn huge_points_give_finite_samples() {
                 );
             }
         }
-        if huge.abs() >= 2_147_483_648.0 {
-            assert_eq!(Simplex::CONTINUOUS.sample(Vec2::new(0.3, huge), 1), Sample::default());
-        }
     }
     // 2³² + 1024 is the cell 1024 again.
     let (near, far) = (Vec2::new(1024.0, 0.5), Vec2::new(4_294_968_320.0, 0.5));

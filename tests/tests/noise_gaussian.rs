@@ -37,7 +37,7 @@ fn ks(histogram: &[u64]) -> f64 {
     (0..=BINS).map(|edge| (below[edge] - phi(edge)).abs()).fold(0.0, f64::max)
 }
 
-fn histogram<V: Point>(octaves: f32, seeds: u32, point: fn(&mut Random) -> V) -> Vec<u64> {
+fn histogram<V: Point<N>, const N: usize>(octaves: f32, seeds: u32, point: fn(&mut Random) -> V) -> Vec<u64> {
     const POINTS: u32 = 128;
     (0..seeds)
         .into_par_iter()
@@ -45,7 +45,7 @@ fn histogram<V: Point>(octaves: f32, seeds: u32, point: fn(&mut Random) -> V) ->
             || vec![0; BINS],
             |mut bins, seed| {
                 let mut random = Random(u64::from(seed) << 32 | 7);
-                let noise = GaussianOctaves::<V>::new(Spectrum::default(), seed);
+                let noise = GaussianOctaves::<N>::new(Spectrum::default(), seed);
                 for _ in 0..POINTS {
                     for channel in noise.pair(point(&mut random), octaves) {
                         let bin = (f64::from(channel.value) / REACH + 1.0) * 0.5 * BINS as f64;
@@ -72,7 +72,7 @@ fn every_count_of_octaves_and_every_blend_is_gaussian() {
 }
 
 /// Mean, variance, mean fourth power, and the channels' correlation and correlation of squares.
-fn moments<V: Point + Sync + Send>(place: V) -> [f64; 5] {
+fn moments<V: Point<N> + Sync + Send, const N: usize>(place: V) -> [f64; 5] {
     const SEEDS: u32 = 400_000;
     let sums = (0..SEEDS / 1000)
         .into_par_iter()
@@ -155,7 +155,7 @@ fn channels_are_independent_cell_by_cell() {
 fn sums_of_other_seeds_are_independent() {
     const COUNT: u32 = 200_000;
     let (mut product, mut squares) = (0.0, 0.0);
-    let noises = [1, 2].map(|seed| GaussianOctaves::<Vec3>::new(Spectrum::default(), seed));
+    let noises = [1, 2].map(|seed| GaussianOctaves::<3>::new(Spectrum::default(), seed));
     let mut random = Random(9);
     for _ in 0..COUNT {
         let p = point3(&mut random);
@@ -170,7 +170,7 @@ fn sums_of_other_seeds_are_independent() {
 
 #[test]
 fn gradients_of_sums_equal_differences() {
-    let noise = GaussianOctaves::<Vec3>::new(Spectrum::default(), 3);
+    let noise = GaussianOctaves::<3>::new(Spectrum::default(), 3);
     let mut random = Random(10);
     for _ in 0..2000 {
         let p = point3(&mut random) / 32.0;
@@ -189,7 +189,7 @@ fn gradients_of_sums_equal_differences() {
 
 #[test]
 fn the_first_octave_is_whole_and_its_share_fades() {
-    let noise = GaussianOctaves::<Vec3>::new(Spectrum::default(), 4);
+    let noise = GaussianOctaves::<3>::new(Spectrum::default(), 4);
     let p = Vec3::new(0.2, 0.7, -1.3);
     assert_eq!(noise.sample(p, 1e-40), noise.sample(p, 1.0));
     assert_eq!(noise.sample(p, 0.0).value, 0.0);

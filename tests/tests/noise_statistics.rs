@@ -1,10 +1,10 @@
 //! The shipped statistics of each kind against a coarse measurement, and the sums normalised by them.
 
-use asperity_noise::{
-    Gaussian, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Simplex, Spectrum,
-    glam::{Vec2, Vec3},
+use asperity_noise::{Gaussian, Noise, Normalisation, Octaves, Perlin2002, Point, Spectrum, glam::Vec3};
+use asperity_tests::{
+    noise_kinds::{Testable, Visit, every_kind},
+    random::Random,
 };
-use asperity_tests::random::Random;
 use rayon::prelude::*;
 use statrs::function::erf::erf;
 
@@ -15,28 +15,24 @@ fn coordinate(random: &mut Random) -> f32 {
     ((random.uniform() - 0.5) * 128.0) as f32
 }
 
-fn point2(random: &mut Random) -> Vec2 {
-    Vec2::new(coordinate(random), coordinate(random))
-}
-
-fn point3(random: &mut Random) -> Vec3 {
-    Vec3::new(coordinate(random), coordinate(random), coordinate(random))
+fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+    V::from_coordinates([(); N].map(|()| coordinate(random)))
 }
 
 /// Values at random points, of all seeds in order.
-fn values<V: Point>(point: fn(&mut Random) -> V, field: impl Fn(V, u32) -> f32 + Sync) -> Vec<f64> {
+fn values<V: Point<N>, const N: usize>(field: impl Fn(V, u32) -> f32 + Sync) -> Vec<f64> {
     (0..SEEDS)
         .into_par_iter()
         .flat_map_iter(|seed| {
             let mut random = Random(u64::from(seed) << 32 | 5);
-            (0..POINTS).map(|_| f64::from(field(point(&mut random), seed))).collect::<Vec<_>>()
+            (0..POINTS).map(|_| f64::from(field(point::<V, N>(&mut random), seed))).collect::<Vec<_>>()
         })
         .collect()
 }
 
-fn agree<V: Point + Sync, N: Noise<V> + Copy + Sync>(name: &str, noise: N, point: fn(&mut Random) -> V) {
-    let statistics = noise.statistics();
-    let single = values(point, |p, seed| noise.value(p, seed));
+fn agree<V: Point<N>, K: Testable<V, N>, const N: usize>(name: &str, noise: K) {
+    let statistics = Noise::<V>::statistics(&noise);
+    let single = values(|p: V, seed| noise.value(p, seed));
     let n = single.len() as f64;
     let moment = |power: i32| single.iter().map(|x| x.powi(power)).sum::<f64>() / n;
     let (variance, fourth) = (moment(2), moment(4));
@@ -54,8 +50,8 @@ fn agree<V: Point + Sync, N: Noise<V> + Copy + Sync>(name: &str, noise: N, point
     assert!(cdf.len() % 2 == 1 && cdf[cdf.len() / 2] == 0.5, "{name}");
     assert!(cdf.windows(2).all(|knots| knots[0] <= knots[1]), "{name}");
     assert!(cdf.iter().zip(cdf.iter().rev()).all(|(low, high)| (low + high - 1.0).abs() < 1e-7), "{name}");
-    let sums = values(point, |p, seed| {
-        Octaves::new(noise, Spectrum::default(), Normalisation::Variance, seed).sample(p, 8.0).value
+    let sums = values(|p: V, seed| {
+        Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Variance, seed).sample(p, 8.0).value
     });
     let worst = cdf
         .iter()
@@ -70,18 +66,17 @@ fn agree<V: Point + Sync, N: Noise<V> + Copy + Sync>(name: &str, noise: N, point
     assert!(worst < 2.23 / n.sqrt(), "{name}: KS {worst}");
 }
 
+struct Agree;
+
+impl Visit for Agree {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        agree::<V, K, N>(name, noise);
+    }
+}
+
 #[test]
 fn shipped_statistics_are_those_of_the_noise() {
-    agree("Perlin 1985 2-D", Perlin1985::default(), point2);
-    agree("Perlin 1985 3-D", Perlin1985::default(), point3);
-    agree("Perlin 2002 2-D", Perlin2002::default(), point2);
-    agree("Perlin 2002 3-D", Perlin2002::default(), point3);
-    agree("simplex 0.5 2-D", Simplex::CONTINUOUS, point2);
-    agree("simplex 0.5 3-D", Simplex::CONTINUOUS, point3);
-    agree("simplex 0.6 2-D", Simplex::WIDE, point2);
-    agree("simplex 0.6 3-D", Simplex::WIDE, point3);
-    agree("Gaussian 2-D", Gaussian::default(), point2);
-    agree("Gaussian 3-D", Gaussian::default(), point3);
+    every_kind(&mut Agree);
 }
 
 #[test]
@@ -98,8 +93,9 @@ fn the_gaussian_table_is_phi() {
 fn sums_have_the_stated_deviation_and_kurtosis() {
     for octaves in [0.4, 1.0, 1.25, 2.5, 8.0] {
         for normalisation in [Normalisation::Range, Normalisation::Variance] {
-            let build = |seed| Octaves::new(Perlin2002::default(), Spectrum::default(), normalisation, seed);
-            let sums = values(point3, |p, seed| build(seed).sample(p, octaves).value);
+            let build =
+                |seed| Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), normalisation, seed);
+            let sums = values(|p: Vec3, seed| build(seed).sample(p, octaves).value);
             let n = sums.len() as f64;
             let moment = |power: i32| sums.iter().map(|x| x.powi(power)).sum::<f64>() / n;
             let (variance, fourth) = (moment(2), moment(4));

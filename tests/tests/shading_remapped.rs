@@ -1,12 +1,12 @@
 //! Classic noise through its measured distribution: nearly Gaussian, so that the exact rule nearly keeps the mean.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::noise::{Noise, Perlin2002, Simplex, Spectrum};
+use asperity_shading::noise::{Kernel, Perlin2002, Simplex, Spectrum};
 use asperity_shading::{Beckmann, GaussianField, LevelOfDetail, RemappedOctaves, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Mean, variance and correlation of the coordinates, then the ratios of the mean radiance to p(h) at two half vectors.
-fn measured<N: Noise<Vec3> + Copy + Sync>(noise: N, octaves: f32) -> [(f64, f64); 6] {
+fn measured<K: Kernel<3> + Copy + Sync>(noise: K, octaves: f32) -> [(f64, f64); 6] {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
     let half_vectors = [Vec3::Z, Vec3::new(0.24, 0.0, 1.0).normalize()];
     let field = |seed| RemappedOctaves::new(noise, Spectrum::default(), seed).expect("a distribution");

@@ -28,7 +28,7 @@ fn changes(rule: LevelOfDetail, before: f32, after: f32) -> [(f64, f64); 8] {
     let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
     let far = f64::from(far_field(&ndf, h));
-    let field = |seed| GaussianOctaves::<Vec3>::new(Spectrum::default(), seed);
+    let field = |seed| GaussianOctaves::<3>::new(Spectrum::default(), seed);
     let patches = patch_means(128, 4, field, |field, p, sums: &mut [f64; 8]| {
         let (coarse, fine) = (field.coordinates(p, before), field.coordinates(p, after));
         let change = rule.radiance(&ndf, h, fine) - rule.radiance(&ndf, h, coarse);
@@ -117,7 +117,7 @@ fn pixel_above_the_first_octave_shows_the_far_field_to_the_bit() {
 fn table_of_normals_serves_the_fractal_rule() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
     let table = NormalTable::standard(&ndf);
-    let field = GaussianOctaves::<Vec3>::new(Spectrum::default(), 2);
+    let field = GaussianOctaves::<3>::new(Spectrum::default(), 2);
     let mut worst = 0.0_f32;
     for k in 0..2000 {
         let coordinates = field.coordinates(Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);

@@ -3,8 +3,8 @@
 use std::{hint::black_box, time::Duration};
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, PermutationTable, Point, Simplex,
-    Spectrum,
+    Gaussian, GaussianOctaves, Kernel, Noise, Octaves, Perlin1985, Perlin2002, PermutationTable, Point,
+    Simplex, Spectrum,
     glam::{Vec2, Vec3},
 };
 use criterion::{
@@ -15,25 +15,29 @@ use criterion::{
 const POINTS: u16 = 1024;
 
 /// Points along a line that crosses a cell boundary every few steps, as a scan line of a picture does.
-trait Line: Point {
+trait Line<const N: usize>: Point<N> {
     fn line(i: u16) -> Self;
 }
 
-impl Line for Vec2 {
+impl Line<2> for Vec2 {
     fn line(i: u16) -> Self {
         let t = f32::from(i);
         Self::new(0.3 + 0.21 * t, -7.0 + 0.17 * t)
     }
 }
 
-impl Line for Vec3 {
+impl Line<3> for Vec3 {
     fn line(i: u16) -> Self {
         let t = f32::from(i);
         Self::new(0.3 + 0.21 * t, -7.0 + 0.17 * t, 2.0 - 0.13 * t)
     }
 }
 
-fn along_line<V: Line, T>(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, evaluate: impl Fn(V) -> T) {
+fn along_line<V: Line<N>, T, const N: usize>(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    name: &str,
+    evaluate: impl Fn(V) -> T,
+) {
     let points: Vec<V> = (0..POINTS).map(V::line).collect();
     group.throughput(Throughput::Elements(u64::from(POINTS)));
     group.bench_function(name, |bencher| {
@@ -45,13 +49,13 @@ fn along_line<V: Line, T>(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, 
     });
 }
 
-fn kinds<V: Line>(criterion: &mut Criterion, dimension: &str)
+fn kinds<V: Line<N>, const N: usize>(criterion: &mut Criterion, dimension: &str)
 where
-    Perlin1985: Noise<V>,
-    Perlin2002: Noise<V>,
-    Perlin2002<PermutationTable>: Noise<V>,
-    Simplex: Noise<V>,
-    Gaussian: Noise<V>,
+    Perlin1985: Kernel<N> + Noise<V>,
+    Perlin2002: Kernel<N> + Noise<V>,
+    Perlin2002<PermutationTable>: Kernel<N> + Noise<V>,
+    Simplex: Kernel<N> + Noise<V>,
+    Gaussian: Kernel<N> + Noise<V>,
 {
     let mut group = criterion.benchmark_group(dimension);
     along_line(&mut group, "perlin-1985", |p: V| Perlin1985::default().sample(p, 1));
@@ -64,17 +68,17 @@ where
     along_line(&mut group, "gaussian", |p: V| Gaussian::default().sample(p, 1));
     along_line(&mut group, "gaussian-value", |p: V| Gaussian::default().value(p, 1));
     along_line(&mut group, "gaussian-pair", |p: V| Gaussian::default().pair(p, 1));
-    let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Default::default(), 1);
+    let octaves = Octaves::<_, N>::new(Perlin2002::default(), Spectrum::default(), Default::default(), 1);
     along_line(&mut group, "perlin-2002-octaves-8", |p: V| octaves.sample(p, 8.0));
-    let octaves = GaussianOctaves::new(Spectrum::default(), 1);
+    let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
     along_line(&mut group, "gaussian-octaves-8", |p: V| octaves.sample(p, 8.0));
     along_line(&mut group, "gaussian-octaves-8-pair", |p: V| octaves.pair(p, 8.0));
     group.finish();
 }
 
 fn benches(criterion: &mut Criterion) {
-    kinds::<Vec2>(criterion, "2-d");
-    kinds::<Vec3>(criterion, "3-d");
+    kinds::<Vec2, 2>(criterion, "2-d");
+    kinds::<Vec3, 3>(criterion, "3-d");
 }
 
 criterion_group! {

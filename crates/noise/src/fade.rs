@@ -1,39 +1,67 @@
-//! The weights that blend lattice points along one axis, with their derivatives.
+//! The weights that a noise blends the ends of a cell with, and their derivatives.
 
-/// The weight w(t) of the upper lattice point and its derivative.
-#[derive(Clone, Copy)]
-pub(crate) struct Fade {
-    pub(crate) weight: f32,
-    pub(crate) slope: f32,
+use crate::lanes::Lanes;
+
+/// A weight w(t) that rises from 0 to 1 over a cell, with w′ and w″.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fade {
+    /// w = 3t² − 2t³, C¹ across cells.
+    Cubic,
+    /// w = 6t⁵ − 15t⁴ + 10t³, C² across cells.
+    Quintic,
 }
 
 impl Fade {
-    /// 3t² − 2t³, of Perlin 1985 and of Ebert (ed.) 1994: C¹.
+    /// w(t).
     #[inline(always)]
-    pub(crate) fn cubic(t: f32) -> Self {
-        Self { weight: t * t * (3.0 - 2.0 * t), slope: 6.0 * t * (1.0 - t) }
+    pub(crate) fn weight<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => t * t * (s.float(3.0) - s.float(2.0) * t),
+            Self::Quintic => t * t * t * (t * (t * s.float(6.0) - s.float(15.0)) + s.float(10.0)),
+        }
     }
 
-    /// 6t⁵ − 15t⁴ + 10t³, of Perlin 2002: C².
+    /// w′(t).
     #[inline(always)]
-    pub(crate) fn quintic(t: f32) -> Self {
-        let up = t * t;
-        let down = (1.0 - t) * (1.0 - t);
-        Self { weight: up * t * (t * (6.0 * t - 15.0) + 10.0), slope: 30.0 * up * down }
+    pub(crate) fn slope<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => s.float(6.0) * t * (s.float(1.0) - t),
+            Self::Quintic => {
+                let rest = t - s.float(1.0);
+                s.float(30.0) * (t * t) * (rest * rest)
+            }
+        }
+    }
+
+    /// w″(t).
+    #[inline(always)]
+    pub(crate) fn curvature<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => s.float(6.0) - s.float(12.0) * t,
+            Self::Quintic => s.float(60.0) * t * (s.float(1.0) - t) * (s.float(1.0) - s.float(2.0) * t),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lanes::Scalar;
 
     #[test]
-    fn weights_rise_from_zero_to_one_with_level_ends() {
-        for fade in [Fade::cubic, Fade::quintic] {
-            let [start, middle, end] = [0.0, 0.5, 1.0].map(fade);
-            assert_eq!([start.weight, middle.weight, end.weight], [0.0, 0.5, 1.0]);
-            assert_eq!([start.slope, end.slope], [0.0, 0.0]);
+    fn derivatives_are_derivatives() {
+        let h = 1.0 / 256.0;
+        for fade in [Fade::Cubic, Fade::Quintic] {
+            let [w, dw] = [Fade::weight, Fade::slope].map(|f| move |t: f32| f(fade, Scalar, t));
+            assert_eq!([w(0.0), w(0.5), w(1.0), dw(0.0), dw(1.0)], [0.0, 0.5, 1.0, 0.0, 0.0]);
+            for i in 1..16_u8 {
+                let t = f32::from(i) / 16.0;
+                // A central difference errs by h² max |w‴|/6 ≤ 10 h², and by rounding.
+                let slope = (w(t + h) - w(t - h)) / (2.0 * h);
+                assert!((dw(t) - slope).abs() < 2e-4, "{fade:?} at {t}: {slope}");
+                let curvature = (dw(t + h) - dw(t - h)) / (2.0 * h);
+                assert!((fade.curvature(Scalar, t) - curvature).abs() < 2e-3, "{fade:?} at {t}: {curvature}");
+            }
         }
-        assert_eq!([Fade::cubic(0.5).slope, Fade::quintic(0.5).slope], [1.5, 1.875]);
     }
 }

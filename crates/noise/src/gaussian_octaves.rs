@@ -1,12 +1,15 @@
 //! Sums of octaves of Gaussian noise: N(0, 1) at every point, for every real number of octaves.
 
 use crate::{
-    integer_hash::IntegerHash,
-    layer::Layer,
+    field::Field,
+    gaussian::Gaussian,
+    kernel::{LaneSample, samples, values},
+    lanes::{Lanes, Scalar},
+    layer::{Layer, Rotation},
     math,
-    octaves::lone_whole,
+    octaves::{lone_whole, scaled},
+    point::Point,
     sample::Sample,
-    space::Point,
     spectrum::{MAX_OCTAVES, Spectrum},
 };
 
@@ -32,16 +35,16 @@ use crate::{
 /// assert!(first != second && noise.share(6.5) < 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GaussianOctaves<V: Point> {
+pub struct GaussianOctaves<const N: usize> {
     spectrum: Spectrum,
-    layers: [Layer<V>; MAX_OCTAVES as usize],
+    layers: [Layer<N>; MAX_OCTAVES as usize],
 }
 
-impl<V: Point> GaussianOctaves<V> {
+impl<const N: usize> GaussianOctaves<N> {
     /// The sum that `seed` selects.
     #[must_use]
     pub fn new(spectrum: Spectrum, seed: u32) -> Self {
-        Self { spectrum, layers: Layer::all(&spectrum, seed) }
+        Self { spectrum, layers: Layer::all(&spectrum, Rotation::Random, seed) }
     }
 
     /// The spectrum of the sum.
@@ -53,16 +56,36 @@ impl<V: Point> GaussianOctaves<V> {
     /// Value and gradient of the first `octaves` octaves at `p`.
     #[must_use]
     #[inline]
-    pub fn sample(&self, p: V, octaves: f32) -> Sample<V> {
-        let [sample] = self.channels::<1>(p, octaves);
-        sample
+    pub fn sample<V: Point<N>>(&self, p: V, octaves: f32) -> Sample<V> {
+        let (value, gradient) = self.first(octaves).lane_samples(Scalar, p.coordinates());
+        Sample { value, gradient: V::from_coordinates(gradient) }
     }
 
     /// Two channels from one walk of the lattices, independent of each other; the first is [`sample`](Self::sample)'s.
     #[must_use]
     #[inline]
-    pub fn pair(&self, p: V, octaves: f32) -> [Sample<V>; 2] {
-        self.channels::<2>(p, octaves)
+    pub fn pair<V: Point<N>>(&self, p: V, octaves: f32) -> [Sample<V>; 2] {
+        let octaves = lone_whole(octaves);
+        let mut sums = [(0.0, [0.0; N]); 2];
+        for ((_, amplitude), layer) in self.spectrum.active(octaves).zip(&self.layers) {
+            let p = layer.points(Scalar, p.coordinates());
+            let pair = Gaussian::default().lane_pairs(Scalar, p, layer.seed);
+            for (sum, sample) in sums.iter_mut().zip(pair) {
+                layer.accumulate(Scalar, sum, amplitude, sample);
+            }
+        }
+        let factor = self.factor(octaves);
+        sums.map(|(value, gradient)| Sample {
+            value: value * factor,
+            gradient: V::from_coordinates(gradient.map(|g| g * factor)),
+        })
+    }
+
+    /// The sum of the first `octaves` octaves, for a [`Batch`](crate::Batch).
+    #[must_use]
+    pub fn first(&self, octaves: f32) -> FirstGaussianOctaves<'_, N> {
+        let octaves = lone_whole(octaves);
+        FirstGaussianOctaves { sum: self, octaves, factor: self.factor(octaves) }
     }
 
     /// The share in [0, 1) of the endless spectrum's variance that `octaves` octaves resolve, [`Spectrum::share`].
@@ -72,22 +95,41 @@ impl<V: Point> GaussianOctaves<V> {
         self.spectrum.share(octaves)
     }
 
+    /// 1/√Σ wᵢ² aᵢ², or 0 without octaves.
     #[inline(always)]
-    fn channels<const C: usize>(&self, p: V, octaves: f32) -> [Sample<V>; C] {
-        let octaves = lone_whole(octaves);
-        let mut sums = [Sample::default(); C];
-        let mut variance = 0.0;
-        for ((_, amplitude), layer) in self.spectrum.active(octaves).zip(&self.layers) {
-            let samples = V::linear::<IntegerHash, C>(&IntegerHash, layer.point(p), layer.seed).normalised();
-            for (sum, sample) in sums.iter_mut().zip(samples) {
-                layer.accumulate(sum, amplitude, sample);
-            }
-            variance += amplitude * amplitude;
+    fn factor(&self, octaves: f32) -> f32 {
+        let variance = self.spectrum.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a);
+        if variance > 0.0 { 1.0 / math::sqrt(variance) } else { 0.0 }
+    }
+}
+
+/// A sum of octaves of Gaussian noise with its number of octaves, as [`GaussianOctaves::first`] gives it.
+#[derive(Clone, Copy, Debug)]
+pub struct FirstGaussianOctaves<'a, const N: usize> {
+    sum: &'a GaussianOctaves<N>,
+    octaves: f32,
+    factor: f32,
+}
+
+impl<const N: usize> Field<N> for FirstGaussianOctaves<'_, N> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
+        let mut sum = s.float(0.0);
+        for ((_, amplitude), layer) in self.sum.spectrum.active(self.octaves).zip(&self.sum.layers) {
+            let value = values(&Gaussian::default(), s, layer.points(s, p), layer.seed);
+            sum = sum + s.float(amplitude) * value;
         }
-        if variance == 0.0 {
-            return sums;
+        sum * s.float(self.factor)
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
+        let mut sum = (s.float(0.0), [s.float(0.0); N]);
+        for ((_, amplitude), layer) in self.sum.spectrum.active(self.octaves).zip(&self.sum.layers) {
+            let sample = samples(&Gaussian::default(), s, layer.points(s, p), layer.seed);
+            layer.accumulate(s, &mut sum, s.float(amplitude), sample);
         }
-        let factor = 1.0 / math::sqrt(variance);
-        sums.map(|sum| Sample { value: sum.value * factor, gradient: sum.gradient.scaled(factor) })
+        let factor = s.float(self.factor);
+        scaled(s, sum, factor)
     }
 }

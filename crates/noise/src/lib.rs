@@ -66,6 +66,10 @@
 //! | `std` (default) | √ of the standard library |
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 #![no_std]
+#![expect(
+    clippy::needless_range_loop,
+    reason = "an axis indexes several arrays, and closures of iterators are not compiled for the lanes' SIMD level"
+)]
 
 #[cfg(feature = "std")]
 extern crate std;
@@ -73,43 +77,74 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-noise needs a float backend: enable the feature `std` or `libm`");
 
-mod blend;
+mod batch;
+mod catmull_rom;
+mod cell_noise;
+mod chained_table;
+mod columns;
+mod directions;
 mod fade;
+mod field;
 mod gaussian;
 mod gaussian_levels;
 mod gaussian_octaves;
 mod integer_hash;
+mod kernel;
+mod lanes;
 mod lattice;
 mod layer;
+mod lecture;
+mod level;
 mod math;
 mod noise;
 mod octaves;
 mod perlin;
 mod permutation_table;
+mod point;
 mod sample;
+mod scratch;
 mod simplex;
-mod space;
+mod span;
+mod sparse;
 mod spectrum;
 mod statistics;
 mod statistics_tables;
-mod variates;
+mod tiled;
+mod tiled_simplex;
+mod value;
+mod value_gradient;
+mod variance;
+#[cfg(feature = "simd")]
+mod white;
+mod wide;
 
 pub use glam;
 
+pub use batch::{Batch, BatchError, Grid};
+pub use chained_table::ChainedTable;
+pub use directions::{edge_gradient, gaussian_corner, unit_gradient};
+pub use field::{Field, Seeded};
 pub use gaussian::Gaussian;
-pub use gaussian_octaves::GaussianOctaves;
-pub use integer_hash::{IntegerHash, second_word};
+pub use gaussian_octaves::{FirstGaussianOctaves, GaussianOctaves};
+pub use integer_hash::IntegerHash;
+pub use kernel::{Kernel, LaneSample, Row};
+pub use lanes::{Floats, Lanes, Scalar, Words};
 pub use lattice::Lattice;
+pub use layer::Rotation;
+pub use lecture::{Gnoise, LectureTables, Vgnoise, Vnoise};
+pub use level::Level;
 pub use noise::Noise;
-pub use octaves::{Normalisation, Octaves};
+pub use octaves::{FirstOctaves, Normalisation, Octaves};
 pub use perlin::{Perlin1985, Perlin2002};
-pub use permutation_table::PermutationTable;
+pub use permutation_table::{PermutationTable, PermutationTableError};
+pub use point::Point;
 pub use sample::Sample;
 pub use simplex::Simplex;
-pub use space::Point;
+pub use sparse::{Sparse, SparseError};
 pub use spectrum::{MAX_OCTAVES, Spectrum, SpectrumError};
 pub use statistics::Statistics;
-pub use variates::{
-    edge_direction_2, edge_direction_3, gaussian_variates_2, gaussian_variates_3, unit_direction_2,
-    unit_direction_3,
-};
+pub use tiled::{Tiled, TiledError};
+pub use tiled_simplex::TiledSimplex;
+pub use value::{Value, ValueCatmullRom};
+pub use value_gradient::{ValueGradient, ValueGradientError};
+pub use white::White;

@@ -1,12 +1,19 @@
-//! What every noise of this crate offers.
+//! What every kind of noise of this crate offers at a point.
 
-use crate::{sample::Sample, statistics::Statistics};
+use glam::{Vec2, Vec3, Vec4};
+
+use crate::{
+    kernel::{Kernel, samples, values},
+    lanes::Scalar,
+    point::Point,
+    sample::Sample,
+    statistics::Statistics,
+};
 
 /// A random field over points `V`, one of many that a seed selects.
 ///
 /// Evaluation is total. A point with an infinite or NaN coordinate gives value 0 and gradient 0. From |x| = 2²³ on
-/// `f32` holds integers only, so the noise is seen at its lattice points; cells wrap modulo 2³², and beyond |x| = 2⁶³
-/// every coordinate falls in one cell per sign. [`Simplex`](crate::Simplex) has a skewed lattice and is 0 from 2³¹ on.
+/// `f32` holds integers only, so the noise is seen at its lattice points; from 2³¹ on cells wrap modulo 2³².
 ///
 /// ```
 /// use asperity_noise::{Noise, Perlin2002, glam::Vec3};
@@ -23,11 +30,35 @@ pub trait Noise<V> {
 
     /// The value alone, the same bits as [`sample`](Self::sample)'s.
     #[must_use]
-    fn value(&self, p: V, seed: u32) -> f32 {
-        self.sample(p, seed).value
-    }
+    fn value(&self, p: V, seed: u32) -> f32;
 
     /// The measured statistics of the kind in this dimension.
     #[must_use]
     fn statistics(&self) -> &'static Statistics;
 }
+
+macro_rules! noise {
+    ($vector:ty, $n:literal) => {
+        impl<K: Kernel<$n>> Noise<$vector> for K {
+            #[inline]
+            fn sample(&self, p: $vector, seed: u32) -> Sample<$vector> {
+                let (value, gradient) = samples(self, Scalar, Point::<$n>::coordinates(p), seed);
+                Sample { value, gradient: Point::<$n>::from_coordinates(gradient) }
+            }
+
+            #[inline]
+            fn value(&self, p: $vector, seed: u32) -> f32 {
+                values(self, Scalar, Point::<$n>::coordinates(p), seed)
+            }
+
+            fn statistics(&self) -> &'static Statistics {
+                Kernel::<$n>::statistics(self)
+            }
+        }
+    };
+}
+
+noise!(f32, 1);
+noise!(Vec2, 2);
+noise!(Vec3, 3);
+noise!(Vec4, 4);

@@ -1,5 +1,7 @@
 //! The permutation table of 256 entries of Ebert (ed.) 1994: the classic lattice, with its period.
 
+use core::{error::Error, fmt};
+
 use crate::{integer_hash::mix, lattice::Lattice};
 
 /// A random permutation of 0…255 that folds a cell to a byte; the lattice has period 256 along each axis.
@@ -18,7 +20,7 @@ use crate::{integer_hash::mix, lattice::Lattice};
 /// use asperity_noise::{Lattice, PermutationTable};
 ///
 /// let table = PermutationTable::new(7);
-/// assert_eq!(table.hash3(1, 2, 3, 0), table.hash3(1 + 256, 2 - 256, 3, 0));
+/// assert_eq!(table.word([1, 2, 3], 0), table.word([1 + 256, 2 - 256, 3], 0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PermutationTable {
@@ -40,6 +42,34 @@ impl PermutationTable {
         Self { entries }
     }
 
+    /// A given permutation, such as a published one.
+    ///
+    /// # Errors
+    ///
+    /// If a number occurs twice, so that another is missing.
+    ///
+    /// ```
+    /// use asperity_noise::PermutationTable;
+    ///
+    /// let reversed = core::array::from_fn(|i| 255 - i as u8);
+    /// assert_eq!(PermutationTable::from_entries(reversed)?.index(1, 0, 0), 254);
+    /// assert!(PermutationTable::from_entries([7; 256]).is_err());
+    /// # Ok::<(), asperity_noise::PermutationTableError>(())
+    /// ```
+    pub const fn from_entries(entries: [u8; 256]) -> Result<Self, PermutationTableError> {
+        let mut seen = [false; 256];
+        let mut i = 0;
+        while i < 256 {
+            let entry = entries[i];
+            if seen[entry as usize] {
+                return Err(PermutationTableError::Repeated { entry, position: i });
+            }
+            seen[entry as usize] = true;
+            i += 1;
+        }
+        Ok(Self { entries })
+    }
+
     /// The permutation itself.
     #[must_use]
     pub const fn entries(&self) -> &[u8; 256] {
@@ -58,19 +88,51 @@ impl PermutationTable {
 
 impl Lattice for PermutationTable {
     #[inline]
-    fn hash2(&self, x: i32, y: i32, seed: u32) -> u64 {
-        self.hash3(x, y, 0, seed)
-    }
-
-    #[inline]
-    fn hash3(&self, x: i32, y: i32, z: i32, seed: u32) -> u64 {
-        mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z)))
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        let mut coordinates = cell.iter().copied();
+        let [x, y, z, w] = [(); 4].map(|()| coordinates.next().unwrap_or(0));
+        // Below four dimensions w is 0, and the inner look-up of the formula is left out.
+        let z = if N > 3 { z.wrapping_add(i32::from(self.entries[(w & 255) as usize])) } else { z };
+        (mix((u64::from(seed) << 8) | u64::from(self.index(x, y, z))) >> 32) as u32
     }
 }
+
+/// Why 256 numbers are no permutation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PermutationTableError {
+    /// A number occurs a second time.
+    Repeated {
+        /// The number.
+        entry: u8,
+        /// Where it stands again.
+        position: usize,
+    },
+}
+
+impl fmt::Display for PermutationTableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Repeated { entry, position } => write!(f, "the entry {entry} at position {position} is there a second time"),
+        }
+    }
+}
+
+impl Error for PermutationTableError {}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_permutations_are_accepted() {
+        let table = PermutationTable::new(5);
+        assert_eq!(PermutationTable::from_entries(*table.entries()), Ok(table));
+        let mut entries = *table.entries();
+        entries[200] = entries[17];
+        let error = PermutationTableError::Repeated { entry: entries[17], position: 200 };
+        assert_eq!(PermutationTable::from_entries(entries), Err(error));
+    }
 
     #[test]
     fn entries_are_a_permutation() {

@@ -1,25 +1,25 @@
 //! Simplex noise, with the kernel radius that is continuous and with the customary wider one.
 
-use glam::{Vec2, Vec3};
-
 use crate::{
+    directions::edge_direction,
     integer_hash::IntegerHash,
-    lattice::Lattice,
-    noise::Noise,
-    sample::Sample,
+    kernel::{Kernel, LaneSample},
+    lanes::Lanes,
+    lattice::{Lattice, cell},
     statistics::Statistics,
     statistics_tables as tables,
-    variates::{edge_direction_2, edge_direction_3},
 };
 
-/// Gradient noise on the simplicial lattice: three corners in 2-D, four in 3-D.
+/// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
 ///
 /// ```text
 /// n(p) = A Σ_c max(0, r² − |d|²)⁴ g_c·d,   d = p − c
 /// ```
 ///
+/// In 1 to 4 dimensions. The simplex of a point is found from its cell and place, the cell in integers, so that far from the
+/// origin nothing is lost but what `f32` cannot hold of the point itself.
+///
 /// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 2e-6.
-/// - **Domain:** |x| < 2³¹ in each coordinate; 0 beyond.
 ///
 /// Nilsson 2008, section 4.1.3, prints the dot product with minus signs and its derivative without a factor. With
 /// t = r² − |d|² and s = g·d it is ∂(t⁴ s)/∂x = −8 x t³ s + t⁴ gₓ.
@@ -32,23 +32,23 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Simplex<L = IntegerHash> {
-    kernel: Kernel,
+    kernel: Radius,
     lattice: L,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kernel {
+enum Radius {
     Continuous,
     Wide,
 }
 
 impl Simplex {
     /// r² = 1/2, the distance from a corner to the opposite face: C³ everywhere.
-    pub const CONTINUOUS: Self = Self { kernel: Kernel::Continuous, lattice: IntegerHash };
+    pub const CONTINUOUS: Self = Self { kernel: Radius::Continuous, lattice: IntegerHash };
 
     /// r² = 0.6, as in Nilsson 2008: smoother to the eye, but kernels are cut off at the faces of the simplices, where the noise
     /// leaps. **Discontinuous** in 2-D and 3-D; measured leaps up to 0.0045 and 0.0023.
-    pub const WIDE: Self = Self { kernel: Kernel::Wide, lattice: IntegerHash };
+    pub const WIDE: Self = Self { kernel: Radius::Wide, lattice: IntegerHash };
 }
 
 impl<L> Simplex<L> {
@@ -62,120 +62,188 @@ impl<L> Simplex<L> {
     #[must_use]
     pub const fn radius_squared(&self) -> f32 {
         match self.kernel {
-            Kernel::Continuous => 0.5,
-            Kernel::Wide => 0.6,
+            Radius::Continuous => 0.5,
+            Radius::Wide => 0.6,
         }
     }
 }
 
-/// Keeps rounding from crossing 1; what it is divided by below is the searched max Σ t⁴ max_g g·d.
-const MARGIN: f32 = 1.0 - 1e-6;
-/// Coordinates from here on have no simplex with 32-bit indices.
-const LIMIT: f32 = 2_147_483_648.0;
-/// (√3 − 1)/2, which shears the triangles into halves of squares.
-const SKEW_2: f64 = 0.366_025_403_784_438_65;
-/// (3 − √3)/6, which shears back.
-const UNSKEW_2: f64 = 0.211_324_865_405_187_1;
-const SKEW_3: f64 = 1.0 / 3.0;
-const UNSKEW_3: f64 = 1.0 / 6.0;
+/// Keeps rounding from crossing 1.
+const MARGIN: f32 = 1.0 - 2e-6;
+/// The searched max Σ t⁴ max_g g·d in 1 to 4 dimensions, r² = ½ and 0.6.
+const MAXIMA: [[f32; 2]; 4] = [
+    [0.009_196_735, 0.020_895_276],
+    [0.014_255_562, 0.040_844_663],
+    [0.013_007_157, 0.030_584_887],
+    [0.015_929_222, 0.036_730_024],
+];
+/// (√(n + 1) − 1)/n, which shears the simplices into halves, sixths, … of cubes; nothing is sheared in 1-D.
+const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
+/// (1 − 1/√(n + 1))/n, which shears back.
+const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
+/// Skew·2³².
+const SKEW_BITS: [u32; 4] = [0, 0x5db3_d743, 0, 0x4f1b_bcdd];
 
-impl<L: Lattice> Noise<Vec2> for Simplex<L> {
-    #[inline]
-    fn sample(&self, p: Vec2, seed: u32) -> Sample<Vec2> {
-        if !(p.x.abs() < LIMIT && p.y.abs() < LIMIT) {
-            return Sample::default();
-        }
-        let radius_squared = self.radius_squared();
-        let (x, y) = (f64::from(p.x), f64::from(p.y));
-        // Indices need more bits than `f32` has left: at x = 10⁵ its fraction has seven.
-        let skew = (x + y) * SKEW_2;
-        let (i, j) = (floor(x + skew), floor(y + skew));
-        let unskew = (i + j) as f64 * UNSKEW_2;
-        let d0 = Vec2::new((x - (i as f64 - unskew)) as f32, (y - (j as f64 - unskew)) as f32);
-        let middle = if d0.x > d0.y { [1, 0] } else { [0, 1] };
-        let mut sum = Sample::<Vec2>::default();
-        for [di, dj] in [[0, 0], middle, [1, 1]] {
-            let unskew = (di + dj) as f32 * UNSKEW_2 as f32;
-            let d = Vec2::new(d0.x - di as f32 + unskew, d0.y - dj as f32 + unskew);
-            let t = radius_squared - (d.x * d.x + d.y * d.y);
-            if t > 0.0 {
-                let g = edge_direction_2(self.lattice.hash2((i + di) as i32, (j + dj) as i32, seed));
-                let s = g.x * d.x + g.y * d.y;
-                let (t3, t4) = (t * t * t, t * t * t * t);
-                sum.value += t4 * s;
-                sum.gradient += g * t4 - d * (8.0 * t3 * s);
-            }
-        }
-        let scale = match self.kernel {
-            Kernel::Continuous => MARGIN / 0.014_255_562,
-            Kernel::Wide => MARGIN / 0.040_844_663,
-        };
-        Sample { value: sum.value * scale, gradient: sum.gradient * scale }
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        match self.kernel {
-            Kernel::Continuous => &tables::SIMPLEX_CONTINUOUS_2,
-            Kernel::Wide => &tables::SIMPLEX_WIDE_2,
-        }
-    }
+/// A point's simplex: its first corner in the skewed lattice, the way to it, and the order of the axes.
+struct Corner<S: Lanes, const N: usize> {
+    cell: [S::U; N],
+    d: [S::F; N],
+    /// How many axes the point is farther along in the skewed cell than each axis.
+    rank: [S::F; N],
 }
 
-impl<L: Lattice> Noise<Vec3> for Simplex<L> {
-    #[inline]
-    fn sample(&self, p: Vec3, seed: u32) -> Sample<Vec3> {
-        if !(p.x.abs() < LIMIT && p.y.abs() < LIMIT && p.z.abs() < LIMIT) {
-            return Sample::default();
-        }
-        let radius_squared = self.radius_squared();
-        let (x, y, z) = (f64::from(p.x), f64::from(p.y), f64::from(p.z));
-        let skew = (x + y + z) * SKEW_3;
-        let (i, j, k) = (floor(x + skew), floor(y + skew), floor(z + skew));
-        let unskew = (i + j + k) as f64 * UNSKEW_3;
-        let d0 = Vec3::new(
-            (x - (i as f64 - unskew)) as f32,
-            (y - (j as f64 - unskew)) as f32,
-            (z - (k as f64 - unskew)) as f32,
-        );
-        // The path from corner (0, 0, 0) to (1, 1, 1) steps along the axes in descending order of d₀.
-        let (xy, yz, xz) = (d0.x >= d0.y, d0.y >= d0.z, d0.x >= d0.z);
-        let smaller =
-            [u8::from(xy) + u8::from(xz), u8::from(!xy) + u8::from(yz), u8::from(!xz) + u8::from(!yz)];
-        let first = smaller.map(|count| i64::from(count == 2));
-        let second = smaller.map(|count| i64::from(count >= 1));
-        let mut sum = Sample::<Vec3>::default();
-        for [di, dj, dk] in [[0, 0, 0], first, second, [1, 1, 1]] {
-            let unskew = (di + dj + dk) as f32 * UNSKEW_3 as f32;
-            let d =
-                Vec3::new(d0.x - di as f32 + unskew, d0.y - dj as f32 + unskew, d0.z - dk as f32 + unskew);
-            let t = radius_squared - (d.x * d.x + d.y * d.y + d.z * d.z);
-            if t > 0.0 {
-                let word = self.lattice.hash3((i + di) as i32, (j + dj) as i32, (k + dk) as i32, seed);
-                let g = edge_direction_3(word);
-                let s = g.x * d.x + g.y * d.y + g.z * d.z;
-                let (t3, t4) = (t * t * t, t * t * t * t);
-                sum.value += t4 * s;
-                sum.gradient += g * t4 - d * (8.0 * t3 * s);
-            }
-        }
-        let scale = match self.kernel {
-            Kernel::Continuous => MARGIN / 0.013_007_157,
-            Kernel::Wide => MARGIN / 0.030_584_887,
-        };
-        Sample { value: sum.value * scale, gradient: sum.gradient * scale }
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        match self.kernel {
-            Kernel::Continuous => &tables::SIMPLEX_CONTINUOUS_3,
-            Kernel::Wide => &tables::SIMPLEX_WIDE_3,
-        }
-    }
-}
-
-/// ⌊x⌋ for |x| < 2⁵².
+/// S·skew in parts, S = Σ cells: an integer and a rest of at most 1 in magnitude.
+///
+/// The parts are exact where S·skew is not a float: thirds by division with a rest, other skews as fractions of 2³².
 #[inline(always)]
-fn floor(x: f64) -> i64 {
-    let truncated = x as i64;
-    truncated - i64::from(x < truncated as f64)
+fn skewed<S: Lanes, const N: usize>(s: S, sum: S::U) -> (S::U, S::F) {
+    let product = s.real(sum) * s.float(SKEW[N - 1]);
+    if N == 3 {
+        let whole = s.integer(s.floor(product));
+        (whole, s.real(sum - (whole + whole + whole)) * s.float(SKEW[N - 1]))
+    } else {
+        let rest = s.real(sum * s.word(SKEW_BITS[N - 1])) * s.float(1.0 / 4_294_967_296.0);
+        (s.integer(s.floor(product - rest + s.float(0.5))), rest)
+    }
+}
+
+#[inline(always)]
+fn first_corner<S: Lanes, const N: usize>(s: S, p: [S::F; N]) -> Corner<S, N> {
+    let (one, zero) = (s.float(1.0), s.float(0.0));
+    let mut corner = Corner { cell: [s.word(0); N], d: p, rank: [zero; N] };
+    for axis in 0..N {
+        (corner.cell[axis], corner.d[axis]) = cell(s, p[axis]);
+    }
+    if N == 1 {
+        return corner;
+    }
+    let (mut cells, mut places) = (corner.cell[0], corner.d[0]);
+    for axis in 1..N {
+        cells = cells + corner.cell[axis];
+        places = places + corner.d[axis];
+    }
+    let (whole, rest) = skewed::<S, N>(s, cells);
+    let shift = rest + s.float(SKEW[N - 1]) * places;
+    let mut sum = zero;
+    for axis in 0..N {
+        let floor = s.floor(corner.d[axis] + shift);
+        corner.cell[axis] = corner.cell[axis] + whole + s.integer(floor);
+        corner.d[axis] = corner.d[axis] - floor;
+        sum = sum + floor;
+    }
+    let back = sum * s.float(UNSKEW[N - 1]) + rest * s.float(1.0 - N as f32 * UNSKEW[N - 1]);
+    for axis in 0..N {
+        corner.d[axis] = corner.d[axis] + back;
+    }
+    for axis in 1..N {
+        for before in 0..axis {
+            let ahead = s.select(s.less(corner.d[axis], corner.d[before]), one, zero);
+            corner.rank[before] = corner.rank[before] + ahead;
+            corner.rank[axis] = corner.rank[axis] + (one - ahead);
+        }
+    }
+    corner
+}
+
+/// One term of the sum: t = max(0, r² − |d|²), d, g and g·d.
+struct Term<S: Lanes, const N: usize> {
+    t: S::F,
+    d: [S::F; N],
+    g: [S::F; N],
+    slope: S::F,
+}
+
+impl<L: Lattice> Simplex<L> {
+    /// The terms of the lattice for the first corner and for one step along each axis.
+    #[inline(always)]
+    fn terms<S: Lanes, const N: usize>(&self, s: S, corner: &Corner<S, N>) -> [[S::U; 2]; N] {
+        let mut terms = [[corner.cell[0]; 2]; N];
+        for axis in 0..N {
+            terms[axis] = self.lattice.terms(s, axis, corner.cell[axis]);
+        }
+        terms
+    }
+
+    /// The term of the corner that is k steps from the first.
+    #[inline(always)]
+    fn term<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        corner: &Corner<S, N>,
+        terms: &[[S::U; 2]; N],
+        k: usize,
+        seed: u32,
+    ) -> Term<S, N> {
+        let (mut words, mut d) = ([terms[0][0]; N], corner.d);
+        let back = s.float(k as f32 * UNSKEW[N - 1]);
+        let stepped = s.float(k as f32 * UNSKEW[N - 1] - 1.0);
+        for axis in 0..N {
+            let [low, high] = terms[axis];
+            if k == 0 {
+                words[axis] = low;
+            } else if k == N {
+                words[axis] = high;
+                d[axis] = d[axis] + stepped;
+            } else {
+                // From corner to corner one steps along the axes in descending order of the ranks.
+                let ahead = s.less(s.float((N - k) as f32 - 0.5), corner.rank[axis]);
+                words[axis] = s.select_word(ahead, high, low);
+                d[axis] = d[axis] + s.select(ahead, stepped, back);
+            }
+        }
+        let maximum = MAXIMA[N - 1][usize::from(self.kernel == Radius::Wide)];
+        let g: [S::F; N] = edge_direction(s, self.lattice.words(s, words, seed), MARGIN / maximum);
+        let (mut square, mut slope) = (d[0] * d[0], g[0] * d[0]);
+        for axis in 1..N {
+            square = square + d[axis] * d[axis];
+            slope = slope + g[axis] * d[axis];
+        }
+        Term { t: s.positive(s.float(self.radius_squared()) - square), d, g, slope }
+    }
+}
+
+impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
+        let corner = first_corner(s, p);
+        let terms = self.terms(s, &corner);
+        let mut value = s.float(0.0);
+        for k in 0..=N {
+            let Term { t, slope, .. } = self.term(s, &corner, &terms, k, seed);
+            let t2 = t * t;
+            value = value + t2 * t2 * slope;
+        }
+        value
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        let corner = first_corner(s, p);
+        let terms = self.terms(s, &corner);
+        let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
+        for k in 0..=N {
+            let Term { t, d, g, slope } = self.term(s, &corner, &terms, k, seed);
+            let t2 = t * t;
+            let t4 = t2 * t2;
+            value = value + t4 * slope;
+            let pull = s.float(8.0) * (t2 * t) * slope;
+            for axis in 0..N {
+                gradient[axis] = gradient[axis] + (g[axis] * t4 - d[axis] * pull);
+            }
+        }
+        (value, gradient)
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        match (N, self.kernel) {
+            (1, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_1,
+            (1, Radius::Wide) => &tables::SIMPLEX_WIDE_1,
+            (2, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_2,
+            (2, Radius::Wide) => &tables::SIMPLEX_WIDE_2,
+            (3, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_3,
+            (3, Radius::Wide) => &tables::SIMPLEX_WIDE_3,
+            (_, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_4,
+            (_, Radius::Wide) => &tables::SIMPLEX_WIDE_4,
+        }
+    }
 }

@@ -28,7 +28,7 @@ fn rules(c: &mut Criterion) {
 }
 
 fn fields(c: &mut Criterion) {
-    let gaussian = GaussianOctaves::<Vec3>::new(Spectrum::default(), 1);
+    let gaussian = GaussianOctaves::<3>::new(Spectrum::default(), 1);
     let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).expect("a distribution");
     let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
     for (name, field) in fields {

@@ -52,13 +52,13 @@ pub trait GaussianField {
 /// use asperity_shading::{Coordinates, GaussianField, glam::Vec3};
 /// use asperity_shading::noise::{GaussianOctaves, Spectrum};
 ///
-/// let field = GaussianOctaves::<Vec3>::new(Spectrum::default(), 7);
+/// let field = GaussianOctaves::<3>::new(Spectrum::default(), 7);
 /// let p = Vec3::new(0.3, 1.7, -2.2);
 /// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
 /// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
 /// ```
-impl GaussianField for GaussianOctaves<Vec3> {
+impl GaussianField for GaussianOctaves<3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let [x, y] = self.pair(p, octaves);
         Coordinates {
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn every_point_and_count_gives_finite_coordinates() {
-        let field = GaussianOctaves::<Vec3>::new(Spectrum::default(), 1);
+        let field = GaussianOctaves::<3>::new(Spectrum::default(), 1);
         for octaves in [f32::NAN, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
             for p in
                 [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::splat(-1e30), Vec3::new(0.5, f32::NAN, 2.0)]

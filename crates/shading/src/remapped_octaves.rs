@@ -1,7 +1,7 @@
 //! Classic lattice noise as Gaussian coordinates, through its measured distribution.
 
 use asperity_ndf_sampling::{NoiseCdf, NoiseCdfError};
-use asperity_noise::{Noise, Normalisation, Octaves, Spectrum};
+use asperity_noise::{Kernel, Normalisation, Octaves, Spectrum};
 use glam::{Vec2, Vec3};
 
 use crate::{Coordinates, GaussianField};
@@ -37,17 +37,17 @@ const SECOND: u32 = 0x9E37_79B9;
 /// # Ok::<(), asperity_shading::ndf_sampling::NoiseCdfError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RemappedOctaves<N> {
-    channels: [Octaves<N, Vec3>; 2],
+pub struct RemappedOctaves<K> {
+    channels: [Octaves<K, 3>; 2],
     cdf: NoiseCdf<'static>,
 }
 
-impl<N: Noise<Vec3> + Clone> RemappedOctaves<N> {
+impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     /// The pair of sums of octaves of `noise` that `seed` selects.
     ///
     /// # Errors
     /// [`NoiseCdfError`] where the noise's measured distribution is none; those of `asperity-noise` are.
-    pub fn new(noise: N, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
+    pub fn new(noise: K, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
         let cdf = NoiseCdf::new(RANGE, noise.statistics().cdf)?;
         let first = Octaves::new(noise.clone(), spectrum, Normalisation::Variance, seed);
         let second = Octaves::new(noise, spectrum, Normalisation::Variance, seed.wrapping_add(SECOND));
@@ -62,15 +62,14 @@ impl<N: Noise<Vec3> + Clone> RemappedOctaves<N> {
     }
 }
 
-impl<N: Noise<Vec3> + Clone> GaussianField for RemappedOctaves<N> {
+impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let spectrum = self.spectrum();
         let fade = spectrum.weight(octaves, 0);
         if fade == 0.0 {
             return Coordinates::FAR;
         }
-        let [x, y] =
-            self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.sample(p, octaves).value));
+        let [x, y] = self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.value(p, octaves)));
         Coordinates { z: Vec2::new(x, y), share: spectrum.share(octaves), fade }
     }
 

@@ -21,7 +21,7 @@ pub(crate) enum NoiseKind {
 pub(crate) enum Field {
     /// No octave at all: the surface is seen from afar at every distance.
     Flat,
-    Gaussian(GaussianOctaves<Vec3>),
+    Gaussian(GaussianOctaves<3>),
     Perlin2002(RemappedOctaves<Perlin2002>),
     Simplex(RemappedOctaves<Simplex>),
 }

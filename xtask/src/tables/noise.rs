@@ -1,9 +1,8 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
 
 use asperity_noise::{
-    Gaussian, Lattice, Noise, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics,
-    gaussian_variates_3,
-    glam::{Vec2, Vec3},
+    Gaussian, IntegerHash, Kernel, Lattice, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics,
+    gaussian_corner,
 };
 use serde_json::{Map, json};
 
@@ -16,8 +15,12 @@ const SIDE: i32 = 128;
 pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
     let permutation = PermutationTable::new(seed);
     let points = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
-    let variates: Vec<[f32; 4]> =
-        points.map(|(x, y)| gaussian_variates_3(asperity_noise::IntegerHash.hash3(x, y, 0, seed))).collect();
+    let variates: Vec<[f32; 4]> = points
+        .map(|(x, y)| {
+            let [(value, [gx, gy, gz]), _] = gaussian_corner(IntegerHash.word([x, y, 0], seed));
+            [value, gx, gy, gz]
+        })
+        .collect();
     let side = SIDE as usize;
     let files = vec![
         ("permutation.npy".into(), npy(&[256], permutation.entries())),
@@ -38,18 +41,12 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
 }
 
 pub(super) fn distributions() -> Result<Made, Failure> {
-    let mut kinds: Vec<(&str, &'static Statistics)> = Vec::new();
-    macro_rules! both {
-        ($noise:expr, $name2:literal, $name3:literal) => {
-            kinds.push(($name2, Noise::<Vec2>::statistics(&$noise)));
-            kinds.push(($name3, Noise::<Vec3>::statistics(&$noise)));
-        };
-    }
-    both!(Perlin1985::default(), "perlin_1985_2d", "perlin_1985_3d");
-    both!(Perlin2002::default(), "perlin_2002_2d", "perlin_2002_3d");
-    both!(Simplex::CONTINUOUS, "simplex_continuous_2d", "simplex_continuous_3d");
-    both!(Simplex::WIDE, "simplex_wide_2d", "simplex_wide_3d");
-    both!(Gaussian::default(), "gaussian_2d", "gaussian_3d");
+    let mut kinds = Vec::new();
+    in_every_dimension(&mut kinds, "perlin_1985", &Perlin1985::default());
+    in_every_dimension(&mut kinds, "perlin_2002", &Perlin2002::default());
+    in_every_dimension(&mut kinds, "simplex_continuous", &Simplex::CONTINUOUS);
+    in_every_dimension(&mut kinds, "simplex_wide", &Simplex::WIDE);
+    in_every_dimension(&mut kinds, "gaussian", &Gaussian::default());
     let mut statistics = Map::new();
     let mut files = Vec::new();
     for (name, kind) in &kinds {
@@ -59,7 +56,7 @@ pub(super) fn distributions() -> Result<Made, Failure> {
             "excess_kurtosis": kind.excess_kurtosis,
             "range": kind.range,
         });
-        statistics.insert((*name).into(), numbers);
+        statistics.insert(name.clone(), numbers);
     }
     Ok(Made {
         text: "G of each kind, measured over eight octaves with gain 0.5 and unit variance, at equal steps over ±4 standard \
@@ -72,8 +69,19 @@ pub(super) fn distributions() -> Result<Made, Failure> {
     })
 }
 
+/// The statistics of a kind, named after it and its dimension.
+fn in_every_dimension<K>(kinds: &mut Vec<(String, &'static Statistics)>, name: &str, noise: &K)
+where
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+{
+    kinds.push((format!("{name}_1d"), Kernel::<1>::statistics(noise)));
+    kinds.push((format!("{name}_2d"), Kernel::<2>::statistics(noise)));
+    kinds.push((format!("{name}_3d"), Kernel::<3>::statistics(noise)));
+    kinds.push((format!("{name}_4d"), Kernel::<4>::statistics(noise)));
+}
+
 /// The density of each kind as a band of colour.
-fn slopes(kinds: &[(&str, &'static Statistics)]) -> Image {
+fn slopes(kinds: &[(String, &'static Statistics)]) -> Image {
     Image::from_fn(256, 256, |x, y| {
         let Some((_, kind)) = kinds.get(y as usize * kinds.len() / 256) else { return ember(0.0) };
         let cells = kind.cdf.len().saturating_sub(1);

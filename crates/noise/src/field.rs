@@ -1,0 +1,172 @@
+//! What a batch evaluates: a noise with its seed, or a sum of octaves with its number of octaves.
+
+use crate::{
+    columns::Stretch,
+    kernel::{Kernel, LaneSample, Row, samples, values},
+    lanes::Lanes,
+    scratch::Scratch,
+};
+
+/// A function of points in N dimensions that [`Batch`](crate::Batch) can fill grids and lists of points with.
+///
+/// Sealed in effect: its methods work in lanes, which only this crate can make.
+pub trait Field<const N: usize> {
+    /// The values at any points.
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F;
+
+    /// Values and gradients at any points.
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N>;
+
+    /// How many times a grid is gone through; every pass but the first adds to the values.
+    #[inline(always)]
+    fn passes(&self) -> usize {
+        1
+    }
+
+    /// The values along a row in one of the passes.
+    #[inline(always)]
+    fn pass_values<S: Lanes>(
+        &self,
+        s: S,
+        _pass: usize,
+        row: &Row<N, false>,
+        scratch: &mut Scratch<N>,
+        values: &mut [f32],
+    ) {
+        self.row_values(s, row, scratch, values);
+    }
+
+    /// Values and gradients along a row in one of the passes, `gradients` as long as `values` or longer.
+    #[inline(always)]
+    fn pass_samples<S: Lanes>(
+        &self,
+        s: S,
+        _pass: usize,
+        row: &Row<N, false>,
+        scratch: &mut Scratch<N>,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        self.row_samples(s, row, scratch, values, gradients);
+    }
+
+    /// The values along a row.
+    #[inline(always)]
+    fn row_values<S: Lanes>(&self, s: S, row: &Row<N, false>, _scratch: &mut Scratch<N>, values: &mut [f32]) {
+        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
+            let value = self.lane_values(s, row.points(s, chunk * S::LEN));
+            s.store(value, out);
+        }
+    }
+
+    /// Values and gradients along a row, `gradients` as long as `values` or longer.
+    #[inline(always)]
+    fn row_samples<S: Lanes>(
+        &self,
+        s: S,
+        row: &Row<N, false>,
+        _scratch: &mut Scratch<N>,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
+            let start = chunk * S::LEN;
+            let (value, gradient) = self.lane_samples(s, row.points(s, start));
+            s.store(value, out);
+            for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
+                s.store(component, out.get_mut(start..).unwrap_or_default());
+            }
+        }
+    }
+}
+
+/// A kind of noise with its seed.
+///
+/// ```
+/// use asperity_noise::{Batch, Grid, Perlin2002, Seeded, glam::Vec2};
+///
+/// let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.1), size: [8, 4] };
+/// let mut values = [0.0; 32];
+/// Batch::new().fill_grid(&Seeded(Perlin2002::default(), 7), &grid, &mut values)?;
+/// # Ok::<(), asperity_noise::BatchError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Seeded<K>(
+    /// The kind.
+    pub K,
+    /// The seed.
+    pub u32,
+);
+
+impl<K: Kernel<N>, const N: usize> Field<N> for Seeded<K> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
+        values(&self.0, s, p, self.1)
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
+        samples(&self.0, s, p, self.1)
+    }
+
+    #[inline(always)]
+    fn row_values<S: Lanes>(&self, s: S, row: &Row<N, false>, scratch: &mut Scratch<N>, out: &mut [f32]) {
+        row_values(&self.0, s, row, self.1, &mut scratch.columns, out);
+    }
+
+    #[inline(always)]
+    fn row_samples<S: Lanes>(
+        &self,
+        s: S,
+        row: &Row<N, false>,
+        scratch: &mut Scratch<N>,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        row_samples(&self.0, s, row, self.1, &mut scratch.columns, values, gradients);
+    }
+}
+
+/// The values along any row.
+#[inline(always)]
+pub(crate) fn row_values<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: bool>(
+    kernel: &K,
+    s: S,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    columns: &mut Stretch<N>,
+    out: &mut [f32],
+) {
+    if row.has_cells(out.len()) {
+        kernel.row_values(s, row, seed, columns, out);
+        return;
+    }
+    for (chunk, out) in out.chunks_mut(S::LEN).enumerate() {
+        s.store(values(kernel, s, row.points(s, chunk * S::LEN), seed), out);
+    }
+}
+
+/// Values and gradients along any row.
+#[inline(always)]
+pub(crate) fn row_samples<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: bool>(
+    kernel: &K,
+    s: S,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    columns: &mut Stretch<N>,
+    values: &mut [f32],
+    gradients: &mut [&mut [f32]; N],
+) {
+    if row.has_cells(values.len()) {
+        kernel.row_samples(s, row, seed, columns, values, gradients);
+        return;
+    }
+    for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
+        let start = chunk * S::LEN;
+        let (value, gradient) = samples(kernel, s, row.points(s, start), seed);
+        s.store(value, out);
+        for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
+            s.store(component, out.get_mut(start..).unwrap_or_default());
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! A kind of noise as lanes see it: what each kind implements once, and single points and batches share.
+
+use crate::{
+    columns::Stretch,
+    lanes::{Lanes, Scalar},
+    lattice::{has_cells, wrapped},
+    statistics::Statistics,
+};
+
+/// A value in lanes, and its gradient.
+pub type LaneSample<S, const N: usize> = (<S as Lanes>::F, [<S as Lanes>::F; N]);
+
+/// A kind of noise in N dimensions, written over [`Lanes`].
+///
+/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits.
+pub trait Kernel<const N: usize> {
+    /// The values at points.
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F;
+
+    /// Values and gradients at points.
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
+
+    /// The values along a row. What does not change along it may be computed once.
+    #[inline(always)]
+    fn row_values<S: Lanes, const SCALED: bool>(
+        &self,
+        s: S,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        _columns: &mut Stretch<N>,
+        values: &mut [f32],
+    ) {
+        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
+            let value = self.lane_values(s, row.points(s, chunk * S::LEN), seed);
+            s.store(value, out);
+        }
+    }
+
+    /// Values and gradients along a row, `gradients` as long as `values` or longer.
+    #[inline(always)]
+    fn row_samples<S: Lanes, const SCALED: bool>(
+        &self,
+        s: S,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        _columns: &mut Stretch<N>,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
+            let start = chunk * S::LEN;
+            let (value, gradient) = self.lane_samples(s, row.points(s, start), seed);
+            s.store(value, out);
+            for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
+                s.store(component, out.get_mut(start..).unwrap_or_default());
+            }
+        }
+    }
+
+    /// The measured statistics of the kind in this dimension.
+    fn statistics(&self) -> &'static Statistics;
+}
+
+/// Points at equal steps along the first axis: xᵢ = x₀ + step·i; if `SCALED`, frequency·(x₀ + step·i) + offset.
+///
+/// Every operation is rounded, as where the points are computed one by one.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<const N: usize, const SCALED: bool> {
+    /// x₀ and the other coordinates, which are those of all points.
+    origin: [f32; N],
+    step: f32,
+    /// The index of the first point.
+    start: usize,
+    frequency: f32,
+    offset: f32,
+}
+
+impl<const N: usize> Row<N, false> {
+    #[inline(always)]
+    pub(crate) fn new(origin: [f32; N], step: f32, start: usize) -> Self {
+        // −0 + 0 = 0, so that no point's first coordinate is −0.
+        Self { origin: origin.map(|x| x + 0.0), step, start, frequency: 1.0, offset: 0.0 }
+    }
+
+    /// The row in the coordinates of an octave; the offset must not be −0.
+    #[inline(always)]
+    pub(crate) fn scaled(&self, frequency: [f32; N], offset: [f32; N]) -> Row<N, true> {
+        let mut origin = self.origin;
+        for axis in 1..N {
+            origin[axis] = frequency[axis] * self.origin[axis] + offset[axis];
+        }
+        Row { origin, step: self.step, start: self.start, frequency: frequency[0], offset: offset[0] }
+    }
+}
+
+impl<const N: usize, const SCALED: bool> Row<N, SCALED> {
+    /// The row from point `start` on.
+    #[inline(always)]
+    pub(crate) fn after(&self, start: usize) -> Self {
+        Self { start: self.start + start, ..*self }
+    }
+
+    /// What the first coordinates depend on.
+    #[inline(always)]
+    pub(crate) fn key(&self) -> RowKey {
+        let x = [self.origin[0], self.step, self.frequency, self.offset];
+        RowKey { x: x.map(f32::to_bits), start: self.start, scaled: SCALED }
+    }
+
+    /// The first coordinate of point i.
+    #[inline(always)]
+    pub(crate) fn x(&self, i: usize) -> f32 {
+        let x = self.origin[0] + self.step * ((self.start + i) as i32 as f32);
+        if SCALED { self.frequency * x + self.offset } else { x }
+    }
+
+    /// The first coordinates of as many points as there are lanes, from point i on.
+    #[inline(always)]
+    pub(crate) fn xs<S: Lanes>(&self, s: S, i: usize) -> S::F {
+        let index = s.word((self.start + i) as u32) + s.iota();
+        let x = s.float(self.origin[0]) + s.float(self.step) * s.real(index);
+        if SCALED { s.float(self.frequency) * x + s.float(self.offset) } else { x }
+    }
+
+    /// As many points as there are lanes, from point i on.
+    #[inline(always)]
+    pub(crate) fn points<S: Lanes>(&self, s: S, i: usize) -> [S::F; N] {
+        let mut p = [self.xs(s, i); N];
+        for axis in 1..N {
+            p[axis] = s.float(self.origin[axis]);
+        }
+        p
+    }
+
+    /// The coordinates of the first point; the first one is of no meaning in a scaled row.
+    #[inline(always)]
+    pub(crate) fn origin(&self) -> [f32; N] {
+        self.origin
+    }
+
+    /// How far apart points are, but for rounding.
+    #[inline(always)]
+    pub(crate) fn stride(&self) -> f32 {
+        if SCALED { self.frequency * self.step } else { self.step }
+    }
+
+    /// Whether all of `count` points have cells.
+    #[inline(always)]
+    pub(crate) fn has_cells(&self, count: usize) -> bool {
+        [0, count].into_iter().all(|i| {
+            let mut p = self.origin;
+            p[0] = self.x(i);
+            has_cells(Scalar, &p)
+        })
+    }
+}
+
+/// What the first coordinates of a row depend on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct RowKey {
+    x: [u32; 4],
+    start: usize,
+    scaled: bool,
+}
+
+/// The values at any points.
+#[inline(always)]
+pub(crate) fn values<K: Kernel<N>, S: Lanes, const N: usize>(
+    kernel: &K,
+    s: S,
+    p: [S::F; N],
+    seed: u32,
+) -> S::F {
+    if has_cells(s, &p) {
+        kernel.lane_values(s, p, seed)
+    } else {
+        s.floats(|lane| far_value(kernel, p.map(|x| s.lane(x, lane)), seed))
+    }
+}
+
+/// Values and gradients at any points.
+#[inline(always)]
+pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
+    kernel: &K,
+    s: S,
+    p: [S::F; N],
+    seed: u32,
+) -> LaneSample<S, N> {
+    if has_cells(s, &p) {
+        return kernel.lane_samples(s, p, seed);
+    }
+    let at = |lane: usize| far_sample(kernel, p.map(|x| s.lane(x, lane)), seed);
+    let mut axis = 0;
+    let gradient = [(); N].map(|()| {
+        axis += 1;
+        s.floats(|lane| at(lane).1[axis - 1])
+    });
+    (s.floats(|lane| at(lane).0), gradient)
+}
+
+#[cold]
+#[inline(never)]
+fn far_value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
+    wrapped(p).map_or(0.0, |p| kernel.lane_values(Scalar, p, seed))
+}
+
+#[cold]
+#[inline(never)]
+fn far_sample<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> (f32, [f32; N]) {
+    wrapped(p).map_or((0.0, [0.0; N]), |p| kernel.lane_samples(Scalar, p, seed))
+}

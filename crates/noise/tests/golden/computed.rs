@@ -1,0 +1,168 @@
+//! What the golden bits are bits of: every kind and sum in every dimension. Needs neither std nor an allocator.
+
+use asperity_noise::{
+    Gaussian, GaussianOctaves, IntegerHash, Kernel, Lattice, Noise, Normalisation, Octaves, Perlin1985,
+    Perlin2002, PermutationTable, Point, Rotation, Sample, Simplex, Spectrum, edge_gradient, gaussian_corner,
+    glam::{Vec2, Vec3, Vec4},
+    unit_gradient,
+};
+
+/// The bits of one thing: of its sample at [`POINT`], and a digest of those at many points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Golden {
+    pub(crate) dimension: usize,
+    /// Value and gradient; 0 where there is no such axis.
+    pub(crate) sample: [u32; 5],
+    pub(crate) digest: u32,
+}
+
+/// The point whose sample is written out.
+const POINT: [f32; 4] = [-3.7, 12.3, 0.45, 7.1];
+/// Points of a digest.
+const POINTS: u32 = 96;
+
+/// The FNV-1a hash of words (Fowler, Noll, Vo), by whole words.
+fn digest(hash: u32, bits: u32) -> u32 {
+    (hash ^ bits).wrapping_mul(0x0100_0193)
+}
+
+const START: u32 = 0x811c_9dc5;
+
+/// Point `i` of a digest: near the origin, at lattice points, far out, and beyond where cells are.
+fn point<const N: usize>(i: u32) -> [f32; N] {
+    let mut state = i.wrapping_mul(0x9e37_79b9);
+    [(); N].map(|()| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let x = (state >> 8) as f32 / 16_777_216.0 - 0.5;
+        match i % 12 {
+            0..=7 => x * 32.0,
+            8 => (x * 32.0) as i32 as f32,
+            9 => x * 200_000.0,
+            10 => x * 6e9,
+            _ => -0.0,
+        }
+    })
+}
+
+/// The golden bits of a field of points `V`.
+fn golden<V: Point<N>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden {
+    let bits = |p: [f32; N]| {
+        let sample = field(V::from_coordinates(p));
+        let mut bits = [sample.value.to_bits(), 0, 0, 0, 0];
+        for (to, x) in bits[1..].iter_mut().zip(sample.gradient.coordinates()) {
+            *to = x.to_bits();
+        }
+        bits
+    };
+    let mut hash = START;
+    for i in 0..POINTS {
+        hash = bits(point::<N>(i)).into_iter().fold(hash, digest);
+    }
+    let mut p = [0.0; N];
+    p.copy_from_slice(&POINT[..N]);
+    Golden { dimension: N, sample: bits(p), digest: hash }
+}
+
+/// A kind in every dimension.
+fn kind<K>(name: &'static str, noise: K, tell: &mut impl FnMut(&'static str, Golden))
+where
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+{
+    tell(name, golden::<f32, 1>(|p| noise.sample(p, 17)));
+    tell(name, golden::<Vec2, 2>(|p| noise.sample(p, 17)));
+    tell(name, golden::<Vec3, 3>(|p| noise.sample(p, 17)));
+    tell(name, golden::<Vec4, 4>(|p| noise.sample(p, 17)));
+}
+
+/// A sum of octaves in every dimension; a sum of unit variance has bits of the shipped statistics.
+fn sum(
+    name: &'static str,
+    normalisation: Normalisation,
+    rotation: Rotation,
+    tell: &mut impl FnMut(&'static str, Golden),
+) {
+    fn octaves<V: Point<N>, const N: usize>(normalisation: Normalisation, rotation: Rotation) -> Golden
+    where
+        Perlin2002: Kernel<N>,
+    {
+        let noise = Octaves::<_, N>::new(Perlin2002::default(), Spectrum::default(), normalisation, 17);
+        let noise = noise.with_rotation(rotation);
+        golden(|p: V| noise.sample(p, 6.5))
+    }
+    tell(name, octaves::<f32, 1>(normalisation, rotation));
+    tell(name, octaves::<Vec2, 2>(normalisation, rotation));
+    tell(name, octaves::<Vec3, 3>(normalisation, rotation));
+    tell(name, octaves::<Vec4, 4>(normalisation, rotation));
+}
+
+fn gaussian_sum<V: Point<N>, const N: usize>(tell: &mut impl FnMut(&'static str, Golden)) {
+    let noise = GaussianOctaves::<N>::new(Spectrum::default(), 17);
+    tell("Gaussian octaves", golden(|p: V| noise.sample(p, 6.5)));
+    tell("Gaussian octaves, second channel", golden(|p: V| noise.pair(p, 6.5)[1]));
+    tell("Gaussian, second channel", golden(|p: V| Gaussian::default().pair(p, 17)[1]));
+    tell("Gaussian, not normalised", golden(|p: V| Gaussian::default().with_variance(p, 17).0));
+    tell("variance of Gaussian", golden(|p: V| Gaussian::default().with_variance(p, 17).1));
+}
+
+/// Tells the golden bits of every kind and sum in every dimension.
+pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
+    let table = PermutationTable::new(17);
+    kind("Perlin 1985", Perlin1985::default(), tell);
+    kind("Perlin 2002", Perlin2002::default(), tell);
+    kind("Perlin 2002 by permutation", Perlin2002(table), tell);
+    kind("simplex", Simplex::CONTINUOUS, tell);
+    kind("wide simplex", Simplex::WIDE, tell);
+    kind("wide simplex by permutation", Simplex::WIDE.with_lattice(table), tell);
+    kind("Gaussian", Gaussian::default(), tell);
+    sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
+    sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
+    sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);
+    gaussian_sum::<f32, 1>(tell);
+    gaussian_sum::<Vec2, 2>(tell);
+    gaussian_sum::<Vec3, 3>(tell);
+    gaussian_sum::<Vec4, 4>(tell);
+}
+
+/// Tells the digests of words, of what is drawn from them, and of the numbers of a spectrum.
+pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
+    let hash = |words: &mut dyn FnMut(i32) -> u32| (0..256).map(words).fold(START, digest);
+    let cell = |i: i32| [i % 7 - 3, i / 7 - 18, i * 1_000_003, -i];
+    let table = PermutationTable::new(17);
+    tell("integer hash", hash(&mut |i| IntegerHash.word(cell(i), 17)));
+    tell("integer hash, plane", hash(&mut |i| IntegerHash.word([i - 128, 5 * i], i as u32)));
+    tell("permutation", hash(&mut |i| u32::from(table.entries()[i as usize])));
+    tell("permutation, words", hash(&mut |i| table.word(cell(i), 17)));
+    let word = |i: i32| IntegerHash.word([i], 1);
+    fn drawn(components: impl IntoIterator<Item = f32>) -> u32 {
+        components.into_iter().map(f32::to_bits).fold(START, digest)
+    }
+    tell("unit gradients", hash(&mut |i| drawn(unit_gradient::<2>(word(i)))));
+    tell("unit gradients, 3-D", hash(&mut |i| drawn(unit_gradient::<3>(word(i)))));
+    tell("unit gradients, 4-D", hash(&mut |i| drawn(unit_gradient::<4>(word(i)))));
+    tell("edge gradients", hash(&mut |i| drawn(edge_gradient::<2>(word(i)))));
+    tell("edge gradients, 3-D", hash(&mut |i| drawn(edge_gradient::<3>(word(i)))));
+    tell("edge gradients, 4-D", hash(&mut |i| drawn(edge_gradient::<4>(word(i)))));
+    tell(
+        "Gaussian corners",
+        hash(&mut |i| {
+            let [(a, [ax, ay, az, aw]), (b, [bx, by, bz, bw])] = gaussian_corner::<4>(word(i));
+            drawn([a, ax, ay, az, aw, b, bx, by, bz, bw])
+        }),
+    );
+    let spectrum = Spectrum::default();
+    tell(
+        "spectrum",
+        hash(&mut |i| {
+            let (octave, count) = (i as u32 % 10, i as f32 / 20.0);
+            drawn([
+                spectrum.frequency(octave),
+                spectrum.amplitude(octave),
+                spectrum.weight(count, octave),
+                spectrum.sum_of_amplitudes(count),
+                spectrum.root_sum_of_squares(count),
+                spectrum.share(count),
+                spectrum.kurtosis_ratio(count),
+            ])
+        }),
+    );
+}
