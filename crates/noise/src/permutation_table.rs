@@ -113,7 +113,9 @@ pub enum PermutationTableError {
 impl fmt::Display for PermutationTableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Repeated { entry, position } => write!(f, "the entry {entry} at position {position} is there a second time"),
+            Self::Repeated { entry, position } => {
+                write!(f, "the entry {entry} at position {position} is there a second time")
+            }
         }
     }
 }

@@ -1,0 +1,180 @@
+//! Value-gradient noise: value noise and gradient noise on one lattice, in a chosen proportion.
+
+use core::{error::Error, fmt};
+
+use crate::{
+    cell_noise::{CellNoise, Corner},
+    directions::{uniform, unit_direction},
+    fade::Fade,
+    integer_hash::{IntegerHash, further},
+    lanes::Lanes,
+    lattice::Lattice,
+    statistics::Statistics,
+    statistics_tables as tables,
+};
+
+/// The weighted sum of value noise and gradient noise: neither flat nor 0 at lattice points; C².
+///
+/// ```text
+/// n(p) = Σ_c W_c(p) ((1 − μ) v_c + μ (2/√n) g_c·(p − c)),   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
+/// ```
+///
+/// In 1 to 4 dimensions, v uniform in (−1, 1), g uniform on the circle or sphere and ±1 in 1-D, independent of v. The weight
+/// μ is that of gradient noise: at 0 this is [`Value`](crate::Value) noise with other numbers.
+///
+/// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres.
+/// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
+///
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::Vgnoise) is the
+/// original.
+///
+/// ```
+/// use asperity_noise::{Noise, ValueGradient, glam::Vec3};
+///
+/// let noise = ValueGradient::new(0.6)?;
+/// let sample = noise.sample(Vec3::new(4.0, -1.0, 7.0), 2);
+/// assert!(sample.value != 0.0 && sample.gradient != Vec3::ZERO);
+/// assert!(ValueGradient::new(1.5).is_err());
+/// # Ok::<(), asperity_noise::ValueGradientError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ValueGradient<L = IntegerHash> {
+    weight: f32,
+    lattice: L,
+}
+
+impl ValueGradient {
+    /// The noise with the weight `weight` of gradient noise, and the rest of value noise.
+    ///
+    /// # Errors
+    ///
+    /// If the weight is not in [0, 1].
+    pub const fn new(weight: f32) -> Result<Self, ValueGradientError> {
+        if weight >= 0.0 && weight <= 1.0 {
+            Ok(Self { weight, lattice: IntegerHash })
+        } else {
+            Err(ValueGradientError::WeightOutOfRange(weight))
+        }
+    }
+}
+
+impl Default for ValueGradient {
+    /// Equal weights.
+    fn default() -> Self {
+        Self { weight: 0.5, lattice: IntegerHash }
+    }
+}
+
+impl<L> ValueGradient<L> {
+    /// The same noise on another lattice.
+    #[must_use]
+    pub fn with_lattice<M>(self, lattice: M) -> ValueGradient<M> {
+        ValueGradient { weight: self.weight, lattice }
+    }
+
+    /// μ, the weight of gradient noise.
+    #[must_use]
+    pub const fn weight(&self) -> f32 {
+        self.weight
+    }
+}
+
+/// Keeps rounding from crossing 1.
+const MARGIN: f32 = 1.0 - 2e-6;
+/// 2/√n.
+const SCALE: [f32; 4] = [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
+
+impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
+    type Lattice = L;
+    const HAS_VALUE: bool = true;
+    const HAS_GRADIENT: bool = true;
+    const FADE: Fade = Fade::Quintic;
+
+    #[inline(always)]
+    fn lattice(&self) -> &L {
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
+        Corner {
+            value: uniform(s, further::<S, 6>(s, word)) * s.float(MARGIN * (1.0 - self.weight)),
+            gradient: unit_direction(s, word, SCALE[N - 1] * self.weight),
+        }
+    }
+
+    /// The statistics at equal weights; the variance at others is that of the formula.
+    fn statistics(&self) -> &'static Statistics {
+        match N {
+            1 => &tables::VALUE_GRADIENT_1,
+            2 => &tables::VALUE_GRADIENT_2,
+            3 => &tables::VALUE_GRADIENT_3,
+            _ => &tables::VALUE_GRADIENT_4,
+        }
+    }
+}
+
+/// Why a value-gradient noise was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ValueGradientError {
+    /// The weight is not in [0, 1].
+    WeightOutOfRange(f32),
+}
+
+impl fmt::Display for ValueGradientError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::WeightOutOfRange(weight) => {
+                write!(f, "the weight {weight} of gradient noise is not in [0, 1]")
+            }
+        }
+    }
+}
+
+impl Error for ValueGradientError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::noise::Noise;
+    use glam::{Vec2, Vec3};
+
+    #[test]
+    fn only_weights_are_accepted() {
+        for weight in [-0.0, 0.0, 0.3, 1.0] {
+            assert_eq!(ValueGradient::new(weight).unwrap().weight(), weight);
+        }
+        for weight in [-1e-9, 1.000_001, f32::INFINITY] {
+            assert_eq!(ValueGradient::new(weight), Err(ValueGradientError::WeightOutOfRange(weight)));
+        }
+        assert!(ValueGradient::new(f32::NAN).is_err());
+    }
+
+    #[test]
+    fn the_sum_is_linear_in_the_weight() {
+        let noise = |weight| ValueGradient::new(weight).unwrap();
+        for i in 0..100_i16 {
+            let p = Vec3::new(0.37 * f32::from(i), 3.0 - 0.61 * f32::from(i), 0.23 * f32::from(i));
+            let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).sample(p, 4));
+            assert!((0.75 * value.value + 0.25 * gradient.value - both.value).abs() < 1e-6, "{p}");
+            let sum = 0.75 * value.gradient + 0.25 * gradient.gradient;
+            assert!((sum - both.gradient).length() < 5e-6, "{p}");
+        }
+    }
+
+    #[test]
+    fn parts_alone_are_0_or_flat_at_lattice_points() {
+        let p = Vec2::new(3.0, -2.0);
+        assert_eq!(ValueGradient::new(1.0).unwrap().value(p, 1), 0.0);
+        assert_eq!(ValueGradient::new(0.0).unwrap().sample(p, 1).gradient, Vec2::ZERO);
+    }
+
+    #[test]
+    fn values_stay_in_range() {
+        for i in 0..2000_u16 {
+            let p = Vec2::new(0.5 + f32::from(i), 0.5);
+            assert!(ValueGradient::default().value(p, 1).abs() <= 1.0);
+        }
+    }
+}
