@@ -10,7 +10,7 @@
 use crate::{
     columns::{Stretch, rows},
     fade::Fade,
-    kernel::{Kernel, LaneSample, Row},
+    kernel::{Kernel, LaneSample, Row, gaussian_moments},
     lanes::Lanes,
     lattice::{Lattice, cell},
     span::{Span, lerp},
@@ -40,6 +40,9 @@ pub(crate) trait CellNoise<const N: usize> {
     fn lattice(&self) -> &Self::Lattice;
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
     fn statistics(&self) -> &'static Statistics;
+    fn absolute_moments(&self) -> [f32; 4] {
+        gaussian_moments(self.statistics().standard_deviation)
+    }
 }
 
 /// The blend of the corners at one end of a cell's first axis: A t + B, with ∂A and ∂B along the other axes.
@@ -151,7 +154,12 @@ impl<S: Lanes, const N: usize> Section<S, N> {
 
     /// The blend of two ends along `axis`; the axes before it have been blended.
     #[inline(always)]
-    fn blend<K: CellNoise<N>>(&self, low: Column<S, N>, high: Column<S, N>, axis: usize) -> Column<S, N> {
+    pub(crate) fn blend<K: CellNoise<N>>(
+        &self,
+        low: Column<S, N>,
+        high: Column<S, N>,
+        axis: usize,
+    ) -> Column<S, N> {
         let (w, slope) = (self.weight[axis], self.slope[axis]);
         let mut blend = low;
         blend.b = lerp::<S>(low.b, high.b, w);
@@ -174,25 +182,35 @@ impl<S: Lanes, const N: usize> Section<S, N> {
 }
 
 /// The sum at a point before it is normalised, with what is needed for that.
-struct Point<S: Lanes, const N: usize> {
-    section: Section<S, N>,
-    columns: [Column<S, N>; 2],
-    t: S::F,
+pub(crate) struct Place<S: Lanes, const N: usize> {
+    pub(crate) section: Section<S, N>,
+    pub(crate) columns: [Column<S, N>; 2],
+    pub(crate) t: S::F,
 }
 
-impl<S: Lanes, const N: usize> Point<S, N> {
+impl<S: Lanes, const N: usize> Place<S, N> {
     #[inline(always)]
     fn new<K: CellNoise<N>>(s: S, noise: &K, p: [S::F; N], seed: u32) -> Self {
-        let section = Section::new(s, noise, &p);
-        let (cell, t) = cell(s, p[0]);
-        let [low, high] = noise.lattice().terms(s, 0, cell);
+        let (section, [low, high], t) = Self::section(s, noise, p);
         let columns = [section.column_at(s, noise, low, seed), section.column_at(s, noise, high, seed)];
         Self { section, columns, t }
     }
 
+    /// Where a point lies: all axes but the first, and the terms and the place along the first.
+    #[inline(always)]
+    pub(crate) fn section<K: CellNoise<N>>(
+        s: S,
+        noise: &K,
+        p: [S::F; N],
+    ) -> (Section<S, N>, [S::U; 2], S::F) {
+        let section = Section::new(s, noise, &p);
+        let (cell, t) = cell(s, p[0]);
+        (section, noise.lattice().terms(s, 0, cell), t)
+    }
+
     /// The function of the columns' A and B; along an axis other than the first, of their derivatives.
     #[inline(always)]
-    fn span<K: CellNoise<N>>(&self, axis: usize) -> Span<S> {
+    pub(crate) fn span<K: CellNoise<N>>(&self, axis: usize) -> Span<S> {
         let [low, high] = &self.columns;
         let (low, high) = if axis == 0 {
             ([low.a, low.b], [high.a, high.b])
@@ -200,6 +218,21 @@ impl<S: Lanes, const N: usize> Point<S, N> {
             ([low.da[axis], low.db[axis]], [high.da[axis], high.db[axis]])
         };
         if K::HAS_GRADIENT { Span::new::<true>(low, high) } else { Span::new::<false>(low, high) }
+    }
+
+    /// n and its gradient, and v and its gradient where the noise is normalised.
+    #[inline(always)]
+    pub(crate) fn parts<K: CellNoise<N>>(&self, s: S) -> (LaneSample<S, N>, LaneSample<S, N>) {
+        let (w, slope) = (K::FADE.weight(s, self.t), K::FADE.slope(s, self.t));
+        let span = self.span::<K>(0);
+        let mut gradient = [span.derivative::<K, N>(self.t, w, slope); N];
+        for axis in 1..N {
+            gradient[axis] = self.span::<K>(axis).value::<K, N>(self.t, w);
+        }
+        let value = span.value::<K, N>(self.t, w);
+        let variance = variance(s, &self.section);
+        let axis = axis_variance(s, self.t, w, slope);
+        ((value, gradient), (variance.value(axis), variance.gradient(axis)))
     }
 }
 
@@ -217,17 +250,7 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize>(
     p: [S::F; N],
     seed: u32,
 ) -> (LaneSample<S, N>, LaneSample<S, N>) {
-    let point = Point::new(s, noise, p, seed);
-    let (w, slope) = (K::FADE.weight(s, point.t), K::FADE.slope(s, point.t));
-    let span = point.span::<K>(0);
-    let mut gradient = [span.derivative::<K, N>(point.t, w, slope); N];
-    for axis in 1..N {
-        gradient[axis] = point.span::<K>(axis).value::<K, N>(point.t, w);
-    }
-    let value = span.value::<K, N>(point.t, w);
-    let variance = variance(s, &point.section);
-    let axis = axis_variance(s, point.t, w, slope);
-    ((value, gradient), (variance.value(axis), variance.gradient(axis)))
+    Place::new(s, noise, p, seed).parts::<K>(s)
 }
 
 /// n/√v and its gradient.
@@ -250,14 +273,14 @@ pub(crate) fn normalised<S: Lanes, const N: usize>(
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        let point = Point::new(s, self, p, seed);
-        let w = K::FADE.weight(s, point.t);
-        let value = point.span::<K>(0).value::<K, N>(point.t, w);
+        let place = Place::new(s, self, p, seed);
+        let w = K::FADE.weight(s, place.t);
+        let value = place.span::<K>(0).value::<K, N>(place.t, w);
         if !K::NORMALISED {
             return value;
         }
-        let axis = axis_variance(s, point.t, w, s.float(0.0));
-        value * (s.float(1.0) / s.sqrt(variance(s, &point.section).value(axis)))
+        let axis = axis_variance(s, place.t, w, s.float(0.0));
+        value * (s.float(1.0) / s.sqrt(variance(s, &place.section).value(axis)))
     }
 
     #[inline(always)]
@@ -301,5 +324,9 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
 
     fn statistics(&self) -> &'static Statistics {
         CellNoise::statistics(self)
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        CellNoise::absolute_moments(self)
     }
 }

@@ -3,7 +3,9 @@
 use crate::{
     columns::Stretch,
     kernel::{Kernel, LaneSample, Row, samples, values},
-    lanes::Lanes,
+    lanes::{Lanes, Scalar},
+    point::Point,
+    sample::Sample,
     scratch::Scratch,
 };
 
@@ -16,6 +18,21 @@ pub trait Field<const N: usize> {
 
     /// Values and gradients at any points.
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N>;
+
+    /// Value and gradient at a point.
+    #[must_use]
+    #[inline]
+    fn sample<V: Point<N>>(&self, p: V) -> Sample<V> {
+        let (value, gradient) = self.lane_samples(Scalar, p.coordinates());
+        Sample { value, gradient: V::from_coordinates(gradient) }
+    }
+
+    /// The value at a point, the same bits as [`sample`](Self::sample)'s.
+    #[must_use]
+    #[inline]
+    fn value<V: Point<N>>(&self, p: V) -> f32 {
+        self.lane_values(Scalar, p.coordinates())
+    }
 
     /// How many times a grid is gone through; every pass but the first adds to the values.
     #[inline(always)]

@@ -111,11 +111,24 @@ pub struct FirstGaussianOctaves<'a, const N: usize> {
     factor: f32,
 }
 
+impl<const N: usize> FirstGaussianOctaves<'_, N> {
+    /// The octaves that take part, each with its amplitude.
+    #[inline(always)]
+    pub(crate) fn active(&self) -> impl Iterator<Item = (f32, &Layer<N>)> {
+        self.sum.spectrum.active(self.octaves).zip(&self.sum.layers).map(|((_, a), layer)| (a, layer))
+    }
+
+    #[inline(always)]
+    pub(crate) fn factor(&self) -> f32 {
+        self.factor
+    }
+}
+
 impl<const N: usize> Field<N> for FirstGaussianOctaves<'_, N> {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
         let mut sum = s.float(0.0);
-        for ((_, amplitude), layer) in self.sum.spectrum.active(self.octaves).zip(&self.sum.layers) {
+        for (amplitude, layer) in self.active() {
             let value = values(&Gaussian::default(), s, layer.points(s, p), layer.seed);
             sum = sum + s.float(amplitude) * value;
         }
@@ -125,7 +138,7 @@ impl<const N: usize> Field<N> for FirstGaussianOctaves<'_, N> {
     #[inline(always)]
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
         let mut sum = (s.float(0.0), [s.float(0.0); N]);
-        for ((_, amplitude), layer) in self.sum.spectrum.active(self.octaves).zip(&self.sum.layers) {
+        for (amplitude, layer) in self.active() {
             let sample = samples(&Gaussian::default(), s, layer.points(s, p), layer.seed);
             layer.accumulate(s, &mut sum, s.float(amplitude), sample);
         }

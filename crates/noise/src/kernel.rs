@@ -59,6 +59,14 @@ pub trait Kernel<const N: usize> {
 
     /// The measured statistics of the kind in this dimension.
     fn statistics(&self) -> &'static Statistics;
+
+    /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
+    ///
+    /// Measured for the kinds of this crate. The default is that of N(0, σ²), σ being the measured standard deviation: √(2/π) σ,
+    /// σ², 2√(2/π) σ³ and 3σ⁴.
+    fn absolute_moments(&self) -> [f32; 4] {
+        gaussian_moments(self.statistics().standard_deviation)
+    }
 }
 
 /// Points at equal steps along the first axis: xᵢ = x₀ + step·i; if `SCALED`, frequency·(x₀ + step·i) + offset.
@@ -161,6 +169,13 @@ pub(crate) struct RowKey {
     x: [u32; 4],
     start: usize,
     scaled: bool,
+}
+
+/// E|n|ᵏ of N(0, σ²), k = 1 … 4.
+pub(crate) fn gaussian_moments(sigma: f32) -> [f32; 4] {
+    const FIRST: f32 = 0.797_884_56;
+    let square = sigma * sigma;
+    [FIRST * sigma, square, 2.0 * FIRST * (square * sigma), 3.0 * (square * square)]
 }
 
 /// The values at any points.

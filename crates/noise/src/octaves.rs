@@ -2,12 +2,14 @@
 
 use crate::{
     field::{Field, row_samples, row_values},
+    footprint::removed_share,
     kernel::{Kernel, LaneSample, Row, samples, values},
     lanes::{Lanes, Scalar},
     layer::{Layer, Rotation},
     point::Point,
     sample::Sample,
     scratch::{STRETCH, Scratch},
+    shape::{Shape, Signed},
     spectrum::{MAX_OCTAVES, Spectrum},
 };
 
@@ -17,20 +19,23 @@ pub enum Normalisation {
     /// Σ wᵢ aᵢ: the sum stays in [−1, 1]. Its variance shrinks as octaves are added.
     Range,
     /// σ₁ √Σ (wᵢ aᵢ)²: the sum has variance 1 for every number of octaves, and no bound of 1.
+    ///
+    /// With a [`Shape`] whose mean is not 0 the mean is taken away first, so that the sum has mean 0.
     #[default]
     Variance,
 }
 
-/// A sum of octaves of one kind of noise: fractional Brownian motion.
+/// A sum of octaves of one kind of noise: fractional Brownian motion, and with another [`Shape`] turbulence and its like.
 ///
 /// ```text
-/// n(p) = Σ wᵢ aᵢ nᵢ(fᵢ Rᵢ p + oᵢ) / N
+/// n(p) = Σ wᵢ aᵢ φ(nᵢ(fᵢ Rᵢ p + oᵢ)) / N
 /// ```
 ///
 /// with the weights, amplitudes and frequencies of a [`Spectrum`], N by [`Normalisation`], and an own seed, offset oᵢ and
-/// rotation Rᵢ for every octave, so that octaves, and sums of different seeds, do not share lattice points.
+/// rotation Rᵢ for every octave, so that octaves, and sums of different seeds, do not share lattice points. φ is the
+/// identity until [`with_shape`](Self::with_shape) gives another.
 /// No octaves give 0. As `octaves` → 0⁺ the first octave stays as it is, because it is normalised: fade it by
-/// [`Spectrum::share`]. An octave whose coordinates overflow adds 0.
+/// [`Spectrum::share`]. An octave whose coordinates overflow adds φ(0).
 ///
 /// Nilsson 2008, "Procedural Generation of Natural Variations"; lacunarity after Ebert (ed.) 1994.
 ///
@@ -42,13 +47,14 @@ pub enum Normalisation {
 /// assert!(sample.value.abs() <= 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Octaves<K, const N: usize> {
+pub struct Octaves<K, const N: usize, T = Signed> {
     noise: K,
     spectrum: Spectrum,
     normalisation: Normalisation,
     rotation: Rotation,
     seed: u32,
     layers: [Layer<N>; MAX_OCTAVES as usize],
+    shape: T,
 }
 
 impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
@@ -57,13 +63,28 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     pub fn new(noise: K, spectrum: Spectrum, normalisation: Normalisation, seed: u32) -> Self {
         let rotation = Rotation::Random;
         let layers = Layer::all(&spectrum, rotation, seed);
-        Self { noise, spectrum, normalisation, rotation, seed, layers }
+        Self { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }
     }
 
+    /// The excess kurtosis of the sum, from the measured one of the kind.
+    #[must_use]
+    pub fn excess_kurtosis(&self, octaves: f32) -> f32 {
+        self.noise.statistics().excess_kurtosis * self.spectrum.kurtosis_ratio(octaves)
+    }
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// The same sum with octaves that are rotated or not.
     #[must_use]
     pub fn with_rotation(self, rotation: Rotation) -> Self {
         Self { rotation, layers: Layer::all(&self.spectrum, rotation, self.seed), ..self }
+    }
+
+    /// The same octaves in another shape: [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma) and others.
+    #[must_use]
+    pub fn with_shape<U: Shape>(self, shape: U) -> Octaves<K, N, U> {
+        let Self { noise, spectrum, normalisation, rotation, seed, layers, .. } = self;
+        Octaves { noise, spectrum, normalisation, rotation, seed, layers, shape }
     }
 
     /// The spectrum of the sum.
@@ -93,26 +114,47 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
         self.first(octaves).lane_values(Scalar, p.coordinates())
     }
 
-    /// The sum of the first `octaves` octaves, for a [`Batch`](crate::Batch).
+    /// The sum of the first `octaves` octaves, for a [`Batch`](crate::Batch) or to be clamped to a footprint.
     #[must_use]
-    pub fn first(&self, octaves: f32) -> FirstOctaves<'_, K, N> {
+    #[inline]
+    pub fn first(&self, octaves: f32) -> FirstOctaves<'_, K, N, T> {
         let octaves = lone_whole(octaves);
-        FirstOctaves { sum: self, octaves, factor: self.factor(octaves) }
+        let mut amplitudes = [0.0; MAX_OCTAVES as usize];
+        let mut count = 0;
+        for (amplitude, (_, weighted)) in amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
+            *amplitude = weighted;
+            count += 1;
+        }
+        let mean = match self.normalisation {
+            Normalisation::Range => 0.0,
+            Normalisation::Variance => self.moments()[0],
+        };
+        // From 0, so that shapes of mean 0 start from 0 and not from −0.
+        let constant = amplitudes.iter().fold(0.0, |sum, amplitude| sum - mean * amplitude);
+        FirstOctaves { sum: self, amplitudes, count, constant: constant + 0.0, factor: self.factor(octaves) }
+    }
+
+    /// The measured mean of the sum: that of the shape under [`Normalisation::Range`], else 0; 0 without octaves.
+    #[must_use]
+    pub fn mean(&self, octaves: f32) -> f32 {
+        match self.normalisation {
+            Normalisation::Range if octaves > 0.0 => self.moments()[0],
+            _ => 0.0,
+        }
     }
 
     /// The measured standard deviation of the sum: 1 under [`Normalisation::Variance`], 0 without octaves.
     #[must_use]
     pub fn standard_deviation(&self, octaves: f32) -> f32 {
         let octaves = lone_whole(octaves);
-        self.factor(octaves)
-            * self.noise.statistics().standard_deviation
-            * self.spectrum.root_sum_of_squares(octaves)
+        self.factor(octaves) * self.moments()[1] * self.spectrum.root_sum_of_squares(octaves)
     }
 
-    /// The excess kurtosis of the sum, from the measured one of the kind.
-    #[must_use]
-    pub fn excess_kurtosis(&self, octaves: f32) -> f32 {
-        self.noise.statistics().excess_kurtosis * self.spectrum.kurtosis_ratio(octaves)
+    /// Mean and standard deviation of one octave of amplitude 1.
+    #[inline]
+    fn moments(&self) -> [f32; 2] {
+        let deviation = self.noise.statistics().standard_deviation;
+        self.shape.mean_and_deviation(deviation, self.noise.absolute_moments())
     }
 
     /// 1/N, or 0 without octaves.
@@ -120,9 +162,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     fn factor(&self, octaves: f32) -> f32 {
         let norm = match self.normalisation {
             Normalisation::Range => self.spectrum.sum_of_amplitudes(octaves),
-            Normalisation::Variance => {
-                self.noise.statistics().standard_deviation * self.spectrum.root_sum_of_squares(octaves)
-            }
+            Normalisation::Variance => self.moments()[1] * self.spectrum.root_sum_of_squares(octaves),
         };
         if norm > 0.0 { 1.0 / norm } else { 0.0 }
     }
@@ -145,46 +185,111 @@ pub(crate) fn lone_whole(octaves: f32) -> f32 {
 /// assert_eq!(row[8], noise.value(Vec2::new(1.0, 0.7), 6.5));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct FirstOctaves<'a, K, const N: usize> {
-    sum: &'a Octaves<K, N>,
-    octaves: f32,
+pub struct FirstOctaves<'a, K, const N: usize, T = Signed> {
+    sum: &'a Octaves<K, N, T>,
+    /// wᵢ aᵢ, less what a footprint has removed.
+    amplitudes: [f32; MAX_OCTAVES as usize],
+    /// How many octaves take part.
+    count: usize,
+    /// What is added to the sum before it is normalised.
+    constant: f32,
     factor: f32,
 }
 
-impl<K: Kernel<N>, const N: usize> FirstOctaves<'_, K, N> {
+impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
+    /// The sum as a pixel of this footprint resolves it: octaves that are too fine give way to their mean.
+    ///
+    /// ```text
+    /// φ(nᵢ) becomes φ(nᵢ) + kᵢ (μ − φ(nᵢ)),   kᵢ = smoothstep(0.2, 0.6, footprint·fᵢ)
+    /// ```
+    ///
+    /// μ is the mean of the shape, 0 for signed noise and measured for the others. The sum keeps its mean and loses the variance
+    /// of what is removed; the normalisation stays that of all octaves. Octaves that are removed altogether are not evaluated.
+    /// The gradient is that for a footprint that is the same at all points, see [`removed_share`] and
+    /// [`pixel_footprint`](crate::pixel_footprint).
+    ///
+    /// Nilsson 2008, section 4.1.6, with the means of the noises here: 0 is the mean of signed noise only.
+    ///
+    /// ```
+    /// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec2};
+    ///
+    /// let noise = Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, 5).with_shape(Turbulence);
+    /// let p = Vec2::new(0.3, 4.1);
+    /// assert_eq!(noise.first(6.0).clamped(1e-3).sample(p), noise.sample(p, 6.0));
+    ///
+    /// let far = noise.first(6.0).clamped(1.0).sample(p);
+    /// assert!((far.value - noise.mean(6.0)).abs() < 1e-6 && far.gradient == Vec2::ZERO);
+    /// ```
+    #[must_use]
+    pub fn clamped(mut self, footprint: f32) -> Self {
+        let [mean, _] = self.sum.moments();
+        let mut frequency = 1.0;
+        for amplitude in self.amplitudes.iter_mut().take(self.count) {
+            let removed = removed_share(footprint, frequency);
+            self.constant += *amplitude * removed * mean;
+            *amplitude *= 1.0 - removed;
+            frequency *= self.sum.spectrum.lacunarity();
+        }
+        self.count = self.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
+        self
+    }
+
+    /// Octave i with its amplitude, if it takes part.
     #[inline(always)]
-    fn active(&self) -> impl Iterator<Item = (f32, &Layer<N>)> {
-        self.sum.spectrum.active(self.octaves).zip(&self.sum.layers).map(|((_, a), layer)| (a, layer))
+    pub(crate) fn octave(&self, i: usize) -> Option<(f32, &Layer<N>)> {
+        if i < self.count { self.amplitudes.get(i).copied().zip(self.sum.layers.get(i)) } else { None }
+    }
+
+    /// The octaves that take part, each with its amplitude.
+    #[inline(always)]
+    pub(crate) fn active(&self) -> impl Iterator<Item = (f32, &Layer<N>)> {
+        self.amplitudes.iter().copied().take(self.count).zip(&self.sum.layers)
+    }
+
+    #[inline(always)]
+    pub(crate) fn noise(&self) -> &K {
+        &self.sum.noise
+    }
+
+    #[inline(always)]
+    pub(crate) fn rotation(&self) -> Rotation {
+        self.sum.rotation
+    }
+
+    #[inline(always)]
+    pub(crate) fn factor(&self) -> f32 {
+        self.factor
     }
 }
 
-impl<K: Kernel<N>, const N: usize> Field<N> for FirstOctaves<'_, K, N> {
+impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N, T> {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        let mut sum = s.float(0.0);
+        let mut sum = s.float(self.constant);
         for (amplitude, layer) in self.active() {
             let p = match self.sum.rotation {
                 Rotation::Random => layer.points(s, p),
                 Rotation::Aligned => layer.aligned(s, p),
             };
-            sum = sum + s.float(amplitude) * values(&self.sum.noise, s, p, layer.seed);
+            let value = self.sum.shape.value(s, values(&self.sum.noise, s, p, layer.seed));
+            sum = sum + s.float(amplitude) * value;
         }
         sum * s.float(self.factor)
     }
 
     #[inline(always)]
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        let mut sum = (s.float(0.0), [s.float(0.0); N]);
+        let mut sum = (s.float(self.constant), [s.float(0.0); N]);
         for (amplitude, layer) in self.active() {
             let amplitude = s.float(amplitude);
             match self.sum.rotation {
                 Rotation::Random => {
                     let sample = samples(&self.sum.noise, s, layer.points(s, p), layer.seed);
-                    layer.accumulate(s, &mut sum, amplitude, sample);
+                    layer.accumulate(s, &mut sum, amplitude, self.sum.shape.sample(s, sample));
                 }
                 Rotation::Aligned => {
                     let sample = samples(&self.sum.noise, s, layer.aligned(s, p), layer.seed);
-                    layer.accumulate_aligned(s, &mut sum, amplitude, sample);
+                    layer.accumulate_aligned(s, &mut sum, amplitude, self.sum.shape.sample(s, sample));
                 }
             }
         }
@@ -196,7 +301,7 @@ impl<K: Kernel<N>, const N: usize> Field<N> for FirstOctaves<'_, K, N> {
     fn passes(&self) -> usize {
         match self.sum.rotation {
             Rotation::Random => 1,
-            Rotation::Aligned => self.active().count().max(1),
+            Rotation::Aligned => self.count.max(1),
         }
     }
 
@@ -209,19 +314,20 @@ impl<K: Kernel<N>, const N: usize> Field<N> for FirstOctaves<'_, K, N> {
         scratch: &mut Scratch<N>,
         out: &mut [f32],
     ) {
-        let octave = self.active().nth(pass);
-        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, octave) else {
+        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, self.octave(pass)) else {
             self.row_values(s, row, scratch, out);
             return;
         };
-        let last = pass + 1 == self.passes();
         let Scratch { columns, octave, .. } = scratch;
         let frequencies = layer.frequencies();
         for (stretch, out) in out.chunks_mut(STRETCH).enumerate() {
             let octave = &mut octave[..out.len()];
             let row = row.after(stretch * STRETCH).scaled(frequencies, layer.offset);
             row_values(&self.sum.noise, s, &row, layer.seed, columns, octave);
-            accumulate(s, pass, last.then_some(self.factor), out, amplitude, None, octave);
+            for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
+                let octave = self.sum.shape.value(s, s.load(octave));
+                self.accumulate(s, pass, sum, self.constant, amplitude, octave);
+            }
         }
     }
 
@@ -235,50 +341,54 @@ impl<K: Kernel<N>, const N: usize> Field<N> for FirstOctaves<'_, K, N> {
         out: &mut [f32],
         gradients: &mut [&mut [f32]; N],
     ) {
-        let octave = self.active().nth(pass);
-        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, octave) else {
+        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, self.octave(pass)) else {
             self.row_samples(s, row, scratch, out, gradients);
             return;
         };
-        let factor = (pass + 1 == self.passes()).then_some(self.factor);
         let Scratch { columns, octave, slopes } = scratch;
         let frequencies = layer.frequencies();
         for (stretch, out) in out.chunks_mut(STRETCH).enumerate() {
             let (start, count) = (stretch * STRETCH, out.len());
             let octave = &mut octave[..count];
             let row = row.after(start).scaled(frequencies, layer.offset);
-            let mut slopes = slopes.each_mut().map(|slope| &mut slope[..count]);
-            row_samples(&self.sum.noise, s, &row, layer.seed, columns, octave, &mut slopes);
-            accumulate(s, pass, factor, out, amplitude, None, octave);
-            for axis in 0..N {
-                let out = gradients[axis].get_mut(start..start + count).unwrap_or_default();
-                accumulate(s, pass, factor, out, amplitude, Some(frequencies[axis]), slopes[axis]);
+            let mut rows = slopes.each_mut().map(|slope| &mut slope[..count]);
+            row_samples(&self.sum.noise, s, &row, layer.seed, columns, octave, &mut rows);
+            let mut i = 0;
+            for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
+                let mut sample = (s.load(octave), [s.float(0.0); N]);
+                for axis in 0..N {
+                    sample.1[axis] = s.load(slopes[axis].get(i..).unwrap_or_default());
+                }
+                let (value, gradient) = self.sum.shape.sample(s, sample);
+                self.accumulate(s, pass, sum, self.constant, amplitude, value);
+                let end = start + count.min(i + S::LEN);
+                for axis in 0..N {
+                    let slope = s.float(frequencies[axis]) * gradient[axis];
+                    let sum = gradients[axis].get_mut(start + i..end).unwrap_or_default();
+                    self.accumulate(s, pass, sum, 0.0, amplitude, slope);
+                }
+                i += S::LEN;
             }
         }
     }
 }
 
-/// (sum + amplitude · octave) · factor, the octave times its frequency if it is a slope; the first pass has no sum yet.
-#[inline(always)]
-fn accumulate<S: Lanes>(
-    s: S,
-    pass: usize,
-    factor: Option<f32>,
-    sum: &mut [f32],
-    amplitude: f32,
-    frequency: Option<f32>,
-    octave: &[f32],
-) {
-    let amplitude = s.float(amplitude);
-    for (sum, octave) in sum.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
-        let mut octave = s.load(octave);
-        if let Some(frequency) = frequency {
-            octave = s.float(frequency) * octave;
-        }
-        let before = if pass == 0 { s.float(0.0) } else { s.load(sum) };
-        let mut total = before + amplitude * octave;
-        if let Some(factor) = factor {
-            total = total * s.float(factor);
+impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
+    /// sum + amplitude · octave, times the factor in the last pass; before the first pass the sum is `constant`.
+    #[inline(always)]
+    fn accumulate<S: Lanes>(
+        &self,
+        s: S,
+        pass: usize,
+        sum: &mut [f32],
+        constant: f32,
+        amplitude: f32,
+        octave: S::F,
+    ) {
+        let before = if pass == 0 { s.float(constant) } else { s.load(sum) };
+        let mut total = before + s.float(amplitude) * octave;
+        if pass + 1 == self.count {
+            total = total * s.float(self.factor);
         }
         s.store(total, sum);
     }

@@ -1,6 +1,7 @@
 //! Gradient noise on the integer lattice, in Perlin's two forms.
 
 use crate::{
+    absolute_moments,
     cell_noise::{CellNoise, Corner},
     directions::{edge_direction, unit_direction},
     fade::Fade,
@@ -102,6 +103,10 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
             _ => &tables::PERLIN_1985_4,
         }
     }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::PERLIN_1985[N - 1]
+    }
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
@@ -127,5 +132,9 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
             3 => &tables::PERLIN_2002_3,
             _ => &tables::PERLIN_2002_4,
         }
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::PERLIN_2002[N - 1]
     }
 }

@@ -1,10 +1,12 @@
 //! Simplex noise, with the kernel radius that is continuous and with the customary wider one.
 
 use crate::{
+    absolute_moments,
     directions::edge_direction,
+    hessian::{Curved, Jet, mirror},
     integer_hash::IntegerHash,
     kernel::{Kernel, LaneSample},
-    lanes::Lanes,
+    lanes::{Lanes, Scalar},
     lattice::{Lattice, cell},
     statistics::Statistics,
     statistics_tables as tables,
@@ -202,6 +204,33 @@ impl<L: Lattice> Simplex<L> {
     }
 }
 
+impl<L: Lattice, const N: usize> Curved<N> for Simplex<L> {
+    /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).
+    #[inline]
+    fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<[f32; N], N> {
+        let corner = first_corner(Scalar, p);
+        let terms = self.terms(Scalar, &corner);
+        let mut jet = Jet::ZERO;
+        for k in 0..=N {
+            let Term { t, d, g, slope } = self.term(Scalar, &corner, &terms, k, seed);
+            let t2 = t * t;
+            let (t3, t4) = (t2 * t, t2 * t2);
+            jet.value += t4 * slope;
+            let (pull, bend) = (8.0 * t3 * slope, 48.0 * t2 * slope);
+            for i in 0..N {
+                jet.gradient[i] += g[i] * t4 - d[i] * pull;
+                for j in i..N {
+                    let twist = 8.0 * t3 * (d[i] * g[j] + d[j] * g[i]);
+                    jet.hessian[i][j] += bend * (d[i] * d[j]) - twist;
+                }
+                jet.hessian[i][i] -= pull;
+            }
+        }
+        mirror(&mut jet.hessian);
+        jet
+    }
+}
+
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
@@ -244,6 +273,13 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
             (3, Radius::Wide) => &tables::SIMPLEX_WIDE_3,
             (_, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_4,
             (_, Radius::Wide) => &tables::SIMPLEX_WIDE_4,
+        }
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        match self.kernel {
+            Radius::Continuous => absolute_moments::SIMPLEX_CONTINUOUS[N - 1],
+            Radius::Wide => absolute_moments::SIMPLEX_WIDE[N - 1],
         }
     }
 }

@@ -55,6 +55,22 @@ impl<S: Lanes> Span<S> {
         }
     }
 
+    /// ∂²/∂t².
+    #[inline(always)]
+    pub(crate) fn second_derivative<K: CellNoise<N>, const N: usize>(
+        &self,
+        t: S::F,
+        slope: S::F,
+        bend: S::F,
+    ) -> S::F {
+        if K::HAS_GRADIENT {
+            let twist = slope * self.rise_a;
+            (twist + twist) + bend * self.rise::<true>(t)
+        } else {
+            bend * self.rise::<false>(t)
+        }
+    }
+
     /// ∂/∂t.
     #[inline(always)]
     pub(crate) fn derivative<K: CellNoise<N>, const N: usize>(&self, t: S::F, w: S::F, slope: S::F) -> S::F {

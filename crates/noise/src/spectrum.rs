@@ -19,7 +19,7 @@ pub const MAX_OCTAVES: u32 = 16;
 ///
 /// let spectrum = Spectrum::default();
 /// assert_eq!(spectrum.share(1.0), 0.75);
-/// assert!(Spectrum::new(2.17, 1.5, 8).is_err());
+/// assert!(Spectrum::new(2.17, -1.5, 8).is_err());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spectrum {
@@ -36,18 +36,29 @@ impl Default for Spectrum {
 }
 
 impl Spectrum {
+    /// Clouds: lacunarity 2, gain 0.5, ten octaves, after Nilsson 2008, section 4.1.5.
+    pub const CLOUD: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 10 };
+
+    /// Threads of a carpet: lacunarity 2, gain 1, three octaves, after Nilsson 2008, section 4.2.2.
+    ///
+    /// Signed for the threads together; for the single ones [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::Power).
+    pub const THREADS: Self = Self { lacunarity: 2.0, gain: 1.0, max_octaves: 3 };
+
     /// A spectrum of at most `max_octaves` octaves.
+    ///
+    /// A gain below 1 is that of an endless spectrum, of which these octaves are the first. With a gain of 1 and above, where
+    /// finer octaves are as strong or stronger, an endless spectrum has no sum, and these octaves are all there are.
     ///
     /// # Errors
     ///
-    /// If `lacunarity` is not above 1 or so large that the highest frequency overflows, if `gain` is not inside (0, 1), or
-    /// if `max_octaves` is not from 1 to [`MAX_OCTAVES`].
+    /// If `lacunarity` is not above 1 or so large that the highest frequency overflows, if `gain` is not a finite number above 0
+    /// or so large that the fourth powers of the amplitudes overflow, or if `max_octaves` is not from 1 to [`MAX_OCTAVES`].
     pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, SpectrumError> {
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
             return Err(SpectrumError::LacunarityNotAboveOne(lacunarity));
         }
-        if !(gain > 0.0 && gain < 1.0) {
-            return Err(SpectrumError::GainOutsideUnitInterval(gain));
+        if !(gain > 0.0 && gain.is_finite()) {
+            return Err(SpectrumError::GainNotPositive(gain));
         }
         if !(1..=MAX_OCTAVES).contains(&max_octaves) {
             return Err(SpectrumError::OctavesOutOfRange(max_octaves));
@@ -55,6 +66,10 @@ impl Spectrum {
         let spectrum = Self { lacunarity, gain, max_octaves };
         if !spectrum.frequency(max_octaves - 1).is_finite() {
             return Err(SpectrumError::FrequencyOverflow(lacunarity));
+        }
+        let squares = spectrum.sum_of_squares(max_octaves as f32);
+        if !(squares * squares).is_finite() {
+            return Err(SpectrumError::AmplitudeOverflow(gain));
         }
         Ok(spectrum)
     }
@@ -104,22 +119,32 @@ impl Spectrum {
     /// √Σ (wᵢ aᵢ)², the standard deviation of the sum of independent noises of standard deviation 1.
     #[must_use]
     pub fn root_sum_of_squares(&self, octaves: f32) -> f32 {
-        crate::math::sqrt(self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a))
+        crate::math::sqrt(self.sum_of_squares(octaves))
     }
 
-    /// The share of the variance of the whole, endless spectrum that the octaves carry, in [0, 1).
+    fn sum_of_squares(&self, octaves: f32) -> f32 {
+        self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a)
+    }
+
+    /// The share of the variance of the whole spectrum that the octaves carry, in [0, 1).
     ///
     /// ```text
-    /// share = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
+    /// gain < 1:   share = Σ wᵢ² aᵢ² / Σ_{i ≥ 0} aᵢ² = (1 − gain²) Σ wᵢ² aᵢ²
+    /// gain ≥ 1:   share = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
     /// ```
     ///
-    /// What is missing to 1 belongs to the octaves not evaluated, those beyond the maximum included. It grows
-    /// continuously from 0 at `octaves` = 0 and stays under 1 (2⁻²⁴ under at least).
+    /// What is missing to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless and includes
+    /// those beyond the maximum, for others it ends there. The share grows continuously from 0 at `octaves` = 0 and stays under
+    /// 1 (2⁻²⁴ under at least).
     #[must_use]
     pub fn share(&self, octaves: f32) -> f32 {
         const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
-        let sum = self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a);
-        (sum * (1.0 - self.gain * self.gain)).min(BELOW_ONE)
+        let sum = self.sum_of_squares(octaves);
+        if self.gain < 1.0 {
+            (sum * (1.0 - self.gain * self.gain)).min(BELOW_ONE)
+        } else {
+            (sum / self.sum_of_squares(self.max_octaves as f32)).min(BELOW_ONE)
+        }
     }
 
     /// The excess kurtosis of the sum relative to one octave's.
@@ -171,12 +196,14 @@ fn power(base: f32, i: u32) -> f32 {
 pub enum SpectrumError {
     /// The lacunarity is not a finite number above 1.
     LacunarityNotAboveOne(f32),
-    /// The gain is not inside (0, 1).
-    GainOutsideUnitInterval(f32),
+    /// The gain is not a finite number above 0.
+    GainNotPositive(f32),
     /// The number of octaves is 0 or above [`MAX_OCTAVES`].
     OctavesOutOfRange(u32),
     /// The lacunarity is so large that the highest octave's frequency is infinite.
     FrequencyOverflow(f32),
+    /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
+    AmplitudeOverflow(f32),
 }
 
 impl fmt::Display for SpectrumError {
@@ -185,10 +212,13 @@ impl fmt::Display for SpectrumError {
             Self::LacunarityNotAboveOne(value) => {
                 write!(f, "lacunarity {value} is not a finite number above 1")
             }
-            Self::GainOutsideUnitInterval(value) => write!(f, "gain {value} is not inside (0, 1)"),
+            Self::GainNotPositive(value) => write!(f, "gain {value} is not a finite number above 0"),
             Self::OctavesOutOfRange(value) => write!(f, "max_octaves {value} is not from 1 to {MAX_OCTAVES}"),
             Self::FrequencyOverflow(value) => {
                 write!(f, "lacunarity {value} makes the frequency of the last octave infinite")
+            }
+            Self::AmplitudeOverflow(value) => {
+                write!(f, "gain {value} makes the fourth powers of the amplitudes infinite")
             }
         }
     }
@@ -207,10 +237,12 @@ mod tests {
             assert_eq!(Spectrum::new(lacunarity, 0.5, 8), Err(error));
         }
         assert!(matches!(Spectrum::new(f32::NAN, 0.5, 8), Err(SpectrumError::LacunarityNotAboveOne(_))));
-        for gain in [0.0, 1.0, -0.5, f32::INFINITY] {
-            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainOutsideUnitInterval(gain)));
+        for gain in [0.0, -0.5, f32::INFINITY] {
+            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainNotPositive(gain)));
         }
-        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainOutsideUnitInterval(_))));
+        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainNotPositive(_))));
+        assert_eq!(Spectrum::new(2.0, 1e3, 8), Err(SpectrumError::AmplitudeOverflow(1e3)));
+        assert!(Spectrum::new(2.0, 1e3, 4).is_ok() && Spectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
         assert_eq!(Spectrum::new(2.0, 0.5, 0), Err(SpectrumError::OctavesOutOfRange(0)));
         assert_eq!(Spectrum::new(2.0, 0.5, 17), Err(SpectrumError::OctavesOutOfRange(17)));
         assert_eq!(Spectrum::new(1e4, 0.5, 16), Err(SpectrumError::FrequencyOverflow(1e4)));
@@ -241,6 +273,24 @@ mod tests {
                 assert!(share >= last && share < 1.0, "gain {gain}, step {step}: {share} after {last}");
                 last = share;
             }
+        }
+    }
+
+    #[test]
+    fn shares_of_gains_from_one_on_are_those_of_the_octaves_there_are() {
+        let equal = Spectrum::new(2.0, 1.0, 4).unwrap();
+        assert_eq!([0.0, 1.0, 2.5, 3.0].map(|octaves| equal.share(octaves)), [0.0, 0.25, 0.5625, 0.75]);
+        let rising = Spectrum::new(2.4, 2.0, 3).unwrap();
+        assert_eq!([1.0, 2.0].map(|octaves| rising.share(octaves)), [1.0 / 21.0, 5.0 / 21.0]);
+        for spectrum in [equal, rising] {
+            assert_eq!(spectrum.share(9.0), 1.0 - f32::EPSILON / 2.0);
+        }
+    }
+
+    #[test]
+    fn the_named_spectra_keep_the_rules() {
+        for Spectrum { lacunarity, gain, max_octaves } in [Spectrum::CLOUD, Spectrum::THREADS] {
+            assert!(Spectrum::new(lacunarity, gain, max_octaves).is_ok());
         }
     }
 
