@@ -50,14 +50,14 @@ impl ChainedTable {
     /// The texture at u, repeated: fractions of the byte's 255.
     #[inline]
     fn texel(&self, u: f32) -> f32 {
+        let mut texel = 0;
         // From 2²³ on every `f32` is an integer.
-        if !(u.abs() < 8_388_608.0) {
-            return f32::from(self.0.entries()[0]) / 255.0;
+        if u.abs() < 8_388_608.0 {
+            let truncated = u as i32 as f32;
+            let floor = if u < truncated { truncated - 1.0 } else { truncated };
+            // Next under an integer the fraction rounds to 1.
+            texel = ((u - floor) * 256.0) as u32 & 255;
         }
-        let truncated = u as i32 as f32;
-        let floor = if u < truncated { truncated - 1.0 } else { truncated };
-        // Next under an integer the fraction rounds to 1.
-        let texel = ((u - floor) * 256.0) as u32 & 255;
         f32::from(self.0.entries()[texel as usize]) / 255.0
     }
 

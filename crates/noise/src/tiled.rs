@@ -58,16 +58,13 @@ impl<L, const N: usize> Tiled<L, N> {
 
 /// A cell modulo a period of at most 6 · 2²¹, the remainder not negative.
 ///
-/// Exact: the first quotient errs by 2⁻²² of itself and 1, which leaves a rest of at most 2⁹ + 2 periods; that and its
-/// quotient by the period are small enough for `f32` to floor right, but for the last step, which is made by comparison.
+/// Exact: the first quotient times the period errs by less than 2³¹ · 2⁻²², which leaves a rest from −2⁹ to the period + 2⁹. That is
+/// a float, and so close to 0 or so small a multiple of the period that its quotient does not round to the next integer.
 #[inline(always)]
 pub(crate) fn remainder<S: Lanes>(s: S, cell: S::U, period: u32) -> S::U {
     let (real, bits) = (s.float(period as f32), s.word(period));
     let near = cell - s.integer(s.floor(s.real(cell) / real)) * bits;
-    let rest = near - s.integer(s.floor(s.real(near) / real)) * bits;
-    let zero = s.float(0.0);
-    let rest = s.select_word(s.less(s.real(rest), zero), rest + bits, rest);
-    s.select_word(s.less(s.real(rest), real), rest, rest - bits)
+    near - s.integer(s.floor(s.real(near) / real)) * bits
 }
 
 impl<L: Lattice, const M: usize> Lattice for Tiled<L, M> {

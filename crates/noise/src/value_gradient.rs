@@ -170,11 +170,21 @@ mod tests {
         assert_eq!(ValueGradient::new(0.0).unwrap().sample(p, 1).gradient, Vec2::ZERO);
     }
 
+    /// The corners of cell 0 on the line have gradients toward each other.
+    struct Facing;
+
+    impl Lattice for Facing {
+        fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
+            if cell[0] == 0 { 0 } else { 0x8000_0000 }
+        }
+    }
+
     #[test]
-    fn values_stay_in_range() {
-        for i in 0..2000_u16 {
-            let p = Vec2::new(0.5 + f32::from(i), 0.5);
-            assert!(ValueGradient::default().value(p, 1).abs() <= 1.0);
+    fn the_bound_of_the_gradient_part_is_attained_in_the_centre() {
+        let noise = ValueGradient::new(1.0).unwrap().with_lattice(Facing);
+        assert!((noise.value(0.5, 0) - MARGIN).abs() < 1e-7);
+        for i in 0..=100_u8 {
+            assert!(noise.value(f32::from(i) / 100.0, 0) <= MARGIN);
         }
     }
 }
