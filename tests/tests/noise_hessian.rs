@@ -1,0 +1,131 @@
+//! Hessians against differences of a plain `f64` evaluation, and those of sums against differences of gradients.
+
+use asperity_noise::{
+    Curved, CurvedField, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation,
+    Simplex, Spectrum,
+    glam::{Vec2, Vec3, Vec4},
+};
+use asperity_tests::{
+    noise_reference::{Kind, difference},
+    random::Random,
+};
+
+/// Coordinates in ±32 with twelve bits of fraction.
+fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+    V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 262_144.0).round() as f32 / 4096.0))
+}
+
+/// The worst error of the Hessian, relative to the greatest entry seen; value and gradient have the sample's bits.
+fn error<V: Point<N>, K: Curved<N> + Noise<V>, const N: usize>(noise: &K, kind: Kind, scale: f64) -> f64 {
+    const H: f64 = 1e-4;
+    let mut random = Random(7);
+    let (mut worst, mut greatest, mut compared) = (0.0_f64, 0.0_f64, 0);
+    for seed in 0..400 {
+        let p: V = point(&mut random);
+        let (jet, sample) = (noise.jet(p, seed), noise.sample(p, seed));
+        assert_eq!((jet.value, jet.gradient), (sample.value, sample.gradient));
+        let wide = p.coordinates().map(f64::from);
+        let moved = |axis: usize, step: f64| {
+            let mut q = wide;
+            q[axis] += step;
+            q
+        };
+        let here = kind.lattice_points(wide);
+        let inside = |q: [f64; N]| kind.lattice_points(q) == here;
+        if (0..N).any(|axis| [4.0 * H, -4.0 * H].into_iter().any(|step| !inside(moved(axis, step)))) {
+            continue;
+        }
+        for i in 0..N {
+            for j in 0..N {
+                let slope = |q: [f64; N]| {
+                    difference(H, |step| {
+                        let mut q = q;
+                        q[j] += step;
+                        kind.value(q, seed)
+                    })
+                };
+                let expected = scale * difference(H, |step| slope(moved(i, step)));
+                greatest = greatest.max(expected.abs());
+                worst = worst.max((f64::from(jet.hessian[i][j]) - expected).abs());
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 300 * N * N, "{compared} entries");
+    worst / greatest
+}
+
+/// Errors in 1 to 4 dimensions, asserted. The scales are those that the tests of the values derive.
+fn close<K>(name: &str, noise: &K, kind: Kind, scales: [f64; 4], tolerance: f64)
+where
+    K: Curved<1> + Curved<2> + Curved<3> + Curved<4>,
+{
+    let errors = [
+        error::<f32, K, 1>(noise, kind, scales[0]),
+        error::<Vec2, K, 2>(noise, kind, scales[1]),
+        error::<Vec3, K, 3>(noise, kind, scales[2]),
+        error::<Vec4, K, 4>(noise, kind, scales[3]),
+    ];
+    println!("{name}: {errors:?}");
+    assert!(errors.iter().all(|&error| error < tolerance), "{name}: {errors:?}");
+}
+
+#[test]
+fn hessians_are_second_derivatives() {
+    // The differences err by 1e-16/H² = 1e-8 of the values, `f32` by some ten roundings of 6e-8. Worst seen 1.1e-6.
+    const CELLS: f64 = 2e-6;
+    // Offsets from corners err by 2e-7, and third derivatives are up to fifty times second ones: the kernels are narrow.
+    // Worst seen 1.3e-5.
+    const SIMPLICES: f64 = 3e-5;
+    let margin = 1.0 - 2e-6;
+    let inverses = |greatest: [f64; 4]| greatest.map(|greatest| margin / greatest);
+    let root = f64::sqrt;
+    let greatest = [0.5, root(0.5), root(0.75), 1.0];
+    close("Perlin 1985", &Perlin1985::default(), Kind::Perlin1985, inverses(greatest), CELLS);
+    let greatest = [0.5, 1.0, 1.036_353_8, 1.536_582_3];
+    close("Perlin 2002", &Perlin2002::default(), Kind::Perlin2002, inverses(greatest), CELLS);
+    let greatest = [0.009_196_735, 0.014_255_562, 0.013_007_157, 0.015_929_222];
+    close("simplex", &Simplex::CONTINUOUS, Kind::Simplex(0.5), inverses(greatest), SIMPLICES);
+    let greatest = [0.020_895_276, 0.040_844_663, 0.030_584_887, 0.036_730_024];
+    let kind = Kind::Simplex(f64::from(0.6_f32));
+    close("wide simplex", &Simplex::WIDE, kind, inverses(greatest), SIMPLICES);
+    close("Gaussian", &Gaussian::default(), Kind::Gaussian(0), [1.0; 4], CELLS);
+}
+
+/// The Hessian of a sum against central differences of its gradient, relative to its greatest entry.
+fn sum_error<F: CurvedField<3>>(field: &F) -> f64 {
+    const H: f32 = 1.0 / 2048.0;
+    let mut random = Random(8);
+    let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
+    for _ in 0..200 {
+        let p: Vec3 = point(&mut random);
+        let jet = field.jet(p);
+        for (axis, row) in jet.hessian.iter().enumerate() {
+            let [ahead, behind] = [H, -H].map(|h| {
+                let mut q = p;
+                q[axis] += h;
+                field.sample(q).gradient
+            });
+            for (got, expected) in row.iter().zip(((ahead - behind) / (2.0 * H)).to_array()) {
+                greatest = greatest.max(f64::from(expected.abs()));
+                worst = worst.max(f64::from((got - expected).abs()));
+            }
+        }
+    }
+    worst / greatest
+}
+
+#[test]
+fn hessians_of_sums_are_differences_of_gradients() {
+    // At the borders of cells third derivatives leap, by up to 120, times 2.17³/2 in the second octave: H/4 of that is 0.07, of
+    // entries that reach 30. Gradients are rounded by 3e-6, over H. Worst seen 2.4e-3.
+    for rotation in [Rotation::Random, Rotation::Aligned] {
+        let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Default::default(), 5);
+        let error = sum_error(&octaves.with_rotation(rotation).first(2.5));
+        println!("{rotation:?}: {error:.1e}");
+        assert!(error < 4e-3, "{rotation:?}: {error:e}");
+    }
+    let error = sum_error(&GaussianOctaves::<3>::new(Spectrum::default(), 5).first(2.5));
+    println!("Gaussian: {error:.1e}");
+    assert!(error < 4e-3, "Gaussian: {error:e}");
+}

@@ -1,0 +1,171 @@
+//! Domain warping and curl noise: gradients and Jacobians against differences, and no divergence but rounding.
+
+use asperity_noise::{
+    Curl2, Curl3, CurlPotential, CurvedField, Field, GaussianOctaves, Octaves, Perlin2002, Point, Rotation,
+    Seeded, Simplex, Spectrum, Turbulence, Warp,
+    glam::{Vec2, Vec3},
+};
+use asperity_tests::random::Random;
+
+const H: f32 = 1.0 / 512.0;
+/// Half the spacing of `f32` at 1.
+const U: f64 = f64::EPSILON * 268_435_456.0;
+
+/// Coordinates in ±8 with twelve bits of fraction.
+fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+    V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 65_536.0).round() as f32 / 4096.0))
+}
+
+/// The worst difference of a Jacobian, row by row, and central differences of a map, relative to the greatest entry.
+fn jacobian_error<V: Point<N>, const N: usize, const M: usize>(
+    map: impl Fn(V) -> [f32; M],
+    jacobian: impl Fn(V) -> [[f32; N]; M],
+) -> f64 {
+    let mut random = Random(21);
+    let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
+    for _ in 0..200 {
+        let p: V = point(&mut random);
+        let rows = jacobian(p);
+        for axis in 0..N {
+            let [ahead, behind] = [H, -H].map(|h| {
+                let mut q = p.coordinates();
+                q[axis] += h;
+                map(V::from_coordinates(q))
+            });
+            for row in 0..M {
+                let expected = f64::from(ahead[row] - behind[row]) / f64::from(2.0 * H);
+                greatest = greatest.max(expected.abs());
+                worst = worst.max((f64::from(rows[row][axis]) - expected).abs());
+            }
+        }
+    }
+    worst / greatest
+}
+
+/// H²/6 times a third derivative, which is a few hundred times the first one for octaves up to frequency 2.17, and the rounding of
+/// values, 4e-7, over H. Worst seen 1.7e-3.
+const TOLERANCE: f64 = 4e-3;
+
+fn assert_close(name: &str, error: f64) {
+    println!("{name}: {error:.1e}");
+    assert!(error < TOLERANCE, "{name}: {error:e}");
+}
+
+#[test]
+fn warps_have_exact_gradients_and_jacobians() {
+    let by = [1, 2, 3]
+        .map(|seed| Octaves::<_, 3>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
+    let field = Seeded(Perlin2002::default(), 4);
+    let warp = Warp::new(field, by.each_ref().map(|octaves| octaves.first(1.0)), 0.2).unwrap();
+    let gradient = |p: Vec3| [warp.sample(p).gradient.to_array()];
+    assert_close("warp", jacobian_error(|p: Vec3| [warp.value(p)], gradient));
+    let place = |p: Vec3| warp.displacement(p).point.to_array();
+    assert_close("displacement", jacobian_error(place, |p: Vec3| warp.displacement(p).jacobian));
+
+    let by = [5, 6].map(|seed| Seeded(Perlin2002::default(), seed));
+    let inner = Warp::new(Seeded(Simplex::CONTINUOUS, 7), by, 0.3).unwrap();
+    let twice = Warp::new(inner, by, 0.3).unwrap();
+    let gradient = |p: Vec2| [twice.sample(p).gradient.to_array()];
+    assert_close("warp of a warp", jacobian_error(|p: Vec2| [twice.value(p)], gradient));
+    assert_eq!(twice.value(Vec2::new(0.3, 0.4)), twice.sample(Vec2::new(0.3, 0.4)).value);
+}
+
+#[test]
+fn a_warp_looks_up_the_displaced_point() {
+    let octaves = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::CLOUD, Default::default(), 4);
+    let field = octaves.with_shape(Turbulence);
+    let by = [1, 2].map(|seed| Seeded(Simplex::CONTINUOUS, seed));
+    let warp = Warp::new(field.first(3.0), by, 0.7).unwrap();
+    let mut random = Random(1);
+    for _ in 0..100 {
+        let p: Vec2 = point(&mut random);
+        let q = p + 0.7 * Vec2::new(by[0].value(p), by[1].value(p));
+        assert_eq!(warp.displacement(p).point, q);
+        assert_eq!(warp.value(p), field.value(q, 3.0));
+    }
+}
+
+#[test]
+fn flows_in_the_plane_have_no_divergence() {
+    let octaves = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::default(), Default::default(), 4);
+    let flow = Curl2(octaves.first(1.5));
+    let jacobian = |p: Vec2| flow.velocity_and_jacobian(p).jacobian;
+    assert_close("flow in the plane", jacobian_error(|p: Vec2| flow.velocity(p).to_array(), jacobian));
+    let mut random = Random(2);
+    for _ in 0..500 {
+        let [[xx, _], [_, yy]] = jacobian(point(&mut random));
+        assert_eq!(xx + yy, 0.0);
+    }
+}
+
+/// Whether traces stay under a bound, and some are not 0, so that the bound means something.
+fn traces(name: &str, jacobian: impl Fn(Vec3) -> [[f32; 3]; 3], bound: impl Fn(Vec3) -> f64) {
+    let mut random = Random(3);
+    let (mut greatest, mut rounded) = (0.0_f64, 0);
+    for _ in 0..1000 {
+        let p: Vec3 = point(&mut random);
+        let [[x, _, _], [_, y, _], [_, _, z]] = jacobian(p);
+        let trace = f64::from(x + y + z).abs();
+        greatest = greatest.max(trace / bound(p));
+        rounded += usize::from(trace > 0.0);
+    }
+    println!("{name}: traces up to {greatest:.2} of the bound, {rounded} of 1000 not 0");
+    assert!(greatest <= 1.0 && rounded > 0, "{name}: {greatest}");
+}
+
+fn cross_product_has_no_divergence<A: CurvedField<3>, B: CurvedField<3>>(name: &str, a: A, b: B) {
+    let flow = Curl3(a, b);
+    let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
+    assert_close(name, jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
+    // The trace is a sum of twelve rounded products that cancel in pairs, bit for bit. What is left is the rounding of at most
+    // four sums over each of them: the difference of a cross product, the sum of two, and the trace's own two.
+    let bound = |p: Vec3| {
+        let (a, b) = (flow.0.jet(p), flow.1.jet(p));
+        let mut sum = 0.0;
+        for (hessian, gradient) in [(a.hessian, b.gradient), (b.hessian, a.gradient)] {
+            for j in 0..3 {
+                let [k, l] = [(j + 1) % 3, (j + 2) % 3];
+                let size = |h: f32, g: f32| (f64::from(h) * f64::from(g)).abs();
+                sum += size(hessian[j][k], gradient[l]) + size(hessian[j][l], gradient[k]);
+            }
+        }
+        4.001 * U * sum
+    };
+    traces(name, jacobian, bound);
+}
+
+#[test]
+fn flows_in_space_have_no_divergence_but_rounding() {
+    let [a, b] = [1, 2].map(|seed| {
+        Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), Default::default(), seed)
+    });
+    cross_product_has_no_divergence(
+        "pair of octaves",
+        a.first(1.5),
+        b.with_rotation(Rotation::Aligned).first(1.5),
+    );
+    let [a, b] = [1, 2].map(|seed| GaussianOctaves::<3>::new(Spectrum::default(), seed));
+    cross_product_has_no_divergence("pair of Gaussian octaves", a.first(1.5), b.first(1.5));
+    cross_product_has_no_divergence(
+        "pair of noises",
+        Seeded(Perlin2002::default(), 1),
+        Seeded(Simplex::CONTINUOUS, 2),
+    );
+}
+
+#[test]
+fn curls_of_potentials_have_no_divergence_but_rounding() {
+    let potential = [1, 2, 3].map(|seed| {
+        Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), Default::default(), seed)
+    });
+    let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(1.5)));
+    let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
+    assert_close("potential", jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
+    // Six entries that cancel in pairs, each rounded in its difference and in the trace's two sums.
+    let bound = |p: Vec3| {
+        let [a, b, c] = flow.0.each_ref().map(|field| field.jet(p).hessian);
+        let entries = [c[0][1], b[0][2], a[1][2], c[1][0], b[2][0], a[2][1]];
+        3.001 * U * entries.iter().map(|&x| f64::from(x.abs())).sum::<f64>()
+    };
+    traces("potential", jacobian, bound);
+}
