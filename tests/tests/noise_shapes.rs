@@ -2,8 +2,8 @@
 
 use asperity_noise::{
     Batch, Billow, Field, Gaussian, Grid, Kernel, Level, Normalisation, Octaves, Perlin1985, Perlin2002,
-    Plasma, Point, Power, Ridged, RidgedMultifractal, Rotation, Sample, Shape, Signed, Simplex, Spectrum,
-    Turbulence,
+    Plasma, Point, Power, Ridged, RidgedMultifractal, Rotation, Sample, Shape, Signed, Simplex, Sparse,
+    Spectrum, Turbulence, Value, ValueCatmullRom, White,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::random::Random;
@@ -201,6 +201,10 @@ fn sums_have_their_means_and_deviations() {
     every_shape::<Vec3, _, 3>(Simplex::WIDE);
     every_shape::<Vec3, _, 3>(Perlin2002::default());
     every_shape::<f32, _, 1>(Gaussian::default());
+    has_moments::<Vec2, _, _, 2>(Value::default(), Turbulence);
+    has_moments::<Vec2, _, _, 2>(ValueCatmullRom::default(), Turbulence);
+    has_moments::<Vec2, _, _, 2>(Sparse::default(), Turbulence);
+    has_moments::<Vec2, _, _, 2>(White::default(), Ridged);
 }
 
 #[test]

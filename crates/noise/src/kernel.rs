@@ -62,7 +62,7 @@ pub trait Kernel<const N: usize> {
 
     /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
     ///
-    /// Measured for the kinds of this crate. The default is that of N(0, σ²), σ being the measured standard deviation: √(2/π) σ,
+    /// Measured for the kinds of this crate but for value-gradient noise, which has the default. The default is that of N(0, σ²), σ being the measured standard deviation: √(2/π) σ,
     /// σ², 2√(2/π) σ³ and 3σ⁴.
     fn absolute_moments(&self) -> [f32; 4] {
         gaussian_moments(self.statistics().standard_deviation)

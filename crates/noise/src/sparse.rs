@@ -3,6 +3,7 @@
 use core::{error::Error, fmt};
 
 use crate::{
+    absolute_moments,
     columns::{Stretch, end_of_cell, has_columns, put},
     directions::uniform,
     integer_hash::{IntegerHash, further},
@@ -417,6 +418,16 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
             _ => [&tables::SPARSE_1_4, &tables::SPARSE_2_4, &tables::SPARSE_3_4, &tables::SPARSE_4_4],
         };
         tables[usize::from(self.impulses - 1) & 3]
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        let tables = [
+            &absolute_moments::SPARSE_1,
+            &absolute_moments::SPARSE_2,
+            &absolute_moments::SPARSE_3,
+            &absolute_moments::SPARSE_4,
+        ];
+        tables[usize::from(self.impulses - 1) & 3][N - 1]
     }
 }
 

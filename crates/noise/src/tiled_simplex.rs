@@ -143,6 +143,10 @@ impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
     fn statistics(&self) -> &'static Statistics {
         Kernel::<3>::statistics(&self.noise)
     }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        Kernel::<3>::absolute_moments(&self.noise)
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Value noise: random numbers at lattice points, interpolated in two ways.
 
 use crate::{
+    absolute_moments,
     catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
     cell_noise::{CellNoise, Corner},
     columns::Stretch,
@@ -108,6 +109,10 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
             _ => &tables::VALUE_4,
         }
     }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::VALUE[N - 1]
+    }
 }
 
 impl<L: Lattice, const N: usize> SplineNoise<N> for ValueCatmullRom<L> {
@@ -168,6 +173,10 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
             3 => &tables::VALUE_CATMULL_ROM_3,
             _ => &tables::VALUE_CATMULL_ROM_4,
         }
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::VALUE_CATMULL_ROM[N - 1]
     }
 }
 

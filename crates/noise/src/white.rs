@@ -65,6 +65,11 @@ impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
             _ => &tables::WHITE_4,
         }
     }
+
+    /// Those of the uniform distribution, 1/(k + 1).
+    fn absolute_moments(&self) -> [f32; 4] {
+        [0.5, 1.0 / 3.0, 0.25, 0.2]
+    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod formats;
 mod noise;
 mod noise_cdf;
 mod noise_levels;
+mod noise_means;
 mod shipped;
 
 use std::{

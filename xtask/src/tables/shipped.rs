@@ -2,13 +2,17 @@
 
 use std::{fs, path::Path};
 
-use super::{noise_cdf::noise_statistics_source, noise_levels::noise_levels_source};
+use super::{
+    noise_cdf::noise_statistics_source, noise_levels::noise_levels_source,
+    noise_means::absolute_moments_source,
+};
 use crate::{figure::Failure, output::Output, progress};
 
 /// One generated file: its folder and name in the source tree, and what makes its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
-const SHIPPED: [Shipped; 2] = [
+const SHIPPED: [Shipped; 3] = [
+    ("crates/noise/src", "absolute_moments.rs", absolute_moments_source),
     ("crates/noise/src", "gaussian_levels.rs", noise_levels_source),
     ("crates/noise/src", "statistics_tables.rs", noise_statistics_source),
 ];
