@@ -66,7 +66,6 @@ where
         error::<Vec3, K, 3>(noise, kind, scales[2]),
         error::<Vec4, K, 4>(noise, kind, scales[3]),
     ];
-    println!("{name}: {errors:?}");
     assert!(errors.iter().all(|&error| error < tolerance), "{name}: {errors:?}");
 }
 

@@ -72,8 +72,8 @@ fn follows<V: Point<N>, K: Kernel<N> + Copy, T: Shape, const N: usize>(kind: K, 
             let sample: Sample<V> = signed.with_shape(shape).sample(p, 3.5);
             // Octaves come out of sums by differences: a few roundings of values under 2 and gradients under 30.
             assert!((f64::from(sample.value) - value / norm).abs() < 4e-6, "{shape:?} {N}-D at {p:?}");
-            for axis in 0..N {
-                let (got, expected) = (f64::from(sample.gradient.coordinates()[axis]), gradient[axis] / norm);
+            for (got, slope) in sample.gradient.coordinates().into_iter().zip(gradient) {
+                let (got, expected) = (f64::from(got), slope / norm);
                 assert!((got - expected).abs() < 1e-4, "{shape:?} {N}-D at {p:?}: {got}, not {expected}");
             }
         }
