@@ -151,7 +151,7 @@ impl Batch {
             fn run<S: Lanes>(self, s: S) {
                 let Self(field, points, values) = self;
                 for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-                    let p = points.map(|x| s.load(x.get(chunk * S::LEN..).unwrap_or_default()));
+                    let p = load(s, &points, chunk * S::LEN);
                     s.store(field.lane_values(s, p), out);
                 }
             }
@@ -180,7 +180,7 @@ impl Batch {
                 let Self(field, points, values, mut gradients) = self;
                 for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
                     let start = chunk * S::LEN;
-                    let p = points.map(|x| s.load(x.get(start..).unwrap_or_default()));
+                    let p = load(s, &points, start);
                     let (value, gradient) = field.lane_samples(s, p);
                     s.store(value, out);
                     for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
@@ -194,6 +194,16 @@ impl Batch {
         self.level.run(Fill(field, points, values, gradients));
         Ok(())
     }
+}
+
+/// As many points as there are lanes, from index `i` on.
+#[inline(always)]
+fn load<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], i: usize) -> [S::F; N] {
+    let mut p = [s.float(0.0); N];
+    for axis in 0..N {
+        p[axis] = s.load_part(points[axis].get(i..).unwrap_or_default());
+    }
+    p
 }
 
 /// What is run at a level.

@@ -318,10 +318,10 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
         let mut i = 0;
         while i < cells {
             let ends = [
-                s.load(&columns[i..]),
-                s.load(&columns[i + 1..]),
-                s.load(&columns[i + 2..]),
-                s.load(&columns[i + 3..]),
+                s.load_part(&columns[i..]),
+                s.load_part(&columns[i + 1..]),
+                s.load_part(&columns[i + 2..]),
+                s.load_part(&columns[i + 3..]),
             ];
             let Cubic(coefficients) = Cubic::new(s, ends);
             for c in 0..4 {

@@ -456,8 +456,8 @@ fn rises<S: Lanes, K: CellNoise<N>, const N: usize>(
 ) {
     let mut i = 0;
     while i < count {
-        let low = [s.load(&a[i..]), s.load(&b[i..])];
-        let high = [s.load(&a[i + 1..]), s.load(&b[i + 1..])];
+        let low = [s.load_part(&a[i..]), s.load_part(&b[i..])];
+        let high = [s.load_part(&a[i + 1..]), s.load_part(&b[i + 1..])];
         if K::HAS_GRADIENT {
             let span = Span::<S>::new::<true>(low, high);
             s.store(span.rise_a, &mut rise_a[i..]);

@@ -82,6 +82,9 @@ pub(crate) fn unit_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
 /// in space within 2e-5.
 #[inline(always)]
 pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
+    if S::TABLES && N > 1 {
+        return edge_entry(s, word, length);
+    }
     let (zero, one) = (s.float(0.0), s.float(length));
     let mut g = [one; N];
     match N {
@@ -117,6 +120,62 @@ pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
                 g[i] = s.select(s.equal(axis, s.word(i as u32)), zero, s.flip(one, signs[i]));
             }
         }
+    }
+    g
+}
+
+/// The edge directions by index: the upper four bits in the plane, axis and lower bits in space and in 4-D.
+static EDGES_2: [[f32; 4]; 16] = edges_2();
+static EDGES_3: [[f32; 4]; 32] = edges();
+static EDGES_4: [[f32; 4]; 64] = edges();
+
+const fn edges_2() -> [[f32; 4]; 16] {
+    const LONG: f32 = core::f32::consts::SQRT_2;
+    let mut edges = [[0.0; 4]; 16];
+    let mut i = 0;
+    while i < 16 {
+        let [x, y] = if i & 2 == 0 {
+            [1.0, 1.0]
+        } else if i & 1 == 0 {
+            [LONG, 0.0]
+        } else {
+            [0.0, LONG]
+        };
+        edges[i] = [if i & 8 == 0 { x } else { -x }, if i & 4 == 0 { y } else { -y }, 0.0, 0.0];
+        i += 1;
+    }
+    edges
+}
+
+/// Signs by the lowest bits of the index, and 0 along the axis that the bits above them number.
+const fn edges<const COUNT: usize>() -> [[f32; 4]; COUNT] {
+    let dimensions = if COUNT == 64 { 4 } else { 3 };
+    let mut edges = [[0.0; 4]; COUNT];
+    let mut i = 0;
+    while i < COUNT {
+        let mut axis = 0;
+        while axis < dimensions {
+            let sign = if i >> axis & 1 == 0 { 1.0 } else { -1.0 };
+            edges[i][axis] = if i >> dimensions == axis { 0.0 } else { sign };
+            axis += 1;
+        }
+        i += 1;
+    }
+    edges
+}
+
+/// [`edge_direction`] from a table.
+#[inline(always)]
+fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
+    let word = s.lane_word(word, 0);
+    let entry = match N {
+        2 => EDGES_2[(word >> 28) as usize],
+        3 => EDGES_3[((((word >> 16) * 3) >> 16) << 3 | word & 7) as usize & 31],
+        _ => EDGES_4[((word >> 30) << 4 | word & 15) as usize],
+    };
+    let mut g = [s.float(0.0); N];
+    for axis in 0..N {
+        g[axis] = s.float(entry[axis % 4] * length);
     }
     g
 }

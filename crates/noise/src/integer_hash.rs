@@ -8,17 +8,19 @@ use crate::{
 /// A 32-bit hash of cell and seed.
 ///
 /// ```text
-/// h = x·P₁ ^ y·P₂ ^ z·P₃ ^ w·P₄                   mod 2³²
+/// h = x·P₁ ^ (y + D₂)·P₂ ^ (z + D₃)·P₃ ^ (w + D₄)·P₄   mod 2³²
 /// h = (h ^ h ≫ 16)·M₁ + key(seed)
 /// h = (h ^ h ≫ 15)·M₂,   word = h ^ h ≫ 16
 /// ```
 ///
 /// P are 2³² times the fractions of g⁻¹ … g⁻⁴ with g⁵ = g + 1, made odd, which keep small cells far apart; they are
-/// joined by exclusive or, which unlike a sum has no translation that maps the lattice onto itself. M₁ and M₂ are the
+/// joined by exclusive or, which unlike a sum has no translation that maps the lattice onto itself. But −a ^ −b is a ^ b
+/// for a third of all words, so a lattice has reflections of two axes at once that keep a third of it; D put their centres
+/// more than 2²⁸ cells away. M₁ and M₂ are the
 /// multipliers of Wellons's search for 32-bit mixers of least bias (2018). key is SplitMix64's finaliser of the seed
 /// (Steele, Lea, Flood 2014); it enters between two rounds, so no seed's lattice is another's translate.
 ///
-/// In fewer dimensions the missing coordinates are 0: a plane is a section of space.
+/// In fewer dimensions the missing coordinates are −D: a plane is a section of space.
 ///
 /// - **Measured:** flipping one bit of a coordinate or the seed flips each bit of the word with probability 0.5 ± 0.1.
 ///
@@ -32,6 +34,13 @@ use crate::{
 pub struct IntegerHash;
 
 const P: [u32; 4] = [0xdb4f_0b91, 0xbbe0_5633, 0xa0f2_ec75, 0x89e1_8285];
+/// D·P, nothing for one axis: no two axes have their centres near.
+const SHIFT: [u32; 4] = [
+    0,
+    0x2545_f491_u32.wrapping_mul(P[1]),
+    0x3c6e_f372_u32.wrapping_mul(P[2]),
+    0x1b87_3593_u32.wrapping_mul(P[3]),
+];
 const M1: u32 = 0x7feb_352d;
 const M2: u32 = 0x846c_a68b;
 /// 2³² over the golden ratio, made odd.
@@ -49,7 +58,7 @@ impl Lattice for IntegerHash {
 
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
-        cell * s.word(P[axis & 3])
+        cell * s.word(P[axis & 3]) + s.word(SHIFT[axis & 3])
     }
 
     #[inline(always)]
@@ -180,10 +189,31 @@ mod tests {
     }
 
     #[test]
-    fn the_plane_is_space_at_zero() {
-        assert_eq!(IntegerHash.word([5, -9], 3), IntegerHash.word([5, -9, 0, 0], 3));
+    fn no_near_reflection_maps_the_lattice_onto_itself() {
+        // Every pair of axes, mirrored about every half cell near the origin; without the shifts a third would meet.
+        for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
+            for centre in -8..8 {
+                let mut met = 0;
+                for i in 0..400 {
+                    let here = [i % 20 - 10, i / 20 - 9, i % 7 - 3, i % 11 - 6];
+                    let mut there = here;
+                    there[first] = centre - there[first];
+                    there[second] = centre - there[second];
+                    let same = here != there && IntegerHash.word(here, 7) == IntegerHash.word(there, 7);
+                    met += u32::from(same);
+                }
+                assert_eq!(met, 0, "axes {first} and {second} about {centre}/2");
+            }
+        }
+    }
+
+    #[test]
+    fn the_plane_is_a_section_of_space() {
+        let [z, w] = [0x3c6e_f372, 0x1b87_3593];
+        assert_eq!(IntegerHash.word([5, -9], 3), IntegerHash.word([5, -9, -z, -w], 3));
         assert_eq!(word_by_terms(&IntegerHash, [5, -9, 2], 3), IntegerHash.word([5, -9, 2], 3));
         let [here, next] = IntegerHash.terms(Scalar, 1, Scalar.word(41));
-        assert_eq!((here, next), (Scalar.word(41) * Scalar.word(P[1]), Scalar.word(42) * Scalar.word(P[1])));
+        assert_eq!(here, Scalar.word(41) * Scalar.word(P[1]) + Scalar.word(SHIFT[1]));
+        assert_eq!(next, IntegerHash.term(Scalar, 1, Scalar.word(42)));
     }
 }

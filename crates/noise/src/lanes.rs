@@ -50,6 +50,8 @@ impl<U> Words for U where
 pub trait Lanes: Copy + sealed::Sealed {
     /// The number of lanes.
     const LEN: usize;
+    /// Whether a table is looked up faster than its entries are computed.
+    const TABLES: bool;
     /// One `f32` per lane.
     type F: Floats;
     /// One `u32` per lane.
@@ -67,7 +69,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn words(self, f: impl FnMut(usize) -> u32) -> Self::U;
     /// The number of each lane.
     fn iota(self) -> Self::U;
-    /// The floats of a slice of at least `LEN`; 0 where it is too short.
+    /// The first floats of a slice, zeros if it has fewer than `LEN`.
     fn load(self, slice: &[f32]) -> Self::F;
     /// Writes as many lanes as the slice can hold.
     fn store(self, x: Self::F, slice: &mut [f32]);
@@ -105,6 +107,27 @@ pub trait Lanes: Copy + sealed::Sealed {
     /// Whether the mask holds in every lane.
     fn all(self, mask: Self::M) -> bool;
 
+    /// The first floats of a slice, followed by zeros if it has fewer than `LEN`.
+    #[inline(always)]
+    fn load_part(self, slice: &[f32]) -> Self::F {
+        if slice.len() < Self::LEN {
+            let mut padded = [0.0; 16];
+            for (to, from) in padded.iter_mut().zip(slice) {
+                *to = *from;
+            }
+            self.load(&padded)
+        } else {
+            self.load(slice)
+        }
+    }
+
+    /// ⌊x⌋ as the bits of an `i32`, and x − ⌊x⌋, for |x| < 2³¹.
+    #[inline(always)]
+    fn cell(self, x: Self::F) -> (Self::U, Self::F) {
+        let floor = self.floor(x);
+        (self.integer(floor), x - floor)
+    }
+
     /// max(0, x), 0 for NaN.
     #[inline(always)]
     fn positive(self, x: Self::F) -> Self::F {
@@ -130,8 +153,25 @@ mod sealed {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scalar;
 
+/// ⌊x⌋ for |x| ≤ 2³¹.
+#[inline(always)]
+fn floor(x: f32) -> i32 {
+    // 1.5·2²³: a sum with it is rounded to an integer, which its lower bits hold. A cast would also have to see to NaN
+    // and to numbers that are too large, and a call of the library is slower still.
+    const ROUND: f32 = 12_582_912.0;
+    let (nearest, above) = if x.abs() < 4_194_304.0 {
+        let sum = x + ROUND;
+        (sum.to_bits().wrapping_sub(ROUND.to_bits()) as i32, x < sum - ROUND)
+    } else {
+        let truncated = x as i32;
+        (truncated, x < truncated as f32)
+    };
+    nearest.wrapping_sub(i32::from(above))
+}
+
 impl Lanes for Scalar {
     const LEN: usize = 1;
+    const TABLES: bool = true;
     type F = f32;
     type U = Wrapping<u32>;
     type M = bool;
@@ -184,13 +224,16 @@ impl Lanes for Scalar {
     }
     #[inline(always)]
     fn floor(self, x: f32) -> f32 {
-        // By truncation and correction, which spares a call of the library.
-        let truncated = x as i32 as f32;
-        if x < truncated { truncated - 1.0 } else { truncated }
+        floor(x) as f32
     }
     #[inline(always)]
     fn integer(self, x: f32) -> Wrapping<u32> {
-        Wrapping(x as i32 as u32)
+        Wrapping(floor(x) as u32)
+    }
+    #[inline(always)]
+    fn cell(self, x: f32) -> (Wrapping<u32>, f32) {
+        let floor = floor(x);
+        (Wrapping(floor as u32), x - floor as f32)
     }
     #[inline(always)]
     fn real(self, x: Wrapping<u32>) -> f32 {

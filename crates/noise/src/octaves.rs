@@ -325,7 +325,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
             let row = row.after(stretch * STRETCH).scaled(frequencies, layer.offset);
             row_values(&self.sum.noise, s, &row, layer.seed, columns, octave);
             for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
-                let octave = self.sum.shape.value(s, s.load(octave));
+                let octave = self.sum.shape.value(s, s.load_part(octave));
                 self.accumulate(s, pass, sum, self.constant, amplitude, octave);
             }
         }
@@ -355,9 +355,9 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
             row_samples(&self.sum.noise, s, &row, layer.seed, columns, octave, &mut rows);
             let mut i = 0;
             for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
-                let mut sample = (s.load(octave), [s.float(0.0); N]);
+                let mut sample = (s.load_part(octave), [s.float(0.0); N]);
                 for axis in 0..N {
-                    sample.1[axis] = s.load(slopes[axis].get(i..).unwrap_or_default());
+                    sample.1[axis] = s.load_part(slopes[axis].get(i..).unwrap_or_default());
                 }
                 let (value, gradient) = self.sum.shape.sample(s, sample);
                 self.accumulate(s, pass, sum, self.constant, amplitude, value);
@@ -385,7 +385,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
         amplitude: f32,
         octave: S::F,
     ) {
-        let before = if pass == 0 { s.float(constant) } else { s.load(sum) };
+        let before = if pass == 0 { s.float(constant) } else { s.load_part(sum) };
         let mut total = before + s.float(amplitude) * octave;
         if pass + 1 == self.count {
             total = total * s.float(self.factor);

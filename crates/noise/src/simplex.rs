@@ -7,7 +7,7 @@ use crate::{
     integer_hash::IntegerHash,
     kernel::{Kernel, LaneSample},
     lanes::{Lanes, Scalar},
-    lattice::{Lattice, cell},
+    lattice::Lattice,
     statistics::Statistics,
     statistics_tables as tables,
 };
@@ -18,8 +18,8 @@ use crate::{
 /// n(p) = A Σ_c max(0, r² − |d|²)⁴ g_c·d,   d = p − c
 /// ```
 ///
-/// In 1 to 4 dimensions. The simplex of a point is found from its cell and place, the cell in integers, so that far from the
-/// origin nothing is lost but what `f32` cannot hold of the point itself.
+/// In 1 to 4 dimensions. Far from the origin corners are rounded, by up to |p|·2⁻²², which is about what `f32` cannot hold
+/// of the point itself; the noise stays continuous. From |p| = 2²⁴ or so on no corner is near, and the noise is 0.
 ///
 /// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 2e-6.
 ///
@@ -83,63 +83,36 @@ const MAXIMA: [[f32; 2]; 4] = [
 const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
 /// (1 − 1/√(n + 1))/n, which shears back.
 const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
-/// Skew·2³².
-const SKEW_BITS: [u32; 4] = [0, 0x5db3_d743, 0, 0x4f1b_bcdd];
 
-/// A point's simplex: its first corner in the skewed lattice, the way to it, and the order of the axes.
+/// A point's simplex: its first corner in the skewed lattice, and the order of the axes on the way to the last.
 struct Corner<S: Lanes, const N: usize> {
-    cell: [S::U; N],
-    d: [S::F; N],
+    /// The corner's skewed coordinates, integers.
+    skewed: [S::F; N],
+    /// Their sum.
+    sum: S::F,
     /// How many axes the point is farther along in the skewed cell than each axis.
     rank: [S::F; N],
 }
 
-/// S·skew in parts, S = Σ cells: an integer and a rest of at most 1 in magnitude.
-///
-/// The parts are exact where S·skew is not a float: thirds by division with a rest, other skews as fractions of 2³².
 #[inline(always)]
-fn skewed<S: Lanes, const N: usize>(s: S, sum: S::U) -> (S::U, S::F) {
-    let product = s.real(sum) * s.float(SKEW[N - 1]);
-    if N == 3 {
-        let whole = s.integer(s.floor(product));
-        (whole, s.real(sum - (whole + whole + whole)) * s.float(SKEW[N - 1]))
-    } else {
-        let rest = s.real(sum * s.word(SKEW_BITS[N - 1])) * s.float(1.0 / 4_294_967_296.0);
-        (s.integer(s.floor(product - rest + s.float(0.5))), rest)
-    }
-}
-
-#[inline(always)]
-fn first_corner<S: Lanes, const N: usize>(s: S, p: [S::F; N]) -> Corner<S, N> {
+fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
     let (one, zero) = (s.float(1.0), s.float(0.0));
-    let mut corner = Corner { cell: [s.word(0); N], d: p, rank: [zero; N] };
+    let mut corner = Corner { skewed: *p, sum: zero, rank: [zero; N] };
+    // The first coordinate comes last: along a row of a grid the rest of the sum does not change.
+    let mut sum = p[N - 1];
+    for axis in (0..N - 1).rev() {
+        sum = sum + p[axis];
+    }
+    let shift = sum * s.float(SKEW[N - 1]);
     for axis in 0..N {
-        (corner.cell[axis], corner.d[axis]) = cell(s, p[axis]);
+        corner.skewed[axis] = s.floor(if N == 1 { p[axis] } else { p[axis] + shift });
+        corner.sum = corner.sum + corner.skewed[axis];
     }
-    if N == 1 {
-        return corner;
-    }
-    let (mut cells, mut places) = (corner.cell[0], corner.d[0]);
-    for axis in 1..N {
-        cells = cells + corner.cell[axis];
-        places = places + corner.d[axis];
-    }
-    let (whole, rest) = skewed::<S, N>(s, cells);
-    let shift = rest + s.float(SKEW[N - 1]) * places;
-    let mut sum = zero;
-    for axis in 0..N {
-        let floor = s.floor(corner.d[axis] + shift);
-        corner.cell[axis] = corner.cell[axis] + whole + s.integer(floor);
-        corner.d[axis] = corner.d[axis] - floor;
-        sum = sum + floor;
-    }
-    let back = sum * s.float(UNSKEW[N - 1]) + rest * s.float(1.0 - N as f32 * UNSKEW[N - 1]);
-    for axis in 0..N {
-        corner.d[axis] = corner.d[axis] + back;
-    }
+    // Which axis the point is farther along does not depend on what all are shifted by.
     for axis in 1..N {
         for before in 0..axis {
-            let ahead = s.select(s.less(corner.d[axis], corner.d[before]), one, zero);
+            let low = p[axis] - corner.skewed[axis];
+            let ahead = s.select(s.less(low, p[before] - corner.skewed[before]), one, zero);
             corner.rank[before] = corner.rank[before] + ahead;
             corner.rank[axis] = corner.rank[axis] + (one - ahead);
         }
@@ -159,39 +132,43 @@ impl<L: Lattice> Simplex<L> {
     /// The terms of the lattice for the first corner and for one step along each axis.
     #[inline(always)]
     fn terms<S: Lanes, const N: usize>(&self, s: S, corner: &Corner<S, N>) -> [[S::U; 2]; N] {
-        let mut terms = [[corner.cell[0]; 2]; N];
+        let mut terms = [[s.word(0); 2]; N];
         for axis in 0..N {
-            terms[axis] = self.lattice.terms(s, axis, corner.cell[axis]);
+            terms[axis] = self.lattice.terms(s, axis, s.integer(corner.skewed[axis]));
         }
         terms
     }
 
     /// The term of the corner that is k steps from the first.
+    ///
+    /// A corner's place is computed from its skewed coordinates alone, so that all simplices around it agree on it to the
+    /// last bit, and what is rounded far from the origin moves corners but opens no seams.
     #[inline(always)]
     fn term<S: Lanes, const N: usize>(
         &self,
         s: S,
+        p: &[S::F; N],
         corner: &Corner<S, N>,
         terms: &[[S::U; 2]; N],
         k: usize,
         seed: u32,
     ) -> Term<S, N> {
-        let (mut words, mut d) = ([terms[0][0]; N], corner.d);
-        let back = s.float(k as f32 * UNSKEW[N - 1]);
-        let stepped = s.float(k as f32 * UNSKEW[N - 1] - 1.0);
+        let (one, zero) = (s.float(1.0), s.float(0.0));
+        let back = (corner.sum + s.float(k as f32)) * s.float(UNSKEW[N - 1]);
+        let (mut words, mut d) = ([terms[0][0]; N], *p);
         for axis in 0..N {
-            let [low, high] = terms[axis];
-            if k == 0 {
-                words[axis] = low;
-            } else if k == N {
+            let ([low, high], mut skewed) = (terms[axis], corner.skewed[axis]);
+            words[axis] = low;
+            if k == N {
                 words[axis] = high;
-                d[axis] = d[axis] + stepped;
-            } else {
+                skewed = skewed + one;
+            } else if k > 0 {
                 // From corner to corner one steps along the axes in descending order of the ranks.
                 let ahead = s.less(s.float((N - k) as f32 - 0.5), corner.rank[axis]);
                 words[axis] = s.select_word(ahead, high, low);
-                d[axis] = d[axis] + s.select(ahead, stepped, back);
+                skewed = skewed + s.select(ahead, one, zero);
             }
+            d[axis] = if N == 1 { p[axis] - skewed } else { p[axis] - (skewed - back) };
         }
         let maximum = MAXIMA[N - 1][usize::from(self.kernel == Radius::Wide)];
         let g: [S::F; N] = edge_direction(s, self.lattice.words(s, words, seed), MARGIN / maximum);
@@ -208,11 +185,11 @@ impl<L: Lattice, const N: usize> Curved<N> for Simplex<L> {
     /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<[f32; N], N> {
-        let corner = first_corner(Scalar, p);
+        let corner = first_corner(Scalar, &p);
         let terms = self.terms(Scalar, &corner);
         let mut jet = Jet::ZERO;
-        for k in 0..=N {
-            let Term { t, d, g, slope } = self.term(Scalar, &corner, &terms, k, seed);
+        for k in 0..N + 1 {
+            let Term { t, d, g, slope } = self.term(Scalar, &p, &corner, &terms, k, seed);
             let t2 = t * t;
             let (t3, t4) = (t2 * t, t2 * t2);
             jet.value += t4 * slope;
@@ -231,27 +208,41 @@ impl<L: Lattice, const N: usize> Curved<N> for Simplex<L> {
     }
 }
 
+/// A block of code once for each of the N + 1 corners.
+macro_rules! for_corners {
+    ($n:ident, |$k:ident| $block:block) => {
+        for_corners!(@ $n, $k, $block, 0 1 2 3 4)
+    };
+    (@ $n:ident, $k:ident, $block:block, $($corner:literal)*) => {
+        $(if $corner <= $n {
+            let $k: usize = $corner;
+            $block
+        })*
+    };
+}
+
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        let corner = first_corner(s, p);
+        let corner = first_corner(s, &p);
         let terms = self.terms(s, &corner);
         let mut value = s.float(0.0);
-        for k in 0..=N {
-            let Term { t, slope, .. } = self.term(s, &corner, &terms, k, seed);
+        // Written out, because a loop with such a body is not unrolled.
+        for_corners!(N, |k| {
+            let Term { t, slope, .. } = self.term(s, &p, &corner, &terms, k, seed);
             let t2 = t * t;
             value = value + t2 * t2 * slope;
-        }
+        });
         value
     }
 
     #[inline(always)]
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let corner = first_corner(s, p);
+        let corner = first_corner(s, &p);
         let terms = self.terms(s, &corner);
         let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
-        for k in 0..=N {
-            let Term { t, d, g, slope } = self.term(s, &corner, &terms, k, seed);
+        for_corners!(N, |k| {
+            let Term { t, d, g, slope } = self.term(s, &p, &corner, &terms, k, seed);
             let t2 = t * t;
             let t4 = t2 * t2;
             value = value + t4 * slope;
@@ -259,7 +250,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
             for axis in 0..N {
                 gradient[axis] = gradient[axis] + (g[axis] * t4 - d[axis] * pull);
             }
-        }
+        });
         (value, gradient)
     }
 

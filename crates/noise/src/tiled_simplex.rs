@@ -1,9 +1,8 @@
 //! Simplex noise in space that repeats along the axes.
 
 use crate::{
-    columns::Stretch,
     integer_hash::IntegerHash,
-    kernel::{Kernel, LaneSample, Row},
+    kernel::{Kernel, LaneSample},
     lanes::Lanes,
     lattice::Lattice,
     simplex::Simplex,
@@ -104,40 +103,28 @@ impl<L: Lattice> Lattice for Corners<L> {
     }
 }
 
+impl<L> TiledSimplex<L> {
+    /// Points moved by whole periods into the first tile, so that all tiles have the same bits.
+    #[inline(always)]
+    fn in_first_tile<S: Lanes>(&self, s: S, p: [S::F; 3]) -> [S::F; 3] {
+        let mut q = p;
+        for axis in 0..3 {
+            let period = s.float(self.periods[axis] as f32);
+            q[axis] = p[axis] - period * s.floor(p[axis] / period);
+        }
+        q
+    }
+}
+
 impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
-        self.noise.lane_values(s, p, seed)
+        self.noise.lane_values(s, self.in_first_tile(s, p), seed)
     }
 
     #[inline(always)]
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
-        self.noise.lane_samples(s, p, seed)
-    }
-
-    #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<3, SCALED>,
-        seed: u32,
-        columns: &mut Stretch<3>,
-        values: &mut [f32],
-    ) {
-        self.noise.row_values(s, row, seed, columns, values);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<3, SCALED>,
-        seed: u32,
-        columns: &mut Stretch<3>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; 3],
-    ) {
-        self.noise.row_samples(s, row, seed, columns, values, gradients);
+        self.noise.lane_samples(s, self.in_first_tile(s, p), seed)
     }
 
     fn statistics(&self) -> &'static Statistics {

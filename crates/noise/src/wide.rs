@@ -10,6 +10,7 @@ pub(crate) struct Wide<S>(pub(crate) S);
 
 impl<S: Simd> Lanes for Wide<S> {
     const LEN: usize = S::f32s::LEN;
+    const TABLES: bool = false;
     type F = S::f32s;
     type U = S::u32s;
     type M = S::mask32s;
@@ -39,7 +40,7 @@ impl<S: Simd> Lanes for Wide<S> {
     fn load(self, slice: &[f32]) -> Self::F {
         match slice.get(..Self::LEN) {
             Some(slice) => S::f32s::from_slice(self.0, slice),
-            None => self.floats(|lane| slice.get(lane).copied().unwrap_or(0.0)),
+            None => self.float(0.0),
         }
     }
     #[inline(always)]
