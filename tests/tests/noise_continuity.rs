@@ -1,0 +1,160 @@
+//! Values and gradients are continuous across cell borders and the faces of simplices, on both sides of the origin.
+
+use asperity_noise::{
+    Noise, Point, Simplex,
+    glam::{Vec2, Vec3},
+};
+use asperity_tests::{
+    noise_kinds::{Testable, Visit, every_kind, every_kind_by_permutation},
+    noise_reference::Kind,
+    random::Random,
+};
+
+const STEP: f32 = 1.0 / 1024.0;
+/// What a step may add beyond the mean of the two gradients: h²/4 times the jump of the second derivative (at most 80)
+/// and rounding. Worst seen 2.3e-5.
+const LEAP: f32 = 5e-5;
+
+struct Walk;
+
+impl Visit for Walk {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        if name.starts_with("wide") && N > 1 {
+            return;
+        }
+        let mut worst = 0.0_f32;
+        for seed in 0..4 {
+            let at = |i: i16| -> [f32; N] {
+                let t = f32::from(i) * STEP;
+                let line = [t, t * 0.5 + 0.3, 0.1 - t * 0.75, 0.7 + t * 0.25];
+                std::array::from_fn(|axis| line[axis])
+            };
+            let sample = |i: i16| {
+                let sample = noise.sample(V::from_coordinates(at(i)), seed);
+                (sample.value, sample.gradient.coordinates())
+            };
+            let mut before = sample(-6000);
+            for i in -6000..6000_i16 {
+                let after = sample(i + 1);
+                let (p, q) = (at(i), at(i + 1));
+                let slopes = (0..N).map(|k| 0.5 * (before.1[k] + after.1[k]) * (q[k] - p[k]));
+                worst = worst.max((after.0 - before.0 - slopes.sum::<f32>()).abs());
+                before = after;
+            }
+        }
+        println!("{name}: {worst:e}");
+        assert!(worst < LEAP, "{name}: {worst}");
+    }
+}
+
+#[test]
+fn fields_follow_their_gradients_across_cells_on_both_sides_of_the_origin() {
+    every_kind(&mut Walk);
+    every_kind_by_permutation(&mut Walk);
+}
+
+/// Half the way across a border; floats are 2⁻²² apart or less there.
+const HALF: f64 = 1.0 / 262_144.0;
+
+/// A random point in ±4 on a border of a cell, or of a simplex, and a direction across it.
+fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [f64; N]) {
+    let mut p = [(); N].map(|()| ((random.uniform() - 0.5) * 8.0 * 4096.0).round() / 4096.0);
+    let mut across = [0.0; N];
+    let axis = random.bits() as usize % N;
+    if !simplicial || N == 1 {
+        p[axis] = p[axis].round();
+        across[axis] = 1.0;
+    } else if random.bits().is_multiple_of(2) {
+        // Where two skewed coordinates have the same place in their cells: they differ by an integer, skewed or not.
+        let other = (axis + 1) % N;
+        p[axis] = p[other] + (p[axis] - p[other]).round();
+        (across[axis], across[other]) = (0.5, -0.5);
+    } else {
+        // Where a skewed coordinate is an integer: x + skew Σ = m.
+        let skew = ((N as f64 + 1.0).sqrt() - 1.0) / N as f64;
+        let sum: f64 = p.iter().sum();
+        let skewed = p[axis] + skew * sum;
+        p[axis] += (skewed.round() - skewed) / (1.0 + skew);
+        across = [skew / 2.0; N];
+        across[axis] += 0.5;
+    }
+    (p, across)
+}
+
+/// A step of 2⁻¹⁷ changes a gradient by at most 250 times that, 2e-3, and a value only as the gradients say, up to rounding.
+/// Worst seen: 0 and 0.
+struct Borders;
+
+impl Visit for Borders {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        let simplicial = name.contains("simplex");
+        if name.starts_with("wide") && N > 1 {
+            return;
+        }
+        let kind = if simplicial { Kind::Simplex(0.5) } else { Kind::Perlin2002 };
+        let mut random = Random(N as u64);
+        let (mut leap, mut kink, mut crossed, mut negative) = (0.0_f64, 0.0_f64, 0, 0);
+        for seed in 0..3000 {
+            let (p, across) = border::<N>(simplicial, &mut random);
+            let side = |sign: f64| -> [f32; N] {
+                std::array::from_fn(|axis| (p[axis] + sign * HALF * across[axis]) as f32)
+            };
+            let ends = [side(-1.0), side(1.0)];
+            let [here, there] = ends.map(|end| kind.lattice_points(end.map(f64::from)));
+            if here == there {
+                continue;
+            }
+            crossed += 1;
+            negative += u32::from(p.iter().any(|&x| x < 0.0));
+            let [a, b] = ends.map(|end| noise.sample(V::from_coordinates(end), seed));
+            let (low, high) = (a.gradient.coordinates(), b.gradient.coordinates());
+            let mut expected = 0.0;
+            for axis in 0..N {
+                let [low, high] = [low[axis], high[axis]].map(f64::from);
+                kink = kink.max((high - low).abs());
+                expected += 0.5 * (low + high) * (f64::from(ends[1][axis]) - f64::from(ends[0][axis]));
+            }
+            leap = leap.max((f64::from(b.value) - f64::from(a.value) - expected).abs());
+        }
+        println!("{name}: {crossed} borders, value {leap:.1e}, gradient {kink:.1e}");
+        assert!(crossed > 2900 && negative > 1000, "{name}: {crossed} borders, {negative} of them negative");
+        assert!(leap < 4e-6 && kink < 2e-3, "{name}: leap {leap:e}, kink {kink:e}");
+    }
+}
+
+#[test]
+fn values_and_gradients_meet_at_every_border() {
+    every_kind(&mut Borders);
+    every_kind_by_permutation(&mut Borders);
+}
+
+/// The greatest leap of the wide simplex noise beyond its gradient, over walks of many seeds.
+fn greatest_leap(field: impl Fn(f32, u32) -> (f32, f32)) -> f32 {
+    let mut greatest = 0.0_f32;
+    for seed in 0..400 {
+        let at = |i: i16| f32::from(i) * STEP;
+        let (mut a, mut slope_a) = field(at(-3000), seed);
+        for i in -3000..3000_i16 {
+            let (b, slope_b) = field(at(i + 1), seed);
+            greatest = greatest.max((b - a - 0.5 * STEP * (slope_a + slope_b)).abs());
+            (a, slope_a) = (b, slope_b);
+        }
+    }
+    greatest
+}
+
+#[test]
+fn the_wide_simplex_kernel_leaps_at_faces() {
+    let planar = greatest_leap(|t, seed| {
+        let direction = Vec2::new(0.8, 0.6);
+        let sample = Simplex::WIDE.sample(direction * t, seed);
+        (sample.value, sample.gradient.dot(direction))
+    });
+    let spatial = greatest_leap(|t, seed| {
+        let direction = Vec3::new(0.48, 0.6, -0.64);
+        let sample = Simplex::WIDE.sample(direction * t, seed);
+        (sample.value, sample.gradient.dot(direction))
+    });
+    assert!(planar > 1e-3 && planar < 0.006, "2-D: {planar}");
+    assert!(spatial > 1e-3 && spatial < 0.006, "3-D: {spatial}");
+}

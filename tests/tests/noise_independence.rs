@@ -1,0 +1,148 @@
+//! Fields that should have nothing to do with one another: other seeds, swapped axes, mirror images, other octaves.
+
+use asperity_noise::{Normalisation, Octaves, Point, Rotation, Spectrum};
+use asperity_tests::{
+    noise_kinds::{Testable, Visit, every_kind},
+    random::Random,
+};
+
+/// Mostly in cells of their own, so that the points are independent.
+fn point<const N: usize>(random: &mut Random) -> [f32; N] {
+    [(); N].map(|()| ((random.uniform() - 0.5) * 200_000.0) as f32)
+}
+
+/// The correlation of two fields and of their squares over random points, in standard errors.
+fn correlations<const N: usize>(
+    mut point: impl FnMut(&mut Random) -> [f32; N],
+    pair: impl Fn([f32; N]) -> [f32; 2],
+) -> [f64; 2] {
+    const COUNT: u32 = 20_000;
+    let mut random = Random(11);
+    let values: Vec<[f64; 2]> = (0..COUNT).map(|_| pair(point(&mut random)).map(f64::from)).collect();
+    let correlation = |f: fn(f64) -> f64| {
+        let mean = |g: &dyn Fn(&[f64; 2]) -> f64| values.iter().map(g).sum::<f64>() / f64::from(COUNT);
+        let (ma, mb) = (mean(&|v| f(v[0])), mean(&|v| f(v[1])));
+        let covariance = mean(&|v| (f(v[0]) - ma) * (f(v[1]) - mb));
+        let (va, vb) = (mean(&|v| (f(v[0]) - ma).powi(2)), mean(&|v| (f(v[1]) - mb).powi(2)));
+        covariance / (va * vb).sqrt() * f64::from(COUNT).sqrt()
+    };
+    [correlation(|x| x), correlation(|x| x * x)]
+}
+
+/// 4.9 standard errors: significance 0.001 over some 400 cases.
+const LIMIT: f64 = 4.9;
+
+struct Others;
+
+impl Visit for Others {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        type Other<const N: usize> = (&'static str, fn([f32; N]) -> [f32; N], u32);
+        let others: [Other<N>; 6] = [
+            ("the next seed", |p| p, 6),
+            ("seed and high bit", |p| p, 5 | 1 << 31),
+            ("the complement of the seed", |p| p, !5),
+            ("the mirror image", |p| p.map(|x| -x), 5),
+            (
+                "swapped axes",
+                |mut p| {
+                    p.swap(0, N.min(2) - 1);
+                    p
+                },
+                5,
+            ),
+            (
+                "rotated axes",
+                |mut p| {
+                    p.rotate_left(1);
+                    p
+                },
+                5,
+            ),
+        ];
+        let value = |p: [f32; N], seed| noise.value(V::from_coordinates(p), seed);
+        for (how, map, seed) in others {
+            // A line has one axis.
+            if N == 1 && how.ends_with("axes") {
+                continue;
+            }
+            let [values, squares] = correlations(point, |p| [value(p, 5), value(map(p), seed)]);
+            assert!(values.abs() < LIMIT, "{name} and {how}: correlation of {values} standard errors");
+            // Other kinds have a variance that depends on the place in the cell.
+            if name.starts_with("Gaussian") {
+                assert!(squares.abs() < LIMIT, "{name} and {how}: squares' correlation of {squares}");
+            }
+        }
+        // Two reflected axes and no others; and two cells apart, where no corner is shared.
+        if N > 2 {
+            let [values, _] = correlations(point, |p| {
+                let mut q = p;
+                (q[0], q[N - 1]) = (-p[0], -p[N - 1]);
+                [value(p, 5), value(q, 5)]
+            });
+            assert!(values.abs() < LIMIT, "{name} and two reflected axes: {values} standard errors");
+        }
+        for axis in [0, N - 1] {
+            for distance in [2.0, -3.0] {
+                let [values, _] = correlations(point, |p| {
+                    let mut q = p;
+                    q[axis] += distance;
+                    [value(p, 5), value(q, 5)]
+                });
+                assert!(values.abs() < LIMIT, "{name}, {distance} cells along axis {axis}: {values}");
+            }
+        }
+    }
+}
+
+#[test]
+fn seeds_axes_and_mirror_images_are_decorrelated() {
+    every_kind(&mut Others);
+}
+
+struct OctavesApart;
+
+impl Visit for OctavesApart {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        let spectrum = Spectrum::default();
+        for rotation in [Rotation::Random, Rotation::Aligned] {
+            let sum = Octaves::<K, N>::new(noise, spectrum, Normalisation::Range, 9).with_rotation(rotation);
+            // Octave k is what it adds to the sum of those before it.
+            let whole = |p: V, k: f32| sum.value(p, k) * spectrum.sum_of_amplitudes(k);
+            let octave = |p: V, k: f32| whole(p, k) - whole(p, k - 1.0);
+            for (first, second) in [(1.0, 2.0), (2.0, 3.0), (1.0, 3.0)] {
+                let [values, squares] = correlations(point, |p| {
+                    let p = V::from_coordinates(p);
+                    [octave(p, first), octave(p, second)]
+                });
+                let case = format!("{name} {rotation:?}, octaves {first} and {second}");
+                assert!(values.abs() < LIMIT, "{case}: correlation of {values} standard errors");
+                // Lattices apart, even the variances that depend on the place do.
+                if rotation == Rotation::Random && N > 1 {
+                    assert!(squares.abs() < LIMIT, "{case}: squares' correlation of {squares}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn octaves_are_decorrelated() {
+    every_kind(&mut OctavesApart);
+}
+
+struct SumsApart;
+
+impl Visit for SumsApart {
+    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        let sum = |seed| Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Variance, seed);
+        let sums = [sum(1), sum(2)];
+        let [values, _] =
+            correlations(point, |p| sums.each_ref().map(|sum| sum.value(V::from_coordinates(p), 2.5)));
+        assert!(values.abs() < LIMIT, "{name}: correlation of {values} standard errors");
+    }
+}
+
+#[test]
+fn sums_of_other_seeds_are_decorrelated() {
+    every_kind(&mut SumsApart);
+}
