@@ -1,10 +1,10 @@
-//! `cargo xtask gallery`: the tables, then every figure, then the page.
+//! `cargo xtask gallery`: the tables, then every figure, then the pages.
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
 use crate::{
     figure::{Context, Drawn, Failure, Figure, Picture},
-    figures::FIGURES,
+    figures::figures,
     output::{Output, sha256},
     page::{self, PanelRecord, Record},
     progress,
@@ -24,25 +24,25 @@ pub(crate) struct Settings {
 /// The figures whose names contain one of the words; every word must match one.
 pub(crate) fn chosen(only: &[String]) -> Result<Vec<&'static Figure>, Failure> {
     for word in only {
-        if !FIGURES.iter().any(|figure| figure.name.contains(word.as_str())) {
-            let names: Vec<_> = FIGURES.iter().map(|figure| figure.name).collect();
+        if !figures().any(|figure| figure.name.contains(word.as_str())) {
+            let names: Vec<_> = figures().map(|figure| figure.name).collect();
             return Err(format!("no figure is called `{word}`; there are {}", names.join(", ")).into());
         }
     }
     let wanted = |figure: &&Figure| only.is_empty() || only.iter().any(|w| figure.name.contains(w.as_str()));
-    Ok(FIGURES.iter().filter(wanted).collect())
+    Ok(figures().filter(wanted).collect())
 }
 
-/// Draws the chosen figures into `output` and writes the page over all that are there.
+/// Draws the chosen figures into `output` and writes the pages over all that are there.
 pub(crate) fn draw(settings: &Settings, output: &Output, interrupted: &AtomicBool) -> Result<(), Failure> {
     let program = program_digest()?;
-    let figures = chosen(&settings.only)?;
-    for (index, figure) in figures.iter().enumerate() {
+    let wanted = chosen(&settings.only)?;
+    for (index, figure) in wanted.iter().enumerate() {
         let key = format!(
             "{program} size {} spp {} seed {}",
             settings.size, settings.samples_per_pixel, settings.seed
         );
-        let place = format!("{:>2}/{}", index + 1, figures.len());
+        let place = format!("{:>2}/{}", index + 1, wanted.len());
         if !settings.afresh && recorded(figure, output).is_some_and(|r| r.key == key && is_whole(&r, output))
         {
             progress::say(&format!("{place} {:<26} already drawn", figure.name));
@@ -65,13 +65,15 @@ pub(crate) fn draw(settings: &Settings, output: &Output, interrupted: &AtomicBoo
         output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
         progress::say(&format!("{place} {:<26} {seconds:6.1} s", figure.name));
     }
-    let records: Vec<_> = FIGURES
-        .iter()
+    let records: Vec<_> = figures()
         .filter_map(|figure| recorded(figure, output))
         .filter(|record| is_whole(record, output))
         .collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    output.write("index.html", page::gallery(&records, env!("CARGO_PKG_VERSION"), drawing).as_bytes())?;
+    for page in page::PAGES {
+        let text = page.gallery(&records, env!("CARGO_PKG_VERSION"), drawing);
+        output.write(page.file, text.as_bytes())?;
+    }
     Ok(())
 }
 

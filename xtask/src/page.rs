@@ -1,4 +1,4 @@
-//! The gallery's page: one file beside its pictures, light and dark, no network, no script.
+//! The gallery's pages: files beside their pictures, light and dark, no network, no script.
 
 use std::fmt::Write;
 
@@ -70,43 +70,107 @@ pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
     out + "</table></div>\n"
 }
 
-/// The whole gallery; `drawing` hands over the text of an SVG file by its name.
-pub(crate) fn gallery(records: &[Record], version: &str, drawing: impl Fn(&str) -> String) -> String {
-    let mut page = head("Asperity gallery");
-    page += "<div class=\"wide\"><header><h1>Asperity</h1>\n<p>Surface detail from mathematics: noise with \
-             exact gradients, normals drawn from a density, fractal surfaces with exact normals, and shading \
-             that keeps its mean at every zoom. Every picture on this page was computed by the crates \
-             themselves, from nothing but the parameters beneath it.</p></header></div>\n<nav><div class=\"wide\"><ol>\n";
-    for record in records {
-        let _ =
-            writeln!(page, "<li><a href=\"#{}\">{}</a></li>", escape(&record.name), escape(&record.title));
+/// One page of the gallery: the figures whose names begin with its word.
+pub(crate) struct Page {
+    /// The file beside the pictures.
+    pub(crate) file: &'static str,
+    title: &'static str,
+    about: &'static str,
+    /// What it is called on the other pages.
+    name: &'static str,
+}
+
+/// The pages of the gallery; the first has every figure that is not on another.
+pub(crate) const PAGES: &[Page] = &[
+    Page {
+        file: "index.html",
+        title: "Asperity",
+        about: "Surface detail from mathematics: noise with exact gradients, normals drawn from a density, fractal \
+                surfaces with exact normals, and shading that keeps its mean at every zoom. Every picture on this \
+                page was computed by the crates themselves, from nothing but the parameters beneath it.",
+        name: "Bumps and fractals",
+    },
+    Page {
+        file: "noise.html",
+        title: "Noise",
+        about: "Every kind of noise with its power spectrum and its distribution; what sums of octaves make of it; \
+                and what exact gradients are good for. Every number comes from the crates themselves, with the same \
+                bits on every machine.",
+        name: "Noise",
+    },
+];
+
+impl Page {
+    /// The page of a figure.
+    fn of(figure: &str) -> &'static Self {
+        &PAGES[usize::from(figure.starts_with("noise-"))]
     }
-    page += "</ol></div></nav>\n<main class=\"wide\">\n";
-    let mut section = "";
-    for record in records {
-        let part = section_of(&record.name);
-        if part != section {
-            page += if section.is_empty() { "" } else { "</section>\n" };
-            let _ = writeln!(page, "<section><h2>{part}</h2>");
-            section = part;
+
+    /// The page over its records; `drawing` hands over the text of an SVG file by its name.
+    pub(crate) fn gallery(
+        &self,
+        records: &[Record],
+        version: &str,
+        drawing: impl Fn(&str) -> String,
+    ) -> String {
+        let mut page = head(&if self.title == "Asperity" {
+            "Asperity gallery".to_owned()
+        } else {
+            format!("{}: Asperity gallery", self.title)
+        });
+        let _ = write!(
+            page,
+            "<div class=\"wide\"><header><h1>{}</h1>\n<p>{}</p></header></div>\n<nav><div class=\"wide\"><ol>\n",
+            escape(self.title),
+            escape(self.about)
+        );
+        for other in PAGES.iter().filter(|other| other.file != self.file) {
+            let _ = writeln!(
+                page,
+                "<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>",
+                other.file, other.name
+            );
         }
-        page += &article(record, &drawing);
+        let records: Vec<_> = records.iter().filter(|r| Self::of(&r.name).file == self.file).collect();
+        for record in &records {
+            let _ = writeln!(
+                page,
+                "<li><a href=\"#{}\">{}</a></li>",
+                escape(&record.name),
+                escape(&record.title)
+            );
+        }
+        page += "</ol></div></nav>\n<main class=\"wide\">\n";
+        let mut section = "";
+        for record in records {
+            let part = section_of(&record.name);
+            if part != section {
+                page += if section.is_empty() { "" } else { "</section>\n" };
+                let _ = writeln!(page, "<section><h2>{part}</h2>");
+                section = part;
+            }
+            page += &article(record, &drawing);
+        }
+        page += if section.is_empty() { "" } else { "</section>\n" };
+        let _ = write!(
+            page,
+            "</main>\n<footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte \
+             for byte, on any number of threads. The tables behind the pictures: \
+             <a href=\"../tables/index.html\">tables</a>.</footer>\n</body>\n</html>\n",
+            escape(version)
+        );
+        page
     }
-    page += if section.is_empty() { "" } else { "</section>\n" };
-    let _ = write!(
-        page,
-        "</main>\n<footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for \
-         byte, on any number of threads. The tables behind the pictures: <a href=\"../tables/index.html\">\
-         tables</a>.</footer>\n</body>\n</html>\n",
-        escape(version)
-    );
-    page
 }
 
 fn section_of(name: &str) -> &'static str {
-    match name.split('-').next() {
-        Some("kautz") => "Real-Time Bump Map Synthesis, Kautz, Heidrich and Seidel 2001",
-        Some("cochran") => "The Normal of a Fractal Surface, Cochran, Lewis and Hart 2000",
+    let mut words = name.split('-');
+    match (words.next(), words.next()) {
+        (Some("kautz"), _) => "Real-Time Bump Map Synthesis, Kautz, Heidrich and Seidel 2001",
+        (Some("cochran"), _) => "The Normal of a Fractal Surface, Cochran, Lewis and Hart 2000",
+        (Some("noise"), Some("kind")) => "Kinds",
+        (Some("noise"), Some("sum")) => "Sums of octaves",
+        (Some("noise"), _) => "Gradients, warps and flows",
         _ => "Beyond the sources",
     }
 }
@@ -185,23 +249,42 @@ mod tests {
 
     #[test]
     fn text_from_outside_cannot_become_markup() {
-        let page = gallery(&[record()], "0.1.0", |_| String::new());
+        let page = PAGES[0].gallery(&[record()], "0.1.0", |_| String::new());
         assert!(page.contains("A &lt;sphere&gt;") && page.contains("bumps &amp; &quot;zoom&quot;"));
         assert!(!page.contains("A <sphere>"));
     }
 
     #[test]
     fn the_page_needs_no_network_and_no_script() {
-        let page = gallery(&[record()], "0.1.0", |_| String::new());
+        let page = PAGES[0].gallery(&[record()], "0.1.0", |_| String::new());
         for banned in ["http:", "https:", "<script", "<link", "@import", "url("] {
             assert!(!page.contains(banned), "{banned}");
         }
     }
 
     #[test]
+    fn a_figure_of_noise_is_on_the_page_of_noise_alone_and_pages_know_one_another() {
+        let noise = Record { name: "noise-kind-white".into(), title: "White".into(), ..record() };
+        let [first, second] =
+            [0, 1].map(|k: usize| PAGES[k].gallery(&[record(), noise.clone()], "0.1.0", |_| String::new()));
+        assert!(
+            first.contains("A &lt;sphere&gt;")
+                && !first.contains("White")
+                && first.contains("href=\"noise.html\"")
+        );
+        assert!(
+            second.contains("White")
+                && !second.contains("A &lt;sphere")
+                && second.contains("href=\"index.html\"")
+        );
+    }
+
+    #[test]
     fn every_opened_element_is_closed() {
-        let page = gallery(&[record(), record()], "0.1.0", |_| String::new());
-        for tag in ["article", "section", "figure", "dl", "table", "main", "nav", "div", "html", "body"] {
+        let page = PAGES[0].gallery(&[record(), record()], "0.1.0", |_| String::new());
+        for tag in
+            ["article", "section", "figure", "dl", "table", "main", "nav", "ol", "li", "div", "html", "body"]
+        {
             let opened =
                 page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
             assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");

@@ -10,21 +10,43 @@ mod kautz_ndf;
 mod kautz_pipeline;
 mod kautz_sphere;
 mod kautz_teapot;
+mod noise_curl;
+mod noise_footprint;
+mod noise_gradients;
+mod noise_kinds;
+mod noise_patterns;
+mod noise_plane;
+mod noise_slope;
+mod noise_tiled;
+mod noise_warp;
 mod panels;
+mod power_spectrum;
 
 use crate::figure::Figure;
 
-/// The figures, in the order of the page.
-pub(crate) const FIGURES: &[Figure] = &[
-    kautz_sphere::SPHERE,
-    kautz_ndf::NDF,
-    kautz_pipeline::PIPELINE,
-    kautz_teapot::TEAPOT,
-    kautz_isotropic::ISOTROPIC,
-    cochran_curves::FUNCTIONS,
-    cochran_contractions::CONTRACTIONS,
-    cochran_curves::INTEGRALS,
-    cochran_mirrors::MIRRORS,
-    cochran_corner::CORNER,
-    asperity_mean_radiance::MEAN_RADIANCE,
+/// The figures by source, in the order of their pages.
+const FIGURES: &[&[Figure]] = &[
+    &[
+        kautz_sphere::SPHERE,
+        kautz_ndf::NDF,
+        kautz_pipeline::PIPELINE,
+        kautz_teapot::TEAPOT,
+        kautz_isotropic::ISOTROPIC,
+    ],
+    &[
+        cochran_curves::FUNCTIONS,
+        cochran_contractions::CONTRACTIONS,
+        cochran_curves::INTEGRALS,
+        cochran_mirrors::MIRRORS,
+        cochran_corner::CORNER,
+    ],
+    &[asperity_mean_radiance::MEAN_RADIANCE],
+    noise_kinds::KINDS,
+    &[noise_patterns::PATTERNS, noise_slope::SLOPE, noise_footprint::FOOTPRINT],
+    &[noise_gradients::GRADIENTS, noise_warp::WARP, noise_curl::CURL, noise_tiled::TILED],
 ];
+
+/// Every figure, in the order of the pages.
+pub(crate) fn figures() -> impl Iterator<Item = &'static Figure> {
+    FIGURES.iter().copied().flatten()
+}

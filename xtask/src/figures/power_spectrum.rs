@@ -1,0 +1,207 @@
+//! Power spectra of noise in the plane, by a Fourier transform of windowed samples.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+/// A complex number.
+type Complex = [f64; 2];
+
+/// The mean power spectrum of square samples: at each frequency the variance per unit of frequency space.
+pub(crate) struct PowerSpectrum {
+    /// Samples along an axis, a power of two.
+    size: usize,
+    /// Frequency step along an axis, 1/(size · spacing).
+    step: f64,
+    /// By row and column, the frequency 0 first and negative frequencies from the end.
+    power: Vec<f64>,
+}
+
+impl PowerSpectrum {
+    /// The mean over `2 · pairs` samples of `size`² numbers (a power of two), `spacing` apart; `sample(k)` makes the k-th.
+    ///
+    /// The same bits whatever the number of threads: spectra are summed in the order of their pairs.
+    pub(crate) fn mean(
+        size: usize,
+        spacing: f64,
+        pairs: usize,
+        sample: impl Fn(usize) -> Vec<f32> + Sync,
+    ) -> Self {
+        let window = hann(size);
+        let gain: f64 = window.iter().map(|w| w * w).sum::<f64>().powi(2);
+        let spectra: Vec<Vec<f64>> = (0..pairs)
+            .into_par_iter()
+            .map(|pair| {
+                let (a, b) = (sample(2 * pair), sample(2 * pair + 1));
+                let mut z: Vec<Complex> = a
+                    .iter()
+                    .zip(&b)
+                    .enumerate()
+                    .map(|(i, (&a, &b))| {
+                        let weight = window[i / size] * window[i % size];
+                        [f64::from(a) * weight, f64::from(b) * weight]
+                    })
+                    .collect();
+                transform_square(&mut z, size);
+                // Two real samples in one transform: the mean of a point and its mirror image holds the mean of both powers.
+                let norm = |z: &Complex| z[0] * z[0] + z[1] * z[1];
+                let mirror = |i: usize| (size - i / size) % size * size + (size - i % size) % size;
+                (0..z.len()).map(|i| 0.25 * (norm(&z[i]) + norm(&z[mirror(i)]))).collect()
+            })
+            .collect();
+        let mut power = vec![0.0; size * size];
+        for spectrum in &spectra {
+            for (sum, p) in power.iter_mut().zip(spectrum) {
+                *sum += p * spacing * spacing / (gain * pairs as f64);
+            }
+        }
+        Self { size, step: 1.0 / (size as f64 * spacing), power }
+    }
+
+    /// The density at a frequency, bilinear between its neighbours; periodic beyond the highest.
+    pub(crate) fn at(&self, fx: f64, fy: f64) -> f64 {
+        let (x, y) = (fx / self.step, fy / self.step);
+        let (tx, ty) = (x - x.floor(), y - y.floor());
+        let index = |v: f64| (v as i64).rem_euclid(self.size as i64) as usize;
+        let entry = |dx: f64, dy: f64| self.power[index(y.floor() + dy) * self.size + index(x.floor() + dx)];
+        (entry(0.0, 0.0) * (1.0 - tx) + entry(1.0, 0.0) * tx) * (1.0 - ty)
+            + (entry(0.0, 1.0) * (1.0 - tx) + entry(1.0, 1.0) * tx) * ty
+    }
+
+    /// The mean density over rings, six to a doubling, from `range[0]` to `range[1]`: frequency and density.
+    ///
+    /// Only directions that `wanted` names count; it is given the cosine of four times the angle, 1 along the axes and −1 along the
+    /// diagonals.
+    pub(crate) fn rings(&self, range: [f64; 2], wanted: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
+        const PER_DOUBLING: f64 = 6.0;
+        let count = ((range[1] / range[0]).log2() * PER_DOUBLING).round().max(1.0) as usize;
+        let mut rings = vec![[0.0_f64; 3]; count];
+        let half = (self.size / 2) as i64;
+        for ky in -half..half {
+            for kx in -half..half {
+                let (x, y) = (kx as f64, ky as f64);
+                let square = x * x + y * y;
+                let place = ((square.sqrt() * self.step / range[0]).log2() * PER_DOUBLING).floor();
+                let cos_4 = 1.0 - 8.0 * (x * y / square).powi(2);
+                if !(0.0..count as f64).contains(&place) || !wanted(cos_4) {
+                    continue;
+                }
+                let index = |k: i64| k.rem_euclid(self.size as i64) as usize;
+                let ring = &mut rings[place as usize];
+                ring[0] += 1.0;
+                ring[1] += 0.5 * square.log2();
+                ring[2] += self.power[index(ky) * self.size + index(kx)];
+            }
+        }
+        let mean = |[n, log, power]: [f64; 3]| (n > 0.0).then(|| [(log / n).exp2() * self.step, power / n]);
+        rings.into_iter().filter_map(mean).collect()
+    }
+}
+
+/// Hann's window, ½ − ½ cos: of all leakage only that into the neighbours is left.
+fn hann(size: usize) -> Vec<f64> {
+    (0..size).map(|k| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / size as f64).cos()).collect()
+}
+
+/// The discrete Fourier transform along both axes.
+fn transform_square(z: &mut [Complex], size: usize) {
+    let roots: Vec<Complex> = (0..size / 2)
+        .map(|k| {
+            let (sin, cos) = (TAU * k as f64 / size as f64).sin_cos();
+            [cos, -sin]
+        })
+        .collect();
+    for _ in 0..2 {
+        for row in z.chunks_exact_mut(size) {
+            transform(row, &roots);
+        }
+        for y in 0..size {
+            for x in 0..y {
+                z.swap(y * size + x, x * size + y);
+            }
+        }
+    }
+}
+
+/// Σ_j z_j exp(−2πi jk/n) for all k, in place: Cooley and Tukey 1965, radix 2.
+fn transform(z: &mut [Complex], roots: &[Complex]) {
+    let n = z.len();
+    let bits = n.trailing_zeros();
+    for i in 0..n {
+        let j = i.reverse_bits() >> (usize::BITS - bits).min(usize::BITS - 1);
+        if i < j {
+            z.swap(i, j);
+        }
+    }
+    let mut half = 1;
+    while half < n {
+        for block in z.chunks_exact_mut(2 * half) {
+            let (low, high) = block.split_at_mut(half);
+            for ((a, b), w) in low.iter_mut().zip(high).zip(roots.iter().step_by(n / (2 * half))) {
+                let t = [b[0] * w[0] - b[1] * w[1], b[0] * w[1] + b[1] * w[0]];
+                (*a, *b) = ([a[0] + t[0], a[1] + t[1]], [a[0] - t[0], a[1] - t[1]]);
+            }
+        }
+        half *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sample of numbers without pattern.
+    fn arbitrary(k: usize, count: usize) -> Vec<f32> {
+        (0..count).map(|i| ((i * i * 37 + i * 11 + k * 101) % 997) as f32 / 498.5 - 1.0).collect()
+    }
+
+    #[test]
+    fn the_transform_is_the_sum_that_defines_it() {
+        const N: usize = 8;
+        let a = arbitrary(3, N * N);
+        let mut z: Vec<Complex> = a.iter().map(|&a| [f64::from(a), 0.5 * f64::from(a)]).collect();
+        let before = z.clone();
+        transform_square(&mut z, N);
+        for (k, got) in z.iter().enumerate() {
+            let mut sum = [0.0; 2];
+            for (j, v) in before.iter().enumerate() {
+                let turns = (j / N * (k / N) + j % N * (k % N)) as f64 / N as f64;
+                let (sin, cos) = (-TAU * turns).sin_cos();
+                sum = [sum[0] + v[0] * cos - v[1] * sin, sum[1] + v[0] * sin + v[1] * cos];
+            }
+            assert!((got[0] - sum[0]).abs() + (got[1] - sum[1]).abs() < 1e-12, "{k}: {got:?} and {sum:?}");
+        }
+    }
+
+    #[test]
+    fn the_density_of_white_samples_integrates_to_their_variance() {
+        const N: usize = 64;
+        let spectrum = PowerSpectrum::mean(N, 0.25, 8, |k| arbitrary(k * k, N * N));
+        let total: f64 = spectrum.power.iter().sum::<f64>() * spectrum.step * spectrum.step;
+        // Numbers uniform in (−1, 1); the window leaves 64²/4 independent ones of each of 16 samples: 1 % is 1.5 standard errors.
+        assert!((total - 1.0 / 3.0).abs() < 0.02, "{total}");
+    }
+
+    #[test]
+    fn a_wave_stands_at_its_frequency_and_on_its_ring() {
+        const N: usize = 64;
+        let wave = |i: usize| (TAU * (5 * (i % N) + 9 * (i / N)) as f64 / N as f64).cos() as f32;
+        let spectrum = PowerSpectrum::mean(N, 1.0 / 8.0, 1, |_| (0..N * N).map(wave).collect());
+        let (fx, fy) = (5.0 / 8.0, 9.0 / 8.0);
+        let peak = spectrum.at(fx, fy);
+        assert!((spectrum.at(-fx, -fy) / peak - 1.0).abs() < 1e-9, "a real sample has a symmetric spectrum");
+        assert!(spectrum.at(fy, fx) < 1e-9 * peak && spectrum.at(-fx, fy) < 1e-9 * peak);
+        let rings = spectrum.rings([0.25, 4.0], |_| true);
+        let top = rings.iter().max_by(|a, b| a[1].total_cmp(&b[1])).unwrap();
+        assert!((top[0] / fx.hypot(fy)).log2().abs() < 1.0 / 6.0, "{top:?}");
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit() {
+        let power = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| PowerSpectrum::mean(32, 0.1, 6, |k| arbitrary(k, 32 * 32)).power)
+        };
+        assert_eq!(power(1), power(3));
+    }
+}
