@@ -16,6 +16,8 @@ use crate::{
 
 /// Noise with the distribution N(0, 1) at every point; C² before, and C² after normalisation.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/gaussian.md"))]
+///
 /// ```text
 /// n(p) = Σ_c W_c(p) (s_c + 2 g_c·(p − c)),   v(p) = Σ_c W_c(p)² (1 + 4 |p − c|²),   z = n/√v
 /// ```

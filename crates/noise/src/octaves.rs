@@ -27,6 +27,8 @@ pub enum Normalisation {
 
 /// A sum of octaves of one kind of noise: fractional Brownian motion, and with another [`Shape`] turbulence and its like.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/octaves.md"))]
+///
 /// ```text
 /// n(p) = Σ wᵢ aᵢ φ(nᵢ(fᵢ Rᵢ p + oᵢ)) / N
 /// ```

@@ -14,6 +14,8 @@ use crate::{
 
 /// Perlin's noise of 1985: unit gradients uniform on the circle or sphere, cubic weights; C¹.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/perlin_1985.md"))]
+///
 /// ```text
 /// n(p) = A Σ_c W_c(p) g_c·(p − c),   W = Π w or 1 − w,   w(t) = 3t² − 2t³
 /// ```
@@ -38,6 +40,8 @@ pub struct Perlin1985<L = IntegerHash>(
 );
 
 /// Perlin's noise of 2002: gradients to the edges of a cube, quintic weights; C².
+///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/perlin_2002.md"))]
 ///
 /// As [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0) and its rotations.
 /// In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane (±√2, 0), (0, ±√2) and (±1, ±1), and in 1-D ±⅛ … ±1.

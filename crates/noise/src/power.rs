@@ -4,6 +4,8 @@ use crate::{field::Field, kernel::LaneSample, lanes::Lanes};
 
 /// fᵏ with the gradient k fᵏ⁻¹ ∇f.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/power.md"))]
+///
 /// The mean of a power is not the power of the mean: a sum whose octaves fade to their means inside of a power does not fade to
 /// the power's mean.
 ///

@@ -14,6 +14,8 @@ use crate::{
 
 /// A sum of ridged octaves in which an octave is strong only where the one before is.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/ridged_multifractal.md"))]
+///
 /// ```text
 /// n(p) = Σ wᵢ aᵢ sᵢ / Σ wᵢ aᵢ,   sᵢ = vᵢ (1 − |nᵢ|)²,   v₀ = 1,   vᵢ₊₁ = min(1, feedback · sᵢ)
 /// ```

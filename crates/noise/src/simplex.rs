@@ -14,6 +14,8 @@ use crate::{
 
 /// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/simplex.md"))]
+///
 /// ```text
 /// n(p) = A Σ_c max(0, r² − |d|²)⁴ g_c·d,   d = p − c
 /// ```

@@ -17,6 +17,8 @@ use crate::{
 
 /// The sum of radial kernels around impulses of random weight, K at random places of every cell; C².
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/sparse.md"))]
+///
 /// ```text
 /// n(p) = A Σ_k w_k h(|p − x_k|),   h(r) = (1 − r²)³ for r < 1, else 0,   A = √(3/(K ∫h²))
 /// ∫h² = 0.682, π/7, 0.2857, π²/56 in 1 to 4 dimensions

@@ -6,6 +6,8 @@ use crate::{lanes::Lanes, lattice::Lattice};
 
 /// A lattice that repeats along the first N axes with a period of its own along each.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/tiled.md"))]
+///
 /// ```text
 /// word(c) = L.word(c mod period)
 /// ```

@@ -7,6 +7,8 @@ use crate::{kernel::LaneSample, lanes::Lanes, math, shape::Shape};
 
 /// φ(n) = |n|: turbulence, with dark veins where an octave is 0.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/turbulence.md"))]
+///
 /// ```text
 /// t(p) = Σ wᵢ aᵢ |nᵢ| / Σ wᵢ aᵢ,   ∇|n| = sign(n) ∇n,   sign(0) = 0
 /// ```
@@ -27,6 +29,8 @@ pub struct Turbulence;
 
 /// φ(n) = 1 − |n|: plasma, with bright veins where an octave is 0.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/plasma.md"))]
+///
 /// ```text
 /// Σ wᵢ aᵢ (1 − |nᵢ|) / Σ wᵢ aᵢ = 1 − turbulence
 /// ```
@@ -42,11 +46,15 @@ pub struct Plasma;
 
 /// φ(n) = 2|n| − 1: billow, turbulence over the whole of [−1, 1].
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/billow.md"))]
+///
 /// - **Range:** [−1, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Billow;
 
 /// φ(n) = (1 − |n|)²: ridges where an octave is 0, sharper than those of [`Plasma`].
+///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/ridged.md"))]
 ///
 /// Octaves add without regard to one another; in a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges bear ridges.
 ///

@@ -17,6 +17,8 @@ use crate::{
 
 /// Value noise between the 2ⁿ corners of a cell, with quintic weights; C².
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/value.md"))]
+///
 /// ```text
 /// n(p) = Σ_c W_c(p) v_c,   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
 /// ```
@@ -42,6 +44,8 @@ pub struct Value<L = IntegerHash>(
 );
 
 /// Value noise through the 4ⁿ lattice points around a point, by Catmull–Rom splines; C¹.
+///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/value_catmull_rom.md"))]
 ///
 /// ```text
 /// n(p) = (4/5)ⁿ Σ_k Π_i s_{kᵢ}(tᵢ) v_k,   k ∈ {−1, 0, 1, 2}ⁿ

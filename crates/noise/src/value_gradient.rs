@@ -15,6 +15,8 @@ use crate::{
 
 /// The weighted sum of value noise and gradient noise: neither flat nor 0 at lattice points; C².
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/value_gradient.md"))]
+///
 /// ```text
 /// n(p) = Σ_c W_c(p) ((1 − μ) v_c + μ (2/√n) g_c·(p − c)),   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
 /// ```

@@ -11,6 +11,8 @@ use crate::{
 
 /// A field seen through a warp: f(q), q = p + s·w(p).
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/warp.md"))]
+///
 /// ```text
 /// ∂q/∂p = I + s ∂w/∂p,   ∇(f ∘ q) = (∂q/∂p)ᵀ ∇f(q)
 /// ```

@@ -12,6 +12,8 @@ use crate::{
 
 /// A number per cell of the lattice, uniform in (−1, 1) and independent of all other cells'; leaps at the borders.
 ///
+#[cfg_attr(doc, doc = include_str!("../docs/pictures/white.md"))]
+///
 /// ```text
 /// n(p) = 2 word(⌊p⌋)/2³² − 1
 /// ```

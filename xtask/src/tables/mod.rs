@@ -7,6 +7,7 @@ mod noise;
 mod noise_cdf;
 mod noise_levels;
 mod noise_means;
+mod noise_pictures;
 mod shipped;
 
 use std::{

@@ -1,10 +1,11 @@
-//! The tables that a crate without allocator ships as constants, and the check that they have not drifted.
+//! The tables that a crate without allocator ships as constants and the pictures of its pages, and the check that they have
+//! not drifted.
 
 use std::{fs, path::Path};
 
 use super::{
     noise_cdf::noise_statistics_source, noise_levels::noise_levels_source,
-    noise_means::absolute_moments_source,
+    noise_means::absolute_moments_source, noise_pictures::noise_pictures,
 };
 use crate::{figure::Failure, output::Output, progress};
 
@@ -17,26 +18,40 @@ const SHIPPED: [Shipped; 3] = [
     ("crates/noise/src", "statistics_tables.rs", noise_statistics_source),
 ];
 
+/// Where the pictures of the noise crate's pages lie.
+const PICTURES: &str = "crates/noise/docs/pictures";
+
 /// Writes every generated file into the source tree at `root`.
 pub(crate) fn ship(root: &Path) -> Result<(), Failure> {
     for (folder, name, make) in SHIPPED {
         Output::new(root.join(folder))?.write(name, make().as_bytes())?;
         progress::say(&format!("wrote {folder}/{name}"));
     }
+    let folder = Output::new(root.join(PICTURES))?;
+    for (name, bytes) in noise_pictures()? {
+        folder.write(&name, &bytes)?;
+    }
+    progress::say(&format!("wrote {PICTURES}"));
     Ok(())
 }
 
 /// Compares every generated file in the source tree at `root` with a newly made one.
 pub(crate) fn check(root: &Path) -> Result<(), Failure> {
     for (folder, name, make) in SHIPPED {
-        let path = root.join(folder).join(name);
-        let there = fs::read_to_string(&path).map_err(|error| format!("{folder}/{name}: {error}"))?;
+        compare(root, folder, name, make().as_bytes())?;
+    }
+    noise_pictures()?.iter().try_for_each(|(name, bytes)| compare(root, PICTURES, name, bytes))
+}
+
+fn compare(root: &Path, folder: &str, name: &str, made: &[u8]) -> Result<(), Failure> {
+    let mut there =
+        fs::read(root.join(folder).join(name)).map_err(|error| format!("{folder}/{name}: {error}"))?;
+    if !name.ends_with(".png") {
         // A checkout may have turned the line ends.
-        if there.replace("\r\n", "\n") != make() {
-            return Err(
-                format!("{folder}/{name} has drifted: `cargo xtask tables --ship` makes it anew").into()
-            );
-        }
+        there.retain(|&byte| byte != b'\r');
+    }
+    if there != made {
+        return Err(format!("{folder}/{name} has drifted: `cargo xtask tables --ship` makes it anew").into());
     }
     Ok(())
 }
