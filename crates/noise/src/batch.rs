@@ -262,7 +262,7 @@ impl<V: Point<N>, const N: usize> Grid<V, N> {
     #[inline(always)]
     fn parts(&self, passes: usize) -> Parts<'_, V, N> {
         let width = self.size[0];
-        let rows = if width == 0 { 0 } else { self.len() / width };
+        let rows = self.len().checked_div(width).unwrap_or(0);
         let block = (BLOCK / width.clamp(1, POINTS)).max(1);
         Parts { grid: self, passes, rows, block, first: 0, start: 0, pass: 0, row: 0 }
     }

@@ -19,6 +19,7 @@ use crate::{
 };
 
 /// The linear function of a corner: its value there and its gradient.
+#[derive(Clone, Copy)]
 pub(crate) struct Corner<S: Lanes, const N: usize> {
     pub(crate) value: S::F,
     pub(crate) gradient: [S::F; N],
@@ -40,8 +41,11 @@ pub(crate) trait CellNoise<const N: usize> {
     fn lattice(&self) -> &Self::Lattice;
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
     fn statistics(&self) -> &'static Statistics;
+    fn standard_deviation(&self) -> f32 {
+        self.statistics().standard_deviation
+    }
     fn absolute_moments(&self) -> [f32; 4] {
-        gaussian_moments(self.statistics().standard_deviation)
+        gaussian_moments(self.standard_deviation())
     }
 }
 
@@ -324,6 +328,10 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
 
     fn statistics(&self) -> &'static Statistics {
         CellNoise::statistics(self)
+    }
+
+    fn standard_deviation(&self) -> f32 {
+        CellNoise::standard_deviation(self)
     }
 
     fn absolute_moments(&self) -> [f32; 4] {

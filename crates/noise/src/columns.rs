@@ -24,7 +24,6 @@ const SPARSE_STEP: f32 = 0.22;
 
 /// Values, and gradients if `GRADIENTS`, along a row, cell by cell.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "one call for every kind, row and output")]
 pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
     s: S,
     noise: &K,

@@ -28,7 +28,7 @@ fn turn<S: Lanes, const BITS: u32>(s: S, word: S::U) -> [S::F; 2] {
     let x = s.real(fraction) * s.float(step) + s.float(0.5 * step - 0.5);
     let y = x * x;
     let sine = x
-        * (s.float(1.570_796_3)
+        * (s.float(core::f32::consts::FRAC_PI_2)
             + y * (s.float(-0.645_962_94) + y * (s.float(0.079_675_9) + y * s.float(-0.004_592_29))));
     let cosine =
         s.float(1.0) + y * (s.float(-1.233_697) + y * (s.float(0.253_598_64) + y * s.float(-0.020_408_35)));
@@ -68,9 +68,7 @@ pub(crate) fn unit_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
             let (r, rest) = (length * s.sqrt(u), length * s.sqrt(s.float(1.0) - u));
             let ([c, sine], [d, tine]) = (turn::<S, 14>(s, word), turn::<S, 14>(s, second));
             let parts = [c * r, sine * r, d * rest, tine * rest];
-            for axis in 0..N {
-                g[axis] = parts[axis];
-            }
+            g[..N].copy_from_slice(&parts[..N]);
         }
     }
     g

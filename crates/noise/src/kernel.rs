@@ -60,12 +60,17 @@ pub trait Kernel<const N: usize> {
     /// The measured statistics of the kind in this dimension.
     fn statistics(&self) -> &'static Statistics;
 
+    /// σ₁, the standard deviation of this very noise; other than the table's where a kind has parameters.
+    fn standard_deviation(&self) -> f32 {
+        self.statistics().standard_deviation
+    }
+
     /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
     ///
     /// Measured for the kinds of this crate but for value-gradient noise, which has the default. The default is that of N(0, σ²), σ being the measured standard deviation: √(2/π) σ,
     /// σ², 2√(2/π) σ³ and 3σ⁴.
     fn absolute_moments(&self) -> [f32; 4] {
-        gaussian_moments(self.statistics().standard_deviation)
+        gaussian_moments(self.standard_deviation())
     }
 }
 
@@ -173,7 +178,7 @@ pub(crate) struct RowKey {
 
 /// E|n|ᵏ of N(0, σ²), k = 1 … 4.
 pub(crate) fn gaussian_moments(sigma: f32) -> [f32; 4] {
-    const FIRST: f32 = 0.797_884_56;
+    const FIRST: f32 = 0.797_884_6;
     let square = sigma * sigma;
     [FIRST * sigma, square, 2.0 * FIRST * (square * sigma), 3.0 * (square * square)]
 }

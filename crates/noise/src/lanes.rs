@@ -91,7 +91,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     /// The bits of a float.
     fn bits(self, x: Self::F) -> Self::U;
     /// The float of the bits.
-    fn from_bits(self, x: Self::U) -> Self::F;
+    fn float_of_bits(self, x: Self::U) -> Self::F;
     /// |x|.
     fn abs(self, x: Self::F) -> Self::F;
     /// √x, correctly rounded.
@@ -138,7 +138,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     /// x with its sign flipped where the word's top bit is set; the other bits must be 0.
     #[inline(always)]
     fn flip(self, x: Self::F, sign: Self::U) -> Self::F {
-        self.from_bits(self.bits(x) ^ sign)
+        self.float_of_bits(self.bits(x) ^ sign)
     }
 }
 
@@ -244,7 +244,7 @@ impl Lanes for Scalar {
         Wrapping(x.to_bits())
     }
     #[inline(always)]
-    fn from_bits(self, x: Wrapping<u32>) -> f32 {
+    fn float_of_bits(self, x: Wrapping<u32>) -> f32 {
         f32::from_bits(x.0)
     }
     #[inline(always)]

@@ -1,33 +1,51 @@
-//! Lattice noises with exact analytic gradients, noise that is exactly Gaussian at every point, and sums of octaves.
+//! Lattice noises with exact analytic gradients, in one to four dimensions, with the same bits on every machine.
 //!
-//! Every evaluation returns the value and the gradient together, in the plane ([`glam::Vec2`]) and in space
-//! ([`glam::Vec3`]). [`GaussianOctaves`] is what a statistical model wants: its value is N(0, 1) at every point, for
-//! every real number of octaves, in two independent channels at the price of one and a half. No allocation, no state.
+//! Every kind returns value and gradient from one evaluation, at a point or, through [`Batch`], at the points of a grid
+//! or a list with all the SIMD lanes of the machine. A lane has the bits of the single call. [`GaussianOctaves`] is what
+//! a statistical model wants: N(0, 1) at every point, for every real number of octaves. No allocation, no state.
 //!
 //! ```
-//! use asperity_noise::{GaussianOctaves, Spectrum, glam::Vec3};
+//! use asperity_noise::{Batch, GaussianOctaves, Grid, Noise, Perlin2002, Seeded, Spectrum, glam::{Vec2, Vec3}};
 //!
-//! let noise = GaussianOctaves::new(Spectrum::default(), 42);
-//! let p = Vec3::new(0.3, -1.2, 4.5);
-//! let [first, second] = noise.pair(p, 6.5);
+//! // A point: value and gradient.
+//! let sample = Perlin2002::default().sample(Vec3::new(0.3, -1.2, 4.5), 42);
+//! assert!(sample.value.abs() <= 1.0);
 //!
-//! let h = 1e-3;
-//! let difference = (noise.sample(p + h * Vec3::X, 1.0).value - noise.sample(p - h * Vec3::X, 1.0).value) / (2.0 * h);
-//! assert!((noise.sample(p, 1.0).gradient.x - difference).abs() < 5e-3);
+//! // A picture.
+//! let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.05), size: [64, 48] };
+//! let mut values = [0.0; 64 * 48];
+//! Batch::new().fill_grid(&Seeded(Perlin2002::default(), 42), &grid, &mut values)?;
+//!
+//! // Two independent Gaussian channels of 6½ octaves.
+//! let [first, second] = GaussianOctaves::new(Spectrum::default(), 42).pair(Vec3::new(0.3, -1.2, 4.5), 6.5);
 //! assert_ne!(first, second);
+//! # Ok::<(), asperity_noise::BatchError>(())
 //! ```
 //!
-//! | item | is |
+//! # Kinds
+//!
+//! | kind | is | dimensions | Hessian | tiles |
+//! |---|---|---|---|---|
+//! | [`White`] | one value per cell | 1–4 | – | by [`Tiled`] |
+//! | [`Value`], [`ValueCatmullRom`] | lattice values, blended by quintic weights or by a spline over 4ⁿ points | 1–4 | `Value` | by [`Tiled`] |
+//! | [`Perlin1985`], [`Perlin2002`] | unit gradients and cubic weights; edge directions and quintic weights | 1–4 | yes | by [`Tiled`] |
+//! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | by [`Tiled`] |
+//! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | by [`Tiled`] in 1-D, [`TiledSimplex`] in 3-D; nothing can in 2-D and 4-D, where the lattice is irrational along the axes |
+//! | [`Sparse`] | impulses at random places, convolved with a radial kernel | 1–4 | – | by [`Tiled`] |
+//! | [`Gaussian`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | by [`Tiled`] |
+//! | [`Vnoise`], [`Gnoise`], [`Vgnoise`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
+//!
+//! | other items | are |
 //! |---|---|
-//! | [`Noise`], [`Sample`] | a kind of noise; its value and gradient at a point |
-//! | [`Perlin1985`], [`Perlin2002`] | gradient noise with unit gradients and cubic weights; with edge directions and quintic weights |
-//! | [`Simplex`] | gradient noise on simplices, kernel radius² 0.5 (continuous) or 0.6 (customary) |
-//! | [`Gaussian`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere |
-//! | [`Spectrum`] | lacunarity, gain, number of octaves; weights, norms and shares of a real number of octaves |
-//! | [`Octaves`], [`Normalisation`] | sums of any kind, normalised to range or variance |
-//! | [`GaussianOctaves`] | sums that are N(0, 1) at every point, and their share of the endless spectrum's variance |
-//! | [`Lattice`], [`IntegerHash`], [`PermutationTable`] | where a lattice point's bits come from; without period; with period 256 |
-//! | [`gaussian_variates_3`], [`unit_direction_3`], [`edge_direction_3`], [`second_word`] | what noises make of the bits, and their like in the plane |
+//! | [`Noise`], [`Sample`], [`Curved`], [`Jet`] | a kind at a point: value and gradient; and Hessian |
+//! | [`Batch`], [`Grid`], [`Level`], [`Field`], [`Seeded`] | rows, grids and lists of points at a SIMD level; what they evaluate |
+//! | [`Spectrum`], [`Octaves`], [`Rotation`], [`Normalisation`] | lacunarity, gain and a real number of octaves; sums of any kind |
+//! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`], [`Power`] | creased sums |
+//! | [`FirstOctaves::clamped`], [`removed_share`], [`pixel_footprint`] | frequency clamping to a pixel |
+//! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
+//! | [`Warp`], [`Curl2`], [`Curl3`], [`CurlPotential`] | domain warping with its Jacobian; flows without divergence |
+//! | [`Lattice`], [`IntegerHash`], [`PermutationTable`], [`ChainedTable`] | where a lattice point's bits come from |
+//! | [`unit_gradient`], [`edge_gradient`], [`gaussian_corner`] | what kinds make of the bits |
 //! | [`Statistics`] | measured deviation, kurtosis, range and distribution of a kind |
 //!
 //! # Statistics
@@ -37,16 +55,22 @@
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
+//! | white | 0.577 | −1.20 | 0.577 | −1.20 |
+//! | value, quintic | 0.453 | −0.84 | 0.400 | −0.65 |
+//! | value, Catmull–Rom | 0.301 | −0.78 | 0.217 | −0.60 |
 //! | Perlin 1985 | 0.299 | −0.35 | 0.211 | −0.37 |
 //! | Perlin 2002 | 0.305 | −0.47 | 0.261 | −0.46 |
-//! | simplex, r² = 0.5 | 0.539 | −1.20 | 0.393 | −0.34 |
+//! | value-gradient, equal weights | 0.273 | −0.61 | 0.229 | −0.49 |
+//! | simplex, r² = 0.5 | 0.539 | −1.20 | 0.392 | −0.34 |
 //! | simplex, r² = 0.6 | 0.468 | −1.08 | 0.435 | −0.73 |
+//! | sparse, one impulse | 0.999 | 0.63 | 1.002 | 1.42 |
 //! | Gaussian | 1 | 0 | 1 | 0 |
 //!
 //! # Reproducibility
 //!
-//! The same bits on every platform and with every feature: evaluation uses +, −, ×, ÷, √ and integers only, no fused
-//! multiply-add, no logarithm and no trigonometry. Changed bits are a value-breaking change.
+//! The same bits on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×, ÷, √ and
+//! integers only, no fused multiply-add, no logarithm and no trigonometry of a library. Changed bits are a value-breaking
+//! change.
 //!
 //! # Precision
 //!
@@ -56,14 +80,14 @@
 //!
 //! # What it does not do
 //!
-//! No value, sparse-convolution or cellular noise, no turbulence of absolute values, no domain warping, no batches, no
-//! dimension other than 2 and 3.
+//! No cellular (Worley) noise, no fifth dimension, no double precision.
 //!
 //! # Features
 //!
 //! | feature | does |
 //! |---|---|
-//! | `std` (default) | √ of the standard library |
+//! | `std` (default) | √ of the standard library, and detection of the machine's SIMD levels |
+//! | `simd` (default) | lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 #![no_std]
 #![expect(

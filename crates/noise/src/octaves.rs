@@ -155,7 +155,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     /// Mean and standard deviation of one octave of amplitude 1.
     #[inline]
     fn moments(&self) -> [f32; 2] {
-        let deviation = self.noise.statistics().standard_deviation;
+        let deviation = self.noise.standard_deviation();
         self.shape.mean_and_deviation(deviation, self.noise.absolute_moments())
     }
 

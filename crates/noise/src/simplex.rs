@@ -216,7 +216,7 @@ macro_rules! for_corners {
         for_corners!(@ $n, $k, $block, 0 1 2 3 4)
     };
     (@ $n:ident, $k:ident, $block:block, $($corner:literal)*) => {
-        $(if $corner <= $n {
+        $(if $corner < $n + 1 {
             let $k: usize = $corner;
             $block
         })*

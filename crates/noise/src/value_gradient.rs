@@ -9,6 +9,7 @@ use crate::{
     integer_hash::{IntegerHash, further},
     lanes::Lanes,
     lattice::Lattice,
+    math,
     statistics::Statistics,
     statistics_tables as tables,
 };
@@ -105,7 +106,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
         }
     }
 
-    /// The statistics at equal weights; the variance at others is that of the formula.
+    /// The statistics at equal weights.
     fn statistics(&self) -> &'static Statistics {
         match N {
             1 => &tables::VALUE_GRADIENT_1,
@@ -113,6 +114,20 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
             3 => &tables::VALUE_GRADIENT_3,
             _ => &tables::VALUE_GRADIENT_4,
         }
+    }
+
+    /// From σ_v and from σ at equal weights, σ_½² = (σ_v² + σ_g²)/4.
+    fn standard_deviation(&self) -> f32 {
+        let (v, half) = match N {
+            1 => (&tables::VALUE_1, &tables::VALUE_GRADIENT_1),
+            2 => (&tables::VALUE_2, &tables::VALUE_GRADIENT_2),
+            3 => (&tables::VALUE_3, &tables::VALUE_GRADIENT_3),
+            _ => (&tables::VALUE_4, &tables::VALUE_GRADIENT_4),
+        };
+        let square = |statistics: &Statistics| statistics.standard_deviation * statistics.standard_deviation;
+        let (value, gradient) = (square(v), 4.0 * square(half) - square(v));
+        let (low, high) = (1.0 - self.weight, self.weight);
+        math::sqrt(low * low * value + high * high * gradient)
     }
 }
 

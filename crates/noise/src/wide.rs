@@ -89,7 +89,7 @@ impl<S: Simd> Lanes for Wide<S> {
         x.bitcast()
     }
     #[inline(always)]
-    fn from_bits(self, x: Self::U) -> Self::F {
+    fn float_of_bits(self, x: Self::U) -> Self::F {
         use fearless_simd::Bytes;
         x.bitcast()
     }

@@ -26,6 +26,11 @@ fn every_kind_and_sum_has_its_golden_bits() {
 }
 
 #[test]
+fn batches_have_the_golden_bits_at_every_level() {
+    computed::batches(&mut |name, golden| assert!(FIELDS.contains(&(name, golden)), "{name}: {golden:?}"));
+}
+
+#[test]
 fn words_directions_and_spectra_have_their_golden_bits() {
     let (mut rows, mut text) = (Vec::new(), String::new());
     computed::numbers(&mut |name, digest| rows.push((name, digest)));

@@ -4,7 +4,7 @@ use std::{array, hint::black_box};
 
 use asperity_noise::{
     self as ours, Batch, Field, Kernel, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Seeded,
-    Simplex, Spectrum,
+    Simplex, Spectrum, Value,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -33,11 +33,12 @@ where
     V: Point<N> + 'static,
     Perlin2002: Kernel<N> + Noise<V>,
     Simplex: Kernel<N> + Noise<V>,
+    Value: Kernel<N> + Noise<V>,
 {
     match row.kind {
         Kind::Perlin => of_kind::<V, N>(row, step, Perlin2002::default()),
         Kind::Simplex => of_kind::<V, N>(row, step, Simplex::CONTINUOUS),
-        Kind::Value => Vec::new(),
+        Kind::Value => of_kind::<V, N>(row, step, Value::default()),
         Kind::Octaves => match Spectrum::new(2.0, 0.5, 5) {
             Ok(spectrum) => {
                 let sum = Octaves::<_, N>::new(Perlin2002::default(), spectrum, Normalisation::Range, SEED);

@@ -1,8 +1,9 @@
 //! What the golden bits are bits of: every kind and sum in every dimension. Needs neither std nor an allocator.
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, IntegerHash, Kernel, Lattice, Noise, Normalisation, Octaves, Perlin1985,
-    Perlin2002, PermutationTable, Point, Rotation, Sample, Simplex, Spectrum, edge_gradient, gaussian_corner,
+    Batch, Field, Gaussian, GaussianOctaves, IntegerHash, Kernel, Lattice, Level, Noise, Normalisation,
+    Octaves, Perlin1985, Perlin2002, PermutationTable, Point, Rotation, Sample, Seeded, Simplex, Sparse,
+    Spectrum, Value, ValueCatmullRom, ValueGradient, White, edge_gradient, gaussian_corner,
     glam::{Vec2, Vec3, Vec4},
     unit_gradient,
 };
@@ -19,7 +20,7 @@ pub(crate) struct Golden {
 /// The point whose sample is written out.
 const POINT: [f32; 4] = [-3.7, 12.3, 0.45, 7.1];
 /// Points of a digest.
-const POINTS: u32 = 96;
+const POINTS: usize = 96;
 
 /// The FNV-1a hash of words (Fowler, Noll, Vo), by whole words.
 fn digest(hash: u32, bits: u32) -> u32 {
@@ -55,7 +56,7 @@ fn golden<V: Point<N>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden
         bits
     };
     let mut hash = START;
-    for i in 0..POINTS {
+    for i in 0..POINTS as u32 {
         hash = bits(point::<N>(i)).into_iter().fold(hash, digest);
     }
     let mut p = [0.0; N];
@@ -63,15 +64,46 @@ fn golden<V: Point<N>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden
     Golden { dimension: N, sample: bits(p), digest: hash }
 }
 
+/// The digest of a field by a batch at a level.
+fn batch_digest<F: Field<N>, const N: usize>(field: &F, level: Level) -> u32 {
+    let (mut values, mut lists, mut gradients) = ([0.0; POINTS], [[0.0; POINTS]; N], [[0.0; POINTS]; N]);
+    for i in 0..POINTS {
+        for (list, x) in lists.iter_mut().zip(point::<N>(i as u32)) {
+            list[i] = x;
+        }
+    }
+    let (lists, slopes) = (lists.each_ref().map(|list| &list[..]), gradients.each_mut().map(|g| &mut g[..]));
+    if Batch::with_level(level).fill_points_with_gradients(field, lists, &mut values, slopes).is_err() {
+        return 0;
+    }
+    let mut hash = START;
+    for i in 0..POINTS {
+        let mut bits = [values[i].to_bits(), 0, 0, 0, 0];
+        for (to, component) in bits[1..].iter_mut().zip(&gradients) {
+            *to = component[i].to_bits();
+        }
+        hash = bits.into_iter().fold(hash, digest);
+    }
+    hash
+}
+
+/// The golden bits of a field that batches take too; the digest is that of the first level with other bits, if one has.
+fn batched<V: Point<N>, F: Field<N>, const N: usize>(field: &F, sample: impl Fn(V) -> Sample<V>) -> Golden {
+    let golden = golden(sample);
+    let other =
+        Level::available().map(|level| batch_digest(field, level)).find(|&hash| hash != golden.digest);
+    Golden { digest: other.unwrap_or(golden.digest), ..golden }
+}
+
 /// A kind in every dimension.
 fn kind<K>(name: &'static str, noise: K, tell: &mut impl FnMut(&'static str, Golden))
 where
     K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
 {
-    tell(name, golden::<f32, 1>(|p| noise.sample(p, 17)));
-    tell(name, golden::<Vec2, 2>(|p| noise.sample(p, 17)));
-    tell(name, golden::<Vec3, 3>(|p| noise.sample(p, 17)));
-    tell(name, golden::<Vec4, 4>(|p| noise.sample(p, 17)));
+    tell(name, golden(|p: f32| noise.sample(p, 17)));
+    tell(name, golden(|p: Vec2| noise.sample(p, 17)));
+    tell(name, golden(|p: Vec3| noise.sample(p, 17)));
+    tell(name, golden(|p: Vec4| noise.sample(p, 17)));
 }
 
 /// A sum of octaves in every dimension; a sum of unit variance has bits of the shipped statistics.
@@ -114,6 +146,11 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     kind("wide simplex", Simplex::WIDE, tell);
     kind("wide simplex by permutation", Simplex::WIDE.with_lattice(table), tell);
     kind("Gaussian", Gaussian::default(), tell);
+    kind("white", White::default(), tell);
+    kind("value", Value::default(), tell);
+    kind("value, Catmull-Rom", ValueCatmullRom::default(), tell);
+    kind("value-gradient", ValueGradient::default(), tell);
+    kind("sparse", Sparse::default(), tell);
     sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
     sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
     sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);
@@ -121,6 +158,16 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     gaussian_sum::<Vec2, 2>(tell);
     gaussian_sum::<Vec3, 3>(tell);
     gaussian_sum::<Vec4, 4>(tell);
+}
+
+/// Tells the golden bits of what batches fill, which are those of the same kinds and sums above.
+pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
+    let (perlin, simplex, gaussian) = (Perlin2002::default(), Simplex::CONTINUOUS, Gaussian::default());
+    tell("Perlin 2002", batched(&Seeded(perlin, 17), |p: Vec3| perlin.sample(p, 17)));
+    tell("simplex", batched(&Seeded(simplex, 17), |p: Vec2| simplex.sample(p, 17)));
+    tell("Gaussian", batched(&Seeded(gaussian, 17), |p: Vec4| gaussian.sample(p, 17)));
+    let sum = GaussianOctaves::<2>::new(Spectrum::default(), 17);
+    tell("Gaussian octaves", batched(&sum.first(6.5), |p: Vec2| sum.sample(p, 6.5)));
 }
 
 /// Tells the digests of words, of what is drawn from them, and of the numbers of a spectrum.
