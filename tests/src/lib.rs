@@ -5,6 +5,7 @@ pub mod disk_bins;
 pub mod fif_systems;
 pub mod low_discrepancy;
 pub mod noise_kinds;
+pub mod noise_lanes;
 pub mod noise_reference;
 pub mod random;
 #[cfg(doctest)]

@@ -1,7 +1,8 @@
 //! Every kind of noise in every dimension, for tests that hold for all of them.
 
 use asperity_noise::{
-    Gaussian, Kernel, Noise, Perlin1985, Perlin2002, PermutationTable, Point, Simplex,
+    Gaussian, Kernel, Noise, Perlin1985, Perlin2002, PermutationTable, Point, Simplex, Sparse, Value,
+    ValueCatmullRom, ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -34,6 +35,15 @@ pub fn every_kind(visitor: &mut impl Visit) {
     every_dimension(visitor, "simplex", Simplex::CONTINUOUS);
     every_dimension(visitor, "wide simplex", Simplex::WIDE);
     every_dimension(visitor, "Gaussian", Gaussian::default());
+}
+
+/// Visits the kinds that are not of gradients alone, in 1 to 4 dimensions.
+pub fn every_further_kind(visitor: &mut impl Visit) {
+    every_dimension(visitor, "white", White::default());
+    every_dimension(visitor, "value", Value::default());
+    every_dimension(visitor, "value, Catmull-Rom", ValueCatmullRom::default());
+    every_dimension(visitor, "value-gradient", ValueGradient::default());
+    every_dimension(visitor, "sparse", Sparse::default());
 }
 
 /// Visits every kind on a permutation table in 1 to 4 dimensions.

@@ -42,7 +42,6 @@ impl Visit for Walk {
                 before = after;
             }
         }
-        println!("{name}: {worst:e}");
         assert!(worst < LEAP, "{name}: {worst}");
     }
 }
@@ -82,7 +81,7 @@ fn border<const N: usize>(simplicial: bool, random: &mut Random) -> ([f64; N], [
 }
 
 /// A step of 2⁻¹⁷ changes a gradient by at most 250 times that, 2e-3, and a value only as the gradients say, up to rounding.
-/// Worst seen: 0 and 0.
+/// Worst seen: 1.4e-4 and 1.8e-6.
 struct Borders;
 
 impl Visit for Borders {
@@ -116,7 +115,6 @@ impl Visit for Borders {
             }
             leap = leap.max((f64::from(b.value) - f64::from(a.value) - expected).abs());
         }
-        println!("{name}: {crossed} borders, value {leap:.1e}, gradient {kink:.1e}");
         assert!(crossed > 2900 && negative > 1000, "{name}: {crossed} borders, {negative} of them negative");
         assert!(leap < 4e-6 && kink < 2e-3, "{name}: leap {leap:e}, kink {kink:e}");
     }

@@ -62,8 +62,8 @@ struct Huge;
 
 impl Visit for Huge {
     fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
-        // Far out corners of a simplex can coincide, so that they add up.
-        let times = if name.contains("simplex") { 2.0 } else { 1.0 };
+        // Far out all five corners of a simplex can coincide, so that they add up.
+        let times = if name.contains("simplex") { 5.0 } else { 1.0 };
         let range = times * Noise::<V>::statistics(&noise).range;
         let sum = Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Range, 1);
         let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);

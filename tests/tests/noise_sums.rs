@@ -130,7 +130,6 @@ fn errors<V: Point<N>, const N: usize>(
 const TOLERANCE: [f64; 2] = [2e-5, 4e-5];
 
 fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
-    println!("{name}: value {value:.1e}, gradient {gradient:.1e}");
     // The corners of simplices are rounded too, by |p|·2⁻²².
     let times = if name.starts_with("simplex") { 8.0 } else { 1.0 };
     assert!(

@@ -9,6 +9,7 @@ use std::{
 };
 
 use crate::{
+    bare_metal,
     figure::{Failure, Interrupted},
     no_std, progress, tables, tidy,
 };
@@ -21,7 +22,7 @@ const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 9] = [
+const GATES: [Gate; 11] = [
     ("format", |root| cargo(root, &["fmt", "--all", "--check"])),
     ("tidy", |_| tidy()),
     ("generated tables", tables::check),
@@ -32,8 +33,12 @@ const GATES: [Gate; 9] = [
         cargo_with(root, &arguments, &[("RUSTDOCFLAGS", "-D warnings")])
     }),
     ("tests under each feature set", tests),
+    ("every kind at every SIMD level", |root| {
+        cargo(&root.join("tests/lanes"), &["test", "--quiet", "--locked"])
+    }),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
+    ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 
 /// Runs the gates in order and stops at the first that fails.
@@ -84,11 +89,14 @@ fn neither_backend(root: &Path) -> Result<(), Failure> {
 fn tests(root: &Path) -> Result<(), Failure> {
     for name in CRATES {
         for backend in BACKENDS {
-            let set = if name == "asperity-noise" { backend.into() } else { format!("{backend},alloc") };
-            cargo(
-                root,
-                &["test", "--quiet", "--package", name, "--no-default-features", "--features", &set],
-            )?;
+            // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
+            let more: &[&str] = if name == "asperity-noise" { &["", ",simd"] } else { &[",alloc"] };
+            for more in more {
+                let set = format!("{backend}{more}");
+                let test =
+                    ["test", "--quiet", "--package", name, "--no-default-features", "--features", &set];
+                cargo(root, &test)?;
+            }
         }
         if name != "asperity-noise" {
             let bare = ["test", "--quiet", "--package", name, "--no-default-features", "--features", "libm"];

@@ -53,6 +53,8 @@ xtask/peers/README.md says how to build it.")]
     Ci,
     /// Link the crates without std and without an allocator, and call them.
     NoStd,
+    /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
+    BareMetal,
 }
 
 #[derive(Debug, Args)]

@@ -1,5 +1,6 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
+mod bare_metal;
 mod bench;
 mod ci;
 mod cli;
@@ -104,6 +105,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         }
         Command::Ci => ci::run(root, &interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
+        Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
     }
 }
 

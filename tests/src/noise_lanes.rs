@@ -1,0 +1,213 @@
+//! Batches at every SIMD level against single points, bit by bit.
+
+use asperity_noise::{Batch, Field, Grid, Level, Point, Sample};
+
+use crate::random::Random;
+
+/// Value and gradient, bit by bit.
+fn bits<V: Point<N>, const N: usize>(sample: Sample<V>) -> [u32; 5] {
+    let mut bits = [sample.value.to_bits(), 0, 0, 0, 0];
+    for (to, x) in bits[1..].iter_mut().zip(sample.gradient.coordinates()) {
+        *to = x.to_bits();
+    }
+    bits
+}
+
+/// What a batch fills: values alone, and values with gradients.
+struct Filled<const N: usize> {
+    alone: Vec<f32>,
+    values: Vec<f32>,
+    gradients: [Vec<f32>; N],
+}
+
+impl<const N: usize> Filled<N> {
+    fn new(count: usize) -> Self {
+        // Not a number that a noise gives, so that a place left out is seen.
+        let empty = vec![f32::NAN; count];
+        Self {
+            alone: empty.clone(),
+            values: empty.clone(),
+            gradients: std::array::from_fn(|_| empty.clone()),
+        }
+    }
+
+    fn assert_bits(&self, expected: &[[u32; 5]], what: &dyn Fn(usize) -> String) {
+        for (i, bits) in expected.iter().enumerate() {
+            assert_eq!(self.alone[i].to_bits(), bits[0], "{}: value alone", what(i));
+            assert_eq!(self.values[i].to_bits(), bits[0], "{}: value", what(i));
+            for (axis, gradient) in self.gradients.iter().enumerate() {
+                assert_eq!(gradient[i].to_bits(), bits[axis + 1], "{}: gradient {axis}", what(i));
+            }
+        }
+    }
+}
+
+/// Grids of a field at every level have the bits of `sample`.
+///
+/// # Panics
+/// If a bit differs.
+pub fn grid<V: Point<N>, F: Field<N>, const N: usize>(
+    name: &str,
+    field: &F,
+    sample: &impl Fn(V) -> Sample<V>,
+    grid: &Grid<V, N>,
+) {
+    let index = |mut i: usize| {
+        grid.size.map(|n| {
+            let along = i % n;
+            i /= n;
+            along
+        })
+    };
+    let expected: Vec<_> = (0..grid.len()).map(|i| bits(sample(grid.point(index(i))))).collect();
+    for level in Level::available() {
+        let batch = Batch::with_level(level);
+        let mut filled = Filled::<N>::new(grid.len());
+        batch.fill_grid(field, grid, &mut filled.alone).expect("lists of one length");
+        let gradients = filled.gradients.each_mut().map(Vec::as_mut_slice);
+        batch
+            .fill_grid_with_gradients(field, grid, &mut filled.values, gradients)
+            .expect("lists of one length");
+        filled.assert_bits(&expected, &|i| format!("{name}, {level}, {:?}", grid.point(index(i))));
+    }
+}
+
+/// Points near the origin, on lattice points, far out, beyond all cells and not finite, mixed within every register.
+#[must_use]
+pub fn coordinate(random: &mut Random) -> f32 {
+    let x = random.uniform() as f32 - 0.5;
+    match random.bits() >> 32 & 63 {
+        0..=47 => x * 16.0,
+        48..=51 => (x * 16.0).floor(),
+        52..=54 => x * 1e6,
+        55..=57 => x * 6e9,
+        58 => x * f32::MAX,
+        59 => x * 1e-40,
+        60 => -0.0,
+        61 => f32::NAN,
+        62 => f32::INFINITY.copysign(x),
+        _ => 2_147_483_648.0_f32.copysign(x),
+    }
+}
+
+/// Lists of points of a field at every level have the bits of `sample`.
+///
+/// # Panics
+/// If a bit differs.
+pub fn points<V: Point<N>, F: Field<N>, const N: usize>(
+    name: &str,
+    field: &F,
+    sample: &impl Fn(V) -> Sample<V>,
+    count: usize,
+) {
+    let mut random = Random(count as u64);
+    // The first half is near the origin, so that whole registers take the way of near points.
+    let coordinates: [Vec<f32>; N] =
+        std::array::from_fn(|_| {
+            (0..count)
+                .map(|i| {
+                    if i < count / 2 {
+                        (random.uniform() - 0.5) as f32 * 64.0
+                    } else {
+                        coordinate(&mut random)
+                    }
+                })
+                .collect()
+        });
+    let point = |i: usize| V::from_coordinates(std::array::from_fn(|axis| coordinates[axis][i]));
+    let expected: Vec<_> = (0..count).map(|i| bits(sample(point(i)))).collect();
+    for level in Level::available() {
+        let batch = Batch::with_level(level);
+        let mut filled = Filled::<N>::new(count);
+        let lists = coordinates.each_ref().map(Vec::as_slice);
+        batch.fill_points(field, lists, &mut filled.alone).expect("lists of one length");
+        let gradients = filled.gradients.each_mut().map(Vec::as_mut_slice);
+        batch
+            .fill_points_with_gradients(field, lists, &mut filled.values, gradients)
+            .expect("lists of one length");
+        filled.assert_bits(&expected, &|i| format!("{name}, {level}, point {:?}", point(i)));
+    }
+}
+
+const SIZES: [[usize; 4]; 4] = [[301, 1, 1, 1], [103, 5, 1, 1], [43, 4, 3, 1], [21, 3, 2, 2]];
+
+/// The first N of four.
+#[must_use]
+pub fn cut<const N: usize, T: Copy>(all: [T; 4]) -> [T; N] {
+    std::array::from_fn(|axis| all[axis])
+}
+
+/// Grids of an origin and steps each.
+///
+/// # Panics
+/// If a bit differs.
+pub fn grids<V: Point<N>, F: Field<N>, const N: usize>(
+    name: &str,
+    field: &F,
+    sample: &impl Fn(V) -> Sample<V>,
+    cases: &[([f32; 4], [f32; 4])],
+) {
+    for &(origin, step) in cases {
+        let [origin, step] = [origin, step].map(|all| V::from_coordinates(cut(all)));
+        grid(name, field, sample, &Grid { origin, step, size: cut(SIZES[N - 1]) });
+    }
+}
+
+/// Where most grids begin.
+pub const ORIGIN: [f32; 4] = [-3.0, -2.5, 0.7, -0.1];
+const LARGE: f32 = 2_147_483_648.0;
+
+/// Steps of all sizes and signs near the origin.
+#[must_use]
+pub fn near_cases() -> Vec<([f32; 4], [f32; 4])> {
+    [0.05, -0.11, 0.37, 1.3, -2.9, 1.0, -0.5, 0.0, 1e-9].map(|x| (ORIGIN, [x, 0.3, 0.21, -0.4])).to_vec()
+}
+
+/// Origins and steps far out, across 2³¹, not finite, −0 and below all normal numbers.
+#[must_use]
+pub fn far_cases() -> Vec<([f32; 4], [f32; 4])> {
+    let step = [0.05, 0.3, 0.21, -0.4];
+    let mut cases = vec![
+        ([2.0e9, -2.5, 0.7, -0.1], [1e7, 0.3, 0.21, 0.4]),
+        ([-2.0e9, -2.5, 0.7, -0.1], [-1e7, 0.3, 0.21, 0.4]),
+        ([LARGE - 3.0 * 128.0, 2.0, 0.7, -0.1], [64.0, 0.3, 0.21, 0.4]),
+        ([0.0, LARGE - 128.0, LARGE, -LARGE], [0.3, 128.0, 256.0, -256.0]),
+        ([1e6, 1e6, -1e6, 1e6], step),
+        ([8_388_600.0, 0.0, 0.5, 0.0], [0.25, 0.3, 0.21, 0.4]),
+        ([f32::MAX, 0.3, f32::MIN, 0.4], [1e36, 0.3, 0.21, 0.4]),
+        ([0.0, 0.3, 0.2, 0.4], [f32::MAX, 1e38, 0.21, 0.4]),
+        ([-0.0, -0.0, -0.0, -0.0], [-0.0, 0.5, -0.0, 0.5]),
+        ([1e-40, -1e-40, 1e-30, -1e-30], [1e-41, 1e-40, -1e-39, 1e-45]),
+    ];
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for axis in 0..4 {
+            let mut origin = ORIGIN;
+            origin[axis] = bad;
+            cases.push((origin, step));
+        }
+        cases.push((ORIGIN, [bad, 0.3, 0.21, 0.4]));
+    }
+    cases
+}
+
+/// A row that is filled in several stretches, and rows of every short length.
+///
+/// # Panics
+/// If a bit differs.
+pub fn lengths<V: Point<N>, F: Field<N>, const N: usize>(
+    name: &str,
+    field: &F,
+    sample: &impl Fn(V) -> Sample<V>,
+) {
+    let [origin, step] = [ORIGIN, [0.013, 0.3, 0.2, 0.1]].map(|all| V::from_coordinates(cut(all)));
+    for length in (0..36).chain([255, 256, 257, 1500]) {
+        let mut size = [1; N];
+        size[0] = length;
+        if !(36..=1000).contains(&length) {
+            grid(name, field, sample, &Grid { origin, step, size });
+        }
+        // Backwards too, and in steps of many cells.
+        let step = V::from_coordinates(cut([-0.7, 0.3, 0.2, 0.1]));
+        grid(name, field, sample, &Grid { origin, step, size });
+    }
+}

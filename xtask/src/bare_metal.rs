@@ -1,0 +1,96 @@
+//! `cargo xtask bare-metal`: the golden bits of noise on an emulated Cortex-M4, or what is missing for that.
+
+use std::{
+    ffi::OsString,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use crate::{ci::cargo_program, figure::Failure};
+
+const TARGET: &str = "thumbv7em-none-eabihf";
+const EMULATOR: &str = "qemu-system-arm";
+/// Arm's board MPS2 with the image AN386, a Cortex-M4 with a unit for single precision.
+const MACHINE: [&str; 7] = [
+    "-cpu",
+    "cortex-m4",
+    "-machine",
+    "mps2-an386",
+    "-nographic",
+    "-semihosting-config",
+    "enable=on,target=native",
+];
+
+/// A cargo and a rustc that can build for the target.
+struct Toolchain {
+    cargo: OsString,
+    rustc: OsString,
+    /// Without a core library for the target, but with its sources.
+    builds_core: bool,
+}
+
+/// Builds the probe in `tests/bare-metal` and runs it in an emulator; says why, where it cannot.
+pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
+    let Some(toolchain) = toolchain() else {
+        return Ok(format!(
+            "skipped: no toolchain has a core library for {TARGET}, or its sources and ld.lld; \
+             `rustup target add {TARGET}` adds it"
+        ));
+    };
+    if output(Command::new(EMULATOR).arg("--version")).is_none() {
+        return Ok(format!("skipped: {EMULATOR} is not installed"));
+    }
+    let folder = root.join("tests/bare-metal");
+    let mut build = Command::new(&toolchain.cargo);
+    build
+        .args(["build", "--quiet", "--locked", "--release", "--target", TARGET])
+        .current_dir(&folder)
+        .env("RUSTC", &toolchain.rustc)
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .env_remove("CARGO_TARGET_DIR");
+    let mut flags = String::from("-C link-arg=-Tlink.x");
+    if toolchain.builds_core {
+        build.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
+        flags += " -C linker=ld.lld -C linker-flavor=ld.lld";
+    }
+    if !build.env("RUSTFLAGS", flags).status()?.success() {
+        return Err(format!("the bare-metal probe does not build for {TARGET}").into());
+    }
+    let program = folder.join("target").join(TARGET).join("release/golden");
+    let run = Command::new(EMULATOR).args(MACHINE).arg("-kernel").arg(&program).output()?;
+    let said = String::from_utf8_lossy(&run.stdout).trim().to_owned();
+    if run.status.success() {
+        Ok(format!("on an emulated Cortex-M4 {said} ({TARGET})"))
+    } else {
+        Err(format!("on an emulated Cortex-M4 bits are others:\n{said}").into())
+    }
+}
+
+/// The toolchain that runs this program, or the system's, whichever can build for the target.
+fn toolchain() -> Option<Toolchain> {
+    let own = cargo_program();
+    let beside = Path::new(&own).with_file_name("rustc");
+    let candidates: [(OsString, PathBuf); 2] =
+        [(own, beside), ("/usr/bin/cargo".into(), PathBuf::from("/usr/bin/rustc"))];
+    let has_linker = output(Command::new("ld.lld").arg("--version")).is_some();
+    candidates.into_iter().find_map(|(cargo, rustc)| {
+        let libraries = output(Command::new(&rustc).args(["--print", "target-libdir", "--target", TARGET]))?;
+        let sysroot = output(Command::new(&rustc).args(["--print", "sysroot"]))?;
+        let has_core = Path::new(&libraries).read_dir().is_ok_and(|mut files| {
+            files.any(|file| file.is_ok_and(|f| f.file_name().to_string_lossy().starts_with("libcore")))
+        });
+        let has_sources = Path::new(&sysroot).join("lib/rustlib/src/rust/library/core").is_dir();
+        let builds_core = !has_core;
+        (has_core || has_sources && has_linker).then(|| Toolchain {
+            cargo,
+            rustc: rustc.into_os_string(),
+            builds_core,
+        })
+    })
+}
+
+/// What a command prints, if it can be run and succeeds.
+fn output(command: &mut Command) -> Option<String> {
+    let output = command.output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
