@@ -173,8 +173,8 @@ fn perlin_1985_on_a_permutation_is_gnoise() {
     for z in 0..256 {
         let index = listing.index(0, 0, z);
         let gradient = unit_gradient::<3>(permutation.word([0, 0, z as i32], seed));
-        for axis in 0..3 {
-            listing.gradient_tab[3 * index + axis] = f64::from(gradient[axis]);
+        for (to, from) in listing.gradient_tab[3 * index..].iter_mut().zip(gradient) {
+            *to = f64::from(from);
         }
     }
     // The noise is short of the bound by 2e-6, against rounding.

@@ -22,7 +22,7 @@ const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 11] = [
+const GATES: [Gate; 10] = [
     ("format", |root| cargo(root, &["fmt", "--all", "--check"])),
     ("tidy", |_| tidy()),
     ("generated tables", tables::check),
@@ -33,9 +33,6 @@ const GATES: [Gate; 11] = [
         cargo_with(root, &arguments, &[("RUSTDOCFLAGS", "-D warnings")])
     }),
     ("tests under each feature set", tests),
-    ("every kind at every SIMD level", |root| {
-        cargo(&root.join("tests/lanes"), &["test", "--quiet", "--locked"])
-    }),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),

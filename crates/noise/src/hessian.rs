@@ -34,7 +34,7 @@ impl<const N: usize> Jet<[f32; N], N> {
 /// A kind of noise that knows its second derivatives.
 ///
 /// [`Perlin1985`](crate::Perlin1985), [`Perlin2002`](crate::Perlin2002), [`Simplex`](crate::Simplex),
-/// [`Gaussian`](crate::Gaussian), [`Value`](crate::Value) and [`ValueGradient`](crate::ValueGradient) do, in 1 to 4 dimensions. Value and gradient have the bits of
+/// [`Gaussian`], [`Value`](crate::Value) and [`ValueGradient`](crate::ValueGradient) do, in 1 to 4 dimensions. Value and gradient have the bits of
 /// [`Noise::sample`](crate::Noise::sample).
 ///
 /// - **Continuity:** quintic weights are C², so that the Hessians of Perlin's noise of 2002 and of Gaussian noise are continuous;

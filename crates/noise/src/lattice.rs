@@ -105,10 +105,10 @@ mod tests {
 
     #[test]
     fn cells_are_floors() {
-        let cell = |x: f32| {
+        fn cell(x: f32) -> (i32, f32) {
             let (cell, place) = super::cell(Scalar, x);
             (cell.0 as i32, place)
-        };
+        }
         assert_eq!(cell(2.25), (2, 0.25));
         assert_eq!(cell(-0.25), (-1, 0.75));
         assert_eq!(cell(-3.0), (-3, 0.0));

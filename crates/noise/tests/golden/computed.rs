@@ -96,7 +96,7 @@ fn batched<V: Point<N>, F: Field<N>, const N: usize>(field: &F, sample: impl Fn(
 }
 
 /// A kind in every dimension.
-fn kind<K>(name: &'static str, noise: K, tell: &mut impl FnMut(&'static str, Golden))
+fn kind<K>(name: &'static str, noise: &K, tell: &mut impl FnMut(&'static str, Golden))
 where
     K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
 {
@@ -139,18 +139,18 @@ fn gaussian_sum<V: Point<N>, const N: usize>(tell: &mut impl FnMut(&'static str,
 /// Tells the golden bits of every kind and sum in every dimension.
 pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     let table = PermutationTable::new(17);
-    kind("Perlin 1985", Perlin1985::default(), tell);
-    kind("Perlin 2002", Perlin2002::default(), tell);
-    kind("Perlin 2002 by permutation", Perlin2002(table), tell);
-    kind("simplex", Simplex::CONTINUOUS, tell);
-    kind("wide simplex", Simplex::WIDE, tell);
-    kind("wide simplex by permutation", Simplex::WIDE.with_lattice(table), tell);
-    kind("Gaussian", Gaussian::default(), tell);
-    kind("white", White::default(), tell);
-    kind("value", Value::default(), tell);
-    kind("value, Catmull-Rom", ValueCatmullRom::default(), tell);
-    kind("value-gradient", ValueGradient::default(), tell);
-    kind("sparse", Sparse::default(), tell);
+    kind("Perlin 1985", &Perlin1985::default(), tell);
+    kind("Perlin 2002", &Perlin2002::default(), tell);
+    kind("Perlin 2002 by permutation", &Perlin2002(table), tell);
+    kind("simplex", &Simplex::CONTINUOUS, tell);
+    kind("wide simplex", &Simplex::WIDE, tell);
+    kind("wide simplex by permutation", &Simplex::WIDE.with_lattice(table), tell);
+    kind("Gaussian", &Gaussian::default(), tell);
+    kind("white", &White::default(), tell);
+    kind("value", &Value::default(), tell);
+    kind("value, Catmull-Rom", &ValueCatmullRom::default(), tell);
+    kind("value-gradient", &ValueGradient::default(), tell);
+    kind("sparse", &Sparse::default(), tell);
     sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
     sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
     sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);
@@ -170,6 +170,11 @@ pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
     tell("Gaussian octaves", batched(&sum.first(6.5), |p: Vec2| sum.sample(p, 6.5)));
 }
 
+/// The digest of what is drawn from a word.
+fn drawn(components: impl IntoIterator<Item = f32>) -> u32 {
+    components.into_iter().map(f32::to_bits).fold(START, digest)
+}
+
 /// Tells the digests of words, of what is drawn from them, and of the numbers of a spectrum.
 pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
     let hash = |words: &mut dyn FnMut(i32) -> u32| (0..256).map(words).fold(START, digest);
@@ -180,9 +185,6 @@ pub(crate) fn numbers(tell: &mut impl FnMut(&'static str, u32)) {
     tell("permutation", hash(&mut |i| u32::from(table.entries()[i as usize])));
     tell("permutation, words", hash(&mut |i| table.word(cell(i), 17)));
     let word = |i: i32| IntegerHash.word([i], 1);
-    fn drawn(components: impl IntoIterator<Item = f32>) -> u32 {
-        components.into_iter().map(f32::to_bits).fold(START, digest)
-    }
     tell("unit gradients", hash(&mut |i| drawn(unit_gradient::<2>(word(i)))));
     tell("unit gradients, 3-D", hash(&mut |i| drawn(unit_gradient::<3>(word(i)))));
     tell("unit gradients, 4-D", hash(&mut |i| drawn(unit_gradient::<4>(word(i)))));
