@@ -21,9 +21,11 @@ use crate::{
 /// ```
 ///
 /// In 1 to 4 dimensions. Far from the origin corners are rounded, by up to |p|·2⁻²², which is about what `f32` cannot hold
-/// of the point itself; the noise stays continuous. From |p| = 2²⁴ or so on no corner is near, and the noise is 0.
+/// of the point itself; the noise stays continuous. From |p| = 2²³ on, where
+/// `f32` holds integers only, rounded corners coincide: values stay finite, but may leave the range (1.09 was seen in 2-D), and
+/// farther out most are 0.
 ///
-/// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 2e-6.
+/// - **Range:** [−1, 1] for |p| < 2²³; A is the inverse of the searched maximum, attained within 2e-6.
 ///
 /// Nilsson 2008, section 4.1.3, prints the dot product with minus signs and its derivative without a factor. With
 /// t = r² − |d|² and s = g·d it is ∂(t⁴ s)/∂x = −8 x t³ s + t⁴ gₓ.
