@@ -3,7 +3,13 @@
 use core::{error::Error, fmt, ops::Range};
 
 use crate::{
-    columns::POINTS, field::Field, kernel::Row, lanes::Lanes, level::Level, point::Point, scratch::Scratch,
+    columns::POINTS,
+    field::Field,
+    kernel::{Row, put, put_sample},
+    lanes::Lanes,
+    level::Level,
+    point::Point,
+    scratch::Scratch,
 };
 
 /// Evaluates fields at many points at once, at one SIMD level.
@@ -150,9 +156,8 @@ impl Batch {
             #[inline(always)]
             fn run<S: Lanes>(self, s: S) {
                 let Self(field, points, values) = self;
-                for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-                    let p = load(s, &points, chunk * S::LEN);
-                    s.store(field.lane_values(s, p), out);
+                for i in (0..values.len()).step_by(S::LEN) {
+                    put(s, field.lane_values(s, load(s, &points, i)), values, i, values.len());
                 }
             }
         }
@@ -178,14 +183,9 @@ impl Batch {
             #[inline(always)]
             fn run<S: Lanes>(self, s: S) {
                 let Self(field, points, values, mut gradients) = self;
-                for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-                    let start = chunk * S::LEN;
-                    let p = load(s, &points, start);
-                    let (value, gradient) = field.lane_samples(s, p);
-                    s.store(value, out);
-                    for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
-                        s.store(component, out.get_mut(start..).unwrap_or_default());
-                    }
+                for i in (0..values.len()).step_by(S::LEN) {
+                    let sample = field.lane_samples(s, load(s, &points, i));
+                    put_sample(s, sample, values, &mut gradients, i);
                 }
             }
         }

@@ -4,8 +4,8 @@
 //! change along a row of a grid; between them runs a cubic.
 
 use crate::{
-    columns::{end_of_cell, has_columns, put},
-    kernel::{LaneSample, Row},
+    columns::{end_of_cell, has_columns},
+    kernel::{LaneSample, Row, put, put_sample},
     lanes::{Lanes, Scalar},
     lattice::{Lattice, cell},
 };
@@ -253,11 +253,7 @@ pub(crate) fn spline_rows<
                 while i < end {
                     let t = row.xs(s, i) - s.float(floor);
                     if GRADIENTS {
-                        let (value, gradient) = at(s, &here, t);
-                        put(s, value, values, i, count);
-                        for axis in 0..N {
-                            put(s, gradient[axis], gradients[axis], i, count);
-                        }
+                        put_sample(s, at(s, &here, t), values, gradients, i);
                     } else {
                         put(s, here[0].value(t), values, i, count);
                     }
@@ -271,11 +267,7 @@ pub(crate) fn spline_rows<
     while i < count {
         let p = row.points(s, i);
         if GRADIENTS {
-            let (value, gradient) = spline_samples(s, noise, p, seed);
-            put(s, value, values, i, count);
-            for axis in 0..N {
-                put(s, gradient[axis], gradients[axis], i, count);
-            }
+            put_sample(s, spline_samples(s, noise, p, seed), values, gradients, i);
         } else {
             put(s, spline_values(s, noise, p, seed), values, i, count);
         }

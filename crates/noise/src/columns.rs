@@ -6,8 +6,8 @@
 use crate::{
     cell_noise::{CORNERS, CellNoise, Column, Corner, Section, normalised, variance},
     fade::Fade,
-    kernel::{Kernel, Row, RowKey},
-    lanes::{Lanes, Scalar},
+    kernel::{Kernel, Row, RowKey, put, put_sample},
+    lanes::{LANES, Lanes, Scalar},
     lattice::Lattice,
     span::{Span, splat},
     variance::{Variance, axis_variance},
@@ -45,19 +45,13 @@ pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool
         }
         return;
     }
-    let mut i = 0;
-    while i < count {
+    for i in (0..count).step_by(S::LEN) {
         let p = row.points(s, i);
         if GRADIENTS {
-            let (value, gradient) = noise.lane_samples(s, p, seed);
-            put(s, value, values, i, count);
-            for axis in 0..N {
-                put(s, gradient[axis], gradients[axis], i, count);
-            }
+            put_sample(s, noise.lane_samples(s, p, seed), values, gradients, i);
         } else {
             put(s, noise.lane_values(s, p, seed), values, i, count);
         }
-        i += S::LEN;
     }
 }
 
@@ -67,16 +61,6 @@ pub(crate) fn has_columns<const N: usize, const SCALED: bool>(row: &Row<N, SCALE
     let step = row.stride().abs();
     let reach = row.x(0).abs().max(row.x(count).abs());
     step < LONG_STEP && step > reach * 1e-6 && count < 1 << 24
-}
-
-/// Writes the lanes for the points from `i` to `count`.
-#[inline(always)]
-pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usize) {
-    if let Some(out) = out.get_mut(i..i + S::LEN) {
-        s.store(x, out);
-    } else if let Some(out) = out.get_mut(i..count) {
-        s.store(x, out);
-    }
 }
 
 /// The cells of a row's points, and the points' places and weights in them.
@@ -98,9 +82,6 @@ struct Plan {
     weight: [f32; POINTS + LANES],
     slope: [f32; POINTS + LANES],
 }
-
-/// The most lanes there are.
-const LANES: usize = 16;
 
 impl Plan {
     const EMPTY: Self = Self {
@@ -304,10 +285,10 @@ impl<const N: usize> Stretch<N> {
                 let v = (rest.value(axis), rest.gradient(axis));
                 (value, gradient) = normalised(s, (value, gradient), v);
             }
-            for axis in 0..N {
-                put(s, gradient[axis], gradients[axis], start + i, values.len());
-            }
-        } else if K::NORMALISED {
+            put_sample(s, (value, gradient), values, gradients, start + i);
+            return;
+        }
+        if K::NORMALISED {
             let axis = axis_variance(s, t, w, s.float(0.0));
             value = value * (s.float(1.0) / s.sqrt(rest.value(axis)));
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     columns::Stretch,
-    kernel::{Kernel, LaneSample, Row, samples, values},
+    kernel::{Kernel, LaneSample, Row, put, put_sample, samples, values},
     lanes::{Lanes, Scalar},
     point::Point,
     sample::Sample,
@@ -70,9 +70,8 @@ pub trait Field<const N: usize> {
     /// The values along a row.
     #[inline(always)]
     fn row_values<S: Lanes>(&self, s: S, row: &Row<N, false>, _scratch: &mut Scratch<N>, values: &mut [f32]) {
-        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-            let value = self.lane_values(s, row.points(s, chunk * S::LEN));
-            s.store(value, out);
+        for i in (0..values.len()).step_by(S::LEN) {
+            put(s, self.lane_values(s, row.points(s, i)), values, i, values.len());
         }
     }
 
@@ -86,13 +85,8 @@ pub trait Field<const N: usize> {
         values: &mut [f32],
         gradients: &mut [&mut [f32]; N],
     ) {
-        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-            let start = chunk * S::LEN;
-            let (value, gradient) = self.lane_samples(s, row.points(s, start));
-            s.store(value, out);
-            for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
-                s.store(component, out.get_mut(start..).unwrap_or_default());
-            }
+        for i in (0..values.len()).step_by(S::LEN) {
+            put_sample(s, self.lane_samples(s, row.points(s, i)), values, gradients, i);
         }
     }
 }
@@ -158,8 +152,8 @@ pub(crate) fn row_values<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: b
         kernel.row_values(s, row, seed, columns, out);
         return;
     }
-    for (chunk, out) in out.chunks_mut(S::LEN).enumerate() {
-        s.store(values(kernel, s, row.points(s, chunk * S::LEN), seed), out);
+    for i in (0..out.len()).step_by(S::LEN) {
+        put(s, values(kernel, s, row.points(s, i), seed), out, i, out.len());
     }
 }
 
@@ -178,12 +172,7 @@ pub(crate) fn row_samples<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: 
         kernel.row_samples(s, row, seed, columns, values, gradients);
         return;
     }
-    for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-        let start = chunk * S::LEN;
-        let (value, gradient) = samples(kernel, s, row.points(s, start), seed);
-        s.store(value, out);
-        for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
-            s.store(component, out.get_mut(start..).unwrap_or_default());
-        }
+    for i in (0..values.len()).step_by(S::LEN) {
+        put_sample(s, samples(kernel, s, row.points(s, i), seed), values, gradients, i);
     }
 }

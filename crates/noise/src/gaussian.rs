@@ -58,7 +58,7 @@ impl<L: Lattice> Gaussian<L> {
     #[must_use]
     #[inline]
     pub fn pair<V: Point<N>, const N: usize>(&self, p: V, seed: u32) -> [Sample<V>; 2] {
-        self.lane_pairs(Scalar, p.coordinates(), seed)
+        self.channels(p.coordinates(), seed)
             .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
@@ -77,40 +77,24 @@ impl<L: Lattice> Gaussian<L> {
         (noise, variance)
     }
 
-    /// Both channels in lanes, at any points.
+    /// Both channels at any point.
     #[inline(always)]
-    pub(crate) fn lane_pairs<S: Lanes, const N: usize>(
-        &self,
-        s: S,
-        p: [S::F; N],
-        seed: u32,
-    ) -> [LaneSample<S, N>; 2] {
-        if has_cells(s, &p) {
-            return self.near_pairs(s, p, seed);
-        }
-        let at = |lane: usize| self.far_pairs(p.map(|x| s.lane(x, lane)), seed);
-        [0, 1].map(|channel: usize| {
-            let mut axis = 0;
-            let gradient = [(); N].map(|()| {
-                axis += 1;
-                s.floats(|lane| at(lane)[channel].1[axis - 1])
-            });
-            (s.floats(|lane| at(lane)[channel].0), gradient)
-        })
+    pub(crate) fn channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
+        if has_cells(Scalar, &p) { self.near_channels(p, seed) } else { self.far_channels(p, seed) }
     }
 
     /// Both channels where every coordinate has a cell.
     #[inline(always)]
-    fn near_pairs<S: Lanes, const N: usize>(&self, s: S, p: [S::F; N], seed: u32) -> [LaneSample<S, N>; 2] {
-        let (first, variance) = parts(s, self, p, seed);
-        let (second, _) = parts(s, &Second(&self.0), p, seed);
-        [normalised(s, first, variance), normalised(s, second, variance)]
+    fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
+        let (first, variance) = parts(Scalar, self, p, seed);
+        let (second, _) = parts(Scalar, &Second(&self.0), p, seed);
+        [normalised(Scalar, first, variance), normalised(Scalar, second, variance)]
     }
 
     #[cold]
     #[inline(never)]
-    fn far_pairs<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
-        wrapped(p).map_or([(0.0, [0.0; N]); 2], |p| self.near_pairs(Scalar, p, seed))
+    fn far_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
+        wrapped(p).map_or([(0.0, [0.0; N]); 2], |p| self.near_channels(p, seed))
     }
 }
 

@@ -69,7 +69,7 @@ impl<const N: usize> GaussianOctaves<N> {
         let mut sums = [(0.0, [0.0; N]); 2];
         for ((_, amplitude), layer) in self.spectrum.active(octaves).zip(&self.layers) {
             let p = layer.points(Scalar, p.coordinates());
-            let pair = Gaussian::default().lane_pairs(Scalar, p, layer.seed);
+            let pair = Gaussian::default().channels(p, layer.seed);
             for (sum, sample) in sums.iter_mut().zip(pair) {
                 layer.accumulate(Scalar, sum, amplitude, sample);
             }

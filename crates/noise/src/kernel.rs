@@ -2,7 +2,7 @@
 
 use crate::{
     columns::Stretch,
-    lanes::{Lanes, Scalar},
+    lanes::{LANES, Lanes, Scalar},
     lattice::{has_cells, wrapped},
     statistics::Statistics,
 };
@@ -30,9 +30,8 @@ pub trait Kernel<const N: usize> {
         _columns: &mut Stretch<N>,
         values: &mut [f32],
     ) {
-        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-            let value = self.lane_values(s, row.points(s, chunk * S::LEN), seed);
-            s.store(value, out);
+        for i in (0..values.len()).step_by(S::LEN) {
+            put(s, self.lane_values(s, row.points(s, i), seed), values, i, values.len());
         }
     }
 
@@ -47,13 +46,8 @@ pub trait Kernel<const N: usize> {
         values: &mut [f32],
         gradients: &mut [&mut [f32]; N],
     ) {
-        for (chunk, out) in values.chunks_mut(S::LEN).enumerate() {
-            let start = chunk * S::LEN;
-            let (value, gradient) = self.lane_samples(s, row.points(s, start), seed);
-            s.store(value, out);
-            for (component, out) in gradient.into_iter().zip(gradients.iter_mut()) {
-                s.store(component, out.get_mut(start..).unwrap_or_default());
-            }
+        for i in (0..values.len()).step_by(S::LEN) {
+            put_sample(s, self.lane_samples(s, row.points(s, i), seed), values, gradients, i);
         }
     }
 
@@ -209,13 +203,41 @@ pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
     if has_cells(s, &p) {
         return kernel.lane_samples(s, p, seed);
     }
-    let at = |lane: usize| far_sample(kernel, p.map(|x| s.lane(x, lane)), seed);
-    let mut axis = 0;
-    let gradient = [(); N].map(|()| {
-        axis += 1;
-        s.floats(|lane| at(lane).1[axis - 1])
-    });
-    (s.floats(|lane| at(lane).0), gradient)
+    let mut far = [(0.0, [0.0; N]); LANES];
+    for lane in 0..S::LEN {
+        far[lane % LANES] = far_sample(kernel, p.map(|x| s.lane(x, lane)), seed);
+    }
+    let mut gradient = p;
+    for axis in 0..N {
+        gradient[axis] = s.floats(|lane| far[lane % LANES].1[axis]);
+    }
+    (s.floats(|lane| far[lane % LANES].0), gradient)
+}
+
+/// Writes the lanes for the points from `i` to `count`.
+#[inline(always)]
+pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usize) {
+    if let Some(out) = out.get_mut(i..i + S::LEN) {
+        s.store(x, out);
+    } else if let Some(out) = out.get_mut(i..count) {
+        s.store(x, out);
+    }
+}
+
+/// Writes values and gradients in lanes for the points from `i` to the end of `values`.
+#[inline(always)]
+pub(crate) fn put_sample<S: Lanes, const N: usize>(
+    s: S,
+    (value, gradient): LaneSample<S, N>,
+    values: &mut [f32],
+    gradients: &mut [&mut [f32]; N],
+    i: usize,
+) {
+    let count = values.len();
+    put(s, value, values, i, count);
+    for axis in 0..N {
+        put(s, gradient[axis], gradients[axis], i, count);
+    }
 }
 
 #[cold]

@@ -10,6 +10,9 @@ use core::{
 
 use crate::math;
 
+/// The most lanes there are.
+pub(crate) const LANES: usize = 16;
+
 /// Floats in lanes.
 pub trait Floats:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
@@ -111,7 +114,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     #[inline(always)]
     fn load_part(self, slice: &[f32]) -> Self::F {
         if slice.len() < Self::LEN {
-            let mut padded = [0.0; 16];
+            let mut padded = [0.0; LANES];
             for (to, from) in padded.iter_mut().zip(slice) {
                 *to = *from;
             }

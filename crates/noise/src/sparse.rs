@@ -4,10 +4,10 @@ use core::{error::Error, fmt};
 
 use crate::{
     absolute_moments,
-    columns::{Stretch, end_of_cell, has_columns, put},
+    columns::{Stretch, end_of_cell, has_columns},
     directions::uniform,
     integer_hash::{IntegerHash, further},
-    kernel::{Kernel, LaneSample, Row},
+    kernel::{Kernel, LaneSample, Row, put, put_sample},
     lanes::Lanes,
     lattice::{Lattice, cell},
     span::splat,
@@ -350,11 +350,10 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
                         let impulse = Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
                         add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
                     }
-                    put(s, sum.0, values, i, count);
                     if GRADIENTS {
-                        for axis in 0..N {
-                            put(s, sum.1[axis], gradients[axis], i, count);
-                        }
+                        put_sample(s, sum, values, gradients, i);
+                    } else {
+                        put(s, sum.0, values, i, count);
                     }
                     i += S::LEN;
                 }
@@ -364,12 +363,11 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
         return;
     }
     while i < count {
-        let (value, gradient) = noise.sum::<S, N, GRADIENTS>(s, row.points(s, i), seed);
-        put(s, value, values, i, count);
+        let sum = noise.sum::<S, N, GRADIENTS>(s, row.points(s, i), seed);
         if GRADIENTS {
-            for axis in 0..N {
-                put(s, gradient[axis], gradients[axis], i, count);
-            }
+            put_sample(s, sum, values, gradients, i);
+        } else {
+            put(s, sum.0, values, i, count);
         }
         i += S::LEN;
     }
