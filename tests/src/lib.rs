@@ -4,6 +4,8 @@ pub mod chi_square;
 pub mod disk_bins;
 pub mod fif_systems;
 pub mod low_discrepancy;
+pub mod noise_any;
+pub mod noise_errors;
 pub mod noise_kinds;
 pub mod noise_lanes;
 pub mod noise_reference;

@@ -1,44 +1,98 @@
 //! Every kind of noise once more, in plain `f64` and in any dimension: slow, literal, and sharing only the lattice's words.
 
 use asperity_noise::{IntegerHash, Lattice, edge_gradient, gaussian_corner, unit_gradient};
+use statrs::function::gamma::gamma;
 
 /// A kind of noise, before the scaling to its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
+    /// A number per cell.
+    White,
+    /// Numbers at the corners, quintic weights.
+    Value,
+    /// Numbers at 4ⁿ points, the weights of Catmull and Rom.
+    CatmullRom,
     /// Unit gradients, cubic weights.
     Perlin1985,
     /// Edge directions, quintic weights.
     Perlin2002,
+    /// Numbers and, with this weight, unit gradients scaled to the same range; quintic weights.
+    ValueGradient(f64),
     /// Simplex noise with this r².
     Simplex(f64),
+    /// Radial kernels around so many impulses per cell, scaled to unit variance.
+    Sparse(u32),
     /// A channel of value-gradient noise over its standard deviation.
     Gaussian(usize),
 }
+
+/// A lattice point that a value comes from: its cell, its weight, the way from it.
+type Part<const D: usize> = ([i32; D], f64, [f64; D]);
 
 impl Kind {
     /// The unscaled value at `p`.
     #[must_use]
     pub fn value<const D: usize>(self, p: [f64; D], seed: u32) -> f64 {
+        self.value_on(&IntegerHash, p, seed)
+    }
+
+    /// The unscaled value at `p` on a lattice.
+    #[must_use]
+    pub fn value_on<const D: usize>(self, lattice: &impl Lattice, p: [f64; D], seed: u32) -> f64 {
+        let parts = self.parts(p).into_iter().map(|part| (lattice.word(part.0, seed), part));
+        let Self::Gaussian(_) = self else {
+            return parts.map(|(word, (_, w, d))| self.part(word, w, d)).sum();
+        };
+        let (mut n, mut v) = (0.0, 0.0);
+        for (word, (_, w, d)) in parts {
+            n += self.part(word, w, d);
+            v += w * w * (1.0 + 4.0 * dot(d, d));
+        }
+        n / v.sqrt()
+    }
+
+    /// What a lattice point with a word adds at a way `d` from it, where it has the weight `w`.
+    #[must_use]
+    pub fn part<const D: usize>(self, word: u32, w: f64, d: [f64; D]) -> f64 {
         match self {
-            Self::Perlin1985 => {
-                corners(p, cubic).map(|(cell, w, d)| w * dot(self.direction(cell, seed), d)).sum()
+            Self::White | Self::Value | Self::CatmullRom => w * uniform(word),
+            Self::Perlin1985 => w * dot(unit_gradient(word).map(f64::from), d),
+            Self::Perlin2002 | Self::Simplex(_) => w * dot(edge_gradient(word).map(f64::from), d),
+            Self::ValueGradient(weight) => {
+                let rise = 2.0 / (D as f64).sqrt() * dot(unit_gradient(word).map(f64::from), d);
+                w * ((1.0 - weight) * uniform(further(word, 6)) + weight * rise)
             }
-            Self::Perlin2002 => {
-                corners(p, quintic).map(|(cell, w, d)| w * dot(self.direction(cell, seed), d)).sum()
+            Self::Sparse(impulses) => {
+                let first = std::iter::successors(Some(word), |&word| Some(further(word, 3)));
+                let sum: f64 = first.take(impulses as usize).map(|word| impulse(word, d)).sum();
+                w * sum
             }
-            Self::Simplex(radius_squared) => simplex(p)
-                .map(|(cell, d)| {
-                    (radius_squared - dot(d, d)).max(0.0).powi(4) * dot(self.direction(cell, seed), d)
-                })
-                .sum(),
             Self::Gaussian(channel) => {
-                let (mut n, mut v) = (0.0, 0.0);
-                for (cell, w, d) in corners(p, quintic) {
-                    let (value, gradient) = gaussian_corner::<D>(IntegerHash.word(cell, seed))[channel];
-                    n += w * (f64::from(value) + 2.0 * dot(gradient.map(f64::from), d));
-                    v += w * w * (1.0 + 4.0 * dot(d, d));
-                }
-                n / v.sqrt()
+                let (value, gradient) = gaussian_corner::<D>(word)[channel];
+                w * (f64::from(value) + 2.0 * dot(gradient.map(f64::from), d))
+            }
+        }
+    }
+
+    /// The lattice points that the value at `p` comes from.
+    #[must_use]
+    pub fn parts<const D: usize>(self, p: [f64; D]) -> Vec<Part<D>> {
+        match self {
+            Self::White => around(p, 0..=0, |_| 1.0),
+            Self::CatmullRom => around(p, -1..=2, catmull_rom),
+            Self::Perlin1985 => around(p, 0..=1, |d| cubic(1.0 - d.abs())),
+            Self::Value | Self::Perlin2002 | Self::ValueGradient(_) | Self::Gaussian(_) => {
+                around(p, 0..=1, |d| quintic(1.0 - d.abs()))
+            }
+            Self::Simplex(radius_squared) => simplex(p, radius_squared),
+            Self::Sparse(impulses) => {
+                // √(3/(K ∫h²)) with h = (1 − r²)³: ∫h² = πⁿᐟ² Γ(7)/Γ(n/2 + 7).
+                let half = D as f64 / 2.0;
+                let integral = std::f64::consts::PI.powf(half) * gamma(7.0) / gamma(half + 7.0);
+                let amplitude = (3.0 / (f64::from(impulses) * integral)).sqrt();
+                let mut parts = around(p, -1..=1, |_| 1.0);
+                parts.iter_mut().for_each(|part| part.1 = amplitude);
+                parts
             }
         }
     }
@@ -48,6 +102,17 @@ impl Kind {
     /// None where a difference would reach into another cell or simplex, where some kinds have a kink.
     #[must_use]
     pub fn gradient<const D: usize>(self, p: [f64; D], seed: u32) -> Option<[f64; D]> {
+        self.gradient_on(&IntegerHash, p, seed)
+    }
+
+    /// The gradient at `p` on a lattice.
+    #[must_use]
+    pub fn gradient_on<const D: usize>(
+        self,
+        lattice: &impl Lattice,
+        p: [f64; D],
+        seed: u32,
+    ) -> Option<[f64; D]> {
         const H: f64 = 1e-4;
         let here = self.lattice_points(p);
         let mut gradient = [0.0; D];
@@ -60,40 +125,35 @@ impl Kind {
             if [2.0 * H, -2.0 * H].into_iter().any(|step| self.lattice_points(at(step)) != here) {
                 return None;
             }
-            *slope = difference(H, |step| self.value(at(step), seed));
+            *slope = difference(H, |step| self.value_on(lattice, at(step), seed));
         }
         Some(gradient)
     }
 
-    /// The lattice points that the value at `p` comes from, in an order that only another cell or simplex changes.
+    /// Points that tell the cell or simplex of `p`, in an order that only another cell or simplex changes.
     #[must_use]
     pub fn lattice_points<const D: usize>(self, p: [f64; D]) -> Vec<[i32; D]> {
         match self {
-            Self::Simplex(_) => simplex(p).map(|(cell, _)| cell).collect(),
-            _ => corners(p, quintic).map(|(cell, ..)| cell).collect(),
+            Self::Simplex(_) => self.parts(p).into_iter().map(|part| part.0).collect(),
+            _ => vec![p.map(|x| x.floor() as i32)],
         }
     }
 
-    /// The greatest value that directions can give at `p`, if each corner draws the best one.
+    /// The greatest value that words can give at `p`, if each lattice point draws the best one.
     #[must_use]
     pub fn greatest<const D: usize>(self, p: [f64; D]) -> f64 {
-        match self {
-            Self::Perlin1985 => corners(p, cubic).map(|(_, w, d)| w * dot(d, d).sqrt()).sum(),
-            Self::Perlin2002 => corners(p, quintic).map(|(_, w, d)| w * best_edge(d)).sum(),
-            Self::Simplex(radius_squared) => {
-                simplex(p).map(|(_, d)| (radius_squared - dot(d, d)).max(0.0).powi(4) * best_edge(d)).sum()
+        let best = |(_, w, d): Part<D>| match self {
+            Self::White | Self::Value | Self::CatmullRom => w.abs(),
+            Self::Perlin1985 => w * dot(d, d).sqrt(),
+            Self::Perlin2002 | Self::Simplex(_) => w * best_edge(d),
+            Self::ValueGradient(weight) => {
+                w * (1.0 - weight + weight * 2.0 / (D as f64).sqrt() * dot(d, d).sqrt())
             }
+            // The nearest place of the lattice point's cell.
+            Self::Sparse(impulses) => w * f64::from(impulses) * kernel(d.map(|d| d - d.clamp(0.0, 1.0))),
             Self::Gaussian(_) => f64::INFINITY,
-        }
-    }
-
-    fn direction<const D: usize>(self, cell: [i32; D], seed: u32) -> [f64; D] {
-        let word = IntegerHash.word(cell, seed);
-        let direction = match self {
-            Self::Perlin1985 => unit_gradient::<D>(word),
-            _ => edge_gradient::<D>(word),
         };
-        direction.map(f64::from)
+        self.parts(p).into_iter().map(best).sum()
     }
 }
 
@@ -103,12 +163,47 @@ pub fn difference(h: f64, f: impl Fn(f64) -> f64) -> f64 {
     (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
 }
 
+/// The upper 24 bits of a word as a number in (−1, 1).
+fn uniform(word: u32) -> f64 {
+    (f64::from(word >> 8) + 0.5) / 8_388_608.0 - 1.0
+}
+
+/// A further word of a lattice point.
+fn further(word: u32, k: u32) -> u32 {
+    let h = word.wrapping_add(k.wrapping_mul(0x9e37_79b9));
+    let h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
+    h ^ h >> 16
+}
+
+/// The kernel around the impulse of a word, at a way `d` from the low corner of its cell, times the impulse's weight.
+fn impulse<const D: usize>(word: u32, d: [f64; D]) -> f64 {
+    let second = further(word, 1);
+    let fields = [word >> 16, word & 0xffff, second >> 16, second & 0xffff];
+    let from_it = std::array::from_fn::<f64, D, _>(|k| d[k] - (f64::from(fields[k]) + 0.5) / 65_536.0);
+    kernel(from_it) * uniform(if D < 3 { second } else { further(word, 2) })
+}
+
+/// (1 − r²)³ inside the unit ball.
+fn kernel<const D: usize>(d: [f64; D]) -> f64 {
+    (1.0 - dot(d, d)).max(0.0).powi(3)
+}
+
 fn cubic(t: f64) -> f64 {
     3.0 * t.powi(2) - 2.0 * t.powi(3)
 }
 
 fn quintic(t: f64) -> f64 {
     6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3)
+}
+
+/// The spline's weight of a point at a distance, as Keys writes the kernel with a = −½.
+fn catmull_rom(d: f64) -> f64 {
+    let r = d.abs();
+    if r < 1.0 {
+        1.5 * r.powi(3) - 2.5 * r.powi(2) + 1.0
+    } else {
+        -0.5 * r.powi(3) + 2.5 * r.powi(2) - 4.0 * r + 2.0
+    }
 }
 
 fn dot<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
@@ -127,21 +222,26 @@ fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     }
 }
 
-/// The corners of the cube around `p`: lattice point, weight, offset from it.
-fn corners<const D: usize>(
+/// The lattice points in a range around the cell of `p` along every axis, with the product of the axes' weights.
+fn around<const D: usize>(
     p: [f64; D],
-    fade: impl Fn(f64) -> f64,
-) -> impl Iterator<Item = ([i32; D], f64, [f64; D])> {
-    (0..1_usize << D).map(move |corner| {
-        let up: [f64; D] = std::array::from_fn(|k| (corner >> k & 1) as f64);
-        let cell: [f64; D] = std::array::from_fn(|k| p[k].floor() + up[k]);
-        let weight = (0..D).map(|k| fade(1.0 - (p[k] - cell[k]).abs())).product();
-        (cell.map(|c| c as i32), weight, std::array::from_fn(|k| p[k] - cell[k]))
-    })
+    range: std::ops::RangeInclusive<i32>,
+    weight: impl Fn(f64) -> f64,
+) -> Vec<Part<D>> {
+    let (first, count) = (*range.start(), (range.end() - range.start() + 1) as usize);
+    (0..count.pow(D as u32))
+        .map(|index| {
+            let steps: [i32; D] =
+                std::array::from_fn(|k| first + (index / count.pow(k as u32) % count) as i32);
+            let point: [f64; D] = std::array::from_fn(|k| p[k].floor() + f64::from(steps[k]));
+            let d: [f64; D] = std::array::from_fn(|k| p[k] - point[k]);
+            (point.map(|c| c as i32), d.into_iter().map(&weight).product(), d)
+        })
+        .collect()
 }
 
-/// The corners of the simplex around `p`: lattice point and offset from it.
-fn simplex<const D: usize>(p: [f64; D]) -> impl Iterator<Item = ([i32; D], [f64; D])> {
+/// The corners of the simplex around `p`, with the kernel of a radius as the weight.
+fn simplex<const D: usize>(p: [f64; D], radius_squared: f64) -> Vec<Part<D>> {
     let n = D as f64;
     // On the line there is nothing to shear.
     let skew = if D == 1 { 0.0 } else { ((n + 1.0).sqrt() - 1.0) / n };
@@ -152,12 +252,15 @@ fn simplex<const D: usize>(p: [f64; D]) -> impl Iterator<Item = ([i32; D], [f64;
     order.sort_by(|&a, &b| {
         (skewed[b] - skewed[b].floor()).total_cmp(&(skewed[a] - skewed[a].floor())).then(a.cmp(&b))
     });
-    (0..=D).map(move |step| {
-        let mut cell = skewed.map(f64::floor);
-        for &axis in &order[..step] {
-            cell[axis] += 1.0;
-        }
-        let back = cell.iter().sum::<f64>() * unskew;
-        (cell.map(|c| c as i32), std::array::from_fn(|k| p[k] - (cell[k] - back)))
-    })
+    (0..=D)
+        .map(|step| {
+            let mut cell = skewed.map(f64::floor);
+            for &axis in &order[..step] {
+                cell[axis] += 1.0;
+            }
+            let back = cell.iter().sum::<f64>() * unskew;
+            let d: [f64; D] = std::array::from_fn(|k| p[k] - (cell[k] - back));
+            (cell.map(|c| c as i32), (radius_squared - dot(d, d)).max(0.0).powi(4), d)
+        })
+        .collect()
 }

@@ -1,8 +1,8 @@
 //! Fields that should have nothing to do with one another: other seeds, swapped axes, mirror images, other octaves.
 
-use asperity_noise::{Normalisation, Octaves, Point, Rotation, Spectrum};
+use asperity_noise::{Normalisation, Rotation, Spectrum};
 use asperity_tests::{
-    noise_kinds::{Testable, Visit, every_kind},
+    noise_any::{AnyNoise, VisitAny, any_kind, thinning},
     random::Random,
 };
 
@@ -12,19 +12,16 @@ fn point<const N: usize>(random: &mut Random) -> [f32; N] {
 }
 
 /// The correlation of two fields and of their squares over random points, in standard errors.
-fn correlations<const N: usize>(
-    mut point: impl FnMut(&mut Random) -> [f32; N],
-    pair: impl Fn([f32; N]) -> [f32; 2],
-) -> [f64; 2] {
-    const COUNT: u32 = 20_000;
+fn correlations<const N: usize>(name: &str, pair: impl Fn([f32; N]) -> [f32; 2]) -> [f64; 2] {
+    let count = 20_000 / thinning::<N>(name);
     let mut random = Random(11);
-    let values: Vec<[f64; 2]> = (0..COUNT).map(|_| pair(point(&mut random)).map(f64::from)).collect();
+    let values: Vec<[f64; 2]> = (0..count).map(|_| pair(point(&mut random)).map(f64::from)).collect();
     let correlation = |f: fn(f64) -> f64| {
-        let mean = |g: &dyn Fn(&[f64; 2]) -> f64| values.iter().map(g).sum::<f64>() / f64::from(COUNT);
+        let mean = |g: &dyn Fn(&[f64; 2]) -> f64| values.iter().map(g).sum::<f64>() / f64::from(count);
         let (ma, mb) = (mean(&|v| f(v[0])), mean(&|v| f(v[1])));
         let covariance = mean(&|v| (f(v[0]) - ma) * (f(v[1]) - mb));
         let (va, vb) = (mean(&|v| (f(v[0]) - ma).powi(2)), mean(&|v| (f(v[1]) - mb).powi(2)));
-        covariance / (va * vb).sqrt() * f64::from(COUNT).sqrt()
+        covariance / (va * vb).sqrt() * f64::from(count).sqrt()
     };
     [correlation(|x| x), correlation(|x| x * x)]
 }
@@ -34,8 +31,8 @@ const LIMIT: f64 = 4.9;
 
 struct Others;
 
-impl Visit for Others {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+impl VisitAny for Others {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         type Other<const N: usize> = (&'static str, fn([f32; N]) -> [f32; N], u32);
         let others: [Other<N>; 6] = [
             ("the next seed", |p| p, 6),
@@ -59,22 +56,23 @@ impl Visit for Others {
                 5,
             ),
         ];
-        let value = |p: [f32; N], seed| noise.value(V::from_coordinates(p), seed);
+        let value = |p: [f32; N], seed| noise.value(p, seed);
         for (how, map, seed) in others {
             // A line has one axis.
             if N == 1 && how.ends_with("axes") {
                 continue;
             }
-            let [values, squares] = correlations(point, |p| [value(p, 5), value(map(p), seed)]);
+            let [values, squares] = correlations(name, |p| [value(p, 5), value(map(p), seed)]);
             assert!(values.abs() < LIMIT, "{name} and {how}: correlation of {values} standard errors");
             // Other kinds have a variance that depends on the place in the cell.
-            if name.starts_with("Gaussian") {
+            if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
                 assert!(squares.abs() < LIMIT, "{name} and {how}: squares' correlation of {squares}");
             }
         }
-        // Two reflected axes and no others; and two cells apart, where no corner is shared.
+        // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
+        // four along an axis.
         if N > 2 {
-            let [values, _] = correlations(point, |p| {
+            let [values, _] = correlations(name, |p| {
                 let mut q = p;
                 (q[0], q[N - 1]) = (-p[0], -p[N - 1]);
                 [value(p, 5), value(q, 5)]
@@ -82,8 +80,8 @@ impl Visit for Others {
             assert!(values.abs() < LIMIT, "{name} and two reflected axes: {values} standard errors");
         }
         for axis in [0, N - 1] {
-            for distance in [2.0, -3.0] {
-                let [values, _] = correlations(point, |p| {
+            for distance in if name.contains("Catmull-Rom") { [4.0, -5.0] } else { [2.0, -3.0] } {
+                let [values, _] = correlations(name, |p| {
                     let mut q = p;
                     q[axis] += distance;
                     [value(p, 5), value(q, 5)]
@@ -96,24 +94,21 @@ impl Visit for Others {
 
 #[test]
 fn seeds_axes_and_mirror_images_are_decorrelated() {
-    every_kind(&mut Others);
+    any_kind(&mut Others);
 }
 
 struct OctavesApart;
 
-impl Visit for OctavesApart {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+impl VisitAny for OctavesApart {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         let spectrum = Spectrum::default();
         for rotation in [Rotation::Random, Rotation::Aligned] {
-            let sum = Octaves::<K, N>::new(noise, spectrum, Normalisation::Range, 9).with_rotation(rotation);
+            let sum = noise.octaves(Normalisation::Range, rotation, 9);
             // Octave k is what it adds to the sum of those before it.
-            let whole = |p: V, k: f32| sum.value(p, k) * spectrum.sum_of_amplitudes(k);
-            let octave = |p: V, k: f32| whole(p, k) - whole(p, k - 1.0);
+            let whole = |p: [f32; N], k: f32| sum.value(p, k) * spectrum.sum_of_amplitudes(k);
+            let octave = |p: [f32; N], k: f32| whole(p, k) - whole(p, k - 1.0);
             for (first, second) in [(1.0, 2.0), (2.0, 3.0), (1.0, 3.0)] {
-                let [values, squares] = correlations(point, |p| {
-                    let p = V::from_coordinates(p);
-                    [octave(p, first), octave(p, second)]
-                });
+                let [values, squares] = correlations(name, |p| [octave(p, first), octave(p, second)]);
                 let case = format!("{name} {rotation:?}, octaves {first} and {second}");
                 assert!(values.abs() < LIMIT, "{case}: correlation of {values} standard errors");
                 // Lattices apart, even the variances that depend on the place do.
@@ -127,22 +122,20 @@ impl Visit for OctavesApart {
 
 #[test]
 fn octaves_are_decorrelated() {
-    every_kind(&mut OctavesApart);
+    any_kind(&mut OctavesApart);
 }
 
 struct SumsApart;
 
-impl Visit for SumsApart {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
-        let sum = |seed| Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Variance, seed);
-        let sums = [sum(1), sum(2)];
-        let [values, _] =
-            correlations(point, |p| sums.each_ref().map(|sum| sum.value(V::from_coordinates(p), 2.5)));
+impl VisitAny for SumsApart {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
+        let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
+        let [values, _] = correlations(name, |p| sums.each_ref().map(|sum| sum.value(p, 2.5)));
         assert!(values.abs() < LIMIT, "{name}: correlation of {values} standard errors");
     }
 }
 
 #[test]
 fn sums_of_other_seeds_are_decorrelated() {
-    every_kind(&mut SumsApart);
+    any_kind(&mut SumsApart);
 }

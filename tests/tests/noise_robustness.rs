@@ -1,11 +1,12 @@
 //! Every kind and sum is defined everywhere: huge points, points beyond all cells, points that are not finite.
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin2002, Point, Sample, Simplex, Spectrum,
-    glam::Vec3,
+    Gaussian, GaussianOctaves, Normalisation, Octaves, Perlin2002, PermutationTable, Point, Rotation, Sample,
+    Simplex, Spectrum,
+    glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
-    noise_kinds::{Testable, Visit, every_kind, every_kind_by_permutation},
+    noise_any::{AnyNoise, VisitAny, any_dimension, any_kind, any_variant},
     random::Random,
 };
 
@@ -13,21 +14,17 @@ const NOT_FINITE: [f32; 4] = [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFIN
 
 struct NotFinite;
 
-impl Visit for NotFinite {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
-        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
-        let sum = Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Variance, 1);
+impl VisitAny for NotFinite {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
+        let sum = noise.octaves(Normalisation::Variance, Rotation::Random, 1);
+        let zero = Sample { value: 0.0, gradient: [0.0; N] };
         for bad in NOT_FINITE {
             for axis in 0..N {
                 let mut p = [0.3; N];
                 p[axis] = bad;
-                let p = V::from_coordinates(p);
-                let zero = Sample { value: 0.0, gradient: V::default() };
                 assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
                 assert_eq!(noise.value(p, 1), 0.0, "{name} at {p:?}");
                 assert_eq!(sum.sample(p, 3.5), zero, "octaves of {name} at {p:?}");
-                assert_eq!(octaves.pair(p, 3.5), [zero; 2], "Gaussian octaves at {p:?}");
-                assert_eq!(Gaussian::default().pair(p, 1), [zero; 2], "both channels at {p:?}");
             }
         }
     }
@@ -35,8 +32,30 @@ impl Visit for NotFinite {
 
 #[test]
 fn points_that_are_not_finite_give_zero() {
-    every_kind(&mut NotFinite);
-    every_kind_by_permutation(&mut NotFinite);
+    any_kind(&mut NotFinite);
+    any_variant(&mut NotFinite);
+    any_dimension(&mut NotFinite, "Perlin 2002 by permutation", Perlin2002(PermutationTable::new(1)));
+}
+
+#[test]
+fn both_channels_are_zero_at_points_that_are_not_finite() {
+    fn zero<V: Point<N>, const N: usize>() {
+        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
+        for bad in NOT_FINITE {
+            for axis in 0..N {
+                let mut p = [0.3; N];
+                p[axis] = bad;
+                let p = V::from_coordinates(p);
+                let zero = Sample { value: 0.0, gradient: V::default() };
+                assert_eq!(octaves.pair(p, 3.5), [zero; 2], "Gaussian octaves at {p:?}");
+                assert_eq!(Gaussian::default().pair(p, 1), [zero; 2], "Gaussian at {p:?}");
+            }
+        }
+    }
+    zero::<f32, 1>();
+    zero::<Vec2, 2>();
+    zero::<Vec3, 3>();
+    zero::<Vec4, 4>();
 }
 
 const HUGE: [f32; 16] = [
@@ -58,52 +77,70 @@ const HUGE: [f32; 16] = [
     f32::MIN,
 ];
 
+fn huge_point<const N: usize>(random: &mut Random) -> [f32; N] {
+    std::array::from_fn(|_| match random.bits() % 24 {
+        k @ 0..=15 => HUGE[k as usize],
+        _ => random.uniform() as f32,
+    })
+}
+
 struct Huge;
 
-impl Visit for Huge {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+impl VisitAny for Huge {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         // Far out all five corners of a simplex can coincide, so that they add up.
         let times = if name.contains("simplex") { 5.0 } else { 1.0 };
-        let range = times * Noise::<V>::statistics(&noise).range;
-        let sum = Octaves::<K, N>::new(noise, Spectrum::default(), Normalisation::Range, 1);
-        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
+        let range = times * noise.statistics().range;
+        let sum = noise.octaves(Normalisation::Range, Rotation::Random, 1);
         let mut random = Random(3);
         for seed in 0..200 {
-            let p: [f32; N] = std::array::from_fn(|_| match random.bits() % 24 {
-                k @ 0..=15 => HUGE[k as usize],
-                _ => random.uniform() as f32,
-            });
-            let p = V::from_coordinates(p);
+            let p = huge_point(&mut random);
             let sample = noise.sample(p, seed);
             assert!(sample.value.abs() <= range, "{name} at {p:?}: {sample:?}");
             // The steepest is Gaussian noise with all variates at their greatest: 6 times its range.
             let steep = |x: f32| x.is_finite() && x.abs() < 8.0 * range;
-            assert!(sample.gradient.coordinates().into_iter().all(steep), "{name} at {p:?}: {sample:?}");
+            assert!(sample.gradient.into_iter().all(steep), "{name} at {p:?}: {sample:?}");
             let sample = sum.sample(p, 10.0);
             assert!(sample.value.abs() <= range, "octaves of {name} at {p:?}: {sample:?}");
-            for sample in octaves.pair(p, 10.0) {
-                let finite = sample.gradient.coordinates().into_iter().all(f32::is_finite);
-                assert!(sample.value.is_finite() && finite, "Gaussian octaves at {p:?}: {sample:?}");
-            }
         }
     }
 }
 
 #[test]
 fn huge_points_give_finite_samples_in_range() {
-    every_kind(&mut Huge);
-    every_kind_by_permutation(&mut Huge);
+    any_kind(&mut Huge);
+    any_variant(&mut Huge);
+    any_dimension(&mut Huge, "Perlin 2002 by permutation", Perlin2002(PermutationTable::new(1)));
+}
+
+#[test]
+fn huge_points_give_finite_pairs_of_gaussian_octaves() {
+    fn finite<V: Point<N>, const N: usize>() {
+        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
+        let mut random = Random(4);
+        for _ in 0..200 {
+            let p = V::from_coordinates(huge_point(&mut random));
+            for sample in octaves.pair(p, 10.0) {
+                let finite = sample.gradient.coordinates().into_iter().all(f32::is_finite);
+                assert!(sample.value.is_finite() && finite, "{p:?}: {sample:?}");
+            }
+        }
+    }
+    finite::<f32, 1>();
+    finite::<Vec2, 2>();
+    finite::<Vec3, 3>();
+    finite::<Vec4, 4>();
 }
 
 struct Wraps;
 
-impl Visit for Wraps {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+impl VisitAny for Wraps {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         for axis in 0..N {
             let at = |x: f32, seed| {
                 let mut p = [0.25; N];
                 p[axis] = x;
-                noise.sample(V::from_coordinates(p), seed)
+                noise.sample(p, seed)
             };
             let mut other = 0;
             for seed in 0..64 {
@@ -124,46 +161,58 @@ impl Visit for Wraps {
 
 #[test]
 fn cells_wrap_around_at_two_to_the_thirty_first() {
-    every_kind(&mut Wraps);
+    any_kind(&mut Wraps);
 }
 
-/// Statistics of gradients around a place on the first axis: mean square, and correlation of neighbours, per component.
-fn gradients_around<V: Point<N>, K: Testable<V, N>, const N: usize>(
-    noise: K,
-    place: f32,
-    step: f32,
-) -> [f64; 2] {
+/// Value and gradient as one vector.
+fn vector<const N: usize>(noise: &dyn AnyNoise<N>, x: f32) -> [f64; 5] {
+    let mut p = [3.0; N];
+    p[0] = x;
+    let sample = noise.sample(p, 3);
+    let mut vector = [f64::from(sample.value), 0.0, 0.0, 0.0, 0.0];
+    for (to, slope) in vector[1..].iter_mut().zip(sample.gradient) {
+        *to = slope.into();
+    }
+    vector
+}
+
+/// Statistics of values and gradients around a place on the first axis: mean square, its standard error, and correlation of
+/// neighbours in standard errors.
+fn around<const N: usize>(noise: &dyn AnyNoise<N>, place: f32, step: f32) -> [f64; 3] {
     const COUNT: i16 = 20_000;
-    let gradients: Vec<[f64; N]> = (-COUNT / 2..COUNT / 2)
-        .map(|i| {
-            let mut p = [3.0; N];
-            p[0] = place + f32::from(i) * step;
-            noise.sample(V::from_coordinates(p), 3).gradient.coordinates().map(f64::from)
-        })
-        .collect();
-    let dot = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let square = gradients.iter().map(|g| dot(g, g)).sum::<f64>() / f64::from(COUNT);
-    let next = gradients.windows(2).map(|pair| dot(&pair[0], &pair[1])).sum::<f64>() / f64::from(COUNT - 1);
-    [square, next / square]
+    let vectors: Vec<_> =
+        (-COUNT / 2..COUNT / 2).map(|i| vector(noise, place + f32::from(i) * step)).collect();
+    let dot = |a: &[f64; 5], b: &[f64; 5]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mean = |numbers: &mut dyn Iterator<Item = f64>| numbers.sum::<f64>() / f64::from(COUNT);
+    let square = mean(&mut vectors.iter().map(|v| dot(v, v)));
+    let spread = mean(&mut vectors.iter().map(|v| (dot(v, v) - square).powi(2)));
+    let product = |pair: &[[f64; 5]]| dot(&pair[0], &pair[1]);
+    let next = mean(&mut vectors.windows(2).map(product));
+    let products = mean(&mut vectors.windows(2).map(|pair| product(pair).powi(2)));
+    [square, (spread / f64::from(COUNT)).sqrt(), next / (products / f64::from(COUNT)).sqrt()]
 }
 
 struct Seams;
 
-impl Visit for Seams {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+impl VisitAny for Seams {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         if name.contains("simplex") {
             // Integers are not the lattice points of simplices, and far out their corners coincide.
             return;
         }
-        // At lattice points, 256 apart, as floats are at 2³¹.
-        let [square, _] = gradients_around::<V, K, N>(noise, 256.0 * 4096.0, 256.0);
+        // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶.
+        let [elsewhere, error, _] = around(noise, 67_108_864.0, 256.0);
         for place in [0.0, 2_147_483_648.0, -2_147_483_648.0] {
-            let [here, correlation] = gradients_around::<V, K, N>(noise, place, 256.0);
-            // 20,000 gradients: 5 standard errors are 3.5 %, and at most 5 % where all components but one are alike.
-            assert!((here / square - 1.0).abs() < 0.05, "{name} around {place}: {here}, elsewhere {square}");
+            let [here, there, correlation] = around(noise, place, 256.0);
+            // 4.6 standard errors: significance 0.001 over some 200 cases.
+            let error = 4.6 * error.hypot(there);
             assert!(
-                correlation.abs() < 0.036,
-                "{name} around {place}: neighbours correlate by {correlation}"
+                (here - elsewhere).abs() <= error,
+                "{name} around {place}: {here}, not {elsewhere} ± {error}"
+            );
+            assert!(
+                correlation.abs() < 4.6,
+                "{name} around {place}: neighbours correlate by {correlation} standard errors"
             );
         }
     }
@@ -171,7 +220,7 @@ impl Visit for Seams {
 
 #[test]
 fn nothing_shows_at_the_origin_or_where_cells_wrap() {
-    every_kind(&mut Seams);
+    any_kind(&mut Seams);
 }
 
 #[test]

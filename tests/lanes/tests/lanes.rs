@@ -1,13 +1,13 @@
 //! The same bits at every SIMD level: batches against single points, for every kind, dimension and sum.
 
 use asperity_lanes::{
-    noise_kinds::{Testable, Visit, every_further_kind, every_kind},
+    noise_kinds::{Testable, Visit, every_kind},
     noise_lanes::{ORIGIN, coordinate, cut, far_cases, grid, grids, lengths, near_cases, points},
     random::Random,
 };
 use asperity_noise::{
-    GaussianOctaves, Grid, Kernel, Normalisation, Octaves, Perlin2002, PermutationTable, Point, Rotation,
-    Seeded, Simplex, Spectrum,
+    GaussianOctaves, Grid, IntegerHash, Kernel, Normalisation, Octaves, Perlin2002, PermutationTable, Point,
+    Rotation, Seeded, Simplex, Sparse, Spectrum, Tiled, TiledSimplex, ValueCatmullRom,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -17,25 +17,25 @@ struct Lengths;
 struct Points;
 
 impl Visit for Near {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
         grids(name, &Seeded(noise, 7), &|p: V| noise.sample(p, 7), &near_cases());
     }
 }
 
 impl Visit for Far {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
         grids(name, &Seeded(noise, 7), &|p: V| noise.sample(p, 7), &far_cases());
     }
 }
 
 impl Visit for Lengths {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
         lengths(name, &Seeded(noise, u32::MAX), &|p: V| noise.sample(p, u32::MAX));
     }
 }
 
 impl Visit for Points {
-    fn visit<V: Point<N> + Sync, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
         let (field, sample) = (Seeded(noise, 7), |p: V| noise.sample(p, 7));
         points(name, &field, &sample, 4001);
         for count in 0..20 {
@@ -54,19 +54,16 @@ impl Visit for Points {
 #[test]
 fn near_grids_have_the_scalar_bits() {
     every_kind(&mut Near);
-    every_further_kind(&mut Near);
 }
 
 #[test]
 fn far_grids_have_the_scalar_bits() {
     every_kind(&mut Far);
-    every_further_kind(&mut Far);
 }
 
 #[test]
 fn rows_of_any_length_have_the_scalar_bits() {
     every_kind(&mut Lengths);
-    every_further_kind(&mut Lengths);
 }
 
 /// Lattices share all code but the hash, whose look-ups no register does.
@@ -75,12 +72,18 @@ fn other_lattices_have_the_scalar_bits() {
     let table = PermutationTable::new(1);
     Near.visit::<Vec2, _, 2>("Perlin 2002 by permutation 2-D", Perlin2002(table));
     Points.visit::<Vec3, _, 3>("simplex by permutation 3-D", Simplex::WIDE.with_lattice(table));
+    let tiled = Tiled::new(IntegerHash, [5, 3]).expect("periods in range");
+    Near.visit::<Vec2, _, 2>("Perlin 2002 tiled 2-D", Perlin2002(tiled));
+    Near.visit::<Vec2, _, 2>("Catmull-Rom tiled 2-D", ValueCatmullRom(tiled));
+    Near.visit::<Vec2, _, 2>("sparse tiled 2-D", Sparse::default().with_lattice(tiled));
+    let tiled = TiledSimplex::new(Simplex::CONTINUOUS, [3, 9, 6]).expect("multiples of three");
+    Near.visit::<Vec3, _, 3>("simplex tiled 3-D", tiled);
+    Points.visit::<Vec3, _, 3>("simplex tiled 3-D", tiled);
 }
 
 #[test]
 fn points_have_the_scalar_bits() {
     every_kind(&mut Points);
-    every_further_kind(&mut Points);
 }
 
 fn sum<V: Point<N>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K) {

@@ -1,0 +1,151 @@
+//! Every kind of noise behind one type per dimension, so that a test is compiled once per dimension and not once per kind.
+
+use std::any::Any;
+
+use asperity_noise::{Kernel, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics};
+
+use crate::noise_kinds::{Testable, Visit, every_dimension, every_kind, every_variant};
+
+/// Value and gradient at coordinates.
+pub type At<const N: usize> = Sample<[f32; N]>;
+
+/// A kind of noise at single points.
+pub trait AnyNoise<const N: usize>: Sync {
+    /// Value and gradient.
+    fn sample(&self, p: [f32; N], seed: u32) -> At<N>;
+    /// The value alone.
+    fn value(&self, p: [f32; N], seed: u32) -> f32;
+    /// The shipped statistics.
+    fn statistics(&self) -> &'static Statistics;
+    /// σ₁ of this very noise.
+    fn standard_deviation(&self) -> f32;
+    /// A sum of its octaves.
+    fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>>;
+}
+
+/// A sum of octaves with the default spectrum at single points.
+pub trait AnySum<const N: usize> {
+    /// Value and gradient of the first octaves.
+    fn sample(&self, p: [f32; N], octaves: f32) -> At<N>;
+    /// The value alone.
+    fn value(&self, p: [f32; N], octaves: f32) -> f32;
+}
+
+fn at<V: Point<N>, const N: usize>(sample: Sample<V>) -> At<N> {
+    Sample { value: sample.value, gradient: sample.gradient.coordinates() }
+}
+
+/// A noise or sum at points `V`.
+struct Points<T, V>(T, std::marker::PhantomData<fn(V)>);
+
+impl<V: Point<N> + 'static, K: Testable<V, N>, const N: usize> AnyNoise<N> for Points<K, V> {
+    fn sample(&self, p: [f32; N], seed: u32) -> At<N> {
+        at(self.0.sample(V::from_coordinates(p), seed))
+    }
+
+    fn value(&self, p: [f32; N], seed: u32) -> f32 {
+        self.0.value(V::from_coordinates(p), seed)
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        Noise::<V>::statistics(&self.0)
+    }
+
+    fn standard_deviation(&self) -> f32 {
+        self.0.standard_deviation()
+    }
+
+    fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
+        let octaves = Octaves::<K, N>::new(self.0, Spectrum::default(), normalisation, seed);
+        Box::new(Points::<_, V>(octaves.with_rotation(rotation), std::marker::PhantomData))
+    }
+}
+
+impl<V: Point<N>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Octaves<K, N>, V> {
+    fn sample(&self, p: [f32; N], octaves: f32) -> At<N> {
+        at(self.0.sample(V::from_coordinates(p), octaves))
+    }
+
+    fn value(&self, p: [f32; N], octaves: f32) -> f32 {
+        self.0.value(V::from_coordinates(p), octaves)
+    }
+}
+
+/// How many times fewer points a kind gets than others: those that visit 3ⁿ or 4ⁿ cells are slow in space and in 4-D.
+#[must_use]
+pub fn thinning<const N: usize>(name: &str) -> u32 {
+    match N {
+        3 if name.contains("sparse") || name.contains("Catmull-Rom") => 2,
+        4 if name.contains("sparse") || name.contains("Catmull-Rom") => 8,
+        _ => 1,
+    }
+}
+
+/// A kind with its name, `Perlin 2002 3-D` for instance.
+struct Named<const N: usize>(String, Box<dyn AnyNoise<N>>);
+
+/// Kinds of all dimensions.
+#[derive(Default)]
+struct Collection(Vec<Box<dyn Any>>);
+
+impl Visit for Collection {
+    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+        let noise = Box::new(Points::<_, V>(noise, std::marker::PhantomData));
+        self.0.push(Box::new(Named(name.to_owned(), noise)));
+    }
+}
+
+impl Collection {
+    fn tell<const N: usize>(&self, visitor: &mut impl VisitAny) {
+        for Named(name, noise) in self.0.iter().filter_map(|kind| kind.downcast_ref::<Named<N>>()) {
+            visitor.visit::<N>(name, noise.as_ref());
+        }
+    }
+
+    fn tell_all(&self, visitor: &mut impl VisitAny) {
+        self.tell::<1>(visitor);
+        self.tell::<2>(visitor);
+        self.tell::<3>(visitor);
+        self.tell::<4>(visitor);
+    }
+}
+
+/// What is done with each kind in each dimension.
+pub trait VisitAny {
+    /// One kind in one dimension.
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>);
+}
+
+/// Visits every kind on the integer hash in 1 to 4 dimensions.
+pub fn any_kind(visitor: &mut impl VisitAny) {
+    kinds().tell_all(visitor);
+}
+
+/// Visits the kinds that have parameters with other parameters than the default ones.
+pub fn any_variant(visitor: &mut impl VisitAny) {
+    variants().tell_all(visitor);
+}
+
+/// Visits one kind of the test's own.
+pub fn any_dimension<K>(visitor: &mut impl VisitAny, name: &str, noise: K)
+where
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync + 'static,
+{
+    let mut collection = Collection::default();
+    every_dimension(&mut collection, name, noise);
+    collection.tell_all(visitor);
+}
+
+// Not generic, so that the kinds are compiled with this crate and not with every test.
+
+fn kinds() -> Collection {
+    let mut collection = Collection::default();
+    every_kind(&mut collection);
+    collection
+}
+
+fn variants() -> Collection {
+    let mut collection = Collection::default();
+    every_variant(&mut collection);
+    collection
+}

@@ -1,0 +1,62 @@
+//! How far a noise is from its reference.
+
+use asperity_noise::{IntegerHash, Lattice, Point, Sample};
+
+use crate::{noise_reference::Kind, random::Random};
+
+/// A coordinate in ±4096 with twelve bits of fraction, so that `f32` holds it and moves no point off a face.
+#[must_use]
+pub fn coordinate(random: &mut Random) -> f32 {
+    ((random.uniform() - 0.5) * 8192.0 * 4096.0).round() as f32 / 4096.0
+}
+
+/// A random point in ±4096, divided by a power of two.
+#[must_use]
+pub fn point<V: Point<N>, const N: usize>(random: &mut Random, divisor: f32) -> V {
+    V::from_coordinates([(); N].map(|()| coordinate(random) / divisor))
+}
+
+/// The worst errors of value and gradient at points of ±4096 divided by a power of two.
+#[must_use]
+pub fn errors<V: Point<N>, const N: usize>(
+    kind: Kind,
+    scale: f64,
+    divisor: f32,
+    noise: impl Fn(V, u32) -> Sample<V>,
+) -> [f64; 2] {
+    errors_on(&IntegerHash, kind, scale, divisor, noise)
+}
+
+/// The same on a lattice.
+///
+/// # Panics
+/// If nearly no gradient could be compared.
+#[must_use]
+pub fn errors_on<V: Point<N>, const N: usize>(
+    lattice: &impl Lattice,
+    kind: Kind,
+    scale: f64,
+    divisor: f32,
+    noise: impl Fn(V, u32) -> Sample<V>,
+) -> [f64; 2] {
+    // Splines and impulses of 4-D have hundreds of parts each.
+    let points = if N == 4 { 800 } else { 3000 };
+    let mut random = Random(2);
+    let mut worst = [0.0_f64; 2];
+    let mut compared = 0;
+    for seed in 0..points {
+        let p: V = point(&mut random, divisor);
+        let wide = p.coordinates().map(f64::from);
+        let sample = noise(p, seed);
+        let value = scale * kind.value_on(lattice, wide, seed);
+        worst[0] = worst[0].max((f64::from(sample.value) - value).abs());
+        if let Some(gradient) = kind.gradient_on(lattice, wide, seed) {
+            compared += 1;
+            for (got, expected) in sample.gradient.coordinates().into_iter().zip(gradient) {
+                worst[1] = worst[1].max((f64::from(got) - scale * expected).abs());
+            }
+        }
+    }
+    assert!(compared > points * 9 / 10, "{compared} gradients");
+    worst
+}
