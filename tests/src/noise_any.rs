@@ -2,7 +2,9 @@
 
 use std::any::Any;
 
-use asperity_noise::{Kernel, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics};
+use asperity_noise::{
+    Kernel, LaneSample, Lanes, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
+};
 
 use crate::noise_kinds::{Testable, Visit, every_dimension, every_kind, every_variant};
 
@@ -19,6 +21,8 @@ pub trait AnyNoise<const N: usize>: Sync {
     fn statistics(&self) -> &'static Statistics;
     /// σ₁ of this very noise.
     fn standard_deviation(&self) -> f32;
+    /// E|n|ᵏ, k = 1 … 4.
+    fn absolute_moments(&self) -> [f32; 4];
     /// A sum of its octaves.
     fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>>;
 }
@@ -55,6 +59,10 @@ impl<V: Point<N> + 'static, K: Testable<V, N>, const N: usize> AnyNoise<N> for P
         self.0.standard_deviation()
     }
 
+    fn absolute_moments(&self) -> [f32; 4] {
+        self.0.absolute_moments()
+    }
+
     fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
         let octaves = Octaves::<K, N>::new(self.0, Spectrum::default(), normalisation, seed);
         Box::new(Points::<_, V>(octaves.with_rotation(rotation), std::marker::PhantomData))
@@ -68,6 +76,54 @@ impl<V: Point<N>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Octave
 
     fn value(&self, p: [f32; N], octaves: f32) -> f32 {
         self.0.value(V::from_coordinates(p), octaves)
+    }
+}
+
+/// Any kind as a kind, for sums of it that are compiled once.
+#[derive(Clone, Copy)]
+pub struct AnyKernel<'a, const N: usize>(pub &'a dyn AnyNoise<N>);
+
+impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
+        s.floats(|lane| self.0.value(p.map(|x| s.lane(x, lane)), seed))
+    }
+
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        let samples: Vec<_> =
+            (0..S::LEN).map(|lane| self.0.sample(p.map(|x| s.lane(x, lane)), seed)).collect();
+        let gradient = std::array::from_fn(|axis| s.floats(|lane| samples[lane].gradient[axis]));
+        (s.floats(|lane| samples[lane].value), gradient)
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        self.0.statistics()
+    }
+
+    fn standard_deviation(&self) -> f32 {
+        self.0.standard_deviation()
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        self.0.absolute_moments()
+    }
+}
+
+/// Coordinates as a point of any dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinates<const N: usize>(pub [f32; N]);
+
+impl<const N: usize> Default for Coordinates<N> {
+    fn default() -> Self {
+        Self([0.0; N])
+    }
+}
+
+impl<const N: usize> Point<N> for Coordinates<N> {
+    fn coordinates(self) -> [f32; N] {
+        self.0
+    }
+    fn from_coordinates(coordinates: [f32; N]) -> Self {
+        Self(coordinates)
     }
 }
 
