@@ -47,7 +47,7 @@ pub fn every_kind(visitor: &mut impl Visit) {
 /// # Panics
 /// Never: the parameters are in range.
 pub fn every_variant(visitor: &mut impl Visit) {
-    for weight in [0.0, 0.25, 1.0] {
+    for weight in [0.0, 0.25, 0.6, 1.0] {
         let noise = ValueGradient::new(weight).expect("a weight in [0, 1]");
         every_dimension(visitor, &format!("value-gradient of weight {weight}"), noise);
     }

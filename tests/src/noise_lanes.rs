@@ -160,7 +160,12 @@ const LARGE: f32 = 2_147_483_648.0;
 /// Steps of all sizes and signs near the origin.
 #[must_use]
 pub fn near_cases() -> Vec<([f32; 4], [f32; 4])> {
-    [0.05, -0.11, 0.37, 1.3, -2.9, 1.0, -0.5, 0.0, 1e-9].map(|x| (ORIGIN, [x, 0.3, 0.21, -0.4])).to_vec()
+    let mut cases =
+        [0.05, -0.11, 0.37, 1.3, -2.9, 1.0, -0.5, 0.0, 1e-9].map(|x| (ORIGIN, [x, 0.3, 0.21, -0.4])).to_vec();
+    cases.push((ORIGIN, [0.05, -0.3, -0.21, 0.4]));
+    cases.push(([300.0, -250.0, 200.0, -100.0], [0.003, 0.07, -0.05, 0.4]));
+    cases.push(([-700.0, -200.0, 60.0, -20.0], [0.21, 0.9, -0.05, 0.4]));
+    cases
 }
 
 /// Origins and steps far out, across 2³¹, not finite, −0 and below all normal numbers.
@@ -190,7 +195,7 @@ pub fn far_cases() -> Vec<([f32; 4], [f32; 4])> {
     cases
 }
 
-/// A row that is filled in several stretches, and rows of every short length.
+/// A row that is filled in several stretches, and rows of every short length, alone and several that share their edges.
 ///
 /// # Panics
 /// If a bit differs.
@@ -200,9 +205,12 @@ pub fn lengths<V: Point<N>, F: Field<N>, const N: usize>(
     sample: &impl Fn(V) -> Sample<V>,
 ) {
     let [origin, step] = [ORIGIN, [0.013, 0.3, 0.2, 0.1]].map(|all| V::from_coordinates(cut(all)));
-    for length in (0..36).chain([255, 256, 257, 1500]) {
+    for length in (0..36).chain(128..146).chain([255, 256, 257, 1500]) {
         let mut size = [1; N];
         size[0] = length;
+        if N > 1 && length % 3 == 1 {
+            size[1] = 128 / length + 1;
+        }
         if !(36..=1000).contains(&length) {
             grid(name, field, sample, &Grid { origin, step, size });
         }

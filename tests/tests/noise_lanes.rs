@@ -16,6 +16,15 @@ fn grids_of_gradient_noise_have_the_scalar_bits() {
 }
 
 #[test]
+fn grids_of_simplex_noise_have_the_scalar_bits() {
+    let noise = Simplex::CONTINUOUS;
+    let (field, sample) = (Seeded(noise, 7), |p: Vec2| noise.sample(p, 7));
+    grids("simplex 2-D", &field, &sample, &near_cases());
+    grids("simplex 2-D", &field, &sample, &far_cases());
+    lengths("simplex 2-D", &field, &sample);
+}
+
+#[test]
 fn points_of_simplex_noise_have_the_scalar_bits() {
     let noise = Simplex::CONTINUOUS;
     for count in (0..20).chain([4001]) {
@@ -36,11 +45,11 @@ fn aligned_sums_have_the_scalar_bits() {
 fn a_row_is_that_of_a_grid() {
     let field = Seeded(Perlin2002::default(), 7);
     for level in Level::available() {
-        let (mut row, mut values) = ([0.0; 100], [0.0; 100]);
+        let (mut row, mut values) = ([0.0; 300], [0.0; 300]);
         let (origin, step) = (Vec2::new(-3.0, 0.7), Vec2::new(0.13, 1.0));
         Batch::with_level(level).fill_row(&field, origin, step.x, &mut row);
         Batch::with_level(level)
-            .fill_grid(&field, &Grid { origin, step, size: [100, 1] }, &mut values)
+            .fill_grid(&field, &Grid { origin, step, size: [300, 1] }, &mut values)
             .unwrap();
         assert_eq!(row, values, "{level}");
     }

@@ -1,10 +1,10 @@
 //! Rows, grids and lists of points, evaluated in the lanes of a SIMD register.
 
-use core::{error::Error, fmt, ops::Range};
+use core::{error::Error, fmt};
 
 use crate::{
-    columns::POINTS,
     field::Field,
+    grid::Grid,
     kernel::{Row, put, put_sample},
     lanes::Lanes,
     level::Level,
@@ -71,13 +71,19 @@ impl Batch {
         impl<F: Field<N>, const N: usize> Task for Fill<'_, F, N> {
             #[inline(always)]
             fn run<S: Lanes>(self, s: S) {
-                let mut scratch = Scratch::EMPTY;
+                let mut scratch = Scratch::empty();
                 for pass in 0..self.0.passes() {
                     self.0.pass_values(s, pass, &self.1, &mut scratch, self.2);
                 }
             }
         }
-        self.level.run(Fill(field, Row::new(origin.coordinates(), step, 0), values));
+        let row = Row::new(origin.coordinates(), step, 0);
+        if values.len() < FEW_POINTS {
+            let points = list(|i| row.point(i), values.len());
+            self.level.run(Points(field, points.each_ref().map(|x| &x[..values.len()]), values));
+        } else {
+            self.level.run(Fill(field, row, values));
+        }
     }
 
     /// The values on a grid, the first axis running fastest.
@@ -96,7 +102,7 @@ impl Batch {
             #[inline(always)]
             fn run<S: Lanes>(self, s: S) {
                 let Self(field, grid, values) = self;
-                let mut scratch = Scratch::EMPTY;
+                let mut scratch = Scratch::empty();
                 for (pass, row, part) in grid.parts(field.passes()) {
                     let values = values.get_mut(part).unwrap_or_default();
                     field.pass_values(s, pass, &row, &mut scratch, values);
@@ -104,7 +110,12 @@ impl Batch {
             }
         }
         check(values.len(), grid.len())?;
-        self.level.run(Fill(field, grid, values));
+        if values.len() < FEW_POINTS {
+            let points = list(|i| grid.numbered(i), values.len());
+            self.level.run(Points(field, points.each_ref().map(|x| &x[..values.len()]), values));
+        } else {
+            self.level.run(Fill(field, grid, values));
+        }
         Ok(())
     }
 
@@ -125,7 +136,7 @@ impl Batch {
             #[inline(always)]
             fn run<S: Lanes>(self, s: S) {
                 let Self(field, grid, values, mut gradients) = self;
-                let mut scratch = Scratch::EMPTY;
+                let mut scratch = Scratch::empty();
                 for (pass, row, part) in grid.parts(field.passes()) {
                     let values = values.get_mut(part.clone()).unwrap_or_default();
                     let mut slopes =
@@ -136,7 +147,13 @@ impl Batch {
         }
         check(values.len(), grid.len())?;
         gradients.iter().try_for_each(|component| check(component.len(), grid.len()))?;
-        self.level.run(Fill(field, grid, values, gradients));
+        if values.len() < FEW_POINTS {
+            let points = list(|i| grid.numbered(i), values.len());
+            let points = points.each_ref().map(|x| &x[..values.len()]);
+            self.level.run(PointsWithGradients(field, points, values, gradients));
+        } else {
+            self.level.run(Fill(field, grid, values, gradients));
+        }
         Ok(())
     }
 
@@ -151,18 +168,8 @@ impl Batch {
         points: [&[f32]; N],
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        struct Fill<'a, F, const N: usize>(&'a F, [&'a [f32]; N], &'a mut [f32]);
-        impl<F: Field<N>, const N: usize> Task for Fill<'_, F, N> {
-            #[inline(always)]
-            fn run<S: Lanes>(self, s: S) {
-                let Self(field, points, values) = self;
-                for i in (0..values.len()).step_by(S::LEN) {
-                    put(s, field.lane_values(s, load(s, &points, i)), values, i, values.len());
-                }
-            }
-        }
         points.iter().try_for_each(|coordinates| check(coordinates.len(), values.len()))?;
-        self.level.run(Fill(field, points, values));
+        self.level.run(Points(field, points, values));
         Ok(())
     }
 
@@ -178,21 +185,51 @@ impl Batch {
         values: &mut [f32],
         gradients: [&mut [f32]; N],
     ) -> Result<(), BatchError> {
-        struct Fill<'a, F, const N: usize>(&'a F, [&'a [f32]; N], &'a mut [f32], [&'a mut [f32]; N]);
-        impl<F: Field<N>, const N: usize> Task for Fill<'_, F, N> {
-            #[inline(always)]
-            fn run<S: Lanes>(self, s: S) {
-                let Self(field, points, values, mut gradients) = self;
-                for i in (0..values.len()).step_by(S::LEN) {
-                    let sample = field.lane_samples(s, load(s, &points, i));
-                    put_sample(s, sample, values, &mut gradients, i);
-                }
-            }
-        }
         points.iter().try_for_each(|coordinates| check(coordinates.len(), values.len()))?;
         gradients.iter().try_for_each(|component| check(component.len(), values.len()))?;
-        self.level.run(Fill(field, points, values, gradients));
+        self.level.run(PointsWithGradients(field, points, values, gradients));
         Ok(())
+    }
+}
+
+/// From so many points on they share enough to pay for the room that it takes.
+const FEW_POINTS: usize = 128;
+
+/// The coordinates of fewer points than that, one list per axis.
+fn list<const N: usize>(point: impl Fn(usize) -> [f32; N], count: usize) -> [[f32; FEW_POINTS]; N] {
+    let mut points = [[0.0; FEW_POINTS]; N];
+    for i in 0..count.min(FEW_POINTS) {
+        for (x, list) in point(i).into_iter().zip(&mut points) {
+            list[i] = x;
+        }
+    }
+    points
+}
+
+/// A field's values at points.
+struct Points<'a, F, const N: usize>(&'a F, [&'a [f32]; N], &'a mut [f32]);
+
+impl<F: Field<N>, const N: usize> Task for Points<'_, F, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self(field, points, values) = self;
+        for i in (0..values.len()).step_by(S::LEN) {
+            put(s, field.lane_values(s, load(s, &points, i)), values, i, values.len());
+        }
+    }
+}
+
+/// A field's values and gradients at points.
+struct PointsWithGradients<'a, F, const N: usize>(&'a F, [&'a [f32]; N], &'a mut [f32], [&'a mut [f32]; N]);
+
+impl<F: Field<N>, const N: usize> Task for PointsWithGradients<'_, F, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self(field, points, values, mut gradients) = self;
+        for i in (0..values.len()).step_by(S::LEN) {
+            let sample = field.lane_samples(s, load(s, &points, i));
+            put_sample(s, sample, values, &mut gradients, i);
+        }
     }
 }
 
@@ -213,117 +250,6 @@ pub(crate) trait Task {
 
 fn check(length: usize, points: usize) -> Result<(), BatchError> {
     if length == points { Ok(()) } else { Err(BatchError::LengthMismatch { length, points }) }
-}
-
-/// A regular grid of points: origin + step·index along every axis.
-///
-/// ```
-/// use asperity_noise::{Grid, glam::Vec3};
-///
-/// let grid = Grid { origin: Vec3::ZERO, step: Vec3::new(0.5, 1.0, 2.0), size: [4, 3, 2] };
-/// assert_eq!(grid.len(), 24);
-/// assert_eq!(grid.point([3, 2, 1]), Vec3::new(1.5, 2.0, 2.0));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid<V, const N: usize> {
-    /// The point of index 0.
-    pub origin: V,
-    /// The distance of neighbours along each axis; may be 0 or negative.
-    pub step: V,
-    /// The number of points along each axis.
-    pub size: [usize; N],
-}
-
-impl<V: Point<N>, const N: usize> Grid<V, N> {
-    /// The number of points, `usize::MAX` if it is larger than that.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.size.iter().fold(1_usize, |product, &n| product.saturating_mul(n))
-    }
-
-    /// Whether there are no points.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The point of an index, inside the grid or outside.
-    #[must_use]
-    pub fn point(&self, index: [usize; N]) -> V {
-        let (origin, step) = (self.origin.coordinates(), self.step.coordinates());
-        let mut axis = 0;
-        V::from_coordinates(index.map(|i| {
-            axis += 1;
-            (origin[axis - 1] + 0.0) + step[axis - 1] * (i as i32 as f32)
-        }))
-    }
-
-    /// The grid in parts of rows, in an order that keeps near what passes and rows share.
-    #[inline(always)]
-    fn parts(&self, passes: usize) -> Parts<'_, V, N> {
-        let width = self.size[0];
-        let rows = self.len().checked_div(width).unwrap_or(0);
-        let block = (BLOCK / width.clamp(1, POINTS)).max(1);
-        Parts { grid: self, passes, rows, block, first: 0, start: 0, pass: 0, row: 0 }
-    }
-
-    /// Row r, counted over all axes but the first.
-    #[inline(always)]
-    fn row(&self, mut r: usize) -> Row<N, false> {
-        let mut index = [0; N];
-        for (i, n) in index.iter_mut().zip(self.size).skip(1) {
-            *i = r % n.max(1);
-            r /= n.max(1);
-        }
-        Row::new(self.point(index).coordinates(), self.step.coordinates()[0], 0)
-    }
-}
-
-/// Points that are gone through before the next pass: as many as a near cache holds.
-const BLOCK: usize = 8192;
-
-/// The parts of a grid's rows: in strips of [`POINTS`], in blocks of rows, in passes over a block.
-struct Parts<'a, V, const N: usize> {
-    grid: &'a Grid<V, N>,
-    passes: usize,
-    rows: usize,
-    block: usize,
-    /// The block's first row.
-    first: usize,
-    /// The strip's first point.
-    start: usize,
-    pass: usize,
-    /// The row within the block.
-    row: usize,
-}
-
-impl<V: Point<N>, const N: usize> Iterator for Parts<'_, V, N> {
-    type Item = (usize, Row<N, false>, Range<usize>);
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<Self::Item> {
-        let width = self.grid.size[0];
-        if self.start >= width || self.first + self.row >= self.rows {
-            return None;
-        }
-        let (r, end) = (self.first + self.row, width.min(self.start + POINTS));
-        let part = r * width + self.start..r * width + end;
-        let item = (self.pass, self.grid.row(r).after(self.start), part);
-        self.row += 1;
-        if self.row == self.block || self.first + self.row == self.rows {
-            self.row = 0;
-            self.pass += 1;
-            if self.pass == self.passes {
-                self.pass = 0;
-                self.first += self.block;
-                if self.first >= self.rows {
-                    self.first = 0;
-                    self.start = end;
-                }
-            }
-        }
-        Some(item)
-    }
 }
 
 /// Why a batch was refused; nothing was written.

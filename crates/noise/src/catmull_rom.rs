@@ -4,10 +4,10 @@
 //! change along a row of a grid; between them runs a cubic.
 
 use crate::{
-    columns::{end_of_cell, has_columns},
     kernel::{LaneSample, Row, put, put_sample},
     lanes::{Lanes, Scalar},
     lattice::{Lattice, cell},
+    plan::{end_of_cell, has_columns},
 };
 
 /// What a noise draws at lattice points.
@@ -205,6 +205,8 @@ fn at<S: Lanes, const N: usize>(s: S, cubics: &[Cubic<S>; N], t: S::F) -> LaneSa
     (cubics[0].value(t), gradient)
 }
 
+/// Steps from here on leave too few points in a cell for columns to pay.
+const LONG_STEP: f32 = 0.95;
 /// Columns that are computed at once along a row.
 const COLUMNS: usize = 64;
 /// Room behind the columns for a vector that begins at one of them.
@@ -230,7 +232,7 @@ pub(crate) fn spline_rows<
 ) {
     let count = values.len();
     let mut i = 0;
-    if has_columns(row, count) {
+    if has_columns(row, count, LONG_STEP) {
         let section = Section::<Scalar, N>::new(Scalar, noise, &row.origin());
         let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
         let mut cubics = [[[0.0; COLUMNS + SPARE]; 4]; N];

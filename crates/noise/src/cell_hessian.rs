@@ -1,90 +1,48 @@
 //! The Hessian of noises that blend one linear function per corner of a cell.
-//!
-//! It is blended like the value: along every axis after the first, second derivatives of A and B come from the ends' first ones.
 
 use crate::{
-    cell_noise::{CORNERS, CellNoise, Column, Place, Section, normalised},
+    cell_noise::{CellNoise, normalised},
+    edge::ends,
     fade::Fade,
     hessian::{Curved, Jet, mirror},
     lanes::Scalar,
-    span::{Span, lerp},
+    place::Place,
     variance::axis_variance,
 };
 
-/// A blend of corners with the second derivatives of its A and B along all axes but the first, i ≤ j.
-#[derive(Clone, Copy)]
-struct Bent<const N: usize> {
-    column: Column<Scalar, N>,
-    a: [[f32; N]; N],
-    b: [[f32; N]; N],
-}
-
-impl<const N: usize> Bent<N> {
-    /// The blend of two ends along `axis`; the axes before it have been blended.
-    #[inline(always)]
-    fn blend<K: CellNoise<N>>(
-        section: &Section<Scalar, N>,
-        bend: &[f32; N],
-        [low, high]: [&Self; 2],
-        axis: usize,
-    ) -> Self {
-        let (w, slope) = (section.weight[axis], section.slope[axis]);
-        let mut blend = Self { column: section.blend::<K>(low.column, high.column, axis), ..*low };
-        for i in 1..N {
-            for j in i..N {
-                blend.a[i][j] = lerp::<Scalar>(low.a[i][j], high.a[i][j], w);
-                blend.b[i][j] = lerp::<Scalar>(low.b[i][j], high.b[i][j], w);
-            }
-        }
-        let (low, high) = (&low.column, &high.column);
-        for i in 1..N {
-            let (first, second) = (i.min(axis), i.max(axis));
-            blend.a[first][second] += slope * (high.da[i] - low.da[i]);
-            blend.b[first][second] += slope * (high.db[i] - low.db[i]);
-        }
-        blend.a[axis][axis] += slope * (high.da[axis] - low.da[axis]) + bend[axis] * (high.a - low.a);
-        blend.b[axis][axis] += slope * (high.db[axis] - low.db[axis]) + bend[axis] * (high.b - low.b);
-        blend
-    }
-}
-
 impl<K: CellNoise<N>, const N: usize> Curved<N> for K {
+    /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of the axes' weights.
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<[f32; N], N> {
-        let (section, terms, t) = Place::<Scalar, N>::section(Scalar, self, p);
-        let mut bend = [0.0; N];
-        for axis in 1..N {
-            bend[axis] = K::FADE.curvature(Scalar, section.place[axis]);
-        }
-        let [low, high] = terms.map(|term| {
-            let empty = Bent { column: Column::empty(Scalar), a: [[0.0; N]; N], b: [[0.0; N]; N] };
-            let mut ends = [empty; 8];
-            for (k, end) in ends.iter_mut().enumerate().take(CORNERS[N]) {
-                end.column = section.leaf::<K>(Scalar, section.corner(Scalar, self, term, k, seed), k);
-            }
-            for axis in 1..N {
-                for i in 0..CORNERS[N] >> axis {
-                    ends[i] = Bent::blend::<K>(&section, &bend, [&ends[2 * i], &ends[2 * i + 1]], axis);
-                }
-            }
-            ends[0]
-        });
-        let place = Place { section, columns: [low.column, high.column], t };
-        let (sample, variance) = place.parts::<K>(Scalar);
+        let place = Place::<Scalar, N>::new(Scalar, self, &p, 0);
+        let corners = place.corners(Scalar, self, seed);
+        let (sample, variance) = place.parts_of::<K>(Scalar, &corners);
 
-        let (w, slope) = (K::FADE.weight(Scalar, t), K::FADE.slope(Scalar, t));
         let mut hessian = [[0.0; N]; N];
-        hessian[0][0] = place.span::<K>(0).second_derivative::<K, N>(t, slope, K::FADE.curvature(Scalar, t));
-        for i in 1..N {
-            hessian[0][i] = place.span::<K>(i).derivative::<K, N>(t, w, slope);
-            for j in i..N {
-                let (low, high) = ([low.a[i][j], low.b[i][j]], [high.a[i][j], high.b[i][j]]);
-                let span = if K::HAS_GRADIENT {
-                    Span::<Scalar>::new::<true>(low, high)
+        for c in 0..1 << N {
+            let corner = &corners[c & 1][c >> 1 & (ends::<N>() - 1)][c >> 2];
+            // The corner's function, and every axis' weight with its derivatives.
+            let (mut f, mut weights) = (corner.value, [[0.0; 3]; N]);
+            for axis in 0..N {
+                let along = &place.along[axis];
+                let (t, bend) = (along.place, K::FADE.curvature(Scalar, along.place));
+                (f, weights[axis]) = if c >> axis & 1 == 0 {
+                    (f + corner.gradient[axis] * t, [1.0 - along.weight, -along.slope, -bend])
                 } else {
-                    Span::new::<false>(low, high)
+                    (f + corner.gradient[axis] * (t - 1.0), [along.weight, along.slope, bend])
                 };
-                hessian[i][j] = span.value::<K, N>(t, w);
+            }
+            // The product of the weights, derived as often along each axis as it is named.
+            let product = |axes: &[usize]| {
+                (0..N).fold(1.0, |product, axis| {
+                    product * weights[axis][axes.iter().filter(|&&derived| derived == axis).count().min(2)]
+                })
+            };
+            for i in 0..N {
+                for j in i..N {
+                    let turn = product(&[i]) * corner.gradient[j] + product(&[j]) * corner.gradient[i];
+                    hessian[i][j] += product(&[i, j]) * f + turn;
+                }
             }
         }
         if K::NORMALISED {
@@ -103,9 +61,10 @@ fn variance_hessian<const N: usize>(fade: Fade, place: &Place<Scalar, N>) -> [[f
     // p and q of every axis and their first and second derivatives.
     let mut factors = [[[0.0; 2]; 3]; N];
     for axis in 0..N {
-        let t = if axis == 0 { place.t } else { place.section.place[axis] };
-        let (w, slope, bend) = (fade.weight(Scalar, t), fade.slope(Scalar, t), fade.curvature(Scalar, t));
-        let [p, q, dp, dq] = axis_variance(Scalar, t, w, slope);
+        let along = &place.along[axis];
+        let (t, w, slope) = (along.place, along.weight, along.slope);
+        let bend = fade.curvature(Scalar, t);
+        let [p, q, dp, dq] = axis_variance(Scalar, along);
         let (low, rest) = (1.0 - w, 1.0 - t);
         let (falling, rising) = (low - slope * t, slope * rest - w);
         let ddp = 2.0 * bend * (w - low) + 4.0 * (slope * slope);

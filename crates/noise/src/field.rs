@@ -1,12 +1,12 @@
 //! What a batch evaluates: a noise with its seed, or a sum of octaves with its number of octaves.
 
 use crate::{
-    columns::Stretch,
     kernel::{Kernel, LaneSample, Row, put, put_sample, samples, values},
     lanes::{Lanes, Scalar},
     point::Point,
     sample::Sample,
     scratch::Scratch,
+    stretch::Stretch,
 };
 
 /// A function of points in N dimensions that [`Batch`](crate::Batch) can fill grids and lists of points with.
@@ -148,7 +148,7 @@ pub(crate) fn row_values<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: b
     columns: &mut Stretch<N>,
     out: &mut [f32],
 ) {
-    if row.has_cells(out.len()) {
+    if row.is_within(K::REACH, out.len()) {
         kernel.row_values(s, row, seed, columns, out);
         return;
     }
@@ -168,7 +168,7 @@ pub(crate) fn row_samples<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: 
     values: &mut [f32],
     gradients: &mut [&mut [f32]; N],
 ) {
-    if row.has_cells(values.len()) {
+    if row.is_within(K::REACH, values.len()) {
         kernel.row_samples(s, row, seed, columns, values, gradients);
         return;
     }

@@ -7,7 +7,7 @@ use crate::{
     integer_hash::IntegerHash,
     kernel::LaneSample,
     lanes::{Lanes, Scalar},
-    lattice::{Lattice, has_cells, wrapped},
+    lattice::{Lattice, REACH, is_within, wrapped},
     point::Point,
     sample::Sample,
     statistics::Statistics,
@@ -80,7 +80,7 @@ impl<L: Lattice> Gaussian<L> {
     /// Both channels at any point.
     #[inline(always)]
     pub(crate) fn channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
-        if has_cells(Scalar, &p) { self.near_channels(p, seed) } else { self.far_channels(p, seed) }
+        if is_within(Scalar, &p, REACH) { self.near_channels(p, seed) } else { self.far_channels(p, seed) }
     }
 
     /// Both channels where every coordinate has a cell.
@@ -116,12 +116,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::GAUSSIAN_1,
-            2 => &tables::GAUSSIAN_2,
-            3 => &tables::GAUSSIAN_3,
-            _ => &tables::GAUSSIAN_4,
-        }
+        &tables::GAUSSIAN[N - 1]
     }
 }
 

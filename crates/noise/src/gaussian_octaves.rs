@@ -61,6 +61,13 @@ impl<const N: usize> GaussianOctaves<N> {
         Sample { value, gradient: V::from_coordinates(gradient) }
     }
 
+    /// The value of the first `octaves` octaves at `p`, the same bits as [`sample`](Self::sample)'s.
+    #[must_use]
+    #[inline]
+    pub fn value<V: Point<N>>(&self, p: V, octaves: f32) -> f32 {
+        self.first(octaves).lane_values(Scalar, p.coordinates())
+    }
+
     /// Two channels from one walk of the lattices, independent of each other; the first is [`sample`](Self::sample)'s.
     #[must_use]
     #[inline]

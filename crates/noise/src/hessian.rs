@@ -4,9 +4,8 @@ use crate::{
     field::{Field, Seeded},
     gaussian::Gaussian,
     gaussian_octaves::FirstGaussianOctaves,
-    kernel::Kernel,
+    kernel::{Kernel, evaluated},
     lanes::Scalar,
-    lattice::wrapped,
     layer::{Layer, Rotation},
     octaves::FirstOctaves,
     point::Point,
@@ -63,7 +62,7 @@ pub trait Curved<const N: usize>: Kernel<N> {
     #[must_use]
     #[inline]
     fn jet<V: Point<N>>(&self, p: V, seed: u32) -> Jet<V, N> {
-        wrapped(p.coordinates()).map_or(Jet::ZERO, |p| self.near_jet(p, seed)).at()
+        evaluated::<Self, N>(p.coordinates()).map_or(Jet::ZERO, |p| self.near_jet(p, seed)).at()
     }
 }
 

@@ -1,10 +1,10 @@
 //! A kind of noise as lanes see it: what each kind implements once, and single points and batches share.
 
 use crate::{
-    columns::Stretch,
     lanes::{LANES, Lanes, Scalar},
-    lattice::{has_cells, wrapped},
+    lattice::{REACH, is_within, wrapped},
     statistics::Statistics,
+    stretch::Stretch,
 };
 
 /// A value in lanes, and its gradient.
@@ -14,6 +14,10 @@ pub type LaneSample<S, const N: usize> = (<S as Lanes>::F, [<S as Lanes>::F; N])
 ///
 /// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits.
 pub trait Kernel<const N: usize> {
+    /// Where Σ |xᵢ| reaches this the noise is 0. By default coordinates go on to ∞ with their cells modulo 2³².
+    #[doc(hidden)]
+    const REACH: f32 = REACH;
+
     /// The values at points.
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F;
 
@@ -61,8 +65,8 @@ pub trait Kernel<const N: usize> {
 
     /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
     ///
-    /// Measured for the kinds of this crate but for value-gradient noise, which has the default. The default is that of N(0, σ²), σ being the measured standard deviation: √(2/π) σ,
-    /// σ², 2√(2/π) σ³ and 3σ⁴.
+    /// Measured for the kinds of this crate. The default is that of N(0, σ²), σ being the standard deviation: √(2/π) σ, σ²,
+    /// 2√(2/π) σ³ and 3σ⁴.
     fn absolute_moments(&self) -> [f32; 4] {
         gaussian_moments(self.standard_deviation())
     }
@@ -114,6 +118,14 @@ impl<const N: usize, const SCALED: bool> Row<N, SCALED> {
         RowKey { x: x.map(f32::to_bits), start: self.start, scaled: SCALED }
     }
 
+    /// The coordinates of point i.
+    #[inline(always)]
+    pub(crate) fn point(&self, i: usize) -> [f32; N] {
+        let mut p = self.origin;
+        p[0] = self.x(i);
+        p
+    }
+
     /// The first coordinate of point i.
     #[inline(always)]
     pub(crate) fn x(&self, i: usize) -> f32 {
@@ -151,14 +163,10 @@ impl<const N: usize, const SCALED: bool> Row<N, SCALED> {
         if SCALED { self.frequency * self.step } else { self.step }
     }
 
-    /// Whether all of `count` points have cells.
+    /// Whether all of `count` points are within reach.
     #[inline(always)]
-    pub(crate) fn has_cells(&self, count: usize) -> bool {
-        [0, count].into_iter().all(|i| {
-            let mut p = self.origin;
-            p[0] = self.x(i);
-            has_cells(Scalar, &p)
-        })
+    pub(crate) fn is_within(&self, reach: f32, count: usize) -> bool {
+        [0, count].into_iter().all(|i| is_within(Scalar, &self.point(i), reach))
     }
 }
 
@@ -185,7 +193,7 @@ pub(crate) fn values<K: Kernel<N>, S: Lanes, const N: usize>(
     p: [S::F; N],
     seed: u32,
 ) -> S::F {
-    if has_cells(s, &p) {
+    if is_within(s, &p, K::REACH) {
         kernel.lane_values(s, p, seed)
     } else {
         s.floats(|lane| far_value(kernel, p.map(|x| s.lane(x, lane)), seed))
@@ -200,7 +208,7 @@ pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
     p: [S::F; N],
     seed: u32,
 ) -> LaneSample<S, N> {
-    if has_cells(s, &p) {
+    if is_within(s, &p, K::REACH) {
         return kernel.lane_samples(s, p, seed);
     }
     let mut far = [(0.0, [0.0; N]); LANES];
@@ -240,14 +248,26 @@ pub(crate) fn put_sample<S: Lanes, const N: usize>(
     }
 }
 
+/// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
+#[inline]
+pub(crate) fn evaluated<K: Kernel<N> + ?Sized, const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
+    if is_within(Scalar, &p, K::REACH) {
+        Some(p)
+    } else if K::REACH < REACH {
+        None
+    } else {
+        wrapped(p)
+    }
+}
+
 #[cold]
 #[inline(never)]
 fn far_value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
-    wrapped(p).map_or(0.0, |p| kernel.lane_values(Scalar, p, seed))
+    evaluated::<K, N>(p).map_or(0.0, |p| kernel.lane_values(Scalar, p, seed))
 }
 
 #[cold]
 #[inline(never)]
 fn far_sample<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> (f32, [f32; N]) {
-    wrapped(p).map_or((0.0, [0.0; N]), |p| kernel.lane_samples(Scalar, p, seed))
+    evaluated::<K, N>(p).map_or((0.0, [0.0; N]), |p| kernel.lane_samples(Scalar, p, seed))
 }

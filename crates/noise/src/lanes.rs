@@ -131,11 +131,13 @@ pub trait Lanes: Copy + sealed::Sealed {
         (self.integer(floor), x - floor)
     }
 
-    /// max(0, x), 0 for NaN.
+    /// x where it is above `limit` ≥ 0, else 0.
+    fn above(self, x: Self::F, limit: f32) -> Self::F;
+
+    /// 1 where x < 0, else 0; x must not be −0.
     #[inline(always)]
-    fn positive(self, x: Self::F) -> Self::F {
-        let zero = self.float(0.0);
-        self.select(self.less(zero, x), x, zero)
+    fn negative(self, x: Self::F) -> Self::U {
+        self.shr::<31>(self.bits(x))
     }
 
     /// x with its sign flipped where the word's top bit is set; the other bits must be 0.
@@ -277,5 +279,9 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn all(self, mask: bool) -> bool {
         mask
+    }
+    #[inline(always)]
+    fn above(self, x: f32, limit: f32) -> f32 {
+        if x > limit { x } else { 0.0 }
     }
 }

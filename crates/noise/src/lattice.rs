@@ -53,14 +53,17 @@ pub trait Lattice {
 /// From here on cells do not fit an `i32`.
 const LIMIT: f32 = 2_147_483_648.0;
 
-/// Whether Σ |xᵢ| < 2³⁰ in every lane, so that every coordinate has a cell, in a skewed lattice too.
+/// Where a kind of noise evaluates points: Σ |xᵢ| < 2³⁰, so that every coordinate has a cell.
+pub(crate) const REACH: f32 = LIMIT / 2.0;
+
+/// Whether Σ |xᵢ| < `reach` in every lane.
 #[inline(always)]
-pub(crate) fn has_cells<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> bool {
+pub(crate) fn is_within<S: Lanes, const N: usize>(s: S, p: &[S::F; N], reach: f32) -> bool {
     let mut sum = s.abs(p[0]);
     for &x in &p[1..] {
         sum = sum + s.abs(x);
     }
-    s.all(s.less(sum, s.float(LIMIT / 2.0)))
+    s.all(s.less(sum, s.float(reach)))
 }
 
 /// The cell of each coordinate and the place in it, in [0, 1], for |x| ≤ 2³¹.
@@ -120,11 +123,11 @@ mod tests {
     }
 
     #[test]
-    fn only_points_with_cells_have_them() {
-        assert!(has_cells(Scalar, &[5e8, -5e8]));
-        assert!(!has_cells(Scalar, &[6e8, -6e8]));
-        assert!(!has_cells(Scalar, &[f32::NAN, 0.0]));
-        assert!(!has_cells(Scalar, &[f32::NEG_INFINITY]));
+    fn points_are_within_reach_or_not() {
+        assert!(is_within(Scalar, &[5e8, -5e8], REACH));
+        assert!(!is_within(Scalar, &[6e8, -6e8], REACH));
+        assert!(!is_within(Scalar, &[f32::NAN, 0.0], REACH));
+        assert!(!is_within(Scalar, &[f32::NEG_INFINITY], REACH));
     }
 
     #[test]

@@ -5,7 +5,6 @@ use glam::Vec3;
 use crate::{
     catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
     cell_noise::{CellNoise, Corner},
-    columns::Stretch,
     fade::Fade,
     field::{Field, row_samples, row_values},
     kernel::{Kernel, LaneSample, Row, samples, values},
@@ -17,6 +16,7 @@ use crate::{
     scratch::Scratch,
     statistics::Statistics,
     statistics_tables as tables,
+    stretch::Stretch,
     value_gradient::ValueGradientError,
 };
 
@@ -362,7 +362,7 @@ impl Kernel<3> for Splines<'_> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        &tables::VALUE_CATMULL_ROM_3
+        &tables::VALUE_CATMULL_ROM[2]
     }
 }
 
@@ -391,7 +391,7 @@ impl CellNoise<3> for Gradients<'_> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        &tables::PERLIN_1985_3
+        &tables::PERLIN_1985[2]
     }
 }
 

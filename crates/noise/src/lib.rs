@@ -50,8 +50,8 @@
 //!
 //! # Statistics
 //!
-//! Measured over 8.4 million points, standard errors 0.0003 σ₁ and 0.002. Classic noises are neither Gaussian nor
-//! stationary: gradient noise is 0 at every lattice point.
+//! Measured over 8.4 million points, standard errors 0.0003 σ₁ and 0.002; sparse noise, whose σ₁ is 1, over a million,
+//! standard errors 0.003 and 0.02. Classic noises are neither Gaussian nor stationary: gradient noise is 0 at every lattice point.
 //!
 //! | kind | σ₁ 2-D | κ₁ 2-D | σ₁ 3-D | κ₁ 3-D |
 //! |---|---|---|---|---|
@@ -74,8 +74,8 @@
 //!
 //! # Precision
 //!
-//! Value and gradient are within 4e-6 and 9e-6 of an `f64` evaluation at the same point (kinds of range 1: 9e-7 and
-//! 3e-6). A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so.
+//! Value and gradient are within 4e-6 and 9e-6 of an `f64` evaluation at the same point (kinds of range 1: 1e-6 and
+//! 3e-6; simplex noise within 8 cells of the origin: 2e-6 and 1.3e-5). A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so.
 //! What happens far out and at points that are not finite is stated at [`Noise`].
 //!
 //! # What it does not do
@@ -107,15 +107,17 @@ mod catmull_rom;
 mod cell_hessian;
 mod cell_noise;
 mod chained_table;
-mod columns;
 mod curl;
 mod directions;
+mod edge;
+mod edges;
 mod fade;
 mod field;
 mod footprint;
 mod gaussian;
 mod gaussian_levels;
 mod gaussian_octaves;
+mod grid;
 mod hessian;
 mod integer_hash;
 mod kernel;
@@ -129,6 +131,8 @@ mod noise;
 mod octaves;
 mod perlin;
 mod permutation_table;
+mod place;
+mod plan;
 mod point;
 mod power;
 mod ridged_multifractal;
@@ -136,11 +140,12 @@ mod sample;
 mod scratch;
 mod shape;
 mod simplex;
-mod span;
+mod simplex_rows;
 mod sparse;
 mod spectrum;
 mod statistics;
 mod statistics_tables;
+mod stretch;
 mod tiled;
 mod tiled_simplex;
 mod turbulence;
@@ -154,7 +159,7 @@ mod wide;
 
 pub use glam;
 
-pub use batch::{Batch, BatchError, Grid};
+pub use batch::{Batch, BatchError};
 pub use chained_table::ChainedTable;
 pub use curl::{Curl2, Curl3, CurlPotential, Velocity};
 pub use directions::{edge_gradient, gaussian_corner, unit_gradient};
@@ -162,6 +167,7 @@ pub use field::{Field, Seeded};
 pub use footprint::{pixel_footprint, removed_share};
 pub use gaussian::Gaussian;
 pub use gaussian_octaves::{FirstGaussianOctaves, GaussianOctaves};
+pub use grid::Grid;
 pub use hessian::{Curved, CurvedField, Jet};
 pub use integer_hash::IntegerHash;
 pub use kernel::{Kernel, LaneSample, Row};

@@ -4,7 +4,7 @@ use crate::{
     field::{Field, row_samples, row_values},
     footprint::removed_share,
     kernel::{Kernel, LaneSample, Row, samples, values},
-    lanes::{Lanes, Scalar},
+    lanes::{LANES, Lanes, Scalar},
     layer::{Layer, Rotation},
     point::Point,
     sample::Sample,
@@ -326,9 +326,10 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
             let octave = &mut octave[..out.len()];
             let row = row.after(stretch * STRETCH).scaled(frequencies, layer.offset);
             row_values(&self.sum.noise, s, &row, layer.seed, columns, octave);
-            for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
-                let octave = self.sum.shape.value(s, s.load_part(octave));
-                self.accumulate(s, pass, sum, self.constant, amplitude, octave);
+            if pass == 0 {
+                self.accumulate_row::<S, true>(s, pass, amplitude, octave, out);
+            } else {
+                self.accumulate_row::<S, false>(s, pass, amplitude, octave, out);
             }
         }
     }
@@ -376,6 +377,35 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
 }
 
 impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
+    /// Adds the values of an octave to the sums, which begin with it if it is the first.
+    #[inline(always)]
+    fn accumulate_row<S: Lanes, const FIRST: bool>(
+        &self,
+        s: S,
+        pass: usize,
+        amplitude: f32,
+        octave: &[f32],
+        sums: &mut [f32],
+    ) {
+        let amplitude = s.float(amplitude);
+        // A product with 1 changes nothing.
+        let factor = s.float(if pass + 1 == self.count { self.factor } else { 1.0 });
+        let (octaves, octave) = octave.as_chunks::<LANES>();
+        let (blocks, sums) = sums.as_chunks_mut::<LANES>();
+        for (octave, sum) in octaves.iter().zip(blocks) {
+            for k in (0..LANES).step_by(S::LEN) {
+                let before = if FIRST { s.float(self.constant) } else { s.load(&sum[k..]) };
+                let octave = self.sum.shape.value(s, s.load(&octave[k..]));
+                s.store((before + amplitude * octave) * factor, &mut sum[k..]);
+            }
+        }
+        for (octave, sum) in octave.chunks(S::LEN).zip(sums.chunks_mut(S::LEN)) {
+            let before = if FIRST { s.float(self.constant) } else { s.load_part(sum) };
+            let octave = self.sum.shape.value(s, s.load_part(octave));
+            s.store((before + amplitude * octave) * factor, sum);
+        }
+    }
+
     /// sum + amplitude · octave, times the factor in the last pass; before the first pass the sum is `constant`.
     #[inline(always)]
     fn accumulate<S: Lanes>(

@@ -100,12 +100,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::PERLIN_1985_1,
-            2 => &tables::PERLIN_1985_2,
-            3 => &tables::PERLIN_1985_3,
-            _ => &tables::PERLIN_1985_4,
-        }
+        &tables::PERLIN_1985[N - 1]
     }
 
     fn absolute_moments(&self) -> [f32; 4] {
@@ -130,12 +125,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::PERLIN_2002_1,
-            2 => &tables::PERLIN_2002_2,
-            3 => &tables::PERLIN_2002_3,
-            _ => &tables::PERLIN_2002_4,
-        }
+        &tables::PERLIN_2002[N - 1]
     }
 
     fn absolute_moments(&self) -> [f32; 4] {

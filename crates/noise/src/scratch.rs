@@ -1,12 +1,12 @@
 //! The memory that rows of a grid share, so that it is cleared once and not for every row.
 
-use crate::columns::{POINTS, Stretch};
+use crate::{plan::POINTS, stretch::Stretch};
 
 /// Points of a row whose octaves are summed at once.
 pub(crate) const STRETCH: usize = POINTS;
 
 /// What a batch keeps from row to row.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Scratch<const N: usize> {
     pub(crate) columns: Stretch<N>,
     pub(crate) octave: [f32; STRETCH],
@@ -14,6 +14,9 @@ pub struct Scratch<const N: usize> {
 }
 
 impl<const N: usize> Scratch<N> {
-    pub(crate) const EMPTY: Self =
-        Self { columns: Stretch::EMPTY, octave: [0.0; STRETCH], slopes: [[0.0; STRETCH]; N] };
+    /// Not a constant, because a constant would be copied, which takes longer than zeros.
+    #[inline(always)]
+    pub(crate) fn empty() -> Self {
+        Self { columns: Stretch::empty(), octave: [0.0; STRETCH], slopes: [[0.0; STRETCH]; N] }
+    }
 }

@@ -5,11 +5,13 @@ use crate::{
     directions::edge_direction,
     hessian::{Curved, Jet, mirror},
     integer_hash::IntegerHash,
-    kernel::{Kernel, LaneSample},
-    lanes::{Lanes, Scalar},
+    kernel::{Kernel, LaneSample, Row},
+    lanes::{Floats, Lanes, Scalar},
     lattice::Lattice,
+    simplex_rows::rows,
     statistics::Statistics,
     statistics_tables as tables,
+    stretch::Stretch,
 };
 
 /// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
@@ -21,11 +23,12 @@ use crate::{
 /// ```
 ///
 /// In 1 to 4 dimensions. Far from the origin corners are rounded, by up to |p|·2⁻²², which is about what `f32` cannot hold
-/// of the point itself; the noise stays continuous. From |p| = 2²³ on, where
-/// `f32` holds integers only, rounded corners coincide: values stay finite, but may leave the range (1.09 was seen in 2-D), and
-/// farther out most are 0.
+/// of the point itself; the noise stays continuous. From Σ |xᵢ| = 2²² on, where `f32` cannot tell simplices apart, it is 0.
 ///
-/// - **Range:** [−1, 1] for |p| < 2²³; A is the inverse of the searched maximum, attained within 2e-6.
+/// - **Range:** [−1, 1]; A is the inverse of the searched maximum, attained within 2e-6. Where corners are rounded the range is
+///   wider, up to 1 + Σ |xᵢ|·2⁻²²; at 2¹⁵ 1.0034 was seen.
+/// - **Kernels** end where r² − |d|² falls to 2⁻¹⁰, by a leap of less than 1e-10. So no rounding decides whether the corner
+///   opposite to a face counts, and grids may add corners up one after the other.
 ///
 /// Nilsson 2008, section 4.1.3, prints the dot product with minus signs and its derivative without a factor. With
 /// t = r² − |d|² and s = g·d it is ∂(t⁴ s)/∂x = −8 x t³ s + t⁴ gₓ.
@@ -86,7 +89,7 @@ const MAXIMA: [[f32; 2]; 4] = [
 /// (√(n + 1) − 1)/n, which shears the simplices into halves, sixths, … of cubes; nothing is sheared in 1-D.
 const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
 /// (1 − 1/√(n + 1))/n, which shears back.
-const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
+pub(crate) const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
 
 /// A point's simplex: its first corner in the skewed lattice, and the order of the axes on the way to the last.
 struct Corner<S: Lanes, const N: usize> {
@@ -94,14 +97,13 @@ struct Corner<S: Lanes, const N: usize> {
     skewed: [S::F; N],
     /// Their sum.
     sum: S::F,
-    /// How many axes the point is farther along in the skewed cell than each axis.
-    rank: [S::F; N],
+    /// Than how many axes the point is farther along each axis in the skewed cell.
+    rank: [S::U; N],
 }
 
 #[inline(always)]
 fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
-    let (one, zero) = (s.float(1.0), s.float(0.0));
-    let mut corner = Corner { skewed: *p, sum: zero, rank: [zero; N] };
+    let mut corner = Corner { skewed: *p, sum: s.float(0.0), rank: [s.word(0); N] };
     // The first coordinate comes last: along a row of a grid the rest of the sum does not change.
     let mut sum = p[N - 1];
     for axis in (0..N - 1).rev() {
@@ -115,21 +117,65 @@ fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
     // Which axis the point is farther along does not depend on what all are shifted by.
     for axis in 1..N {
         for before in 0..axis {
-            let low = p[axis] - corner.skewed[axis];
-            let ahead = s.select(s.less(low, p[before] - corner.skewed[before]), one, zero);
+            // −0 + 0 = 0: what is negative here would differ between levels.
+            let (low, other) = (p[axis] - corner.skewed[axis], p[before] - corner.skewed[before]);
+            let ahead = s.negative((low - other) + s.float(0.0));
             corner.rank[before] = corner.rank[before] + ahead;
-            corner.rank[axis] = corner.rank[axis] + (one - ahead);
+            corner.rank[axis] = corner.rank[axis] + (s.word(1) - ahead);
         }
     }
     corner
 }
 
-/// One term of the sum: t = max(0, r² − |d|²), d, g and g·d.
+/// Where kernels end: t is 0 from here down.
+///
+/// Corners of other simplices come as near as t = 0, and nearer by rounding. Were there no gap, it would depend on the order of
+/// evaluation whether they count. The leap is t⁴ A |g·d| < 1e-10, and that of the gradient 5e-7.
+pub(crate) const GAP: f32 = 1.0 / 1024.0;
+
+/// One term of the sum: t = r² − |d|², 0 below the gap, d, g and g·d.
 struct Term<S: Lanes, const N: usize> {
     t: S::F,
     d: [S::F; N],
     g: [S::F; N],
     slope: S::F,
+}
+
+/// r² − Σ dᵢ² and Σ gᵢ dᵢ over all axes but the first: what does not change along a row.
+#[inline(always)]
+pub(crate) fn beside<S: Lanes, const N: usize>(
+    s: S,
+    radius_squared: f32,
+    d: &[S::F; N],
+    g: &[S::F; N],
+) -> [S::F; 2] {
+    let (mut rest, mut side) = (s.float(radius_squared), s.float(0.0));
+    for axis in 1..N {
+        rest = rest - d[axis] * d[axis];
+        side = if axis == 1 { g[axis] * d[axis] } else { side + g[axis] * d[axis] };
+    }
+    [rest, side]
+}
+
+/// t and g·d of a term from what is beside the first axis.
+#[inline(always)]
+pub(crate) fn along<S: Lanes, const N: usize>(s: S, [rest, side]: [S::F; 2], d: S::F, g: S::F) -> [S::F; 2] {
+    let (t, slope) = (rest - d * d, g * d);
+    let t = s.above(t, GAP);
+    [t, if N == 1 { slope } else { side + slope }]
+}
+
+/// t⁴.
+#[inline(always)]
+pub(crate) fn kernel<F: Floats>(t: F) -> F {
+    let t2 = t * t;
+    t2 * t2
+}
+
+/// 8 t³ (g·d).
+#[inline(always)]
+pub(crate) fn pull<S: Lanes>(s: S, t: S::F, slope: S::F) -> S::F {
+    s.float(8.0) * (t * t * t) * slope
 }
 
 impl<L: Lattice> Simplex<L> {
@@ -168,20 +214,33 @@ impl<L: Lattice> Simplex<L> {
                 skewed = skewed + one;
             } else if k > 0 {
                 // From corner to corner one steps along the axes in descending order of the ranks.
-                let ahead = s.less(s.float((N - k) as f32 - 0.5), corner.rank[axis]);
-                words[axis] = s.select_word(ahead, high, low);
-                skewed = skewed + s.select(ahead, one, zero);
+                let behind = s.equal(s.shr::<2>(corner.rank[axis] + s.word((4 + k - N) as u32)), s.word(0));
+                words[axis] = s.select_word(behind, low, high);
+                skewed = skewed + s.select(behind, zero, one);
             }
             d[axis] = if N == 1 { p[axis] - skewed } else { p[axis] - (skewed - back) };
         }
+        let g = self.direction(s, self.lattice.words(s, words, seed));
+        let [t, slope] = along::<S, N>(s, beside(s, self.radius_squared(), &d, &g), d[0], g[0]);
+        Term { t, d, g, slope }
+    }
+
+    /// The direction that a word draws, scaled.
+    #[inline(always)]
+    pub(crate) fn direction<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
         let maximum = MAXIMA[N - 1][usize::from(self.kernel == Radius::Wide)];
-        let g: [S::F; N] = edge_direction(s, self.lattice.words(s, words, seed), MARGIN / maximum);
-        let (mut square, mut slope) = (d[0] * d[0], g[0] * d[0]);
-        for axis in 1..N {
-            square = square + d[axis] * d[axis];
-            slope = slope + g[axis] * d[axis];
-        }
-        Term { t: s.positive(s.float(self.radius_squared()) - square), d, g, slope }
+        edge_direction(s, word, MARGIN / maximum)
+    }
+
+    #[inline(always)]
+    pub(crate) fn lattice(&self) -> &L {
+        &self.lattice
+    }
+
+    /// Whether no corner but those of a point's own simplex comes within the kernel's radius.
+    #[inline(always)]
+    pub(crate) fn is_continuous(&self) -> bool {
+        self.kernel == Radius::Continuous
     }
 }
 
@@ -226,6 +285,8 @@ macro_rules! for_corners {
 }
 
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
+    const REACH: f32 = 4_194_304.0;
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         let corner = first_corner(s, &p);
@@ -234,8 +295,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
         // Written out, because a loop with such a body is not unrolled.
         for_corners!(N, |k| {
             let Term { t, slope, .. } = self.term(s, &p, &corner, &terms, k, seed);
-            let t2 = t * t;
-            value = value + t2 * t2 * slope;
+            value = value + kernel(t) * slope;
         });
         value
     }
@@ -247,10 +307,8 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
         let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
         for_corners!(N, |k| {
             let Term { t, d, g, slope } = self.term(s, &p, &corner, &terms, k, seed);
-            let t2 = t * t;
-            let t4 = t2 * t2;
+            let (t4, pull) = (kernel(t), pull(s, t, slope));
             value = value + t4 * slope;
-            let pull = s.float(8.0) * (t2 * t) * slope;
             for axis in 0..N {
                 gradient[axis] = gradient[axis] + (g[axis] * t4 - d[axis] * pull);
             }
@@ -258,16 +316,35 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
         (value, gradient)
     }
 
+    #[inline(always)]
+    fn row_values<S: Lanes, const SCALED: bool>(
+        &self,
+        s: S,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        stretch: &mut Stretch<N>,
+        values: &mut [f32],
+    ) {
+        rows::<L, S, N, SCALED, false>(s, self, row, seed, stretch, values, None);
+    }
+
+    #[inline(always)]
+    fn row_samples<S: Lanes, const SCALED: bool>(
+        &self,
+        s: S,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        stretch: &mut Stretch<N>,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        rows::<L, S, N, SCALED, true>(s, self, row, seed, stretch, values, Some(gradients));
+    }
+
     fn statistics(&self) -> &'static Statistics {
-        match (N, self.kernel) {
-            (1, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_1,
-            (1, Radius::Wide) => &tables::SIMPLEX_WIDE_1,
-            (2, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_2,
-            (2, Radius::Wide) => &tables::SIMPLEX_WIDE_2,
-            (3, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_3,
-            (3, Radius::Wide) => &tables::SIMPLEX_WIDE_3,
-            (_, Radius::Continuous) => &tables::SIMPLEX_CONTINUOUS_4,
-            (_, Radius::Wide) => &tables::SIMPLEX_WIDE_4,
+        match self.kernel {
+            Radius::Continuous => &tables::SIMPLEX_CONTINUOUS[N - 1],
+            Radius::Wide => &tables::SIMPLEX_WIDE[N - 1],
         }
     }
 

@@ -4,15 +4,16 @@ use core::{error::Error, fmt};
 
 use crate::{
     absolute_moments,
-    columns::{Stretch, end_of_cell, has_columns},
     directions::uniform,
+    edge::splat,
     integer_hash::{IntegerHash, further},
     kernel::{Kernel, LaneSample, Row, put, put_sample},
     lanes::Lanes,
     lattice::{Lattice, cell},
-    span::splat,
+    plan::{end_of_cell, has_columns},
     statistics::Statistics,
     statistics_tables as tables,
+    stretch::Stretch,
 };
 
 /// The sum of radial kernels around impulses of random weight, K at random places of every cell; C².
@@ -182,7 +183,7 @@ fn add<S: Lanes, const N: usize, const GRADIENTS: bool>(
     impulse: &Impulse<S, N>,
     x: S::F,
 ) {
-    let t = s.positive(s.float(1.0) - (impulse.rest + x * x));
+    let t = s.above(s.float(1.0) - (impulse.rest + x * x), 0.0);
     let pull = impulse.weight * (t * t);
     *value = *value + pull * t;
     if GRADIENTS {
@@ -226,6 +227,8 @@ impl<L: Lattice> Sparse<L> {
     }
 }
 
+/// Steps from here on leave too few points in a cell for columns to pay.
+const LONG_STEP: f32 = 0.95;
 /// Columns that are computed at once along a row.
 const COLUMNS: usize = 16;
 /// The most impulses of a column that rows keep; with more, points are computed one by one.
@@ -320,7 +323,7 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
     let count = values.len();
     let kept = SECTION[N] * usize::from(noise.impulses);
     let mut i = 0;
-    if kept <= KEPT && has_columns(row, count) {
+    if kept <= KEPT && has_columns(row, count, LONG_STEP) {
         let section = Section::<S, N>::new(s, &noise.lattice, &splat(s, row.origin()));
         let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
         let mut columns = Columns::<N>::EMPTY;
@@ -411,13 +414,8 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        let tables = match N {
-            1 => [&tables::SPARSE_1_1, &tables::SPARSE_2_1, &tables::SPARSE_3_1, &tables::SPARSE_4_1],
-            2 => [&tables::SPARSE_1_2, &tables::SPARSE_2_2, &tables::SPARSE_3_2, &tables::SPARSE_4_2],
-            3 => [&tables::SPARSE_1_3, &tables::SPARSE_2_3, &tables::SPARSE_3_3, &tables::SPARSE_4_3],
-            _ => [&tables::SPARSE_1_4, &tables::SPARSE_2_4, &tables::SPARSE_3_4, &tables::SPARSE_4_4],
-        };
-        tables[usize::from(self.impulses - 1) & 3]
+        let tables = [&tables::SPARSE_1, &tables::SPARSE_2, &tables::SPARSE_3, &tables::SPARSE_4];
+        &tables[usize::from(self.impulses - 1) & 3][N - 1]
     }
 
     fn absolute_moments(&self) -> [f32; 4] {

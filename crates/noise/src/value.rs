@@ -4,7 +4,6 @@ use crate::{
     absolute_moments,
     catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
     cell_noise::{CellNoise, Corner},
-    columns::Stretch,
     directions::uniform,
     fade::Fade,
     integer_hash::IntegerHash,
@@ -13,6 +12,7 @@ use crate::{
     lattice::Lattice,
     statistics::Statistics,
     statistics_tables as tables,
+    stretch::Stretch,
 };
 
 /// Value noise between the 2ⁿ corners of a cell, with quintic weights; C².
@@ -106,12 +106,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::VALUE_1,
-            2 => &tables::VALUE_2,
-            3 => &tables::VALUE_3,
-            _ => &tables::VALUE_4,
-        }
+        &tables::VALUE[N - 1]
     }
 
     fn absolute_moments(&self) -> [f32; 4] {
@@ -171,12 +166,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::VALUE_CATMULL_ROM_1,
-            2 => &tables::VALUE_CATMULL_ROM_2,
-            3 => &tables::VALUE_CATMULL_ROM_3,
-            _ => &tables::VALUE_CATMULL_ROM_4,
-        }
+        &tables::VALUE_CATMULL_ROM[N - 1]
     }
 
     fn absolute_moments(&self) -> [f32; 4] {

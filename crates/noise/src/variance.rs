@@ -1,8 +1,8 @@
 //! The variance at a point of a sum of Gaussian variates, by axes.
 
 use crate::{
+    edge::{Along, splat},
     lanes::{Lanes, Scalar},
-    span::splat,
 };
 
 /// The variance of a sum of N(0, 1) variates, a value and twice a gradient per corner, from all axes but the first.
@@ -22,7 +22,8 @@ pub(crate) struct Variance<S: Lanes, const N: usize> {
 
 /// pᵢ, qᵢ, pᵢ′ and qᵢ′ of one axis.
 #[inline(always)]
-pub(crate) fn axis_variance<S: Lanes>(s: S, t: S::F, high: S::F, slope: S::F) -> [S::F; 4] {
+pub(crate) fn axis_variance<S: Lanes>(s: S, along: &Along<S>) -> [S::F; 4] {
+    let Along { place: t, weight: high, slope } = *along;
     let (one, two) = (s.float(1.0), s.float(2.0));
     let (low, rest) = (one - high, one - t);
     let (low_t, high_rest) = (low * t, high * rest);
@@ -36,11 +37,11 @@ pub(crate) fn axis_variance<S: Lanes>(s: S, t: S::F, high: S::F, slope: S::F) ->
 
 impl<S: Lanes, const N: usize> Variance<S, N> {
     #[inline(always)]
-    pub(crate) fn new(s: S, place: &[S::F; N], weight: &[S::F; N], slope: &[S::F; N]) -> Self {
+    pub(crate) fn new(s: S, along: &[Along<S>; N]) -> Self {
         let (zero, one, four) = (s.float(0.0), s.float(1.0), s.float(4.0));
         let (mut p, mut q, mut dp, mut dq) = (one, zero, [zero; N], [zero; N]);
         for axis in 1..N {
-            let [pi, qi, dpi, dqi] = axis_variance(s, place[axis], weight[axis], slope[axis]);
+            let [pi, qi, dpi, dqi] = axis_variance(s, &along[axis]);
             for i in 1..axis {
                 dq[i] = dq[i] * pi + dp[i] * qi;
                 dp[i] = dp[i] * pi;

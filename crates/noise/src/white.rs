@@ -60,12 +60,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
     }
 
     fn statistics(&self) -> &'static Statistics {
-        match N {
-            1 => &tables::WHITE_1,
-            2 => &tables::WHITE_2,
-            3 => &tables::WHITE_3,
-            _ => &tables::WHITE_4,
-        }
+        &tables::WHITE[N - 1]
     }
 
     /// Those of the uniform distribution, 1/(k + 1).

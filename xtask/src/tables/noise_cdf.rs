@@ -45,10 +45,11 @@ pub(crate) fn noise_statistics_source() -> String {
         }
     }
     let gaussian: Vec<f64> = (0..KNOTS).map(|k| phi(knot(k))).collect();
-    for dimension in 1..=4 {
-        let name = format!("GAUSSIAN_{dimension}");
-        constant(&mut text, &name, [1.0, 0.0, gaussian_range(dimension)], &gaussian);
-    }
+    table(&mut text, "GAUSSIAN", |text| {
+        for dimension in 1..=4 {
+            row(text, [1.0, 0.0, gaussian_range(dimension)], &gaussian);
+        }
+    });
     text
 }
 
@@ -61,10 +62,12 @@ impl Kinds<'_> {
     where
         K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync,
     {
-        measured::<K, 1>(self.0, &format!("{name}_1"), noise);
-        measured::<K, 2>(self.0, &format!("{name}_2"), noise);
-        measured::<K, 3>(self.0, &format!("{name}_3"), noise);
-        measured::<K, 4>(self.0, &format!("{name}_4"), noise);
+        table(self.0, name, |text| {
+            measured::<K, 1>(text, name, noise);
+            measured::<K, 2>(text, name, noise);
+            measured::<K, 3>(text, name, noise);
+            measured::<K, 4>(text, name, noise);
+        });
     }
 }
 
@@ -126,16 +129,14 @@ fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(text: &mut String, name:
         cdf[BINS + 1 + k] = upper;
         cdf[BINS - 1 - k] = 1.0 - upper;
     }
-    constant(text, name, [variance.sqrt(), excess, range(name, N)], &cdf);
+    row(text, [variance.sqrt(), excess, range(name, N)], &cdf);
 }
 
 /// 1 for the kinds that are scaled to it; for sparse convolution its bound, which no sum of few impulses comes near.
 ///
 /// 2ⁿ K √(3/(K ∫h²)) for K impulses per cell in n dimensions and the kernel h(r) = (1 − r²)³ in the unit ball.
 fn range(name: &str, dimension: usize) -> f64 {
-    let Some(impulses) = name.strip_prefix("SPARSE_").and_then(|rest| rest.split('_').next()) else {
-        return 1.0;
-    };
+    let Some(impulses) = name.strip_prefix("SPARSE_") else { return 1.0 };
     let impulses: f64 = impulses.parse().unwrap_or(1.0);
     // ∫h² is the sphere's surface times ∫ (1 − r²)⁶ rⁿ⁻¹ dr, by Simpson's rule; the integrand is a polynomial.
     let surface = [2.0, 2.0 * PI, 4.0 * PI, 2.0 * PI * PI][dimension - 1];
@@ -182,16 +183,22 @@ fn knot(k: usize) -> f64 {
     REACH * (2.0 * k as f64 / (KNOTS - 1) as f64 - 1.0)
 }
 
-fn constant(text: &mut String, name: &str, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
-    let _ = writeln!(text, "\n#[rustfmt::skip]\npub(crate) static {name}: Statistics = Statistics {{");
-    let _ = writeln!(text, "    standard_deviation: {:?},", sigma as f32);
-    let _ = writeln!(text, "    excess_kurtosis: {:?},", excess as f32);
-    let _ = writeln!(text, "    range: {:?},\n    cdf: &[", range as f32);
+/// The statistics of a kind in 1 to 4 dimensions.
+fn table(text: &mut String, name: &str, rows: impl FnOnce(&mut String)) {
+    let _ = writeln!(text, "\n#[rustfmt::skip]\npub(crate) static {name}: [Statistics; 4] = [");
+    rows(text);
+    text.push_str("];\n");
+}
+
+fn row(text: &mut String, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
+    let _ = writeln!(text, "    Statistics {{\n        standard_deviation: {:?},", sigma as f32);
+    let _ = writeln!(text, "        excess_kurtosis: {:?},", excess as f32);
+    let _ = writeln!(text, "        range: {:?},\n        cdf: &[", range as f32);
     for row in cdf.chunks(8) {
         let row: Vec<String> = row.iter().map(|&g| format!("{:?}", g as f32)).collect();
-        let _ = writeln!(text, "        {},", row.join(", "));
+        let _ = writeln!(text, "            {},", row.join(", "));
     }
-    text.push_str("    ],\n};\n");
+    text.push_str("        ],\n    },\n");
 }
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
@@ -226,7 +233,7 @@ mod tests {
     fn the_bound_of_sparse_convolution_is_that_of_its_documentation() {
         let bounds = [4.19, 10.34, 25.9, 66.0];
         for (dimension, bound) in (1..=4).zip(bounds) {
-            let range = range(&format!("SPARSE_1_{dimension}"), dimension);
+            let range = range("SPARSE_1", dimension);
             assert!((range / bound - 1.0).abs() < 2e-3, "{dimension}-D: {range}");
         }
     }

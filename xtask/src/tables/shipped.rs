@@ -23,9 +23,17 @@ const PICTURES: &str = "crates/noise/docs/pictures";
 
 /// Writes every generated file into the source tree at `root`.
 pub(crate) fn ship(root: &Path) -> Result<(), Failure> {
+    let mut changed = false;
     for (folder, name, make) in SHIPPED {
-        Output::new(root.join(folder))?.write(name, make().as_bytes())?;
+        let text = make();
+        changed |= fs::read(root.join(folder).join(name)).ok().as_deref() != Some(text.as_bytes());
+        Output::new(root.join(folder))?.write(name, text.as_bytes())?;
         progress::say(&format!("wrote {folder}/{name}"));
+    }
+    if changed {
+        // This program still has the constants from before.
+        progress::say("constants have changed: run it once more, and the pictures are drawn with them");
+        return Ok(());
     }
     let folder = Output::new(root.join(PICTURES))?;
     for (name, bytes) in noise_pictures()? {
