@@ -20,6 +20,9 @@ pub(crate) const CRATES: [&str; 4] =
 /// The float backends that a crate must build and pass its tests with; `alloc` joins where a crate has it.
 const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
 
+/// Tests and benches that are built many times and run once are not optimised.
+const QUICK: [(&str, &str); 1] = [("CARGO_PROFILE_TEST_OPT_LEVEL", "0")];
+
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
 const GATES: [Gate; 10] = [
@@ -92,12 +95,12 @@ fn tests(root: &Path) -> Result<(), Failure> {
                 let set = format!("{backend}{more}");
                 let test =
                     ["test", "--quiet", "--package", name, "--no-default-features", "--features", &set];
-                cargo(root, &test)?;
+                cargo_with(root, &test, &QUICK)?;
             }
         }
         if name != "asperity-noise" {
             let bare = ["test", "--quiet", "--package", name, "--no-default-features", "--features", "libm"];
-            cargo(root, &bare)?;
+            cargo_with(root, &bare, &QUICK)?;
         }
     }
     Ok(())
@@ -105,7 +108,8 @@ fn tests(root: &Path) -> Result<(), Failure> {
 
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
     for name in CRATES {
-        cargo(root, &["test", "--quiet", "--package", name, "--benches", "--examples"])?;
+        let test = ["test", "--quiet", "--package", name, "--benches", "--examples"];
+        cargo_with(root, &test, &QUICK)?;
     }
     Ok(())
 }
