@@ -43,8 +43,10 @@ pub(crate) enum Command {
   cargo xtask bench --peers
   cargo xtask bench --peers --only fill_grid/3-d --only value/ --rounds 41
   FASTNOISE2_LIB_DIR=/path/to/lib cargo xtask bench --peers --ship
+  cargo bench --package asperity-noise --bench perlin -- fill_grid/3-d
 
-FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names the folder of its static library;
+The benches of noise have every kind at every SIMD level and take a quarter of an hour to build; the last
+example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names the folder of its static library;
 xtask/peers/README.md says how to build it.")]
     Bench(Bench),
     /// Check dependency edges and the heads of all files.
