@@ -1,10 +1,11 @@
 //! The same bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and dimension.
 
 use asperity_noise::{
-    Batch, Grid, Level, Noise, Normalisation, Octaves, Perlin2002, Rotation, Seeded, Simplex, Spectrum,
+    Batch, Field, Grid, Level, Noise, Normalisation, Octaves, Perlin2002, Rotation, Seeded, Simplex,
+    Spectrum, Value,
     glam::{Vec2, Vec3},
 };
-use asperity_tests::noise_lanes::{far_cases, grids, lengths, near_cases, points};
+use asperity_tests::noise_lanes::{far_cases, grid, grids, lengths, near_cases, points};
 
 #[test]
 fn grids_of_gradient_noise_have_the_scalar_bits() {
@@ -22,6 +23,40 @@ fn grids_of_simplex_noise_have_the_scalar_bits() {
     grids("simplex 2-D", &field, &sample, &near_cases());
     grids("simplex 2-D", &field, &sample, &far_cases());
     lengths("simplex 2-D", &field, &sample);
+}
+
+/// Where a kernel ends between two points, rounding is all that tells which of them it reaches.
+#[test]
+fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
+    for seed in 0..40 {
+        let field = Seeded(Simplex::CONTINUOUS, seed);
+        let (origin, step) = (Vec2::new(-0.004_261_506_7, -2.063_24), Vec2::new(5.195_842e-9, 1e-8));
+        grid("simplex 2-D", &field, &|p: Vec2| field.sample(p), &Grid { origin, step, size: [256, 1] });
+    }
+}
+
+/// Rows so wide that the products of step and index are rounded by more than a step.
+#[test]
+fn the_end_of_a_wide_row_has_the_scalar_bits() {
+    const WIDTH: usize = 40_000_000;
+    let field = Seeded(Simplex::CONTINUOUS, 7);
+    let grid = Grid {
+        origin: Vec2::new(-0.2 * (WIDTH as f32 - 10_000.0), 0.3),
+        step: Vec2::new(0.2, 0.1),
+        size: [WIDTH, 1],
+    };
+    let mut values = vec![0.0; WIDTH];
+    Batch::with_level(Level::Scalar).fill_grid(&field, &grid, &mut values).unwrap();
+    for i in WIDTH - 20_000..WIDTH {
+        let p = grid.point([i, 0]);
+        assert_eq!(values[i].to_bits(), field.value(p).to_bits(), "point {i}, {p}");
+    }
+}
+
+#[test]
+fn grids_in_space_have_the_scalar_bits() {
+    let noise = Value::default();
+    grids("value 3-D", &Seeded(noise, 7), &|p: Vec3| noise.sample(p, 7), &near_cases());
 }
 
 #[test]

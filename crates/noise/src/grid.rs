@@ -64,7 +64,16 @@ impl<V: Point<N>, const N: usize> Grid<V, N> {
         let rows = self.len().checked_div(width).unwrap_or(0);
         let block = (BLOCK / width.clamp(1, POINTS)).max(1);
         let start = Place { row: 0, index: [0; N] };
-        Parts { grid: self, passes, rows, block, first: start, start: 0, pass: 0, place: start }
+        Parts {
+            grid: self,
+            passes: passes.max(1),
+            rows,
+            block,
+            first: start,
+            start: 0,
+            pass: 0,
+            place: start,
+        }
     }
 }
 

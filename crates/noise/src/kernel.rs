@@ -118,6 +118,12 @@ impl<const N: usize, const SCALED: bool> Row<N, SCALED> {
         RowKey { x: x.map(f32::to_bits), start: self.start, scaled: SCALED }
     }
 
+    /// The index of point i in the whole row.
+    #[inline(always)]
+    pub(crate) fn index(&self, i: usize) -> usize {
+        self.start + i
+    }
+
     /// The coordinates of point i.
     #[inline(always)]
     pub(crate) fn point(&self, i: usize) -> [f32; N] {

@@ -58,9 +58,12 @@ pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, con
     }
 }
 
-/// Whether all corners are placed well enough.
+/// Whether all corners, and all points by their index, are placed well enough.
 #[inline(always)]
 fn is_near<const N: usize, const SCALED: bool>(row: &Row<N, SCALED>, count: usize) -> bool {
+    if row.index(count) >= 1 << 22 {
+        return false;
+    }
     let mut reach = row.x(0).abs().max(row.x(count).abs());
     for axis in 1..N {
         reach += row.origin()[axis].abs();
@@ -193,7 +196,8 @@ impl<const N: usize> Corners<N> {
             let g: [S::F; N] = noise.direction(s, noise.lattice().words(s, words, seed));
             let [rest, side] = beside(s, noise.radius_squared(), &d, &g);
             let x = first - back;
-            let half = s.sqrt(s.above(rest - s.float(GAP), 0.0));
+            // A little farther than to the gap, by more than what t is rounded by.
+            let half = s.sqrt(s.above(rest - s.float(GAP - 1.0 / 1_048_576.0), 0.0));
             let (from, to) = ((x - half - origin) * inverse, (x + half - origin) * inverse);
             let ahead = s.less(from, to);
             let (from, to) = (s.select(ahead, from, to), s.select(ahead, to, from));
