@@ -129,7 +129,7 @@ pub fn points<V: Point<N>, F: Field<N>, const N: usize>(
     }
 }
 
-const SIZES: [[usize; 4]; 4] = [[301, 1, 1, 1], [103, 5, 1, 1], [43, 4, 3, 1], [21, 3, 2, 2]];
+const SIZES: [[usize; 4]; 4] = [[301, 1, 1, 1], [103, 5, 1, 1], [43, 4, 3, 1], [23, 3, 2, 2]];
 
 /// The first N of four.
 #[must_use]
@@ -207,11 +207,11 @@ pub fn lengths<V: Point<N>, F: Field<N>, const N: usize>(
     sample: &impl Fn(V) -> Sample<V>,
 ) {
     let [origin, step] = [ORIGIN, [0.013, 0.3, 0.2, 0.1]].map(|all| V::from_coordinates(cut(all)));
-    for length in (0..36).chain(128..146).chain([255, 256, 257, 1500]) {
+    for length in (0..36).chain(255..274).chain([511, 512, 513, 1500]) {
         let mut size = [1; N];
         size[0] = length;
         if N > 1 && length % 3 == 1 {
-            size[1] = 128 / length + 1;
+            size[1] = 256 / length + 1;
         }
         if !(36..=1000).contains(&length) {
             grid(name, field, sample, &Grid { origin, step, size });

@@ -31,7 +31,7 @@ fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
     for seed in 0..40 {
         let field = Seeded(Simplex::CONTINUOUS, seed);
         let (origin, step) = (Vec2::new(-0.004_261_506_7, -2.063_24), Vec2::new(5.195_842e-9, 1e-8));
-        grid("simplex 2-D", &field, &|p: Vec2| field.sample(p), &Grid { origin, step, size: [256, 1] });
+        grid("simplex 2-D", &field, &|p: Vec2| field.sample(p), &Grid { origin, step, size: [300, 1] });
     }
 }
 

@@ -193,7 +193,7 @@ impl Batch {
 }
 
 /// From so many points on they share enough to pay for the room that it takes.
-const FEW_POINTS: usize = 128;
+const FEW_POINTS: usize = 256;
 
 /// The coordinates of fewer points than that, one list per axis.
 fn list<const N: usize>(point: impl Fn(usize) -> [f32; N], count: usize) -> [[f32; FEW_POINTS]; N] {

@@ -131,13 +131,10 @@ pub trait Lanes: Copy + sealed::Sealed {
         (self.integer(floor), x - floor)
     }
 
-    /// x where it is above `limit` ≥ 0, else 0.
-    fn above(self, x: Self::F, limit: f32) -> Self::F;
-
-    /// 1 where x < 0, else 0; x must not be −0.
+    /// x where it is above `limit`, else 0.
     #[inline(always)]
-    fn negative(self, x: Self::F) -> Self::U {
-        self.shr::<31>(self.bits(x))
+    fn above(self, x: Self::F, limit: f32) -> Self::F {
+        self.select(self.less(self.float(limit), x), x, self.float(0.0))
     }
 
     /// x with its sign flipped where the word's top bit is set; the other bits must be 0.
@@ -279,9 +276,5 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn all(self, mask: bool) -> bool {
         mask
-    }
-    #[inline(always)]
-    fn above(self, x: f32, limit: f32) -> f32 {
-        if x > limit { x } else { 0.0 }
     }
 }

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Points of a row that are planned at once.
-pub(crate) const POINTS: usize = 256;
+pub(crate) const POINTS: usize = 512;
 /// Lattice points that are computed at once along a row.
 pub(crate) const COLUMNS: usize = 64;
 /// Steps from here on leave so few points in a cell that every point computes its own columns.

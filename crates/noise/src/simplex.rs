@@ -98,12 +98,13 @@ struct Corner<S: Lanes, const N: usize> {
     /// Their sum.
     sum: S::F,
     /// Than how many axes the point is farther along each axis in the skewed cell.
-    rank: [S::U; N],
+    rank: [S::F; N],
 }
 
 #[inline(always)]
 fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
-    let mut corner = Corner { skewed: *p, sum: s.float(0.0), rank: [s.word(0); N] };
+    let (one, zero) = (s.float(1.0), s.float(0.0));
+    let mut corner = Corner { skewed: *p, sum: zero, rank: [zero; N] };
     // The first coordinate comes last: along a row of a grid the rest of the sum does not change.
     let mut sum = p[N - 1];
     for axis in (0..N - 1).rev() {
@@ -117,11 +118,10 @@ fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
     // Which axis the point is farther along does not depend on what all are shifted by.
     for axis in 1..N {
         for before in 0..axis {
-            // −0 + 0 = 0: what is negative here would differ between levels.
-            let (low, other) = (p[axis] - corner.skewed[axis], p[before] - corner.skewed[before]);
-            let ahead = s.negative((low - other) + s.float(0.0));
+            let low = p[axis] - corner.skewed[axis];
+            let ahead = s.select(s.less(low, p[before] - corner.skewed[before]), one, zero);
             corner.rank[before] = corner.rank[before] + ahead;
-            corner.rank[axis] = corner.rank[axis] + (s.word(1) - ahead);
+            corner.rank[axis] = corner.rank[axis] + (one - ahead);
         }
     }
     corner
@@ -214,9 +214,9 @@ impl<L: Lattice> Simplex<L> {
                 skewed = skewed + one;
             } else if k > 0 {
                 // From corner to corner one steps along the axes in descending order of the ranks.
-                let behind = s.equal(s.shr::<2>(corner.rank[axis] + s.word((4 + k - N) as u32)), s.word(0));
-                words[axis] = s.select_word(behind, low, high);
-                skewed = skewed + s.select(behind, zero, one);
+                let ahead = s.less(s.float((N - k) as f32 - 0.5), corner.rank[axis]);
+                words[axis] = s.select_word(ahead, high, low);
+                skewed = skewed + s.select(ahead, one, zero);
             }
             d[axis] = if N == 1 { p[axis] - skewed } else { p[axis] - (skewed - back) };
         }

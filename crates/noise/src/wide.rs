@@ -118,13 +118,6 @@ impl<S: Simd> Lanes for Wide<S> {
         mask.select(yes, no)
     }
     #[inline(always)]
-    fn above(self, x: Self::F, limit: f32) -> Self::F {
-        use fearless_simd::Bytes;
-        // Floats above 0 have the order of integers, whose comparisons the compiler knows to be all ones or zeros.
-        let limit = S::i32s::splat(self.0, limit.to_bits() as i32);
-        x.bitcast::<S::i32s>().simd_gt(limit).select(x, self.float(0.0))
-    }
-    #[inline(always)]
     fn all(self, mask: Self::M) -> bool {
         mask.all_true()
     }
