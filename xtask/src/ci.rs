@@ -20,8 +20,8 @@ pub(crate) const CRATES: [&str; 4] =
 /// The float backends that a crate must build and pass its tests with; `alloc` joins where a crate has it.
 const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
 
-/// Tests and benches that are built many times and run once are not optimised.
-const QUICK: [(&str, &str); 1] = [("CARGO_PROFILE_TEST_OPT_LEVEL", "0")];
+/// Tests and benches that are built many times and run once are not optimised, and have no debug information.
+const QUICK: [(&str, &str); 2] = [("CARGO_PROFILE_TEST_OPT_LEVEL", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
