@@ -4,7 +4,7 @@
 //! change along a row of a grid; between them runs a cubic.
 
 use crate::{
-    kernel::{LaneSample, Row, put, put_sample},
+    kernel::{Kernel, LaneSample, Row, by_lanes, put, put_sample},
     lanes::{Lanes, Scalar},
     lattice::{Lattice, cell},
     plan::{end_of_cell, has_columns},
@@ -217,7 +217,7 @@ type Numbers = [f32; COLUMNS + SPARE];
 /// The values along a row, and the gradients if `GRADIENTS`.
 #[inline(always)]
 pub(crate) fn spline_rows<
-    K: SplineNoise<N>,
+    K: SplineNoise<N> + Kernel<N>,
     S: Lanes,
     const N: usize,
     const SCALED: bool,
@@ -228,7 +228,7 @@ pub(crate) fn spline_rows<
     row: &Row<N, SCALED>,
     seed: u32,
     values: &mut [f32],
-    gradients: &mut [&mut [f32]; N],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
     let count = values.len();
     let mut i = 0;
@@ -254,10 +254,9 @@ pub(crate) fn spline_rows<
                 }
                 while i < end {
                     let t = row.xs(s, i) - s.float(floor);
-                    if GRADIENTS {
-                        put_sample(s, at(s, &here, t), values, gradients, i);
-                    } else {
-                        put(s, here[0].value(t), values, i, count);
+                    match &mut gradients {
+                        Some(gradients) if GRADIENTS => put_sample(s, at(s, &here, t), values, gradients, i),
+                        _ => put(s, here[0].value(t), values, i, count),
                     }
                     i += S::LEN;
                 }
@@ -266,15 +265,7 @@ pub(crate) fn spline_rows<
         }
         return;
     }
-    while i < count {
-        let p = row.points(s, i);
-        if GRADIENTS {
-            put_sample(s, spline_samples(s, noise, p, seed), values, gradients, i);
-        } else {
-            put(s, spline_values(s, noise, p, seed), values, i, count);
-        }
-        i += S::LEN;
-    }
+    by_lanes::<K, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
 }
 
 /// The cubics of as many cells of a row, from `leftmost` on.

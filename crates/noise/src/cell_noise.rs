@@ -100,28 +100,16 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     }
 
     #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
         &self,
         s: S,
         row: &Row<N, SCALED>,
         seed: u32,
         stretch: &mut Stretch<N>,
         values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        rows::<K, S, N, SCALED, false>(s, self, row, seed, stretch, values, None);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<N, SCALED>,
-        seed: u32,
-        stretch: &mut Stretch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        rows::<K, S, N, SCALED, true>(s, self, row, seed, stretch, values, Some(gradients));
+        rows::<K, S, N, SCALED, GRADIENTS>(s, self, row, seed, stretch, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {

@@ -149,7 +149,7 @@ pub(crate) fn row_values<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: b
     out: &mut [f32],
 ) {
     if row.is_within(K::REACH, out.len()) {
-        kernel.row_values(s, row, seed, columns, out);
+        kernel.rows::<S, SCALED, false>(s, row, seed, columns, out, None);
         return;
     }
     for i in (0..out.len()).step_by(S::LEN) {
@@ -169,7 +169,7 @@ pub(crate) fn row_samples<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: 
     gradients: &mut [&mut [f32]; N],
 ) {
     if row.is_within(K::REACH, values.len()) {
-        kernel.row_samples(s, row, seed, columns, values, gradients);
+        kernel.rows::<S, SCALED, true>(s, row, seed, columns, values, Some(gradients));
         return;
     }
     for i in (0..values.len()).step_by(S::LEN) {

@@ -24,35 +24,20 @@ pub trait Kernel<const N: usize> {
     /// Values and gradients at points.
     fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
 
-    /// The values along a row. What does not change along it may be computed once.
+    /// The values along a row, and the gradients if `GRADIENTS`. What does not change along it may be computed once.
+    ///
+    /// `gradients` are there if `GRADIENTS`, and as long as `values` or longer.
     #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
         &self,
         s: S,
         row: &Row<N, SCALED>,
         seed: u32,
-        _columns: &mut Stretch<N>,
+        _stretch: &mut Stretch<N>,
         values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        for i in (0..values.len()).step_by(S::LEN) {
-            put(s, self.lane_values(s, row.points(s, i), seed), values, i, values.len());
-        }
-    }
-
-    /// Values and gradients along a row, `gradients` as long as `values` or longer.
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<N, SCALED>,
-        seed: u32,
-        _columns: &mut Stretch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        for i in (0..values.len()).step_by(S::LEN) {
-            put_sample(s, self.lane_samples(s, row.points(s, i), seed), values, gradients, i);
-        }
+        by_lanes::<Self, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     /// The measured statistics of the kind in this dimension.
@@ -226,6 +211,29 @@ pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
         gradient[axis] = s.floats(|lane| far[lane % LANES].1[axis]);
     }
     (s.floats(|lane| far[lane % LANES].0), gradient)
+}
+
+/// Values along a row, and gradients if `GRADIENTS`, from as many single points at once as there are lanes.
+#[inline(always)]
+pub(crate) fn by_lanes<K, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+    s: S,
+    kernel: &K,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    values: &mut [f32],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
+) where
+    K: Kernel<N> + ?Sized,
+{
+    for i in (0..values.len()).step_by(S::LEN) {
+        let p = row.points(s, i);
+        match &mut gradients {
+            Some(gradients) if GRADIENTS => {
+                put_sample(s, kernel.lane_samples(s, p, seed), values, gradients, i);
+            }
+            _ => put(s, kernel.lane_values(s, p, seed), values, i, values.len()),
+        }
+    }
 }
 
 /// Writes the lanes for the points from `i` to `count`.

@@ -336,29 +336,16 @@ impl Kernel<3> for Splines<'_> {
     }
 
     #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
         &self,
         s: S,
         row: &Row<3, SCALED>,
         seed: u32,
-        _columns: &mut Stretch<3>,
+        _stretch: &mut Stretch<3>,
         values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; 3]>,
     ) {
-        let mut none = [(); 3].map(|()| &mut [][..]);
-        spline_rows::<Self, S, 3, SCALED, false>(s, self, row, seed, values, &mut none);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<3, SCALED>,
-        seed: u32,
-        _columns: &mut Stretch<3>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; 3],
-    ) {
-        spline_rows::<Self, S, 3, SCALED, true>(s, self, row, seed, values, gradients);
+        spline_rows::<Self, S, 3, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {

@@ -326,10 +326,18 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
             let octave = &mut octave[..out.len()];
             let row = row.after(stretch * STRETCH).scaled(frequencies, layer.offset);
             row_values(&self.sum.noise, s, &row, layer.seed, columns, octave);
-            if pass == 0 {
-                self.accumulate_row::<S, true>(s, pass, amplitude, octave, out);
-            } else {
-                self.accumulate_row::<S, false>(s, pass, amplitude, octave, out);
+            let (octaves, octave) = octave.as_chunks::<LANES>();
+            let (blocks, rest) = out.as_chunks_mut::<LANES>();
+            // Registers that are known to be whole take no checks.
+            for (octave, sum) in octaves.iter().zip(blocks) {
+                for k in (0..LANES).step_by(S::LEN) {
+                    let octave = self.sum.shape.value(s, s.load(&octave[k..]));
+                    self.accumulate(s, pass, &mut sum[k..k + S::LEN], self.constant, amplitude, octave);
+                }
+            }
+            for (octave, sum) in octave.chunks(S::LEN).zip(rest.chunks_mut(S::LEN)) {
+                let octave = self.sum.shape.value(s, s.load_part(octave));
+                self.accumulate(s, pass, sum, self.constant, amplitude, octave);
             }
         }
     }
@@ -377,35 +385,6 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N,
 }
 
 impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
-    /// Adds the values of an octave to the sums, which begin with it if it is the first.
-    #[inline(always)]
-    fn accumulate_row<S: Lanes, const FIRST: bool>(
-        &self,
-        s: S,
-        pass: usize,
-        amplitude: f32,
-        octave: &[f32],
-        sums: &mut [f32],
-    ) {
-        let amplitude = s.float(amplitude);
-        // A product with 1 changes nothing.
-        let factor = s.float(if pass + 1 == self.count { self.factor } else { 1.0 });
-        let (octaves, octave) = octave.as_chunks::<LANES>();
-        let (blocks, sums) = sums.as_chunks_mut::<LANES>();
-        for (octave, sum) in octaves.iter().zip(blocks) {
-            for k in (0..LANES).step_by(S::LEN) {
-                let before = if FIRST { s.float(self.constant) } else { s.load(&sum[k..]) };
-                let octave = self.sum.shape.value(s, s.load(&octave[k..]));
-                s.store((before + amplitude * octave) * factor, &mut sum[k..]);
-            }
-        }
-        for (octave, sum) in octave.chunks(S::LEN).zip(sums.chunks_mut(S::LEN)) {
-            let before = if FIRST { s.float(self.constant) } else { s.load_part(sum) };
-            let octave = self.sum.shape.value(s, s.load_part(octave));
-            s.store((before + amplitude * octave) * factor, sum);
-        }
-    }
-
     /// sum + amplitude · octave, times the factor in the last pass; before the first pass the sum is `constant`.
     #[inline(always)]
     fn accumulate<S: Lanes>(

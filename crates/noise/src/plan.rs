@@ -50,7 +50,7 @@ pub(crate) struct Plan {
     slope: Numbers,
 }
 
-/// Cells whose columns are computed at once.
+/// Cells whose columns, one more than cells, are computed at once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run {
     /// The first cell in the order of the points.
@@ -58,8 +58,6 @@ pub(crate) struct Run {
     pub(crate) cells: usize,
     /// The lattice point of the first column, in ascending order.
     pub(crate) leftmost: i32,
-    /// The lattice points, one more than cells.
-    pub(crate) columns: usize,
 }
 
 impl Plan {
@@ -165,7 +163,7 @@ impl Plan {
         } else {
             self.cell.wrapping_add(first as i32)
         };
-        Run { first, cells, leftmost, columns: cells + 1 }
+        Run { first, cells, leftmost }
     }
 
     /// The run after this one.

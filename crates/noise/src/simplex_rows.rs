@@ -4,7 +4,7 @@
 //! order in which a single point adds them up, so that a row's sums have the bits of the points'.
 
 use crate::{
-    kernel::{Kernel, Row, put, put_sample},
+    kernel::{Row, by_lanes},
     lanes::{LANES, Lanes},
     lattice::Lattice,
     plan::{Numbers, POINTS, has_columns},
@@ -31,29 +31,20 @@ pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, con
     mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
     let count = values.len();
-    let mut start = 0;
-    if N > 1 && noise.is_continuous() && has_columns(row, count, LONG_STEP) && is_near(row, count) {
-        while start < count {
-            let end = (start + POINTS).min(count);
-            let part = row.after(start);
-            let mut sums = stretch.sums(s, &part, end - start);
-            splat::<L, S, N, SCALED, GRADIENTS>(s, noise, &part, seed, &mut sums, end - start);
-            copy(sums.values, &mut values[start..end]);
-            if let (true, Some(gradients)) = (GRADIENTS, &mut gradients) {
-                for axis in 0..N {
-                    copy(sums.gradients[axis], &mut gradients[axis][start..end]);
-                }
-            }
-            start = end;
-        }
+    if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
+        by_lanes::<Simplex<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        return;
     }
-    for i in (start..count).step_by(S::LEN) {
-        let p = row.points(s, i);
-        match &mut gradients {
-            Some(gradients) if GRADIENTS => {
-                put_sample(s, noise.lane_samples(s, p, seed), values, gradients, i);
+    for start in (0..count).step_by(POINTS) {
+        let end = count.min(start + POINTS);
+        let part = row.after(start);
+        let mut sums = stretch.sums(s, &part, end - start);
+        splat::<L, S, N, SCALED, GRADIENTS>(s, noise, &part, seed, &mut sums, end - start);
+        copy(sums.values, &mut values[start..end]);
+        if let (true, Some(gradients)) = (GRADIENTS, &mut gradients) {
+            for axis in 0..N {
+                copy(sums.gradients[axis], &mut gradients[axis][start..end]);
             }
-            _ => put(s, noise.lane_values(s, p, seed), values, i, count),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::{
     directions::uniform,
     edge::splat,
     integer_hash::{IntegerHash, further},
-    kernel::{Kernel, LaneSample, Row, put, put_sample},
+    kernel::{Kernel, LaneSample, Row, by_lanes, put, put_sample},
     lanes::Lanes,
     lattice::{Lattice, cell},
     plan::{end_of_cell, has_columns},
@@ -318,7 +318,7 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
     row: &Row<N, SCALED>,
     seed: u32,
     values: &mut [f32],
-    gradients: &mut [&mut [f32]; N],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
     let count = values.len();
     let kept = SECTION[N] * usize::from(noise.impulses);
@@ -353,10 +353,9 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
                         let impulse = Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
                         add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
                     }
-                    if GRADIENTS {
-                        put_sample(s, sum, values, gradients, i);
-                    } else {
-                        put(s, sum.0, values, i, count);
+                    match &mut gradients {
+                        Some(gradients) if GRADIENTS => put_sample(s, sum, values, gradients, i),
+                        _ => put(s, sum.0, values, i, count),
                     }
                     i += S::LEN;
                 }
@@ -365,15 +364,7 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
         }
         return;
     }
-    while i < count {
-        let sum = noise.sum::<S, N, GRADIENTS>(s, row.points(s, i), seed);
-        if GRADIENTS {
-            put_sample(s, sum, values, gradients, i);
-        } else {
-            put(s, sum.0, values, i, count);
-        }
-        i += S::LEN;
-    }
+    by_lanes::<Sparse<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
 }
 
 impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
@@ -388,29 +379,16 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     }
 
     #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
         &self,
         s: S,
         row: &Row<N, SCALED>,
         seed: u32,
-        _columns: &mut Stretch<N>,
+        _stretch: &mut Stretch<N>,
         values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        let mut none = [(); N].map(|()| &mut [][..]);
-        rows::<L, S, N, SCALED, false>(s, self, row, seed, values, &mut none);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<N, SCALED>,
-        seed: u32,
-        _columns: &mut Stretch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        rows::<L, S, N, SCALED, true>(s, self, row, seed, values, gradients);
+        rows::<L, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {

@@ -7,7 +7,7 @@ use crate::{
     cell_noise::{CellNoise, normalised},
     edge::{Along, blend_edges, blend_values, edge, ends},
     edges::{Columns, Edges},
-    kernel::{Kernel, Row, put, put_sample},
+    kernel::{Row, by_lanes},
     lanes::{LANES, Lanes, Scalar},
     lattice::{Lattice, cell},
     place::Place,
@@ -27,17 +27,14 @@ pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool
     values: &mut [f32],
     mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
-    let count = values.len();
-    let mut start = 0;
-    while start < count {
-        let part = row.after(start);
-        if !pays(&part) {
-            break;
-        }
-        let points = POINTS.min(count - start);
-        stretch.plan(s, noise, &part, points, seed, GRADIENTS);
+    if !pays(row) {
+        by_lanes::<K, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        return;
+    }
+    for start in (0..values.len()).step_by(POINTS) {
+        let end = values.len().min(start + POINTS);
+        stretch.plan(s, noise, &row.after(start), end - start, seed, GRADIENTS);
         stretch.fill_edges::<K, S, GRADIENTS>(s, noise, seed);
-        let end = start + points;
         let values = values.get_mut(start..end).unwrap_or_default();
         match &mut gradients {
             Some(gradients) if GRADIENTS => {
@@ -45,16 +42,6 @@ pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool
                 stretch.blend_samples::<K, S>(s, values, &mut slopes);
             }
             _ => stretch.blend_values::<K, S>(s, values),
-        }
-        start = end;
-    }
-    for i in (start..count).step_by(S::LEN) {
-        let p = row.points(s, i);
-        match &mut gradients {
-            Some(gradients) if GRADIENTS => {
-                put_sample(s, noise.lane_samples(s, p, seed), values, gradients, i);
-            }
-            _ => put(s, noise.lane_values(s, p, seed), values, i, count),
         }
     }
 }
@@ -320,7 +307,7 @@ fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     columns: &mut Columns<N>,
 ) {
     let mut i = 0;
-    while i < run.columns {
+    while i <= run.cells {
         let cells = s.word(run.leftmost.wrapping_add(i as i32) as u32) + s.iota();
         let first = noise.lattice().term(s, 0, cells);
         columns.store::<K, S, GRADIENTS>(s, &place.drawn_column(s, noise, [first, term], seed), i);

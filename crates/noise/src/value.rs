@@ -140,29 +140,16 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     }
 
     #[inline(always)]
-    fn row_values<S: Lanes, const SCALED: bool>(
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
         &self,
         s: S,
         row: &Row<N, SCALED>,
         seed: u32,
-        _columns: &mut Stretch<N>,
+        _stretch: &mut Stretch<N>,
         values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        let mut none = [(); N].map(|()| &mut [][..]);
-        spline_rows::<Self, S, N, SCALED, false>(s, self, row, seed, values, &mut none);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes, const SCALED: bool>(
-        &self,
-        s: S,
-        row: &Row<N, SCALED>,
-        seed: u32,
-        _columns: &mut Stretch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        spline_rows::<Self, S, N, SCALED, true>(s, self, row, seed, values, gradients);
+        spline_rows::<Self, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {

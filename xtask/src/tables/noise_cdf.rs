@@ -202,15 +202,15 @@ fn row(text: &mut String, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
 }
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn new(seed: u32) -> Self {
+    pub(super) fn new(seed: u32) -> Self {
         Self(u64::from(seed) << 32)
     }
 
     /// In a box of 128 cells a side.
-    fn coordinate(&mut self) -> f32 {
+    pub(super) fn coordinate(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

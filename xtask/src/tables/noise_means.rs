@@ -7,6 +7,8 @@ use asperity_noise::{
 };
 use rayon::prelude::*;
 
+use super::noise_cdf::Random;
+
 /// Points per seed.
 const POINTS: usize = 1024;
 /// Seeds: 8.4 million points. Points of a seed share cells, hence standard errors a little above those of independent points.
@@ -85,9 +87,9 @@ fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(noise: K, seeds: u32) ->
 }
 
 fn means_of_seed<K: Kernel<N> + Copy, const N: usize>(noise: K, seed: u32) -> [f64; 4] {
-    let mut state = u64::from(seed) << 32;
+    let mut random = Random::new(seed);
     let mut points = [[0.0; POINTS]; N];
-    points.iter_mut().flatten().for_each(|x| *x = coordinate(&mut state));
+    points.iter_mut().flatten().for_each(|x| *x = random.coordinate());
     let mut values = [0.0; POINTS];
     let filled =
         Batch::new().fill_points(&Seeded(noise, seed), points.each_ref().map(|x| &x[..]), &mut values);
@@ -104,22 +106,14 @@ fn means_of_seed<K: Kernel<N> + Copy, const N: usize>(noise: K, seed: u32) -> [f
     sums.map(|sum| sum / POINTS as f64)
 }
 
-/// A coordinate uniform in a box of 128 cells a side, by SplitMix64 (Steele, Lea, Flood 2014).
-fn coordinate(state: &mut u64) -> f32 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((z ^ (z >> 31)) >> 40) as f32 / 131_072.0 - 64.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn coordinates_fill_the_box() {
-        let mut state = 1;
-        let mean = (0..4096).map(|_| f64::from(coordinate(&mut state)) / 64.0).sum::<f64>() / 4096.0;
+        let mut random = Random::new(1);
+        let mean = (0..4096).map(|_| f64::from(random.coordinate()) / 64.0).sum::<f64>() / 4096.0;
         // Uniform in [−1, 1): standard error 0.009.
         assert!(mean.abs() < 0.03, "{mean}");
     }
