@@ -5,8 +5,11 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use glam::{Vec2, Vec3};
 
 use crate::math;
+use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
-use crate::roughness::{self, RoughnessError};
+use crate::roughness::{Roughness, roughness_parameters};
+use crate::turn::turn;
+use crate::visible_gaussian::{excess, quantile, visible_slope};
 
 /// The Beckmann normal density with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -35,61 +38,28 @@ use crate::roughness::{self, RoughnessError};
 /// Walter et al. 2007, eq. 25, in its anisotropic form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beckmann {
-    alpha_x: f32,
-    alpha_y: f32,
+    alpha: Roughness,
 }
 
+roughness_parameters!(Beckmann);
+
 impl Beckmann {
-    /// The density with the roughnesses `alpha_x` and `alpha_y`.
-    ///
-    /// # Errors
-    /// A roughness that is not finite, not positive or out of range; the error names it and its value.
-    #[inline]
-    pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RoughnessError> {
-        let [alpha_x, alpha_y] = roughness::check_both(alpha_x, alpha_y)?;
-        Ok(Self { alpha_x, alpha_y })
-    }
-
-    /// The isotropic density with the roughness `alpha`.
-    ///
-    /// # Errors
-    /// As [`Beckmann::new`]; the error names `alpha_x`.
-    #[inline]
-    pub fn isotropic(alpha: f32) -> Result<Self, RoughnessError> {
-        Self::new(alpha, alpha)
-    }
-
-    /// The density with each roughness moved to the nearest valid one; NaN becomes 1.
-    #[inline]
-    #[must_use]
-    pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
-        Self { alpha_x: roughness::clamp(alpha_x), alpha_y: roughness::clamp(alpha_y) }
-    }
-
-    /// The roughness along x.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_x(self) -> f32 {
-        self.alpha_x
-    }
-
-    /// The roughness along y.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_y(self) -> f32 {
-        self.alpha_y
+    /// The standard deviation of the slopes along `v`, times the length of `v` in the plane.
+    fn spread(self, v: Vec3) -> f64 {
+        let (x, y) = (f64::from(self.alpha.x) * f64::from(v.x), f64::from(self.alpha.y) * f64::from(v.y));
+        math::sqrt_f64(0.5 * (x * x + y * y))
     }
 }
 
 impl Ndf for Beckmann {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
-        let (x, y) = (m.x / (self.alpha_x * m.z), m.y / (self.alpha_y * m.z));
+        let (x, y) = (m.x / (self.alpha.x * m.z), m.y / (self.alpha.y * m.z));
         let falloff = math::exp(-(x * x + y * y));
         // At the horizon the exponential is 0 long before mz⁴ underflows; without the test it would be 0/0.
         if m.z > 0.0 && falloff > 0.0 {
             let z2 = m.z * m.z;
-            (falloff / (PI * self.alpha_x * self.alpha_y * z2 * z2)).min(f32::MAX)
+            (falloff / (PI * self.alpha.x * self.alpha.y * z2 * z2)).min(f32::MAX)
         } else {
             0.0
         }
@@ -98,7 +68,7 @@ impl Ndf for Beckmann {
     #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
         let z = bounded(z);
-        let (x, y) = (self.alpha_x * z.x * FRAC_1_SQRT_2, self.alpha_y * z.y * FRAC_1_SQRT_2);
+        let (x, y) = (self.alpha.x * z.x * FRAC_1_SQRT_2, self.alpha.y * z.y * FRAC_1_SQRT_2);
         let up = 1.0 / math::sqrt(x * x + y * y + 1.0);
         Vec3::new(x * up, y * up, up)
     }
@@ -106,14 +76,48 @@ impl Ndf for Beckmann {
     #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         let up = m.z.max(f32::MIN_POSITIVE);
-        let z = Vec2::new(m.x / (self.alpha_x * up), m.y / (self.alpha_y * up)) * SQRT_2;
+        let z = Vec2::new(m.x / (self.alpha.x * up), m.y / (self.alpha.y * up)) * SQRT_2;
         bounded(z)
+    }
+
+    #[inline]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        let u = unit_square(u);
+        let q = turn(u.y) * math::sqrt(-math::ln_1p(-u.x));
+        self.alpha.normal(q.x, q.y, 1.0)
+    }
+}
+
+impl Microfacet for Beckmann {
+    fn lambda(&self, v: Vec3) -> f32 {
+        // In f64, for Λ falls like exp(−z²/2).
+        let z = f64::from(v.z) / self.spread(v);
+        // At the zenith z is infinite and the excess 0.
+        if z > 0.0 { (excess(z) / z) as f32 } else { f32::INFINITY }
+    }
+
+    fn projected_area(&self, v: Vec3) -> f32 {
+        let v = above(v);
+        let (spread, up) = (self.spread(v), f64::from(v.z));
+        if spread > 0.0 { (up + spread * excess(up / spread)) as f32 } else { v.z }
+    }
+
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let (u, w) = (unit_square(u), self.alpha.stretch(v));
+        let lateral = math::sqrt(w.x * w.x + w.y * w.y);
+        // Along x if the view has no azimuth.
+        let (cos, sin) = if lateral > 0.0 { (w.x / lateral, w.y / lateral) } else { (1.0, 0.0) };
+        let z = core::f64::consts::SQRT_2 * f64::from(w.z) / f64::from(lateral);
+        let along = visible_slope(z, f64::from(u.x)) as f32 * FRAC_1_SQRT_2;
+        let across = quantile(u.y) * FRAC_1_SQRT_2;
+        self.alpha.normal(along * cos - across * sin, along * sin + across * cos, 1.0)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::roughness::{MAX_ALPHA, MIN_ALPHA};
 
     #[test]
     fn flat_normal_is_the_origin() {
@@ -125,7 +129,7 @@ mod tests {
     #[test]
     fn total_on_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
-        for alpha in [roughness::MIN_ALPHA, 1e-4, 1.0, roughness::MAX_ALPHA] {
+        for alpha in [MIN_ALPHA, 1e-4, 1.0, MAX_ALPHA] {
             let beckmann = Beckmann::isotropic(alpha).unwrap();
             for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                 let m = beckmann.from_gaussian(Vec2::new(x, y));

@@ -5,8 +5,10 @@ use core::f32::consts::{PI, SQRT_2};
 use glam::{Vec2, Vec3};
 
 use crate::math;
+use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
-use crate::roughness::{self, RoughnessError};
+use crate::roughness::{Roughness, roughness_parameters};
+use crate::turn::turn;
 
 /// The GGX normal density with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -35,59 +37,18 @@ use crate::roughness::{self, RoughnessError};
 /// `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ggx {
-    alpha_x: f32,
-    alpha_y: f32,
+    alpha: Roughness,
 }
 
-impl Ggx {
-    /// The density with the roughnesses `alpha_x` and `alpha_y`.
-    ///
-    /// # Errors
-    /// A roughness that is not finite, not positive or out of range; the error names it and its value.
-    #[inline]
-    pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RoughnessError> {
-        let [alpha_x, alpha_y] = roughness::check_both(alpha_x, alpha_y)?;
-        Ok(Self { alpha_x, alpha_y })
-    }
-
-    /// The isotropic density with the roughness `alpha`.
-    ///
-    /// # Errors
-    /// As [`Ggx::new`]; the error names `alpha_x`.
-    #[inline]
-    pub fn isotropic(alpha: f32) -> Result<Self, RoughnessError> {
-        Self::new(alpha, alpha)
-    }
-
-    /// The density with each roughness moved to the nearest valid one; NaN becomes 1.
-    #[inline]
-    #[must_use]
-    pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
-        Self { alpha_x: roughness::clamp(alpha_x), alpha_y: roughness::clamp(alpha_y) }
-    }
-
-    /// The roughness along x.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_x(self) -> f32 {
-        self.alpha_x
-    }
-
-    /// The roughness along y.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_y(self) -> f32 {
-        self.alpha_y
-    }
-}
+roughness_parameters!(Ggx);
 
 impl Ndf for Ggx {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
-        let (x, y) = (m.x / self.alpha_x, m.y / self.alpha_y);
+        let (x, y) = (m.x / self.alpha.x, m.y / self.alpha.y);
         let t = x * x + y * y + m.z * m.z;
         if m.z > 0.0 && t.is_finite() {
-            (1.0 / (PI * self.alpha_x * self.alpha_y * t * t)).min(f32::MAX)
+            (1.0 / (PI * self.alpha.x * self.alpha.y * t * t)).min(f32::MAX)
         } else {
             0.0
         }
@@ -99,7 +60,7 @@ impl Ndf for Ggx {
         let rho2 = z.x * z.x + z.y * z.y;
         // The formula times exp(−ρ²/4): expm1 overflows beyond ρ² = 177, this form does not.
         let scale = if rho2 < 1e-10 { 1.0 / SQRT_2 } else { math::sqrt(-math::exp_m1(-0.5 * rho2) / rho2) };
-        let (x, y) = (self.alpha_x * z.x * scale, self.alpha_y * z.y * scale);
+        let (x, y) = (self.alpha.x * z.x * scale, self.alpha.y * z.y * scale);
         let up = math::exp(-0.25 * rho2);
         let length = math::sqrt(x * x + y * y + up * up);
         Vec3::new(x / length, y / length, up / length)
@@ -107,7 +68,7 @@ impl Ndf for Ggx {
 
     #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        let (x, y) = (m.x / self.alpha_x, m.y / self.alpha_y);
+        let (x, y) = (m.x / self.alpha.x, m.y / self.alpha.y);
         let q = math::sqrt(x * x + y * y);
         let t = (q / m.z.max(f32::MIN_POSITIVE)).min(f32::MAX);
         // Beyond 10⁹ the 1 in ln(1 + t²) is below half an ulp, and beyond 10¹⁹ t² overflows.
@@ -116,11 +77,47 @@ impl Ndf for Ggx {
         // The flat normal and NaN are 0/0 here, which is read as 0.
         bounded(Vec2::new(x * per_length, y * per_length))
     }
+
+    #[inline]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        let u = unit_square(u);
+        let q = turn(u.y) * math::sqrt(u.x);
+        self.alpha.normal(q.x, q.y, math::sqrt(1.0 - u.x))
+    }
+}
+
+impl Microfacet for Ggx {
+    #[inline]
+    fn lambda(&self, v: Vec3) -> f32 {
+        let (x, y) = (self.alpha.x * v.x / v.z, self.alpha.y * v.y / v.z);
+        let t = x * x + y * y;
+        // (√(1 + t) − 1)/2 without the difference.
+        let lambda = 0.5 * t / (1.0 + math::sqrt(1.0 + t));
+        if v.z > 0.0 && lambda.is_finite() { lambda } else { f32::INFINITY }
+    }
+
+    #[inline]
+    fn projected_area(&self, v: Vec3) -> f32 {
+        let w = self.alpha.stretch(above(v));
+        0.5 * (w.z + math::sqrt(w.x * w.x + w.y * w.y + w.z * w.z))
+    }
+
+    #[inline]
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let u = unit_square(u);
+        let w = self.alpha.stretch(v).try_normalize().unwrap_or(Vec3::Z);
+        // The cap of directions c with c.z ≥ −w.z, uniform: c.z = (1 − u₂)(1 + w.z) − w.z, in forms that keep sin θ.
+        let (below, above) = (u.y * (1.0 + w.z), (1.0 - u.y) * (1.0 + w.z));
+        let sin = math::sqrt(below * (2.0 - below).max(0.0));
+        let c = turn(u.x) * sin;
+        self.alpha.normal(c.x + w.x, c.y + w.y, above)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::roughness::{MAX_ALPHA, MIN_ALPHA};
 
     #[test]
     fn flat_normal_is_the_origin() {
@@ -147,7 +144,7 @@ mod tests {
     #[test]
     fn total_on_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
-        for alpha in [roughness::MIN_ALPHA, 1e-4, 1.0, roughness::MAX_ALPHA] {
+        for alpha in [MIN_ALPHA, 1e-4, 1.0, MAX_ALPHA] {
             let ggx = Ggx::isotropic(alpha).unwrap();
             for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                 let m = ggx.from_gaussian(Vec2::new(x, y));

@@ -22,7 +22,8 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Ndf`] | the trait: `D(m)`, `T(z)`, `T⁻¹(m)` |
+//! | [`Ndf`] | the trait: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling by uniform numbers |
+//! | [`Microfacet`] | the trait of Smith's Λ, G₁, G₂ and of visible normals |
 //! | [`Ggx`], [`Beckmann`] | isotropic and anisotropic, in closed form for every roughness |
 //! | [`NdfMap`], [`Measure`] | a density painted or computed on the hemispherical map, sampled exactly |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
@@ -44,7 +45,7 @@
 //!
 //! # What it does not do
 //!
-//! No noise, no images, no masking and shadowing, no sampling of visible normals. Numbers come in as arguments.
+//! No noise, no images, no reflection. Numbers come in as arguments.
 //!
 //! # Features
 //!
@@ -77,6 +78,7 @@ mod map;
 #[cfg(feature = "alloc")]
 mod marginal;
 mod math;
+mod microfacet;
 mod ndf;
 #[cfg(feature = "alloc")]
 mod normal_table;
@@ -86,6 +88,8 @@ mod roughness;
 mod slab;
 #[cfg(feature = "alloc")]
 mod sum;
+mod turn;
+mod visible_gaussian;
 
 pub use beckmann::Beckmann;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
@@ -97,6 +101,7 @@ pub use glam;
 pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
 #[cfg(feature = "alloc")]
 pub use marginal::Cdf;
+pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 #[cfg(feature = "alloc")]
 pub use normal_table::{NormalTable, NormalTableError};

@@ -2,6 +2,10 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::gaussian::inverse_phi;
+use crate::math;
+use crate::microfacet::unit_square;
+
 /// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///
 /// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
@@ -49,6 +53,38 @@ pub trait Ndf {
     /// `T⁻¹(m)`: the Gaussian coordinates of the normal `m`.
     #[must_use]
     fn to_gaussian(&self, m: Vec3) -> Vec2;
+
+    /// The density of slopes `(m_x, m_y)/m_z`: `P(s) = D(m) m_z⁴` with `m = (s, 1)/√(1 + |s|²)`, `∫ P ds = 1`.
+    ///
+    /// 0 for a slope whose normal is at the horizon in `f32`, and for NaN.
+    #[inline]
+    #[must_use]
+    fn slope_density(&self, slope: Vec2) -> f32 {
+        let up = 1.0 / math::sqrt(slope.x * slope.x + slope.y * slope.y + 1.0);
+        let (m, up2) = (Vec3::new(slope.x * up, slope.y * up, up), up * up);
+        let density = self.density(m) * up2 * up2;
+        if density >= 0.0 { density } else { 0.0 }
+    }
+
+    /// A normal with the density `D` over the macro surface, [`sample_density`](Self::sample_density) over solid angle, for a
+    /// uniform `u` in `[0, 1)²`.
+    ///
+    /// `T(Φ⁻¹(u))` unless the density has a cheaper map, which it then documents. Numbers outside the square are moved to
+    /// it, and a NaN is read as 0.
+    #[inline]
+    #[must_use]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        let z = unit_square(u).to_array().map(|u| inverse_phi(f64::from(u)) as f32);
+        self.from_gaussian(Vec2::from(z))
+    }
+
+    /// `D(m) m_z`: the density of [`sample`](Self::sample) over solid angle, in sr⁻¹.
+    #[inline]
+    #[must_use]
+    fn sample_density(&self, m: Vec3) -> f32 {
+        // Below the horizon and for NaN the density is 0, and `max` takes the number.
+        self.density(m) * m.z.max(0.0)
+    }
 }
 
 impl<N: Ndf + ?Sized> Ndf for &N {
@@ -65,6 +101,21 @@ impl<N: Ndf + ?Sized> Ndf for &N {
     #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         (**self).to_gaussian(m)
+    }
+
+    #[inline]
+    fn slope_density(&self, slope: Vec2) -> f32 {
+        (**self).slope_density(slope)
+    }
+
+    #[inline]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        (**self).sample(u)
+    }
+
+    #[inline]
+    fn sample_density(&self, m: Vec3) -> f32 {
+        (**self).sample_density(m)
     }
 }
 

@@ -2,6 +2,10 @@
 
 use core::fmt;
 
+use glam::Vec3;
+
+use crate::math;
+
 /// The smallest roughness: below it `1/(π α²)` and its products leave the range of `f32`.
 pub const MIN_ALPHA: f32 = 1e-6;
 
@@ -62,13 +66,89 @@ fn check(parameter: &'static str, value: f32) -> Result<f32, RoughnessError> {
     }
 }
 
-/// Both roughnesses, checked.
-pub(crate) fn check_both(alpha_x: f32, alpha_y: f32) -> Result<[f32; 2], RoughnessError> {
-    Ok([check("alpha_x", alpha_x)?, check("alpha_y", alpha_y)?])
+/// Both roughnesses of a density, checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Roughness {
+    /// Along x.
+    pub(crate) x: f32,
+    /// Along y.
+    pub(crate) y: f32,
 }
 
+impl Roughness {
+    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RoughnessError> {
+        Ok(Self { x: check("alpha_x", alpha_x)?, y: check("alpha_y", alpha_y)? })
+    }
+
+    pub(crate) fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
+        Self { x: clamp(alpha_x), y: clamp(alpha_y) }
+    }
+
+    /// `v` in the space where the roughnesses are 1; its z is at least 0, and a NaN is read as 0.
+    #[inline]
+    pub(crate) fn stretch(self, v: Vec3) -> Vec3 {
+        let number = |c: f32| if c.is_nan() { 0.0 } else { c };
+        Vec3::new(self.x * number(v.x), self.y * number(v.y), v.z.max(0.0))
+    }
+
+    /// The normal whose slope in the stretched space is `(x, y)/z`, for `z > 0`.
+    #[inline]
+    pub(crate) fn normal(self, x: f32, y: f32, z: f32) -> Vec3 {
+        let (x, y) = (self.x * x, self.y * y);
+        let length = math::sqrt(x * x + y * y + z * z);
+        Vec3::new(x / length, y / length, z / length)
+    }
+}
+
+/// The constructors and accessors of a density whose only parameters are `alpha: Roughness`.
+macro_rules! roughness_parameters {
+    ($density:ident) => {
+        impl $density {
+            /// The density with the roughnesses `alpha_x` and `alpha_y`.
+            ///
+            /// # Errors
+            /// A roughness that is not finite, not positive or out of range; the error names it and its value.
+            #[inline]
+            pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::roughness::RoughnessError> {
+                $crate::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
+            }
+
+            /// The isotropic density with the roughness `alpha`.
+            ///
+            /// # Errors
+            /// As [`Self::new`]; the error names `alpha_x`.
+            #[inline]
+            pub fn isotropic(alpha: f32) -> Result<Self, $crate::roughness::RoughnessError> {
+                Self::new(alpha, alpha)
+            }
+
+            /// The density with each roughness moved to the nearest valid one; NaN becomes 1.
+            #[inline]
+            #[must_use]
+            pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
+                Self { alpha: $crate::roughness::Roughness::clamped(alpha_x, alpha_y) }
+            }
+
+            /// The roughness along x.
+            #[inline]
+            #[must_use]
+            pub const fn alpha_x(self) -> f32 {
+                self.alpha.x
+            }
+
+            /// The roughness along y.
+            #[inline]
+            #[must_use]
+            pub const fn alpha_y(self) -> f32 {
+                self.alpha.y
+            }
+        }
+    };
+}
+pub(crate) use roughness_parameters;
+
 /// The nearest valid roughness; NaN becomes 1, dull rather than a mirror.
-pub(crate) fn clamp(value: f32) -> f32 {
+fn clamp(value: f32) -> f32 {
     if value.is_nan() { 1.0 } else { value.clamp(MIN_ALPHA, MAX_ALPHA) }
 }
 
@@ -87,9 +167,9 @@ mod tests {
             (0.5, -0.25, "alpha_y must be positive, got -0.25"),
             (1e-7, 0.5, "alpha_x must be between 1e-6 and 1e6, got 1e-7"),
         ] {
-            assert_eq!(check_both(x, y).unwrap_err().to_string(), text);
+            assert_eq!(Roughness::new(x, y).unwrap_err().to_string(), text);
         }
-        assert_eq!(check_both(MIN_ALPHA, MAX_ALPHA), Ok([MIN_ALPHA, MAX_ALPHA]));
+        assert_eq!(Roughness::new(MIN_ALPHA, MAX_ALPHA), Ok(Roughness { x: MIN_ALPHA, y: MAX_ALPHA }));
     }
 
     #[test]

@@ -1,0 +1,146 @@
+//! The trait of densities whose masking by Smith and visible normals are known.
+
+use glam::{Vec2, Vec3};
+
+use crate::ndf::Ndf;
+
+/// A density of normals with Smith's masking function and its visible normals.
+///
+/// ```text
+/// σ(v) = ∫ D(m) max(0, v·m) dω = v_z (1 + Λ(v))          the projected area of the facets, per macro area
+/// D_v(m) = D(m) max(0, v·m) / σ(v)                       the density of visible normals, ∫ D_v dω = 1
+/// G₁ = 1/(1 + Λ(v)),   G₂ = 1/(1 + Λ(v) + Λ(w))          masking, masking and shadowing of the same heights
+/// ```
+///
+/// - **Directions:** unit vectors `v`, `w` away from the surface, in the frame of the normals.
+/// - **Views from below:** where `v.z ≤ 0`, and for NaN, `Λ` is ∞, so that `G₁` and `G₂` are 0. The projected area, the density of
+///   visible normals and their samples read such a view as the view from the horizon below which it lies, where they stay
+///   finite; a NaN coordinate is read as 0, and what has no direction is read as the zenith.
+/// - **Backfaces:** `G₁` and `G₂` do not know the normal `m`; a facet with `v·m ≤ 0` is for the caller to leave out.
+/// - The trait is dyn-compatible, and a reference to an implementation is one.
+///
+/// ```
+/// use asperity_ndf_sampling::{Ggx, Microfacet, Ndf, glam::{Vec2, Vec3}};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let v = Vec3::new(0.6, 0.0, 0.8);
+/// let m = ggx.sample_visible(v, Vec2::new(0.3, 0.8));
+/// assert!(v.dot(m) > 0.0 && ggx.visible_density(v, m) > 0.0);
+/// assert!((ggx.projected_area(v) - v.z / ggx.g1(v)).abs() < 1e-6);
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+///
+/// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 43 (G₁), 83 (D_v) and
+/// 99 (G₂); <https://jcgt.org/published/0003/02/03/>.
+pub trait Microfacet: Ndf {
+    /// Smith's `Λ(v)`: the hidden per visible projected area of the facets, in `[0, ∞]`.
+    #[must_use]
+    fn lambda(&self, v: Vec3) -> f32;
+
+    /// `σ(v)`: the area of the facets seen from `v`, projected, per area of the macro surface.
+    #[must_use]
+    fn projected_area(&self, v: Vec3) -> f32;
+
+    /// A normal with the density [`visible_density`](Self::visible_density) over solid angle, for a uniform `u` in `[0, 1)²`.
+    #[must_use]
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3;
+
+    /// `D_v(m) = D(m) max(0, v·m)/σ(v)`: the density of visible normals, in sr⁻¹.
+    #[inline]
+    #[must_use]
+    fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
+        let v = above(v);
+        let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
+        if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
+    }
+
+    /// `G₁(v)`: the visible share of the facets that face `v`, in `[0, 1]`.
+    #[inline]
+    #[must_use]
+    fn g1(&self, v: Vec3) -> f32 {
+        1.0 / (1.0 + self.lambda(v))
+    }
+
+    /// `G₂(v, w)`: the share of the facets visible from both, by their heights, in `[0, 1]`.
+    #[inline]
+    #[must_use]
+    fn g2(&self, v: Vec3, w: Vec3) -> f32 {
+        1.0 / (1.0 + self.lambda(v) + self.lambda(w))
+    }
+
+    /// `G₁(v) G₁(w)`: the share of the facets visible from both, were they independent; never more than [`g2`](Self::g2).
+    #[inline]
+    #[must_use]
+    fn g2_separable(&self, v: Vec3, w: Vec3) -> f32 {
+        self.g1(v) * self.g1(w)
+    }
+}
+
+impl<N: Microfacet + ?Sized> Microfacet for &N {
+    #[inline]
+    fn lambda(&self, v: Vec3) -> f32 {
+        (**self).lambda(v)
+    }
+
+    #[inline]
+    fn projected_area(&self, v: Vec3) -> f32 {
+        (**self).projected_area(v)
+    }
+
+    #[inline]
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        (**self).sample_visible(v, u)
+    }
+
+    #[inline]
+    fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
+        (**self).visible_density(v, m)
+    }
+}
+
+/// `v`, or the direction of the horizon below which it lies, or the zenith if it has none.
+#[inline]
+pub(crate) fn above(v: Vec3) -> Vec3 {
+    if v.z > 0.0 && v.is_finite() {
+        return v;
+    }
+    let number = |c: f32| if c.is_nan() { 0.0 } else { c };
+    Vec3::new(number(v.x), number(v.y), v.z.max(0.0)).try_normalize().unwrap_or(Vec3::Z)
+}
+
+/// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
+#[inline]
+pub(crate) fn unit_square(u: Vec2) -> Vec2 {
+    let bound = |c: f32| if c > 0.0 { c.min(1.0 - 0.5 * f32::EPSILON) } else { 0.0 };
+    Vec2::new(bound(u.x), bound(u.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beckmann, Ggx};
+
+    #[test]
+    fn views_are_moved_above_the_horizon() {
+        assert_eq!(above(Vec3::new(0.6, 0.0, 0.8)), Vec3::new(0.6, 0.0, 0.8));
+        assert_eq!(above(Vec3::new(0.0, -0.6, -0.8)), Vec3::NEG_Y);
+        for v in [Vec3::NAN, Vec3::NEG_Z, Vec3::ZERO, Vec3::splat(f32::INFINITY)] {
+            assert_eq!(above(v), Vec3::Z, "{v}");
+        }
+        assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
+    }
+
+    #[test]
+    fn shadowing_vanishes_from_below_and_not_from_above() {
+        let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.2, 0.4).unwrap());
+        for ndf in [&ggx as &dyn Microfacet, &beckmann] {
+            let (v, w) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.9, 0.3, 0.3).normalize());
+            assert!(ndf.g2(v, w) >= ndf.g2_separable(v, w) && ndf.g2(v, w) <= ndf.g1(v).min(ndf.g1(w)));
+            assert_eq!(ndf.g1(Vec3::Z), 1.0);
+            for below in [Vec3::X, Vec3::NEG_Z, -v, Vec3::NAN] {
+                assert_eq!((ndf.g1(below), ndf.g2(v, below)), (0.0, 0.0), "{below}");
+                assert!(ndf.projected_area(below) > 0.0 && ndf.projected_area(below).is_finite(), "{below}");
+            }
+        }
+    }
+}
