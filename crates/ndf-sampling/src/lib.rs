@@ -66,13 +66,17 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
+mod batch;
 mod beckmann;
 mod conditional;
 #[cfg(feature = "alloc")]
 mod disk;
+mod elementary;
 mod frame;
 mod gaussian;
 mod ggx;
+mod kernels;
+mod lanes;
 #[cfg(feature = "alloc")]
 mod map;
 #[cfg(feature = "alloc")]
@@ -90,13 +94,17 @@ mod slab;
 mod sum;
 mod turn;
 mod visible_gaussian;
+#[cfg(feature = "simd")]
+mod wide;
 
+pub use batch::{Batch, BatchError};
 pub use beckmann::Beckmann;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
 pub use frame::Frame;
 pub use gaussian::{inverse_phi, phi};
 pub use ggx::Ggx;
 pub use glam;
+pub use kernels::InLanes;
 #[cfg(feature = "alloc")]
 pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
 #[cfg(feature = "alloc")]

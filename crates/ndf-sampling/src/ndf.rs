@@ -9,7 +9,7 @@ use crate::microfacet::unit_square;
 /// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///
 /// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
-const FARTHEST: f32 = 13.0;
+pub(crate) const FARTHEST: f32 = 13.0;
 
 /// A normal density function together with a bijection from Gaussian coordinates to its normals.
 ///
