@@ -1,14 +1,22 @@
 //! Densities from the outside: `ggx:0.2,0.4`, `beckmann:0.3`, `painted`, or an image file.
 
-use std::{fs, io::Cursor, path::Path};
+use std::path::Path;
 
 use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, glam::Vec3};
-use exr::prelude::{ReadChannels, ReadLayers};
 
-use crate::{cli, figure::Failure, output::sha256, scene::material::SharedNdf};
+use crate::{
+    cli,
+    figure::Failure,
+    image_file::{ImageFile, ImageFileError},
+    output::sha256,
+    scene::material::SharedNdf,
+};
 
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;
+
+/// What a specification is when it is no file.
+const FORMS: &str = "neither `ggx:…`, `beckmann:…` nor `painted`";
 
 /// A density of normals with the words that asked for it.
 pub(crate) struct Density {
@@ -20,13 +28,6 @@ enum Form {
     Ggx(Ggx),
     Beckmann(Beckmann),
     Map(Box<NdfMap>),
-}
-
-/// Grey values of an image file, from its top left.
-struct Grey {
-    width: usize,
-    height: usize,
-    values: Vec<f32>,
 }
 
 impl Density {
@@ -123,75 +124,25 @@ fn roughness(numbers: &str) -> Result<[f32; 2], String> {
 }
 
 fn image_density(path: &Path, measure: cli::Measure) -> Result<NdfMap, Failure> {
-    let bytes = fs::read(path).map_err(|error| {
-        format!(
-            "neither `ggx:…`, `beckmann:…` nor `painted`, and as an image file it cannot be read: {error}"
-        )
+    let image = ImageFile::open(path).map_err(|error| match error {
+        ImageFileError::Unreadable(error) => {
+            format!("{FORMS}, and as an image file it cannot be read: {error}")
+        }
+        error => error.to_string(),
     })?;
-    let grey = if bytes.starts_with(b"\x89PNG") {
-        png(&bytes)?
-    } else if bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
-        open_exr(bytes)?
-    } else if bytes.is_empty() {
-        return Err("the file is empty".into());
-    } else {
-        return Err("the file is neither PNG nor OpenEXR".into());
-    };
     // An image's first row is its top, a map's first row has n_y = −1.
-    let turned: Vec<f32> = grey.values.chunks(grey.width.max(1)).rev().flatten().copied().collect();
+    let turned: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
     let measure = match measure {
         cli::Measure::Normals => Measure::Normals,
         cli::Measure::SolidAngle => Measure::SolidAngle,
     };
-    Ok(NdfMap::from_texels(grey.width, grey.height, &turned, measure)?)
-}
-
-/// The samples as they stand, without transfer curve: a density is data. Colours are averaged.
-fn png(bytes: &[u8]) -> Result<Grey, Failure> {
-    let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info()?;
-    let length = reader.output_buffer_size().ok_or("the image is too large")?;
-    let mut samples = vec![0; length];
-    let info = reader.next_frame(&mut samples)?;
-    let channels = info.color_type.samples();
-    let colours = if channels > 2 { 3 } else { 1 };
-    let wide = info.bit_depth == png::BitDepth::Sixteen;
-    let (step, top) = if wide { (2, 65_535.0) } else { (1, 255.0) };
-    let value = |sample: &[u8]| sample.iter().fold(0_u32, |v, &byte| v << 8 | u32::from(byte)) as f32 / top;
-    let grey = |pixel: &[u8]| pixel.chunks(step).take(colours).map(value).sum::<f32>() / colours as f32;
-    let pixels = info.buffer_size() / (channels * step);
-    let values = samples.chunks(channels * step).take(pixels).map(grey).collect();
-    Ok(Grey { width: info.width as usize, height: info.height as usize, values })
-}
-
-/// The mean of all channels but alpha of the first layer.
-fn open_exr(bytes: Vec<u8>) -> Result<Grey, Failure> {
-    let image = exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))?;
-    let layer = image.layer_data;
-    let colours: Vec<Vec<f32>> = layer
-        .channel_data
-        .list
-        .iter()
-        .filter(|channel| !channel.name.eq_case_insensitive("a"))
-        .map(|channel| channel.sample_data.values_as_f32().collect())
-        .collect();
-    let first = colours.first().ok_or("the image has no channel but alpha")?;
-    let mean = |i: usize| colours.iter().filter_map(|c| c.get(i)).sum::<f32>() / colours.len() as f32;
-    let values = (0..first.len()).map(mean).collect();
-    Ok(Grey { width: layer.size.0, height: layer.size.1, values })
+    Ok(NdfMap::from_texels(image.width, image.height, &turned, measure)?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     fn refused(text: &str) -> String {
         let error = Density::parse(text, cli::Measure::Normals).err().expect("must be refused").to_string();

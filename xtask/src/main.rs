@@ -9,6 +9,7 @@ mod figure;
 mod figures;
 mod gallery;
 mod image;
+mod image_file;
 mod no_std;
 mod output;
 mod page;

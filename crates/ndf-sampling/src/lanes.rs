@@ -8,6 +8,7 @@ use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Sub};
 use crate::math;
 
 /// The most lanes there are.
+#[cfg(feature = "simd")]
 pub(crate) const MOST: usize = 16;
 
 /// Floats in lanes.

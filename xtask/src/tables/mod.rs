@@ -2,7 +2,7 @@
 
 mod density;
 mod fif;
-mod formats;
+pub(crate) mod formats;
 mod noise;
 mod noise_cdf;
 mod noise_levels;
