@@ -2,7 +2,7 @@
 
 use core::{error::Error, fmt};
 
-use crate::kernels::{Coordinates, Density, InLanes, Kernel, Normal, Sample};
+use crate::kernels::{Coordinates, Density, InLanes, Kernel, Normal, Sample, Visible};
 use crate::lanes::{Lanes, Scalar};
 
 /// Evaluates closed-form densities at many places at once; every array holds one component.
@@ -97,6 +97,23 @@ impl Batch {
         self.run(&Sample(ndf), u, m)
     }
 
+    /// Visible normals for the views `v` and the uniform numbers `u`, one view for each.
+    ///
+    /// Views as in [`Microfacet::sample_visible`](crate::Microfacet::sample_visible), of any length up to 10¹². For
+    /// [`Beckmann`](crate::Beckmann) the share of slopes below the sample is `u` within 2e-6.
+    ///
+    /// # Errors
+    /// Arrays of different lengths; nothing is written then.
+    pub fn sample_visible<N: InLanes>(
+        self,
+        ndf: &N,
+        v: [&[f32]; 3],
+        u: [&[f32]; 2],
+        m: [&mut [f32]; 3],
+    ) -> Result<(), BatchError> {
+        self.run(&Visible(ndf), [v[0], v[1], v[2], u[0], u[1]], m)
+    }
+
     fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
         self,
         kernel: &K,
@@ -113,7 +130,7 @@ impl Batch {
         match self.wide {
             #[cfg(feature = "simd")]
             Some(level) => {
-                fearless_simd::dispatch!(level, simd => fill(crate::wide::Wide(simd), kernel, inputs, outputs));
+                fearless_simd::dispatch!(level, simd => fill(crate::twice::Twice(crate::wide::Wide(simd)), kernel, inputs, outputs));
             }
             #[cfg(not(feature = "simd"))]
             Some(never) => match never {},

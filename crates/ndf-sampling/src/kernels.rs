@@ -3,6 +3,7 @@
 use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use crate::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
+use crate::gaussian_lanes::{LEAST_U, inverse_phi, visible_slope};
 use crate::lanes::Lanes;
 use crate::ndf::{FARTHEST, Ndf};
 use crate::{Beckmann, Ggx};
@@ -22,6 +23,8 @@ pub trait ClosedForm {
     fn density_in_lanes<S: Lanes>(&self, s: S, m: [S::F; 3]) -> S::F;
     /// The polar map of uniform numbers.
     fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
+    /// A visible normal for `[v_x, v_y, v_z, u₁, u₂]`.
+    fn visible<S: Lanes>(&self, s: S, view: [S::F; 5]) -> [S::F; 3];
 }
 
 /// A function of `I` numbers to `O`, in lanes.
@@ -37,6 +40,8 @@ pub(crate) struct Coordinates<'a, N>(pub(crate) &'a N);
 pub(crate) struct Density<'a, N>(pub(crate) &'a N);
 /// The polar map.
 pub(crate) struct Sample<'a, N>(pub(crate) &'a N);
+/// Visible normals.
+pub(crate) struct Visible<'a, N>(pub(crate) &'a N);
 
 impl<N: ClosedForm> Kernel<2, 3> for Normal<'_, N> {
     #[inline(always)]
@@ -64,6 +69,32 @@ impl<N: ClosedForm> Kernel<2, 3> for Sample<'_, N> {
     fn apply<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
         self.0.polar(s, u)
     }
+}
+
+impl<N: ClosedForm> Kernel<5, 3> for Visible<'_, N> {
+    #[inline(always)]
+    fn apply<S: Lanes>(&self, s: S, view: [S::F; 5]) -> [S::F; 3] {
+        self.0.visible(s, view)
+    }
+}
+
+/// `v` in the space where the roughnesses are 1, z at least 0, NaN read as 0; unit where it has a direction.
+#[inline(always)]
+fn stretched<S: Lanes>(s: S, [alpha_x, alpha_y]: [f32; 2], [x, y, z]: [S::F; 3]) -> [S::F; 3] {
+    /// Far above the length of a unit vector; its square times that of a roughness is finite.
+    const LONGEST: f32 = 1e12;
+    let x = s.bounded(x, LONGEST) * s.float(alpha_x);
+    let y = s.bounded(y, LONGEST) * s.float(alpha_y);
+    let z = s.at_most(s.at_least(z, 0.0), LONGEST);
+    let length2 = (x * x + y * y) + z * z;
+    let scale = s.float(1.0) / s.sqrt(length2);
+    let directed = s.less(s.float(1e-37), length2);
+    let zero = s.float(0.0);
+    [
+        s.select(directed, x * scale, zero),
+        s.select(directed, y * scale, zero),
+        s.select(directed, z * scale, s.float(1.0)),
+    ]
 }
 
 /// `(x, y, z)/|(x, y, z)|`.
@@ -116,6 +147,22 @@ impl ClosedForm for Beckmann {
         let (x, y) = (slope * cos * s.float(self.alpha_x()), slope * sin * s.float(self.alpha_y()));
         unit(s, [x, y, s.float(1.0)])
     }
+
+    #[inline(always)]
+    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, [u1, u2]);
+        let [x, y, z] = stretched(s, [self.alpha_x(), self.alpha_y()], [x, y, z]);
+        let lateral = s.sqrt(x * x + y * y);
+        let per_lateral = s.float(1.0) / lateral;
+        let aside = s.less(s.float(0.0), lateral);
+        let cos = s.select(aside, x * per_lateral, s.float(1.0));
+        let sin = s.select(aside, y * per_lateral, s.float(0.0));
+        let along = visible_slope(s, z * per_lateral * s.float(SQRT_2), u1);
+        let across = inverse_phi(s, s.at_least(u2, LEAST_U));
+        let x = (along * cos - across * sin) * s.float(self.alpha_x() * FRAC_1_SQRT_2);
+        let y = (along * sin + across * cos) * s.float(self.alpha_y() * FRAC_1_SQRT_2);
+        unit(s, [x, y, s.float(1.0)])
+    }
 }
 
 impl ClosedForm for Ggx {
@@ -162,5 +209,19 @@ impl ClosedForm for Ggx {
         let [cos, sin] = cos_sin_turns(s, u2);
         let (x, y) = (slope * cos * s.float(self.alpha_x()), slope * sin * s.float(self.alpha_y()));
         unit(s, [x, y, s.sqrt(s.float(1.0) - u1)])
+    }
+
+    #[inline(always)]
+    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, [u1, u2]);
+        let [x, y, z] = stretched(s, [self.alpha_x(), self.alpha_y()], [x, y, z]);
+        // The cap of `Ggx::sample_visible`.
+        let one = s.float(1.0);
+        let below = u2 * (one + z);
+        let sin = s.sqrt(below * s.at_least(s.float(2.0) - below, 0.0));
+        let [cos_phi, sin_phi] = cos_sin_turns(s, u1);
+        let x = (sin * cos_phi + x) * s.float(self.alpha_x());
+        let y = (sin * sin_phi + y) * s.float(self.alpha_y());
+        unit(s, [x, y, (one - u2) * (one + z)])
     }
 }

@@ -74,6 +74,7 @@ mod disk;
 mod elementary;
 mod frame;
 mod gaussian;
+mod gaussian_lanes;
 mod ggx;
 mod kernels;
 mod lanes;
@@ -93,6 +94,8 @@ mod slab;
 #[cfg(feature = "alloc")]
 mod sum;
 mod turn;
+#[cfg(feature = "simd")]
+mod twice;
 mod visible_gaussian;
 #[cfg(feature = "simd")]
 mod wide;
