@@ -4,9 +4,10 @@ use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, conditional_density, inverse_phi, phi,
+    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef, Spacing, TableLayout,
+    conditional_density, inverse_phi, phi,
 };
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// Gaussian coordinates without a pattern that a branch predictor could learn.
 fn coordinates() -> Vec<Vec2> {
@@ -57,6 +58,37 @@ fn look_ups(c: &mut Criterion) {
     each(c, "inverse_phi", &uniforms, inverse_phi);
 }
 
+/// Fills arrays of normals from arrays of coordinates.
+type LookUp<'a> = dyn Fn([&[f32]; 2], [&mut [f32]; 3]) + 'a;
+
+/// The elements per second are normals per second; 10⁸ are asked for.
+fn look_ups_of_many(c: &mut Criterion) {
+    let coordinates = coordinates();
+    let (z1, z2): (Vec<f32>, Vec<f32>) = coordinates.iter().map(|z| (z.x, z.y)).unzip();
+    let mut normals = [(); 3].map(|()| vec![0.0; coordinates.len()]);
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let table = NormalTable::standard(&ggx);
+    let layout = TableLayout { spacing: Spacing::Warped, ..TableLayout::default() };
+    let warped = NormalTable::with_layout(&ggx, 256, layout).expect("size in range");
+    let halves = table.halves();
+    let halves = NormalTableRef::new(256, table.layout(), &halves).expect("size in range");
+    let mut group = c.benchmark_group("normals_of_many");
+    group.throughput(Throughput::Elements(coordinates.len() as u64));
+    let mut bench = |name: &str, look_up: &LookUp<'_>| {
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let [x, y, z] = &mut normals;
+                look_up(black_box([&z1, &z2]), [x, y, z]);
+            });
+        });
+    };
+    bench("nearest", &|z, n| table.view().nearest_normals(z, n));
+    bench("bilinear", &|z, n| table.view().bilinear_normals(z, n));
+    bench("bilinear/warped", &|z, n| warped.view().bilinear_normals(z, n));
+    bench("bilinear/half", &|z, n| halves.bilinear_normals(z, n));
+    group.finish();
+}
+
 fn construction(c: &mut Criterion) {
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let mut group = c.benchmark_group("build");
@@ -66,5 +98,5 @@ fn construction(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, maps, look_ups, construction);
+criterion_group!(benches, maps, look_ups, look_ups_of_many, construction);
 criterion_main!(benches);

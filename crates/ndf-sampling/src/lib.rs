@@ -29,7 +29,10 @@
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
 //! | [`NoiseCdf`] | G: the measured distribution of a noise, to uniform and Gaussian numbers and back |
-//! | [`NormalTable`] | table L: tangent frames by look-up |
+//! | [`NormalTable`], [`NormalTableRef`] | table L: tangent frames by look-up, owned and borrowed |
+//! | [`TableLayout`], [`Spacing`], [`Chart`], [`TableEntry`] | how it is indexed and what its entries are |
+//! | [`TableAccuracy`], [`Deviation`] | what its look-ups lose |
+//! | [`to_half`], [`from_half`], [`unpack_frame`] | half floats for textures |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
 //! | [`conditional_density`], [`GaussianSplit`] | exact level of detail |
 //!
@@ -53,7 +56,7 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
-//! | `alloc` (default) | [`NdfMap`], [`Cdf`] and [`NormalTable`], which own their tables |
+//! | `alloc` (default) | [`NdfMap`], [`Cdf`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
 
@@ -68,6 +71,7 @@ compile_error!("asperity-ndf-sampling needs a float backend: enable the feature 
 
 mod batch;
 mod beckmann;
+mod chart;
 mod conditional;
 #[cfg(feature = "alloc")]
 mod disk;
@@ -76,6 +80,7 @@ mod frame;
 mod gaussian;
 mod gaussian_lanes;
 mod ggx;
+mod half;
 mod kernels;
 mod lanes;
 #[cfg(feature = "alloc")]
@@ -87,12 +92,18 @@ mod microfacet;
 mod ndf;
 #[cfg(feature = "alloc")]
 mod normal_table;
+mod normal_table_ref;
 mod remap;
 mod roughness;
 #[cfg(feature = "alloc")]
 mod slab;
+mod spacing;
 #[cfg(feature = "alloc")]
 mod sum;
+#[cfg(feature = "alloc")]
+mod table_accuracy;
+mod table_batch;
+mod table_layout;
 mod turn;
 #[cfg(feature = "simd")]
 mod twice;
@@ -102,11 +113,13 @@ mod wide;
 
 pub use batch::{Batch, BatchError};
 pub use beckmann::Beckmann;
+pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
 pub use frame::Frame;
 pub use gaussian::{inverse_phi, phi};
 pub use ggx::Ggx;
 pub use glam;
+pub use half::{MAX_HALF, from_half, to_half};
 pub use kernels::InLanes;
 #[cfg(feature = "alloc")]
 pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
@@ -115,6 +128,11 @@ pub use marginal::Cdf;
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 #[cfg(feature = "alloc")]
-pub use normal_table::{NormalTable, NormalTableError};
+pub use normal_table::NormalTable;
+pub use normal_table_ref::{NormalTableError, NormalTableRef};
 pub use remap::{NoiseCdf, NoiseCdfError};
 pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
+pub use spacing::Spacing;
+#[cfg(feature = "alloc")]
+pub use table_accuracy::{Deviation, TableAccuracy};
+pub use table_layout::{TableEntry, TableLayout, unpack_frame};

@@ -1,0 +1,103 @@
+//! IEEE 754 binary16, the half floats of textures: conversion from `f32` and back.
+
+/// The largest finite half float.
+pub const MAX_HALF: f32 = 65504.0;
+
+/// The half float nearest to `x`, ties to even, as its bits.
+///
+/// Values from 65520 on become infinite, those below 2⁻²⁵ zero, with their signs; NaN becomes a quiet NaN. Between 2⁻¹⁴ and
+/// [`MAX_HALF`] the relative error is at most 2⁻¹¹, below that the absolute error at most 2⁻²⁵.
+///
+/// ```
+/// use asperity_ndf_sampling::{from_half, to_half};
+///
+/// assert_eq!(to_half(1.0), 0x3C00);
+/// assert_eq!(from_half(to_half(-0.333_333_34)), -0.333_251_95);
+/// ```
+///
+/// IEEE 754-2019, sections 3.4, 4.3.1 and 5.4.2.
+#[inline]
+#[must_use]
+pub const fn to_half(x: f32) -> u16 {
+    let bits = x.to_bits();
+    let sign = ((bits >> 16) & 0x8000) as u16;
+    let magnitude = bits & 0x7FFF_FFFF;
+    if magnitude > 0x7F80_0000 {
+        return sign | 0x7E00;
+    }
+    // 65520, half way between the largest half and what would be the next.
+    if magnitude >= 0x477F_F000 {
+        return sign | 0x7C00;
+    }
+    // 2⁻¹⁴, the least normal half: the exponent's bias changes from 127 to 15.
+    if magnitude >= 0x3880_0000 {
+        return sign | nearest_even(magnitude - 0x3800_0000, 13) as u16;
+    }
+    // 2⁻²⁵, half of the least subnormal.
+    if magnitude < 0x3300_0000 {
+        return sign;
+    }
+    let significand = (magnitude & 0x007F_FFFF) | 0x0080_0000;
+    sign | nearest_even(significand, 126 - (magnitude >> 23)) as u16
+}
+
+/// The value of the half float with these bits, exactly; a NaN stays one.
+#[inline]
+#[must_use]
+pub const fn from_half(half: u16) -> f32 {
+    const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
+    let sign = ((half & 0x8000) as u32) << 16;
+    let magnitude = ((half & 0x7FFF) as u32) << 13;
+    if magnitude >= 0x0F80_0000 {
+        return f32::from_bits(sign | magnitude | 0x7F80_0000);
+    }
+    // The exponent's bias changes by a product, which also makes subnormal halves normal.
+    f32::from_bits(sign | (f32::from_bits(magnitude) * TWO_TO_112).to_bits())
+}
+
+/// `value/2^places`, rounded to the nearest integer, ties to the even one; a carry into the exponent is right as it is.
+const fn nearest_even(value: u32, places: u32) -> u32 {
+    let (kept, rest, tie) = (value >> places, value & ((1 << places) - 1), 1 << (places - 1));
+    if rest > tie || (rest == tie && kept & 1 == 1) { kept + 1 } else { kept }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_half_survives() {
+        for half in 0..=u16::MAX {
+            let value = from_half(half);
+            if value.is_nan() {
+                assert!(from_half(to_half(value)).is_nan() && half & 0x7C00 == 0x7C00 && half & 0x3FF != 0);
+            } else {
+                assert_eq!(to_half(value), half, "{value}");
+            }
+        }
+    }
+
+    #[test]
+    fn midpoints_go_to_even_and_their_neighbours_to_the_nearest() {
+        for half in 0..0x7BFF_u16 {
+            let (low, high) = (from_half(half), from_half(half + 1));
+            // Exact: two neighbours have at most twelve bits between them.
+            let middle = 0.5 * (low + high);
+            let even = half + (half & 1);
+            assert_eq!((to_half(middle), to_half(-middle)), (even, even | 0x8000), "{middle}");
+            assert_eq!(to_half(middle.next_down()), half, "{middle}");
+            assert_eq!(to_half(middle.next_up()), half + 1, "{middle}");
+        }
+    }
+
+    #[test]
+    fn ends_of_the_range() {
+        assert_eq!((to_half(65519.996), to_half(65520.0)), (0x7BFF, 0x7C00));
+        assert_eq!((to_half(f32::INFINITY), to_half(f32::NEG_INFINITY)), (0x7C00, 0xFC00));
+        assert_eq!((to_half(f32::MAX), to_half(-f32::MAX)), (0x7C00, 0xFC00));
+        assert_eq!((to_half(2.0_f32.powi(-25)), to_half(2.0_f32.powi(-25).next_up())), (0, 1));
+        assert_eq!((to_half(-0.0), to_half(1e-45), to_half(f32::NAN)), (0x8000, 0, 0x7E00));
+        assert_eq!(from_half(0x7BFF), MAX_HALF);
+        assert_eq!(from_half(0x7C00), f32::INFINITY);
+    }
+}

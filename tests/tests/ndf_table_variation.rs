@@ -1,0 +1,155 @@
+//! Total variation between generated normals and their target over 32 × 32 bins of radius and azimuth: the closed forms, and
+//! every choice that table L offers.
+
+use std::sync::LazyLock;
+
+use asperity_ndf_sampling::{
+    Beckmann, Chart, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableEntry, TableLayout, inverse_phi,
+};
+use asperity_tests::low_discrepancy::r2;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+/// Low-discrepancy points, as the Gaussian coordinates of normals: 6.3 million.
+static POINTS: LazyLock<Vec<Vec2>> = LazyLock::new(|| {
+    (0..3_u32 << 21).into_par_iter().map(|k| Vec2::from(r2(k).map(|u| inverse_phi(u) as f32))).collect()
+});
+
+/// Bins along the radius and the azimuth; every bin holds the same share of the target.
+const BINS: usize = 32;
+
+/// The share of the exact normals that counts as the tail.
+const BEYOND: f64 = 1e-3;
+
+/// What `sample` makes of the points.
+#[derive(Clone, Copy, Debug)]
+struct Measured {
+    variation: f64,
+    /// The share beyond the target's 99.9 % quantile of the radius, in units of the expected share.
+    tail: f64,
+}
+
+/// Counts where `quantile`, the share of the target within the radius, and the azimuth (both of a normal) fall.
+fn measure(
+    sample: impl Fn(Vec2) -> Vec3 + Sync,
+    quantile: fn(f64) -> f64,
+    [alpha_x, alpha_y]: [f32; 2],
+) -> Measured {
+    let counts: Vec<(Vec<u32>, u32)> = POINTS
+        .par_chunks(POINTS.len() / 16)
+        .map(|points| {
+            let (mut counts, mut beyond) = (vec![0_u32; BINS * BINS], 0);
+            for &z in points {
+                let m = sample(z);
+                let (x, y) = (m.x / (alpha_x * m.z), m.y / (alpha_y * m.z));
+                let within = quantile(f64::from(x).powi(2) + f64::from(y).powi(2));
+                let turn = y.atan2(x) / std::f32::consts::TAU;
+                let bin = |u: f64| ((u * BINS as f64) as usize).min(BINS - 1);
+                counts[bin(within) * BINS + bin(f64::from(turn - turn.floor()))] += 1;
+                beyond += u32::from(within > 1.0 - BEYOND);
+            }
+            (counts, beyond)
+        })
+        .collect();
+    let share = |count: u32| f64::from(count) / POINTS.len() as f64;
+    let uniform = 1.0 / (BINS * BINS) as f64;
+    let variation = 0.5
+        * (0..BINS * BINS)
+            .map(|bin| (share(counts.iter().map(|part| part.0[bin]).sum()) - uniform).abs())
+            .sum::<f64>();
+    Measured { variation, tail: share(counts.iter().map(|part| part.1).sum()) / BEYOND }
+}
+
+/// The share of GGX whose slopes have a squared length of at most `t2`, in units of the roughness.
+fn ggx_quantile(t2: f64) -> f64 {
+    1.0 - 1.0 / (1.0 + t2)
+}
+
+fn beckmann_quantile(t2: f64) -> f64 {
+    -(-t2).exp_m1()
+}
+
+/// What the points themselves differ by: they are Beckmann slopes in `f64` up to a scale.
+fn floor() -> Measured {
+    let slopes = |z: Vec2| Vec3::new(z.x, z.y, std::f32::consts::SQRT_2);
+    measure(slopes, beckmann_quantile, [1.0, 1.0])
+}
+
+#[test]
+fn closed_forms_are_at_the_sampling_floor() {
+    let floor = floor();
+    println!("floor: {floor:.6?}");
+    assert!(floor.variation < 6e-4, "{floor:?}");
+    for alpha in [0.001, 0.01, 0.1, 0.3, 1.0] {
+        let ggx = Ggx::isotropic(alpha).unwrap();
+        let beckmann = Beckmann::isotropic(alpha).unwrap();
+        let forms = [
+            ("GGX", measure(|z| ggx.from_gaussian(z), ggx_quantile, [alpha; 2])),
+            ("Beckmann", measure(|z| beckmann.from_gaussian(z), beckmann_quantile, [alpha; 2])),
+        ];
+        for (name, measured) in forms {
+            println!("{name} {alpha}: {measured:.6?}");
+            // Rounding moves a point across an edge where it is within 10⁻⁶ of one: 64 edges, 10⁻⁶ of the points each.
+            assert!((measured.variation - floor.variation).abs() < 5e-5, "{name} {alpha}: {measured:?}");
+            assert!((measured.tail / floor.tail - 1.0).abs() < 1e-3, "{name} {alpha}: {measured:?}");
+        }
+    }
+}
+
+#[test]
+fn every_choice_of_table_l() {
+    const ALPHA: [f32; 2] = [0.2, 0.4];
+    let ggx = Ggx::new(ALPHA[0], ALPHA[1]).unwrap();
+    let floor = floor();
+    println!(
+        "floor: {floor:.5?}\n| spacing | chart | nearest | tail | bilinear | tail |\n|---|---|---|---|---|---|"
+    );
+    for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
+        let mut nearest = None;
+        for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
+            let table = NormalTable::with_layout(&ggx, 256, TableLayout { spacing, chart }).unwrap();
+            // Which entry is nearest does not depend on the chart.
+            let nearest = *nearest
+                .get_or_insert_with(|| measure(|z| table.view().nearest_normal(z), ggx_quantile, ALPHA));
+            let bilinear = measure(|z| table.view().bilinear_normal(z), ggx_quantile, ALPHA);
+            println!(
+                "| {spacing:?} | {chart:?} | {:.4} | {:.2} | {:.5} | {:.3} |",
+                nearest.variation, nearest.tail, bilinear.variation, bilinear.tail
+            );
+            if spacing == Spacing::Quantiles {
+                // The paper's index cuts the tail whatever is interpolated.
+                assert!(bilinear.tail < 0.3 && bilinear.variation > 1.5 * floor.variation, "{chart:?}");
+                assert!(nearest.tail < 0.3 && nearest.variation > 0.01, "{chart:?}");
+            } else {
+                assert!(bilinear.variation < 1e-3, "{spacing:?} {chart:?}: {bilinear:?}");
+                assert!((bilinear.tail - 1.0).abs() < 0.05, "{spacing:?} {chart:?}: {bilinear:?}");
+                assert!(nearest.variation < 0.05, "{spacing:?} {chart:?}: {nearest:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn recommended_table_keeps_every_roughness() {
+    fn check<E: TableEntry + Sync>(
+        name: &str,
+        table: NormalTableRef<'_, E>,
+        quantile: fn(f64) -> f64,
+        alpha: f32,
+    ) {
+        let measured = measure(|z| table.bilinear_normal(z), quantile, [alpha; 2]);
+        println!("{name} {alpha}: {measured:.6?}");
+        assert!(measured.variation < 1e-3, "{name} {alpha}: {measured:?}");
+        assert!((measured.tail - 1.0).abs() < 0.05, "{name} {alpha}: {measured:?}");
+    }
+    for alpha in [0.001, 1.0] {
+        let ggx = NormalTable::standard(&Ggx::isotropic(alpha).unwrap());
+        check("GGX", ggx.view(), ggx_quantile, alpha);
+    }
+    let ggx = NormalTable::standard(&Ggx::isotropic(0.3).unwrap());
+    let halves = ggx.halves();
+    let packed = NormalTableRef::new(ggx.size(), ggx.layout(), &halves).unwrap();
+    check("GGX in half floats", packed, ggx_quantile, 0.3);
+    let beckmann = NormalTable::standard(&Beckmann::isotropic(0.1).unwrap());
+    check("Beckmann", beckmann.view(), beckmann_quantile, 0.1);
+}
