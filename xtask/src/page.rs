@@ -98,12 +98,21 @@ pub(crate) const PAGES: &[Page] = &[
                 bits on every machine.",
         name: "Noise",
     },
+    Page {
+        file: "ndf.html",
+        title: "Densities of normals",
+        about: "Every density of normals as a map, a lobe and its slopes; normals drawn from it, and what is left between \
+                the two; masking and visible normals; tables for machines that have only look-ups; and densities that \
+                are taken from bump maps and given back.",
+        name: "Densities of normals",
+    },
 ];
 
 impl Page {
     /// The page of a figure.
     fn of(figure: &str) -> &'static Self {
-        &PAGES[usize::from(figure.starts_with("noise-"))]
+        let word = figure.split('-').next().unwrap_or_default();
+        PAGES.iter().find(|page| page.file.strip_suffix(".html") == Some(word)).unwrap_or(&PAGES[0])
     }
 
     /// The page over its records; `drawing` hands over the text of an SVG file by its name.
@@ -171,6 +180,10 @@ fn section_of(name: &str) -> &'static str {
         (Some("noise"), Some("kind")) => "Kinds",
         (Some("noise"), Some("sum")) => "Sums of octaves",
         (Some("noise"), _) => "Gradients, warps and flows",
+        (Some("ndf"), Some("density")) => "Densities",
+        (Some("ndf"), Some("table")) => "Tables",
+        (Some("ndf"), Some("map")) => "Bump maps",
+        (Some("ndf"), _) => "Masking and level of detail",
         _ => "Beyond the sources",
     }
 }

@@ -7,12 +7,13 @@ use glam::Vec3;
 
 use super::panels::{density_panel, raster, square};
 use crate::{
-    figure::{Context, Drawn, Failure, Figure},
+    figure::{Context, Drawn, Failure, Figure, Panel},
     image::{Image, hex},
     scene::{
         camera::Camera,
         hemisphere::ember,
         lights::direction,
+        material::SharedNdf,
         mesh::{Mesh, TracedMesh},
         relief::relief,
         request::{peak, trace},
@@ -57,18 +58,8 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let wall = ((1.02 - t) / 0.02).clamp(0.0, 1.0);
         Vec3::new(x, y, HEIGHT * share(x, y) * wall)
     });
-    let lobe = relief(|t, phi| {
-        let (sin, cos) = (t * FRAC_PI_2).sin_cos();
-        let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
-        m * (LENGTH * ndf.density(m) / top)
-    });
     let eye = Vec3::new(3.3, -4.1, 3.0);
     let over_map = View { eye, centre: Vec3::new(0.0, 0.0, 0.36), value: &|p| p.z / HEIGHT };
-    let around = View {
-        eye: Vec3::new(3.9, -4.6, 2.1),
-        centre: Vec3::new(0.0, 0.0, 0.72),
-        value: &|p| p.length() / LENGTH,
-    };
     let panels = vec![
         density_panel(context, &ndf, "GGX 0.25, 0.5")?,
         raster(
@@ -77,10 +68,26 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             "A steep ridge over a round map, longer in one direction.",
             over_map.draw(context, hill)?,
         ),
-        raster("lobe", "as a lobe", "A flattened upright lobe above a disk.", around.draw(context, lobe)?),
+        lobe_panel(context, &ndf, "A flattened upright lobe above a disk.")?,
     ];
     let parameters = vec![("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1]))];
     Ok(Drawn { columns: 3, panels, parameters, table: None })
+}
+
+/// The density as a lobe: in each direction as far from the centre as there are facets that face there.
+pub(super) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel, Failure> {
+    let top = peak(ndf);
+    let lobe = relief(|t, phi| {
+        let (sin, cos) = (t * FRAC_PI_2).sin_cos();
+        let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
+        m * (LENGTH * ndf.density(m) / top)
+    });
+    let around = View {
+        eye: Vec3::new(3.9, -4.6, 2.1),
+        centre: Vec3::new(0.0, 0.0, 0.72),
+        value: &|p| p.length() / LENGTH,
+    };
+    Ok(raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
 }
 
 /// How a surface over the unit disk is seen and coloured.

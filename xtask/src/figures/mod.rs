@@ -10,6 +10,7 @@ mod kautz_ndf;
 mod kautz_pipeline;
 mod kautz_sphere;
 mod kautz_teapot;
+mod ndf_densities;
 mod noise_curl;
 mod noise_footprint;
 mod noise_gradients;
@@ -41,6 +42,7 @@ const FIGURES: &[&[Figure]] = &[
         cochran_corner::CORNER,
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
+    ndf_densities::DENSITIES,
     noise_kinds::KINDS,
     &[noise_patterns::PATTERNS, noise_slope::SLOPE, noise_footprint::FOOTPRINT],
     &[noise_gradients::GRADIENTS, noise_warp::WARP, noise_curl::CURL, noise_tiled::TILED],
