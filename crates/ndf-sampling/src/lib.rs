@@ -33,6 +33,9 @@
 //! | [`TableLayout`], [`Spacing`], [`Chart`], [`TableEntry`] | how it is indexed and what its entries are |
 //! | [`TableAccuracy`], [`Deviation`] | what its look-ups lose |
 //! | [`to_half`], [`from_half`], [`unpack_frame`] | half floats for textures |
+//! | [`estimate_ndf`], [`NdfEstimator`] | the density of an existing bump map |
+//! | [`NormalMapFormat`], [`TangentSpace`], [`Zero`], [`Blue`] | how its texels are read |
+//! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
 //! | [`conditional_density`], [`GaussianSplit`] | exact level of detail |
 //!
@@ -56,7 +59,7 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
-//! | `alloc` (default) | [`NdfMap`], [`Cdf`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
+//! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
 
@@ -73,9 +76,12 @@ mod batch;
 mod beckmann;
 mod chart;
 mod conditional;
+mod detail;
 #[cfg(feature = "alloc")]
 mod disk;
 mod elementary;
+#[cfg(feature = "alloc")]
+mod estimate;
 mod frame;
 mod gaussian;
 mod gaussian_lanes;
@@ -90,6 +96,7 @@ mod marginal;
 mod math;
 mod microfacet;
 mod ndf;
+mod normal_map;
 #[cfg(feature = "alloc")]
 mod normal_table;
 mod normal_table_ref;
@@ -115,6 +122,9 @@ pub use batch::{Batch, BatchError};
 pub use beckmann::Beckmann;
 pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
+pub use detail::{NoiseChain, detailed, detailed_normal};
+#[cfg(feature = "alloc")]
+pub use estimate::{EstimateError, NdfEstimator, estimate_ndf};
 pub use frame::Frame;
 pub use gaussian::{inverse_phi, phi};
 pub use ggx::Ggx;
@@ -127,6 +137,7 @@ pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
 pub use marginal::Cdf;
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
+pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
 pub use normal_table_ref::{NormalTableError, NormalTableRef};

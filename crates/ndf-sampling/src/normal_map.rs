@@ -1,0 +1,195 @@
+//! Texels of normal maps: from three unsigned numbers to a unit normal and back.
+
+use glam::Vec3;
+
+use crate::math;
+
+/// Which way the second coordinate of a normal map points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum TangentSpace {
+    /// Up the image, with the tangent and the normal a right-handed frame: the frame of this crate. A bump is bright at its
+    /// top in the green channel.
+    #[default]
+    OpenGl,
+    /// Down the image: the green channel is turned over.
+    DirectX,
+}
+
+/// Which number stands for 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Zero {
+    /// `c = 2v/(2ᵇ − 1) − 1`, what a GPU makes of an unsigned normalised texture: 0 is between two numbers, and a flat texel of
+    /// 8 bits is tilted by 0.22° in each coordinate.
+    #[default]
+    Between,
+    /// `c = max(−1, (v − 2ᵇ⁻¹)/(2ᵇ⁻¹ − 1))`: the number 128 (or 32768) is 0 exactly.
+    Half,
+}
+
+/// What the third channel says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Blue {
+    /// `n_z`; the three are normalised together, so that only their ratios count.
+    #[default]
+    Read,
+    /// Nothing, as in textures of two channels: `n_z = √(1 − n_x² − n_y²)`.
+    Reconstructed,
+}
+
+/// How the texels of a normal map are to be read.
+///
+/// ```text
+/// c = 2v/(2ᵇ − 1) − 1 or (v − 2ᵇ⁻¹)/(2ᵇ⁻¹ − 1);   n_y = ∓c_g;   n_z = c_b or √(1 − n_x² − n_y²);   n/|n|
+/// ```
+///
+/// Total: a texel below the horizon counts as one on it, one that is no direction as the flat normal, and one outside the disk
+/// as the nearest on its rim.
+///
+/// ```
+/// use asperity_ndf_sampling::{NormalMapFormat, TangentSpace, Zero, glam::Vec3};
+///
+/// let format = NormalMapFormat { zero: Zero::Half, ..NormalMapFormat::default() };
+/// assert_eq!(format.decode_u8([128, 128, 255]), Vec3::Z);
+/// let directx = NormalMapFormat { tangent_space: TangentSpace::DirectX, ..format };
+/// let n = Vec3::new(0.0, 0.6, 0.8);
+/// assert_eq!(format.encode_u8(n), [128, 204, 230]);
+/// assert_eq!(directx.encode_u8(n), [128, 52, 230]);
+/// assert!(directx.decode_u16(directx.encode_u16(n)).abs_diff_eq(n, 4e-5));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct NormalMapFormat {
+    /// Which way the green channel points.
+    pub tangent_space: TangentSpace,
+    /// Which number stands for 0.
+    pub zero: Zero,
+    /// What the blue channel says.
+    pub blue: Blue,
+}
+
+impl NormalMapFormat {
+    /// The unit normal of a texel of 8 bits a channel.
+    #[must_use]
+    pub fn decode_u8(self, texel: [u8; 3]) -> Vec3 {
+        self.decode(texel.map(f32::from), 8)
+    }
+
+    /// The unit normal of a texel of 16 bits a channel.
+    #[must_use]
+    pub fn decode_u16(self, texel: [u16; 3]) -> Vec3 {
+        self.decode(texel.map(f32::from), 16)
+    }
+
+    /// The texel of 8 bits a channel that is nearest to the unit normal in each channel.
+    #[must_use]
+    pub fn encode_u8(self, n: Vec3) -> [u8; 3] {
+        // A cast from float to integer saturates, and NaN is 0.
+        self.encode(n, 8).map(|v| v as u8)
+    }
+
+    /// The texel of 16 bits a channel that is nearest to the unit normal in each channel.
+    #[must_use]
+    pub fn encode_u16(self, n: Vec3) -> [u16; 3] {
+        self.encode(n, 16).map(|v| v as u16)
+    }
+
+    /// The unit normal of three numbers in [−1, 1], such as those of a float texture; numbers beyond count as the nearest.
+    #[must_use]
+    pub fn decode_signed(self, [x, y, z]: [f32; 3]) -> Vec3 {
+        // A square beyond this range would overflow; NaN stays and is found below.
+        let [x, y, z] = [x, y, z].map(|c| c.clamp(-1.0, 1.0));
+        let y = match self.tangent_space {
+            TangentSpace::OpenGl => y,
+            TangentSpace::DirectX => -y,
+        };
+        let r2 = x * x + y * y;
+        let z = match self.blue {
+            Blue::Read => z.max(0.0),
+            Blue::Reconstructed => math::sqrt((1.0 - r2).max(0.0)),
+        };
+        let length = math::sqrt(r2 + z * z);
+        let n = Vec3::new(x / length, y / length, z / length);
+        if n.is_finite() { n } else { Vec3::Z }
+    }
+
+    fn decode(self, texel: [f32; 3], bits: i32) -> Vec3 {
+        let (scale, zero) = self.scale(bits);
+        self.decode_signed(texel.map(|v| ((v - zero) / scale).max(-1.0)))
+    }
+
+    fn encode(self, n: Vec3, bits: i32) -> [f32; 3] {
+        let (scale, zero) = self.scale(bits);
+        let y = match self.tangent_space {
+            TangentSpace::OpenGl => n.y,
+            TangentSpace::DirectX => -n.y,
+        };
+        [n.x, y, n.z].map(|c| c * scale + zero + 0.5)
+    }
+
+    /// The number that is added to 0 for 1, and the number that stands for 0.
+    fn scale(self, bits: i32) -> (f32, f32) {
+        let half = (1_u32 << (bits - 1)) as f32;
+        match self.zero {
+            Zero::Between => (half - 0.5, half - 0.5),
+            Zero::Half => (half - 1.0, half),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn formats() -> impl Iterator<Item = NormalMapFormat> {
+        let spaces = [TangentSpace::OpenGl, TangentSpace::DirectX];
+        let zeros = [Zero::Between, Zero::Half];
+        let blues = [Blue::Read, Blue::Reconstructed];
+        (0..8).map(move |k| NormalMapFormat {
+            tangent_space: spaces[k & 1],
+            zero: zeros[(k >> 1) & 1],
+            blue: blues[k >> 2],
+        })
+    }
+
+    #[test]
+    fn texels_come_back_through_their_normals() {
+        for format in formats() {
+            for (r, g) in (0..=20).flat_map(|r| (0..=20).map(move |g| (r, g))) {
+                let n = Vec3::new(r as f32 * 0.08 - 0.8, g as f32 * 0.05 - 0.5, 0.0);
+                let n = Vec3::new(n.x, n.y, (1.0 - n.length_squared()).max(0.0).sqrt()).normalize();
+                let [small, large] =
+                    [format.decode_u8(format.encode_u8(n)), format.decode_u16(format.encode_u16(n))];
+                // Half a step of each channel; near the horizon the reconstructed root magnifies it.
+                let magnified = if format.blue == Blue::Reconstructed { 1.0 / n.z.max(0.1) } else { 1.0 };
+                assert!(small.abs_diff_eq(n, 0.006 * magnified), "{format:?} {n}: {small}");
+                assert!(large.abs_diff_eq(n, 0.006 / 256.0 * magnified), "{format:?} {n}: {large}");
+            }
+        }
+    }
+
+    #[test]
+    fn flat_texel_of_unsigned_normalised_textures_is_tilted() {
+        let n = NormalMapFormat::default().decode_u8([128, 128, 255]);
+        assert!((n.x - 0.003_921_5).abs() < 1e-6 && (n.y - 0.003_921_5).abs() < 1e-6, "{n}");
+    }
+
+    #[test]
+    fn every_texel_is_a_unit_normal() {
+        let values = [0, 1, 127, 128, 200, 255];
+        for format in formats() {
+            for (r, g) in values.into_iter().flat_map(|r| values.map(|g| (r, g))) {
+                for b in values {
+                    let n = format.decode_u8([r, g, b]);
+                    assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{format:?} {r} {g} {b}: {n}");
+                }
+            }
+            for bad in [f32::NAN, f32::INFINITY, 1e38, -1e38, 0.0] {
+                let n = format.decode_signed([bad, 0.5, bad]);
+                assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{format:?} {bad}: {n}");
+                assert!(format.encode_u8(Vec3::splat(bad)).len() == 3);
+            }
+        }
+    }
+}
