@@ -38,7 +38,7 @@ use crate::visible_gaussian::{excess, quantile, visible_slope};
 /// Walter et al. 2007, eq. 25, in its anisotropic form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beckmann {
-    alpha: Roughness,
+    pub(crate) alpha: Roughness,
 }
 
 roughness_parameters!(Beckmann);
@@ -103,7 +103,7 @@ impl Microfacet for Beckmann {
     }
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
-        let (u, w) = (unit_square(u), self.alpha.stretch(v));
+        let (u, w) = (unit_square(u), self.alpha.stretch(above(v)));
         let lateral = math::sqrt(w.x * w.x + w.y * w.y);
         // Along x if the view has no azimuth.
         let (cos, sin) = if lateral > 0.0 { (w.x / lateral, w.y / lateral) } else { (1.0, 0.0) };

@@ -37,7 +37,7 @@ use crate::turn::turn;
 /// `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ggx {
-    alpha: Roughness,
+    pub(crate) alpha: Roughness,
 }
 
 roughness_parameters!(Ggx);
@@ -105,7 +105,7 @@ impl Microfacet for Ggx {
     #[inline]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         let u = unit_square(u);
-        let w = self.alpha.stretch(v).try_normalize().unwrap_or(Vec3::Z);
+        let w = self.alpha.stretch(above(v)).try_normalize().unwrap_or(Vec3::Z);
         // The cap of directions c with c.z ≥ −w.z, uniform: c.z = (1 − u₂)(1 + w.z) − w.z, in forms that keep sin θ.
         let (below, above) = (u.y * (1.0 + w.z), (1.0 - u.y) * (1.0 + w.z));
         let sin = math::sqrt(below * (2.0 - below).max(0.0));

@@ -24,7 +24,8 @@
 //! |---|---|
 //! | [`Ndf`] | the trait: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling by uniform numbers |
 //! | [`Microfacet`] | the trait of Smith's Λ, G₁, G₂ and of visible normals |
-//! | [`Ggx`], [`Beckmann`] | isotropic and anisotropic, in closed form for every roughness |
+//! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic, in closed form for every roughness |
+//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | the densities of facets of older models, as exact |
 //! | [`NdfMap`], [`Measure`] | a density painted or computed on the hemispherical map, sampled exactly |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
@@ -72,8 +73,10 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
+mod ashikhmin_shirley;
 mod batch;
 mod beckmann;
+mod blinn_phong;
 mod chart;
 mod conditional;
 mod detail;
@@ -88,6 +91,7 @@ mod gaussian_lanes;
 mod ggx;
 mod half;
 mod kernels;
+mod kronrod;
 mod lanes;
 #[cfg(feature = "alloc")]
 mod map;
@@ -105,6 +109,8 @@ mod roughness;
 #[cfg(feature = "alloc")]
 mod slab;
 mod spacing;
+mod student;
+mod student_t;
 #[cfg(feature = "alloc")]
 mod sum;
 #[cfg(feature = "alloc")]
@@ -115,11 +121,14 @@ mod turn;
 #[cfg(feature = "simd")]
 mod twice;
 mod visible_gaussian;
+mod ward;
 #[cfg(feature = "simd")]
 mod wide;
 
+pub use ashikhmin_shirley::AshikhminShirley;
 pub use batch::{Batch, BatchError};
 pub use beckmann::Beckmann;
+pub use blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
 pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
 pub use detail::{NoiseChain, detailed, detailed_normal};
@@ -144,6 +153,8 @@ pub use normal_table_ref::{NormalTableError, NormalTableRef};
 pub use remap::{NoiseCdf, NoiseCdfError};
 pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
 pub use spacing::Spacing;
+pub use student_t::{MAX_GAMMA, MIN_GAMMA, StudentT, StudentTError};
 #[cfg(feature = "alloc")]
 pub use table_accuracy::{Deviation, TableAccuracy};
 pub use table_layout::{TableEntry, TableLayout, unpack_frame};
+pub use ward::Ward;

@@ -22,6 +22,10 @@ backend! {
     ln_f64(x: f64) = log, ln;
     sqrt_f64(x: f64) = sqrt, sqrt;
     floor_f64(x: f64) = floor, floor;
+    exp_m1_f64(x: f64) = expm1, exp_m1;
+    ln_1p_f64(x: f64) = log1p, ln_1p;
+    sin_f64(x: f64) = sin, sin;
+    cos_f64(x: f64) = cos, cos;
 }
 
 #[cfg(feature = "alloc")]
@@ -30,7 +34,6 @@ backend! {
 }
 
 /// The angle of the vector `(x, y)` in (−π, π].
-#[cfg(feature = "alloc")]
 #[inline(always)]
 pub(crate) fn atan2_f64(y: f64, x: f64) -> f64 {
     #[cfg(feature = "libm")]

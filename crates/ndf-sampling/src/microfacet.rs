@@ -98,10 +98,56 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
     }
 }
 
-/// `v`, or the direction of the horizon below which it lies, or the zenith if it has none.
+/// Both traits of a density by those of another, which the method `facets` returns.
+macro_rules! same_facets {
+    ($density:ty) => {
+        impl $crate::Ndf for $density {
+            #[inline]
+            fn density(&self, m: glam::Vec3) -> f32 {
+                self.facets().density(m)
+            }
+
+            #[inline]
+            fn from_gaussian(&self, z: glam::Vec2) -> glam::Vec3 {
+                self.facets().from_gaussian(z)
+            }
+
+            #[inline]
+            fn to_gaussian(&self, m: glam::Vec3) -> glam::Vec2 {
+                self.facets().to_gaussian(m)
+            }
+
+            #[inline]
+            fn sample(&self, u: glam::Vec2) -> glam::Vec3 {
+                self.facets().sample(u)
+            }
+        }
+
+        impl $crate::Microfacet for $density {
+            #[inline]
+            fn lambda(&self, v: glam::Vec3) -> f32 {
+                self.facets().lambda(v)
+            }
+
+            #[inline]
+            fn projected_area(&self, v: glam::Vec3) -> f32 {
+                self.facets().projected_area(v)
+            }
+
+            #[inline]
+            fn sample_visible(&self, v: glam::Vec3, u: glam::Vec2) -> glam::Vec3 {
+                self.facets().sample_visible(v, u)
+            }
+        }
+    };
+}
+pub(crate) use same_facets;
+
+/// `v` if it is a direction above the horizon; of length 1 if it was far from that; otherwise the direction of the horizon
+/// below which it lies, or the zenith if it has none.
 #[inline]
 pub(crate) fn above(v: Vec3) -> Vec3 {
-    if v.z > 0.0 && v.is_finite() {
+    if v.z > 0.0 && (0.25..=4.0).contains(&v.length_squared()) {
         return v;
     }
     let number = |c: f32| if c.is_nan() { 0.0 } else { c };

@@ -84,11 +84,10 @@ impl Roughness {
         Self { x: clamp(alpha_x), y: clamp(alpha_y) }
     }
 
-    /// `v` in the space where the roughnesses are 1; its z is at least 0, and a NaN is read as 0.
+    /// `v` in the space where the roughnesses are 1.
     #[inline]
     pub(crate) fn stretch(self, v: Vec3) -> Vec3 {
-        let number = |c: f32| if c.is_nan() { 0.0 } else { c };
-        Vec3::new(self.x * number(v.x), self.y * number(v.y), v.z.max(0.0))
+        Vec3::new(self.x * v.x, self.y * v.y, v.z)
     }
 
     /// The normal whose slope in the stretched space is `(x, y)/z`, for `z > 0`.

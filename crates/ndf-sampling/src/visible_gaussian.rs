@@ -7,7 +7,7 @@ use crate::math;
 const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
 /// The least `u` that [`visible_slope`] distinguishes from 0.
-const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
+pub(crate) const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
 
 /// Beyond it a view sees every slope alike, within the rounding of `f64`.
 const ZENITH: f64 = 1e17;
