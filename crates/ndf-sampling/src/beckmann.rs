@@ -4,11 +4,14 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::elementary::{cos_sin_turns, exp, ln_1p};
+use crate::gaussian_lanes;
+use crate::kernels::{ClosedForm, in_one_lane, probabilities, stretched, unit};
+use crate::lanes::Lanes;
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
-use crate::ndf::{Ndf, bounded};
+use crate::ndf::FARTHEST;
 use crate::roughness::{Roughness, roughness_parameters};
-use crate::turn::turn;
 use crate::visible_gaussian::{excess, quantile, visible_slope};
 
 /// The Beckmann normal density with the roughnesses `alpha_x`, `alpha_y`.
@@ -51,40 +54,59 @@ impl Beckmann {
     }
 }
 
-impl Ndf for Beckmann {
-    #[inline]
-    fn density(&self, m: Vec3) -> f32 {
-        let (x, y) = (m.x / (self.alpha.x * m.z), m.y / (self.alpha.y * m.z));
-        let falloff = math::exp(-(x * x + y * y));
-        // At the horizon the exponential is 0 long before mz⁴ underflows; without the test it would be 0/0.
-        if m.z > 0.0 && falloff > 0.0 {
-            let z2 = m.z * m.z;
-            (falloff / (PI * self.alpha.x * self.alpha.y * z2 * z2)).min(f32::MAX)
-        } else {
-            0.0
-        }
+in_one_lane!(Beckmann);
+
+impl ClosedForm for Beckmann {
+    #[inline(always)]
+    fn normal<S: Lanes>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
+        let x = s.bounded(z1, FARTHEST) * s.float(self.alpha.x * FRAC_1_SQRT_2);
+        let y = s.bounded(z2, FARTHEST) * s.float(self.alpha.y * FRAC_1_SQRT_2);
+        unit(s, [x, y, s.float(1.0)])
     }
 
-    #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        let z = bounded(z);
-        let (x, y) = (self.alpha.x * z.x * FRAC_1_SQRT_2, self.alpha.y * z.y * FRAC_1_SQRT_2);
-        let up = 1.0 / math::sqrt(x * x + y * y + 1.0);
-        Vec3::new(x * up, y * up, up)
+    #[inline(always)]
+    fn coordinates<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+        let up = s.float(SQRT_2) / s.at_least(z, f32::MIN_POSITIVE);
+        let z1 = (x / s.float(self.alpha.x)) * up;
+        let z2 = (y / s.float(self.alpha.y)) * up;
+        [s.bounded(z1, FARTHEST), s.bounded(z2, FARTHEST)]
     }
 
-    #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        let up = m.z.max(f32::MIN_POSITIVE);
-        let z = Vec2::new(m.x / (self.alpha.x * up), m.y / (self.alpha.y * up)) * SQRT_2;
-        bounded(z)
+    #[inline(always)]
+    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> S::F {
+        let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
+        let falloff = exp(s, -(x * x + y * y));
+        let z2 = z * z;
+        let peak = s.float(1.0 / (PI * self.alpha.x * self.alpha.y));
+        let density = s.at_most(falloff * peak / (z2 * z2), f32::MAX);
+        // Next to the horizon the exponential is 0 long before z⁴ underflows.
+        let zero = s.float(0.0);
+        s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)
     }
 
-    #[inline]
-    fn sample(&self, u: Vec2) -> Vec3 {
-        let u = unit_square(u);
-        let q = turn(u.y) * math::sqrt(-math::ln_1p(-u.x));
-        self.alpha.normal(q.x, q.y, 1.0)
+    #[inline(always)]
+    fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, u);
+        let slope = s.sqrt(-ln_1p(s, -u1));
+        let [cos, sin] = cos_sin_turns(s, u2);
+        let (x, y) = (slope * cos * s.float(self.alpha.x), slope * sin * s.float(self.alpha.y));
+        unit(s, [x, y, s.float(1.0)])
+    }
+
+    #[inline(always)]
+    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, [u1, u2]);
+        let [x, y, z] = stretched(s, [self.alpha.x, self.alpha.y], [x, y, z]);
+        let lateral = s.sqrt(x * x + y * y);
+        let per_lateral = s.float(1.0) / lateral;
+        let aside = s.less(s.float(0.0), lateral);
+        let cos = s.select(aside, x * per_lateral, s.float(1.0));
+        let sin = s.select(aside, y * per_lateral, s.float(0.0));
+        let along = gaussian_lanes::visible_slope(s, z * per_lateral * s.float(SQRT_2), u1);
+        let across = gaussian_lanes::inverse_phi(s, s.at_least(u2, gaussian_lanes::LEAST_U));
+        let x = (along * cos - across * sin) * s.float(self.alpha.x * FRAC_1_SQRT_2);
+        let y = (along * sin + across * cos) * s.float(self.alpha.y * FRAC_1_SQRT_2);
+        unit(s, [x, y, s.float(1.0)])
     }
 }
 
@@ -117,6 +139,7 @@ impl Microfacet for Beckmann {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ndf::Ndf;
     use crate::roughness::{MAX_ALPHA, MIN_ALPHA};
 
     #[test]

@@ -4,11 +4,13 @@ use core::f32::consts::{PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
+use crate::kernels::{ClosedForm, in_one_lane, probabilities, stretched, unit};
+use crate::lanes::{Lanes, Scalar};
 use crate::math;
-use crate::microfacet::{Microfacet, above, unit_square};
-use crate::ndf::{Ndf, bounded};
+use crate::microfacet::{Microfacet, above};
+use crate::ndf::FARTHEST;
 use crate::roughness::{Roughness, roughness_parameters};
-use crate::turn::turn;
 
 /// The GGX normal density with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -42,47 +44,66 @@ pub struct Ggx {
 
 roughness_parameters!(Ggx);
 
-impl Ndf for Ggx {
-    #[inline]
-    fn density(&self, m: Vec3) -> f32 {
-        let (x, y) = (m.x / self.alpha.x, m.y / self.alpha.y);
-        let t = x * x + y * y + m.z * m.z;
-        if m.z > 0.0 && t.is_finite() {
-            (1.0 / (PI * self.alpha.x * self.alpha.y * t * t)).min(f32::MAX)
-        } else {
-            0.0
-        }
+in_one_lane!(Ggx);
+
+impl ClosedForm for Ggx {
+    #[inline(always)]
+    fn normal<S: Lanes>(&self, s: S, [z1, z2]: [S::F; 2]) -> [S::F; 3] {
+        let (z1, z2) = (s.bounded(z1, FARTHEST), s.bounded(z2, FARTHEST));
+        let half = (z1 * z1 + z2 * z2) * s.float(0.5);
+        let up = exp(s, half * s.float(-0.5));
+        let scale = s.sqrt(one_minus_exp_ratio(s, half, up) * s.float(0.5));
+        let x = z1 * scale * s.float(self.alpha.x);
+        let y = z2 * scale * s.float(self.alpha.y);
+        unit(s, [x, y, up])
     }
 
-    #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        let z = bounded(z);
-        let rho2 = z.x * z.x + z.y * z.y;
-        // The formula times exp(−ρ²/4): expm1 overflows beyond ρ² = 177, this form does not.
-        let scale = if rho2 < 1e-10 { 1.0 / SQRT_2 } else { math::sqrt(-math::exp_m1(-0.5 * rho2) / rho2) };
-        let (x, y) = (self.alpha.x * z.x * scale, self.alpha.y * z.y * scale);
-        let up = math::exp(-0.25 * rho2);
-        let length = math::sqrt(x * x + y * y + up * up);
-        Vec3::new(x / length, y / length, up / length)
+    #[inline(always)]
+    fn coordinates<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+        let up = s.at_least(z, f32::MIN_POSITIVE);
+        let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
+        let length = s.sqrt(x * x + y * y);
+        // Beyond 10¹⁹ the square would overflow; the coordinate is at its bound long before.
+        let t = s.at_most(length / up, 1e19);
+        let rho = s.sqrt(ln_1p(s, t * t) * s.float(2.0));
+        // Below 10⁻⁵ ln(1 + t²) is t² to the last bit, and t² may underflow.
+        let rho = s.select(s.less(t, s.float(1e-5)), t * s.float(SQRT_2), rho);
+        let per_length = rho / length;
+        [s.bounded(x * per_length, FARTHEST), s.bounded(y * per_length, FARTHEST)]
     }
 
-    #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        let (x, y) = (m.x / self.alpha.x, m.y / self.alpha.y);
-        let q = math::sqrt(x * x + y * y);
-        let t = (q / m.z.max(f32::MIN_POSITIVE)).min(f32::MAX);
-        // Beyond 10⁹ the 1 in ln(1 + t²) is below half an ulp, and beyond 10¹⁹ t² overflows.
-        let rho2 = if t < 1e9 { 2.0 * math::ln_1p(t * t) } else { 4.0 * math::ln(t) };
-        let per_length = if t < 1e-5 { t * SQRT_2 / q } else { math::sqrt(rho2) / q };
-        // The flat normal and NaN are 0/0 here, which is read as 0.
-        bounded(Vec2::new(x * per_length, y * per_length))
+    #[inline(always)]
+    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> S::F {
+        let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
+        let t = (x * x + y * y) + z * z;
+        let peak = s.float(PI * self.alpha.x * self.alpha.y);
+        let zero = s.float(0.0);
+        let density = s.at_most(s.float(1.0) / (peak * t * t), f32::MAX);
+        let finite = s.less(t, s.float(f32::INFINITY));
+        s.select(s.less(zero, z), s.select(finite, density, zero), zero)
     }
 
-    #[inline]
-    fn sample(&self, u: Vec2) -> Vec3 {
-        let u = unit_square(u);
-        let q = turn(u.y) * math::sqrt(u.x);
-        self.alpha.normal(q.x, q.y, math::sqrt(1.0 - u.x))
+    #[inline(always)]
+    fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, u);
+        let slope = s.sqrt(u1);
+        let [cos, sin] = cos_sin_turns(s, u2);
+        let (x, y) = (slope * cos * s.float(self.alpha.x), slope * sin * s.float(self.alpha.y));
+        unit(s, [x, y, s.sqrt(s.float(1.0) - u1)])
+    }
+
+    #[inline(always)]
+    fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
+        let [u1, u2] = probabilities(s, [u1, u2]);
+        let [x, y, z] = stretched(s, [self.alpha.x, self.alpha.y], [x, y, z]);
+        // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that keep sin θ.
+        let one = s.float(1.0);
+        let below = u2 * (one + z);
+        let sin = s.sqrt(below * s.at_least(s.float(2.0) - below, 0.0));
+        let [cos_phi, sin_phi] = cos_sin_turns(s, u1);
+        let x = (sin * cos_phi + x) * s.float(self.alpha.x);
+        let y = (sin * sin_phi + y) * s.float(self.alpha.y);
+        unit(s, [x, y, (one - u2) * (one + z)])
     }
 }
 
@@ -104,19 +125,14 @@ impl Microfacet for Ggx {
 
     #[inline]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
-        let u = unit_square(u);
-        let w = self.alpha.stretch(above(v)).try_normalize().unwrap_or(Vec3::Z);
-        // The cap of directions c with c.z ≥ −w.z, uniform: c.z = (1 − u₂)(1 + w.z) − w.z, in forms that keep sin θ.
-        let (below, above) = (u.y * (1.0 + w.z), (1.0 - u.y) * (1.0 + w.z));
-        let sin = math::sqrt(below * (2.0 - below).max(0.0));
-        let c = turn(u.x) * sin;
-        self.alpha.normal(c.x + w.x, c.y + w.y, above)
+        self.visible(Scalar, [v.x, v.y, v.z, u.x, u.y]).into()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ndf::Ndf;
     use crate::roughness::{MAX_ALPHA, MIN_ALPHA};
 
     #[test]
