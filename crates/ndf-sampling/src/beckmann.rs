@@ -96,7 +96,7 @@ impl ClosedForm for Beckmann {
     #[inline(always)]
     fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, [u1, u2]);
-        let [x, y, z] = stretched(s, [self.alpha.x, self.alpha.y], [x, y, z]);
+        let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
         let lateral = s.sqrt(x * x + y * y);
         let per_lateral = s.float(1.0) / lateral;
         let aside = s.less(s.float(0.0), lateral);

@@ -95,7 +95,12 @@ impl ClosedForm for Ggx {
     #[inline(always)]
     fn visible<S: Lanes>(&self, s: S, [x, y, z, u1, u2]: [S::F; 5]) -> [S::F; 3] {
         let [u1, u2] = probabilities(s, [u1, u2]);
-        let [x, y, z] = stretched(s, [self.alpha.x, self.alpha.y], [x, y, z]);
+        let [x, y, z] = stretched(s, self.alpha, [x, y, z]);
+        let length2 = (x * x + y * y) + z * z;
+        // What has no direction is read as the zenith.
+        let directed = s.less(s.float(1e-37), length2);
+        let scale = s.select(directed, s.float(1.0) / s.sqrt(length2), s.float(0.0));
+        let (x, y, z) = (x * scale, y * scale, s.select(directed, z * scale, s.float(1.0)));
         // The cap of directions c with c.z ≥ −z, uniform: c.z = (1 − u₂)(1 + z) − z, in forms that keep sin θ.
         let one = s.float(1.0);
         let below = u2 * (one + z);

@@ -2,6 +2,7 @@
 
 use crate::lanes::Lanes;
 use crate::ndf::Ndf;
+use crate::roughness::Roughness;
 
 /// A density whose closed forms can be evaluated in lanes; sealed.
 pub trait InLanes: Ndf + ClosedForm {}
@@ -73,23 +74,14 @@ impl<N: ClosedForm> Kernel<5, 3> for Visible<'_, N> {
     }
 }
 
-/// `v` in the space where the roughnesses are 1, z at least 0, NaN read as 0; unit where it has a direction.
+/// `v` in the space where the roughnesses are 1, z at least 0, NaN read as 0.
 #[inline(always)]
-pub(crate) fn stretched<S: Lanes>(s: S, [alpha_x, alpha_y]: [f32; 2], [x, y, z]: [S::F; 3]) -> [S::F; 3] {
+pub(crate) fn stretched<S: Lanes>(s: S, alpha: Roughness, [x, y, z]: [S::F; 3]) -> [S::F; 3] {
     /// Far above the length of a unit vector; its square times that of a roughness is finite.
     const LONGEST: f32 = 1e12;
-    let x = s.bounded(x, LONGEST) * s.float(alpha_x);
-    let y = s.bounded(y, LONGEST) * s.float(alpha_y);
-    let z = s.at_most(s.at_least(z, 0.0), LONGEST);
-    let length2 = (x * x + y * y) + z * z;
-    let scale = s.float(1.0) / s.sqrt(length2);
-    let directed = s.less(s.float(1e-37), length2);
-    let zero = s.float(0.0);
-    [
-        s.select(directed, x * scale, zero),
-        s.select(directed, y * scale, zero),
-        s.select(directed, z * scale, s.float(1.0)),
-    ]
+    let x = s.bounded(x, LONGEST) * s.float(alpha.x);
+    let y = s.bounded(y, LONGEST) * s.float(alpha.y);
+    [x, y, s.at_most(s.at_least(z, 0.0), LONGEST)]
 }
 
 /// `(x, y, z)/|(x, y, z)|`.

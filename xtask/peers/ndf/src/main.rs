@@ -1,0 +1,133 @@
+//! Times one row after another on demand: reads names of rows, answers with nanoseconds per sample.
+
+use std::{
+    error::Error,
+    hint::black_box,
+    io::{BufRead, Write},
+    time::Instant,
+};
+
+use asperity_ndf_sampling::{
+    Batch, Beckmann, Ggx, Ndf,
+    glam::{Vec2, Vec3},
+};
+
+const ALPHA: [f32; 2] = [0.2, 0.4];
+
+/// A name, samples of one pass, and the pass.
+type Row = (&'static str, usize, Box<dyn FnMut()>);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let samples = std::env::args().nth(1).map_or(Ok(1_000_000), |text| text.parse())?;
+    let mut rows = rows(samples)?;
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{}", rows.iter().map(|row| row.0).collect::<Vec<_>>().join(" "))?;
+    out.flush()?;
+    for line in std::io::stdin().lock().lines() {
+        let line = line?;
+        let Some((name, samples, pass)) = rows.iter_mut().find(|row| row.0 == line.trim()) else {
+            return Err(format!("there is no row `{line}`").into());
+        };
+        let start = Instant::now();
+        pass();
+        let took = start.elapsed().as_secs_f64();
+        // Building is one sample, and is told in microseconds.
+        let scale = if name.contains("build") { 1e6 } else { 1e9 };
+        writeln!(out, "{}", took * scale / *samples as f64)?;
+        out.flush()?;
+    }
+    Ok(())
+}
+
+/// SplitMix64: uniform numbers with 24 bits.
+fn uniforms(seed: u64, count: usize) -> Vec<f32> {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
+    };
+    (0..count).map(|_| next()).collect()
+}
+
+/// A row from arrays into arrays.
+fn row<const I: usize, const O: usize>(
+    name: &'static str,
+    inputs: [Vec<f32>; I],
+    mut pass: impl FnMut([&[f32]; I], [&mut [f32]; O]) -> bool + 'static,
+) -> Row {
+    let samples = inputs[0].len();
+    let mut outputs: [Vec<f32>; O] = std::array::from_fn(|_| vec![0.0; samples]);
+    let run = move || {
+        let done = pass(inputs.each_ref().map(Vec::as_slice), outputs.each_mut().map(Vec::as_mut_slice));
+        assert!(black_box(done), "arrays of one length");
+    };
+    (name, samples, Box::new(run))
+}
+
+/// Every row that can be asked for.
+fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
+    let [u1, u2] = [1, 2].map(|seed| uniforms(seed, samples));
+    let ggx = Ggx::new(ALPHA[0], ALPHA[1])?;
+    let beckmann = Beckmann::new(ALPHA[0], ALPHA[1])?;
+    let batch = Batch::new();
+    let view: Vec<Vec3> = uniforms(3, samples)
+        .into_iter()
+        .zip(uniforms(4, samples))
+        .map(|(up, azimuth)| {
+            let (up, (sin, cos)) = (0.9 * up + 0.1, (std::f32::consts::TAU * azimuth).sin_cos());
+            let across = (1.0 - up * up).sqrt();
+            Vec3::new(across * cos, across * sin, up)
+        })
+        .collect();
+    let view = [0, 1, 2].map(|k| view.iter().map(|v| v[k]).collect::<Vec<_>>());
+    let z: Vec<Vec2> = (0..samples).map(|k| ggx.to_gaussian(ggx.sample(Vec2::new(u1[k], u2[k])))).collect();
+    let gaussian = [0, 1].map(|k| z.iter().map(|z| z[k]).collect::<Vec<_>>());
+    let mut rows: Vec<Row> = Vec::new();
+
+    let u = || [u1.clone(), u2.clone()];
+    let seen = || [view[0].clone(), view[1].clone(), view[2].clone(), u1.clone(), u2.clone()];
+    rows.push(row("ggx_sample", u(), move |u, m: [&mut [f32]; 3]| batch.sample(&ggx, u, m).is_ok()));
+    rows.push(row("beckmann_sample", u(), move |u, m: [&mut [f32]; 3]| {
+        batch.sample(&beckmann, u, m).is_ok()
+    }));
+    rows.push(row("ggx_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
+        batch.sample_visible(&ggx, [x, y, z], [u1, u2], m).is_ok()
+    }));
+    rows.push(row("beckmann_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
+        batch.sample_visible(&beckmann, [x, y, z], [u1, u2], m).is_ok()
+    }));
+    rows.push(row("ggx_from_gaussian", gaussian.clone(), move |z, m: [&mut [f32]; 3]| {
+        batch.from_gaussian(&ggx, z, m).is_ok()
+    }));
+    rows.push(row("beckmann_from_gaussian", gaussian, move |z, m: [&mut [f32]; 3]| {
+        batch.from_gaussian(&beckmann, z, m).is_ok()
+    }));
+    let coordinates = z.clone();
+    let mut normals = vec![Vec3::ZERO; samples];
+    rows.push((
+        "ggx_call",
+        samples,
+        Box::new(move || {
+            for (m, &z) in normals.iter_mut().zip(&coordinates) {
+                *m = ggx.from_gaussian(z);
+            }
+            black_box(&normals);
+        }),
+    ));
+    let coordinates = z.clone();
+    let mut normals = vec![Vec3::ZERO; samples];
+    rows.push((
+        "beckmann_call",
+        samples,
+        Box::new(move || {
+            for (m, &z) in normals.iter_mut().zip(&coordinates) {
+                *m = beckmann.from_gaussian(z);
+            }
+            black_box(&normals);
+        }),
+    ));
+    Ok(rows)
+}
