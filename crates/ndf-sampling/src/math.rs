@@ -15,7 +15,6 @@ macro_rules! backend {
 backend! {
     exp(x: f32) = expf, exp;
     exp_m1(x: f32) = expm1f, exp_m1;
-    ln(x: f32) = logf, ln;
     ln_1p(x: f32) = log1pf, ln_1p;
     sqrt(x: f32) = sqrtf, sqrt;
     exp_f64(x: f64) = exp, exp;
