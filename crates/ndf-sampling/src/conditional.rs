@@ -78,6 +78,20 @@ impl GaussianSplit {
         1.0 - self.rest
     }
 
+    /// `√s z_b + √(1 − s) ξ`: the coordinates of the whole, with `ξ` for what is not resolved; total.
+    #[inline]
+    #[must_use]
+    pub fn join(self, xi: Vec2) -> Vec2 {
+        self.z_b * self.root + bounded(xi) * math::sqrt(self.rest)
+    }
+
+    /// `(z − √s z_b)/√(1 − s)`: what of the coordinates `z` of the whole is not resolved; total, bounded by ±13 at each axis.
+    #[inline]
+    #[must_use]
+    pub fn rest(self, z: Vec2) -> Vec2 {
+        bounded((bounded(z) - self.z_b * self.root) / math::sqrt(self.rest))
+    }
+
     /// `p_s(h | z_b)` for the density `D(h)` and the coordinates `z = T⁻¹(h)`, in the unit of `density`.
     ///
     /// ```text

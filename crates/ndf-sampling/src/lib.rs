@@ -38,7 +38,8 @@
 //! | [`NormalMapFormat`], [`TangentSpace`], [`Zero`], [`Blue`] | how its texels are read |
 //! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
-//! | [`conditional_density`], [`GaussianSplit`] | exact level of detail |
+//! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`] | exact level of detail |
+//! | [`OffsetBeckmann`] | Gaussian slopes of any mean and covariance, as those that a Beckmann surface leaves |
 //!
 //! # Conventions
 //!
@@ -79,6 +80,7 @@ mod beckmann;
 mod blinn_phong;
 mod chart;
 mod conditional;
+mod conditional_ndf;
 mod detail;
 #[cfg(feature = "alloc")]
 mod disk;
@@ -104,6 +106,7 @@ mod normal_map;
 #[cfg(feature = "alloc")]
 mod normal_table;
 mod normal_table_ref;
+mod offset_beckmann;
 mod remap;
 mod roughness;
 #[cfg(feature = "alloc")]
@@ -131,6 +134,7 @@ pub use beckmann::Beckmann;
 pub use blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
 pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
+pub use conditional_ndf::ConditionalNdf;
 pub use detail::{NoiseChain, detailed, detailed_normal};
 #[cfg(feature = "alloc")]
 pub use estimate::{EstimateError, NdfEstimator, estimate_ndf};
@@ -150,6 +154,7 @@ pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
 pub use normal_table_ref::{NormalTableError, NormalTableRef};
+pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 pub use remap::{NoiseCdf, NoiseCdfError};
 pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
 pub use spacing::Spacing;
