@@ -1,7 +1,8 @@
 //! Exact level of detail: the mean over the surface is the far field, and resolving more keeps the mean.
 
 use asperity_ndf_sampling::{
-    Beckmann, ConditionalNdf, GaussianSplit, Ggx, Measure, Ndf, NdfMap, OffsetBeckmann, conditional_density,
+    AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Measure, Ndf, NdfMap,
+    OffsetBeckmann, StudentT, conditional_density,
 };
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
@@ -29,6 +30,10 @@ fn parametric() -> Vec<Named> {
         ("GGX 0.001", Box::new(Ggx::isotropic(1e-3).expect("valid"))),
         ("Beckmann 0.3", Box::new(Beckmann::isotropic(0.3).expect("valid"))),
         ("Beckmann 1.0 0.1", Box::new(Beckmann::new(1.0, 0.1).expect("valid"))),
+        ("Student-t 0.3 0.5, 1.6", Box::new(StudentT::new(0.3, 0.5, 1.6).expect("valid"))),
+        ("Student-t 0.2, 8", Box::new(StudentT::new(0.2, 0.2, 8.0).expect("valid"))),
+        ("Blinn-Phong 30", Box::new(BlinnPhong::new(30.0).expect("valid"))),
+        ("Ashikhmin-Shirley 100 10", Box::new(AshikhminShirley::new(100.0, 10.0).expect("valid"))),
     ]
 }
 
@@ -42,7 +47,7 @@ fn images() -> Vec<Named> {
     vec![
         image("smooth", 64, |x, y| (3.0 * x - y).sin() + 1.5),
         image("binary mask", 32, |x, y| {
-            f64::from(u8::from((7.0 * x).floor() as i32 + (5.0 * y).floor() as i32 & 1 == 0))
+            f64::from(u8::from(((7.0 * x).floor() + (5.0 * y).floor()).rem_euclid(2.0) == 0.0))
         }),
         image("one hot texel", 64, |x, y| {
             f64::from(u8::from((x - 0.3).abs() < 1.0 / 64.0 && (y + 0.51).abs() < 1.0 / 64.0))
