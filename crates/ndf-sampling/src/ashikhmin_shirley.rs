@@ -10,6 +10,7 @@ use crate::kronrod::integrate;
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
+use crate::radial::Radial;
 use crate::roughness::Roughness;
 use crate::student::Student;
 use crate::turn::turn;
@@ -219,6 +220,12 @@ impl Hashed {
         let bits = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         ((bits ^ (bits >> 31)) >> 40) as f32 / 16_777_216.0
+    }
+}
+
+impl Radial for AshikhminShirley {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        (self.n_u == self.n_v).then(|| (0.5 * f64::from(self.n_u) + 1.0) * math::ln_1p_f64(slope * slope))
     }
 }
 

@@ -11,6 +11,7 @@ use crate::lanes::Lanes;
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::FARTHEST;
+use crate::radial::Radial;
 use crate::roughness::{Roughness, roughness_parameters};
 use crate::visible_gaussian::{excess, quantile, visible_slope};
 
@@ -133,6 +134,13 @@ impl Microfacet for Beckmann {
         let along = visible_slope(z, f64::from(u.x)) as f32 * FRAC_1_SQRT_2;
         let across = quantile(u.y) * FRAC_1_SQRT_2;
         self.alpha.normal(along * cos - across * sin, along * sin + across * cos, 1.0)
+    }
+}
+
+impl Radial for Beckmann {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        let t = slope / f64::from(self.alpha.x);
+        (self.alpha.x == self.alpha.y).then_some(t * t)
     }
 }
 

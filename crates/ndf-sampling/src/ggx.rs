@@ -10,6 +10,7 @@ use crate::lanes::{Lanes, Scalar};
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::FARTHEST;
+use crate::radial::Radial;
 use crate::roughness::{Roughness, roughness_parameters};
 
 /// The GGX normal density with the roughnesses `alpha_x`, `alpha_y`.
@@ -131,6 +132,13 @@ impl Microfacet for Ggx {
     #[inline]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
         self.visible(Scalar, [v.x, v.y, v.z, u.x, u.y]).into()
+    }
+}
+
+impl Radial for Ggx {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        let t = slope / f64::from(self.alpha.x);
+        (self.alpha.x == self.alpha.y).then(|| math::ln_1p_f64(t * t))
     }
 }
 

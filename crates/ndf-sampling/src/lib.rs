@@ -26,6 +26,8 @@
 //! | [`Microfacet`] | the trait of Smith's Λ, G₁, G₂ and of visible normals |
 //! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic, in closed form for every roughness |
 //! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | the densities of facets of older models, as exact |
+//! | [`Isotropic`] | a density of the tilt, from a table over the cosine, owned or borrowed |
+//! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
 //! | [`NdfMap`], [`Measure`] | a density painted or computed on the hemispherical map, sampled exactly |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
@@ -77,6 +79,7 @@ compile_error!("asperity-ndf-sampling needs a float backend: enable the feature 
 mod ashikhmin_shirley;
 mod batch;
 mod beckmann;
+mod blend;
 mod blinn_phong;
 mod chart;
 mod conditional;
@@ -92,6 +95,8 @@ mod gaussian;
 mod gaussian_lanes;
 mod ggx;
 mod half;
+mod isotropic;
+mod isotropic_cell;
 mod kernels;
 mod kronrod;
 mod lanes;
@@ -101,13 +106,16 @@ mod map;
 mod marginal;
 mod math;
 mod microfacet;
+mod mixture;
 mod ndf;
 mod normal_map;
 #[cfg(feature = "alloc")]
 mod normal_table;
 mod normal_table_ref;
 mod offset_beckmann;
+mod radial;
 mod remap;
+mod rotated;
 mod roughness;
 #[cfg(feature = "alloc")]
 mod slab;
@@ -131,6 +139,7 @@ mod wide;
 pub use ashikhmin_shirley::AshikhminShirley;
 pub use batch::{Batch, BatchError};
 pub use beckmann::Beckmann;
+pub use blend::{Blend, MixtureError};
 pub use blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
 pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
@@ -143,19 +152,23 @@ pub use gaussian::{inverse_phi, phi};
 pub use ggx::Ggx;
 pub use glam;
 pub use half::{MAX_HALF, from_half, to_half};
+pub use isotropic::{Isotropic, IsotropicError, MAX_NODES};
 pub use kernels::InLanes;
 #[cfg(feature = "alloc")]
 pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
 #[cfg(feature = "alloc")]
 pub use marginal::Cdf;
 pub use microfacet::Microfacet;
+pub use mixture::Mixture;
 pub use ndf::Ndf;
 pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
 pub use normal_table_ref::{NormalTableError, NormalTableRef};
 pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
+pub use radial::Radial;
 pub use remap::{NoiseCdf, NoiseCdfError};
+pub use rotated::{AngleError, Rotated};
 pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
 pub use spacing::Spacing;
 pub use student_t::{MAX_GAMMA, MIN_GAMMA, StudentT, StudentTError};

@@ -98,7 +98,7 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
     }
 }
 
-/// Both traits of a density by those of another, which the method `facets` returns.
+/// The traits of a density by those of another, which the method `facets` returns.
 macro_rules! same_facets {
     ($density:ty) => {
         impl $crate::Ndf for $density {
@@ -137,6 +137,13 @@ macro_rules! same_facets {
             #[inline]
             fn sample_visible(&self, v: glam::Vec3, u: glam::Vec2) -> glam::Vec3 {
                 self.facets().sample_visible(v, u)
+            }
+        }
+
+        impl $crate::Radial for $density {
+            #[inline]
+            fn exponent(&self, slope: f64) -> Option<f64> {
+                self.facets().exponent(slope)
             }
         }
     };

@@ -8,6 +8,7 @@ use glam::{Vec2, Vec3};
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
+use crate::radial::Radial;
 use crate::roughness::{Roughness, RoughnessError};
 use crate::student::Student;
 use crate::turn::turn;
@@ -222,6 +223,13 @@ impl fmt::Display for StudentTError {
 }
 
 impl core::error::Error for StudentTError {}
+
+impl Radial for StudentT {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        let (t, scale) = (slope / f64::from(self.alpha.x), f64::from(self.gamma) - 1.0);
+        (self.alpha.x == self.alpha.y).then(|| scale * math::ln_1p_f64(t * t / scale))
+    }
+}
 
 #[cfg(test)]
 mod tests {

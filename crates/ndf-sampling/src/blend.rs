@@ -1,0 +1,165 @@
+//! A weighted sum of two densities, sampled by a choice between them.
+
+use core::fmt;
+
+use glam::{Vec2, Vec3};
+
+use crate::microfacet::{Microfacet, above, unit_square};
+use crate::ndf::Ndf;
+
+/// The density `w D_a + (1 − w) D_b` of any two densities, without a map from Gaussian coordinates.
+///
+/// ```text
+/// D = w D_a + (1 − w) D_b,   σ = w σ_a + (1 − w) σ_b,   Λ = w Λ_a + (1 − w) Λ_b
+/// ```
+///
+/// In general the sum has no bijection in closed form. Where both densities depend on the tilt alone,
+/// [`Mixture`](crate::Mixture) has it; for others `NdfMap::from_fn(width, height, Measure::Normals, |m| blend.density(m))`
+/// finds one. Samples choose a density by `u.x` and use what is left of that number again; the map from `u` jumps there.
+///
+/// ```
+/// use asperity_ndf_sampling::{Blend, BlinnPhong, Ggx, glam::{Vec2, Vec3}};
+///
+/// // A glossy lobe on a third of the surface, a diffuse one on the rest.
+/// let blend = Blend::new(Ggx::new(0.1, 0.3)?, BlinnPhong::new(0.0)?, 1.0 / 3.0)?;
+/// assert!(blend.density(Vec3::X) == 0.0 && blend.sample(Vec2::new(0.9, 0.2)).z > 0.0);
+/// assert!(blend.lambda(Vec3::new(0.6, 0.0, 0.8)) > 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// Kautz, Heidrich, Seidel 2001, section 6, add a diffuse lobe to a density. Projected areas are integrals of the density, so
+/// they and Λ add up as it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blend<A, B> {
+    a: A,
+    b: B,
+    weight: f32,
+}
+
+impl<A, B> Blend<A, B> {
+    /// `weight` of the density `a`, and the rest of `b`.
+    ///
+    /// # Errors
+    /// A weight that is not between 0 and 1.
+    pub fn new(a: A, b: B, weight: f32) -> Result<Self, MixtureError> {
+        if (0.0..=1.0).contains(&weight) {
+            Ok(Self { a, b, weight })
+        } else {
+            Err(MixtureError::Weight { value: weight })
+        }
+    }
+
+    /// The first density.
+    pub const fn a(&self) -> &A {
+        &self.a
+    }
+
+    /// The second density.
+    pub const fn b(&self) -> &B {
+        &self.b
+    }
+
+    /// The weight of the first density.
+    pub const fn weight(&self) -> f32 {
+        self.weight
+    }
+
+    /// `w f(a) + (1 − w) f(b)`, without the density whose weight is 0: it could be infinite.
+    fn sum(&self, a: impl Fn(&A) -> f32, b: impl Fn(&B) -> f32) -> f32 {
+        if self.weight >= 1.0 {
+            a(&self.a)
+        } else if self.weight <= 0.0 {
+            b(&self.b)
+        } else {
+            self.weight * a(&self.a) + (1.0 - self.weight) * b(&self.b)
+        }
+    }
+
+    /// A sample of `a` with the probability `share`, otherwise of `b`, by what is left of `u`.
+    fn choose(
+        &self,
+        share: f32,
+        u: Vec2,
+        a: impl Fn(&A, Vec2) -> Vec3,
+        b: impl Fn(&B, Vec2) -> Vec3,
+    ) -> Vec3 {
+        let u = unit_square(u);
+        if u.x < share {
+            a(&self.a, Vec2::new(u.x / share, u.y))
+        } else {
+            b(&self.b, Vec2::new((u.x - share) / (1.0 - share), u.y))
+        }
+    }
+}
+
+impl<A: Ndf, B: Ndf> Blend<A, B> {
+    /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
+    #[must_use]
+    pub fn density(&self, m: Vec3) -> f32 {
+        self.sum(|a| a.density(m), |b| b.density(m)).min(f32::MAX)
+    }
+
+    /// A normal with the density `D` over the macro surface, for a uniform `u` in `[0, 1)²`.
+    #[must_use]
+    pub fn sample(&self, u: Vec2) -> Vec3 {
+        self.choose(self.weight, u, Ndf::sample, Ndf::sample)
+    }
+}
+
+impl<A: Microfacet, B: Microfacet> Blend<A, B> {
+    /// Smith's `Λ(v)`, as [`Microfacet::lambda`].
+    #[must_use]
+    pub fn lambda(&self, v: Vec3) -> f32 {
+        self.sum(|a| a.lambda(v), |b| b.lambda(v))
+    }
+
+    /// The projected area `σ(v)`, as [`Microfacet::projected_area`].
+    #[must_use]
+    pub fn projected_area(&self, v: Vec3) -> f32 {
+        self.sum(|a| a.projected_area(v), |b| b.projected_area(v))
+    }
+
+    /// A visible normal, as [`Microfacet::sample_visible`].
+    #[must_use]
+    pub fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let share = self.weight * self.a.projected_area(v) / self.projected_area(v);
+        self.choose(share, u, |a, u| a.sample_visible(v, u), |b, u| b.sample_visible(v, u))
+    }
+
+    /// The density of visible normals, as [`Microfacet::visible_density`].
+    #[must_use]
+    pub fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
+        let v = above(v);
+        let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);
+        if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
+    }
+}
+
+/// Why a sum of densities was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MixtureError {
+    /// The weight is not between 0 and 1.
+    Weight {
+        /// Its value.
+        value: f32,
+    },
+    /// A density depends on the azimuth, so that the sum has no radial map.
+    NotRadial {
+        /// Which density: `"a"` or `"b"`.
+        density: &'static str,
+    },
+}
+
+impl fmt::Display for MixtureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Weight { value } => write!(f, "weight must be between 0 and 1, got {value}"),
+            Self::NotRadial { density } => {
+                write!(f, "density {density} must depend on the tilt alone, but it depends on the azimuth")
+            }
+        }
+    }
+}
+
+impl core::error::Error for MixtureError {}
