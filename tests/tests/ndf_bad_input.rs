@@ -1,6 +1,8 @@
 //! Bad input: each gets one clear line, which names the culprit and its value.
 
-use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, NoiseCdf, NormalTable, RoughnessError};
+use asperity_ndf_sampling::{
+    Beckmann, Ggx, Measure, NdfMap, NoiseCdf, NormalTable, Reconstruction, RoughnessError,
+};
 
 /// One line, lower case, without a full stop, with every one of `parts`.
 fn check(error: &dyn core::error::Error, parts: &[&str]) {
@@ -43,8 +45,9 @@ fn roughness() {
 #[test]
 fn images() {
     let refused = |width, height, texels: &[f32]| {
-        [Measure::Normals, Measure::SolidAngle]
-            .map(|measure| NdfMap::from_texels(width, height, texels, measure).unwrap_err())
+        [Measure::Normals, Measure::SolidAngle].map(|measure| {
+            NdfMap::from_texels(width, height, texels, measure, Reconstruction::Constant).unwrap_err()
+        })
     };
     for error in refused(0, 0, &[]).iter().chain(&refused(3, 0, &[])) {
         check(error, &["must have texels"]);
@@ -64,14 +67,22 @@ fn images() {
         for error in refused(4, 4, &texels) {
             check(&error, &["texel 9", name]);
         }
-        let error =
-            NdfMap::from_fn(4, 4, Measure::Normals, |n| if n.x > 0.5 { bad } else { 1.0 }).unwrap_err();
+        let error = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| {
+            if n.x > 0.5 { bad } else { 1.0 }
+        })
+        .unwrap_err();
         check(&error, &["texel", name]);
     }
     // One pixel, the largest and the smallest values are densities.
     for value in [1.0, f32::MAX, f32::MIN_POSITIVE, 1e-45] {
-        assert!(NdfMap::from_texels(1, 1, &[value], Measure::Normals).is_ok(), "{value}");
-        assert!(NdfMap::from_texels(2, 2, &[value; 4], Measure::SolidAngle).is_ok(), "{value}");
+        assert!(
+            NdfMap::from_texels(1, 1, &[value], Measure::Normals, Reconstruction::Constant).is_ok(),
+            "{value}"
+        );
+        assert!(
+            NdfMap::from_texels(2, 2, &[value; 4], Measure::SolidAngle, Reconstruction::Constant).is_ok(),
+            "{value}"
+        );
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sampled normals against their density: χ² with pooled bins, significance 0.001 over the number of cases.
 
-use asperity_ndf_sampling::{Beckmann, Ggx, Measure, Ndf, NdfMap};
+use asperity_ndf_sampling::{Beckmann, Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
@@ -103,14 +103,14 @@ fn ggx_samples_the_reference_bins() {
 fn maps() -> Vec<(&'static str, NdfMap, usize)> {
     let lobe = |n: Vec3, x: f32, y: f32| (-30.0 * ((n.x - x).powi(2) + (n.y - y).powi(2))).exp();
     let build = |size: usize, f: &dyn Fn(Vec3) -> f32| {
-        NdfMap::from_fn(size, size, Measure::Normals, f).expect("valid")
+        NdfMap::from_fn(size, size, Measure::Normals, Reconstruction::Constant, f).expect("valid")
     };
     let texels = |size: usize, hot: &[(usize, usize, f32)]| {
         let mut image = vec![0.0; size * size];
         for &(i, j, value) in hot {
             image[j * size + i] = value;
         }
-        NdfMap::from_texels(size, size, &image, Measure::Normals).expect("valid")
+        NdfMap::from_texels(size, size, &image, Measure::Normals, Reconstruction::Constant).expect("valid")
     };
     vec![
         ("two lobes", build(32, &|n| lobe(n, -0.45, 0.2) + 0.5 * lobe(n, 0.4, -0.3)), 32),
@@ -118,7 +118,7 @@ fn maps() -> Vec<(&'static str, NdfMap, usize)> {
             "two lobes per solid angle",
             {
                 let lobes = |n: Vec3| lobe(n, -0.7, 0.5) + 0.3 * lobe(n, 0.6, -0.6) + 0.05;
-                NdfMap::from_fn(32, 32, Measure::SolidAngle, lobes).expect("valid")
+                NdfMap::from_fn(32, 32, Measure::SolidAngle, Reconstruction::Constant, lobes).expect("valid")
             },
             32,
         ),
@@ -157,7 +157,7 @@ fn distorted_samplers_are_rejected() {
     let rougher = Ggx::new(0.21, 0.42).unwrap();
     let turned = Ggx::new(0.4, 0.2).unwrap();
     let beckmann = Beckmann::new(0.2, 0.4).unwrap();
-    let map = NdfMap::from_ndf(32, 32, &right).unwrap();
+    let map = NdfMap::from_ndf(32, 32, Reconstruction::Constant, &right).unwrap();
     let centres = |z: Vec2| {
         let m = map.from_gaussian(z);
         let centre = |n: f32| (((n * 0.5 + 0.5) * 32.0).floor() + 0.5) / 16.0 - 1.0;

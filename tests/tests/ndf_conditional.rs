@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Measure, Ndf, NdfMap,
-    OffsetBeckmann, StudentT, conditional_density,
+    OffsetBeckmann, Reconstruction, StudentT, conditional_density,
 };
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
@@ -19,7 +19,12 @@ fn ndfs() -> Vec<Named> {
     let mut ndfs = parametric();
     let lobe = |n: Vec3, x: f32, y: f32| (-30.0 * ((n.x - x).powi(2) + (n.y - y).powi(2))).exp();
     let painted = |n: Vec3| lobe(n, -0.45, 0.2) + 0.5 * lobe(n, 0.4, -0.3) + 0.01;
-    ndfs.push(("painted", Box::new(NdfMap::from_fn(64, 64, Measure::Normals, painted).expect("valid"))));
+    ndfs.push((
+        "painted",
+        Box::new(
+            NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, painted).expect("valid"),
+        ),
+    ));
     ndfs
 }
 
@@ -42,7 +47,13 @@ fn images() -> Vec<Named> {
     let image = |name, size: usize, texel: fn(f64, f64) -> f64| -> Named {
         let at = |k: usize| 2.0 * (k as f64 + 0.5) / size as f64 - 1.0;
         let texels: Vec<f32> = (0..size * size).map(|k| texel(at(k % size), at(k / size)) as f32).collect();
-        (name, Box::new(NdfMap::from_texels(size, size, &texels, Measure::Normals).expect("a density")))
+        (
+            name,
+            Box::new(
+                NdfMap::from_texels(size, size, &texels, Measure::Normals, Reconstruction::Constant)
+                    .expect("a density"),
+            ),
+        )
     };
     vec![
         image("smooth", 64, |x, y| (3.0 * x - y).sin() + 1.5),

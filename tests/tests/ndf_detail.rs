@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::{
     Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdf, NoiseChain, NormalMapFormat, NormalTable,
-    TableLayout, TangentSpace, detailed_normal, estimate_ndf,
+    Reconstruction, TableLayout, TangentSpace, detailed_normal, estimate_ndf,
 };
 use asperity_noise::{Gaussian, Kernel, Perlin2002, Simplex};
 use asperity_tests::disk_bins::DiskBins;
@@ -178,7 +178,7 @@ fn variation(normals: &[Vec3], ndf: &NdfMap) -> f64 {
 #[test]
 fn estimate_of_drawn_normals_is_their_density() {
     let beckmann = Beckmann::new(0.3, 0.5).unwrap();
-    let exact = NdfMap::from_ndf(256, 256, &beckmann).unwrap();
+    let exact = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &beckmann).unwrap();
     let mut before = 1.0;
     for power in [10, 13, 16] {
         let normals: Vec<Vec3> =

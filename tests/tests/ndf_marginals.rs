@@ -1,6 +1,6 @@
 //! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
 
-use asperity_ndf_sampling::{Beckmann, Cdf, Ggx, Measure, Ndf, NdfMap};
+use asperity_ndf_sampling::{Beckmann, Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::random::Random;
 use asperity_tests::reference::{self, numbers, rows};
 use glam::{Vec2, Vec3};
@@ -19,7 +19,7 @@ fn marginals_of_a_fine_map_equal_the_reference() {
             "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
             _ => continue,
         };
-        let map = NdfMap::from_ndf(500, 500, &*ndf).unwrap();
+        let map = NdfMap::from_ndf(500, 500, Reconstruction::Constant, &*ndf).unwrap();
         let cdf = map.cdf();
         let mut note = |k: usize, error: f64, tolerance: f64, what: &str| {
             worst[k] = worst[k].max(error.abs());
@@ -59,7 +59,7 @@ fn check_round_trip(cdf: &Cdf, u: [f64; 2]) -> f64 {
 
 fn image(size: usize, value: impl Fn(usize, usize) -> f32) -> NdfMap {
     let texels: Vec<f32> = (0..size * size).map(|k| value(k % size, k / size)).collect();
-    NdfMap::from_texels(size, size, &texels, Measure::Normals).expect("valid")
+    NdfMap::from_texels(size, size, &texels, Measure::Normals, Reconstruction::Constant).expect("valid")
 }
 
 #[test]
@@ -73,9 +73,18 @@ fn forward_undoes_inverse_on_every_kind_of_map() {
         ("two far islands", image(64, |i, j| f32::from((i == 1 || i == 62) && j / 2 == 16))),
         ("ring", image(64, |i, j| f32::from((i as f32 - 31.5).hypot(j as f32 - 31.5) > 24.0))),
         ("steep", image(64, |i, j| (-(i as f32) - 0.5 * j as f32).exp2())),
-        ("GGX 0.05", NdfMap::from_ndf(256, 256, &Ggx::isotropic(0.05).unwrap()).unwrap()),
-        ("GGX 1", NdfMap::from_ndf(100, 37, &Ggx::isotropic(1.0).unwrap()).unwrap()),
-        ("bright rim", NdfMap::from_fn(50, 50, Measure::SolidAngle, |n| n.x.abs()).unwrap()),
+        (
+            "GGX 0.05",
+            NdfMap::from_ndf(256, 256, Reconstruction::Constant, &Ggx::isotropic(0.05).unwrap()).unwrap(),
+        ),
+        (
+            "GGX 1",
+            NdfMap::from_ndf(100, 37, Reconstruction::Constant, &Ggx::isotropic(1.0).unwrap()).unwrap(),
+        ),
+        (
+            "bright rim",
+            NdfMap::from_fn(50, 50, Measure::SolidAngle, Reconstruction::Constant, |n| n.x.abs()).unwrap(),
+        ),
     ];
     for (name, map) in maps {
         let mut random = Random(11);
@@ -93,7 +102,7 @@ fn forward_undoes_inverse_on_every_kind_of_map() {
 #[test]
 fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
     let ggx = Ggx::new(0.3, 0.6).unwrap();
-    let map = NdfMap::from_ndf(256, 256, &ggx).unwrap();
+    let map = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &ggx).unwrap();
     let mut worst = 0.0_f32;
     for (j, k) in (-40..=40).flat_map(|j| (-40..=40).map(move |k| (j, k))) {
         let z = Vec2::new(j as f32, k as f32) * 0.1;
@@ -171,7 +180,7 @@ proptest! {
         u1 in 0.0_f64..1.0, u2 in 0.0_f64..1.0,
     ) {
         let texels = &weights[..width * height];
-        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals) else {
+        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals, Reconstruction::Constant) else {
             // Only black maps are refused.
             prop_assert!(texels.iter().zip(0..).all(|(&t, k)| t == 0.0 || !in_disk(k, width, height)));
             return Ok(());

@@ -1,7 +1,7 @@
 //! The mean radiance of a surface at every zoom, measured from the real noise: `Exact` keeps it, `Fractal` does not.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::ndf_sampling::{Measure, NdfMap};
+use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
 use asperity_shading::noise::{GaussianOctaves, Spectrum};
 use asperity_shading::{Beckmann, GaussianField, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
@@ -56,7 +56,8 @@ fn cases() -> [Case; 3] {
         Case {
             name: "two lobes",
             ndf: Box::new(
-                NdfMap::from_fn(128, 128, Measure::Normals, painted).expect("two lobes have weight"),
+                NdfMap::from_fn(128, 128, Measure::Normals, Reconstruction::Constant, painted)
+                    .expect("two lobes have weight"),
             ),
             half_vectors: on_map([[-0.4, 0.1], [0.45, -0.2], [0.0, 0.0], [-0.5, -0.1], [0.2, -0.1]]),
         },

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, glam::Vec3};
+use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, Reconstruction, glam::Vec3};
 
 use crate::{
     cli,
@@ -67,7 +67,7 @@ impl Density {
     pub(crate) fn map(&self) -> Result<NdfMap, Failure> {
         Ok(match &self.form {
             Form::Map(map) => map.as_ref().clone(),
-            _ => NdfMap::from_ndf(SIZE, SIZE, self.ndf())?,
+            _ => NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Constant, self.ndf())?,
         })
     }
 
@@ -111,7 +111,7 @@ pub(crate) fn painted() -> Result<NdfMap, Failure> {
         (-(x * x + y * y) / width).exp()
     };
     let paint = |n: Vec3| lobe(n, -0.38, 0.22, 0.020) + 0.6 * lobe(n, 0.35, -0.30, 0.045) + 0.02;
-    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, paint)?)
+    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Constant, paint)?)
 }
 
 fn roughness(numbers: &str) -> Result<[f32; 2], String> {
@@ -136,7 +136,7 @@ fn image_density(path: &Path, measure: cli::Measure) -> Result<NdfMap, Failure> 
         cli::Measure::Normals => Measure::Normals,
         cli::Measure::SolidAngle => Measure::SolidAngle,
     };
-    Ok(NdfMap::from_texels(image.width, image.height, &turned, measure)?)
+    Ok(NdfMap::from_texels(image.width, image.height, &turned, measure, Reconstruction::Constant)?)
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef, Spacing, TableLayout,
+    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef, Reconstruction, Spacing, TableLayout,
     conditional_density, inverse_phi, phi,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -32,7 +32,7 @@ fn maps(c: &mut Criterion) {
     let coordinates = coordinates();
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let beckmann = Beckmann::new(0.2, 0.4).expect("roughness in range");
-    let map = NdfMap::from_ndf(256, 256, &ggx).expect("a density");
+    let map = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &ggx).expect("a density");
     let ndfs: [(&str, &dyn Ndf); 3] = [("ggx", &ggx), ("beckmann", &beckmann), ("map_256", &map)];
     for (name, ndf) in ndfs {
         let normals: Vec<Vec3> = coordinates.iter().map(|&z| ndf.from_gaussian(z)).collect();
@@ -93,7 +93,9 @@ fn construction(c: &mut Criterion) {
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let mut group = c.benchmark_group("build");
     group.sample_size(10);
-    group.bench_function("map_256", |b| b.iter(|| NdfMap::from_ndf(256, 256, black_box(&ggx))));
+    group.bench_function("map_256", |b| {
+        b.iter(|| NdfMap::from_ndf(256, 256, Reconstruction::Constant, black_box(&ggx)))
+    });
     group.bench_function("normal_table_256", |b| b.iter(|| NormalTable::standard(black_box(&ggx))));
     group.finish();
 }

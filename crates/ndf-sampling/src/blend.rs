@@ -14,7 +14,7 @@ use crate::ndf::Ndf;
 /// ```
 ///
 /// In general the sum has no bijection in closed form. Where both densities depend on the tilt alone,
-/// [`Mixture`](crate::Mixture) has it; for others `NdfMap::from_fn(width, height, Measure::Normals, |m| blend.density(m))`
+/// [`Mixture`](crate::Mixture) has it; for others `NdfMap::from_fn(width, height, Measure::Normals, Reconstruction::Constant, |m| blend.density(m))`
 /// finds one. Samples choose a density by `u.x` and use what is left of that number again; the map from `u` jumps there.
 ///
 /// ```

@@ -9,6 +9,7 @@ use glam::Vec3;
 use crate::disk::meets;
 use crate::map::{MAX_TEXELS, Measure, NdfMap};
 use crate::math;
+use crate::reconstruction::Reconstruction;
 
 /// Counts the normals of a bump map over (n_x, n_y), each spread by a smooth kernel, into the texels of an [`NdfMap`].
 ///
@@ -173,7 +174,7 @@ impl NdfEstimator {
     /// # Errors
     /// [`EstimateError::NoNormals`] if none was counted.
     pub fn finish(self) -> Result<NdfMap, EstimateError> {
-        NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals)
+        NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals, Reconstruction::Constant)
             .map_err(|_| EstimateError::NoNormals)
     }
 }

@@ -28,7 +28,7 @@
 //! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | the densities of facets of older models, as exact |
 //! | [`Isotropic`] | a density of the tilt, from a table over the cosine, owned or borrowed |
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
-//! | [`NdfMap`], [`Measure`] | a density painted or computed on the hemispherical map, sampled exactly |
+//! | [`NdfMap`], [`Measure`], [`Reconstruction`] | a density painted or computed on the hemispherical map, sampled exactly |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
 //! | [`NoiseCdf`] | G: the measured distribution of a noise, to uniform and Gaussian numbers and back |
@@ -82,8 +82,12 @@ mod beckmann;
 mod blend;
 mod blinn_phong;
 mod chart;
+#[cfg(feature = "alloc")]
+mod columns;
 mod conditional;
 mod conditional_ndf;
+#[cfg(feature = "alloc")]
+mod cuts;
 mod detail;
 #[cfg(feature = "alloc")]
 mod disk;
@@ -94,6 +98,8 @@ mod frame;
 mod gaussian;
 mod gaussian_lanes;
 mod ggx;
+#[cfg(feature = "alloc")]
+mod guide;
 mod half;
 mod isotropic;
 mod isotropic_cell;
@@ -113,7 +119,10 @@ mod normal_map;
 mod normal_table;
 mod normal_table_ref;
 mod offset_beckmann;
+#[cfg(feature = "alloc")]
+mod quantiles;
 mod radial;
+mod reconstruction;
 mod remap;
 mod rotated;
 mod roughness;
@@ -128,6 +137,8 @@ mod sum;
 mod table_accuracy;
 mod table_batch;
 mod table_layout;
+#[cfg(feature = "alloc")]
+mod texels;
 mod turn;
 #[cfg(feature = "simd")]
 mod twice;
@@ -167,6 +178,7 @@ pub use normal_table::NormalTable;
 pub use normal_table_ref::{NormalTableError, NormalTableRef};
 pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 pub use radial::Radial;
+pub use reconstruction::Reconstruction;
 pub use remap::{NoiseCdf, NoiseCdfError};
 pub use rotated::{AngleError, Rotated};
 pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};

@@ -5,12 +5,15 @@ use core::fmt;
 
 use glam::{Vec2, Vec3};
 
-use crate::disk::{mean_secant, to_normal};
+use crate::columns::Columns;
+use crate::disk::to_normal;
 use crate::gaussian::{inverse_phi, phi};
-use crate::marginal::{Cdf, texel_edges, texel_meets};
+use crate::marginal::Cdf;
 use crate::ndf::Ndf;
+use crate::reconstruction::Reconstruction;
+use crate::texels::{columns_of_texels, texel_edges, texel_meets};
 
-/// The most texels a map may have; it then takes 200 MB.
+/// The most texels a map may have; it then takes 220 MB.
 pub const MAX_TEXELS: usize = 1 << 24;
 
 /// The farthest Gaussian coordinate of a map: `1 − Φ` of it is the resolution of `f64` below 1.
@@ -49,11 +52,11 @@ pub enum Measure {
 /// - **Accuracy:** `T⁻¹(T(z)) = z` to the rounding of `m` to `f32`: 1.2e-7 times the slope of `z` over the normal.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Measure, Ndf, NdfMap, glam::{Vec2, Vec3}};
+/// use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction, glam::{Vec2, Vec3}};
 ///
 /// // Two lobes, painted.
 /// let lobe = |n: Vec3, x: f32| f32::exp(-40.0 * ((n.x - x) * (n.x - x) + n.y * n.y));
-/// let map = NdfMap::from_fn(64, 64, Measure::Normals, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
+/// let map = NdfMap::from_fn(64, 64, Measure::Normals, Reconstruction::Constant, |n| lobe(n, -0.4) + lobe(n, 0.4))?;
 /// assert!(map.density(Vec3::new(0.4, 0.0, 0.9165)) > 10.0 * map.density(Vec3::Z));
 /// let z = Vec2::new(0.3, -1.0);
 /// assert!(map.to_gaussian(map.from_gaussian(z)).abs_diff_eq(z, 1e-5));
@@ -77,38 +80,56 @@ impl NdfMap {
         height: usize,
         texels: &[f32],
         measure: Measure,
+        reconstruction: Reconstruction,
     ) -> Result<Self, NdfMapError> {
         let expected = check_size(width, height)?;
         if texels.len() != expected {
             return Err(NdfMapError::SizeMismatch { width, height, len: texels.len() });
         }
-        Self::build(width, height, measure, |i, j| texels.get(j * width + i).copied().unwrap_or(0.0))
+        let values = columns_of_texels(width, height, texels, measure, reconstruction)?;
+        Cdf::new(Columns::new(width, height, reconstruction, values))
+            .map(|cdf| Self { cdf })
+            .ok_or(NdfMapError::AllBlack { width, height })
     }
 
-    /// The map of a function, averaged over 4×4 points of each texel (those that are inside the disk).
+    /// The map of a function: averaged over 4×4 points of each texel (those that are inside the disk) for
+    /// [`Reconstruction::Constant`], else at the centres (or where the rim is nearest to a centre outside the disk).
     ///
     /// The function gets unit normals with `n.z > 0`.
     ///
     /// # Errors
-    /// As [`NdfMap::from_texels`], for the averages.
+    /// As [`NdfMap::from_texels`], for these values.
     pub fn from_fn(
         width: usize,
         height: usize,
         measure: Measure,
+        reconstruction: Reconstruction,
         mut f: impl FnMut(Vec3) -> f32,
     ) -> Result<Self, NdfMapError> {
-        check_size(width, height)?;
-        Self::build(width, height, measure, |i, j| {
-            average(texel_edges(i, width), texel_edges(j, height), &mut f)
-        })
+        let mut texels = Vec::with_capacity(check_size(width, height)?);
+        for (i, j) in (0..height).flat_map(|j| (0..width).map(move |i| (i, j))) {
+            texels.push(if !texel_meets(i, width, j, height) {
+                0.0
+            } else if reconstruction == Reconstruction::Constant {
+                average(texel_edges(i, width), texel_edges(j, height), &mut f)
+            } else {
+                at_centre(texel_edges(i, width), texel_edges(j, height), &mut f)
+            });
+        }
+        Self::from_texels(width, height, &texels, measure, reconstruction)
     }
 
     /// The map of another normal density, by [`NdfMap::from_fn`].
     ///
     /// # Errors
     /// As [`NdfMap::from_fn`].
-    pub fn from_ndf<N: Ndf + ?Sized>(width: usize, height: usize, ndf: &N) -> Result<Self, NdfMapError> {
-        Self::from_fn(width, height, Measure::Normals, |m| ndf.density(m))
+    pub fn from_ndf<N: Ndf + ?Sized>(
+        width: usize,
+        height: usize,
+        reconstruction: Reconstruction,
+        ndf: &N,
+    ) -> Result<Self, NdfMapError> {
+        Self::from_fn(width, height, Measure::Normals, reconstruction, |m| ndf.density(m))
     }
 
     /// The marginal and conditional distribution functions, their inverses, and the density over the map.
@@ -116,38 +137,6 @@ impl NdfMap {
     #[must_use]
     pub const fn cdf(&self) -> &Cdf {
         &self.cdf
-    }
-
-    fn build(
-        width: usize,
-        height: usize,
-        measure: Measure,
-        mut value: impl FnMut(usize, usize) -> f32,
-    ) -> Result<Self, NdfMapError> {
-        let mut columns = Vec::with_capacity(width * height);
-        for (i, j) in (0..width).flat_map(|i| (0..height).map(move |j| (i, j))) {
-            if !texel_meets(i, width, j, height) {
-                columns.push(0.0);
-                continue;
-            }
-            let (value, index) = (value(i, j), j * width + i);
-            if !value.is_finite() {
-                return Err(NdfMapError::NotFinite { index, value });
-            }
-            if value < 0.0 {
-                return Err(NdfMapError::Negative { index, value });
-            }
-            columns.push(match measure {
-                Measure::Normals => value,
-                Measure::SolidAngle => {
-                    let secant = mean_secant(texel_edges(i, width), texel_edges(j, height));
-                    ((f64::from(value) * secant) as f32).min(f32::MAX)
-                }
-            });
-        }
-        Cdf::new(width, height, columns)
-            .map(|cdf| Self { cdf })
-            .ok_or(NdfMapError::AllBlack { width, height })
     }
 }
 
@@ -157,10 +146,16 @@ impl Ndf for NdfMap {
         let (nx, ny) = (to_normal(x), to_normal(y));
         // A unit normal at the rim may be outside the disk by the rounding of its coordinates.
         if m.z > 0.0 && nx * nx + ny * ny <= 1.0 + 1e-6 {
-            (0.25 * self.cdf.texel([x, y])) as f32
+            (0.25 * self.cdf.value([x, y])) as f32
         } else {
             0.0
         }
+    }
+
+    /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
+    fn sample(&self, u: Vec2) -> Vec3 {
+        let [x, y] = self.cdf.inverse([u.x, u.y].map(f64::from));
+        upward(to_normal(x), to_normal(y))
     }
 
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
@@ -185,6 +180,13 @@ fn on_map(m: Vec3) -> [f64; 2] {
 fn upward(nx: f64, ny: f64) -> Vec3 {
     let nz2 = (1.0 - nx * nx) - ny * ny;
     Vec3::new(nx as f32, ny as f32, crate::math::sqrt_f64(nz2.max(1e-15)) as f32)
+}
+
+/// `f` at the texel's centre, or at the rim's point in its direction.
+fn at_centre([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f32) -> f32 {
+    let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
+    let inward = 1.0 / crate::math::sqrt_f64((x * x + y * y).max(1.0));
+    f(upward(x * inward, y * inward))
 }
 
 /// The mean of `f` over the points of a texel's grid that are inside the disk.
@@ -294,7 +296,9 @@ mod tests {
     #[test]
     fn refusals_name_the_culprit() {
         let refused = |width, height, texels: &[f32]| {
-            NdfMap::from_texels(width, height, texels, Measure::Normals).unwrap_err().to_string()
+            NdfMap::from_texels(width, height, texels, Measure::Normals, Reconstruction::Constant)
+                .unwrap_err()
+                .to_string()
         };
         assert_eq!(refused(0, 4, &[]), "map must have texels, got 0 × 4");
         assert_eq!(refused(2, 2, &[1.0; 3]), "map of 2 × 2 needs as many texels, got 3");
@@ -303,7 +307,9 @@ mod tests {
         assert_eq!(refused(2, 1, &[1.0, -0.5]), "texel 1 must not be negative, got -0.5");
         assert_eq!(refused(1 << 13, 1 << 12, &[]), "map must have at most 16777216 texels, got 8192 × 4096");
         assert!(matches!(check_size(usize::MAX, 2), Err(NdfMapError::TooLarge { .. })));
-        assert!(NdfMap::from_fn(4, 4, Measure::Normals, |_| f32::INFINITY).is_err());
+        assert!(
+            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |_| f32::INFINITY).is_err()
+        );
     }
 
     #[test]
@@ -312,20 +318,22 @@ mod tests {
         for corner in [0, 7, 56, 63] {
             texels[corner] = f32::NAN;
         }
-        let map = NdfMap::from_texels(8, 8, &texels, Measure::Normals).unwrap();
+        let map = NdfMap::from_texels(8, 8, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
         assert!((map.density(Vec3::Z) - core::f32::consts::FRAC_1_PI).abs() < 1e-6);
     }
 
     #[test]
     fn first_row_is_at_negative_y() {
-        let map = NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::Normals).unwrap();
+        let map = NdfMap::from_texels(1, 2, &[1.0, 0.0], Measure::Normals, Reconstruction::Constant).unwrap();
         assert!(map.density(Vec3::new(0.0, -0.6, 0.8)) > 0.6);
         assert_eq!(map.density(Vec3::new(0.0, 0.6, 0.8)), 0.0);
     }
 
     #[test]
     fn coordinate_that_is_not_a_number_is_the_median() {
-        let map = NdfMap::from_fn(8, 8, Measure::Normals, |n| 1.5 + n.x + 0.4 * n.y).unwrap();
+        let map =
+            NdfMap::from_fn(8, 8, Measure::Normals, Reconstruction::Constant, |n| 1.5 + n.x + 0.4 * n.y)
+                .unwrap();
         for z in [-1.0, 0.3] {
             assert_eq!(map.from_gaussian(Vec2::new(f32::NAN, z)), map.from_gaussian(Vec2::new(0.0, z)));
             assert_eq!(map.from_gaussian(Vec2::new(z, f32::NAN)), map.from_gaussian(Vec2::new(z, 0.0)));
@@ -335,7 +343,8 @@ mod tests {
     #[test]
     fn rim_is_above_the_horizon() {
         for size in 1..6 {
-            let map = NdfMap::from_fn(size, size, Measure::Normals, |_| 1.0).unwrap();
+            let map =
+                NdfMap::from_fn(size, size, Measure::Normals, Reconstruction::Constant, |_| 1.0).unwrap();
             for k in -900..=900 {
                 for far in [-9.0, 9.0] {
                     let m = map.from_gaussian(Vec2::new(k as f32 * 0.01, far));
@@ -348,7 +357,8 @@ mod tests {
 
     #[test]
     fn total_on_every_input() {
-        let map = NdfMap::from_ndf(16, 8, &crate::Ggx::new(0.4, 0.7).unwrap()).unwrap();
+        let map =
+            NdfMap::from_ndf(16, 8, Reconstruction::Constant, &crate::Ggx::new(0.4, 0.7).unwrap()).unwrap();
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 1e38, 1e-40];
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
             let m = map.from_gaussian(Vec2::new(x, y));

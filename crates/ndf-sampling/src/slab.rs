@@ -1,88 +1,180 @@
-//! A piece of the marginal on which it has one formula, and its exact inverse.
+//! A piece of the marginal on which it is one polynomial, and the inverse of its integral.
 
-use crate::disk::{half_area, half_chord};
+use crate::columns::{Strip, mix, value};
+use crate::disk::segment;
+use crate::math;
 
-/// What a sample leaves on either side of it in a curved piece.
+/// What a sample leaves on either side of it where the marginal vanishes at that end of the piece.
 ///
-/// Where the piece's marginal vanishes at an end, as at the two ends of the disk, the conditional's support would otherwise
-/// shrink to a point, and `u₂` could not be found again. With it the support keeps a length of about 10⁻⁸.
+/// As at the two ends of the disk, the conditional's support would otherwise shrink to a point there, and `u₂` could not be
+/// found again. With it the support keeps a length of about 10⁻⁸.
 const LEAST_MASS: f64 = 1e-13;
 
-/// A piece of x on which `m(x) = flat + curved · c(x)`, `c` half the chord.
+/// A polynomial of degree 3 by its Bernstein coefficients, none of them negative: it is evaluated without cancellation.
+pub(crate) type Cubic = [f64; 4];
+
+/// A piece of x that lies in one column of cells and in which either end of the chord stays in one row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slab {
-    /// Where it begins.
-    pub(crate) x: f64,
-    /// `M` there.
-    pub(crate) cumulative: f64,
-    /// The part of `m` that does not depend on x.
-    pub(crate) flat: f64,
-    /// What `m` grows with the half chord: the density at its two ends together.
-    pub(crate) curved: f64,
+    /// Where it begins and ends.
+    pub(crate) x: [f64; 2],
+    /// Half the chord there; it is linear between.
+    pub(crate) half_chord: [f64; 2],
+    /// `m`, in texels and cells.
+    pub(crate) marginal: Cubic,
+    /// The part of `m` below the middle of the map.
+    pub(crate) below: Cubic,
+    /// The column of cells.
+    pub(crate) column: u32,
+    /// The rows of cells in which the chord begins and ends.
+    pub(crate) rows: [u32; 2],
 }
 
 impl Slab {
-    /// `∫ m` from `from` to `to`, both in this piece.
-    pub(crate) fn mass(self, from: f64, to: f64) -> f64 {
-        let curved = if self.curved > 0.0 { self.curved * half_area(from, to) } else { 0.0 };
-        (self.flat * (to - from) + curved).max(0.0)
+    /// The piece, and its integral of the density inside the circle.
+    ///
+    /// `t` are the places of its ends in the column of cells, `middle` that of the map's middle, in cells.
+    pub(crate) fn new(
+        x: [f64; 2],
+        half_chord: [f64; 2],
+        (column, strip, t): (usize, Strip<'_>, [f64; 2]),
+        (height, middle): (f64, f64),
+    ) -> (Self, f64) {
+        let last = (2.0 * middle) as usize - 1;
+        let mean = 0.5 * (half_chord[0] + half_chord[1]) * height;
+        let rows = [middle - mean, middle + mean].map(|y| (y as usize).min(last));
+        // A chord without length in the middle of the map begins below it nevertheless.
+        let lower = middle as usize - usize::from(middle == math::floor_f64(middle));
+        let rows = [rows[0].min(lower), rows[1]];
+        let ends = [-height, height].map(|height| half_chord.map(|c| middle + height * c));
+        let (mut below, rim_below) = side(strip, t, rows[0], ends[0], middle, false);
+        let (above, rim_above) = side(strip, t, rows[1], ends[1], middle, true);
+        let mut marginal = below;
+        for (sum, above) in marginal.iter_mut().zip(above) {
+            *sum += above;
+        }
+        let mean: f64 = 0.25 * marginal.iter().sum::<f64>();
+        if mean <= 0.0 {
+            (marginal, below) = ([0.0; 4], [0.0; 4]);
+        }
+        let slab =
+            Self { x, half_chord, marginal, below, column: column as u32, rows: rows.map(|row| row as u32) };
+        let beyond = if mean > 0.0 { segment(x, half_chord) * height * (rim_below + rim_above) } else { 0.0 };
+        (slab, (x[1] - x[0]) * mean + beyond)
     }
 
-    /// `M⁻¹(u)` for `u` between this piece's beginning and that of the next.
-    pub(crate) fn inverse(self, u: f64, next: Self) -> f64 {
-        let (mut low, mut high) = (self.x, next.x.next_down());
-        let all = next.cumulative - self.cumulative;
-        let mass = u - self.cumulative;
-        if self.curved > 0.0 {
-            let least = LEAST_MASS.min(0.5 * all);
-            let mass = mass.clamp(least, all - least);
-            let mut x = self.x + (next.x - self.x) * (mass / all);
-            // Newton's steps, halving where they leave the bracket: m may vanish at an end.
-            for _ in 0..64 {
-                let excess = self.mass(self.x, x) - mass;
-                if excess > 0.0 {
-                    high = x;
-                } else {
-                    low = x;
-                }
-                let correction = excess / (self.flat + self.curved * half_chord(x));
-                // Where rounding of the mass or of x is all that is left, a next step would only wander.
-                if excess.abs() <= 8.0 * f64::EPSILON * mass || correction.abs() <= f64::EPSILON * x {
-                    break;
-                }
-                let newton = x - correction;
-                x = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            }
-            x
+    /// Where `x` is in the piece, from 0 to 1.
+    #[inline]
+    pub(crate) fn place(&self, x: f64) -> f64 {
+        ((x - self.x[0]) / (self.x[1] - self.x[0])).clamp(0.0, 1.0)
+    }
+
+    /// Half the chord at place `s`.
+    #[inline]
+    pub(crate) fn half_chord(&self, s: f64) -> f64 {
+        mix(self.half_chord[0], self.half_chord[1], s)
+    }
+
+    /// Which share of the piece's weight is before place `s`.
+    #[inline]
+    pub(crate) fn share(&self, s: f64) -> f64 {
+        let [_, _, _, all] = partial_sums(self.marginal);
+        if all > 0.0 { (quartic(partial_sums(self.marginal), s) / all).min(1.0) } else { 0.0 }
+    }
+
+    /// The place before which there is the share `share` of the piece's weight `mass`, and its x.
+    pub(crate) fn inverse(&self, share: f64, mass: f64) -> (f64, f64) {
+        let [begin, .., end] = self.marginal;
+        let sums = partial_sums(self.marginal);
+        let all = sums[3];
+        let least = (LEAST_MASS / mass).min(0.5);
+        let share = share.max(if begin < 1e-6 * all { least } else { 0.0 }).min(if end < 1e-6 * all {
+            1.0 - least
         } else {
-            (self.x + (next.x - self.x) * (mass / all)).max(low).min(high)
+            1.0
+        });
+        let target = share * all;
+        // As if the marginal were linear, which it is but where an end of the chord cuts through weight.
+        let root = math::sqrt_f64(begin * begin + share * (end * end - begin * begin));
+        let mut s = share * (begin + end) / (begin + root);
+        if !(s > 0.0 && s <= 1.0) {
+            s = share;
         }
+        let (mut low, mut high) = (0.0, 1.0);
+        // Newton's steps, halving where they leave the bracket: the marginal may vanish at an end.
+        for _ in 0..64 {
+            let excess = quartic(sums, s) - target;
+            if excess.abs() <= 8.0 * f64::EPSILON * target {
+                break;
+            }
+            if excess > 0.0 {
+                high = s;
+            } else {
+                low = s;
+            }
+            let newton = s - 0.25 * excess / cubic(self.marginal, s);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let still = (next - s).abs() <= f64::EPSILON * s;
+            s = next;
+            if still {
+                break;
+            }
+        }
+        let x = self.x[0] + (self.x[1] - self.x[0]) * s;
+        (s, x.clamp(self.x[0], self.x[1].next_down()))
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// `∫ f dy` from one end of the chord to the middle of the map along a piece, in cells, and the density at the rim.
+///
+/// `end` is where the chord ends at either end of the piece, in cells, `row` the row of that, `t` as for [`Slab::new`].
+fn side(strip: Strip<'_>, t: [f64; 2], row: usize, end: [f64; 2], middle: f64, above: bool) -> (Cubic, f64) {
+    let corners = strip.corners(row);
+    let begin = row as f64;
+    let q = end.map(|end| (end - begin).clamp(0.0, 1.0));
+    // The line of the row that is nearer to the middle, or the middle itself if it is in the row.
+    let (inner, line) =
+        if above { ((middle - begin).max(0.0), row) } else { ((middle - begin).min(1.0), row + 1) };
+    let whole = if (inner > 0.0) == (inner < 1.0) { [0.0; 2] } else { strip.sums(line).map(f64::abs) };
+    let whole = t.map(|t| mix(whole[0], whole[1], t));
+    // A bilinear density is a quadratic along the straight rim, whose middle coefficient is the mean of the crossed values.
+    let rim = [
+        value(corners, t[0], q[0]),
+        0.5 * (value(corners, t[0], q[1]) + value(corners, t[1], q[0])),
+        value(corners, t[1], q[1]),
+    ];
+    let inside = t.map(|t| value(corners, t, inner));
+    let mean = [
+        0.5 * (rim[0] + inside[0]),
+        0.5 * (rim[1] + 0.5 * (inside[0] + inside[1])),
+        0.5 * (rim[2] + inside[1]),
+    ];
+    let depth = q.map(|q| if above { (q - inner).max(0.0) } else { (inner - q).max(0.0) });
+    let integral = [
+        depth[0] * mean[0] + whole[0],
+        (2.0 * (depth[0] * mean[1] + whole[0]) + (depth[1] * mean[0] + whole[1])) / 3.0,
+        ((depth[0] * mean[2] + whole[0]) + 2.0 * (depth[1] * mean[1] + whole[1])) / 3.0,
+        depth[1] * mean[2] + whole[1],
+    ];
+    (integral, 0.25 * (rim[0] + 2.0 * rim[1] + rim[2]))
+}
 
-    #[test]
-    fn inverse_of_a_curved_piece_is_exact() {
-        // The uniform disk: m = 2 c(x)/(π/4), from one end of the disk to the other.
-        let curved = 8.0 / core::f64::consts::PI;
-        let slab = Slab { x: 0.0, cumulative: 0.0, flat: 0.0, curved };
-        let next = Slab { x: 1.0, cumulative: 1.0, flat: 0.0, curved: 0.0 };
-        for k in 0..=1000 {
-            let u = f64::from(k) / 1001.0;
-            let x = slab.inverse(u, next);
-            assert!((slab.mass(0.0, x) - u).abs() < 2e-15 + LEAST_MASS * f64::from(k == 0), "u = {u}: {x}");
-        }
-    }
+/// The polynomial at `s`.
+#[inline]
+pub(crate) fn cubic([b0, b1, b2, b3]: Cubic, s: f64) -> f64 {
+    let r = 1.0 - s;
+    r * r * (r * b0 + 3.0 * s * b1) + s * s * (3.0 * r * b2 + s * b3)
+}
 
-    #[test]
-    fn inverse_of_a_flat_piece_stays_inside() {
-        let slab = Slab { x: 0.25, cumulative: 0.5, flat: 1.0, curved: 0.0 };
-        let next = Slab { x: 0.5, cumulative: 0.75, ..slab };
-        assert_eq!(slab.inverse(0.5, next), 0.25);
-        assert_eq!(slab.inverse(0.625, next), 0.375);
-        assert_eq!(slab.inverse(0.75, next), 0.5_f64.next_down());
-    }
+/// The sums of the first one, two, three and four coefficients: those of four times the integral.
+#[inline]
+fn partial_sums([b0, b1, b2, b3]: Cubic) -> [f64; 4] {
+    [b0, b0 + b1, b0 + b1 + b2, b0 + b1 + b2 + b3]
+}
+
+/// Four times the integral from 0 to `s`.
+#[inline]
+fn quartic([g1, g2, g3, g4]: [f64; 4], s: f64) -> f64 {
+    let r = 1.0 - s;
+    s * (r * r * (4.0 * r * g1 + 6.0 * s * g2) + s * s * (4.0 * r * g3 + s * g4))
 }

@@ -1,0 +1,63 @@
+//! Where to begin to look for the row of a conditional quantile.
+
+use alloc::vec::Vec;
+
+use crate::columns::Columns;
+use crate::disk::half_chord;
+
+/// Rows of a column that share an entry.
+const ROWS: usize = 4;
+
+/// For each column of cells the rows of even quantiles of the conditional in the column's middle.
+///
+/// They are guesses: the column's other places have other quantiles, and what is found with them is checked.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Quantiles {
+    /// Entries of a column, less one.
+    parts: usize,
+    rows: Vec<f32>,
+}
+
+impl Quantiles {
+    pub(crate) fn new(columns: &Columns) -> Self {
+        let (width, height, kind) = (columns.width(), columns.height(), columns.kind());
+        let (cells, last) = (kind.cells(width), kind.cells(height) - 1);
+        let parts = height.div_ceil(ROWS);
+        let mut rows = Vec::with_capacity(cells * (parts + 1));
+        for column in 0..cells {
+            let strip = columns.strip(column);
+            let c = half_chord((kind.line(column, width) + 0.5 / width as f64).clamp(0.0, 1.0));
+            let ends = [0.5 - c, 0.5 + c].map(|y| y * height as f64 + kind.offset());
+            let at = |end: f64| {
+                let row = (end as usize).min(last);
+                let [from, to] = [row, row + 1].map(|line| strip.sum(0.5, line));
+                from + (to - from) * (end - row as f64)
+            };
+            let [from, to] = ends.map(at);
+            let mut row = (ends[0] as usize).min(last);
+            let (mut begin, mut end) = (strip.sum(0.5, row), strip.sum(0.5, row + 1));
+            for part in 0..=parts {
+                let target = from + (to - from) * (part as f64 / parts as f64);
+                while end <= target && row < last {
+                    row += 1;
+                    (begin, end) = (end, strip.sum(0.5, row + 1));
+                }
+                let within =
+                    if end > begin { ((target - begin) / (end - begin)).clamp(0.0, 1.0) } else { 0.0 };
+                rows.push((row as f64 + within).min(ends[1]) as f32);
+            }
+        }
+        Self { parts, rows }
+    }
+
+    /// The row in which the quantile `u` of a column should be.
+    #[inline]
+    pub(crate) fn row(&self, column: usize, u: f64) -> usize {
+        let place = u * self.parts as f64;
+        let part = place as usize;
+        match self.rows.get(column * (self.parts + 1) + part..) {
+            Some(&[from, to, ..]) => (from + (to - from) * (place - part as f64) as f32) as usize,
+            _ => 0,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! How the values of a map become a density between them.
+
+/// What a map of values is between its values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Reconstruction {
+    /// Constant on each texel.
+    #[default]
+    Constant,
+    /// Bilinear between the centres of texels; the outermost centres' values go on to the border.
+    Bilinear,
+}
+
+impl Reconstruction {
+    /// How far, in cells, the first line of the reconstruction's grid lies before the map's border.
+    pub(crate) const fn offset(self) -> f64 {
+        match self {
+            Self::Constant => 0.0,
+            Self::Bilinear => 0.5,
+        }
+    }
+
+    /// How many cells the reconstruction's grid has where the map has `n` texels.
+    pub(crate) const fn cells(self, n: usize) -> usize {
+        match self {
+            Self::Constant => n,
+            Self::Bilinear => n + 1,
+        }
+    }
+
+    /// Where line `k` of the grid is on a map of `n` texels.
+    pub(crate) fn line(self, k: usize, n: usize) -> f64 {
+        (k as f64 - self.offset()) / n as f64
+    }
+
+    /// Which cell holds `x`, by the very lines that [`Reconstruction::line`] gives.
+    pub(crate) fn cell(self, x: f64, n: usize) -> usize {
+        let last = self.cells(n) - 1;
+        let k = ((x * n as f64 + self.offset()) as usize).min(last);
+        // The product may round across a line: just below 4/6 it is 4, and 15/22 times 22 is below 15.
+        if k > 0 && x < self.line(k, n) {
+            k - 1
+        } else if k < last && x >= self.line(k + 1, n) {
+            k + 1
+        } else {
+            k
+        }
+    }
+}
