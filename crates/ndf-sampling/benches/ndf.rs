@@ -4,8 +4,8 @@ use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    Beckmann, Frame, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef, Reconstruction, Spacing, TableLayout,
-    conditional_density, inverse_phi, phi,
+    Beckmann, ConditionalTable, Frame, GaussianSplit, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef,
+    Reconstruction, Spacing, TableLayout, conditional_density, inverse_phi, phi,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -52,6 +52,9 @@ fn look_ups(c: &mut Criterion) {
     let normals: Vec<Vec3> = coordinates.iter().map(|&z| ggx.from_gaussian(z)).collect();
     each(c, "normal_table/nearest", &coordinates, |z| table.nearest(z));
     each(c, "normal_table/bilinear", &coordinates, |z| table.bilinear(z));
+    let seen = ConditionalTable::new(&ggx, 256).expect("size in range");
+    let split = GaussianSplit::new(Vec2::new(0.3, -0.8), 0.75);
+    each(c, "conditional_density/table", &normals, |h| seen.density(h, split));
     each(c, "frame/from_normal", &normals, Frame::from_normal);
     each(c, "phi", &coordinates, |z| phi(f64::from(z.x)));
     let uniforms: Vec<f64> = coordinates.iter().map(|z| phi(f64::from(z.x))).collect();

@@ -41,6 +41,7 @@
 //! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`] | exact level of detail |
+//! | [`ConditionalTable`], [`ConditionalTableRef`] | the same by one look-up, for any density |
 //! | [`OffsetBeckmann`] | Gaussian slopes of any mean and covariance, as those that a Beckmann surface leaves |
 //!
 //! # Conventions
@@ -86,6 +87,9 @@ mod chart;
 mod columns;
 mod conditional;
 mod conditional_ndf;
+#[cfg(feature = "alloc")]
+mod conditional_table;
+mod conditional_table_ref;
 #[cfg(feature = "alloc")]
 mod cuts;
 mod detail;
@@ -155,6 +159,9 @@ pub use blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
 pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
 pub use conditional_ndf::ConditionalNdf;
+#[cfg(feature = "alloc")]
+pub use conditional_table::ConditionalTable;
+pub use conditional_table_ref::ConditionalTableRef;
 pub use detail::{NoiseChain, detailed, detailed_normal};
 #[cfg(feature = "alloc")]
 pub use estimate::{EstimateError, NdfEstimator, estimate_ndf};
