@@ -1,8 +1,8 @@
 //! Exact level of detail: the mean over the surface is the far field, and resolving more keeps the mean.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Measure, Ndf, NdfMap,
-    OffsetBeckmann, Reconstruction, StudentT, conditional_density,
+    AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Isotropic, Measure, Mixture,
+    Ndf, NdfMap, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, conditional_density,
 };
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
@@ -30,6 +30,8 @@ fn ndfs() -> Vec<Named> {
 
 /// Every parametric density.
 fn parametric() -> Vec<Named> {
+    let lobes = [Ggx::isotropic(0.1), Ggx::isotropic(0.7)].map(|ggx| ggx.expect("valid"));
+    let mixture = Mixture::new(lobes[0], lobes[1], 0.4).expect("radial densities");
     vec![
         ("GGX 0.2 0.4", Box::new(Ggx::new(0.2, 0.4).expect("valid"))),
         ("GGX 0.001", Box::new(Ggx::isotropic(1e-3).expect("valid"))),
@@ -38,19 +40,23 @@ fn parametric() -> Vec<Named> {
         ("Student-t 0.3 0.5, 1.6", Box::new(StudentT::new(0.3, 0.5, 1.6).expect("valid"))),
         ("Student-t 0.2, 8", Box::new(StudentT::new(0.2, 0.2, 8.0).expect("valid"))),
         ("Blinn-Phong 30", Box::new(BlinnPhong::new(30.0).expect("valid"))),
+        ("Ward 0.2 0.5", Box::new(Ward::new(0.2, 0.5).expect("valid"))),
+        ("isotropic", Box::new(Isotropic::new(&[0.0, 0.1, 0.3, 0.2, 2.0, 5.0]).expect("valid"))),
+        ("mixture", Box::new(mixture)),
+        ("turned GGX", Box::new(Rotated::new(Ggx::new(0.1, 0.6).expect("valid"), 0.7).expect("valid"))),
         ("Ashikhmin-Shirley 100 10", Box::new(AshikhminShirley::new(100.0, 10.0).expect("valid"))),
     ]
 }
 
 /// Images that are hard to invert.
-fn images() -> Vec<Named> {
-    let image = |name, size: usize, texel: fn(f64, f64) -> f64| -> Named {
+fn images(reconstruction: Reconstruction) -> Vec<Named> {
+    let image = move |name, size: usize, texel: fn(f64, f64) -> f64| -> Named {
         let at = |k: usize| 2.0 * (k as f64 + 0.5) / size as f64 - 1.0;
         let texels: Vec<f32> = (0..size * size).map(|k| texel(at(k % size), at(k / size)) as f32).collect();
         (
             name,
             Box::new(
-                NdfMap::from_texels(size, size, &texels, Measure::Normals, Reconstruction::Constant)
+                NdfMap::from_texels(size, size, &texels, Measure::Normals, reconstruction)
                     .expect("a density"),
             ),
         )
@@ -101,7 +107,8 @@ fn gaussian_mean(fineness: i32, f: impl Fn(Vec2) -> f32 + Sync) -> f64 {
 #[test]
 fn mean_over_the_surface_is_the_far_field() {
     let mut worst = 0.0_f64;
-    for (name, ndf) in parametric().into_iter().chain(images()) {
+    let maps = [Reconstruction::Constant, Reconstruction::Bilinear].into_iter().flat_map(images);
+    for (name, ndf) in parametric().into_iter().chain(maps) {
         for z in COORDINATES {
             let h = ndf.from_gaussian(z);
             let far = f64::from(ndf.density(h));

@@ -116,7 +116,8 @@ fn indices_of_a_normal_map_give_it_back_through_table_l() {
             let looked_up = angles(&normals, |n| table.bilinear(ndf.to_gaussian(n)).normal);
             println!("{name}, {bits}: {size}², h = {width:.4}: T {direct:.5?}°, L {looked_up:.4?}°");
             assert!(direct[0] < 0.01, "{name}, {bits}: {direct:?}");
-            assert!(looked_up[0] < 0.5, "{name}, {bits}: {looked_up:?}");
+            // Half a degree is asked for; measured 0.015.
+            assert!(looked_up[0] < 0.05, "{name}, {bits}: {looked_up:?}");
         }
     }
 }
@@ -132,7 +133,7 @@ fn normals_of_closed_forms_come_back_through_table_l() {
         let table = NormalTable::standard(ndf);
         let back = angles(&normals, |n| table.bilinear(ndf.to_gaussian(n)).normal);
         println!("{name}: L {back:.4?}°");
-        // Measured 0.0038° and 0.0019°.
+        // Measured 0.0016° and 0.0005°.
         assert!(back[0] < 0.01, "{name}: {back:?}");
     }
 }
@@ -156,7 +157,7 @@ fn noise_values_of_a_normal_map_give_it_back() {
         let looked_up = angles(&normals, |n| table.bilinear(Vec2::from(chain.noise_values(n))).normal);
         println!("{name}: G {direct:.4?}°, L {looked_up:.4?}°");
         assert!(direct[0] < 0.05, "{name}: {direct:?}");
-        assert!(looked_up[0] < 0.5, "{name}: {looked_up:?}");
+        assert!(looked_up[0] < 0.05, "{name}: {looked_up:?}");
     }
 }
 
@@ -191,7 +192,7 @@ fn estimate_of_drawn_normals_is_their_density() {
         assert!(distance < 0.7 * before, "{power}: {distance}");
         before = distance;
     }
-    // The kernel alone widens by 1.2 %; measured 0.0096.
+    // The kernel alone widens by 1.2 %; measured 0.0075.
     assert!(before < 0.015, "{before}");
 }
 

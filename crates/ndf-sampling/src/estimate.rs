@@ -42,7 +42,8 @@ use crate::reconstruction::Reconstruction;
 ///
 /// With the size and the width of [`NdfEstimator::suited`] three normal maps of 256² (rolling ground, cobbles, tiles that are flat
 /// nearly everywhere), in floats and in 8 bits, come back from their Gaussian coordinates within 10⁻⁵ degrees by `T`, and by a
-/// [`NormalTable`](crate::NormalTable) of 256² within 0.02°, 0.09° and 0.007° on average.
+/// [`NormalTable`](crate::NormalTable) of 256² within 0.001°, 0.015° and 0.002° on average. (With the estimate constant on each
+/// texel the table errs ten times as much.)
 ///
 /// Kautz, Heidrich, Seidel 2001, section 7, take the density of an existing bump map from its histogram; the kernel is the
 /// quadratic one of Parzen 1962, "On Estimation of a Probability Density Function and Mode", of the spline family.
@@ -169,12 +170,12 @@ impl NdfEstimator {
         self.density.iter().zip(&self.areas).map(scaled).collect()
     }
 
-    /// The density of the normals so far, ready to be sampled.
+    /// The density of the normals so far, bilinear between the texels, ready to be sampled.
     ///
     /// # Errors
     /// [`EstimateError::NoNormals`] if none was counted.
     pub fn finish(self) -> Result<NdfMap, EstimateError> {
-        NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals, Reconstruction::Constant)
+        NdfMap::from_texels(self.size, self.size, &self.texels(), Measure::Normals, Reconstruction::Bilinear)
             .map_err(|_| EstimateError::NoNormals)
     }
 }
