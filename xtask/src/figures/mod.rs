@@ -10,7 +10,10 @@ mod kautz_ndf;
 mod kautz_pipeline;
 mod kautz_sphere;
 mod kautz_teapot;
+mod ndf_bump_maps;
+mod ndf_conditional;
 mod ndf_densities;
+mod ndf_masking;
 mod noise_curl;
 mod noise_footprint;
 mod noise_gradients;
@@ -43,6 +46,8 @@ const FIGURES: &[&[Figure]] = &[
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
     ndf_densities::DENSITIES,
+    &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],
+    &[ndf_bump_maps::DETAIL, ndf_bump_maps::ESTIMATE],
     noise_kinds::KINDS,
     &[noise_patterns::PATTERNS, noise_slope::SLOPE, noise_footprint::FOOTPRINT],
     &[noise_gradients::GRADIENTS, noise_warp::WARP, noise_curl::CURL, noise_tiled::TILED],

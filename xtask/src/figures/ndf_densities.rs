@@ -1,6 +1,6 @@
 //! Every density of normals: its map, its lobe, its slopes, and what is left between it and the normals drawn from it.
 
-use asperity_ndf_sampling::{Beckmann, Ggx};
+use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, StudentT, Ward};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -30,6 +30,30 @@ pub(crate) const DENSITIES: &[Figure] = &[
         "Gaussian slopes, a parabola in the logarithmic plot: beyond three roughnesses there is next to nothing, and \
          the highlight has an edge.",
         |context| draw(context, "Beckmann 0.2, 0.4", &Beckmann::new(0.2, 0.4)?),
+    ),
+    density(
+        ["ndf-density-student-t", "Student-t", "Ribardière, Bringier, Meneveaux and Simonot 2017"],
+        "GGX and Beckmann are two of a family: slopes of Student's t distribution with any number of degrees of freedom. \
+         Here γ = 1.6, with longer tails than GGX; at γ = 2 it is GGX, and with γ growing it becomes Beckmann.",
+        |context| draw(context, "Student-t 0.2, 0.4, γ = 1.6", &StudentT::new(0.2, 0.4, 1.6)?),
+    ),
+    density(
+        ["ndf-density-blinn-phong", "Blinn\u{2013}Phong", "Blinn 1977; Walter et al. 2007"],
+        "A power of the cosine. Its slopes are those of a Student-t density as well, with γ = n/2 + 2, so masking and visible \
+         normals are exact where others borrow Beckmann's.",
+        |context| draw(context, "Blinn\u{2013}Phong, n = 20", &BlinnPhong::new(20.0)?),
+    ),
+    density(
+        ["ndf-density-ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "Ashikhmin and Shirley 2000"],
+        "A power of the cosine whose exponent turns with the azimuth. Its map from Gaussian numbers has a closed form all \
+         the same, smooth and without a seam.",
+        |context| draw(context, "Ashikhmin\u{2013}Shirley 80, 12", &AshikhminShirley::new(80.0, 12.0)?),
+    ),
+    density(
+        ["ndf-density-ward", "Ward", "Ward 1992; Walter 2005"],
+        "The half-vectors that Ward's reflectance draws: seen as a density of normals they are Beckmann's, to the last \
+         digit.",
+        |context| draw(context, "Ward 0.35, 0.15", &Ward::new(0.35, 0.15)?),
     ),
     density(
         ["ndf-density-painted", "A painted density", "after Kautz, Heidrich, Seidel 2001, section 4"],

@@ -2,6 +2,7 @@
 
 pub(crate) mod background;
 pub(crate) mod camera;
+pub(crate) mod cobbles;
 pub(crate) mod field;
 pub(crate) mod fractal;
 pub(crate) mod hemisphere;
