@@ -112,10 +112,11 @@ fn mean_over_the_surface_is_the_far_field() {
         for z in COORDINATES {
             let h = ndf.from_gaussian(z);
             let far = f64::from(ndf.density(h));
-            assert!(far > 0.0, "{name} at {h}");
+            // The middle of the ring is the inner edge of what a bilinear map holds, where the density is 0 or next to it.
+            assert!(far > 0.0 || name == "ring", "{name} at {h}");
             for (s, fineness) in [(0.0, 4), (0.1, 4), (0.5, 4), (0.9, 8), (0.99, 16)] {
                 let mean = gaussian_mean(fineness, |z_b| ConditionalNdf::new(&*ndf, z_b, s).density(h));
-                let error = (mean / far - 1.0).abs();
+                let error = if far > 0.0 { (mean / far - 1.0).abs() } else { mean };
                 worst = worst.max(error);
                 // Measured 7e-8.
                 assert!(error < 1e-3, "{name} at {h}, s = {s}: {mean} != {far}");
