@@ -2,6 +2,7 @@
 
 pub mod chi_square;
 pub mod disk_bins;
+pub mod facets;
 pub mod fif_systems;
 pub mod low_discrepancy;
 pub mod noise_any;

@@ -186,7 +186,7 @@ impl Microfacet for AshikhminShirley {
             let (slope2, q2) =
                 ((x * x + y * y) / (z * z), ((x / ax) * (x / ax) + (y / ay) * (y / ay)) / (z * z));
             // D over that of GGX is cos^(e+4) θ (1 + q²)², at most 4/e, with q² = (e + 2)/2 |s|².
-            let fall = (q2 / slope2 + 1.0) * math::ln_1p_f64(slope2) - 2.0 * math::ln_1p_f64(q2) - LN_MOST;
+            let fall = (q2 / slope2 + 1.0) * math::ln_1p_f64(slope2) - 2.0 * math::ln_1p_f64(q2) + LN_MOST;
             // At the zenith 0/0 is the limit e + 2 times 0.
             let accepted = if slope2 > 0.0 { math::exp_f64(-fall) } else { math::exp_f64(-LN_MOST) };
             if random.uniform() < accepted as f32 {
