@@ -90,7 +90,11 @@ fn tests(root: &Path) -> Result<(), Failure> {
     for name in CRATES {
         for backend in BACKENDS {
             // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
-            let more: &[&str] = if name == "asperity-noise" { &["", ",simd"] } else { &[",alloc"] };
+            let more: &[&str] = match name {
+                "asperity-noise" => &["", ",simd"],
+                "asperity-ndf-sampling" => &[",alloc,simd"],
+                _ => &[",alloc"],
+            };
             for more in more {
                 let set = format!("{backend}{more}");
                 let test =

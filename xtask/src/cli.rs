@@ -28,6 +28,7 @@ pub(crate) enum Command {
     #[command(after_help = "Examples:
   cargo xtask tables
   cargo xtask tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
+  cargo xtask tables --normal-map bricks.png --tangent-space directx
   cargo xtask tables --fif system.json --out my-tables
   cargo xtask tables --check")]
     Tables(Tables),
@@ -86,20 +87,23 @@ pub(crate) struct Gallery {
 
 #[derive(Debug, Args)]
 pub(crate) struct Tables {
-    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `painted`, or an image file.
+    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
+    /// `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
     #[arg(long, value_name = "NDF")]
     pub(crate) ndf: Vec<String>,
-    /// What the grey values of an image are a density over.
-    #[arg(long, value_enum, default_value_t = Measure::Normals)]
-    pub(crate) measure: Measure,
+    /// Tables of the density that a normal map's normals have.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) normal_map: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) images: Images,
     /// Tables of a fractal interpolation function instead of the default set: a JSON file with `knots`, `alpha`, `q`.
     #[arg(long, value_name = "FILE")]
     pub(crate) fif: Vec<PathBuf>,
     /// Compare the tables that the crates ship with newly made ones, and write nothing.
-    #[arg(long, conflicts_with_all = ["ndf", "fif", "ship"])]
+    #[arg(long, conflicts_with_all = ["ndf", "normal_map", "fif", "ship"])]
     pub(crate) check: bool,
     /// Write the tables that the crates ship into the source tree.
-    #[arg(long, conflicts_with_all = ["ndf", "fif"])]
+    #[arg(long, conflicts_with_all = ["ndf", "normal_map", "fif"])]
     pub(crate) ship: bool,
     /// Folder of the tables.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/tables")]
@@ -111,12 +115,15 @@ pub(crate) struct Render {
     /// What is seen.
     #[arg(long, value_enum, default_value_t = Scene::Teapot)]
     pub(crate) scene: Scene,
-    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `painted`, or an image file.
+    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
+    /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
     #[arg(long, default_value = "ggx:0.2,0.4")]
     pub(crate) ndf: String,
-    /// What the grey values of an image are a density over.
-    #[arg(long, value_enum, default_value_t = Measure::Normals)]
-    pub(crate) measure: Measure,
+    /// Take the density of this normal map's normals.
+    #[arg(long, value_name = "FILE", conflicts_with = "ndf")]
+    pub(crate) normal_map: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) images: Images,
     /// The level-of-detail rule.
     #[arg(long, value_enum, default_value_t = Rule::Exact)]
     pub(crate) rule: Rule,
@@ -175,6 +182,48 @@ pub(crate) struct Bench {
     /// Folder of the table, the chart and all times.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/bench", requires = "peers")]
     pub(crate) out: PathBuf,
+}
+
+/// How images are to be read.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct Images {
+    /// What the grey values of an image are a density over.
+    #[arg(long, value_enum, default_value_t = Measure::Normals)]
+    pub(crate) measure: Measure,
+    /// What a density is between the pixels of its image.
+    #[arg(long, value_enum, default_value_t = Reconstruction::Constant)]
+    pub(crate) reconstruction: Reconstruction,
+    /// Which way the green channel of a normal map points.
+    #[arg(long, value_enum, default_value_t = TangentSpace::Opengl)]
+    pub(crate) tangent_space: TangentSpace,
+}
+
+impl Default for Images {
+    fn default() -> Self {
+        Self {
+            measure: Measure::Normals,
+            reconstruction: Reconstruction::Constant,
+            tangent_space: TangentSpace::Opengl,
+        }
+    }
+}
+
+/// What a density is between the pixels of its image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Reconstruction {
+    /// Constant on each pixel.
+    Constant,
+    /// Bilinear between the centres of pixels.
+    Bilinear,
+}
+
+/// Which way the green channel of a normal map points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TangentSpace {
+    /// Up the image.
+    Opengl,
+    /// Down the image.
+    Directx,
 }
 
 /// The measure that an image's values are a density over.

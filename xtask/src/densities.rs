@@ -1,11 +1,14 @@
-//! Densities from the outside: `ggx:0.2,0.4`, `beckmann:0.3`, `painted`, or an image file.
+//! Densities from the outside: `ggx:0.2,0.4` and its like, `painted`, an image file, or the density of a normal map.
 
 use std::path::Path;
 
-use asperity_ndf_sampling::{Beckmann, Ggx, Measure, NdfMap, Reconstruction, glam::Vec3};
+use asperity_ndf_sampling::{
+    AshikhminShirley, Beckmann, BlinnPhong, EstimateError, Ggx, Measure, NdfEstimator, NdfMap,
+    NormalMapFormat, Reconstruction, StudentT, TangentSpace, Ward, glam::Vec3,
+};
 
 use crate::{
-    cli,
+    cli::{self, Images},
     figure::Failure,
     image_file::{ImageFile, ImageFileError},
     output::sha256,
@@ -15,8 +18,18 @@ use crate::{
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;
 
-/// What a specification is when it is no file.
-const FORMS: &str = "neither `ggx:…`, `beckmann:…` nor `painted`";
+/// What stands before the file of a normal map.
+pub(crate) const NORMAL_MAP: &str = "normal-map:";
+
+/// The formulas: the word before the colon, the name, what the numbers are, and how few of them will do.
+const FORMULAS: [(&str, &str, &str, usize); 6] = [
+    ("ggx", "GGX", "AX[,AY]", 1),
+    ("beckmann", "Beckmann", "AX[,AY]", 1),
+    ("ward", "Ward", "AX[,AY]", 1),
+    ("student-t", "Student-t", "AX,AY,GAMMA", 3),
+    ("blinn-phong", "Blinn\u{2013}Phong", "EXPONENT", 1),
+    ("ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "NU,NV", 2),
+];
 
 /// A density of normals with the words that asked for it.
 pub(crate) struct Density {
@@ -25,25 +38,23 @@ pub(crate) struct Density {
 }
 
 enum Form {
-    Ggx(Ggx),
-    Beckmann(Beckmann),
+    Formula(Box<SharedNdf>),
     Map(Box<NdfMap>),
 }
 
 impl Density {
     /// Reads a specification; an image is read from the file of that name.
-    pub(crate) fn parse(text: &str, measure: cli::Measure) -> Result<Self, Failure> {
-        let fail = |error: &dyn std::fmt::Display| Failure::from(format!("density `{text}`: {error}"));
-        let form = if let Some(numbers) = text.strip_prefix("ggx:") {
-            let [x, y] = roughness(numbers).map_err(|e| fail(&e))?;
-            Form::Ggx(Ggx::new(x, y).map_err(|e| fail(&e))?)
-        } else if let Some(numbers) = text.strip_prefix("beckmann:") {
-            let [x, y] = roughness(numbers).map_err(|e| fail(&e))?;
-            Form::Beckmann(Beckmann::new(x, y).map_err(|e| fail(&e))?)
-        } else if text == "painted" {
-            Form::Map(Box::new(painted()?))
-        } else {
-            Form::Map(Box::new(image_density(Path::new(text), measure).map_err(|e| fail(&e))?))
+    pub(crate) fn parse(text: &str, reading: Images) -> Result<Self, Failure> {
+        let fail = |error: Failure| Failure::from(format!("density `{text}`: {error}"));
+        let form = match text.split_once(':') {
+            Some((word, numbers)) if FORMULAS.iter().any(|formula| formula.0 == word) => {
+                Form::Formula(formula(word, numbers).map_err(fail)?)
+            }
+            _ if text == "painted" => Form::Map(Box::new(painted()?)),
+            _ => Form::Map(Box::new(match text.strip_prefix(NORMAL_MAP) {
+                Some(file) => estimated(Path::new(file), reading.tangent_space).map_err(fail)?,
+                None => image_density(Path::new(text), reading).map_err(fail)?,
+            })),
         };
         Ok(Self { spec: text.into(), form })
     }
@@ -51,14 +62,13 @@ impl Density {
     /// The densities that the gallery shows.
     pub(crate) fn of_the_gallery() -> Vec<Self> {
         let specs = ["ggx:0.2,0.4", "beckmann:0.3", "painted"];
-        specs.iter().filter_map(|spec| Self::parse(spec, cli::Measure::Normals).ok()).collect()
+        specs.iter().filter_map(|spec| Self::parse(spec, Images::default()).ok()).collect()
     }
 
     /// The density itself.
     pub(crate) fn ndf(&self) -> &SharedNdf {
         match &self.form {
-            Form::Ggx(ggx) => ggx,
-            Form::Beckmann(beckmann) => beckmann,
+            Form::Formula(formula) => formula.as_ref(),
             Form::Map(map) => map.as_ref(),
         }
     }
@@ -67,17 +77,25 @@ impl Density {
     pub(crate) fn map(&self) -> Result<NdfMap, Failure> {
         Ok(match &self.form {
             Form::Map(map) => map.as_ref().clone(),
-            _ => NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Constant, self.ndf())?,
+            Form::Formula(formula) => {
+                NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, formula.as_ref())?
+            }
         })
     }
 
     /// For people: `GGX 0.2, 0.4`.
     pub(crate) fn name(&self) -> String {
-        match self.spec.split_once(':') {
-            Some(("ggx", numbers)) => format!("GGX {}", numbers.replace(',', ", ")),
-            Some(("beckmann", numbers)) => format!("Beckmann {}", numbers.replace(',', ", ")),
+        let file = |path: &str| {
+            Path::new(path).file_name().map_or(path.to_owned(), |name| name.to_string_lossy().into())
+        };
+        let formula = self.spec.split_once(':').and_then(|(word, numbers)| {
+            let formula = FORMULAS.iter().find(|formula| formula.0 == word)?;
+            Some(format!("{} {}", formula.1, numbers.replace(',', ", ")))
+        });
+        match self.spec.strip_prefix(NORMAL_MAP) {
             _ if self.spec == "painted" => "Painted, two lobes".into(),
-            _ => Path::new(&self.spec).file_name().map_or(self.spec.clone(), |n| n.to_string_lossy().into()),
+            Some(path) => format!("Normals of {}", file(path)),
+            None => formula.unwrap_or_else(|| file(&self.spec)),
         }
     }
 
@@ -111,32 +129,82 @@ pub(crate) fn painted() -> Result<NdfMap, Failure> {
         (-(x * x + y * y) / width).exp()
     };
     let paint = |n: Vec3| lobe(n, -0.38, 0.22, 0.020) + 0.6 * lobe(n, 0.35, -0.30, 0.045) + 0.02;
-    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Constant, paint)?)
+    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, paint)?)
 }
 
-fn roughness(numbers: &str) -> Result<[f32; 2], String> {
-    let parse =
-        |text: &str| text.trim().parse::<f32>().map_err(|_| format!("`{}` is not a number", text.trim()));
-    match numbers.split_once(',') {
-        Some((x, y)) => Ok([parse(x)?, parse(y)?]),
-        None => parse(numbers).map(|alpha| [alpha, alpha]),
-    }
+/// The density of a formula's word and its numbers.
+fn formula(word: &str, text: &str) -> Result<Box<SharedNdf>, Failure> {
+    let parse = |text: &str| {
+        text.trim().parse::<f32>().map_err(|_| Failure::from(format!("`{}` is not a number", text.trim())))
+    };
+    let numbers = text.split(',').map(parse).collect::<Result<Vec<_>, _>>()?;
+    let form = FORMULAS.iter().find(|formula| formula.0 == word);
+    let form = form.map(|&(word, _, numbers, _)| format!("{word}:{numbers}")).unwrap_or_default();
+    let alpha_y = numbers.get(1).copied().or(numbers.first().copied());
+    Ok(match (word, numbers.as_slice(), alpha_y) {
+        ("ggx", &[x] | &[x, _], Some(y)) => Box::new(Ggx::new(x, y)?),
+        ("beckmann", &[x] | &[x, _], Some(y)) => Box::new(Beckmann::new(x, y)?),
+        ("ward", &[x] | &[x, _], Some(y)) => Box::new(Ward::new(x, y)?),
+        ("student-t", &[x, y, gamma], _) => Box::new(StudentT::new(x, y, gamma)?),
+        ("blinn-phong", &[exponent], _) => Box::new(BlinnPhong::new(exponent)?),
+        ("ashikhmin-shirley", &[n_u, n_v], _) => Box::new(AshikhminShirley::new(n_u, n_v)?),
+        _ => return Err(format!("got {} numbers, write `{form}`", numbers.len()).into()),
+    })
 }
 
-fn image_density(path: &Path, measure: cli::Measure) -> Result<NdfMap, Failure> {
-    let image = ImageFile::open(path).map_err(|error| match error {
+/// An image from a file; the error names the formulas, for a mistyped one is taken for a file.
+fn open(path: &Path) -> Result<ImageFile, Failure> {
+    ImageFile::open(path).map_err(|error| match error {
         ImageFileError::Unreadable(error) => {
-            format!("{FORMS}, and as an image file it cannot be read: {error}")
+            let formulas = FORMULAS.map(|(word, _, numbers, _)| format!("`{word}:{numbers}`")).join(", ");
+            format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
+                .into()
         }
-        error => error.to_string(),
-    })?;
-    // An image's first row is its top, a map's first row has n_y = −1.
-    let turned: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
-    let measure = match measure {
+        error => error.into(),
+    })
+}
+
+/// Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
+fn turned<T: Copy>(width: usize, values: &[T]) -> Vec<T> {
+    values.chunks(width.max(1)).rev().flatten().copied().collect()
+}
+
+fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
+    let image = open(path)?;
+    let measure = match reading.measure {
         cli::Measure::Normals => Measure::Normals,
         cli::Measure::SolidAngle => Measure::SolidAngle,
     };
-    Ok(NdfMap::from_texels(image.width, image.height, &turned, measure, Reconstruction::Constant)?)
+    let reconstruction = match reading.reconstruction {
+        cli::Reconstruction::Constant => Reconstruction::Constant,
+        cli::Reconstruction::Bilinear => Reconstruction::Bilinear,
+    };
+    let texels = turned(image.width, &image.grey());
+    Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
+}
+
+/// The density of a normal map's normals: PNG unsigned, OpenEXR signed.
+fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Failure> {
+    let image = open(path)?;
+    let tangent_space = match tangent_space {
+        cli::TangentSpace::Opengl => TangentSpace::OpenGl,
+        cli::TangentSpace::Directx => TangentSpace::DirectX,
+    };
+    let format = NormalMapFormat { tangent_space, ..NormalMapFormat::default() };
+    let [x, y, z] = image
+        .components(&[["R", "G", "B"], ["n.X", "n.Y", "n.Z"], ["X", "Y", "Z"]])
+        .ok_or("a normal map needs the channels R, G, B or X, Y, Z")?;
+    let scale = if image.signed { 1.0 } else { 2.0 };
+    let signed = |c: f32| c * scale - (scale - 1.0);
+    let normals: Vec<Vec3> = (0..image.width * image.height)
+        .map(|i| [x, y, z].map(|plane| signed(plane.get(i).copied().unwrap_or(0.0))))
+        .map(|n| format.decode_signed(n))
+        .collect();
+    let mut estimator = NdfEstimator::suited(&normals);
+    for &n in &normals {
+        estimator.add(n);
+    }
+    estimator.finish().map_err(|error: EstimateError| error.into())
 }
 
 #[cfg(test)]
@@ -145,7 +213,7 @@ mod tests {
     use std::fs;
 
     fn refused(text: &str) -> String {
-        let error = Density::parse(text, cli::Measure::Normals).err().expect("must be refused").to_string();
+        let error = Density::parse(text, Images::default()).err().expect("must be refused").to_string();
         assert!(!error.contains('\n'), "{error}");
         error
     }
@@ -173,7 +241,12 @@ mod tests {
             ("ggx:nan", "alpha_x"),
             ("beckmann:0.3,inf", "alpha_y"),
             ("ggx:", "not a number"),
-            ("ggx:0.1,0.2,0.3", "not a number"),
+            ("ggx:0.1,0.2,0.3", "got 3 numbers, write `ggx:AX[,AY]`"),
+            ("student-t:0.1,0.2", "write `student-t:AX,AY,GAMMA`"),
+            ("student-t:0.1,0.2,1.2", "gamma"),
+            ("blinn-phong:-1", "exponent"),
+            ("ashikhmin-shirley:1,nan", "n_v"),
+            ("normal-map:nowhere.png", "cannot be read"),
             ("velvet", "cannot be read"),
         ] {
             let error = refused(text);
@@ -199,21 +272,46 @@ mod tests {
     fn one_pixel_and_sixteen_bits_are_densities() {
         let folder = tempfile::tempdir().unwrap();
         let one = file(&folder, "one.png", &encode(1, 1, png::BitDepth::Eight, &[9]));
-        let density = Density::parse(&one, cli::Measure::Normals).unwrap();
+        let density = Density::parse(&one, Images::default()).unwrap();
         // Uniform over the disk: D = 1/π.
         assert!((density.ndf().density(Vec3::Z) - std::f32::consts::FRAC_1_PI).abs() < 1e-6);
         // The lower byte of a sample decides: 0x0100 above, 0x0101 below.
         let deep = [[1_u8, 0], [1, 1]].concat();
         let deep = file(&folder, "deep.png", &encode(1, 2, png::BitDepth::Sixteen, &deep));
-        let density = Density::parse(&deep, cli::Measure::Normals).unwrap();
+        let density = Density::parse(&deep, Images::default()).unwrap();
         let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8))
             / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
         assert!((ratio - 257.0 / 256.0).abs() < 1e-5, "{ratio}");
     }
 
     #[test]
+    fn a_normal_map_is_read_in_both_tangent_spaces() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        // Both texels lean to the top of the image, where the green channel grows in OpenGL's sense.
+        encoder.write_header().unwrap().write_image_data(&[128, 204, 230, 128, 204, 230]).unwrap();
+        let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &bytes));
+        let up = Vec3::new(0.0, 0.6, 0.8);
+        let down = Vec3::new(0.0, -0.6, 0.8);
+        for (tangent_space, high, low) in
+            [(cli::TangentSpace::Opengl, up, down), (cli::TangentSpace::Directx, down, up)]
+        {
+            let reading = Images { tangent_space, ..Images::default() };
+            let density = Density::parse(&spec, reading).unwrap();
+            assert!(density.ndf().density(high) > 1.0 && density.ndf().density(low) == 0.0);
+            assert_eq!(density.name(), "Normals of leaning.png");
+        }
+        let grey = encode(1, 1, png::BitDepth::Eight, &[9]);
+        let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.png", &grey)));
+        assert!(grey.contains("R, G, B"), "{grey}");
+    }
+
+    #[test]
     fn names_and_folders_follow_the_words() {
-        let density = Density::parse("ggx:0.2,0.4", cli::Measure::Normals).unwrap();
+        let density = Density::parse("ggx:0.2,0.4", Images::default()).unwrap();
         assert_eq!((density.name(), density.slug()), ("GGX 0.2, 0.4".into(), "ggx-0.2-0.4".into()));
         assert_eq!(Density::of_the_gallery().len(), 3);
     }

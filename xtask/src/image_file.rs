@@ -18,6 +18,8 @@ pub(crate) struct ImageFile {
     pub(crate) height: usize,
     /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; PNG samples in [0, 1], OpenEXR's as they are.
     pub(crate) planes: Vec<(String, Vec<f32>)>,
+    /// Whether samples below 0 can be meant, as in OpenEXR.
+    pub(crate) signed: bool,
 }
 
 impl ImageFile {
@@ -91,7 +93,7 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
         samples.chunks_exact(channels * step).take(pixels).map(value).collect()
     };
     let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
-    Ok(ImageFile { width, height, planes })
+    Ok(ImageFile { width, height, planes, signed: false })
 }
 
 fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
@@ -124,7 +126,7 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
     if planes.is_empty() {
         return Err(ImageFileError::OnlyAlpha);
     }
-    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes })
+    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes, signed: true })
 }
 
 /// Why a file is not an image of data.

@@ -87,7 +87,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         }),
         Command::Tables(wanted) if wanted.ship => tables::ship(root),
         Command::Tables(wanted) => {
-            let sets = tables::chosen_sets(&wanted.ndf, wanted.measure, &wanted.fif)?;
+            let sets = tables::chosen_sets(&wanted)?;
             let output = Output::new(&wanted.out)?;
             tables::build(&sets, &output, &interrupted)?;
             tell("tables", &output, "index.html");

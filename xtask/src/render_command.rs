@@ -6,7 +6,7 @@ use asperity_shading::LevelOfDetail;
 
 use crate::{
     cli::{Noise, Render, Rule, Scene},
-    densities::Density,
+    densities::{Density, NORMAL_MAP},
     figure::Failure,
     image::hex,
     output::Output,
@@ -21,7 +21,11 @@ use crate::{
 
 /// Draws what was asked for and tells where it lies.
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Failure> {
-    let density = Density::parse(&wanted.ndf, wanted.measure)?;
+    let spec = match &wanted.normal_map {
+        Some(file) => format!("{NORMAL_MAP}{}", file.display()),
+        None => wanted.ndf.clone(),
+    };
+    let density = Density::parse(&spec, wanted.images)?;
     let path = std::path::absolute(&wanted.out)?;
     let name = path.file_name().map(|name| name.to_string_lossy());
     let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {

@@ -12,15 +12,14 @@ mod shipped;
 
 use std::{
     fmt::Write,
-    path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
 };
 
 use serde_json::{Value, json};
 
 use crate::{
-    cli::Measure,
-    densities::Density,
+    cli::Tables,
+    densities::{Density, NORMAL_MAP},
     figure::{Failure, Interrupted},
     image::Image,
     output::Output,
@@ -74,12 +73,14 @@ pub(crate) fn default_sets() -> Vec<Set> {
 }
 
 /// The tables of what the user names; the default ones if that is nothing.
-pub(crate) fn chosen_sets(ndfs: &[String], measure: Measure, fifs: &[PathBuf]) -> Result<Vec<Set>, Failure> {
+pub(crate) fn chosen_sets(wanted: &Tables) -> Result<Vec<Set>, Failure> {
+    let Tables { ndf, normal_map, images, fif, .. } = wanted;
     let mut sets = Vec::new();
-    for text in ndfs {
-        sets.push(Set::density(Density::parse(text, measure)?));
+    let normal_maps = normal_map.iter().map(|file| format!("{NORMAL_MAP}{}", file.display()));
+    for text in ndf.iter().cloned().chain(normal_maps) {
+        sets.push(Set::density(Density::parse(&text, *images)?));
     }
-    for path in fifs {
+    for path in fif {
         sets.push(Set::system(System::read(path)?));
     }
     Ok(if sets.is_empty() { default_sets() } else { sets })
