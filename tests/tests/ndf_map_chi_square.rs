@@ -1,0 +1,160 @@
+//! Normals sampled from images against their density: χ² with pooled bins, significance 0.001 over the number of cases.
+
+use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
+use asperity_tests::chi_square::p_value;
+use asperity_tests::disk_bins::DiskBins;
+use asperity_tests::random::Random;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+const SAMPLES: u64 = 200_000;
+/// Nine images and the largest in both reconstructions, and two of them in both measures.
+const CASES: f64 = 24.0;
+const LEAST_P: f64 = 0.001 / CASES;
+
+const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
+
+/// An image and how many bins a side resolve it: each bin lies in one texel, in one quarter of a texel for bilinear maps.
+struct Image {
+    name: &'static str,
+    width: usize,
+    height: usize,
+    bins: usize,
+    texels: Vec<f32>,
+}
+
+impl Image {
+    /// The image of a function of the column and the row.
+    fn new(
+        name: &'static str,
+        [width, height, bins]: [usize; 3],
+        texel: impl Fn(usize, usize) -> f32 + Sync,
+    ) -> Self {
+        let texels = (0..width * height).into_par_iter().map(|k| texel(k % width, k / width)).collect();
+        Self { name, width, height, bins, texels }
+    }
+
+    fn map(&self, measure: Measure, reconstruction: Reconstruction) -> NdfMap {
+        NdfMap::from_texels(self.width, self.height, &self.texels, measure, reconstruction).expect("valid")
+    }
+
+    /// The probabilities of the bins, by the density that the map states.
+    fn probabilities(&self, map: &NdfMap) -> Vec<f64> {
+        let bins = DiskBins { size: self.bins, extent: [1.0, 1.0] };
+        let probabilities =
+            bins.integrate(2, |x, y| 0.25 * map.cdf().density([0.5 + 0.5 * x, 0.5 + 0.5 * y]));
+        let total: f64 = probabilities.iter().sum();
+        assert!((total - 1.0).abs() < 1e-5, "{}: the density integrates to {total}", self.name);
+        probabilities
+    }
+
+    fn counts(&self, seed: u64, sample: impl Fn(Vec2) -> Vec3) -> Vec<u64> {
+        let bins = DiskBins { size: self.bins, extent: [1.0, 1.0] };
+        let (mut counts, mut random) = (vec![0; self.bins * self.bins], Random(seed));
+        for _ in 0..SAMPLES {
+            let m = sample(Vec2::new(random.uniform() as f32, random.uniform() as f32));
+            assert!(m.z > 0.0 && (m.length() - 1.0).abs() < 1e-6, "{m}");
+            if let Some(bin) = bins.index(f64::from(m.x), f64::from(m.y)) {
+                counts[bin] += 1;
+            }
+        }
+        counts
+    }
+}
+
+/// The images that inversion has gone wrong on before, somewhere.
+fn images() -> Vec<Image> {
+    // Of the texel's centre, in normal coordinates.
+    let at = |k: usize, n: usize| (2.0 * k as f32 + 1.0) / n as f32 - 1.0;
+    let lobe = |x: f32, y: f32| (-30.0 * (x * x + y * y)).exp();
+    vec![
+        Image::new("smooth", [32, 32, 64], |i, j| {
+            let (x, y) = (at(i, 32), at(j, 32));
+            lobe(x + 0.45, y - 0.2) + 0.5 * lobe(x - 0.6, y + 0.6) + 0.01
+        }),
+        Image::new("binary mask", [16, 16, 64], |i, j| f32::from((i * 7 + j * 5) % 11 < 4)),
+        Image::new("one hot texel", [16, 16, 64], |i, j| if (i, j) == (11, 6) { 1e-20 } else { 0.0 }),
+        Image::new("one hot texel at the rim", [8, 8, 64], |i, j| f32::from((i, j) == (0, 2))),
+        Image::new("hot texel at the top", [9, 9, 54], |i, j| f32::from((i, j) == (4, 8))),
+        Image::new("two far islands", [32, 32, 64], |i, j| match (i, j) {
+            (1, 16) => 1.0,
+            (30, 15) => 3.0,
+            _ => 0.0,
+        }),
+        Image::new("ring with an empty centre", [32, 32, 64], |i, j| {
+            f32::from(at(i, 32).hypot(at(j, 32)) > 0.7)
+        }),
+        Image::new("one texel", [1, 1, 24], |_, _| 2.0),
+        Image::new("not square", [24, 5, 120], |i, j| ((i * 5 + j * 3) % 7) as f32),
+    ]
+}
+
+#[test]
+fn images_sample_their_density() {
+    let cases: Vec<(Image, Measure, Reconstruction)> = [Measure::Normals, Measure::SolidAngle]
+        .into_iter()
+        .flat_map(|measure| {
+            let count = if measure == Measure::Normals { usize::MAX } else { 2 };
+            let cases =
+                KINDS.map(|kind| images().into_iter().take(count).map(move |image| (image, measure, kind)));
+            cases.into_iter().flatten()
+        })
+        .collect();
+    assert_eq!(cases.len() + 2, CASES as usize);
+    cases.into_par_iter().enumerate().for_each(|(seed, (image, measure, kind))| {
+        let map = image.map(measure, kind);
+        let probabilities = image.probabilities(&map);
+        let p = p_value(&image.counts(seed as u64, |u| map.sample(u)), &probabilities, SAMPLES);
+        println!("{}, {measure:?}, {kind:?}: p = {p:.4}", image.name);
+        assert!(p > LEAST_P, "{}, {measure:?}, {kind:?}: p = {p:e}", image.name);
+    });
+}
+
+#[test]
+fn the_largest_map_samples_its_density() {
+    const SIZE: usize = 4096;
+    let density = |x: f64, y: f64| 1.0 + 0.9 * (9.0 * x).sin() * (7.0 * y).cos();
+    let at = |k: usize| (2.0 * k as f64 + 1.0) / SIZE as f64 - 1.0;
+    let image = Image::new("4096×4096", [SIZE, SIZE, 64], |i, j| density(at(i), at(j)) as f32);
+    // The texels' steps are 1e-6 of the bins' probabilities.
+    let mut probabilities = DiskBins { size: 64, extent: [1.0, 1.0] }.integrate(2, density);
+    let total: f64 = probabilities.iter().sum();
+    probabilities.iter_mut().for_each(|probability| *probability /= total);
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let map = image.map(Measure::Normals, kind);
+        let p = p_value(&image.counts(50 + seed as u64, |u| map.sample(u)), &probabilities, SAMPLES);
+        println!("4096×4096 {kind:?}: p = {p:.4}");
+        assert!(p > LEAST_P, "4096×4096 {kind:?}: p = {p:e}");
+    }
+}
+
+#[test]
+fn distorted_samplers_are_rejected() {
+    let images = images();
+    let smooth = &images[0];
+    for kind in KINDS {
+        let map = smooth.map(Measure::Normals, kind);
+        let other = smooth.map(Measure::Normals, KINDS[usize::from(kind == KINDS[0])]);
+        let centre = |n: f32| ((n * 16.0 + 16.0).floor() + 0.5) / 16.0 - 1.0;
+        let up = |x: f32, y: f32| Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()).normalize();
+        let centres = |u: Vec2| {
+            let m = map.sample(u);
+            up(centre(m.x), centre(m.y))
+        };
+        let distorted: [(&str, &dyn Fn(Vec2) -> Vec3); 4] = [
+            ("the other reconstruction", &|u| other.sample(u)),
+            ("centres of texels", &centres),
+            ("axes swapped", &|u| {
+                let m = map.sample(u);
+                Vec3::new(m.y, m.x, m.z)
+            }),
+            ("1 % of the tail lost", &|u| map.sample(u * 0.99)),
+        ];
+        let probabilities = smooth.probabilities(&map);
+        for (name, sample) in distorted {
+            let p = p_value(&smooth.counts(5, sample), &probabilities, SAMPLES);
+            println!("{kind:?}, {name}: p = {p:e}");
+            assert!(p < 1e-9, "{kind:?}, {name}: p = {p:e}");
+        }
+    }
+}
