@@ -1,47 +1,55 @@
 //! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
 
-use asperity_ndf_sampling::{Beckmann, Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
+use asperity_ndf_sampling::{Beckmann, BlinnPhong, Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::random::Random;
 use asperity_tests::reference::{self, numbers, rows};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
+use rayon::prelude::*;
+
+/// A density of the reference file; nothing for those that are not built here.
+fn density(item: &serde_json::Value) -> Box<dyn Ndf + Sync> {
+    let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
+    match item["model"].as_str().expect("a name") {
+        "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
+        "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
+        "blinn_phong" => Box::new(BlinnPhong::new(alpha("n")).unwrap()),
+        other => panic!("{other} is no model"),
+    }
+}
 
 #[test]
 fn marginals_of_a_fine_map_equal_the_reference() {
+    // The bilinear map of a function errs by its curvature times the square of a texel: 1.8e-5 at 1536.
+    const SIZE: usize = 2304;
     let reference = reference::read("ndf/marginals.json");
-    let x = |item: &serde_json::Value| numbers(&item["x"]);
-    let mut worst = [0.0_f64; 4];
-    let mut compared = 0;
-    for item in reference["items"].as_array().unwrap() {
-        let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
-        let ndf: Box<dyn Ndf> = match item["model"].as_str().unwrap() {
-            "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-            "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-            _ => continue,
-        };
-        let map = NdfMap::from_ndf(500, 500, Reconstruction::Constant, &*ndf).unwrap();
-        let cdf = map.cdf();
-        let mut note = |k: usize, error: f64, tolerance: f64, what: &str| {
-            worst[k] = worst[k].max(error.abs());
-            assert!(error.abs() < tolerance, "{} {} {what}: {error:e}", item["model"], alpha("alpha_x"));
-            compared += 1;
-        };
-        for ((x, m), cumulative) in x(item).into_iter().zip(numbers(&item["m"])).zip(numbers(&item["M"])) {
-            // m is constant on a column: off by its slope times half a texel.
-            let steps = [x - 1e-3, x + 1e-3].map(|x| (cdf.marginal_cdf(x), x));
-            let mean = (steps[1].0 - steps[0].0) / (steps[1].1 - steps[0].1);
-            note(0, (mean - m) / m.max(1.0), 1e-3, "m");
-            note(1, cdf.marginal_cdf(x) - cumulative, 2e-6, "M");
-        }
-        for row in rows(&item["C"]) {
-            note(2, cdf.conditional_cdf(row[0], row[1]) - row[2], 4e-3, "C");
-        }
-        for row in rows(&item["M_inverse"]) {
-            note(3, cdf.marginal_inverse(row[0]) - row[1], 4e-5, "M inverse");
+    let items = reference["items"].as_array().unwrap();
+    let errors: Vec<[f64; 4]> = items
+        .par_iter()
+        .map(|item| {
+            let map = NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, &*density(item)).unwrap();
+            let (cdf, mut worst) = (map.cdf(), [0.0_f64; 4]);
+            let mut note = |k: usize, error: f64| worst[k] = worst[k].max(error.abs());
+            let rows3 = numbers(&item["x"]).into_iter().zip(numbers(&item["m"])).zip(numbers(&item["M"]));
+            for ((x, m), cumulative) in rows3 {
+                note(0, (cdf.marginal(x) - m) / m.max(1.0));
+                note(1, cdf.marginal_cdf(x) - cumulative);
+            }
+            for row in rows(&item["C"]) {
+                note(2, cdf.conditional_cdf(row[0], row[1]) - row[2]);
+            }
+            for row in rows(&item["M_inverse"]) {
+                note(3, cdf.marginal_inverse(row[0]) - row[1]);
+            }
+            println!("{} {} {}: {worst:?}", item["model"], item["alpha_x"], item["alpha_y"]);
+            worst
+        })
+        .collect();
+    for (item, worst) in items.iter().zip(errors) {
+        for (error, what) in worst.into_iter().zip(["m", "M", "C", "M⁻¹"]) {
+            assert!(error < 1e-5, "{} {} {what}: {error:e}", item["model"], item["alpha_x"]);
         }
     }
-    println!("worst errors of m (relative), M, C, M⁻¹ over {compared} values: {worst:?}");
-    assert!(compared > 300, "{compared}");
 }
 
 /// Uniform numbers at which inversion has gone wrong before, somewhere.
@@ -57,45 +65,40 @@ fn check_round_trip(cdf: &Cdf, u: [f64; 2]) -> f64 {
     (back[0] - u[0]).abs().max((back[1] - u[1]).abs())
 }
 
-fn image(size: usize, value: impl Fn(usize, usize) -> f32) -> NdfMap {
+const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
+
+fn image(size: usize, kind: Reconstruction, value: impl Fn(usize, usize) -> f32) -> NdfMap {
     let texels: Vec<f32> = (0..size * size).map(|k| value(k % size, k / size)).collect();
-    NdfMap::from_texels(size, size, &texels, Measure::Normals, Reconstruction::Constant).expect("valid")
+    NdfMap::from_texels(size, size, &texels, Measure::Normals, kind).expect("valid")
 }
 
 #[test]
 fn forward_undoes_inverse_on_every_kind_of_map() {
-    let maps = [
-        ("1×1", image(1, |_, _| 3.0)),
-        ("2×2, one texel", image(2, |i, j| f32::from(i == 1 && j == 0))),
-        ("one hot texel", image(64, |i, j| f32::from(i == 40 && j == 20))),
-        ("hot texel at the rim", image(8, |i, j| f32::from(i == 0 && j == 2))),
-        ("binary mask", image(33, |i, j| f32::from((i * 7 + j * 5) % 11 < 3))),
-        ("two far islands", image(64, |i, j| f32::from((i == 1 || i == 62) && j / 2 == 16))),
-        ("ring", image(64, |i, j| f32::from((i as f32 - 31.5).hypot(j as f32 - 31.5) > 24.0))),
-        ("steep", image(64, |i, j| (-(i as f32) - 0.5 * j as f32).exp2())),
-        (
-            "GGX 0.05",
-            NdfMap::from_ndf(256, 256, Reconstruction::Constant, &Ggx::isotropic(0.05).unwrap()).unwrap(),
-        ),
-        (
-            "GGX 1",
-            NdfMap::from_ndf(100, 37, Reconstruction::Constant, &Ggx::isotropic(1.0).unwrap()).unwrap(),
-        ),
-        (
-            "bright rim",
-            NdfMap::from_fn(50, 50, Measure::SolidAngle, Reconstruction::Constant, |n| n.x.abs()).unwrap(),
-        ),
-    ];
-    for (name, map) in maps {
+    let maps = KINDS.map(|kind| {
+        [
+            ("1×1", image(1, kind, |_, _| 3.0)),
+            ("2×2, one texel", image(2, kind, |i, j| f32::from(i == 1 && j == 0))),
+            ("one hot texel", image(64, kind, |i, j| f32::from(i == 40 && j == 20))),
+            ("hot texel at the rim", image(8, kind, |i, j| f32::from(i == 0 && j == 2))),
+            ("binary mask", image(33, kind, |i, j| f32::from((i * 7 + j * 5) % 11 < 3))),
+            ("two far islands", image(64, kind, |i, j| f32::from((i == 1 || i == 62) && j / 2 == 16))),
+            ("ring", image(64, kind, |i, j| f32::from((i as f32 - 31.5).hypot(j as f32 - 31.5) > 24.0))),
+            ("steep", image(64, kind, |i, j| (-(i as f32) - 0.5 * j as f32).exp2())),
+            ("GGX 0.05", NdfMap::from_ndf(256, 256, kind, &Ggx::isotropic(0.05).unwrap()).unwrap()),
+            ("GGX 1", NdfMap::from_ndf(100, 37, kind, &Ggx::isotropic(1.0).unwrap()).unwrap()),
+            ("bright rim", NdfMap::from_fn(50, 50, Measure::SolidAngle, kind, |n| n.x.abs()).unwrap()),
+        ]
+    });
+    for (name, map) in maps.into_iter().flatten() {
         let mut random = Random(11);
         let largest = |worst: f64, u| check_round_trip(map.cdf(), u).max(worst);
         let inner = (0..20_000).map(|_| [random.uniform(), random.uniform()]).fold(0.0, largest);
         let edges = EDGES.into_iter().flat_map(|u1| EDGES.map(|u2| [u1, u2])).fold(0.0, largest);
         println!("{name}: {inner:e}, at the edges {edges:e}");
         // A last bit of x, 1e-16, times m(x), at most the number of texels.
-        assert!(inner < 1e-11, "{name}: {inner:e}");
-        // Next to an end the chord is 1e-8 long, and the last bit of y 1e-8 of that.
-        assert!(edges < 1e-7, "{name}: {edges:e}");
+        assert!(inner < 1e-13, "{name}: {inner:e}");
+        // Where the chord shrinks to a point, samples keep a weight of 9e-11 away.
+        assert!(edges < 1e-10, "{name}: {edges:e}");
     }
 }
 
@@ -115,7 +118,7 @@ fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
 
 #[test]
 fn empty_rows_are_uniform_on_the_chord() {
-    let map = image(16, |i, _| f32::from(i == 3 || i == 12));
+    let map = image(16, Reconstruction::Constant, |i, _| f32::from(i == 3 || i == 12));
     let x = 0.5;
     assert_eq!(map.cdf().marginal(x), 0.0);
     assert!((map.cdf().marginal_cdf(x) - 0.5).abs() < 1e-14);
@@ -129,7 +132,12 @@ fn empty_rows_are_uniform_on_the_chord() {
 
 #[test]
 fn distribution_functions_never_decrease() {
-    let map = image(31, |i, j| if (i * j) % 7 < 2 { 0.0 } else { ((i * 3 + j) % 5) as f32 });
+    let map =
+        image(
+            31,
+            Reconstruction::Constant,
+            |i, j| if (i * j) % 7 < 2 { 0.0 } else { ((i * 3 + j) % 5) as f32 },
+        );
     let steps = (0..=10_000).map(|k| f64::from(k) / 10_000.0);
     let (mut m, mut inverse) = (0.0, 0.0);
     for t in steps.clone() {
@@ -150,7 +158,7 @@ fn distribution_functions_never_decrease() {
 #[test]
 fn small_weights_beside_large_ones_are_kept() {
     // A row of weight 1e-12 beside one of 1: single precision would lose it.
-    let map = image(8, |i, j| {
+    let map = image(8, Reconstruction::Constant, |i, j| {
         if j != 3 {
             0.0
         } else if i == 2 {
@@ -170,26 +178,47 @@ fn small_weights_beside_large_ones_are_kept() {
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        rng_seed: proptest::test_runner::RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::with_cases(400)
+        rng_seed: proptest::test_runner::RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::with_cases(2000)
     })]
 
     #[test]
     fn forward_undoes_inverse(
-        width in 1_usize..12, height in 1_usize..12,
-        weights in proptest::collection::vec(prop_oneof![Just(0.0_f32), 0.01_f32..10.0], 121),
-        u1 in 0.0_f64..1.0, u2 in 0.0_f64..1.0,
+        width in 1_usize..12, height in 1_usize..12, kind in prop::sample::select(&KINDS[..]),
+        // Zeros, common weights, and twelve decades of contrast.
+        weights in prop::collection::vec(
+            prop_oneof![Just(0.0_f32), 0.01_f32..10.0, (-40.0_f32..0.0).prop_map(f32::exp2)], 121,
+        ),
+        empty in prop::collection::vec(any::<bool>(), 11),
+        u1 in probability(), u2 in probability(),
     ) {
+        let mut weights = weights;
+        for (k, weight) in weights.iter_mut().enumerate() {
+            // Whole columns without weight.
+            if empty[k % width] && empty[(k + 1) % width] {
+                *weight = 0.0;
+            }
+        }
         let texels = &weights[..width * height];
-        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals, Reconstruction::Constant) else {
+        let Ok(map) = NdfMap::from_texels(width, height, texels, Measure::Normals, kind) else {
             // Only black maps are refused.
             prop_assert!(texels.iter().zip(0..).all(|(&t, k)| t == 0.0 || !in_disk(k, width, height)));
             return Ok(());
         };
         let error = check_round_trip(map.cdf(), [u1, u2]);
-        prop_assert!(error < 1e-9, "{error:e}");
+        prop_assert!(error < 1e-10, "{error:e}");
         let m = map.from_gaussian(Vec2::new(4.0 * u1 as f32 - 2.0, 4.0 * u2 as f32 - 2.0));
         prop_assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
     }
+}
+
+/// Uniform numbers, and the ends of their range.
+fn probability() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        8 => 0.0_f64..1.0,
+        1 => (0.0_f64..1.0).prop_map(|t| 1.0 - t * 1e-7),
+        1 => (0.0_f64..1.0).prop_map(|t| t * 1e-7),
+        1 => prop::sample::select(&EDGES[..]),
+    ]
 }
 
 fn in_disk(texel: usize, width: usize, height: usize) -> bool {

@@ -7,8 +7,8 @@ use crate::math;
 /// What a sample leaves on either side of it where the marginal vanishes at that end of the piece.
 ///
 /// As at the two ends of the disk, the conditional's support would otherwise shrink to a point there, and `u₂` could not be
-/// found again. With it the support keeps a length of about 10⁻⁸.
-const LEAST_MASS: f64 = 1e-13;
+/// found again. With it `u₂` is found to 10⁻¹⁰, as `u₁` is.
+const LEAST_MASS: f64 = 9e-11;
 
 /// A polynomial of degree 3 by its Bernstein coefficients, none of them negative: it is evaluated without cancellation.
 pub(crate) type Cubic = [f64; 4];
@@ -120,8 +120,9 @@ impl Slab {
                 break;
             }
         }
-        let x = self.x[0] + (self.x[1] - self.x[0]) * s;
-        (s, x.clamp(self.x[0], self.x[1].next_down()))
+        let x = (self.x[0] + (self.x[1] - self.x[0]) * s).clamp(self.x[0], self.x[1].next_down());
+        // The place of the rounded x, which is what the way back finds.
+        (self.place(x), x)
     }
 }
 
