@@ -15,7 +15,8 @@ use crate::radial::Radial;
 /// D(m) = D_N(R⁻¹ m),   T(z) = R T_N(R⁻¹ z),   Λ(v) = Λ_N(R⁻¹ v)          R: the rotation from x towards y by the angle
 /// ```
 ///
-/// The Gaussian coordinates are turned as well, so that a density which depends on the tilt alone stays as it is.
+/// The Gaussian coordinates are turned as well, so that a density which depends on the tilt alone stays as it is. Turning
+/// rounds the shorter slope like the longer: `T⁻¹(T(z)) = z` within 4e-7 times the ratio of the roughnesses.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Ggx, Ndf, Rotated, glam::Vec3};
