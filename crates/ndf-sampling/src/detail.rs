@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::gaussian::phi;
 use crate::math;
 use crate::ndf::{Ndf, bounded};
-use crate::remap::NoiseCdf;
+use crate::noise_distribution::NoiseDistribution;
 
 /// The Gaussian coordinates of a bump map with noise added, of the same variance.
 ///
@@ -80,15 +80,15 @@ pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32
 ///
 /// Kautz, Heidrich, Seidel 2001, sections 4 and 7.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NoiseChain<'a, N> {
+pub struct NoiseChain<N, G> {
     /// The density of the normals.
     pub ndf: N,
     /// The distribution `G` of both noises.
-    pub noise: NoiseCdf<'a>,
+    pub noise: G,
 }
 
-impl<N: Ndf> NoiseChain<'_, N> {
-    /// `r → n`; total, see [`NoiseCdf`].
+impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
+    /// `r → n`; total.
     #[inline]
     #[must_use]
     pub fn normal(&self, r: [f32; 2]) -> Vec3 {
@@ -113,7 +113,7 @@ impl<N: Ndf> NoiseChain<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Ggx};
+    use crate::{Beckmann, Ggx, NoiseCdf};
 
     #[test]
     fn total_on_every_input() {

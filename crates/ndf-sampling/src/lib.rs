@@ -31,7 +31,8 @@
 //! | [`NdfMap`], [`Measure`], [`Reconstruction`] | a density painted or computed on the hemispherical map, sampled exactly |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
-//! | [`NoiseCdf`] | G: the measured distribution of a noise, to uniform and Gaussian numbers and back |
+//! | [`NoiseDistribution`] | G: from the values of a noise to uniform and Gaussian numbers and back |
+//! | [`NoiseCdf`], [`GaussianNoise`], [`KurtoticNoise`] | measured, exactly Gaussian, and known by its kurtosis |
 //! | [`NormalTable`], [`NormalTableRef`] | table L: tangent frames by look-up, owned and borrowed |
 //! | [`TableLayout`], [`Spacing`], [`Chart`], [`TableEntry`] | how it is indexed and what its entries are |
 //! | [`TableAccuracy`], [`Deviation`] | what its look-ups lose |
@@ -118,6 +119,7 @@ mod math;
 mod microfacet;
 mod mixture;
 mod ndf;
+mod noise_distribution;
 mod normal_map;
 #[cfg(feature = "alloc")]
 mod normal_table;
@@ -179,6 +181,7 @@ pub use marginal::Cdf;
 pub use microfacet::Microfacet;
 pub use mixture::Mixture;
 pub use ndf::Ndf;
+pub use noise_distribution::{DeviationError, GaussianNoise, KurtoticNoise, NoiseDistribution};
 pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
