@@ -27,6 +27,11 @@ impl Student {
         Self { freedom, peak: gamma_ratio(0.5 * freedom) / math::sqrt_f64(PI * freedom) }
     }
 
+    /// `f(0)`.
+    pub(crate) const fn peak(self) -> f64 {
+        self.peak
+    }
+
     /// `f(z)`.
     pub(crate) fn density(self, z: f64) -> f64 {
         self.peak * math::exp_f64(-0.5 * (self.freedom + 1.0) * math::ln_1p_f64(z * z / self.freedom))

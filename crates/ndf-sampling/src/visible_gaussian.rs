@@ -36,6 +36,8 @@ pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     let b = if b < ZENITH { b } else { ZENITH };
     let u = u.max(LEAST_U);
     let total = b * phi(b) + density(b);
+    // b Φ(−b) − φ(b), minus the part of the whole that the edge cuts off.
+    let edge = b * phi(-b) - density(b);
     // Right for b → ∞ to the second order in 1/b, and never left of the edge at −b.
     let gaussian = inverse_phi(u);
     let y = b + gaussian;
@@ -48,7 +50,7 @@ pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
         // p'/p
         let growth = 1.0 / height - x;
         let step = if u < 0.5 {
-            let below = (b * (phi(x) - phi(-b)) + density(b) - gaussian) / total;
+            let below = (b * phi(x) - edge - gaussian) / total;
             let below = below.max(f64::MIN_POSITIVE);
             let newton = 2.0 * (math::sqrt_f64(u * below) - below) / p;
             newton / (1.0 + 0.5 * newton * (growth - 0.5 * p / below)).max(0.5)
