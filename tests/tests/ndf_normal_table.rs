@@ -1,8 +1,14 @@
 //! Table L: what the look-ups lose at a point, and their frames.
 
-use asperity_ndf_sampling::{Ggx, Ndf, NormalTable, inverse_phi};
+use asperity_ndf_sampling::{
+    Beckmann, Chart, Frame, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableLayout, inverse_phi,
+    unpack_frame,
+};
 use asperity_tests::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
+
+const SPACINGS: [Spacing; 3] = [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped];
+const CHARTS: [Chart; 3] = [Chart::Projected, Chart::Slopes, Chart::Stereographic];
 
 #[test]
 fn quantile_error_of_the_slopes() {
@@ -26,16 +32,42 @@ fn quantile_error_of_the_slopes() {
 }
 
 #[test]
-fn frames_are_orthonormal_in_both_look_ups() {
-    for alpha in [0.01, 0.3, 1.0] {
-        let table = NormalTable::new(&Ggx::new(alpha, 0.5).unwrap(), 64).unwrap();
-        for k in 0..5000 {
-            let z = Vec2::from(r2(k).map(|u| u as f32)) * 12.0 - 6.0;
-            for frame in [table.nearest(z), table.bilinear(z)] {
-                let (t, b, n) = (frame.tangent, frame.bitangent, frame.normal);
-                assert!((t.cross(b) - n).length() < 1e-6 && t.dot(b).abs() < 1e-6, "{z}: {frame:?}");
-                assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{z}: {n}");
+fn frames_are_orthonormal_in_every_layout() {
+    let orthonormal = |frame: &Frame, at: Vec2| {
+        let (t, b, n) = (frame.tangent, frame.bitangent, frame.normal);
+        assert!((t.cross(b) - n).length() < 1e-6 && t.dot(b).abs() < 1e-6, "{at}: {frame:?}");
+        assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{at}: {n}");
+    };
+    for (spacing, chart) in SPACINGS.into_iter().flat_map(|spacing| CHARTS.map(|chart| (spacing, chart))) {
+        for alpha in [0.01, 0.3, 1.0] {
+            let ggx = Ggx::new(alpha, 0.5).unwrap();
+            let table = NormalTable::with_layout(&ggx, 64, TableLayout { spacing, chart }).unwrap();
+            let halves = table.halves();
+            let packed = NormalTableRef::new(64, table.layout(), &halves).unwrap();
+            let [normals, tangents] = table.half_frames();
+            for k in 0..1000 {
+                let z = Vec2::from(r2(k).map(|u| u as f32)) * 12.0 - 6.0;
+                for frame in [table.nearest(z), table.bilinear(z), packed.nearest(z), packed.bilinear(z)] {
+                    orthonormal(&frame, z);
+                }
+            }
+            for (&normal, &tangent) in normals.iter().zip(&tangents) {
+                orthonormal(&unpack_frame(normal, tangent), Vec2::ZERO);
             }
         }
+    }
+}
+
+#[test]
+fn frames_turn_little_between_neighbours() {
+    // The steps of 256² entries; the largest are next to the horizon, or at the border of an island.
+    for (name, ndf, most) in [
+        ("GGX 0.2 0.4", &Ggx::new(0.2, 0.4).unwrap() as &dyn Ndf, 2.5),
+        ("GGX 1", &Ggx::isotropic(1.0).unwrap(), 2.5),
+        ("Beckmann 0.3", &Beckmann::isotropic(0.3).unwrap(), 0.5),
+    ] {
+        let step = NormalTable::standard(ndf).accuracy(ndf).largest_step.to_degrees();
+        println!("{name}: {step:.2}°");
+        assert!(step < most, "{name}: {step}");
     }
 }
