@@ -1,6 +1,6 @@
 //! The teapot with an anisotropic density at three distances, and with normals that do not follow it.
 
-use asperity_ndf_sampling::{Ggx, NormalTable};
+use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
 
 use super::panels::{common_parameters, density_panel, fine, object_panel};
 use crate::{
@@ -8,7 +8,6 @@ use crate::{
     scene::{
         material::Facets,
         request::{RenderRequest, Subject},
-        uniform::UniformNormals,
     },
 };
 
@@ -42,7 +41,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     }
     let mut parameters = common_parameters(&request);
     parameters.insert(0, ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])));
-    let uniform = NormalTable::standard(&UniformNormals);
+    let uniform = NormalTable::standard(&BlinnPhong::new(0.0)?);
     request.facets = Facets::Table(&uniform);
     request.zoom = ZOOMS[1].0;
     let alt = "The same view with bumps from uniform normals: a grainy surface without a highlight.";

@@ -14,6 +14,7 @@ mod ndf_bump_maps;
 mod ndf_conditional;
 mod ndf_densities;
 mod ndf_masking;
+mod ndf_table;
 mod noise_curl;
 mod noise_footprint;
 mod noise_gradients;
@@ -47,6 +48,7 @@ const FIGURES: &[&[Figure]] = &[
     &[asperity_mean_radiance::MEAN_RADIANCE],
     ndf_densities::DENSITIES,
     &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],
+    &[ndf_table::TABLE],
     &[ndf_bump_maps::DETAIL, ndf_bump_maps::ESTIMATE],
     noise_kinds::KINDS,
     &[noise_patterns::PATTERNS, noise_slope::SLOPE, noise_footprint::FOOTPRINT],

@@ -1,6 +1,8 @@
 //! Every density of normals: its map, its lobe, its slopes, and what is left between it and the normals drawn from it.
 
-use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, StudentT, Ward};
+use asperity_ndf_sampling::{
+    AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Mixture, StudentT, Ward,
+};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -54,6 +56,28 @@ pub(crate) const DENSITIES: &[Figure] = &[
         "The half-vectors that Ward's reflectance draws: seen as a density of normals they are Beckmann's, to the last \
          digit.",
         |context| draw(context, "Ward 0.35, 0.15", &Ward::new(0.35, 0.15)?),
+    ),
+    density(
+        ["ndf-density-mixture", "A gloss within a diffuse lobe", "Kautz, Heidrich, Seidel 2001, section 6"],
+        "Two densities in one: a fifth of the facets is a narrow GGX, the rest spread evenly over the map of normals, \
+         which is Blinn\u{2013}Phong with the exponent 0. Both depend on the tilt alone, so that their sum has a smooth map from \
+         Gaussian numbers too.",
+        |context| {
+            let mixture = Mixture::new(Ggx::isotropic(0.12)?, BlinnPhong::new(0.0)?, 0.2)?;
+            draw(context, "0.2 GGX 0.12 + 0.8 diffuse", &mixture)
+        },
+    ),
+    density(
+        ["ndf-density-isotropic", "A table over the cosine", "after Kautz, Heidrich, Seidel 2001, section 4"],
+        "What depends on the tilt alone needs one table with one coordinate. This one has a peak and a ring around it, \
+         as brushed or etched glass has.",
+        |context| {
+            let ring = |cos: f32| {
+                let tilt = cos.acos();
+                (-(tilt / 0.12).powi(2)).exp() + 0.35 * (-((tilt - 0.6) / 0.09).powi(2)).exp()
+            };
+            draw(context, "table, 513 cosines", &Isotropic::from_fn(513, ring)?)
+        },
     ),
     density(
         ["ndf-density-painted", "A painted density", "after Kautz, Heidrich, Seidel 2001, section 4"],

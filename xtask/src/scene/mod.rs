@@ -15,4 +15,3 @@ pub(crate) mod render;
 pub(crate) mod request;
 pub(crate) mod shape;
 pub(crate) mod teapot;
-pub(crate) mod uniform;
