@@ -80,7 +80,9 @@ pub(super) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> R
     let lobe = relief(|t, phi| {
         let (sin, cos) = (t * FRAC_PI_2).sin_cos();
         let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
-        m * (LENGTH * ndf.density(m) / top)
+        let share = ndf.density(m) / top;
+        // Thousands of triangles too small to be seen, at one point, take the hierarchy of boxes half a minute.
+        m * if share < 1e-3 { 0.0 } else { LENGTH * share }
     });
     let around = View {
         eye: Vec3::new(3.9, -4.6, 2.1),
