@@ -1,7 +1,8 @@
 //! Bad input: each gets one clear line, which names the culprit and its value.
 
 use asperity_ndf_sampling::{
-    Beckmann, Ggx, Measure, NdfMap, NoiseCdf, NormalTable, Reconstruction, RoughnessError,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, Ggx, Isotropic, Measure, Mixture, NdfMap, NoiseCdf,
+    NormalTable, Reconstruction, Rotated, RoughnessError, StudentT, Ward,
 };
 
 /// One line, lower case, without a full stop, with every one of `parts`.
@@ -40,6 +41,38 @@ fn roughness() {
         Ggx::new(-1.0, 0.5),
         Err(RoughnessError::NotPositive { parameter: "alpha_x", value: -1.0 })
     ));
+}
+
+#[test]
+fn facets() {
+    check(&StudentT::new(0.5, f32::NAN, 2.0).unwrap_err(), &["alpha_y", "NaN"]);
+    check(&Ward::new(-0.5, 0.5).unwrap_err(), &["alpha_x", "-0.5"]);
+    for (value, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-1.0, "-1"), (3e12, "3000000000000")] {
+        check(&StudentT::new(0.5, 0.5, value).unwrap_err(), &["gamma", name]);
+        check(&BlinnPhong::new(value).unwrap_err(), &["exponent", name]);
+        check(&BlinnPhong::from_roughness(value).unwrap_err(), &["roughness", name]);
+        check(&AshikhminShirley::new(value, 1.0).unwrap_err(), &["n_u", name]);
+        check(&AshikhminShirley::new(1.0, value).unwrap_err(), &["n_v", name]);
+        // What a constructor refuses, the repair accepts.
+        assert!(BlinnPhong::new(BlinnPhong::clamped(value).exponent()).is_ok(), "{value}");
+        let repaired = AshikhminShirley::clamped(value, value);
+        assert!(AshikhminShirley::new(repaired.n_u(), repaired.n_v()).is_ok(), "{value}");
+        let repaired = StudentT::clamped(value, value, value);
+        assert!(StudentT::new(repaired.alpha_x(), repaired.alpha_y(), repaired.gamma()).is_ok(), "{value}");
+    }
+    let (ggx, turned) = (Ggx::isotropic(0.3).unwrap(), Ggx::new(0.2, 0.4).unwrap());
+    check(&Mixture::new(ggx, ggx, 1.5).unwrap_err(), &["weight", "1.5"]);
+    check(&Mixture::new(turned, ggx, 0.5).unwrap_err(), &["density a"]);
+    check(&Blend::new(turned, ggx, f32::NAN).unwrap_err(), &["weight", "NaN"]);
+    check(&Rotated::new(turned, f32::INFINITY).unwrap_err(), &["angle", "inf"]);
+    check(&Isotropic::new(&[1.0]).unwrap_err(), &["nodes", "1"]);
+    check(&Isotropic::new(&[1.0, 2.0, f32::INFINITY]).unwrap_err(), &["density 2", "inf"]);
+    check(&Isotropic::new(&[-0.5, 2.0]).unwrap_err(), &["density 0", "-0.5"]);
+    check(&Isotropic::new(&[0.0; 7]).unwrap_err(), &["7"]);
+    check(&Isotropic::from_fn(0, |_| 1.0).unwrap_err(), &["nodes", "0"]);
+    check(&Isotropic::pack(&[1.0, 2.0], &mut []).unwrap_err(), &["6", "0"]);
+    check(&Isotropic::from_packed([f32::NAN; 6]).unwrap_err(), &["density 0", "NaN"]);
+    check(&Isotropic::from_packed([1.0; 6]).unwrap_err(), &["node 0"]);
 }
 
 #[test]

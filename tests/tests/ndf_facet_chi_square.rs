@@ -57,14 +57,14 @@ fn every_map_of_every_density_samples_it() {
         .enumerate()
         .flat_map_iter(|(case, facets)| {
             let seed = 10 * case as u64;
-            let samples = 60_000;
+            let samples = 40_000;
             let mut results =
                 vec![("square", macro_p(&facets, seed, samples, |random| (facets.sample)(square(random))))];
             if let Some(map) = &facets.from_gaussian {
                 let sample = |random: &mut Random| map(Vec2::from(random.gaussians().map(|z| z as f32)));
                 results.push(("Gaussian", macro_p(&facets, seed + 1, samples, sample)));
             }
-            let samples = if facets.slow { 20_000 } else { samples };
+            let samples = if facets.slow { 12_000 } else { samples };
             for (angle, name) in ANGLES.into_iter().zip(["0°", "40°", "75°", "89.5°"]) {
                 let v = view(angle);
                 let sample = |u| (facets.sample_visible)(v, u);
