@@ -120,13 +120,7 @@ impl Batch {
         inputs: [&[f32]; I],
         outputs: [&mut [f32]; O],
     ) -> Result<(), BatchError> {
-        let len = inputs.first().map_or(0, |input| input.len());
-        let lengths = inputs.iter().map(|input| input.len()).chain(outputs.iter().map(|output| output.len()));
-        for (array, found) in lengths.enumerate() {
-            if found != len {
-                return Err(BatchError::LengthMismatch { array, expected: len, found });
-            }
-        }
+        BatchError::check(&inputs, &outputs)?;
         match self.wide {
             #[cfg(feature = "simd")]
             Some(level) => {
@@ -190,6 +184,20 @@ pub enum BatchError {
         /// Its length.
         found: usize,
     },
+}
+
+impl BatchError {
+    /// Whether all arrays have one length.
+    pub(crate) fn check(inputs: &[&[f32]], outputs: &[&mut [f32]]) -> Result<(), Self> {
+        let expected = inputs.first().map_or(0, |input| input.len());
+        let lengths = inputs.iter().map(|input| input.len()).chain(outputs.iter().map(|output| output.len()));
+        for (array, found) in lengths.enumerate() {
+            if found != expected {
+                return Err(Self::LengthMismatch { array, expected, found });
+            }
+        }
+        Ok(())
+    }
 }
 
 impl fmt::Display for BatchError {

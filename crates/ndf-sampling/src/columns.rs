@@ -65,6 +65,20 @@ impl Columns {
         self.kind
     }
 
+    /// A column's integrals, a line's after another's.
+    pub(crate) fn sums(&self, column: usize) -> &[f64] {
+        let lines = self.kind.cells(self.height) + 1;
+        self.sums.get(column * lines..(column + 1) * lines).unwrap_or_default()
+    }
+
+    /// A column's values with one before and one after.
+    pub(crate) fn padded(&self, column: usize) -> impl Iterator<Item = f32> {
+        let stride = Self::stride(self.kind, self.height);
+        let values = self.values.get(column * stride..(column + 1) * stride).unwrap_or_default();
+        let rest = (self.height + 2).saturating_sub(stride);
+        values.iter().copied().chain(core::iter::repeat_n(0.0, rest))
+    }
+
     /// The sides of a column of cells.
     pub(crate) fn strip(&self, cell: usize) -> Strip<'_> {
         let (left, right, step) = match self.kind {

@@ -29,6 +29,7 @@
 //! | [`Isotropic`] | a density of the tilt, from a table over the cosine, owned or borrowed |
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
 //! | [`NdfMap`], [`Measure`], [`Reconstruction`] | a density painted or computed on the hemispherical map, sampled exactly |
+//! | [`PackedMap`] | the same in one borrowed array of `f32`, in batches too |
 //! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
 //! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
 //! | [`NoiseDistribution`] | G: from the values of a noise to uniform and Gaussian numbers and back |
@@ -81,6 +82,7 @@ compile_error!("asperity-ndf-sampling needs a float backend: enable the feature 
 mod ashikhmin_shirley;
 mod batch;
 mod beckmann;
+mod bernstein;
 mod blend;
 mod blinn_phong;
 mod chart;
@@ -125,6 +127,12 @@ mod normal_map;
 mod normal_table;
 mod normal_table_ref;
 mod offset_beckmann;
+#[cfg(feature = "alloc")]
+mod pack;
+mod packed;
+mod packed_batch;
+mod packed_fill;
+mod packed_layout;
 #[cfg(feature = "alloc")]
 mod quantiles;
 mod radial;
@@ -187,6 +195,7 @@ pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 pub use normal_table::NormalTable;
 pub use normal_table_ref::{NormalTableError, NormalTableRef};
 pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
+pub use packed::{PackedMap, PackedMapError};
 pub use radial::Radial;
 pub use reconstruction::Reconstruction;
 pub use remap::{NoiseCdf, NoiseCdfError};

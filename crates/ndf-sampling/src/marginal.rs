@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use crate::bernstein::cubic;
 use crate::columns::Columns;
 use crate::cuts::cuts;
 use crate::disk::{half_chord, to_normal};
@@ -9,7 +10,7 @@ use crate::guide::Guide;
 use crate::math;
 use crate::quantiles::Quantiles;
 use crate::reconstruction::Reconstruction;
-use crate::slab::{Slab, cubic};
+use crate::slab::Slab;
 use crate::sum::Sum;
 
 /// The largest `f64` below 1: `u = 1` counts as this, so that inversion ends inside the density.
@@ -191,6 +192,30 @@ impl Cdf {
     pub fn inverse(&self, [u1, u2]: [f64; 2]) -> [f64; 2] {
         let Some((slab, s, x)) = self.find(probability(u1)) else { return [0.5; 2] };
         [x, self.invert_conditional(slab, s, x, u2)]
+    }
+
+    pub(crate) const fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
+    pub(crate) fn slabs(&self) -> &[Slab] {
+        &self.slabs
+    }
+
+    pub(crate) fn places(&self) -> &[f64] {
+        &self.places
+    }
+
+    pub(crate) fn cumulative(&self) -> &[f64] {
+        &self.cumulative
+    }
+
+    pub(crate) const fn quantiles(&self) -> &Quantiles {
+        &self.quantiles
+    }
+
+    pub(crate) const fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// The density at a point, without the disk.

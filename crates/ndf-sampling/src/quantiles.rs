@@ -50,6 +50,15 @@ impl Quantiles {
         Self { parts, rows }
     }
 
+    pub(crate) const fn parts(&self) -> usize {
+        self.parts
+    }
+
+    /// All entries, a column's after another's.
+    pub(crate) fn rows(&self) -> &[f32] {
+        &self.rows
+    }
+
     /// The row in which the quantile `u` of a column should be.
     #[inline]
     pub(crate) fn row(&self, column: usize, u: f64) -> usize {

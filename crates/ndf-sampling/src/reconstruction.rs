@@ -28,11 +28,13 @@ impl Reconstruction {
         }
     }
 
+    #[cfg(feature = "alloc")]
     /// Where line `k` of the grid is on a map of `n` texels.
     pub(crate) fn line(self, k: usize, n: usize) -> f64 {
         (k as f64 - self.offset()) / n as f64
     }
 
+    #[cfg(feature = "alloc")]
     /// Which cell holds `x`, by the very lines that [`Reconstruction::line`] gives.
     pub(crate) fn cell(self, x: f64, n: usize) -> usize {
         let last = self.cells(n) - 1;

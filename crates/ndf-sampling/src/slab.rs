@@ -1,5 +1,6 @@
 //! A piece of the marginal on which it is one polynomial, and the inverse of its integral.
 
+use crate::bernstein::{Cubic, inverse_share, kept_away, share};
 use crate::columns::{Strip, mix, value};
 use crate::disk::segment;
 use crate::math;
@@ -9,9 +10,6 @@ use crate::math;
 /// As at the two ends of the disk, the conditional's support would otherwise shrink to a point there, and `u₂` could not be
 /// found again. With it `u₂` is found to 10⁻¹⁰, as `u₁` is.
 const LEAST_MASS: f64 = 9e-11;
-
-/// A polynomial of degree 3 by its Bernstein coefficients, none of them negative: it is evaluated without cancellation.
-pub(crate) type Cubic = [f64; 4];
 
 /// A piece of x that lies in one column of cells and in which either end of the chord stays in one row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,48 +76,12 @@ impl Slab {
     /// Which share of the piece's weight is before place `s`.
     #[inline]
     pub(crate) fn share(&self, s: f64) -> f64 {
-        let [_, _, _, all] = partial_sums(self.marginal);
-        if all > 0.0 { (quartic(partial_sums(self.marginal), s) / all).min(1.0) } else { 0.0 }
+        share(self.marginal, s)
     }
 
     /// The place before which there is the share `share` of the piece's weight `mass`, and its x.
     pub(crate) fn inverse(&self, share: f64, mass: f64) -> (f64, f64) {
-        let [begin, .., end] = self.marginal;
-        let sums = partial_sums(self.marginal);
-        let all = sums[3];
-        let least = (LEAST_MASS / mass).min(0.5);
-        let share = share.max(if begin < 1e-6 * all { least } else { 0.0 }).min(if end < 1e-6 * all {
-            1.0 - least
-        } else {
-            1.0
-        });
-        let target = share * all;
-        // As if the marginal were linear, which it is but where an end of the chord cuts through weight.
-        let root = math::sqrt_f64(begin * begin + share * (end * end - begin * begin));
-        let mut s = share * (begin + end) / (begin + root);
-        if !(s > 0.0 && s <= 1.0) {
-            s = share;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        // Newton's steps, halving where they leave the bracket: the marginal may vanish at an end.
-        for _ in 0..64 {
-            let excess = quartic(sums, s) - target;
-            if excess.abs() <= 8.0 * f64::EPSILON * target {
-                break;
-            }
-            if excess > 0.0 {
-                high = s;
-            } else {
-                low = s;
-            }
-            let newton = s - 0.25 * excess / cubic(self.marginal, s);
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let still = (next - s).abs() <= f64::EPSILON * s;
-            s = next;
-            if still {
-                break;
-            }
-        }
+        let s = inverse_share(self.marginal, kept_away(self.marginal, share, LEAST_MASS / mass));
         let x = (self.x[0] + (self.x[1] - self.x[0]) * s).clamp(self.x[0], self.x[1].next_down());
         // The place of the rounded x, which is what the way back finds.
         (self.place(x), x)
@@ -158,24 +120,4 @@ fn side(strip: Strip<'_>, t: [f64; 2], row: usize, end: [f64; 2], middle: f64, a
         depth[1] * mean[2] + whole[1],
     ];
     (integral, 0.25 * (rim[0] + 2.0 * rim[1] + rim[2]))
-}
-
-/// The polynomial at `s`.
-#[inline]
-pub(crate) fn cubic([b0, b1, b2, b3]: Cubic, s: f64) -> f64 {
-    let r = 1.0 - s;
-    r * r * (r * b0 + 3.0 * s * b1) + s * s * (3.0 * r * b2 + s * b3)
-}
-
-/// The sums of the first one, two, three and four coefficients: those of four times the integral.
-#[inline]
-fn partial_sums([b0, b1, b2, b3]: Cubic) -> [f64; 4] {
-    [b0, b0 + b1, b0 + b1 + b2, b0 + b1 + b2 + b3]
-}
-
-/// Four times the integral from 0 to `s`.
-#[inline]
-fn quartic([g1, g2, g3, g4]: [f64; 4], s: f64) -> f64 {
-    let r = 1.0 - s;
-    s * (r * r * (4.0 * r * g1 + 6.0 * s * g2) + s * s * (4.0 * r * g3 + s * g4))
 }

@@ -1,0 +1,98 @@
+//! Time per call and per number of a batch of maps of normals, 256², GGX (0.2, 0.4), and of building them.
+
+use std::hint::black_box;
+
+use asperity_ndf_sampling::glam::{Vec2, Vec3};
+use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMap, Reconstruction};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+
+const SIZE: usize = 256;
+const SAMPLES: usize = 1 << 16;
+
+const KINDS: [(&str, Reconstruction); 2] =
+    [("constant", Reconstruction::Constant), ("bilinear", Reconstruction::Bilinear)];
+
+/// Uniform numbers without a pattern that a branch predictor could learn.
+fn uniforms() -> [Vec<f32>; 2] {
+    let mix = |k: u32| {
+        let k = (k ^ (k >> 16)).wrapping_mul(0x7FEB_352D);
+        let k = (k ^ (k >> 15)).wrapping_mul(0x846C_A68B);
+        ((k ^ (k >> 16)) >> 8) as f32 / (1 << 24) as f32
+    };
+    [1_u32, 2].map(|axis| (0..SAMPLES as u32).map(|k| mix(2 * k + axis)).collect())
+}
+
+fn map(kind: Reconstruction) -> NdfMap {
+    NdfMap::from_ndf(SIZE, SIZE, kind, &Ggx::new(0.2, 0.4).expect("roughness in range")).expect("a density")
+}
+
+fn calls(c: &mut Criterion) {
+    let [u1, u2] = uniforms();
+    let u: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
+    for (name, kind) in KINDS {
+        let map = map(kind);
+        let array = map.pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        let normals: Vec<Vec3> = u.iter().map(|&u| map.sample(u)).collect();
+        let maps: [(&str, &dyn Ndf); 2] = [("map", &map), ("packed", &packed)];
+        for (form, ndf) in maps {
+            let mut k = 0;
+            let mut next = move || {
+                k = (k + 1) % SAMPLES;
+                k
+            };
+            c.bench_function(&format!("call/sample/{name}/{form}"), |b| {
+                b.iter(|| ndf.sample(black_box(u[next()])));
+            });
+            c.bench_function(&format!("call/to_gaussian/{name}/{form}"), |b| {
+                b.iter(|| ndf.to_gaussian(black_box(normals[next()])));
+            });
+            c.bench_function(&format!("call/density/{name}/{form}"), |b| {
+                b.iter(|| ndf.density(black_box(normals[next()])));
+            });
+        }
+    }
+}
+
+fn batches(c: &mut Criterion) {
+    let [u1, u2] = uniforms();
+    let mut group = c.benchmark_group("batch");
+    group.throughput(Throughput::Elements(SAMPLES as u64));
+    for (name, kind) in KINDS {
+        let array = map(kind).pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        let [mut x, mut y, mut to, mut density] = [(); 4].map(|()| vec![0.0; SAMPLES]);
+        group.bench_function(format!("sample/{name}"), |b| {
+            b.iter(|| packed.fill_samples([&u1, &u2], [&mut x, &mut y]));
+        });
+        group.bench_function(format!("forward/{name}"), |b| {
+            b.iter(|| packed.fill_forward([&x, &y], [&mut to, &mut density]));
+        });
+        group.bench_function(format!("density/{name}"), |b| {
+            b.iter(|| packed.fill_density([&x, &y], &mut density));
+        });
+    }
+    group.finish();
+}
+
+fn construction(c: &mut Criterion) {
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let texels: Vec<f32> = (0..SIZE * SIZE)
+        .map(|k| {
+            let [x, y] = [k % SIZE, k / SIZE].map(|k| (2 * k + 1) as f32 / SIZE as f32 - 1.0);
+            ggx.density(Vec3::new(x, y, (1.0 - x * x - y * y).max(1e-6).sqrt()))
+        })
+        .collect();
+    let mut group = c.benchmark_group("build");
+    group.sample_size(20);
+    for (name, kind) in KINDS {
+        let build = || NdfMap::from_texels(SIZE, SIZE, black_box(&texels), Measure::Normals, kind);
+        group.bench_function(format!("texels/{name}"), |b| b.iter(build));
+        let map = build().expect("a density");
+        group.bench_function(format!("pack/{name}"), |b| b.iter(|| map.pack()));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, calls, batches, construction);
+criterion_main!(benches);

@@ -1,0 +1,185 @@
+//! Packed maps: the same density as the map's, the same samples, and every edge.
+
+use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMap, Reconstruction};
+use asperity_tests::random::Random;
+use glam::{Vec2, Vec3};
+
+const KINDS: [Reconstruction; 2] = [Reconstruction::Constant, Reconstruction::Bilinear];
+
+fn image(width: usize, height: usize, kind: Reconstruction, value: impl Fn(usize, usize) -> f32) -> NdfMap {
+    let texels: Vec<f32> = (0..width * height).map(|k| value(k % width, k / width)).collect();
+    NdfMap::from_texels(width, height, &texels, Measure::Normals, kind).expect("valid")
+}
+
+fn maps() -> Vec<(String, NdfMap)> {
+    let ggx = Ggx::new(0.2, 0.4).unwrap();
+    let of = |kind: Reconstruction| {
+        vec![
+            ("GGX", NdfMap::from_ndf(256, 256, kind, &ggx).unwrap()),
+            ("1×1", image(1, 1, kind, |_, _| 3.0)),
+            ("2×2, one texel", image(2, 2, kind, |i, j| f32::from(i == 1 && j == 0))),
+            ("one hot texel", image(64, 64, kind, |i, j| if (i, j) == (40, 20) { 1e-30 } else { 0.0 })),
+            ("hot texel at the rim", image(8, 8, kind, |i, j| f32::from(i == 0 && j == 2))),
+            ("binary mask", image(33, 33, kind, |i, j| f32::from((i * 7 + j * 5) % 11 < 3))),
+            ("two far islands", image(64, 64, kind, |i, j| f32::from((i == 1 || i == 62) && j / 2 == 16))),
+            ("islands in a column", image(64, 64, kind, |i, j| f32::from(i / 4 == 8 && (j == 5 || j == 60)))),
+            ("ring", image(64, 64, kind, |i, j| f32::from((i as f32 - 31.5).hypot(j as f32 - 31.5) > 24.0))),
+            ("not square", image(24, 5, kind, |i, j| ((i * 5 + j * 3) % 7) as f32)),
+            ("tall", image(3, 500, kind, |i, j| ((i * 5 + j * 3) % 7) as f32)),
+            ("random", image(100, 100, kind, |i, j| Random((i * 100 + j) as u64).uniform() as f32)),
+        ]
+    };
+    KINDS
+        .into_iter()
+        .flat_map(|kind| of(kind).into_iter().map(move |(name, map)| (format!("{name}, {kind:?}"), map)))
+        .collect()
+}
+
+/// Uniform numbers, those at the ends among them.
+fn uniforms(count: usize) -> Vec<Vec2> {
+    let mut random = Random(4);
+    let edges = [0.0, f32::MIN_POSITIVE, 1e-7, 0.5, 1.0 - f32::EPSILON, 1.0 - f32::EPSILON / 2.0];
+    let mut all: Vec<Vec2> = edges.iter().flat_map(|&x| edges.map(|y| Vec2::new(x, y))).collect();
+    all.extend((0..count).map(|_| Vec2::new(random.uniform() as f32, random.uniform() as f32)));
+    all
+}
+
+#[test]
+fn samples_are_those_of_the_map_to_rounding() {
+    for (name, map) in maps() {
+        let array = map.pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        assert_eq!((packed.width(), packed.height()), (map.cdf().width(), map.cdf().height()));
+        assert_eq!(packed.reconstruction(), map.cdf().reconstruction());
+        let mut worst = [0.0_f64; 2];
+        for u in uniforms(4000) {
+            let n = packed.inverse(u);
+            assert!(n.length_squared() <= 1.0, "{name} {u}: {n} is not inside");
+            let at = [n.x, n.y].map(|n| 0.5 + 0.5 * f64::from(n));
+            // Where the exact map sends it back to, and the packed one.
+            let (exact, back) = (map.cdf().forward(at), packed.forward(n).to_array());
+            // The last bit of a coordinate, 6e-8, times what the distribution function grows with it.
+            let marginal = map.cdf().marginal(at[0]).max(1e-300);
+            let quantiles = (0..=64).map(|k| map.cdf().conditional_inverse(at[0], f64::from(k) / 64.0));
+            let peak = quantiles.map(|y| map.cdf().density([at[0], y])).fold(0.0, f64::max) / marginal;
+            // Along x the chord's ends move, the faster the shorter it is.
+            let steep = peak.max(1.0) / (at[0] * (1.0 - at[0])).sqrt().max(1e-9);
+            let slack = [marginal, peak + steep].map(|slope| 1e-6 + 2.4e-7 * slope);
+            for k in 0..2 {
+                let u = f64::from(u.to_array()[k]);
+                let error = (exact[k] - u).abs().max((f64::from(back[k]) - u).abs());
+                worst[k] = worst[k].max(error / slack[k]);
+                assert!(
+                    error < slack[k],
+                    "{name} {u}: u{} is off by {error:e}, {:e} allowed",
+                    k + 1,
+                    slack[k]
+                );
+            }
+            let m = packed.sample(u);
+            assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {u}: {m}");
+            // Touching zeros the density may vanish at a sample; a constant one does not.
+            assert!(packed.density(m) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density at {n}");
+        }
+        println!("{name}: worst errors of u over what is allowed {worst:?}");
+    }
+}
+
+#[test]
+fn densities_are_those_of_the_map() {
+    for (name, map) in maps() {
+        let array = map.pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        for u in uniforms(3000) {
+            let n = (u * 2.0 - 1.0) * 0.999;
+            // A texel's border may be crossed by the rounding of the place.
+            let near = [-2e-6, 0.0, 2e-6]
+                .map(|d| 0.25 * map.cdf().density([n.x, n.y].map(|n| 0.5 + 0.5 * f64::from(n) + d)));
+            let density =
+                f64::from(packed.density(n.extend((1.0 - n.length_squared()).max(0.0).sqrt().max(1e-3))));
+            let (low, high) =
+                (near.iter().copied().fold(f64::MAX, f64::min), near.iter().copied().fold(0.0, f64::max));
+            let outside = (n.length() - 1.0).abs() < 1e-5;
+            let within =
+                low * (1.0 - 1e-5) - 1e-6 * high <= density && density <= high * (1.0 + 1e-5) + 1e-30;
+            assert!(within || outside, "{name} {n}: {density} is not {near:?}");
+        }
+    }
+}
+
+#[test]
+fn arrays_are_filled_with_single_results() {
+    for (name, map) in maps() {
+        let array = map.pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        // Not a multiple of a block.
+        let u = uniforms(1001);
+        let [u1, u2]: [Vec<f32>; 2] = [u.iter().map(|u| u.x).collect(), u.iter().map(|u| u.y).collect()];
+        let [mut x, mut y, mut v1, mut v2, mut d] = [(); 5].map(|()| vec![0.0_f32; u.len()]);
+        packed.fill_samples([&u1, &u2], [&mut x, &mut y]).unwrap();
+        packed.fill_forward([&x, &y], [&mut v1, &mut v2]).unwrap();
+        packed.fill_density([&x, &y], &mut d).unwrap();
+        for (k, &u) in u.iter().enumerate() {
+            let n = packed.inverse(u);
+            assert_eq!((x[k], y[k]), (n.x, n.y), "{name} {u}");
+            let v = packed.forward(n);
+            assert_eq!((v1[k], v2[k]), (v.x, v.y), "{name} {n}");
+            assert_eq!(d[k], packed.density(n.extend(0.5)), "{name} {n}");
+        }
+        assert!(packed.fill_samples([&u1, &u2], [&mut x[1..], &mut y]).is_err());
+    }
+}
+
+#[test]
+fn total_on_every_input() {
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 2.0, 1e38, 1e-40];
+    for (name, map) in maps() {
+        let array = map.pack();
+        let packed = PackedMap::new(&array).expect("packed");
+        for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+            let m = packed.sample(Vec2::new(x, y));
+            assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {x} {y}: {m}");
+            assert!(packed.from_gaussian(Vec2::new(x, y)).z > 0.0, "{name} {x} {y}");
+            let u = packed.forward(Vec2::new(x, y));
+            assert!((0.0..=1.0).contains(&u.x) && (0.0..=1.0).contains(&u.y), "{name} {x} {y}: {u}");
+            for z in bad {
+                let m = Vec3::new(x, y, z);
+                assert!(packed.density(m) >= 0.0 && packed.to_gaussian(m).is_finite(), "{name} {m}");
+            }
+        }
+    }
+}
+
+#[test]
+fn other_arrays_are_refused() {
+    let map = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
+    let array = map.pack();
+    let refused = |array: &[f32]| PackedMap::new(array).unwrap_err().to_string();
+    assert_eq!(refused(&[]), "packed map must have 16 numbers at least, got 0");
+    assert_eq!(refused(&[1.0; 100]), "packed map must begin with its format, got 1");
+    assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
+    for index in 1..7 {
+        let mut other = array.clone();
+        for bits in [0, u32::MAX, 1 << 28, 3] {
+            other[index] = f32::from_bits(bits);
+            if other[index].to_bits() != array[index].to_bits() && (index, bits) != (1, 0) {
+                assert!(PackedMap::new(&other).is_err(), "{index} {bits}");
+            }
+        }
+    }
+    // Changed numbers behind a sound header give other normals, and nothing worse.
+    let mut random = Random(1);
+    for _ in 0..300 {
+        let mut other = array.clone();
+        for number in &mut other[16..] {
+            if random.uniform() < 0.3 {
+                *number = f32::from_bits(random.bits() as u32);
+            }
+        }
+        let packed = PackedMap::new(&other).expect("the header is sound");
+        for u in uniforms(20) {
+            let n = packed.inverse(u);
+            let _ = (packed.forward(n), packed.density(n.extend(0.5)), packed.forward(u * 2.0 - 1.0));
+        }
+    }
+}
