@@ -43,7 +43,7 @@
 //! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`] | exact level of detail |
-//! | [`ConditionalTable`], [`ConditionalTableRef`] | the same by one look-up, for any density |
+//! | [`ConditionalTable`], [`ConditionalTableRef`], [`ConditionalAccuracy`] | the same by one look-up, for any density |
 //! | [`OffsetBeckmann`] | Gaussian slopes of any mean and covariance, as those that a Beckmann surface leaves |
 //!
 //! # Conventions
@@ -170,7 +170,7 @@ pub use chart::Chart;
 pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
 pub use conditional_ndf::ConditionalNdf;
 #[cfg(feature = "alloc")]
-pub use conditional_table::ConditionalTable;
+pub use conditional_table::{ConditionalAccuracy, ConditionalTable};
 pub use conditional_table_ref::ConditionalTableRef;
 pub use detail::{NoiseChain, detailed, detailed_normal};
 #[cfg(feature = "alloc")]

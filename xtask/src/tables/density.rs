@@ -1,7 +1,8 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
 use asperity_ndf_sampling::{
-    Chart, Deviation, Frame, Ndf, NormalTable, Spacing, TableAccuracy, TableLayout, glam::Vec3,
+    Chart, ConditionalTable, Deviation, Frame, Ndf, NormalTable, Spacing, TableAccuracy, TableLayout,
+    glam::Vec3,
 };
 use serde_json::{Value, json};
 
@@ -34,11 +35,14 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         .collect();
     let table = NormalTable::new(ndf, L_SIZE)?;
     let accuracy = table.accuracy(ndf);
+    let seen = ConditionalTable::new(ndf, L_SIZE)?;
+    let loss = seen.accuracy(ndf);
     let files = vec![
         ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
         ("marginal_cdf.npy".into(), npy(&[width + 1], &marginal)),
         ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
         ("normal_table.exr".into(), frames(&table)?),
+        ("half_vectors.exr".into(), half_vectors(&seen)?),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
     let picture = Image::from_fn(256, 256, |x, y| {
@@ -53,13 +57,15 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
              CDF M at the columns' edges and conditional CDFs C at the columns' middles, and L(z1, z2): {L_SIZE} × {L_SIZE} \
              tangent frames over ±{} standard deviations. Its normals are off by {:.4}° in the root of the mean square, {:.2}° at \
              most, when interpolated bilinearly, and by {:.2}° and {:.1}° when the nearest is taken; neighbouring frames are \
-             turned by up to {:.1}°. The errors of every other choice are in parameters.json.",
+             turned by up to {:.1}°. The errors of every other choice are in parameters.json. The texture of half vectors gives what a \
+             pixel does not resolve at every place and zoom, off by a total variation of {:.4}.",
             NormalTable::RANGE,
             accuracy.bilinear.rms.to_degrees(),
             accuracy.bilinear.largest.to_degrees(),
             accuracy.nearest.rms.to_degrees(),
             accuracy.nearest.largest.to_degrees(),
             accuracy.largest_step.to_degrees(),
+            loss.variation,
         ),
         parameters: json!({
             "kind": "normal density function",
@@ -70,6 +76,12 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
                 "range": NormalTable::RANGE,
                 "channels": "n.XYZ, t.XYZ, b.XYZ",
                 "error_in_radians": errors(ndf)?,
+            },
+            "half_vectors": {
+                "size": L_SIZE,
+                "stretch": seen.view().stretch().to_array(),
+                "channels": "z1 and z2: Gaussian coordinates of h, D: its density; bilinear between the fourth roots of D",
+                "error": { "total_variation": loss.variation, "coordinates_rms": loss.coordinates },
             },
             "flat_normal_at": ndf.to_gaussian(Vec3::Z).to_array(),
         }),
@@ -113,6 +125,17 @@ fn at_centre(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> 
     let (x, y) = (centre(i, width), centre(j, height));
     let z2 = 1.0 - x * x - y * y;
     if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
+}
+
+/// Rows run with p_y from −1 up, as the table has them.
+fn half_vectors(table: &ConditionalTable) -> Result<Vec<u8>, Failure> {
+    type Part = fn(&[f32; 3]) -> f32;
+    let channels: [(&str, Part); 3] =
+        [("z1", |e| e[0]), ("z2", |e| e[1]), ("D", |e| (e[2] * e[2]) * (e[2] * e[2]))];
+    let entries = table.view().entries();
+    let named: Vec<_> =
+        channels.iter().map(|(name, part)| (*name, entries.iter().map(part).collect())).collect();
+    exr(table.size(), table.size(), &named)
 }
 
 /// Rows run with z2 from −4.5 up, as the table has them.
