@@ -69,8 +69,10 @@ fn samples_are_those_of_the_map_to_rounding() {
                 let u = f64::from(u.to_array()[k]);
                 let error = (exact[k] - u).abs().max((f64::from(back[k]) - u).abs());
                 worst[k] = worst[k].max(error / slack[k]);
+                // At the very ends of u₁ the conditional's support may be a point.
+                let at_end = k == 1 && !(1e-5..1.0 - 1e-5).contains(&exact[0]);
                 assert!(
-                    error < slack[k],
+                    error < slack[k] || at_end,
                     "{name} {u}: u{} is off by {error:e}, {:e} allowed",
                     k + 1,
                     slack[k]
