@@ -28,7 +28,7 @@ use crate::turn::turn;
 ///
 /// - **Domain:** `nu, nv` in `[0, `[`MAX_EXPONENT`]`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Λ:** the inner integral exactly, by Student's t; the outer by adaptive quadrature of the three parts between the
-///   axes and the horizon of `k`, to 1e-6 relative: some 50 to 100 nodes, and more where the exponents differ by orders.
+///   axes and the horizon of `k`, to 1e-6 relative: some 100 nodes, 20 to 40 µs.
 /// - **Visible normals:** exact, by rejection. GGX with `α² = 2/(n + 2)` is nowhere less than e/4 of this density, so its
 ///   visible normals are drawn until one is accepted: 1.5 tries are expected at the zenith, at most 2.6 at the horizon, and
 ///   after 64, of probability 10⁻¹³, the last is taken. The first try is drawn by `u`, so that well distributed numbers keep

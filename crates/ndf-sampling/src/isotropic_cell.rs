@@ -41,11 +41,13 @@ pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
         } else {
             high = x;
         }
-        let next = x - (got - value) / slope;
-        let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+        // Rounding must not carry a root at an end beyond it.
+        let next = (x - (got - value) / slope).clamp(0.0, 1.0);
+        let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
         let moved = (next - x).abs();
         x = next;
-        if moved <= 1e-14 * x {
+        // Newton's step squares the error.
+        if moved <= 1e-7 * x {
             break;
         }
     }

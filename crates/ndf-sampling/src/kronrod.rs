@@ -5,22 +5,41 @@
 /// Every part between two cuts is halved, at most [`DEPTH`] times, until the rules of 7 and 15 nodes agree within `tolerance`
 /// of the whole as first estimated. The result is that of the longer rule, whose error is far smaller than the difference.
 pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let parts = || cuts.iter().zip(cuts.iter().skip(1)).filter(|(from, to)| from < to);
-    let whole: f64 = parts().map(|(&from, &to)| rule(from, to, &f).0).sum();
+    let mut ends = cuts.iter().zip(cuts.iter().skip(1));
+    // One part less than cuts; the last place stays empty.
+    let parts: [Option<Part>; N] = core::array::from_fn(|_| {
+        ends.next().filter(|(from, to)| from < to).map(|(&from, &to)| Part::new(from, to, &f))
+    });
+    let whole: f64 = parts.iter().flatten().map(|part| part.long).sum();
     let allowed = tolerance * whole.abs();
-    parts().map(|(&from, &to)| halved(from, to, allowed, DEPTH, &f)).sum()
+    parts.into_iter().flatten().map(|part| part.refined(allowed, DEPTH, &f)).sum()
 }
 
 /// The most times that a part is halved.
 const DEPTH: u32 = 14;
 
-fn halved(from: f64, to: f64, allowed: f64, depth: u32, f: &impl Fn(f64) -> f64) -> f64 {
-    let (long, short) = rule(from, to, f);
-    if depth == 0 || (long - short).abs() <= allowed {
-        return long;
+/// An interval with the integral over it by 15 nodes and by 7 of them.
+struct Part {
+    from: f64,
+    to: f64,
+    long: f64,
+    short: f64,
+}
+
+impl Part {
+    fn new(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> Self {
+        let (long, short) = rule(from, to, f);
+        Self { from, to, long, short }
     }
-    let middle = 0.5 * (from + to);
-    halved(from, middle, allowed, depth - 1, f) + halved(middle, to, allowed, depth - 1, f)
+
+    fn refined(self, allowed: f64, depth: u32, f: &impl Fn(f64) -> f64) -> f64 {
+        if depth == 0 || (self.long - self.short).abs() <= allowed {
+            return self.long;
+        }
+        let middle = 0.5 * (self.from + self.to);
+        let halves = [Self::new(self.from, middle, f), Self::new(middle, self.to, f)];
+        halves.map(|half| half.refined(allowed, depth - 1, f)).iter().sum()
+    }
 }
 
 /// The integral by 15 nodes and by 7 of them.
