@@ -36,6 +36,7 @@ use crate::table_layout::{TableEntry, TableLayout};
 /// | warped | projected | 0.020 | 1.00 | 0.00041 | 0.990 |
 /// | warped | slopes | 0.020 | 1.00 | 0.00042 | 0.998 |
 ///
+/// Look-ups of many, one thread: 4 ns nearest, 8 ns bilinear, 10 ns warped, 15 ns from half floats; alone, 16 and 29 ns.
 /// The points' own tail is 0.994. In half floats the default's 0.00042 become 0.0006.
 ///
 /// ```

@@ -15,8 +15,10 @@ use crate::math;
 /// - **Quantiles** are the index by uniform numbers of Kautz, Heidrich, Seidel 2001, for reproduction. The farthest entry of 256
 ///   is at `z = 2.9`: the tails are cut to a fifth.
 /// - **Warped** puts more entries where more normals are, by a density between the Gaussian of three times the variance, which
-///   is best for linear interpolation, and a uniform one: for nearest entries and for small tables. One root and one
-///   division; a bilinear table of 128² errs as little as 180 × 180 by coordinates, and the nearest entry half as much.
+///   is best for linear interpolation of even curvature, and a uniform one. One root and one division. At equal size the
+///   nearest entry errs by 0.75 (GGX 0.2, 0.4) to 0.62 (GGX 1) of what it does by coordinates, and by half of the total
+///   variation; interpolation by 0.5 (GGX 1), 0.3 (two painted lobes), 1 (GGX 0.2, 0.4), but 1.7 for Beckmann, whose
+///   curvature is all in the tail, and the largest error, there, doubles.
 ///
 /// ```
 /// use asperity_ndf_sampling::Spacing;

@@ -25,8 +25,7 @@ pub struct Deviation {
 /// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
 /// ```
 ///
-/// A nearest entry errs by half as much (in the mean square: by a third) when all places of a cell count alike, a bilinear one
-/// by 8/15 in the root of the mean square.
+/// Over all places of a cell the mean square is less: a third of that for a nearest entry, about a half for a bilinear one.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, NormalTable};
