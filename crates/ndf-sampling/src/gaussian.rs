@@ -22,14 +22,20 @@ use crate::math;
 /// Cody 1969, "Rational Chebyshev Approximations for the Error Function", in the arrangement of his ANORM 1993.
 #[must_use]
 pub fn phi(z: f64) -> f64 {
+    phi_and_density(z).0
+}
+
+/// `Φ(z)` and the density `φ(z) = exp(−z²/2)/√(2π)`, which have their exponential in common.
+#[inline(always)]
+pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
     const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
     if z.is_nan() {
-        return z;
+        return (z, z);
     }
     let y = z.abs();
     if y <= SPLIT {
         let t = z * z;
-        return 0.5 + z * ratio(&NEAR, t);
+        return (0.5 + z * ratio(&NEAR, t), FRAC_1_SQRT_2PI * math::exp_f64(-0.5 * t));
     }
     let tail = if y <= FAR {
         ratio(&MIDDLE, y)
@@ -40,10 +46,10 @@ pub fn phi(z: f64) -> f64 {
     // exp(−y²/2) in two factors: y² alone would lose y²/2 ulp in the far tail.
     let coarse = math::floor_f64(y * 16.0) / 16.0;
     let fine = (y - coarse) * (y + coarse);
-    let tail = math::exp_f64(-0.5 * coarse * coarse) * math::exp_f64(-0.5 * fine) * tail;
+    let falloff = math::exp_f64(-0.5 * coarse * coarse) * math::exp_f64(-0.5 * fine);
     // At infinity the fine part is NaN, while the tail is 0.
-    let tail = if y > 40.0 { 0.0 } else { tail };
-    if z > 0.0 { 1.0 - tail } else { tail }
+    let (tail, density) = if y > 40.0 { (0.0, 0.0) } else { (falloff * tail, FRAC_1_SQRT_2PI * falloff) };
+    (if z > 0.0 { 1.0 - tail } else { tail }, density)
 }
 
 /// `Φ⁻¹(u)`: the quantile of the standard Gaussian.

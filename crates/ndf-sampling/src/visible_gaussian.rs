@@ -1,10 +1,7 @@
 //! Gaussian slopes seen from a direction: their mean excess, and the inverse of their distribution along the view.
 
-use crate::gaussian::{inverse_phi, phi};
+use crate::gaussian::{inverse_phi, phi_and_density};
 use crate::math;
-
-/// `1/√(2π)`.
-const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
 /// The least `u` that [`visible_slope`] distinguishes from 0.
 pub(crate) const LEAST_U: f64 = 1.0 / 4_294_967_296.0;
@@ -17,7 +14,8 @@ const ZENITH: f64 = 1e17;
 /// `√2 E/z` with `z = √2 a` is Heitz's Λ for Beckmann. Relative error about `z² · 10⁻¹⁶`, by the difference.
 pub(crate) fn excess(z: f64) -> f64 {
     // E < φ(z)/z², far below the smallest `f32` here, and z Φ(−z) would be ∞ · 0 for infinite z.
-    if z > 38.0 { 0.0 } else { (density(z) - z * phi(-z)).max(0.0) }
+    let (below, density) = phi_and_density(-z);
+    if z > 38.0 { 0.0 } else { (density - z * below).max(0.0) }
 }
 
 /// The `u`-quantile of the slope along the view, in standard deviations.
@@ -35,9 +33,10 @@ pub(crate) fn excess(z: f64) -> f64 {
 pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     let b = if b < ZENITH { b } else { ZENITH };
     let u = u.max(LEAST_U);
-    let total = b * phi(b) + density(b);
+    let (seen, at_edge) = phi_and_density(b);
+    let total = b * seen + at_edge;
     // b Φ(−b) − φ(b), minus the part of the whole that the edge cuts off.
-    let edge = b * phi(-b) - density(b);
+    let edge = b * (1.0 - seen) - at_edge;
     // Right for b → ∞ to the second order in 1/b, and never left of the edge at −b.
     let gaussian = inverse_phi(u);
     let y = b + gaussian;
@@ -45,17 +44,17 @@ pub(crate) fn visible_slope(b: f64, u: f64) -> f64 {
     let mut x = gaussian + if y > 0.0 { 2.0 / (root + y) } else { 0.5 * (root - y) };
     for _ in 0..MOST_STEPS {
         let height = b + x;
-        let gaussian = density(x);
+        let (below_x, gaussian) = phi_and_density(x);
         let p = height * gaussian / total;
         // p'/p
         let growth = 1.0 / height - x;
         let step = if u < 0.5 {
-            let below = (b * phi(x) - edge - gaussian) / total;
+            let below = (b * below_x - edge - gaussian) / total;
             let below = below.max(f64::MIN_POSITIVE);
             let newton = 2.0 * (math::sqrt_f64(u * below) - below) / p;
             newton / (1.0 + 0.5 * newton * (growth - 0.5 * p / below)).max(0.5)
         } else {
-            let newton = ((b * phi(-x) + gaussian) / total - (1.0 - u)) / p;
+            let newton = ((b * (1.0 - below_x) + gaussian) / total - (1.0 - u)) / p;
             newton / (1.0 + 0.5 * newton * growth).max(0.5)
         };
         x += step.max(-0.9 * height);
@@ -75,14 +74,14 @@ pub(crate) fn quantile(u: f32) -> f32 {
 /// More steps than any `b` and `u` need: measured 3.
 const MOST_STEPS: usize = 8;
 
-/// `φ(x) = exp(−x²/2)/√(2π)`.
-fn density(x: f64) -> f64 {
-    FRAC_1_SQRT_2PI * math::exp_f64(-0.5 * x * x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gaussian::phi;
+
+    fn density(x: f64) -> f64 {
+        (-0.5 * x * x).exp() / core::f64::consts::TAU.sqrt()
+    }
 
     #[test]
     fn excess_equals_its_integral_and_its_series() {
