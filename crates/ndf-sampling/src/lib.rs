@@ -112,6 +112,7 @@ mod isotropic;
 mod isotropic_cell;
 mod kernels;
 mod kronrod;
+mod kurtotic_noise;
 mod lanes;
 #[cfg(feature = "alloc")]
 mod map;
@@ -143,6 +144,8 @@ mod roughness;
 #[cfg(feature = "alloc")]
 mod slab;
 mod spacing;
+#[cfg(feature = "alloc")]
+mod spline_kernel;
 mod student;
 mod student_t;
 #[cfg(feature = "alloc")]
@@ -182,6 +185,7 @@ pub use glam;
 pub use half::{MAX_HALF, from_half, to_half};
 pub use isotropic::{Isotropic, IsotropicError, MAX_NODES};
 pub use kernels::InLanes;
+pub use kurtotic_noise::KurtoticNoise;
 #[cfg(feature = "alloc")]
 pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
 #[cfg(feature = "alloc")]
@@ -189,7 +193,7 @@ pub use marginal::Cdf;
 pub use microfacet::Microfacet;
 pub use mixture::Mixture;
 pub use ndf::Ndf;
-pub use noise_distribution::{DeviationError, GaussianNoise, KurtoticNoise, NoiseDistribution};
+pub use noise_distribution::{DeviationError, GaussianNoise, NoiseDistribution};
 pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
 #[cfg(feature = "alloc")]
 pub use normal_table::NormalTable;
