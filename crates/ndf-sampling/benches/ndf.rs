@@ -97,7 +97,7 @@ fn construction(c: &mut Criterion) {
     let mut group = c.benchmark_group("build");
     group.sample_size(10);
     group.bench_function("map_256", |b| {
-        b.iter(|| NdfMap::from_ndf(256, 256, Reconstruction::Constant, black_box(&ggx)))
+        b.iter(|| NdfMap::from_ndf(256, 256, Reconstruction::Constant, black_box(&ggx)));
     });
     group.bench_function("normal_table_256", |b| b.iter(|| NormalTable::standard(black_box(&ggx))));
     group.finish();
