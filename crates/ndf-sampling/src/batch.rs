@@ -4,6 +4,8 @@ use core::{error::Error, fmt};
 
 use crate::kernels::{Coordinates, Density, InLanes, Kernel, Normal, Sample, Visible};
 use crate::lanes::{Lanes, Scalar};
+#[cfg(feature = "simd")]
+use crate::{twice::Twice, wide::Wide};
 
 /// Evaluates closed-form densities at many places at once; every array holds one component.
 ///
@@ -124,7 +126,14 @@ impl Batch {
         match self.wide {
             #[cfg(feature = "simd")]
             Some(level) => {
-                fearless_simd::dispatch!(level, simd => fill(crate::twice::Twice(crate::wide::Wide(simd)), kernel, inputs, outputs));
+                fearless_simd::dispatch!(level, simd => {
+                    let pair = Twice(Wide(simd));
+                    if K::LONG {
+                        fill(Twice(pair), kernel, inputs, outputs);
+                    } else {
+                        fill(pair, kernel, inputs, outputs);
+                    }
+                });
             }
             #[cfg(not(feature = "simd"))]
             Some(never) => match never {},

@@ -25,6 +25,9 @@ pub trait ClosedForm {
 
 /// A function of `I` numbers to `O`, in lanes.
 pub(crate) trait Kernel<const I: usize, const O: usize> {
+    /// Whether it is so long that four registers in step are faster than two.
+    const LONG: bool = false;
+
     fn apply<S: Lanes>(&self, s: S, x: [S::F; I]) -> [S::F; O];
 }
 
@@ -68,6 +71,8 @@ impl<N: ClosedForm> Kernel<2, 3> for Sample<'_, N> {
 }
 
 impl<N: ClosedForm> Kernel<5, 3> for Visible<'_, N> {
+    const LONG: bool = true;
+
     #[inline(always)]
     fn apply<S: Lanes>(&self, s: S, view: [S::F; 5]) -> [S::F; 3] {
         self.0.visible(s, view)

@@ -8,10 +8,13 @@ use std::{
 };
 
 use asperity_ndf_sampling::{
-    Batch, Beckmann, Ggx, Ndf,
+    Batch, Beckmann, Ggx, Ndf, NormalTable,
     glam::{Vec2, Vec3},
 };
+use rand::{Rng, SeedableRng, rngs::SmallRng};
+use rand_distr::{Distribution, weighted::WeightedAliasIndex};
 
+const SIDE: usize = 256;
 const ALPHA: [f32; 2] = [0.2, 0.4];
 
 /// A name, samples of one pass, and the pass.
@@ -52,6 +55,40 @@ fn uniforms(seed: u64, count: usize) -> Vec<f32> {
     (0..count).map(|_| next()).collect()
 }
 
+/// The coordinates as two arrays.
+fn gaussian_coordinates(z: &[Vec2]) -> [Vec<f32>; 2] {
+    [0, 1].map(|k| z.iter().map(|z| z[k]).collect())
+}
+
+/// `rand_distr`'s alias table over the same texels: points uniform in a texel, which it cannot invert.
+fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
+    let table = WeightedAliasIndex::new(texels())?;
+    let mut random = SmallRng::seed_from_u64(5);
+    let mut points = [vec![0.0_f32; samples], vec![0.0; samples]];
+    let pass = move || {
+        let [xs, ys] = &mut points;
+        for (x, y) in xs.iter_mut().zip(ys) {
+            let texel = table.sample(&mut random);
+            *x = ((texel % SIDE) as f32 + random.random::<f32>()) / SIDE as f32;
+            *y = ((texel / SIDE) as f32 + random.random::<f32>()) / SIDE as f32;
+        }
+        black_box(&points);
+    };
+    Ok(("alias_table", samples, Box::new(pass)))
+}
+
+/// The density on the map's texels, 0 outside the disk.
+fn texels() -> Vec<f32> {
+    let centre = |k: usize| (k as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
+    let texel = |k: usize| {
+        let (x, y) = (centre(k % SIDE), centre(k / SIDE));
+        let cos2 = 1.0 - x * x - y * y;
+        let t = (x / ALPHA[0]).powi(2) + (y / ALPHA[1]).powi(2) + cos2;
+        if cos2 > 0.0 { 1.0 / (std::f32::consts::PI * ALPHA[0] * ALPHA[1] * t * t) } else { 0.0 }
+    };
+    (0..SIDE * SIDE).map(texel).collect()
+}
+
 /// A row from arrays into arrays.
 fn row<const I: usize, const O: usize>(
     name: &'static str,
@@ -84,7 +121,7 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         .collect();
     let view = [0, 1, 2].map(|k| view.iter().map(|v| v[k]).collect::<Vec<_>>());
     let z: Vec<Vec2> = (0..samples).map(|k| ggx.to_gaussian(ggx.sample(Vec2::new(u1[k], u2[k])))).collect();
-    let gaussian = [0, 1].map(|k| z.iter().map(|z| z[k]).collect::<Vec<_>>());
+    let gaussian = gaussian_coordinates(&z);
     let mut rows: Vec<Row> = Vec::new();
 
     let u = || [u1.clone(), u2.clone()];
@@ -105,6 +142,17 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     rows.push(row("beckmann_from_gaussian", gaussian, move |z, m: [&mut [f32]; 3]| {
         batch.from_gaussian(&beckmann, z, m).is_ok()
     }));
+    let table = NormalTable::standard(&ggx);
+    let nearest = table.clone();
+    rows.push(row("table_nearest", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
+        nearest.view().nearest_normals(z, m);
+        true
+    }));
+    rows.push(row("table_bilinear", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
+        table.view().bilinear_normals(z, m);
+        true
+    }));
+    rows.push(alias(samples)?);
     let coordinates = z.clone();
     let mut normals = vec![Vec3::ZERO; samples];
     rows.push((
