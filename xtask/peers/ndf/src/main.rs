@@ -8,7 +8,7 @@ use std::{
 };
 
 use asperity_ndf_sampling::{
-    Batch, Beckmann, Ggx, Ndf, NormalTable,
+    Batch, Beckmann, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMap, Reconstruction,
     glam::{Vec2, Vec3},
 };
 use rand::{Rng, SeedableRng, rngs::SmallRng};
@@ -142,6 +142,54 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     rows.push(row("beckmann_from_gaussian", gaussian, move |z, m: [&mut [f32]; 3]| {
         batch.from_gaussian(&beckmann, z, m).is_ok()
     }));
+    let kinds = [
+        (
+            Reconstruction::Bilinear,
+            ["map_sample_bilinear", "map_forward_bilinear", "map_density_bilinear"],
+            "map_build_bilinear",
+        ),
+        (
+            Reconstruction::Constant,
+            ["map_sample_constant", "map_forward_constant", "map_density_constant"],
+            "map_build_constant",
+        ),
+    ];
+    for (kind, [sample, forward, density], build) in kinds {
+        let map = NdfMap::from_texels(SIDE, SIDE, &texels(), Measure::Normals, kind)?;
+        // As in flash: for the whole run.
+        let packed = PackedMap::new(map.pack().leak())?;
+        let mut points = [vec![0.0; samples], vec![0.0; samples]];
+        packed.fill_samples([&u1, &u2], points.each_mut().map(Vec::as_mut_slice))?;
+        rows.push(row(sample, u(), move |u, n: [&mut [f32]; 2]| packed.fill_samples(u, n).is_ok()));
+        rows.push(row(forward, points.clone(), move |n, u: [&mut [f32]; 2]| {
+            packed.fill_forward(n, u).is_ok()
+        }));
+        rows.push(row(density, points, move |n, [density]: [&mut [f32]; 1]| {
+            packed.fill_density(n, density).is_ok()
+        }));
+        let values = texels();
+        rows.push((
+            build,
+            1,
+            Box::new(move || {
+                black_box(NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind).is_ok());
+            }),
+        ));
+        if kind == Reconstruction::Bilinear {
+            let uniforms: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
+            let mut normals = vec![Vec3::ZERO; samples];
+            rows.push((
+                "map_call_bilinear",
+                samples,
+                Box::new(move || {
+                    for (m, &u) in normals.iter_mut().zip(&uniforms) {
+                        *m = packed.sample(u);
+                    }
+                    black_box(&normals);
+                }),
+            ));
+        }
+    }
     let table = NormalTable::standard(&ggx);
     let nearest = table.clone();
     rows.push(row("table_nearest", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
