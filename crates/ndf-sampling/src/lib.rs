@@ -41,6 +41,7 @@
 //! | [`estimate_ndf`], [`NdfEstimator`] | the density of an existing bump map |
 //! | [`NormalMapFormat`], [`TangentSpace`], [`Zero`], [`Blue`] | how its texels are read |
 //! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
+//! | [`Batch`], [`InLanes`] | closed forms for arrays of numbers, in SIMD lanes |
 //! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`] | exact level of detail |
 //! | [`ConditionalTable`], [`ConditionalTableRef`], [`ConditionalAccuracy`] | the same by one look-up, for any density |
@@ -54,7 +55,7 @@
 //! - Constructors refuse what is no parameter; evaluation is total and never panics, see each item for NaN and infinities.
 //! - `f32` outside; `f64` where distribution functions are summed, subtracted and inverted.
 //! - Reproducibility: the same bits on every machine under the feature `libm`. Between `libm` and `std` results differ by
-//!   rounding.
+//!   rounding, but for `D`, `T` and `T⁻¹` of [`Ggx`] and [`Beckmann`], whose bits depend on nothing.
 //!
 //! # What it does not do
 //!
@@ -66,6 +67,7 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
+//! | `simd` (default) | [`Batch`] in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
