@@ -73,7 +73,7 @@ fn samples_are_those_of_the_map_to_rounding() {
                 let at_end = k == 1 && !(1e-5..1.0 - 1e-5).contains(&exact[0]);
                 assert!(
                     error < slack[k] || at_end,
-                    "{name} {u}: u{} is off by {error:e}, {:e} allowed",
+                    "{name} {u}: u{} is off by {error:e}, {:e} allowed, {n} {exact:?} {back:?}",
                     k + 1,
                     slack[k]
                 );

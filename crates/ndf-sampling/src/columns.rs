@@ -112,6 +112,14 @@ impl Strip<'_> {
         mix(left, right, t)
     }
 
+    /// The integrals to four lines from `line` on.
+    #[inline]
+    pub(crate) fn sums_from(self, t: f64, line: usize) -> Option<[f64; 4]> {
+        let [left, right] = self.sums.map(|sums| sums.get(line..).and_then(|sums| sums.first_chunk::<4>()));
+        let (left, right) = (left?, right?);
+        Some([0, 1, 2, 3].map(|k| mix(left[k], right[k], t)))
+    }
+
     /// The integrals to a line of the grid on both sides.
     pub(crate) fn sums(self, line: usize) -> [f64; 2] {
         self.sums.map(|sums| sums.get(line).copied().unwrap_or(0.0))

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-/// For each of as many equal parts of [0, 1] as there are keys, the key in whose interval it begins.
+/// For each of twice as many equal parts of [0, 1] as there are keys, the key in whose interval it begins.
 ///
 /// Evenly drawn numbers then find their interval in O(1) steps on average, however the keys are spread.
 ///
@@ -15,7 +15,7 @@ pub(crate) struct Guide {
 impl Guide {
     /// The guide to nondecreasing `keys`, the first of which is 0.
     pub(crate) fn new(keys: &[f64]) -> Self {
-        let parts = keys.len();
+        let parts = 2 * keys.len();
         let mut key = 0;
         let starts = (0..parts).map(|part| {
             let begin = part as f64 / parts as f64;
@@ -31,21 +31,21 @@ impl Guide {
     #[inline]
     pub(crate) fn find(&self, keys: &[f64], value: f64) -> usize {
         let part = ((value * self.starts.len() as f64) as usize).min(self.starts.len().saturating_sub(1));
-        let start = |part: usize| self.starts.get(part).map(|&start| start as usize);
-        let from = start(part).unwrap_or(0);
-        let to = start(part + 1).map_or(keys.len(), |start| (start + 2).min(keys.len()));
-        let within = keys.get(from..to).unwrap_or_default();
-        let after = if within.len() <= 8 {
-            within.iter().take_while(|&&key| key <= value).count()
-        } else {
-            within.partition_point(|&key| key <= value)
-        };
-        if after > 0 {
-            from + after - 1
-        } else {
-            // The product may have rounded into the next part.
-            keys.partition_point(|&key| key <= value).saturating_sub(1)
+        let mut at = self.starts.get(part).map_or(0, |&start| start as usize);
+        if keys.get(at).is_some_and(|&key| key > value) {
+            // The product has rounded into the next part.
+            return keys.partition_point(|&key| key <= value).saturating_sub(1);
         }
+        // Four at once: whether one of them is passed is never clear before.
+        while let Some(next) = keys.get(at + 1..).and_then(|keys| keys.first_chunk::<4>()) {
+            let passed = next.iter().map(|&key| usize::from(key <= value)).sum::<usize>();
+            at += passed;
+            if passed < next.len() {
+                return at;
+            }
+        }
+        let rest = keys.get(at + 1..).unwrap_or_default();
+        at + rest.iter().take_while(|&&key| key <= value).count()
     }
 }
 

@@ -8,7 +8,7 @@ use crate::cuts::cuts;
 use crate::disk::{half_chord, to_normal};
 use crate::guide::Guide;
 use crate::math;
-use crate::quantiles::Quantiles;
+use crate::quantiles::{Quantiles, row_of};
 use crate::reconstruction::Reconstruction;
 use crate::slab::Slab;
 use crate::sum::Sum;
@@ -279,7 +279,15 @@ impl Cdf {
         let top = strip.sum(t, rows[1] + 1);
         let target = (u * marginal - cubic(slab.below, s)).max(strip.sum(t, rows[0])).min(top);
         let row = if target < top {
-            row_of(|row| strip.sum(t, row) <= target, rows, self.quantiles.row(column, u))
+            let guess = self.quantiles.row(column, u);
+            match strip.sums_from(t, guess.saturating_sub(1)) {
+                // Whether the guess is a row off is never clear before.
+                Some(sums) => match sums.map(|sum| usize::from(sum <= target)).iter().sum() {
+                    before @ 1..4 => (guess.saturating_sub(1) + before - 1).clamp(rows[0], rows[1]),
+                    _ => row_of(|row| strip.sum(t, row) <= target, rows, guess),
+                },
+                None => row_of(|row| strip.sum(t, row) <= target, rows, guess),
+            }
         } else {
             // The last row that has weight.
             row_of(|row| strip.sum(t, row) < target, rows, rows[1])
@@ -293,33 +301,6 @@ impl Cdf {
         let y = begin + q.min(1.0) / height as f64;
         y.max(begin).min(end.next_down()).clamp(low, high)
     }
-}
-
-/// The last of the rows from `first` to `last` whose beginning is `below` the target, looked for from `guess` on.
-#[inline]
-fn row_of(below: impl Fn(usize) -> bool, [first, last]: [usize; 2], guess: usize) -> usize {
-    // Row `low` begins below, row `high` does not.
-    let (mut low, mut high, mut row) = (first, last + 1, guess.clamp(first, last));
-    for _ in 0..4 {
-        if row > low && !below(row) {
-            high = row;
-            row -= 1;
-        } else if row + 1 < high && below(row + 1) {
-            low = row + 1;
-            row += 1;
-        } else {
-            return row;
-        }
-    }
-    while high - low > 1 {
-        let middle = low.midpoint(high);
-        if below(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
 }
 
 /// How far `x` is from the left to the right side of a column of cells; 0 if its density is the same on both.

@@ -41,13 +41,7 @@ impl NdfMap {
         extend_guide(&mut packed, &places, layout.guide, |part| 2.0 * part - 1.0 - 3e-7);
         for (k, slab) in slabs.iter().enumerate() {
             let weights = [k, k + 1].map(|k| weights.get(k).copied().unwrap_or(1.0));
-            packed.extend(slab_numbers(
-                slab,
-                f64::from(weights[1]) - f64::from(weights[0]),
-                kind,
-                layout.width,
-                scale,
-            ));
+            packed.extend(slab_numbers(slab, weights, kind, layout.width, scale));
         }
         packed.extend(cdf.quantiles().rows());
         let border = kind.cells(layout.width) - layout.width;
@@ -78,8 +72,15 @@ fn extend_guide(packed: &mut Vec<f32>, keys: &[f32], parts: usize, begin: impl F
 }
 
 /// The numbers of a slab: what is before and after the straight inverse, its place and width in its column, the marginal, its part
-/// below the middle, and the column.
-fn slab_numbers(slab: &Slab, mass: f64, kind: Reconstruction, width: usize, scale: f64) -> [f32; SLAB] {
+/// below the middle, the column, the weights before and after it, and where it begins.
+fn slab_numbers(
+    slab: &Slab,
+    weights: [f32; 2],
+    kind: Reconstruction,
+    width: usize,
+    scale: f64,
+) -> [f32; SLAB] {
+    let mass = f64::from(weights[1]) - f64::from(weights[0]);
     let mean = 0.25 * slab.marginal.iter().sum::<f64>();
     let [begin, .., end] = slab.marginal;
     let slopes = [begin, end].map(|marginal| mean / marginal);
@@ -87,8 +88,8 @@ fn slab_numbers(slab: &Slab, mass: f64, kind: Reconstruction, width: usize, scal
     let cubic = |r: f64| r + r * (1.0 - r) * (bend[0] * (1.0 - r) + bend[1] * r);
     // A cubic between these slopes increases.
     let increases = slopes.iter().all(|slope| (0.0..=3.0).contains(slope));
-    let exact = increases
-        && (1..8).map(|k| f64::from(k) / 8.0).all(|r| (slab.share(cubic(r)) - r).abs() * mass < CUBIC);
+    let exact =
+        increases && [0.25, 0.5, 0.75].into_iter().all(|r| (slab.share(cubic(r)) - r).abs() * mass < CUBIC);
     let bend = if exact { bend.map(|bend| bend as f32) } else { [f32::MAX; 2] };
     let column = slab.column as usize;
     let place = slab.x.map(|x| x * width as f64 + kind.offset() - column as f64);
@@ -111,8 +112,8 @@ fn slab_numbers(slab: &Slab, mass: f64, kind: Reconstruction, width: usize, scal
         b2,
         b3,
         f32::from_bits(column as u32),
-        0.0,
-        0.0,
-        0.0,
+        weights[0],
+        weights[1],
+        (2.0 * slab.x[0] - 1.0) as f32,
     ]
 }

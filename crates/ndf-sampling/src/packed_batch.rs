@@ -13,15 +13,30 @@ const LEAST_MASS: f64 = 1e-7;
 
 /// The numbers of a slab that the arithmetic needs, a block's after another's.
 struct Slabs<const N: usize> {
-    numbers: [[f32; N]; 12],
+    numbers: [[f32; N]; SLAB],
 }
 
 impl<const N: usize> Slabs<N> {
+    /// The numbers of the slabs `at`, by four slabs at once where there are four: so they are turned in registers.
     #[inline(always)]
-    fn load(&mut self, k: usize, slab: &[f32; SLAB]) {
-        for (numbers, &number) in self.numbers.iter_mut().zip(slab) {
-            numbers[k] = number;
+    fn load(slabs: &[[f32; SLAB]], at: &[u32; N]) -> Self {
+        let slab = |k: usize| slabs.get(at[k] as usize).unwrap_or(&[0.0; SLAB]);
+        let mut numbers = [[0.0; N]; SLAB];
+        let mut k = 0;
+        while k + 4 <= N {
+            let [a, b, c, d] = [slab(k), slab(k + 1), slab(k + 2), slab(k + 3)];
+            for (j, numbers) in numbers.iter_mut().enumerate() {
+                numbers[k..k + 4].copy_from_slice(&[a[j], b[j], c[j], d[j]]);
+            }
+            k += 4;
         }
+        while k < N {
+            for (numbers, &number) in numbers.iter_mut().zip(slab(k)) {
+                numbers[k] = number;
+            }
+            k += 1;
+        }
+        Self { numbers }
     }
 }
 
@@ -33,32 +48,27 @@ impl PackedMap<'_> {
         u: [&[f32; N]; 2],
     ) -> [[f32; N]; 2] {
         let parts = self.layout.guide as f32;
-        let u = u.map(|u| u.map(|u| u.max(0.0).min(BELOW_ONE)));
-        let (mut column, mut slabs) = ([0_usize; N], Slabs { numbers: [[0.0; N]; 12] });
-        let mut weights = [[0.0; N]; 2];
+        let u = u.map(|u| u.map(|u| bounded(u, 0.0, BELOW_ONE)));
+        let (part, mut at) = (u[0].map(|u| index(u * parts)), [0_u32; N]);
         for k in 0..N {
-            let at = found(self.weights, self.by_weight, index(u[0][k] * parts), u[0][k]);
-            let Some(slab) = self.slabs.get(at) else { continue };
-            if let Some(&[from, to]) = self.weights.get(at..at + 2) {
-                (weights[0][k], weights[1][k]) = (from, to);
-            }
-            column[k] = slab[12].to_bits() as usize;
-            slabs.load(k, slab);
+            at[k] = found(self.weights, self.by_weight, part[k], u[0][k]);
         }
-        let [bend0, bend1, begin, wide, m0, m1, m2, m3, b0, b1, b2, b3] = &slabs.numbers;
+        let slabs = Slabs::load(self.slabs, &at);
+        let [bend0, bend1, begin, wide, m0, m1, m2, m3, b0, b1, b2, b3, column, w0, w1, _] = &slabs.numbers;
+        let column = column.map(f32::to_bits);
         let mut place = [0.0; N];
-        let mut straight = true;
+        let mut most = 0.0_f32;
         for k in 0..N {
-            let share = ((u[0][k] - weights[0][k]) / (weights[1][k] - weights[0][k])).max(0.0).min(1.0);
+            let share = bounded((u[0][k] - w0[k]) / (w1[k] - w0[k]), 0.0, 1.0);
             let rest = 1.0 - share;
             place[k] = share + share * rest * (bend0[k] * rest + bend1[k] * share);
-            straight &= bend0[k] < f32::MAX;
+            most = most.max(bend0[k]);
         }
-        if !straight {
+        if most == f32::MAX {
             for k in 0..N {
                 if bend0[k] == f32::MAX {
                     let marginal = [m0[k], m1[k], m2[k], m3[k]].map(f64::from);
-                    let [from, to] = [weights[0][k], weights[1][k]].map(f64::from);
+                    let [from, to] = [w0[k], w1[k]].map(f64::from);
                     let share = ((f64::from(u[0][k]) - from) / (to - from)).clamp(0.0, 1.0);
                     place[k] =
                         inverse_share(marginal, kept_away(marginal, share, LEAST_MASS / (to - from))) as f32;
@@ -75,14 +85,14 @@ impl PackedMap<'_> {
             t[k] = (begin[k] + wide[k] * s).min(1.0);
             // Not on a line, from which the normal might round into the next column.
             let within = t[k].max(margins[0]).min(1.0 - margins[0]);
-            x[k] = (((column[k] as f32 - offset) + within) * per_width - 1.0).max(-1.0).min(1.0);
+            x[k] = bounded(((column[k] as i32 as f32 - offset) + within) * per_width - 1.0, -1.0, 1.0);
             let marginal = cubic([m0[k], m1[k], m2[k], m3[k]], s);
             let below = cubic([b0[k], b1[k], b2[k], b3[k]], s);
             target[k] = u[1][k] * marginal - below;
         }
-        let (mut row, mut from, mut ends) = ([0.0; N], [0.0; N], [[0.0; N]; 2]);
+        let (mut row, mut from, mut ends) = ([0_u32; N], [0.0; N], [[0.0; N]; 2]);
         for k in 0..N {
-            let found = self.row::<SIDES>(column[k], t[k], u[1][k], target[k]);
+            let found = self.row::<SIDES>(column[k] as usize, t[k], u[1][k], target[k]);
             (row[k], from[k], ends[0][k], ends[1][k]) = found;
         }
         let middle = 0.5 * self.layout.height as f32 + offset;
@@ -98,7 +108,7 @@ impl PackedMap<'_> {
                 2.0 * excess / (a + root).max(f32::MIN_POSITIVE)
             };
             let chord = math::sqrt((1.0 - x[k] * x[k]).max(0.0)) * (1.0 - 4.0 * f32::EPSILON);
-            y[k] = (((row[k] - middle) + q.max(margins[1]).min(1.0 - margins[1])) * per_height)
+            y[k] = (((row[k] as i32 as f32 - middle) + q.max(margins[1]).min(1.0 - margins[1])) * per_height)
                 .max(-chord)
                 .min(chord);
         }
@@ -107,17 +117,17 @@ impl PackedMap<'_> {
 
     /// The row in which the conditional reaches `target`, the integral to it, and its values at its beginning and end.
     #[inline(always)]
-    fn row<const SIDES: usize>(&self, column: usize, t: f32, u: f32, target: f32) -> (f32, f32, f32, f32) {
+    fn row<const SIDES: usize>(&self, column: usize, t: f32, u: f32, target: f32) -> (u32, f32, f32, f32) {
         let (lines, stride) = (self.layout.lines(), self.layout.stride());
         let [left, right] = [column, column + SIDES - 1];
         let quantiles = self.layout.quantiles;
         let place = u * quantiles as f32;
-        let part = index(place);
+        let part = index(place) as usize;
         let guess = match self.quantiles.get(column * (quantiles + 1) + part..) {
-            Some(&[from, to, ..]) => from + (to - from) * (place - part as f32),
+            Some(&[from, to, ..]) => from + (to - from) * (place - part as i32 as f32),
             _ => 0.0,
         };
-        let first = index(guess - (LINES / 2 - 1) as f32);
+        let first = index(guess - (LINES / 2 - 1) as f32) as usize;
         let sums =
             |side: usize| self.sums.get(side * lines + first..).and_then(|sums| sums.first_chunk::<LINES>());
         let mut before = 0;
@@ -135,7 +145,7 @@ impl PackedMap<'_> {
             let sum = |side: usize| self.sums.get(side * lines + row).copied().unwrap_or(0.0);
             let ([la, lb], [ra, rb]) = (value(left), if SIDES == 1 { [0.0; 2] } else { value(right) });
             let from = mix::<SIDES>(sum(left), if SIDES == 1 { 0.0 } else { sum(right) }, t);
-            (row as f32, from, mix::<SIDES>(la, ra, t), mix::<SIDES>(lb, rb, t))
+            (row as u32, from, mix::<SIDES>(la, ra, t), mix::<SIDES>(lb, rb, t))
         };
         // Beyond what was looked through, or beyond the weight of the column.
         let last = self.layout.kind.cells(self.layout.height);
@@ -180,49 +190,42 @@ impl PackedMap<'_> {
         n: [&[f32; N]; 2],
     ) -> [[f32; N]; 2] {
         let parts = self.layout.guide as f32;
-        let n = n.map(|n| n.map(|n| if n.is_nan() { 0.0 } else { n.max(-1.0).min(1.0) }));
-        let (mut column, mut slabs) = ([0_usize; N], Slabs { numbers: [[0.0; N]; 12] });
-        let (mut weights, mut places) = ([[0.0; N]; 2], [[0.0; N]; 2]);
+        let n = n.map(|n| n.map(|n| if n.is_nan() { 0.0 } else { bounded(n, -1.0, 1.0) }));
+        let part = n[0].map(|x| index((x * 0.5 + 0.5) * parts).min(self.layout.guide as u32 - 1));
+        let mut at = [0_u32; N];
         for k in 0..N {
-            let part = index((n[0][k] * 0.5 + 0.5) * parts);
-            let at = found(self.places, self.by_place, part.min(self.layout.guide - 1), n[0][k])
-                .min(self.layout.slabs - 1);
-            let Some(slab) = self.slabs.get(at) else { continue };
-            if let (Some(&[w0, w1]), Some(&[p0, p1])) =
-                (self.weights.get(at..at + 2), self.places.get(at..at + 2))
-            {
-                (weights[0][k], weights[1][k], places[0][k], places[1][k]) = (w0, w1, p0, p1);
-            }
-            column[k] = slab[12].to_bits() as usize;
-            slabs.load(k, slab);
+            at[k] = found(self.places, self.by_place, part[k], n[0][k]).min(self.layout.slabs as u32 - 1);
         }
-        let [_, _, begin, wide, m0, m1, m2, m3, b0, b1, b2, b3] = &slabs.numbers;
+        let slabs = Slabs::load(self.slabs, &at);
+        let [_, _, begin, wide, m0, m1, m2, m3, b0, b1, b2, b3, column, w0, w1, x0] = &slabs.numbers;
+        let column = column.map(f32::to_bits);
+        let half_width = 0.5 * self.layout.width as f32;
         let (height, offset) = (self.layout.height as f32, self.layout.kind.offset() as f32);
-        let last = self.layout.kind.cells(self.layout.height) - 1;
+        let last = self.layout.kind.cells(self.layout.height) as u32 - 1;
         let middle = 0.5 * height + offset;
         let (mut u1, mut t, mut marginal, mut below) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
-        let (mut q, mut row) = ([0.0; N], [0_usize; N]);
+        let (mut q, mut row) = ([0.0; N], [0_u32; N]);
         for k in 0..N {
-            let width = places[1][k] - places[0][k];
-            let s = ((n[0][k] - places[0][k]) / width.max(f32::MIN_POSITIVE)).max(0.0).min(1.0);
+            let s = bounded((n[0][k] - x0[k]) * half_width / wide[k].max(f32::MIN_POSITIVE), 0.0, 1.0);
             t[k] = (begin[k] + wide[k] * s).min(1.0);
             let weight = [m0[k], m1[k], m2[k], m3[k]];
             let share =
                 quartic(weight, s) / (weight[0] + weight[1] + weight[2] + weight[3]).max(f32::MIN_POSITIVE);
-            u1[k] = (weights[0][k] + (weights[1][k] - weights[0][k]) * share).min(weights[1][k]);
+            u1[k] = (w0[k] + (w1[k] - w0[k]) * share).min(w1[k]);
             marginal[k] = cubic(weight, s);
             below[k] = cubic([b0[k], b1[k], b2[k], b3[k]], s);
             let y = n[1][k] * (0.5 * height) + middle;
             row[k] = index(y).min(last);
-            q[k] = (n[1][k] * (0.5 * height) + (middle - row[k] as f32)).max(0.0).min(1.0);
+            q[k] = bounded(n[1][k] * (0.5 * height) + (middle - row[k] as i32 as f32), 0.0, 1.0);
         }
         let (lines, stride) = (self.layout.lines(), self.layout.stride());
         let mut u2 = [0.0; N];
         for k in 0..N {
-            let [left, right] = [column[k], column[k] + SIDES - 1];
+            let [left, right] = [column[k] as usize, column[k] as usize + SIDES - 1];
+            let row = row[k] as usize;
             let side = |side: usize| {
-                let sum = self.sums.get(side * lines + row[k]).copied().unwrap_or(0.0);
-                match self.values.get(side * stride + row[k]..) {
+                let sum = self.sums.get(side * lines + row).copied().unwrap_or(0.0);
+                match self.values.get(side * stride + row..) {
                     Some(&[a, b, ..]) => [sum, a, b],
                     _ => [sum, 0.0, 0.0],
                 }
@@ -238,7 +241,7 @@ impl PackedMap<'_> {
             // Without weight the conditional is uniform on the chord.
             let chord = math::sqrt((1.0 - n[0][k] * n[0][k]).max(f32::MIN_POSITIVE));
             let uniform = 0.5 * (n[1][k] / chord) + 0.5;
-            u2[k] = (if marginal[k] > 0.0 { conditional } else { uniform }).max(0.0).min(1.0);
+            u2[k] = bounded(if marginal[k] > 0.0 { conditional } else { uniform }, 0.0, 1.0);
         }
         [u1, u2]
     }
@@ -256,10 +259,10 @@ impl PackedMap<'_> {
                 n[0][k] * half_width + (half_width + offset),
                 n[1][k] * half_height + (half_height + offset),
             );
-            column[k] = (x as u32).min(columns - 1);
-            row[k] = (y as u32).min(rows - 1);
-            t[k] = x - column[k] as f32;
-            q[k] = y - row[k] as f32;
+            column[k] = index(x).min(columns - 1);
+            row[k] = index(y).min(rows - 1);
+            t[k] = x - column[k] as i32 as f32;
+            q[k] = y - row[k] as i32 as f32;
         }
         let stride = self.layout.stride();
         let mut corners = [[0.0; N]; 4];
@@ -293,16 +296,22 @@ impl PackedMap<'_> {
     }
 }
 
+/// `x` from `least` to `most`, NaN as `least`.
+#[inline(always)]
+fn bounded(x: f32, least: f32, most: f32) -> f32 {
+    x.max(least).min(most)
+}
+
 /// The integer below `x` (or `x`, or the one below, if it is one) for 0 ≤ x < 2²²: in two operations that all lanes have.
 #[inline(always)]
-fn index(x: f32) -> usize {
-    ((x - 0.5).max(0.0) + 8_388_608.0).to_bits() as usize & 0x7f_ffff
+fn index(x: f32) -> u32 {
+    ((x - 0.5).max(0.0) + 8_388_608.0).to_bits() & 0x7f_ffff
 }
 
 /// The last key that is at most `value`, from where the guide says.
 #[inline(always)]
-fn found(keys: &[f32], guide: &[f32], part: usize, value: f32) -> usize {
-    let mut at = guide.get(part).map_or(0, |start| start.to_bits() as usize);
+fn found(keys: &[f32], guide: &[f32], part: u32, value: f32) -> u32 {
+    let mut at = guide.get(part as usize).map_or(0, |start| start.to_bits() as usize);
     while let Some(next) = keys.get(at + 1..).and_then(|keys| keys.first_chunk::<KEYS>()) {
         let mut more = 0;
         for &key in next {
@@ -313,7 +322,7 @@ fn found(keys: &[f32], guide: &[f32], part: usize, value: f32) -> usize {
             break;
         }
     }
-    at
+    at as u32
 }
 
 /// `a` at t = 0, `b` at t = 1; with one side `a`.

@@ -34,14 +34,14 @@ impl Quantiles {
                 from + (to - from) * (end - row as f64)
             };
             let [from, to] = ends.map(at);
-            let mut row = (ends[0] as usize).min(last);
-            let (mut begin, mut end) = (strip.sum(0.5, row), strip.sum(0.5, row + 1));
+            let chord = ends.map(|end| (end as usize).min(last));
             for part in 0..=parts {
                 let target = from + (to - from) * (part as f64 / parts as f64);
-                while end <= target && row < last {
-                    row += 1;
-                    (begin, end) = (end, strip.sum(0.5, row + 1));
-                }
+                // A column is much like the one before it.
+                let before = rows.len().checked_sub(parts + 1).and_then(|k| rows.get(k));
+                let guess = before.map_or(0, |&row: &f32| row as usize);
+                let row = row_of(|row| strip.sum(0.5, row) <= target, chord, guess);
+                let [begin, end] = [row, row + 1].map(|line| strip.sum(0.5, line));
                 let within =
                     if end > begin { ((target - begin) / (end - begin)).clamp(0.0, 1.0) } else { 0.0 };
                 rows.push((row as f64 + within).min(ends[1]) as f32);
@@ -69,4 +69,31 @@ impl Quantiles {
             _ => 0,
         }
     }
+}
+
+/// The last of the rows from `first` to `last` whose beginning is `below` the target, looked for from `guess` on.
+#[inline]
+pub(crate) fn row_of(below: impl Fn(usize) -> bool, [first, last]: [usize; 2], guess: usize) -> usize {
+    // Row `low` begins below, row `high` does not.
+    let (mut low, mut high, mut row) = (first, last + 1, guess.clamp(first, last));
+    for _ in 0..4 {
+        if row > low && !below(row) {
+            high = row;
+            row -= 1;
+        } else if row + 1 < high && below(row + 1) {
+            low = row + 1;
+            row += 1;
+        } else {
+            return row;
+        }
+    }
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
 }

@@ -36,7 +36,7 @@ pub(crate) fn columns_of_texels(
             let targets =
                 columns.get_mut((begin.max(from) - from) * stride + first + j..).unwrap_or_default();
             for (to, &value) in targets.iter_mut().step_by(stride).zip(row) {
-                sound &= value >= 0.0 && value < f32::INFINITY;
+                sound &= (0.0..f32::INFINITY).contains(&value);
                 *to = value;
             }
         }
