@@ -11,9 +11,9 @@ use rayon::prelude::*;
 fn density(item: &serde_json::Value) -> Box<dyn Ndf + Sync> {
     let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
     match item["model"].as_str().expect("a name") {
-        "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-        "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-        "blinn_phong" => Box::new(BlinnPhong::new(alpha("n")).unwrap()),
+        "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).expect("valid")),
+        "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).expect("valid")),
+        "blinn_phong" => Box::new(BlinnPhong::new(alpha("n")).expect("valid")),
         other => panic!("{other} is no model"),
     }
 }

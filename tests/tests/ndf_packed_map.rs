@@ -12,7 +12,7 @@ fn image(width: usize, height: usize, kind: Reconstruction, value: impl Fn(usize
 }
 
 fn maps() -> Vec<(String, NdfMap)> {
-    let ggx = Ggx::new(0.2, 0.4).unwrap();
+    let ggx = Ggx::new(0.2, 0.4).expect("valid");
     let of = |kind: Reconstruction| {
         vec![
             ("GGX", NdfMap::from_ndf(256, 256, kind, &ggx).unwrap()),

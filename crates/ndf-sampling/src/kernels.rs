@@ -26,6 +26,7 @@ pub trait ClosedForm {
 /// A function of `I` numbers to `O`, in lanes.
 pub(crate) trait Kernel<const I: usize, const O: usize> {
     /// Whether it is so long that four registers in step are faster than two.
+    #[cfg(feature = "simd")]
     const LONG: bool = false;
 
     fn apply<S: Lanes>(&self, s: S, x: [S::F; I]) -> [S::F; O];
@@ -71,6 +72,7 @@ impl<N: ClosedForm> Kernel<2, 3> for Sample<'_, N> {
 }
 
 impl<N: ClosedForm> Kernel<5, 3> for Visible<'_, N> {
+    #[cfg(feature = "simd")]
     const LONG: bool = true;
 
     #[inline(always)]
