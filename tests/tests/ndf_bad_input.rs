@@ -100,6 +100,9 @@ fn images() {
         for error in refused(4, 4, &texels) {
             check(&error, &["texel 9", name]);
         }
+        let error =
+            NdfMap::from_texels(4, 4, &texels, Measure::Normals, Reconstruction::Bilinear).unwrap_err();
+        check(&error, &["texel 9", name]);
         let error = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| {
             if n.x > 0.5 { bad } else { 1.0 }
         })

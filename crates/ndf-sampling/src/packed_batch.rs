@@ -91,9 +91,17 @@ impl PackedMap<'_> {
             target[k] = u[1][k] * marginal - below;
         }
         let (mut row, mut from, mut ends) = ([0_u32; N], [0.0; N], [[0.0; N]; 2]);
+        // Three short loops: in each the loads of many samples are under way at once.
+        let mut first = [0_u32; N];
         for k in 0..N {
-            let found = self.row::<SIDES>(column[k] as usize, t[k], u[1][k], target[k]);
-            (row[k], from[k], ends[0][k], ends[1][k]) = found;
+            first[k] = self.first_line(column[k] as usize, u[1][k]);
+        }
+        for k in 0..N {
+            row[k] = self.row::<SIDES>(column[k] as usize, first[k] as usize, t[k], target[k]);
+        }
+        for k in 0..N {
+            let cell = self.cell::<SIDES>(column[k] as usize, row[k] as usize, t[k]);
+            [from[k], ends[0][k], ends[1][k]] = cell;
         }
         let middle = 0.5 * self.layout.height as f32 + offset;
         let per_height = 2.0 / self.layout.height as f32;
@@ -115,50 +123,60 @@ impl PackedMap<'_> {
         [x, y]
     }
 
-    /// The row in which the conditional reaches `target`, the integral to it, and its values at its beginning and end.
+    /// The first of the lines among which the quantile `u` of a column should be.
     #[inline(always)]
-    fn row<const SIDES: usize>(&self, column: usize, t: f32, u: f32, target: f32) -> (u32, f32, f32, f32) {
-        let (lines, stride) = (self.layout.lines(), self.layout.stride());
-        let [left, right] = [column, column + SIDES - 1];
+    fn first_line(&self, column: usize, u: f32) -> u32 {
         let quantiles = self.layout.quantiles;
         let place = u * quantiles as f32;
-        let part = index(place) as usize;
-        let guess = match self.quantiles.get(column * (quantiles + 1) + part..) {
-            Some(&[from, to, ..]) => from + (to - from) * (place - part as i32 as f32),
-            _ => 0.0,
-        };
-        let first = index(guess - (LINES / 2 - 1) as f32) as usize;
-        let sums =
-            |side: usize| self.sums.get(side * lines + first..).and_then(|sums| sums.first_chunk::<LINES>());
+        let part = index(place);
+        match self.quantiles.get(column * (quantiles + 1) + part as usize..) {
+            Some(&[from, to, ..]) => {
+                index(from + (to - from) * (place - part as i32 as f32) - (LINES / 2 - 1) as f32)
+            }
+            _ => 0,
+        }
+    }
+
+    /// The row in which the conditional reaches `target`.
+    #[inline(always)]
+    fn row<const SIDES: usize>(&self, column: usize, first: usize, t: f32, target: f32) -> u32 {
+        let lines = self.layout.lines();
+        let sides = [column, column + SIDES - 1];
+        let [left, right] = sides
+            .map(|side| self.sums.get(side * lines + first..).and_then(|sums| sums.first_chunk::<LINES>()));
         let mut before = 0;
-        if let (Some(l), Some(r)) = (sums(left), sums(right)) {
-            for (&l, &r) in l.iter().zip(r) {
-                before += u32::from(mix::<SIDES>(l, r, t) <= target);
+        if let (Some(left), Some(right)) = (left, right) {
+            for (&left, &right) in left.iter().zip(right) {
+                before += u32::from(mix::<SIDES>(left, right, t) <= target);
             }
         }
-        let row = first + before as usize;
-        let cell = |row: usize| {
-            let value = |side: usize| match self.values.get(side * stride + row..) {
-                Some(&[a, b, ..]) => [a, b],
-                _ => [0.0; 2],
-            };
-            let sum = |side: usize| self.sums.get(side * lines + row).copied().unwrap_or(0.0);
-            let ([la, lb], [ra, rb]) = (value(left), if SIDES == 1 { [0.0; 2] } else { value(right) });
-            let from = mix::<SIDES>(sum(left), if SIDES == 1 { 0.0 } else { sum(right) }, t);
-            (row as u32, from, mix::<SIDES>(la, ra, t), mix::<SIDES>(lb, rb, t))
-        };
-        // Beyond what was looked through, or beyond the weight of the column.
-        let last = self.layout.kind.cells(self.layout.height);
-        if (1..LINES as u32).contains(&before) && row <= last {
-            cell(row - 1)
+        let row = first as u32 + before;
+        if (1..LINES as u32).contains(&before) && row <= self.layout.kind.cells(self.layout.height) as u32 {
+            row - 1
         } else {
-            cell(self.search::<SIDES>([left, right], t, target))
+            // Beyond what was looked through, or beyond the weight of the column.
+            self.search::<SIDES>(sides, t, target)
         }
+    }
+
+    /// The integral to the beginning of a row, and its values there and at its end.
+    #[inline(always)]
+    fn cell<const SIDES: usize>(&self, column: usize, row: usize, t: f32) -> [f32; 3] {
+        let side = |side: usize| {
+            let sum = self.sums.get(side * self.layout.lines() + row).copied().unwrap_or(0.0);
+            match self.values.get(side * self.layout.stride() + row..) {
+                Some(&[a, b, ..]) => [sum, a, b],
+                _ => [sum, 0.0, 0.0],
+            }
+        };
+        let left = side(column);
+        let right = if SIDES == 1 { left } else { side(column + 1) };
+        [0, 1, 2].map(|of| mix::<SIDES>(left[of], right[of], t))
     }
 
     /// The last row that begins at or below `target` and has weight, by halving.
     #[cold]
-    fn search<const SIDES: usize>(&self, [left, right]: [usize; 2], t: f32, target: f32) -> usize {
+    fn search<const SIDES: usize>(&self, [left, right]: [usize; 2], t: f32, target: f32) -> u32 {
         let lines = self.layout.lines();
         let column = |side: usize| self.sums.get(side * lines..(side + 1) * lines).unwrap_or_default();
         let (left, right) = (column(left), column(right));
@@ -180,7 +198,7 @@ impl PackedMap<'_> {
                 low = middle;
             }
         }
-        low
+        low as u32
     }
 
     /// `(M, C)` of a block of normals.
@@ -218,21 +236,9 @@ impl PackedMap<'_> {
             row[k] = index(y).min(last);
             q[k] = bounded(n[1][k] * (0.5 * height) + (middle - row[k] as i32 as f32), 0.0, 1.0);
         }
-        let (lines, stride) = (self.layout.lines(), self.layout.stride());
         let mut u2 = [0.0; N];
         for k in 0..N {
-            let [left, right] = [column[k] as usize, column[k] as usize + SIDES - 1];
-            let row = row[k] as usize;
-            let side = |side: usize| {
-                let sum = self.sums.get(side * lines + row).copied().unwrap_or(0.0);
-                match self.values.get(side * stride + row..) {
-                    Some(&[a, b, ..]) => [sum, a, b],
-                    _ => [sum, 0.0, 0.0],
-                }
-            };
-            let l = side(left);
-            let r = if SIDES == 1 { l } else { side(right) };
-            let [sum, a, b] = [0, 1, 2].map(|of| mix::<SIDES>(l[of], r[of], t[k]));
+            let [sum, a, b] = self.cell::<SIDES>(column[k] as usize, row[k] as usize, t[k]);
             let within = if SIDES == 1 { q[k] * a } else { q[k] * (a + 0.5 * q[k] * (b - a)) };
             u2[k] = (sum + within) + below[k];
         }
