@@ -1,5 +1,5 @@
 //! Pinned values of tables of normals, bump maps, distributions of noise and what pixels do not resolve: a change of one is
-//! value-breaking. As in `ndf_golden.rs`, pinned to a few units in the last place.
+//! value-breaking. As in `golden.rs`, pinned to a few units in the last place.
 
 use asperity_ndf_sampling::{
     Beckmann, Chart, ConditionalNdf, ConditionalTable, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise, Ndf,

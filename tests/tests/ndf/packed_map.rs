@@ -15,7 +15,7 @@ fn maps() -> Vec<(String, NdfMap)> {
     let ggx = Ggx::new(0.2, 0.4).expect("valid");
     let of = |kind: Reconstruction| {
         vec![
-            ("GGX", NdfMap::from_ndf(256, 256, kind, &ggx).unwrap()),
+            ("GGX", NdfMap::from_ndf(256, 256, kind, &ggx).expect("a density")),
             ("1×1", image(1, 1, kind, |_, _| 3.0)),
             ("2×2, one texel", image(2, 2, kind, |i, j| f32::from(i == 1 && j == 0))),
             ("one hot texel", image(64, 64, kind, |i, j| if (i, j) == (40, 20) { 1e-30 } else { 0.0 })),

@@ -38,7 +38,7 @@ struct SchlickCase {
 }
 
 fn reference() -> Reference {
-    serde_json::from_str(include_str!("../data/ndf/fresnel.json")).expect("the file of references")
+    serde_json::from_str(include_str!("../../data/ndf/fresnel.json")).expect("the file of references")
 }
 
 /// The largest error over the cosines, each printed with its case when it is too large.

@@ -1,0 +1,6 @@
+//! Fractal interpolation: properties, references, rays and pinned values.
+
+mod golden;
+mod properties;
+mod rays;
+mod reference;

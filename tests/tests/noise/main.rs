@@ -1,0 +1,18 @@
+//! Noise: properties, references, statistics and independence.
+
+mod continuity;
+mod gaussian;
+mod gradient;
+mod hessian;
+mod independence;
+mod lanes;
+mod lattices;
+mod lecture;
+mod moments;
+mod robustness;
+mod shape_batches;
+mod shapes;
+mod spectrum;
+mod statistics;
+mod sums;
+mod warp_curl;

@@ -1,0 +1,6 @@
+//! Shading: level of detail, Fresnel terms and means over the surface.
+
+mod fresnel;
+mod mean_radiance;
+mod remapped;
+mod zoom;
