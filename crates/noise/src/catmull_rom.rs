@@ -172,7 +172,7 @@ fn cubics<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     (cubics, t)
 }
 
-/// [`Kernel::lane_values`](crate::Kernel::lane_values) of the noise.
+/// [`Kernel::lane_values`] of the noise.
 #[inline(always)]
 pub(crate) fn spline_values<K: SplineNoise<N>, S: Lanes, const N: usize>(
     s: S,
@@ -184,7 +184,7 @@ pub(crate) fn spline_values<K: SplineNoise<N>, S: Lanes, const N: usize>(
     cubics[0].value(t)
 }
 
-/// [`Kernel::lane_samples`](crate::Kernel::lane_samples) of the noise.
+/// [`Kernel::lane_samples`] of the noise.
 #[inline(always)]
 pub(crate) fn spline_samples<K: SplineNoise<N>, S: Lanes, const N: usize>(
     s: S,
