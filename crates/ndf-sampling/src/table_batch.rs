@@ -23,14 +23,15 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// The shortest of the five slices ends the work.
     ///
     /// ```
-    /// use asperity_ndf_sampling::{Ggx, NormalTable, glam::{Vec2, Vec3}};
+    /// use asperity_ndf_sampling::{NormalTableRef, TableLayout, glam::{Vec2, Vec3}};
     ///
-    /// let table = NormalTable::standard(&Ggx::isotropic(0.3)?);
+    /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.1], [0.5, 0.1]];
+    /// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
     /// let (z1, z2) = ([0.3, -1.0, 2.0], [0.1, 0.7, -0.4]);
     /// let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-    /// table.view().bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z]);
-    /// assert_eq!(Vec3::new(x[1], y[1], z[1]), table.view().bilinear_normal(Vec2::new(-1.0, 0.7)));
-    /// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+    /// table.bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z]);
+    /// assert_eq!(Vec3::new(x[1], y[1], z[1]), table.bilinear_normal(Vec2::new(-1.0, 0.7)));
+    /// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
     /// ```
     pub fn bilinear_normals(self, z: [&[f32]; 2], normals: [&mut [f32]; 3]) {
         self.in_pieces(z, normals, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
