@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, BlinnPhong, EstimateError, Ggx, Measure, NdfEstimator, NdfMap,
-    NormalMapFormat, Reconstruction, StudentT, TangentSpace, Ward, glam::Vec3,
+    AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, NormalMapFormat, Reconstruction, StudentT,
+    TangentSpace, Ward, estimate_ndf, glam::Vec3,
 };
 
 use crate::{
@@ -21,14 +21,14 @@ pub(crate) const SIZE: usize = 256;
 /// What stands before the file of a normal map.
 pub(crate) const NORMAL_MAP: &str = "normal-map:";
 
-/// The formulas: the word before the colon, the name, what the numbers are, and how few of them will do.
-const FORMULAS: [(&str, &str, &str, usize); 6] = [
-    ("ggx", "GGX", "AX[,AY]", 1),
-    ("beckmann", "Beckmann", "AX[,AY]", 1),
-    ("ward", "Ward", "AX[,AY]", 1),
-    ("student-t", "Student-t", "AX,AY,GAMMA", 3),
-    ("blinn-phong", "Blinn\u{2013}Phong", "EXPONENT", 1),
-    ("ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "NU,NV", 2),
+/// The formulas: the word before the colon, the name, and what the numbers are.
+const FORMULAS: [(&str, &str, &str); 6] = [
+    ("ggx", "GGX", "AX[,AY]"),
+    ("beckmann", "Beckmann", "AX[,AY]"),
+    ("ward", "Ward", "AX[,AY]"),
+    ("student-t", "Student-t", "AX,AY,GAMMA"),
+    ("blinn-phong", "Blinn\u{2013}Phong", "EXPONENT"),
+    ("ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "NU,NV"),
 ];
 
 /// A density of normals with the words that asked for it.
@@ -139,7 +139,7 @@ fn formula(word: &str, text: &str) -> Result<Box<SharedNdf>, Failure> {
     };
     let numbers = text.split(',').map(parse).collect::<Result<Vec<_>, _>>()?;
     let form = FORMULAS.iter().find(|formula| formula.0 == word);
-    let form = form.map(|&(word, _, numbers, _)| format!("{word}:{numbers}")).unwrap_or_default();
+    let form = form.map(|&(word, _, numbers)| format!("{word}:{numbers}")).unwrap_or_default();
     let alpha_y = numbers.get(1).copied().or(numbers.first().copied());
     Ok(match (word, numbers.as_slice(), alpha_y) {
         ("ggx", &[x] | &[x, _], Some(y)) => Box::new(Ggx::new(x, y)?),
@@ -156,7 +156,7 @@ fn formula(word: &str, text: &str) -> Result<Box<SharedNdf>, Failure> {
 fn open(path: &Path) -> Result<ImageFile, Failure> {
     ImageFile::open(path).map_err(|error| match error {
         ImageFileError::Unreadable(error) => {
-            let formulas = FORMULAS.map(|(word, _, numbers, _)| format!("`{word}:{numbers}`")).join(", ");
+            let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
             format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
                 .into()
         }
@@ -200,11 +200,7 @@ fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Fa
         .map(|i| [x, y, z].map(|plane| signed(plane.get(i).copied().unwrap_or(0.0))))
         .map(|n| format.decode_signed(n))
         .collect();
-    let mut estimator = NdfEstimator::suited(&normals);
-    for &n in &normals {
-        estimator.add(n);
-    }
-    estimator.finish().map_err(|error: EstimateError| error.into())
+    Ok(estimate_ndf(&normals)?)
 }
 
 #[cfg(test)]

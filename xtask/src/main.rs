@@ -15,6 +15,7 @@ mod output;
 mod page;
 mod plot;
 mod progress;
+mod random;
 mod render_command;
 mod scene;
 mod systems;

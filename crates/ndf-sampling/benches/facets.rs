@@ -1,12 +1,14 @@
 //! Time per call of the parametric densities: density, maps, sampling, Λ and visible normals.
 
-use std::hint::black_box;
+mod each;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Microfacet, Mixture, Ndf, Radial, StudentT,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
+
+use each::each;
 
 /// Uniform numbers without a pattern that a branch predictor could learn.
 fn uniforms() -> Vec<Vec2> {
@@ -18,17 +20,6 @@ fn uniforms() -> Vec<Vec2> {
 fn views() -> Vec<Vec3> {
     let diffuse = BlinnPhong::new(0.0).expect("an exponent");
     uniforms().into_iter().map(|u| diffuse.sample(u)).collect()
-}
-
-/// Measures `f` over all of `inputs`, one call after another.
-fn each<T: Copy, R>(c: &mut Criterion, name: &str, inputs: &[T], mut f: impl FnMut(T) -> R) {
-    let mut k = 0;
-    c.bench_function(name, |b| {
-        b.iter(|| {
-            k = (k + 1) % inputs.len();
-            f(black_box(inputs[k]))
-        });
-    });
 }
 
 fn maps(c: &mut Criterion, name: &str, ndf: impl Ndf) {

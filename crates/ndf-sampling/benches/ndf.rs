@@ -1,5 +1,7 @@
 //! Time per call of the densities, their maps and look-ups, and of building the tables.
 
+mod each;
+
 use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
@@ -9,23 +11,14 @@ use asperity_ndf_sampling::{
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
+use each::each;
+
 /// Gaussian coordinates without a pattern that a branch predictor could learn.
 fn coordinates() -> Vec<Vec2> {
     let uniform = |k: u32| f64::from(k.wrapping_mul(0x9E37_79B9) >> 8) / f64::from(1 << 24) + 1e-8;
     (0..1024)
         .map(|k| Vec2::new(inverse_phi(uniform(2 * k)) as f32, inverse_phi(uniform(2 * k + 1)) as f32))
         .collect()
-}
-
-/// Measures `f` over all of `inputs`, one call after another.
-fn each<T: Copy, R>(c: &mut Criterion, name: &str, inputs: &[T], mut f: impl FnMut(T) -> R) {
-    let mut k = 0;
-    c.bench_function(name, |b| {
-        b.iter(|| {
-            k = (k + 1) % inputs.len();
-            f(black_box(inputs[k]))
-        });
-    });
 }
 
 fn maps(c: &mut Criterion) {

@@ -5,15 +5,16 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use glam::{Vec2, Vec3};
 
 use crate::blinn_phong::{ExponentError, MAX_EXPONENT, check, roughness};
+use crate::elementary::cos_sin_turns;
 use crate::ggx::Ggx;
 use crate::kronrod::integrate;
+use crate::lanes::Scalar;
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
 use crate::radial::Radial;
 use crate::roughness::Roughness;
 use crate::student::Student;
-use crate::turn::turn;
 
 /// The Ashikhmin–Shirley normal density with the exponents `n_u` along x and `n_v` along y.
 ///
@@ -161,7 +162,7 @@ impl Ndf for AshikhminShirley {
     #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
         let u = unit_square(u);
-        self.tilted(turn(u.y) * math::sqrt(-2.0 * math::ln_1p(-u.x)))
+        self.tilted(Vec2::from(cos_sin_turns(Scalar, u.y)) * math::sqrt(-2.0 * math::ln_1p(-u.x)))
     }
 }
 

@@ -32,6 +32,15 @@ type Level = fearless_simd::Level;
 #[cfg(not(feature = "simd"))]
 type Level = core::convert::Infallible;
 
+/// The best level of this machine; without `std`, the best that the program was built for.
+#[cfg(feature = "simd")]
+pub(crate) fn best_level() -> Level {
+    #[cfg(feature = "std")]
+    return Level::new();
+    #[cfg(not(feature = "std"))]
+    return Level::baseline();
+}
+
 impl Default for Batch {
     fn default() -> Self {
         Self::new()
@@ -42,10 +51,8 @@ impl Batch {
     /// As many lanes as this machine has; without `std`, as the program was built for; one without the feature `simd`.
     #[must_use]
     pub fn new() -> Self {
-        #[cfg(all(feature = "simd", feature = "std"))]
-        let wide = Some(Level::new());
-        #[cfg(all(feature = "simd", not(feature = "std")))]
-        let wide = Some(Level::baseline());
+        #[cfg(feature = "simd")]
+        let wide = Some(best_level());
         #[cfg(not(feature = "simd"))]
         let wide = None;
         Self { wide }

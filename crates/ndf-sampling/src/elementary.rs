@@ -157,5 +157,14 @@ mod tests {
             }
         }
         assert!(worst < 1.2e-7, "{worst:e}");
+        for (u, exact) in [
+            (0.0, [1.0, 0.0]),
+            (0.25, [0.0, 1.0]),
+            (0.5, [-1.0, 0.0]),
+            (0.75, [0.0, -1.0]),
+            (1.0, [1.0, 0.0]),
+        ] {
+            assert_eq!(cos_sin_turns(Scalar, u), exact, "{u}");
+        }
     }
 }

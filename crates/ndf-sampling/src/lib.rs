@@ -158,7 +158,6 @@ mod table_batch;
 mod table_layout;
 #[cfg(feature = "alloc")]
 mod texels;
-mod turn;
 #[cfg(feature = "simd")]
 mod twice;
 mod visible_gaussian;

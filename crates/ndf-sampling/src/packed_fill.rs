@@ -86,12 +86,8 @@ impl<const SIDES: usize> Block<1> for Densities<'_, SIDES> {
 
 /// Applies a block's work to arrays of one length.
 fn fill<const OUT: usize>(block: impl Block<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
-    #[cfg(all(feature = "simd", feature = "std"))]
-    let level = fearless_simd::Level::new();
-    #[cfg(all(feature = "simd", not(feature = "std")))]
-    let level = fearless_simd::Level::baseline();
     #[cfg(feature = "simd")]
-    fearless_simd::dispatch!(level, simd => {
+    fearless_simd::dispatch!(crate::batch::best_level(), simd => {
         let _ = simd;
         each(block, inputs, outputs);
     });

@@ -127,7 +127,17 @@ macro_rules! roughness_parameters {
             pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
                 Self { alpha: $crate::roughness::Roughness::clamped(alpha_x, alpha_y) }
             }
+        }
 
+        $crate::roughness::roughness_accessors!($density);
+    };
+}
+pub(crate) use roughness_parameters;
+
+/// The accessors of a density with a field `alpha: Roughness`.
+macro_rules! roughness_accessors {
+    ($density:ident) => {
+        impl $density {
             /// The roughness along x.
             #[inline]
             #[must_use]
@@ -144,7 +154,7 @@ macro_rules! roughness_parameters {
         }
     };
 }
-pub(crate) use roughness_parameters;
+pub(crate) use roughness_accessors;
 
 /// The nearest valid roughness; NaN becomes 1, dull rather than a mirror.
 fn clamp(value: f32) -> f32 {

@@ -5,13 +5,14 @@ use core::fmt;
 
 use glam::{Vec2, Vec3};
 
+use crate::elementary::cos_sin_turns;
+use crate::lanes::Scalar;
 use crate::math;
 use crate::microfacet::{Microfacet, above, unit_square};
 use crate::ndf::{Ndf, bounded};
 use crate::radial::Radial;
-use crate::roughness::{Roughness, RoughnessError};
+use crate::roughness::{Roughness, RoughnessError, roughness_accessors};
 use crate::student::Student;
-use crate::turn::turn;
 
 /// The smallest exponent; at 3/2 the facets' projected area diverges.
 pub const MIN_GAMMA: f32 = 1.51;
@@ -57,6 +58,8 @@ pub struct StudentT {
     across: Student,
 }
 
+roughness_accessors!(StudentT);
+
 impl StudentT {
     /// The density with the roughnesses `alpha_x` and `alpha_y` and the exponent `gamma`.
     ///
@@ -82,20 +85,6 @@ impl StudentT {
     fn with(alpha: Roughness, gamma: f32) -> Self {
         let freedom = 2.0 * f64::from(gamma) - 2.0;
         Self { alpha, gamma, along: Student::new(freedom), across: Student::new(freedom + 1.0) }
-    }
-
-    /// The roughness along x.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_x(self) -> f32 {
-        self.alpha.x
-    }
-
-    /// The roughness along y.
-    #[inline]
-    #[must_use]
-    pub const fn alpha_y(self) -> f32 {
-        self.alpha.y
     }
 
     /// The exponent γ.
@@ -156,7 +145,7 @@ impl Ndf for StudentT {
     #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
         let u = unit_square(u);
-        self.tilted(turn(u.y) * math::sqrt(-2.0 * math::ln_1p(-u.x)))
+        self.tilted(Vec2::from(cos_sin_turns(Scalar, u.y)) * math::sqrt(-2.0 * math::ln_1p(-u.x)))
     }
 }
 

@@ -10,28 +10,28 @@ use asperity_ndf_sampling::{
 use glam::{Vec2, Vec3};
 
 /// Compares with pinned values, each within the relative `tolerance`.
-fn pinned<const N: usize>(what: &str, got: [f64; N], expected: [f64; N], tolerance: f64) {
+pub(crate) fn pinned<const N: usize>(what: &str, got: [f64; N], expected: [f64; N], tolerance: f64) {
     let close =
         got.iter().zip(expected).all(|(got, expected)| (got - expected).abs() <= tolerance * expected.abs());
     assert!(close, "{what}: {got:?} is pinned to {expected:?}");
 }
 
 /// Some units in the last place of `f32`.
-const SINGLE: f64 = 1e-6;
+pub(crate) const SINGLE: f64 = 1e-6;
 /// Some units in the last place of `f64`.
 const DOUBLE: f64 = 1e-14;
 
-fn vec3(v: Vec3) -> [f64; 3] {
+pub(crate) fn vec3(v: Vec3) -> [f64; 3] {
     v.as_dvec3().to_array()
 }
 
-fn vec2(v: Vec2) -> [f64; 2] {
+pub(crate) fn vec2(v: Vec2) -> [f64; 2] {
     v.as_dvec2().to_array()
 }
 
-const Z: Vec2 = Vec2::new(0.7, -1.2);
+pub(crate) const Z: Vec2 = Vec2::new(0.7, -1.2);
 
-fn direction() -> Vec3 {
+pub(crate) fn direction() -> Vec3 {
     Vec3::new(2.0, -3.0, 6.0) / 7.0
 }
 

@@ -16,6 +16,7 @@ use crate::{
     figure::{Context, Drawn, Failure, Figure, Panel},
     image::hex,
     plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    random::Random,
     scene::{background::background, material::SharedNdf, render::render},
 };
 
@@ -264,24 +265,4 @@ fn integral(ndf: &SharedNdf, i: usize, j: usize) -> Option<f64> {
         .map(|m| f64::from(ndf.density(m)))
         .sum();
     Some(sum * step * step)
-}
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Two independent Gaussian numbers, by Box and Muller.
-    fn gaussians(&mut self) -> Vec2 {
-        let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();
-        let (sin, cos) = (std::f64::consts::TAU * self.uniform()).sin_cos();
-        Vec2::new((radius * cos) as f32, (radius * sin) as f32)
-    }
 }

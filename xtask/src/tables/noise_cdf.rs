@@ -9,6 +9,7 @@ use asperity_noise::{
 use rayon::prelude::*;
 
 use super::noise_levels::phi;
+use crate::random::Random;
 
 /// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 3e-5.
 const KNOTS: usize = 257;
@@ -73,7 +74,7 @@ impl Kinds<'_> {
 
 /// A field's values at the random points of a seed.
 fn values<F: Field<N>, const N: usize>(field: &F, seed: u32) -> Vec<f32> {
-    let mut random = Random::new(seed);
+    let mut random = Random(u64::from(seed) << 32);
     let mut points = vec![[0.0; POINTS]; N];
     for i in 0..POINTS {
         for axis in &mut points {
@@ -199,23 +200,6 @@ fn row(text: &mut String, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
         let _ = writeln!(text, "            {},", row.join(", "));
     }
     text.push_str("        ],\n    },\n");
-}
-
-/// SplitMix64 (Steele, Lea, Flood 2014).
-pub(super) struct Random(u64);
-
-impl Random {
-    pub(super) fn new(seed: u32) -> Self {
-        Self(u64::from(seed) << 32)
-    }
-
-    /// In a box of 128 cells a side.
-    pub(super) fn coordinate(&mut self) -> f32 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 40) as f32 / 131_072.0 - 64.0
-    }
 }
 
 #[cfg(test)]
