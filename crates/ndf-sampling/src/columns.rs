@@ -1,24 +1,19 @@
 //! The columns of a map: their values along y and the integrals of these.
 
-use alloc::vec;
-use alloc::vec::Vec;
-
+use crate::integrals::Integrals;
 use crate::reconstruction::Reconstruction;
-use crate::sum::Sum;
 
 /// Values along y, and for every line of the grid their integral from the middle of the map, in cells.
-///
-/// Integrals begin in the middle because every chord of the disk does: what lies beyond a chord's ends, be it a million times
-/// brighter, is never subtracted from what lies on it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Columns {
     width: usize,
     height: usize,
     kind: Reconstruction,
-    /// Column by column; bilinear columns repeat their first and their last value.
-    values: Vec<f32>,
-    sums: Vec<f64>,
+    integrals: Integrals,
 }
+
+/// Lines that are looked through at once.
+pub(crate) const WINDOW: usize = 16;
 
 /// What a column of cells has on its left and right side.
 #[derive(Clone, Copy, Debug)]
@@ -33,24 +28,9 @@ pub(crate) struct Strip<'a> {
 pub(crate) type Corners = [[f64; 2]; 2];
 
 impl Columns {
-    /// How many values a column of `height` texels has.
-    pub(crate) const fn stride(kind: Reconstruction, height: usize) -> usize {
-        match kind {
-            Reconstruction::Constant => height,
-            Reconstruction::Bilinear => height + 2,
-        }
-    }
-
-    /// The columns of `values`, of [`Columns::stride`] each.
-    pub(crate) fn new(width: usize, height: usize, kind: Reconstruction, values: Vec<f32>) -> Self {
-        let rows = kind.cells(height);
-        let mut sums = vec![0.0; width * (rows + 1)];
-        let stride = Self::stride(kind, height);
-        for (sums, values) in sums.chunks_exact_mut(rows + 1).zip(values.chunks_exact(stride)) {
-            let ends = values.get(stride - rows..).unwrap_or_default();
-            integrate(sums, values, ends, 0.5 * height as f64 + kind.offset());
-        }
-        Self { width, height, kind, values, sums }
+    /// The columns of an image's integrals.
+    pub(crate) const fn new(width: usize, height: usize, kind: Reconstruction, integrals: Integrals) -> Self {
+        Self { width, height, kind, integrals }
     }
 
     pub(crate) const fn width(&self) -> usize {
@@ -65,18 +45,48 @@ impl Columns {
         self.kind
     }
 
+    /// How many values a column has.
+    const fn stride(&self) -> usize {
+        match self.kind {
+            Reconstruction::Constant => self.height,
+            Reconstruction::Bilinear => self.height + 2,
+        }
+    }
+
     /// A column's integrals, a line's after another's.
     pub(crate) fn sums(&self, column: usize) -> &[f64] {
         let lines = self.kind.cells(self.height) + 1;
-        self.sums.get(column * lines..(column + 1) * lines).unwrap_or_default()
+        self.integrals.sums.get(column * lines..(column + 1) * lines).unwrap_or_default()
     }
 
     /// A column's values with one before and one after.
     pub(crate) fn padded(&self, column: usize) -> impl Iterator<Item = f32> {
-        let stride = Self::stride(self.kind, self.height);
-        let values = self.values.get(column * stride..(column + 1) * stride).unwrap_or_default();
+        let stride = self.stride();
+        let values = self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default();
         let rest = (self.height + 2).saturating_sub(stride);
         values.iter().copied().chain(core::iter::repeat_n(0.0, rest))
+    }
+
+    /// The values at a cell's corners, and the integrals to a line on its column's sides.
+    #[inline(always)]
+    pub(crate) fn at(&self, cell: usize, row: usize, line: usize) -> (Corners, [f64; 2]) {
+        let Integrals { values, sums } = &self.integrals;
+        let (stride, lines) = (self.stride(), self.kind.cells(self.height) + 1);
+        let sum = |column: usize| sums.get(column * lines + line).copied().unwrap_or(0.0);
+        match self.kind {
+            Reconstruction::Constant => {
+                let value = values.get(cell * stride + row).map_or(0.0, |&value| f64::from(value));
+                ([[value; 2]; 2], [sum(cell); 2])
+            }
+            Reconstruction::Bilinear => {
+                let sides = [cell.saturating_sub(1), cell.min(self.width - 1)];
+                let side = |column: usize| match values.get(column * stride + row..) {
+                    Some(&[begin, end, ..]) => [f64::from(begin), f64::from(end)],
+                    _ => [0.0; 2],
+                };
+                (sides.map(side), sides.map(sum))
+            }
+        }
     }
 
     /// The sides of a column of cells.
@@ -85,10 +95,12 @@ impl Columns {
             Reconstruction::Constant => (cell, cell, 0),
             Reconstruction::Bilinear => (cell.saturating_sub(1), cell.min(self.width - 1), 1),
         };
-        let (lines, stride) = (self.kind.cells(self.height) + 1, Self::stride(self.kind, self.height));
-        let sums = |column: usize| self.sums.get(column * lines..(column + 1) * lines).unwrap_or_default();
-        let values =
-            |column: usize| self.values.get(column * stride..(column + 1) * stride).unwrap_or_default();
+        let (lines, stride) = (self.kind.cells(self.height) + 1, self.stride());
+        let sums =
+            |column: usize| self.integrals.sums.get(column * lines..(column + 1) * lines).unwrap_or_default();
+        let values = |column: usize| {
+            self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default()
+        };
         Strip { sums: [sums(left), sums(right)], values: [values(left), values(right)], step }
     }
 
@@ -102,7 +114,7 @@ impl Columns {
     }
 }
 
-impl Strip<'_> {
+impl<'a> Strip<'a> {
     /// The integral to a line of the grid, `t` of the way from left to right.
     ///
     /// It does not decrease from line to line, and not at all where there is no weight: products and the sum round alike.
@@ -112,17 +124,19 @@ impl Strip<'_> {
         mix(left, right, t)
     }
 
-    /// The integrals to four lines from `line` on.
+    /// How many of the [`WINDOW`] lines from `line` on have integrals of at most `target`; nothing if there are not as many lines.
     #[inline]
-    pub(crate) fn sums_from(self, t: f64, line: usize) -> Option<[f64; 4]> {
-        let [left, right] = self.sums.map(|sums| sums.get(line..).and_then(|sums| sums.first_chunk::<4>()));
+    pub(crate) fn passed(self, t: f64, line: usize, target: f64) -> Option<usize> {
+        let [left, right] =
+            self.sums.map(|sums| sums.get(line..).and_then(|sums| sums.first_chunk::<WINDOW>()));
         let (left, right) = (left?, right?);
-        Some([0, 1, 2, 3].map(|k| mix(left[k], right[k], t)))
+        let counts: [u64; WINDOW] = core::array::from_fn(|k| u64::from(mix(left[k], right[k], t) <= target));
+        Some(counts.iter().sum::<u64>() as usize)
     }
 
-    /// The integrals to a line of the grid on both sides.
-    pub(crate) fn sums(self, line: usize) -> [f64; 2] {
-        self.sums.map(|sums| sums.get(line).copied().unwrap_or(0.0))
+    /// The integrals to all lines on both sides.
+    pub(crate) const fn all_sums(self) -> [&'a [f64]; 2] {
+        self.sums
     }
 
     #[inline]
@@ -150,28 +164,4 @@ pub(crate) fn mix(a: f64, b: f64, t: f64) -> f64 {
 #[inline]
 pub(crate) fn value([left, right]: Corners, t: f64, q: f64) -> f64 {
     mix(mix(left[0], left[1], q), mix(right[0], right[1], q), t)
-}
-
-/// Fills in the integrals from `middle`, which counts cells, to each line.
-fn integrate(sums: &mut [f64], begins: &[f32], ends: &[f32], middle: f64) {
-    let cell = (middle as usize).min(sums.len().saturating_sub(2));
-    // The middle of the map is on a line or in the middle of a cell.
-    let below = middle - cell as f64;
-    let above = 1.0 - below;
-    let at = |values: &[f32]| values.get(cell).map_or(0.0, |&value| f64::from(value));
-    let (a, b) = (at(begins), at(ends));
-    let mut sum = Sum::default();
-    sum.add(above * (0.5 * above * a + (1.0 - 0.5 * above) * b));
-    let upper = begins.iter().zip(ends).skip(cell + 1);
-    for (line, (&a, &b)) in sums.iter_mut().skip(cell + 1).zip(upper.chain([(&0.0, &0.0)])) {
-        *line = sum.value();
-        sum.add(0.5 * (f64::from(a) + f64::from(b)));
-    }
-    let mut sum = Sum::default();
-    sum.add(-below * ((1.0 - 0.5 * below) * a + 0.5 * below * b));
-    let lower = begins.iter().zip(ends).take(cell).rev();
-    for (line, (&a, &b)) in sums.iter_mut().take(cell + 1).rev().zip(lower.chain([(&0.0, &0.0)])) {
-        *line = sum.value();
-        sum.add(-0.5 * (f64::from(a) + f64::from(b)));
-    }
 }

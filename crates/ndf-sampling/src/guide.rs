@@ -1,8 +1,10 @@
 //! A guide table: where to begin to look for a number among sorted ones.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
-/// For each of twice as many equal parts of [0, 1] as there are keys, the key in whose interval it begins.
+/// For each of equal parts of [0, 1], a power of two and at least twice as many as there are keys, the key in whose interval it
+/// begins.
 ///
 /// Evenly drawn numbers then find their interval in O(1) steps on average, however the keys are spread.
 ///
@@ -15,16 +17,20 @@ pub(crate) struct Guide {
 impl Guide {
     /// The guide to nondecreasing `keys`, the first of which is 0.
     pub(crate) fn new(keys: &[f64]) -> Self {
-        let parts = 2 * keys.len();
-        let mut key = 0;
-        let starts = (0..parts).map(|part| {
-            let begin = part as f64 / parts as f64;
-            while keys.get(key + 1).is_some_and(|&next| next <= begin) {
-                key += 1;
+        let mut starts = vec![0; (2 * keys.len()).next_power_of_two()];
+        let parts = starts.len() as f64;
+        for key in keys.iter().skip(1) {
+            // The first part that begins after the key: the product is exact.
+            if let Some(passed) = starts.get_mut((key * parts) as u32 as usize + 1) {
+                *passed += 1;
             }
-            key as u32
-        });
-        Self { starts: starts.collect() }
+        }
+        let mut passed = 0;
+        for start in &mut starts {
+            passed += *start;
+            *start = passed;
+        }
+        Self { starts }
     }
 
     /// The last key that is at most `value`.
@@ -32,10 +38,6 @@ impl Guide {
     pub(crate) fn find(&self, keys: &[f64], value: f64) -> usize {
         let part = ((value * self.starts.len() as f64) as usize).min(self.starts.len().saturating_sub(1));
         let mut at = self.starts.get(part).map_or(0, |&start| start as usize);
-        if keys.get(at).is_some_and(|&key| key > value) {
-            // The product has rounded into the next part.
-            return keys.partition_point(|&key| key <= value).saturating_sub(1);
-        }
         // Four at once: whether one of them is passed is never clear before.
         while let Some(next) = keys.get(at + 1..).and_then(|keys| keys.first_chunk::<4>()) {
             let passed = next.iter().map(|&key| usize::from(key <= value)).sum::<usize>();

@@ -110,6 +110,8 @@ mod ggx;
 #[cfg(feature = "alloc")]
 mod guide;
 mod half;
+#[cfg(feature = "alloc")]
+mod integrals;
 mod isotropic;
 mod isotropic_cell;
 mod kernels;
@@ -144,7 +146,11 @@ mod remap;
 mod rotated;
 mod roughness;
 #[cfg(feature = "alloc")]
+mod row_guide;
+#[cfg(feature = "alloc")]
 mod slab;
+#[cfg(feature = "alloc")]
+mod slabs;
 mod spacing;
 #[cfg(feature = "alloc")]
 mod spline_kernel;
@@ -158,6 +164,8 @@ mod table_batch;
 mod table_layout;
 #[cfg(feature = "alloc")]
 mod texels;
+#[cfg(feature = "alloc")]
+mod turn;
 #[cfg(feature = "simd")]
 mod twice;
 mod visible_gaussian;

@@ -5,7 +5,6 @@ use core::fmt;
 
 use glam::{Vec2, Vec3};
 
-use crate::columns::Columns;
 use crate::disk::to_normal;
 use crate::gaussian::{inverse_phi, phi};
 use crate::marginal::Cdf;
@@ -86,10 +85,8 @@ impl NdfMap {
         if texels.len() != expected {
             return Err(NdfMapError::SizeMismatch { width, height, len: texels.len() });
         }
-        let values = columns_of_texels(width, height, texels, measure, reconstruction)?;
-        Cdf::new(Columns::new(width, height, reconstruction, values))
-            .map(|cdf| Self { cdf })
-            .ok_or(NdfMapError::AllBlack { width, height })
+        let columns = columns_of_texels(width, height, texels, measure, reconstruction)?;
+        Cdf::new(columns).map(|cdf| Self { cdf }).ok_or(NdfMapError::AllBlack { width, height })
     }
 
     /// The map of a function: averaged over 4×4 points of each texel (those that are inside the disk) for

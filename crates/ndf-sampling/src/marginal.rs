@@ -3,14 +3,16 @@
 use alloc::vec::Vec;
 
 use crate::bernstein::cubic;
-use crate::columns::Columns;
-use crate::cuts::cuts;
-use crate::disk::{half_chord, to_normal};
+use crate::columns::{Columns, Strip, WINDOW};
+use crate::cuts::Cuts;
+use crate::disk::to_normal;
 use crate::guide::Guide;
 use crate::math;
 use crate::quantiles::{Quantiles, row_of};
 use crate::reconstruction::Reconstruction;
+use crate::row_guide::RowGuide;
 use crate::slab::Slab;
+use crate::slabs::slabs;
 use crate::sum::Sum;
 
 /// The largest `f64` below 1: `u = 1` counts as this, so that inversion ends inside the density.
@@ -26,11 +28,11 @@ pub(crate) const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 /// The density is constant on each texel, or bilinear between their centres, **and clipped to the disk**: a texel at the rim
 /// counts with the part of it that is inside, so no sample leaves the disk.
 ///
-/// The disk's rim is cut where it crosses a line of the grid, and in a thousand further places. At the cuts `M` is that of the
-/// circle. Between two cuts the rim is a straight chord: `m` is a polynomial of degree 3 (1 for constant texels), `M` of
+/// The disk's rim is cut where it crosses a line of the grid, and where that leaves more, at every 2√3/1024 of angle. At the cuts
+/// `M` is that of the circle. Between two cuts the rim is a straight chord: `m` is a polynomial of degree 3 (1 for constant texels), `M` of
 /// degree 4, inverted by bracketed Newton steps from the closed form for a linear `m`; the conditional is linear in `y` for
 /// constant texels, else quadratic, and inverted in closed form. The chords leave out less than 1.5e-6 of the disk's radius
-/// and 1.9e-6 of its area; their pieces' weight is that of the circle, so what is left out is spread over the same piece.
+/// and 1.91e-6 of its area; their pieces' weight is that of the circle, so what is left out is spread over the same piece.
 ///
 /// - **Domain:** every argument is clamped to [0, 1] (and `y` to the chord at `x`); NaN counts as ½ for `x` and `y`, 0 for `u`.
 /// - **Where `m(x) = 0`** the conditional is uniform on the chord.
@@ -60,31 +62,23 @@ pub struct Cdf {
     cumulative: Vec<f64>,
     by_place: Guide,
     by_weight: Guide,
-    quantiles: Quantiles,
+    by_quantile: RowGuide,
 }
 
 impl Cdf {
     /// The functions of columns of values that are finite and not negative; nothing if no weight is in the disk.
     pub(crate) fn new(columns: Columns) -> Option<Self> {
-        let (width, height, kind) = (columns.width(), columns.height(), columns.kind());
-        let middle = 0.5 * height as f64 + kind.offset();
-        let places = cuts(width, height, kind);
-        let (mut sum, mut slabs) = (Sum::default(), Vec::with_capacity(places.len()));
+        let height = columns.height() as f64;
+        let cuts = Cuts::new(columns.width(), columns.height(), columns.kind());
+        let (slabs, masses) = slabs(&columns, &cuts);
+        let places = cuts.places;
+        let mut sum = Sum::default();
         let mut cumulative = Vec::with_capacity(places.len());
         cumulative.push(0.0);
-        let mut c0 = 0.0;
-        for piece in places.windows(2) {
-            let &[x0, x1] = piece else { continue };
-            let column = kind.cell(0.5 * (x0 + x1), width);
-            let t = [x0, x1].map(|x| place_in_column(kind, x, width, column));
-            let c1 = half_chord(x1);
-            let strip = (column, columns.strip(column), t);
-            let (slab, mass) = Slab::new([x0, x1], [c0, c1], strip, (height as f64, middle));
+        cumulative.extend(masses.iter().map(|&mass| {
             sum.add(mass);
-            slabs.push(slab);
-            cumulative.push(sum.value());
-            c0 = c1;
-        }
+            sum.value()
+        }));
         let total = sum.value();
         if !(total > 0.0 && (1.0 / total).is_finite()) {
             return None;
@@ -101,9 +95,9 @@ impl Cdf {
             *last = 1.0;
         }
         let (by_place, by_weight) = (Guide::new(&places), Guide::new(&cumulative));
-        let quantiles = Quantiles::new(&columns);
-        let scale = height as f64 * per_total;
-        Some(Self { columns, scale, slabs, places, cumulative, by_place, by_weight, quantiles })
+        let by_quantile = RowGuide::new(&columns);
+        let scale = height * per_total;
+        Some(Self { columns, scale, slabs, places, cumulative, by_place, by_weight, by_quantile })
     }
 
     /// The number of texels along x.
@@ -210,8 +204,8 @@ impl Cdf {
         &self.cumulative
     }
 
-    pub(crate) const fn quantiles(&self) -> &Quantiles {
-        &self.quantiles
+    pub(crate) fn quantiles(&self) -> Quantiles {
+        Quantiles::new(&self.columns)
     }
 
     pub(crate) const fn scale(&self) -> f64 {
@@ -279,15 +273,7 @@ impl Cdf {
         let top = strip.sum(t, rows[1] + 1);
         let target = (u * marginal - cubic(slab.below, s)).max(strip.sum(t, rows[0])).min(top);
         let row = if target < top {
-            let guess = self.quantiles.row(column, u);
-            match strip.sums_from(t, guess.saturating_sub(1)) {
-                // Whether the guess is a row off is never clear before.
-                Some(sums) => match sums.map(|sum| usize::from(sum <= target)).iter().sum() {
-                    before @ 1..4 => (guess.saturating_sub(1) + before - 1).clamp(rows[0], rows[1]),
-                    _ => row_of(|row| strip.sum(t, row) <= target, rows, guess),
-                },
-                None => row_of(|row| strip.sum(t, row) <= target, rows, guess),
-            }
+            find_row(strip, t, target, rows, self.by_quantile.line(column, u))
         } else {
             // The last row that has weight.
             row_of(|row| strip.sum(t, row) < target, rows, rows[1])
@@ -301,6 +287,21 @@ impl Cdf {
         let y = begin + q.min(1.0) / height as f64;
         y.max(begin).min(end.next_down()).clamp(low, high)
     }
+}
+
+/// The last of the rows from `first` to `last` that begins before the target or at it, looked for from a line of the grid on.
+#[inline]
+fn find_row(strip: Strip<'_>, t: f64, target: f64, rows: [usize; 2], from: usize) -> usize {
+    let mut line = from;
+    for _ in 0..3 {
+        match strip.passed(t, line, target) {
+            Some(0) if line > 0 => line = line.saturating_sub(WINDOW),
+            Some(passed @ 1..WINDOW) => return (line + passed - 1).clamp(rows[0], rows[1]),
+            Some(WINDOW) => line += WINDOW,
+            _ => break,
+        }
+    }
+    row_of(|row| strip.sum(t, row) <= target, rows, line)
 }
 
 /// How far `x` is from the left to the right side of a column of cells; 0 if its density is the same on both.
@@ -325,26 +326,32 @@ fn probability(u: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texels::texel_meets;
+    use crate::map::Measure;
+    use crate::texels::{columns_of_texels, texel_meets};
     use alloc::vec;
 
     /// Column by column.
-    fn constant(width: usize, height: usize, values: Vec<f32>) -> Option<Cdf> {
-        Cdf::new(Columns::new(width, height, Reconstruction::Constant, values))
+    fn constant(width: usize, height: usize, values: &[f32]) -> Option<Cdf> {
+        let texels: Vec<f32> = (0..values.len()).map(|k| values[k % width * height + k / width]).collect();
+        cdf(width, height, &texels, Reconstruction::Constant)
+    }
+
+    fn cdf(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> Option<Cdf> {
+        Cdf::new(columns_of_texels(width, height, texels, Measure::Normals, kind).unwrap())
     }
 
     #[test]
     fn one_texel_is_the_uniform_disk() {
-        // Columns of two values have one before them and one after.
-        let bilinear = Cdf::new(Columns::new(1, 1, Reconstruction::Bilinear, vec![7.0; 3]));
-        for cdf in [constant(1, 1, vec![7.0]).unwrap(), bilinear.unwrap()] {
+        let bilinear = cdf(1, 1, &[7.0], Reconstruction::Bilinear);
+        for cdf in [constant(1, 1, &[7.0]).unwrap(), bilinear.unwrap()] {
             assert!((cdf.density([0.3, 0.6]) - 4.0 / core::f64::consts::PI).abs() < 1e-13);
             assert!((cdf.marginal_cdf(0.5) - 0.5).abs() < 1e-15);
             assert!((cdf.marginal_inverse(0.5) - 0.5).abs() < 1e-15);
             // At a cut M is that of the circle, (θ − sin θ cos θ)/π; between two it differs by less than their segment.
-            let theta = (1.0_f64 - 2.0 * 0.15625).acos();
+            let cut = cdf.places[100];
+            let theta = (1.0 - 2.0 * cut).acos();
             let circle = (theta - theta.sin() * theta.cos()) / core::f64::consts::PI;
-            assert!((cdf.marginal_cdf(0.15625) - circle).abs() < 1e-14);
+            assert!((cdf.marginal_cdf(cut) - circle).abs() < 1e-14);
             let [x, y] = cdf.inverse([0.0, 0.0]);
             assert!(x > 0.0 && x < 1e-6 && (y - 0.5).abs() < 1e-3, "{x} {y}");
             let [x, y] = cdf.inverse([1.0, 1.0]);
@@ -356,7 +363,7 @@ mod tests {
     fn empty_columns_are_uniform_on_the_chord() {
         let mut texels = vec![0.0; 16];
         texels[4 + 2] = 3.0;
-        let cdf = constant(4, 4, texels).unwrap();
+        let cdf = constant(4, 4, &texels).unwrap();
         let c = cdf.slabs[cdf.slab(0.8)].half_chord(cdf.slabs[cdf.slab(0.8)].place(0.8));
         assert_eq!(cdf.marginal(0.8), 0.0);
         assert!((cdf.conditional_inverse(0.8, 0.25) - (0.5 - 0.5 * c)).abs() < 1e-15);
@@ -368,8 +375,9 @@ mod tests {
         for width in (1..=24).chain([49, 93, 100]) {
             for column in 0..width {
                 // The middle row of three: it has weight in the disk in every column.
-                let texels = (0..3 * width).map(|k| if k == 3 * column + 1 { 1.0 } else { 0.0 }).collect();
-                let cdf = constant(width, 3, texels).unwrap();
+                let texels: Vec<f32> =
+                    (0..3 * width).map(|k| if k == 3 * column + 1 { 1.0 } else { 0.0 }).collect();
+                let cdf = constant(width, 3, &texels).unwrap();
                 for u in [[0.0, 0.3], [BELOW_ONE, 0.3], [1.0, 0.999]] {
                     let sample = cdf.inverse(u);
                     assert!(cdf.density(sample) > 0.0, "{width} {column} {u:?}: {sample:?}");
@@ -382,7 +390,7 @@ mod tests {
     fn edges_of_u_stay_in_the_only_texel() {
         let mut texels = vec![0.0; 64];
         texels[2 * 8 + 5] = 1e-30;
-        let cdf = constant(8, 8, texels).unwrap();
+        let cdf = constant(8, 8, &texels).unwrap();
         for u1 in [f64::NAN, -1.0, 0.0, 1e-300, 0.5, 1.0 - 2f64.powi(-24), BELOW_ONE, 1.0, f64::INFINITY] {
             for u2 in [0.0, 0.5, 1.0 - 2f64.powi(-24), 1.0] {
                 let [x, y] = cdf.inverse([u1, u2]);
@@ -399,7 +407,11 @@ mod tests {
                 let mut texels = vec![0.0; width * height];
                 texels[texel] = 1.0;
                 let meets = texel_meets(texel / height, width, texel % height, height);
-                assert_eq!(constant(width, height, texels).is_some(), meets, "{texel} of {width} × {height}");
+                assert_eq!(
+                    constant(width, height, &texels).is_some(),
+                    meets,
+                    "{texel} of {width} × {height}"
+                );
             }
         }
     }

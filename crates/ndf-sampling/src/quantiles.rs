@@ -58,17 +58,6 @@ impl Quantiles {
     pub(crate) fn rows(&self) -> &[f32] {
         &self.rows
     }
-
-    /// The row in which the quantile `u` of a column should be.
-    #[inline]
-    pub(crate) fn row(&self, column: usize, u: f64) -> usize {
-        let place = u * self.parts as f64;
-        let part = place as usize;
-        match self.rows.get(column * (self.parts + 1) + part..) {
-            Some(&[from, to, ..]) => (from + (to - from) * (place - part as f64) as f32) as usize,
-            _ => 0,
-        }
-    }
 }
 
 /// The last of the rows from `first` to `last` whose beginning is `below` the target, looked for from `guess` on.

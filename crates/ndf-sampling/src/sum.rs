@@ -21,6 +21,36 @@ impl Sum {
     }
 }
 
+/// Compensated sums in lanes.
+#[derive(Clone, Copy)]
+pub(crate) struct Sums<const N: usize> {
+    sums: [f64; N],
+    lost: [f64; N],
+}
+
+impl<const N: usize> Default for Sums<N> {
+    fn default() -> Self {
+        Self { sums: [0.0; N], lost: [0.0; N] }
+    }
+}
+
+impl<const N: usize> Sums<N> {
+    #[inline(always)]
+    pub(crate) fn add(&mut self, terms: [f64; N]) {
+        for ((before, lost), term) in self.sums.iter_mut().zip(&mut self.lost).zip(terms) {
+            let sum = *before + term;
+            let added = sum - *before;
+            *lost += (*before - (sum - added)) + (term - added);
+            *before = sum;
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn values(&self) -> [f64; N] {
+        core::array::from_fn(|k| self.sums[k] + self.lost[k])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

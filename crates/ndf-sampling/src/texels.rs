@@ -2,19 +2,16 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::ops::Range;
 
 use crate::columns::Columns;
 use crate::disk::{mean_secant, meets, to_normal};
+use crate::integrals::{Image, Integrals};
 use crate::map::{Measure, NdfMapError};
 use crate::reconstruction::Reconstruction;
 
-/// Columns that are copied together: a cache line of texels.
-const BLOCK: usize = 16;
-
 /// The columns of an image's texels.
 ///
-/// Texels without a part inside the disk are not read. Constant columns have 0 there; bilinear ones have the value of the
+/// Texels without a part inside the disk do not count. Constant columns have 0 there; bilinear ones have the value of the
 /// column's nearest texel with a part inside, so that what is outside does not show within.
 pub(crate) fn columns_of_texels(
     width: usize,
@@ -22,85 +19,68 @@ pub(crate) fn columns_of_texels(
     texels: &[f32],
     measure: Measure,
     kind: Reconstruction,
-) -> Result<Vec<f32>, NdfMapError> {
-    let stride = Columns::stride(kind, height);
-    let first = (stride - height) / 2;
-    let inside: Vec<Range<usize>> = (0..height).map(|j| meeting(j, height, width)).collect();
-    let mut columns = vec![0.0_f32; width * stride];
-    let mut sound = true;
-    for (block, columns) in columns.chunks_mut(BLOCK * stride).enumerate() {
-        let from = block * BLOCK;
-        for (j, (row, inside)) in texels.chunks_exact(width).zip(&inside).enumerate() {
-            let (begin, end) = (inside.start.max(from), inside.end.min(from + BLOCK));
-            let row = row.get(begin..end).unwrap_or_default();
-            let targets =
-                columns.get_mut((begin.max(from) - from) * stride + first + j..).unwrap_or_default();
-            for (to, &value) in targets.iter_mut().step_by(stride).zip(row) {
-                sound &= (0.0..f32::INFINITY).contains(&value);
-                *to = value;
-            }
-        }
+) -> Result<Columns, NdfMapError> {
+    let inside = rows_inside(width, height);
+    let weighed = match measure {
+        Measure::Normals => Vec::new(),
+        Measure::SolidAngle => weighed(width, height, texels),
+    };
+    let counted = if measure == Measure::Normals { texels } else { &weighed };
+    let image = Image { width, height, texels: counted, inside: &inside };
+    match Integrals::new(image, kind) {
+        Some(integrals) => Ok(Columns::new(width, height, kind, integrals)),
+        None => Err(culprit(width, height, texels, &inside)),
     }
-    if !sound {
-        return Err(culprit(width, texels, &inside));
-    }
-    if measure == Measure::SolidAngle {
-        for (i, column) in columns.chunks_exact_mut(stride).enumerate() {
-            for (j, value) in column.iter_mut().skip(first).take(height).enumerate() {
-                let secant = mean_secant(texel_edges(i, width), texel_edges(j, height));
-                *value = ((f64::from(*value) * secant) as f32).min(f32::MAX);
-            }
-        }
-    }
-    if kind == Reconstruction::Bilinear {
-        for (i, column) in columns.chunks_exact_mut(stride).enumerate() {
-            let inside = meeting(i, width, height);
-            extend(column, inside.start + first..inside.end + first);
-        }
-    }
-    Ok(columns)
+}
+
+/// Texels over solid angle as texels over projected normals; those that no density has are left as they are.
+fn weighed(width: usize, height: usize, texels: &[f32]) -> Vec<f32> {
+    let secant = |k: usize| mean_secant(texel_edges(k % width, width), texel_edges(k / width, height));
+    let weigh = |(k, &value): (usize, &f32)| {
+        if is_density(value) { ((f64::from(value) * secant(k)) as f32).min(f32::MAX) } else { value }
+    };
+    texels.iter().enumerate().map(weigh).collect()
+}
+
+fn is_density(value: f32) -> bool {
+    (0.0..f32::INFINITY).contains(&value)
 }
 
 /// The first texel inside the disk that is not finite or negative.
-fn culprit(width: usize, texels: &[f32], inside: &[Range<usize>]) -> NdfMapError {
-    let rows = texels.chunks_exact(width).zip(inside).enumerate();
-    let mut all = rows.flat_map(|(j, (row, inside))| {
-        row.iter()
-            .enumerate()
-            .take(inside.end)
-            .skip(inside.start)
-            .map(move |(i, &value)| (j * width + i, value))
+fn culprit(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfMapError {
+    let rows = texels.chunks_exact(width).enumerate();
+    let mut counted = rows.flat_map(|(j, row)| {
+        let counts = move |rows: &[u32; 2]| (rows[0]..rows[1]).contains(&(j as u32));
+        let places = row.iter().zip(inside).enumerate().filter(move |(_, (_, rows))| counts(rows));
+        places.map(move |(i, (&value, _))| (j * width + i, value))
     });
-    match all.find(|(_, value)| !(*value >= 0.0 && value.is_finite())) {
+    match counted.find(|&(_, value)| !is_density(value)) {
         Some((index, value)) if value.is_finite() => NdfMapError::Negative { index, value },
         Some((index, value)) => NdfMapError::NotFinite { index, value },
-        None => NdfMapError::AllBlack { width, height: inside.len() },
+        None => NdfMapError::AllBlack { width, height },
     }
 }
 
-/// Continues a column's values inside the disk to its ends.
-fn extend(column: &mut [f32], inside: Range<usize>) {
-    let at = |k: usize| column.get(k).copied().unwrap_or(0.0);
-    let (first, last) = (at(inside.start), at(inside.end.saturating_sub(1)));
-    column.iter_mut().take(inside.start).for_each(|value| *value = first);
-    column.iter_mut().skip(inside.end).for_each(|value| *value = last);
+/// For each column the first row that has a part inside the disk, and the one after the last.
+pub(crate) fn rows_inside(width: usize, height: usize) -> Vec<[u32; 2]> {
+    let mut inside = vec![[0, height as u32]; width];
+    let (left, right) = inside.split_at_mut(width / 2);
+    let middle = left.len();
+    narrow(right.iter_mut().enumerate().map(|(k, rows)| (texel_edges(middle + k, width), rows)), height);
+    narrow(left.iter_mut().enumerate().map(|(k, rows)| (texel_edges(k, width), rows)).rev(), height);
+    inside
 }
 
-/// Which of the `count` texels of a line, the `index`th of `lines`, have a part inside the disk.
-fn meeting(index: usize, lines: usize, count: usize) -> Range<usize> {
-    let edges = texel_edges(index, lines);
-    let meets = |k: usize| meets(edges, texel_edges(k, count));
-    // Half of them, the others mirror these: those from the middle outward to the last that meets.
-    let (mut low, mut high) = (count / 2, count);
-    while low < high {
-        let middle = low.midpoint(high);
-        if meets(middle) {
-            low = middle + 1;
-        } else {
-            high = middle;
+/// Narrows the rows of columns from the middle outward: none has more than the one before it.
+fn narrow<'a>(columns: impl Iterator<Item = ([f64; 2], &'a mut [u32; 2])>, height: usize) {
+    let mut end = height;
+    for (column, rows) in columns {
+        // Half of them, the others mirror these.
+        while end > height / 2 + 1 && !meets(column, texel_edges(end - 1, height)) {
+            end -= 1;
         }
+        *rows = [(height - end) as u32, end as u32];
     }
-    count - low..low
 }
 
 /// Whether the texel has a part inside the disk.
@@ -118,13 +98,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn texels_of_a_line_are_those_that_meet() {
-        for (lines, count) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5)] {
-            for index in 0..lines {
-                let found = meeting(index, lines, count);
-                for k in 0..count {
-                    let expected = texel_meets(k, count, index, lines);
-                    assert_eq!(found.contains(&k), expected, "{index} of {lines}, {k} of {count}");
+    fn rows_of_a_column_are_those_that_meet() {
+        for (width, height) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5), (5, 1)] {
+            for (i, rows) in rows_inside(width, height).into_iter().enumerate() {
+                for j in 0..height {
+                    let expected = texel_meets(i, width, j, height);
+                    let found = (rows[0]..rows[1]).contains(&(j as u32));
+                    assert_eq!(found, expected, "{j} in column {i} of {width} × {height}");
                 }
             }
         }
@@ -137,6 +117,8 @@ mod tests {
             texels[corner] = f32::NAN;
         }
         let columns = columns_of_texels(10, 10, &texels, Measure::Normals, Reconstruction::Bilinear).unwrap();
-        assert!(columns.iter().all(|&value| value == 1.0));
+        for column in 0..10 {
+            assert!(columns.padded(column).all(|value| value == 1.0));
+        }
     }
 }
