@@ -1,6 +1,6 @@
 //! The columns of a map: their values along y and the integrals of these.
 
-use crate::integrals::Integrals;
+use crate::integrals::{Integrals, WINDOW};
 use crate::reconstruction::Reconstruction;
 
 /// Values along y, and for every line of the grid their integral from the middle of the map, in cells.
@@ -11,9 +11,6 @@ pub(crate) struct Columns {
     kind: Reconstruction,
     integrals: Integrals,
 }
-
-/// Lines that are looked through at once.
-pub(crate) const WINDOW: usize = 16;
 
 /// What a column of cells has on its left and right side.
 #[derive(Clone, Copy, Debug)]
@@ -70,7 +67,7 @@ impl Columns {
     /// The values at a cell's corners, and the integrals to a line on its column's sides.
     #[inline(always)]
     pub(crate) fn at(&self, cell: usize, row: usize, line: usize) -> (Corners, [f64; 2]) {
-        let Integrals { values, sums } = &self.integrals;
+        let Integrals { values, sums, .. } = &self.integrals;
         let (stride, lines) = (self.stride(), self.kind.cells(self.height) + 1);
         let sum = |column: usize| sums.get(column * lines + line).copied().unwrap_or(0.0);
         match self.kind {
@@ -85,6 +82,24 @@ impl Columns {
                     _ => [0.0; 2],
                 };
                 (sides.map(side), sides.map(sum))
+            }
+        }
+    }
+
+    /// On the two sides of a column of cells the integrals to every [`WINDOW`]th line.
+    pub(crate) fn landmarks(&self, cell: usize) -> [&[f64]; 2] {
+        let count = (self.kind.cells(self.height) + 1).div_ceil(WINDOW);
+        self.sides(cell).map(|column| {
+            self.integrals.landmarks.get(column * count..(column + 1) * count).unwrap_or_default()
+        })
+    }
+
+    /// The columns to the left and to the right of a column of cells.
+    const fn sides(&self, cell: usize) -> [usize; 2] {
+        match self.kind {
+            Reconstruction::Constant => [cell; 2],
+            Reconstruction::Bilinear => {
+                [cell.saturating_sub(1), if cell < self.width { cell } else { self.width - 1 }]
             }
         }
     }
@@ -132,11 +147,6 @@ impl<'a> Strip<'a> {
         let (left, right) = (left?, right?);
         let counts: [u64; WINDOW] = core::array::from_fn(|k| u64::from(mix(left[k], right[k], t) <= target));
         Some(counts.iter().sum::<u64>() as usize)
-    }
-
-    /// The integrals to all lines on both sides.
-    pub(crate) const fn all_sums(self) -> [&'a [f64]; 2] {
-        self.sums
     }
 
     #[inline]

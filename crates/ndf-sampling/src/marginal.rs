@@ -3,10 +3,11 @@
 use alloc::vec::Vec;
 
 use crate::bernstein::cubic;
-use crate::columns::{Columns, Strip, WINDOW};
+use crate::columns::{Columns, Strip};
 use crate::cuts::Cuts;
 use crate::disk::to_normal;
 use crate::guide::Guide;
+use crate::integrals::WINDOW;
 use crate::math;
 use crate::quantiles::{Quantiles, row_of};
 use crate::reconstruction::Reconstruction;

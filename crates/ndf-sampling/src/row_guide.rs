@@ -3,8 +3,9 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::columns::{Columns, WINDOW};
+use crate::columns::Columns;
 use crate::disk::half_chord;
+use crate::integrals::WINDOW;
 
 /// For each column of cells and each of equal parts of [0, 1] a line of the grid from which to look for the conditional's quantile.
 ///
@@ -16,7 +17,7 @@ use crate::disk::half_chord;
 pub(crate) struct RowGuide {
     /// Parts of a column.
     parts: usize,
-    /// Which window of lines.
+    /// Which window of lines; one more for what is beyond the chord.
     windows: Vec<u32>,
 }
 
@@ -25,8 +26,8 @@ impl RowGuide {
         let (width, height, kind) = (columns.width(), columns.height(), columns.kind());
         let (cells, last) = (kind.cells(width), kind.cells(height) - 1);
         let parts = 2 * kind.cells(height).div_ceil(WINDOW);
-        let mut windows = vec![0; cells * parts];
-        for (cell, windows) in windows.chunks_exact_mut(parts).enumerate() {
+        let mut windows = vec![0; cells * (parts + 1)];
+        for (cell, windows) in windows.chunks_exact_mut(parts + 1).enumerate() {
             let strip = columns.strip(cell);
             let ends = [cell, cell + 1].map(|line| kind.line(line, width).clamp(0.0, 1.0));
             let c = half_chord(0.5 * (ends[0] + ends[1]));
@@ -40,11 +41,11 @@ impl RowGuide {
                 continue;
             }
             let scale = parts as f64 / (to - from);
-            let [left, right] = strip.all_sums().map(|sums| sums.get(WINDOW..).unwrap_or_default());
-            for (left, right) in left.iter().zip(right).step_by(WINDOW) {
+            let [left, right] = columns.landmarks(cell);
+            for (left, right) in left.iter().zip(right).skip(1) {
                 // The first part that begins after the line; what is before the chord is before every part.
                 let part = (0.5 * (left + right) - from) * scale + 1.0;
-                if let Some(count) = windows.get_mut(part as u32 as usize) {
+                if let Some(count) = windows.get_mut((part as u32 as usize).min(parts)) {
                     *count += 1;
                 }
             }
@@ -60,8 +61,8 @@ impl RowGuide {
     /// The line from which to look for the quantile `u` of a column.
     #[inline]
     pub(crate) fn line(&self, cell: usize, u: f64) -> usize {
-        let part = ((u * self.parts as f64) as usize).min(self.parts - 1);
-        self.windows.get(cell * self.parts + part).map_or(0, |&window| window as usize * WINDOW)
+        let part = (u * self.parts as f64) as usize;
+        self.windows.get(cell * (self.parts + 1) + part).map_or(0, |&window| window as usize * WINDOW)
     }
 }
 

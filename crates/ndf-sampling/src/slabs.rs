@@ -263,3 +263,57 @@ fn unit(x: f64) -> f64 {
     let x = if x > 0.0 { x } else { 0.0 };
     if x < 1.0 { x } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bernstein::cubic;
+    use crate::map::Measure;
+    use crate::reconstruction::Reconstruction;
+    use crate::texels::columns_of_texels;
+
+    /// `∫ f dy` in cells from one place to another, row by row: the density is linear in each.
+    fn integral(columns: &Columns, x: f64, [from, to]: [f64; 2]) -> f64 {
+        let (kind, height) = (columns.kind(), columns.height());
+        let rows = (0..kind.cells(height)).map(|row| {
+            let [begin, end] = [row, row + 1].map(|line| kind.line(line, height).clamp(from, to));
+            columns.value([x, 0.5 * (begin + end)]) * (end - begin)
+        });
+        rows.sum::<f64>() * height as f64
+    }
+
+    #[test]
+    fn marginals_are_integrals_over_the_chord() {
+        for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
+            for (width, height) in [(1, 1), (2, 3), (5, 4), (9, 16), (12, 7)] {
+                let texels: Vec<f32> = (0..width * height).map(|k| ((k * 7 + 3) % 11) as f32).collect();
+                let columns = columns_of_texels(width, height, &texels, Measure::Normals, kind).unwrap();
+                let cuts = Cuts::new(width, height, kind);
+                let (slabs, masses) = slabs(&columns, &cuts);
+                assert_eq!((slabs.len(), masses.len()), (cuts.places.len() - 1, cuts.places.len() - 1));
+                for (slab, mass) in slabs.iter().zip(masses) {
+                    for s in [0.25, 0.75] {
+                        let x = slab.x[0] + s * (slab.x[1] - slab.x[0]);
+                        let c = slab.half_chord(s);
+                        let below = integral(&columns, x, [0.5 - c, 0.5]);
+                        let above = integral(&columns, x, [0.5, 0.5 + c]);
+                        // Next to a line of the grid the chord may end in the row beside, by rounding.
+                        let close = |a: f64, b: f64| (a - b).abs() < 1e-11;
+                        assert!(close(cubic(slab.below, s), below), "{kind:?} {width} × {height} {x}");
+                        assert!(
+                            close(cubic(slab.marginal, s), below + above),
+                            "{kind:?} {width} × {height} {x}"
+                        );
+                    }
+                    let mean = 0.25 * slab.marginal.iter().sum::<f64>() * (slab.x[1] - slab.x[0]);
+                    // Half the density at both rims, at most 10, over the segments.
+                    let beyond = 20.0 * height as f64 * segment(slab.x, slab.half_chord);
+                    assert!(
+                        (mean..=mean + beyond + 1e-16).contains(&mass),
+                        "{kind:?} {width} × {height}: {mass}"
+                    );
+                }
+            }
+        }
+    }
+}

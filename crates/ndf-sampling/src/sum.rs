@@ -21,7 +21,7 @@ impl Sum {
     }
 }
 
-/// Compensated sums in lanes.
+/// Compensated sums in lanes, of terms that are not negative.
 #[derive(Clone, Copy)]
 pub(crate) struct Sums<const N: usize> {
     sums: [f64; N],
@@ -39,8 +39,9 @@ impl<const N: usize> Sums<N> {
     pub(crate) fn add(&mut self, terms: [f64; N]) {
         for ((before, lost), term) in self.sums.iter_mut().zip(&mut self.lost).zip(terms) {
             let sum = *before + term;
-            let added = sum - *before;
-            *lost += (*before - (sum - added)) + (term - added);
+            let (less, more) = if *before < term { (*before, term) } else { (term, *before) };
+            // What rounding takes from the lesser, Dekker's exact sum of two: the same number by fewer sums.
+            *lost += less - (sum - more);
             *before = sum;
         }
     }
@@ -62,5 +63,16 @@ mod tests {
             sum.add(term);
         }
         assert_eq!(sum.value(), 2.0);
+    }
+
+    #[test]
+    fn lanes_have_the_bits_of_single_sums() {
+        let (mut single, mut lanes) = (Sum::default(), Sums::<2>::default());
+        for k in 0..1000 {
+            let term = f64::from(k * 7919 % 1009).powi(9);
+            single.add(term);
+            lanes.add([term, 2.0 * term]);
+            assert_eq!(lanes.values(), [single.value(), 2.0 * single.value()], "{k}");
+        }
     }
 }

@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn rows_of_a_column_are_those_that_meet() {
-        for (width, height) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5), (5, 1)] {
+        for (width, height) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5), (20, 4), (5, 1)] {
             for (i, rows) in rows_inside(width, height).into_iter().enumerate() {
                 for j in 0..height {
                     let expected = texel_meets(i, width, j, height);
