@@ -22,11 +22,12 @@ impl<F> Floats for F where
 {
 }
 
-/// Words of 32 bits in lanes; sums wrap.
+/// Words of 32 bits in lanes; sums and products wrap.
 pub trait Words:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
+    + Mul<Output = Self>
     + BitAnd<Output = Self>
     + BitOr<Output = Self>
     + BitXor<Output = Self>
@@ -34,7 +35,13 @@ pub trait Words:
 }
 
 impl<U> Words for U where
-    U: Copy + Add<Output = U> + Sub<Output = U> + BitAnd<Output = U> + BitOr<Output = U> + BitXor<Output = U>
+    U: Copy
+        + Add<Output = U>
+        + Sub<Output = U>
+        + Mul<Output = U>
+        + BitAnd<Output = U>
+        + BitOr<Output = U>
+        + BitXor<Output = U>
 {
 }
 

@@ -134,10 +134,17 @@ mod normal_table_ref;
 mod offset_beckmann;
 #[cfg(feature = "alloc")]
 mod pack;
+#[cfg(feature = "alloc")]
+mod pack_pieces;
 mod packed;
-mod packed_batch;
 mod packed_fill;
+mod packed_forward;
+mod packed_grid;
 mod packed_layout;
+mod packed_pick;
+mod packed_record;
+mod packed_sample;
+mod picking;
 #[cfg(feature = "alloc")]
 mod quantiles;
 mod radial;

@@ -9,7 +9,7 @@ use crate::disk::to_normal;
 use crate::guide::Guide;
 use crate::integrals::WINDOW;
 use crate::math;
-use crate::quantiles::{Quantiles, row_of};
+use crate::quantiles::row_of;
 use crate::reconstruction::Reconstruction;
 use crate::row_guide::RowGuide;
 use crate::slab::Slab;
@@ -197,16 +197,8 @@ impl Cdf {
         &self.slabs
     }
 
-    pub(crate) fn places(&self) -> &[f64] {
-        &self.places
-    }
-
     pub(crate) fn cumulative(&self) -> &[f64] {
         &self.cumulative
-    }
-
-    pub(crate) fn quantiles(&self) -> Quantiles {
-        Quantiles::new(&self.columns)
     }
 
     pub(crate) const fn scale(&self) -> f64 {

@@ -1,11 +1,9 @@
-//! Arrays of samples of a packed map, in blocks, with the instructions that the machine has.
+//! Arrays of samples of a packed map, with the instructions that the machine has.
 
 use crate::batch::BatchError;
 use crate::packed::PackedMap;
+use crate::picking::Picking;
 use crate::reconstruction::Reconstruction;
-
-/// Samples of a block: their searches and loads overlap.
-const BLOCK: usize = 16;
 
 impl PackedMap<'_> {
     /// `n = (M, C)⁻¹(u)`: the first two coordinates of normals, the third is √(1 − n_x² − n_y²).
@@ -49,77 +47,72 @@ impl PackedMap<'_> {
     }
 }
 
-/// What is done to a block.
-trait Block<const OUT: usize>: Copy {
-    fn apply<const N: usize>(self, inputs: [&[f32; N]; 2]) -> [[f32; N]; OUT];
+/// What is done to a pair of numbers.
+pub(crate) trait Picked<const OUT: usize>: Copy {
+    fn apply<P: Picking<N>, const N: usize>(self, p: P, inputs: [P::F; 2]) -> [P::F; OUT];
 }
 
 #[derive(Clone, Copy)]
-struct Samples<'a, const SIDES: usize>(&'a PackedMap<'a>);
+pub(crate) struct Samples<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
 
 #[derive(Clone, Copy)]
-struct Forward<'a, const SIDES: usize>(&'a PackedMap<'a>);
+pub(crate) struct Forward<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
 
 #[derive(Clone, Copy)]
-struct Densities<'a, const SIDES: usize>(&'a PackedMap<'a>);
+pub(crate) struct Densities<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
 
-impl<const SIDES: usize> Block<2> for Samples<'_, SIDES> {
+impl<const SIDES: usize> Picked<2> for Samples<'_, SIDES> {
     #[inline(always)]
-    fn apply<const N: usize>(self, inputs: [&[f32; N]; 2]) -> [[f32; N]; 2] {
-        self.0.inverse_block::<N, SIDES>(inputs)
+    fn apply<P: Picking<N>, const N: usize>(self, p: P, u: [P::F; 2]) -> [P::F; 2] {
+        self.0.inverse_in::<P, N, SIDES>(p, u)
     }
 }
 
-impl<const SIDES: usize> Block<2> for Forward<'_, SIDES> {
+impl<const SIDES: usize> Picked<2> for Forward<'_, SIDES> {
     #[inline(always)]
-    fn apply<const N: usize>(self, inputs: [&[f32; N]; 2]) -> [[f32; N]; 2] {
-        self.0.forward_block::<N, SIDES>(inputs)
+    fn apply<P: Picking<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 2] {
+        self.0.forward_in::<P, N, SIDES>(p, n)
     }
 }
 
-impl<const SIDES: usize> Block<1> for Densities<'_, SIDES> {
+impl<const SIDES: usize> Picked<1> for Densities<'_, SIDES> {
     #[inline(always)]
-    fn apply<const N: usize>(self, inputs: [&[f32; N]; 2]) -> [[f32; N]; 1] {
-        [self.0.density_block::<N, SIDES>(inputs)]
+    fn apply<P: Picking<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 1] {
+        [self.0.density_in::<P, N, SIDES>(p, n)]
     }
 }
 
-/// Applies a block's work to arrays of one length.
-fn fill<const OUT: usize>(block: impl Block<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
+/// Applies work to arrays of one length.
+fn fill<const OUT: usize>(work: impl Picked<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
     #[cfg(feature = "simd")]
     fearless_simd::dispatch!(crate::batch::best_level(), simd => {
-        let _ = simd;
-        each(block, inputs, outputs);
+        each(crate::wide::Eight(simd), work, inputs, outputs);
     });
     #[cfg(not(feature = "simd"))]
-    each(block, inputs, outputs);
+    each(crate::lanes::Scalar, work, inputs, outputs);
 }
 
 #[inline(always)]
-fn each<const OUT: usize>(block: impl Block<OUT>, [x, y]: [&[f32]; 2], mut outputs: [&mut [f32]; OUT]) {
-    let ((xs, x_rest), (ys, y_rest)) = (x.as_chunks::<BLOCK>(), y.as_chunks::<BLOCK>());
+fn each<P: Picking<N>, const N: usize, const OUT: usize>(
+    p: P,
+    work: impl Picked<OUT>,
+    [x, y]: [&[f32]; 2],
+    mut outputs: [&mut [f32]; OUT],
+) {
+    let ((xs, x_rest), (ys, y_rest)) = (x.as_chunks::<N>(), y.as_chunks::<N>());
     for (k, (x, y)) in xs.iter().zip(ys).enumerate() {
-        let results = block.apply([x, y]);
-        for (output, result) in outputs.iter_mut().zip(&results) {
-            if let Some(output) = output.get_mut(k * BLOCK..(k + 1) * BLOCK) {
-                output.copy_from_slice(result);
+        let results = work.apply(p, [p.of_floats(x), p.of_floats(y)]);
+        for (output, result) in outputs.iter_mut().zip(results) {
+            if let Some(output) = output.get_mut(k * N..(k + 1) * N) {
+                output.copy_from_slice(&p.floats(result));
             }
         }
     }
     if x_rest.is_empty() {
         return;
     }
-    let mut padded = [[0.0; BLOCK]; 2];
-    for (padded, rest) in padded.iter_mut().zip([x_rest, y_rest]) {
-        for (to, from) in padded.iter_mut().zip(rest) {
-            *to = *from;
-        }
-    }
-    let results = block.apply([&padded[0], &padded[1]]);
-    for (output, result) in outputs.iter_mut().zip(&results) {
-        let rest = output.get_mut(xs.len() * BLOCK..).unwrap_or_default();
-        for (to, from) in rest.iter_mut().zip(result) {
-            *to = *from;
-        }
+    let results = work.apply(p, [p.load(x_rest), p.load(y_rest)]);
+    for (output, result) in outputs.iter_mut().zip(results) {
+        p.store(result, output.get_mut(xs.len() * N..).unwrap_or_default());
     }
 }

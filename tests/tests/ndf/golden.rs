@@ -4,7 +4,7 @@
 //! platform to platform, and `libm`'s differently again.
 
 use asperity_ndf_sampling::{
-    Beckmann, Frame, GaussianSplit, Ggx, MAX_SHARE, Measure, Ndf, NdfMap, NoiseCdf, NormalTable,
+    Beckmann, Frame, GaussianSplit, Ggx, MAX_SHARE, Measure, Ndf, NdfMap, NoiseCdf, NormalTable, PackedMap,
     Reconstruction, conditional_density, inverse_phi, phi,
 };
 use glam::{Vec2, Vec3};
@@ -109,6 +109,22 @@ fn maps() {
         [0.488_912_43, -0.571_194_89, 0.659_318_63],
         SINGLE,
     );
+}
+
+#[test]
+fn packed_maps() {
+    let ggx = Ggx::new(0.2, 0.4).unwrap();
+    let h = direction();
+    for (kind, n, u, density) in [
+        (Reconstruction::Constant, [-0.0815735832, 0.246362448], [0.9321298, 0.153955042], 0.290306956),
+        (Reconstruction::Bilinear, [-0.0821571201, 0.253138751], [0.932005525, 0.158158839], 0.261013001),
+    ] {
+        let array = NdfMap::from_ndf(48, 40, kind, &ggx).unwrap().pack();
+        let map = PackedMap::new(&array).unwrap();
+        pinned("PackedMap::inverse", vec2(map.inverse(Vec2::new(0.3, 0.8))), n, SINGLE);
+        pinned("PackedMap::forward", vec2(map.forward(h.truncate())), u, SINGLE);
+        pinned("PackedMap::density", [f64::from(map.density(h))], [density], SINGLE);
+    }
 }
 
 #[test]

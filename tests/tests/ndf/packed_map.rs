@@ -65,18 +65,21 @@ fn samples_are_those_of_the_map_to_rounding() {
             // Along x the chord's ends move, the faster the shorter it is.
             let steep = peak.max(1.0) / (at[0] * (1.0 - at[0])).sqrt().max(1e-9);
             let slack = [marginal, peak + steep].map(|slope| 1e-6 + 2.4e-7 * slope);
+            // The exact map's rim is a chain of chords, 1.43e-6 of the radius inside the circle at most.
+            let rim = [0.0, 7.2e-7 * steep];
             for k in 0..2 {
                 let u = f64::from(u.to_array()[k]);
-                let error = (exact[k] - u).abs().max((f64::from(back[k]) - u).abs());
-                worst[k] = worst[k].max(error / slack[k]);
                 // At the very ends of u₁ the conditional's support may be a point.
                 let at_end = k == 1 && !(1e-5..1.0 - 1e-5).contains(&exact[0]);
-                assert!(
-                    error < slack[k] || at_end,
-                    "{name} {u}: u{} is off by {error:e}, {:e} allowed, {n} {exact:?} {back:?}",
-                    k + 1,
-                    slack[k]
-                );
+                for (found, slack) in [(f64::from(back[k]), slack[k]), (exact[k], slack[k] + rim[k])] {
+                    let error = (found - u).abs();
+                    worst[k] = worst[k].max(error / slack);
+                    assert!(
+                        error < slack || at_end,
+                        "{name} {u}: u{} is off by {error:e}, {slack:e} allowed, {n} {exact:?} {back:?}",
+                        k + 1
+                    );
+                }
             }
             let m = packed.sample(u);
             assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {u}: {m}");
@@ -160,7 +163,7 @@ fn other_arrays_are_refused() {
     assert_eq!(refused(&[]), "packed map must have 16 numbers at least, got 0");
     assert_eq!(refused(&[1.0; 100]), "packed map must begin with its format, got 1");
     assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
-    for index in 1..7 {
+    for index in 1..9 {
         let mut other = array.clone();
         for bits in [0, u32::MAX, 1 << 28, 3] {
             other[index] = f32::from_bits(bits);
