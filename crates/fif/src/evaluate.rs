@@ -176,11 +176,34 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         let truncation =
             if tail.is_some() { 0.0 } else { product.abs() * radius * (1.0 + 2.0 * steps * UNIT) };
         let value = sum + tail.unwrap_or(product * range.middle());
-        // Σ|A_k| and Σ k|A_k| are at most g and g²; every addition rounds a number of at most twice the range.
+        Bounded { value, bound: 1.0001 * (truncation + self.rounding(steps)) }
+    }
+
+    /// Σ|A_k| and Σ k|A_k| are at most g and g²; every addition rounds a number of at most twice the range.
+    #[inline]
+    fn rounding(&self, steps: f64) -> f64 {
+        let scale = self.range().magnitude();
         let weight = if steps < self.gain { steps } else { self.gain };
-        let rounding =
-            weight * self.noise + UNIT * (steps + 2.0) * 2.0 * scale + 4.0 * UNIT * weight * weight * scale;
-        Bounded { value, bound: 1.0001 * (truncation + rounding) }
+        weight * self.noise + UNIT * (steps + 2.0) * 2.0 * scale + 4.0 * UNIT * weight * weight * scale
+    }
+
+    /// The largest bound that [`Fif::evaluate`] returns for the tolerance 0.
+    pub(crate) fn least_bound(&self) -> f64 {
+        let range = self.range();
+        let steepest = self.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));
+        let floor = self.noise + 2.0 * UNIT * range.magnitude();
+        let mut left = 0.5 * range.width();
+        let mut steps = 1;
+        while steps < MAX_DEPTH {
+            left *= steepest;
+            if left <= floor {
+                break;
+            }
+            steps += 1;
+        }
+        let steps = steps as f64;
+        let truncation = if left > floor { left } else { floor } * (1.0 + 4.0 * steps * UNIT);
+        1.0001 * (truncation + self.rounding(steps))
     }
 }
 

@@ -25,6 +25,7 @@
 //! | [`Fif`], [`FixedFif`], [`FifBuf`], [`FifView`] | a validated system of maps, in an array, a vector, or borrowed |
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
+//! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
 //! | [`Fif::address`] | the maps that close in on a point |
 //! | [`Map::compose`] | the composite of two maps |
 //! | [`Fif::integral`], [`Fif::derivative`], [`Fif::total_integral`] | calculus, within the same class of functions |
@@ -55,7 +56,7 @@
 //! |---|---|
 //! | `std` (default) | the square root of the standard library |
 //! | `libm` | that of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`Cached`] |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Cached`] |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -74,12 +75,16 @@ extern crate std;
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
 mod axis;
+mod batch;
 mod bounds;
 #[cfg(feature = "alloc")]
 mod cached;
 mod cell;
+mod chord;
+mod composites;
 mod descent;
 mod evaluate;
+mod fast;
 mod height_field;
 mod integral;
 mod interval;
@@ -95,10 +100,15 @@ mod system;
 mod system_error;
 
 pub use axis::{Axis, Smooth};
+pub use batch::BatchError;
 pub use bounds::Extrema;
 #[cfg(feature = "alloc")]
 pub use cached::Cached;
+pub use composites::{Composite, TableError, TableStorage};
 pub use evaluate::MAX_DEPTH;
+#[cfg(feature = "alloc")]
+pub use fast::FastBuf;
+pub use fast::{Fast, FixedFast};
 pub use glam;
 pub use height_field::HeightField;
 pub use interval::{Bounded, Interval};

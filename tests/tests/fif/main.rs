@@ -1,5 +1,6 @@
 //! Fractal interpolation: properties, references, rays and pinned values.
 
+mod fast;
 mod golden;
 mod properties;
 mod rays;

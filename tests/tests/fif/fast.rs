@@ -1,0 +1,170 @@
+//! Values from tables of composites: against exact rationals, and against the evaluation map by map.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
+
+use asperity_fif::{FastBuf, FifBuf, TableError};
+use asperity_tests::fif_systems::Reference;
+use proptest::prelude::*;
+
+fn check_doubles<const C: usize>(name: &str) -> [f64; 2] {
+    let r = Reference::<C>::load(name);
+    let mut worst = 0.0_f64;
+    let mut bounds = [0.0; 2];
+    for (bound, tolerance) in bounds.iter_mut().zip([1e-12, 0.0]) {
+        let fast = FastBuf::new(r.system.view(), tolerance).unwrap();
+        *bound = fast.bound();
+        for p in r.doubles() {
+            let got = fast.evaluate(p.x);
+            let error = (got.value - p.y).abs();
+            assert!(
+                error <= got.bound && got.bound <= fast.bound(),
+                "{name} x = {}: {got:?} != {}",
+                p.x,
+                p.y
+            );
+            worst = worst.max(error);
+        }
+        for piece in r.system.pieces() {
+            for (x, y) in piece.x().into_iter().zip(piece.y()) {
+                let got = fast.evaluate(x);
+                assert_eq!((got.value, got.bound), (y, 0.0), "{name} knot {x}");
+            }
+        }
+    }
+    assert!(worst <= 7e-13, "{name}: worst {worst:e}");
+    bounds
+}
+
+#[test]
+fn values_at_doubles_equal_the_exact_ones() {
+    // Worst errors measured: f 6.1e-13, takagi 3.0e-13, f integrated 1.2e-13, g and its integral 4.4e-16; bounds to 6.7e-13.
+    for [bound, least] in [
+        check_doubles::<1>("cantor"),
+        check_doubles::<2>("paper_f"),
+        check_doubles::<2>("paper_g"),
+        check_doubles::<3>("paper_f_int"),
+        check_doubles::<4>("paper_f_int2"),
+        check_doubles::<3>("paper_g_int"),
+        check_doubles::<2>("parabola"),
+        check_doubles::<2>("takagi"),
+    ] {
+        assert!(bound <= 1e-12 && least <= bound, "bounds {bound:e} {least:e}");
+    }
+}
+
+/// Affine systems on 2 to 64 equally spaced knots of `[0, 1]`, factors up to `steepest` in size.
+fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+    (2_usize..=64)
+        .prop_flat_map(move |maps| {
+            let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
+            (y, prop::collection::vec(-steepest..steepest, maps))
+        })
+        .prop_map(|(y, alpha)| {
+            let maps = alpha.len();
+            let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
+            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+        })
+}
+
+/// Cubic systems through 3 to 17 equally spaced knots, then twice integrated: six coefficients.
+fn smooth() -> impl Strategy<Value = FifBuf<6>> {
+    (2_usize..=16)
+        .prop_flat_map(|maps| {
+            let list = |len| prop::collection::vec(-1.0..1.0_f64, len);
+            (list(maps + 1), list(maps + 1), list(maps))
+        })
+        .prop_map(|(y, slopes, share)| {
+            let maps = share.len();
+            let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
+            let alpha: Vec<f64> = share.iter().map(|share| share * 0.95 / maps as f64).collect();
+            let f = FifBuf::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
+            let first: FifBuf<5> = f.integral(0.5).expect("the integral of a system is one");
+            first.integral(-0.25).expect("the integral of a system is one")
+        })
+}
+
+fn config(cases: u32) -> ProptestConfig {
+    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x00FA_57F1);
+    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+proptest! {
+    #![proptest_config(config(64))]
+
+    #[test]
+    fn tables_agree_with_the_plain_evaluation(
+        f in affine(0.95),
+        x in prop::collection::vec(0.0..1.0_f64, 16),
+        tolerance in prop::sample::select(vec![1e-3, 1e-6, 1e-12]),
+    ) {
+        // 64 steps leave more than the tolerance only where there are so many maps that one makes a composite.
+        let fast = match FastBuf::new(f.view(), tolerance) {
+            Ok(fast) => fast,
+            Err(error) => {
+                let honest = matches!(error, TableError::Depth { alpha, .. } if alpha > 0.6);
+                prop_assert!(honest, "{error}");
+                return Ok(());
+            }
+        };
+        prop_assert!(fast.bound() <= tolerance.max(1e-11), "{:e} for {tolerance:e}", fast.bound());
+        for x in x.into_iter().chain([0.5, 1e-4, 1e-300, 1.0 - 1e-16]) {
+            let (got, want) = (fast.evaluate(x), f.evaluate(x, 0.0));
+            prop_assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
+            prop_assert!(got.bound <= fast.bound() && got.value == fast.value(x));
+        }
+    }
+
+    #[test]
+    fn tables_of_high_degree_agree_too(f in smooth(), x in prop::collection::vec(0.0..1.0_f64, 16)) {
+        let fast = FastBuf::new(f.view(), 1e-12).expect("integrals are gentle");
+        prop_assert!(fast.bound() <= 1e-12, "{:e}", fast.bound());
+        for x in x {
+            let (got, want) = (fast.evaluate(x), f.evaluate(x, 0.0));
+            prop_assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
+        }
+    }
+
+    #[test]
+    fn near_critical_tables_are_right_or_refused(f in affine(0.999), x in prop::collection::vec(0.0..1.0_f64, 8)) {
+        let fast = match FastBuf::new(f.view(), 1e-9) {
+            Ok(fast) => fast,
+            Err(error) => {
+                let honest = matches!(error, TableError::Depth { most: 64, bound, .. } if bound > 1e-9);
+                prop_assert!(honest && !f.pieces().len().is_power_of_two(), "{error}");
+                return Ok(());
+            }
+        };
+        for x in x {
+            let (got, want) = (fast.evaluate(x), f.evaluate(x, 0.0));
+            prop_assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_fall_with_the_tolerance(f in affine(0.9), x in 0.0..1.0_f64) {
+        let mut before = [f64::INFINITY; 2];
+        for tolerance in [1.0, 1e-2, 1e-4, 1e-8, 1e-12, 1e-14, 0.0] {
+            let Ok(fast) = FastBuf::new(f.view(), tolerance) else { break };
+            let bounds = [fast.bound(), fast.evaluate(x).bound];
+            prop_assert!(bounds[0] <= before[0] && bounds[1] <= before[1], "{tolerance:e}: {bounds:?} {before:?}");
+            before = bounds;
+        }
+    }
+
+    #[test]
+    fn points_on_any_domain_are_a_few_units_off(
+        y in prop::collection::vec(-1.0..1.0_f64, 6),
+        alpha in prop::collection::vec(-0.9..0.9_f64, 5),
+        x0 in -100.0..100.0_f64, width in 0.01..30.0_f64, s in 0.0..1.0_f64,
+    ) {
+        let x: Vec<f64> = (0..=5).map(|j| x0 + width * (f64::from(j) / 5.0)).collect();
+        let f = FifBuf::affine(&x, &y, &alpha).unwrap();
+        let fast = FastBuf::new(f.view(), 1e-11).unwrap();
+        for (&x, &y) in x.iter().zip(&y) {
+            prop_assert_eq!(fast.value(x), y);
+        }
+        let (x, near) = (x0 + s * width, 8.0 * f64::EPSILON * f.domain().magnitude());
+        let got = fast.evaluate(x);
+        let taken = f.extrema_over(x - near, x + near, 1e-9).unwrap().enclosure().inflated(got.bound);
+        prop_assert!(taken.contains(got.value), "{x}: {got:?} {taken:?}");
+    }
+}
