@@ -26,6 +26,7 @@
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
+//! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
 //! | [`Fif::address`] | the maps that close in on a point |
 //! | [`Map::compose`] | the composite of two maps |
 //! | [`Fif::integral`], [`Fif::derivative`], [`Fif::total_integral`] | calculus, within the same class of functions |
@@ -74,12 +75,14 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
+mod algorithm_two;
 mod axis;
 mod batch;
 mod bounds;
 #[cfg(feature = "alloc")]
 mod cached;
 mod cell;
+mod chaos_game;
 mod chord;
 mod composites;
 mod descent;
@@ -104,6 +107,7 @@ pub use batch::BatchError;
 pub use bounds::Extrema;
 #[cfg(feature = "alloc")]
 pub use cached::Cached;
+pub use chaos_game::ChaosGame;
 pub use composites::{Composite, TableError, TableStorage};
 pub use evaluate::MAX_DEPTH;
 #[cfg(feature = "alloc")]
