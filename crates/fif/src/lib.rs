@@ -26,6 +26,7 @@
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
+//! | [`Fif::grid`] | values at all nodes of an even grid |
 //! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
 //! | [`Fif::address`] | the maps that close in on a point |
 //! | [`Map::compose`] | the composite of two maps |
@@ -88,6 +89,7 @@ mod composites;
 mod descent;
 mod evaluate;
 mod fast;
+mod grid;
 mod height_field;
 mod integral;
 mod interval;
@@ -114,6 +116,7 @@ pub use evaluate::MAX_DEPTH;
 pub use fast::FastBuf;
 pub use fast::{Fast, FixedFast};
 pub use glam;
+pub use grid::GridError;
 pub use height_field::HeightField;
 pub use interval::{Bounded, Interval};
 pub use map::{Map, Piece};
