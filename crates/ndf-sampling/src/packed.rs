@@ -21,6 +21,7 @@ use crate::reconstruction::Reconstruction;
 /// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, and what the rounding of the normal's coordinates makes of it: 6e-8
 ///   times the marginal, or the conditional density, per `dn`. The rim is the circle; parts of the marginal are cubics that are
 ///   within 5e-7 of it.
+/// - **Resolution:** that of `f32`: columns and rows beyond 2²² are not told apart.
 /// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`].
 /// - An array whose header is sound but whose numbers were changed gives other normals, and never panics.
 ///
