@@ -36,6 +36,8 @@
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
 //! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
 //! | [`Cached`] | an axis with a table of bounds: faster hits |
+//! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
+//! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
 //! | [`Interval`], [`Bounded`] | enclosures |
 //! | [`paper`] | the functions of the source |
 //!
@@ -50,7 +52,7 @@
 //! - Values use only `+ − × ÷` and comparisons in a fixed order (the normal also a square root), so they have the same
 //!   bits wherever `f64` is IEEE 754.
 //!
-//! Not here: fits to data, moments, surfaces that are no products, `f32`.
+//! Not here: fits to data, moments, rays against surfaces that are no products, `f32`.
 //!
 //! ## Features
 //!
@@ -91,10 +93,12 @@ mod evaluate;
 mod fast;
 mod grid;
 mod height_field;
+mod hermite_patch;
 mod integral;
 mod interval;
 mod map;
 mod math;
+mod matrix;
 mod orbit;
 pub mod paper;
 mod polynomial;
@@ -103,6 +107,13 @@ mod ray;
 mod storage;
 mod system;
 mod system_error;
+mod torus;
+mod torus_error;
+mod torus_evaluate;
+mod torus_limits;
+mod torus_node;
+mod torus_ranges;
+mod turn;
 
 pub use axis::{Axis, Smooth};
 pub use batch::BatchError;
@@ -126,3 +137,9 @@ pub use storage::{FifBuf, SmoothBuf};
 pub use storage::{FifView, FixedFif, FixedSmooth, Storage};
 pub use system::{Fif, JOIN_TOLERANCE};
 pub use system_error::{End, List, SystemError};
+pub use torus::TorusSurface;
+pub use torus_error::TorusError;
+#[cfg(feature = "alloc")]
+pub use torus_node::TorusBuf;
+pub use torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
+pub use torus_ranges::{SurfaceBounds, SurfaceExtrema};

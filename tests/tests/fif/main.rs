@@ -5,3 +5,4 @@ mod golden;
 mod properties;
 mod rays;
 mod reference;
+mod surfaces;

@@ -1,0 +1,285 @@
+//! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
+
+use asperity_fif::{FixedTorus, Interval, TorusBuf, TorusError};
+use asperity_tests::fif_systems::{decimal, integers, ratio};
+use asperity_tests::reference;
+use proptest::prelude::*;
+use serde_json::Value;
+
+const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
+
+/// The reference surface and its file.
+fn reference_torus() -> (TorusBuf, Value) {
+    let json = reference::read("fif/fis_torus.json");
+    let grid = |key: &str| -> Vec<f64> {
+        let rows = json[key].as_array().unwrap();
+        rows.iter().flat_map(|row| row.as_array().unwrap()).map(|v| ratio(v.as_str().unwrap())).collect()
+    };
+    let d: Vec<[f64; 2]> = grid("zx").into_iter().zip(grid("zy")).map(|(x, y)| [x, y]).collect();
+    let surface = TorusBuf::new(4, ROTATING, ratio(json["s"].as_str().unwrap()), &grid("z"), &d).unwrap();
+    (surface, json)
+}
+
+#[test]
+fn torus_values_and_gradients_equal_the_exact_ones() {
+    let (surface, json) = reference_torus();
+    let points = json["points"].as_array().unwrap();
+    assert!(points.len() >= 40, "only {} points", points.len());
+    let mut worst = [0.0_f64; 2];
+    for point in points {
+        let [(p, q), (r, s)] = ["x", "y"].map(|key| integers(point[key].as_str().unwrap()));
+        let (at, denominator) = ([p * s, r * q], u32::try_from(q * s).unwrap());
+        let want = decimal(&point["f_dec"]);
+        for tolerance in [1e-3, 1e-6, 0.0] {
+            let got = surface.evaluate_ratio(at, denominator, tolerance);
+            assert!((got.value - want).abs() <= got.bound, "{point}: {got:?}");
+            assert!(got.bound <= tolerance.max(1e-12), "{point}: {got:?}");
+        }
+        let height = surface.height(p as f64 / q as f64, r as f64 / s as f64);
+        worst[0] = worst[0].max((height - want).abs());
+        for tolerance in [1e-3, 1e-6, 0.0] {
+            let gradient = surface.evaluate_gradient_ratio(at, denominator, tolerance);
+            for (got, key) in gradient.into_iter().zip(["fx_dec", "fy_dec"]) {
+                let want = decimal(&point[key]);
+                assert!((got.value - want).abs() <= got.bound, "{point} {key}: {got:?}");
+                assert!(got.bound <= tolerance.max(1e-11), "{point} {key}: {got:?}");
+                if tolerance == 0.0 {
+                    worst[1] = worst[1].max((got.value - want).abs());
+                }
+            }
+        }
+    }
+    // Measured: 1.4e-15 and 1.8e-14.
+    assert!(worst[0] <= 1e-14 && worst[1] <= 1e-13, "{worst:?}");
+    let mean = surface.mean();
+    assert!((mean.value - ratio(json["mean"].as_str().unwrap())).abs() <= mean.bound && mean.bound < 1e-14);
+}
+
+#[test]
+fn torus_data_are_interpolated_exactly() {
+    let (surface, json) = reference_torus();
+    let entry = |key: &str, i: usize, j: usize| ratio(json[key][i][j].as_str().unwrap());
+    for i in 0..4 {
+        for j in 0..4 {
+            for (turns_x, turns_y) in [(0.0, 0.0), (3.0, -7.0)] {
+                let (x, y) = (0.25 * i as f64 + turns_x, 0.25 * j as f64 + turns_y);
+                assert_eq!(surface.height(x, y), entry("z", i, j), "node ({i}, {j})");
+                let gradient = surface.gradient(x, y);
+                assert_eq!(
+                    [gradient.x, gradient.y],
+                    [entry("zx", i, j), entry("zy", i, j)],
+                    "node ({i}, {j})"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_torus_is_continuous_with_its_gradient_across_patches_and_the_seam() {
+    let (surface, _) = reference_torus();
+    // Far under the modulus of a visible jump, far over the rounding of coordinates next to 1.
+    let step = 2f64.powi(-40);
+    let steepest = surface.slope_range().map(|range| range.magnitude());
+    for line in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        for k in 0..50 {
+            let along = f64::from(k) * 0.019_7 + 0.003;
+            for [a, b] in [[[line - step, along], [line, along]], [[along, line - step], [along, line]]] {
+                let change = (surface.height(a[0], a[1]) - surface.height(b[0], b[1])).abs();
+                assert!(change <= 2.0 * step * (steepest[0] + steepest[1]) + 1e-14, "{a:?} {b:?}: {change}");
+                let change = (surface.gradient(a[0], a[1]) - surface.gradient(b[0], b[1])).length();
+                let most = surface.gradient_modulus(step);
+                // Measured 0.11 at most, where |∇f| is up to 20.
+                assert!(change <= most.min(0.2), "{a:?} {b:?}: {change} over {most}");
+            }
+            let (on, over) = (surface.height(line, along), surface.height(line + 2.0, along - 5.0));
+            // along − 5 is rounded to half a unit in its last place.
+            assert!((on - over).abs() < 1e-14, "({line}, {along}): {on} and {over}");
+        }
+    }
+}
+
+#[test]
+fn the_gradient_is_the_slope_of_the_heights() {
+    // With a contraction of 0.22 the gradient is Hölder with the exponent 1: f is nearly as smooth as p.
+    let (rough, json) = reference_torus();
+    let z: Vec<f64> = (0..16).map(|k| ratio(json["z"][k / 4][k % 4].as_str().unwrap())).collect();
+    let smooth = TorusBuf::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
+    for (surface, step) in [(&rough, 1e-5), (&smooth, 1e-6)] {
+        for k in 0..40 {
+            let (x, y) = (0.618 * f64::from(k) % 1.0, 0.414 * f64::from(k) % 1.0);
+            let gradient = surface.gradient(x, y);
+            let slope = |dx: f64, dy: f64| {
+                (surface.height(x + dx, y + dy) - surface.height(x - dx, y - dy)) / (2.0 * step)
+            };
+            let most = surface.gradient_modulus(step) + 1e-9;
+            assert!((slope(step, 0.0) - gradient.x).abs() <= most, "({x}, {y}): x, over {most}");
+            assert!((slope(0.0, step) - gradient.y).abs() <= most, "({x}, {y}): y, over {most}");
+        }
+    }
+    assert!(smooth.gradient_modulus(1e-6) < 1e-2, "{}", smooth.gradient_modulus(1e-6));
+}
+
+#[test]
+fn torus_coordinates_that_are_no_numbers_or_tiny_are_answered() {
+    let (surface, _) = reference_torus();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(surface.evaluate(bad, 0.5, 0.0).value.is_nan());
+        assert!(surface.gradient(0.5, bad).x.is_nan() && surface.normal(bad, bad).z.is_nan());
+        let whole = surface.bounds(Interval::new(0.0, bad), Interval::new(0.0, 0.1));
+        assert_eq!(whole.height, surface.range());
+    }
+    for tiny in [2f64.powi(-60), -2f64.powi(-70), 1e-30, -1e-60, f64::MIN_POSITIVE, -f64::from_bits(1)] {
+        let height = surface.evaluate(tiny, 0.5 + tiny, 0.0);
+        assert!(
+            (height.value - surface.height(0.0, 0.5)).abs() <= 30.0 * tiny.abs() + height.bound,
+            "{tiny}"
+        );
+        let [x, y] = surface.evaluate_gradient(tiny, 0.5, 0.0);
+        let most = surface.gradient_modulus(tiny) + x.bound.max(y.bound);
+        assert!((x.value - surface.gradient(0.0, 0.5).x).abs() <= most, "{tiny}: {x:?}");
+    }
+    assert_eq!(surface.height(1e300, -1e18), surface.height(0.0, 0.0));
+    for tolerance in [f64::NAN, -1.0, f64::INFINITY, 1e9] {
+        let got = surface.evaluate(0.3, 0.4, tolerance);
+        assert!((got.value - surface.height(0.3, 0.4)).abs() <= got.bound, "{tolerance}: {got:?}");
+    }
+}
+
+#[test]
+fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
+    let new =
+        |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| TorusBuf::new(side, matrix, factor, z, d).err();
+    let (z, d) = ([0.5; 16], [[0.0; 2]; 16]);
+    assert_eq!(new(4, ROTATING, 0.447, &z, &d), None);
+    for factor in [0.448, -0.448, f64::NAN, f64::INFINITY] {
+        let error = new(4, ROTATING, factor, &z, &d).unwrap();
+        let TorusError::NotContractive { norm, .. } = error else { panic!("{factor}: {error}") };
+        assert!((norm - 5f64.sqrt()).abs() < 1e-14 && error.to_string().contains("the norm of the matrix"));
+    }
+    assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(TorusError::NotPowerOfTwo { side: 3 }));
+    assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(TorusError::NotPowerOfTwo { side: 1 }));
+    assert_eq!(new(usize::MAX, ROTATING, 0.3, &z, &d), Some(TorusError::NotPowerOfTwo { side: usize::MAX }));
+    let length = TorusError::Length { expected: 16, heights: 15, gradients: 16 };
+    assert_eq!(new(4, ROTATING, 0.3, &z[1..], &d), Some(length));
+    assert_eq!(new(4, [[1, 1], [1, 2]], 0.1, &z, &d), Some(TorusError::Determinant { determinant: 1 }));
+    assert_eq!(new(4, [[2, 1], [4, 2]], 0.1, &z, &d), Some(TorusError::Determinant { determinant: 0 }));
+    let (mut dented, mut steep) = (z, d);
+    dented[6] = f64::NAN;
+    assert!(matches!(new(4, ROTATING, 0.3, &dented, &d), Some(TorusError::NotFinite { node: [1, 2], .. })));
+    steep[15][1] = f64::INFINITY;
+    assert!(matches!(new(4, ROTATING, 0.3, &z, &steep), Some(TorusError::NotFinite { node: [3, 3], .. })));
+    assert!(matches!(new(4, ROTATING, 0.3, &[1e308; 16], &d), Some(TorusError::TooLarge { .. })));
+    let small = FixedTorus::<9>::new(4, ROTATING, 0.3, &z, &d).err();
+    assert_eq!(small, Some(TorusError::Storage { expected: 16, found: 9 }));
+}
+
+#[test]
+fn extrema_and_means_of_the_torus_hold_what_a_grid_finds() {
+    const GRID: u32 = 120;
+    let (surface, _) = reference_torus();
+    for [x, y] in [
+        [Interval::new(0.0, 1.0), Interval::new(0.0, 1.0)],
+        [Interval::new(0.2, 0.55), Interval::new(-0.1, 0.3)],
+    ] {
+        let extrema = surface.extrema_over(x, y, 1e-6);
+        let (mut low, mut high, mut sum) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+        for i in 0..GRID {
+            for j in 0..GRID {
+                let at = |range: Interval, k: u32| {
+                    range.lo + (range.hi - range.lo) * (f64::from(k) + 0.5) / f64::from(GRID)
+                };
+                let height = surface.evaluate(at(x, i), at(y, j), 1e-9).value;
+                (low, high, sum) = (low.min(height), high.max(height), sum + height);
+            }
+        }
+        assert!(extrema.minimum.width() <= 1e-6 && extrema.maximum.width() <= 1e-6, "{extrema:?}");
+        assert!(extrema.minimum.lo <= low + 1e-9 && high - 1e-9 <= extrema.maximum.hi, "{extrema:?}");
+        // A grid of this step misses the extrema by slope times step at most, in truth by far less.
+        assert!(
+            low - extrema.minimum.hi < 0.1 && extrema.maximum.lo - high < 0.1,
+            "{extrema:?} {low} {high}"
+        );
+        let at = |p: glam::DVec2| surface.height(p.x, p.y);
+        assert!(
+            extrema.minimum.contains(at(extrema.lowest)) && extrema.maximum.contains(at(extrema.highest))
+        );
+        let mean = surface.mean_over(x, y, 64);
+        let grid = sum / f64::from(GRID * GRID);
+        assert!((mean.value - grid).abs() <= mean.bound + 1e-3 && mean.bound < 0.2, "{mean:?} {grid}");
+        if x.width() == 1.0 {
+            assert!((mean.value - surface.mean().value).abs() <= mean.bound, "{mean:?}");
+        }
+    }
+}
+
+/// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes along a side.
+fn tori() -> impl Strategy<Value = TorusBuf> {
+    let matrix = prop::array::uniform2(prop::array::uniform2(-4..=4_i32));
+    let matrix = matrix.prop_filter("two replicas", |[[a, b], [c, d]]| (a * d - b * c).abs() >= 2);
+    (1..=3_u32, matrix, -0.95..0.95_f64).prop_flat_map(|(bits, matrix, part)| {
+        let count = 1 << (2 * bits);
+        let z = prop::collection::vec(-1.0..1.0_f64, count);
+        let d = prop::collection::vec(prop::array::uniform2(-8.0..8.0_f64), count);
+        (z, d).prop_map(move |(z, d)| {
+            let TorusError::NotContractive { norm, .. } =
+                TorusBuf::new(1 << bits, matrix, 1.0, &z, &d).err().unwrap()
+            else {
+                panic!("{matrix:?} with factor 1")
+            };
+            TorusBuf::new(1 << bits, matrix, part / norm, &z, &d).unwrap()
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(24) })]
+
+    #[test]
+    fn a_coarser_tolerance_stays_within_its_bound(
+        surface in tori(),
+        x in 0..1_u32 << 20,
+        y in 0..1_u32 << 20,
+    ) {
+        let unit = 1.0 / f64::from(1 << 20);
+        let (x, y) = (f64::from(x) * unit, f64::from(y) * unit);
+        let fine = surface.evaluate(x, y, 0.0);
+        for tolerance in [1e-1, 1e-4, 1e-9] {
+            let coarse = surface.evaluate(x, y, tolerance);
+            prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?}");
+            prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
+            let (coarse, fine) =
+                (surface.evaluate_gradient(x, y, tolerance), surface.evaluate_gradient(x, y, 0.0));
+            for (coarse, fine) in coarse.into_iter().zip(fine) {
+                prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?}");
+                prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_contain_samples(
+        surface in tori(),
+        corner in prop::array::uniform2(-1.0..1.0_f64),
+        size in prop::array::uniform2(-12.0..-0.5_f64),
+        samples in prop::collection::vec(prop::array::uniform2(0.0..=1.0_f64), 60),
+    ) {
+        let [x, y] = [0, 1].map(|k| Interval::new(corner[k], corner[k] + size[k].exp2()));
+        let bounds = surface.bounds(x, y);
+        let extrema = surface.extrema_over(x, y, 0.3 * surface.range().width());
+        for [u, v] in samples {
+            let at = |range: Interval, t: f64| (range.lo + t * (range.hi - range.lo)).min(range.hi);
+            let (px, py) = (at(x, u), at(y, v));
+            let height = surface.evaluate(px, py, 0.0);
+            prop_assert!(bounds.height.inflated(height.bound).contains(height.value), "{height:?} {bounds:?}");
+            prop_assert!(extrema.maximum.hi + height.bound >= height.value, "{height:?} {extrema:?}");
+            prop_assert!(extrema.minimum.lo - height.bound <= height.value, "{height:?} {extrema:?}");
+            for (slope, range) in surface.evaluate_gradient(px, py, 0.0).iter().zip(bounds.slopes) {
+                prop_assert!(range.inflated(slope.bound).contains(slope.value), "{slope:?} {range:?}");
+            }
+        }
+        // The reported bound is no excuse for wide rectangles: 2⁻²⁰ of the period is known to the modulus of the slope.
+        let point = surface.bounds(Interval::new(x.lo, x.lo), Interval::new(y.lo, y.lo));
+        prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
+    }
+}
