@@ -1,6 +1,6 @@
 //! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
 
-use asperity_fif::{FixedTorus, Interval, TorusBuf, TorusError};
+use asperity_fif::{FixedSmooth, FixedTorus, HeightField, Interval, TorusBuf, TorusError, paper};
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::reference;
 use proptest::prelude::*;
@@ -282,4 +282,81 @@ proptest! {
         let point = surface.bounds(Interval::new(x.lo, x.lo), Interval::new(y.lo, y.lo));
         prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
     }
+}
+
+/// Points along a side where slopes are taken for their spectrum.
+const SIDE: usize = 128;
+
+/// The energy of slopes in waves within 5° of the axes, over what a surface without any direction has there.
+///
+/// Waves of 8 to 64 periods per side count, those beyond the data; `window` takes off the ends of what is not periodic.
+fn grain(gradient: impl Fn(f64, f64) -> [f64; 2], window: impl Fn(f64) -> f64) -> f64 {
+    let place = |k: usize| (k as f64 + 0.37) / SIDE as f64;
+    let turns: Vec<[f64; 2]> = (0..SIDE)
+        .map(|k| (std::f64::consts::TAU * k as f64 / SIDE as f64).sin_cos())
+        .map(|(sin, cos)| [cos, -sin])
+        .collect();
+    // The transform along rows, then columns become rows.
+    let transform = |z: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let mut out = vec![[0.0; 2]; SIDE * SIDE];
+        for (j, row) in z.chunks_exact(SIDE).enumerate() {
+            for k in 0..SIDE {
+                let sum = row.iter().enumerate().fold([0.0; 2], |[re, im], (i, [a, b])| {
+                    let [c, s] = turns[i * k % SIDE];
+                    [re + a * c - b * s, im + a * s + b * c]
+                });
+                out[k * SIDE + j] = sum;
+            }
+        }
+        out
+    };
+    let (mut near, mut all, mut counts) = (0.0, 0.0, [0.0_f64; 2]);
+    for component in [0, 1] {
+        let mut slopes: Vec<[f64; 2]> =
+            (0..SIDE * SIDE).map(|k| [gradient(place(k / SIDE), place(k % SIDE))[component], 0.0]).collect();
+        let mean = slopes.iter().map(|z| z[0]).sum::<f64>() / slopes.len() as f64;
+        for (k, z) in slopes.iter_mut().enumerate() {
+            z[0] = (z[0] - mean) * window(place(k / SIDE)) * window(place(k % SIDE));
+        }
+        for (k, [re, im]) in transform(&transform(&slopes)).into_iter().enumerate() {
+            let frequency = |k: usize| if k < SIDE / 2 { k as f64 } else { k as f64 - SIDE as f64 };
+            let (x, y) = (frequency(k / SIDE).abs(), frequency(k % SIDE).abs());
+            if !(8.0..SIDE as f64 / 2.0).contains(&x.hypot(y)) {
+                continue;
+            }
+            let power = re * re + im * im;
+            (all, counts[1]) = (all + power, counts[1] + 1.0);
+            if x.min(y) < 5_f64.to_radians().tan() * x.max(y) {
+                (near, counts[0]) = (near + power, counts[0] + 1.0);
+            }
+        }
+    }
+    near / all * counts[1] / counts[0]
+}
+
+#[test]
+fn the_torus_has_no_grain_and_a_product_of_curves_has() {
+    let (torus, _) = reference_torus();
+    let slopes = |x: f64, y: f64| torus.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
+    let torus = grain(slopes, |_| 1.0);
+    let curve = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+    let product = HeightField::new(curve, curve);
+    let slopes = |x: f64, y: f64| product.gradient(2.0 * x, 2.0 * y).unwrap().to_array();
+    let product = grain(slopes, |t| (std::f64::consts::PI * t).sin().powi(2));
+    // SplitMix64's finalizer on the point: white.
+    let mix = |x: u64| {
+        let x = (x ^ x >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let x = (x ^ x >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        x ^ x >> 31
+    };
+    let isotropic = grain(
+        |x, y| {
+            let bits = mix(mix(x.to_bits()) ^ y.to_bits());
+            [(bits >> 40) as f64, (mix(bits) >> 40) as f64]
+        },
+        |_| 1.0,
+    );
+    // Measured: 0.19, 6.57 and 0.97; five replicas turned by an irrational angle leave most of the axes out.
+    assert!((isotropic - 1.0).abs() < 0.1, "{isotropic}");
+    assert!(torus < 1.0 && product > 2.0, "torus {torus}, product {product}");
 }
