@@ -6,10 +6,8 @@ use crate::composites::{Composite, Composites, TableError, TableStorage};
 use crate::interval::Bounded;
 use crate::map::Piece;
 use crate::polynomial::UNIT;
+use crate::series::Series;
 use crate::system::Fif;
-
-/// Composites that one evaluation takes at most.
-const MOST: u32 = 64;
 
 /// The least distance from the left end, in units of the domain, whose 53 bits all lie within 64: 2⁻¹¹.
 const LEAST: f64 = 1.0 / 2048.0;
@@ -79,7 +77,23 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
     /// truncation: near-critical factors. [`Fif::evaluate`] remains for all of them.
     pub fn new(system: Fif<S, C>, tolerance: f64) -> Result<Self, TableError> {
         let mut made = Composites::<T, C>::new(&system)?;
-        let depth = depth(&system, &made, tolerance)?;
+        let (chord, degree) = (system.chord(), C as f64);
+        // A power of two uses up 64 bits; no tail is left then.
+        let bits = made.radix.trailing_zeros();
+        let end = if made.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX };
+        let series = Series {
+            ratio: made.steepest,
+            largest: made.largest,
+            // Horner's rule, the scaled powers, and the 11 bits of u that the sum does not see.
+            row: made.error + (4.0 * degree + 6.0) * UNIT * made.largest,
+            roundings: f64::from(made.digits) + 2.0,
+            tail: made.deviation,
+            scale: chord.start.abs() + chord.rise.abs(),
+            end,
+            // Coefficients in units of 2⁻⁵³ᵏ may be subnormal.
+            lost: (1..C).fold(f64::MIN_POSITIVE, |lost, _| lost / UNIT),
+        };
+        let depth = series.depth(tolerance).map_err(|bound| system.too_deep(bound))?;
         for row in made.table.as_mut() {
             let mut unit = 1.0;
             for c in &mut row.c {
@@ -100,7 +114,7 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
             near: (near * 18_446_744_073_709_551_616.0) as u64,
             origin: domain.lo,
             per_width,
-            chord: system.chord(),
+            chord,
             middle: made.deviation.middle(),
             away: depth.bound,
             bound: if depth.bound > elsewhere { depth.bound } else { elsewhere },
@@ -197,61 +211,6 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
     fn elsewhere(&self, x: f64) -> Bounded {
         self.system.evaluate(x, 0.0)
     }
-}
-
-/// How many steps, and the error that they leave away from knots.
-struct Depth {
-    steps: u32,
-    bound: f64,
-}
-
-/// The least number of steps within the tolerance, else the one with the least bound.
-fn depth<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize>(
-    system: &Fif<S, C>,
-    made: &Composites<T, C>,
-    tolerance: f64,
-) -> Result<Depth, TableError> {
-    let Composites { steepest, largest, error, deviation, .. } = *made;
-    let (chord, digits) = (system.chord(), f64::from(made.digits));
-    let radius = 0.5 * deviation.width();
-    let degree = C as f64;
-    // Horner's rule, the scaled powers, and the 11 bits of u that the sum does not see.
-    let row = error + (4.0 * degree + 6.0) * UNIT * largest;
-    // A power of two uses up 64 bits; no tail is left then.
-    let bits = made.radix.trailing_zeros();
-    let end = if made.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX };
-    // Coefficients in units of 2⁻⁵³ᵏ may be subnormal.
-    let lost = (1..C).fold(f64::MIN_POSITIVE, |lost, _| lost / UNIT);
-    let (mut weight, mut weights, mut counts) = (1.0_f64, 0.0_f64, 0.0_f64);
-    let mut best = Depth { steps: MOST, bound: f64::INFINITY };
-    let mut left = f64::INFINITY;
-    for steps in 1..=MOST.min(end) {
-        let k = f64::from(steps);
-        // Σ |W_k| and Σ k |W_k|.
-        weights += weight;
-        counts += (k - 1.0) * weight;
-        weight *= steepest;
-        let scale = chord.start.abs() + chord.rise.abs() + weights * largest + deviation.magnitude();
-        let rounding = weights * row
-            + counts * (digits + 2.0) * UNIT * largest
-            + (k + 3.0) * UNIT * scale
-            + weight * deviation.magnitude() * (k * (digits + 2.0) + 2.0) * UNIT;
-        let truncation = if steps == end { 0.0 } else { weight * radius };
-        let bound = 1.001 * (truncation + rounding) + lost;
-        if bound < best.bound {
-            best = Depth { steps, bound };
-        }
-        left = truncation - rounding;
-        if bound <= tolerance {
-            return Ok(best);
-        }
-    }
-    // Out of steps while one more would still have helped; written so that NaN is refused too.
-    if left <= 0.0 && best.bound.is_finite() {
-        return Ok(best);
-    }
-    let alpha = system.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));
-    Err(TableError::Depth { alpha, most: MOST, bound: best.bound })
 }
 
 /// The 64-bit fraction of `t` in `[2⁻¹¹, 1)`: its 53 bits, shifted into place.

@@ -26,6 +26,7 @@
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
+//! | [`Uneven`] | the same on any knots |
 //! | [`Fif::grid`] | values at all nodes of an even grid |
 //! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
 //! | [`Fif::address`] | the maps that close in on a point |
@@ -60,7 +61,7 @@
 //! |---|---|
 //! | `std` (default) | the square root of the standard library |
 //! | `libm` | that of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Cached`] |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Uneven`], [`Cached`] |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -104,6 +105,7 @@ pub mod paper;
 mod polynomial;
 mod range_box;
 mod ray;
+mod series;
 mod storage;
 mod system;
 mod system_error;
@@ -114,6 +116,8 @@ mod torus_limits;
 mod torus_node;
 mod torus_ranges;
 mod turn;
+#[cfg(feature = "alloc")]
+mod uneven;
 
 pub use axis::{Axis, Smooth};
 pub use batch::BatchError;
@@ -143,3 +147,5 @@ pub use torus_error::TorusError;
 pub use torus_node::TorusBuf;
 pub use torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
 pub use torus_ranges::{SurfaceBounds, SurfaceExtrema};
+#[cfg(feature = "alloc")]
+pub use uneven::Uneven;

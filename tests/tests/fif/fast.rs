@@ -1,7 +1,7 @@
 //! Values from tables of composites: against exact rationals, and against the evaluation map by map.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
-use asperity_fif::{FastBuf, FifBuf, TableError};
+use asperity_fif::{FastBuf, FifBuf, TableError, Uneven};
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 
@@ -85,6 +85,70 @@ fn smooth() -> impl Strategy<Value = FifBuf<6>> {
 fn config(cases: u32) -> ProptestConfig {
     let rng_seed = proptest::test_runner::RngSeed::Fixed(0x00FA_57F1);
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// Affine systems on 2 to 64 unequal knots, gaps up to 1 : 100 000, factors up to `steepest` in size.
+fn uneven(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+    (2_usize..=64, -3.0..3.0_f64)
+        .prop_flat_map(move |(maps, x0)| {
+            let gaps = prop::collection::vec(-5.0..0.0_f64, maps);
+            let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
+            (Just(x0), gaps, y, prop::collection::vec(-steepest..steepest, maps))
+        })
+        .prop_map(|(x0, gaps, y, alpha)| {
+            let mut x = vec![x0];
+            for gap in gaps {
+                x.push(x[x.len() - 1] + 10_f64.powf(gap));
+            }
+            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+        })
+}
+
+/// Whether a value is one that the function takes within sixteen units in the last place of the point.
+fn taken_nearby(f: &FifBuf<2>, x: f64, value: f64, bound: f64) -> Result<(), TestCaseError> {
+    let near = 16.0 * f64::EPSILON * f.domain().magnitude();
+    let taken = f.extrema_over(x - near, x + near, 1e-9).unwrap().enclosure().inflated(bound);
+    prop_assert!(taken.contains(value), "{x}: {value} ± {bound:e}, {taken:?}");
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(config(12))]
+
+    #[test]
+    fn unequal_knots_have_values_of_points_nearby(f in uneven(0.9), s in prop::collection::vec(0.0..1.0_f64, 8)) {
+        let mut before = f64::INFINITY;
+        for tolerance in [1e-2, 1e-6, 1e-9, 0.0] {
+            let fast = match Uneven::new(f.view(), tolerance) {
+                Ok(fast) => fast,
+                Err(error) => {
+                    prop_assert!(matches!(error, TableError::Depth { alpha, .. } if alpha > 0.6), "{error}");
+                    break;
+                }
+            };
+            prop_assert!(fast.bound() <= before && fast.bound() <= tolerance.max(1e-10), "{:e}", fast.bound());
+            before = fast.bound();
+            for s in &s {
+                let x = f.domain().lo + s * f.domain().width();
+                let got = fast.evaluate(x);
+                prop_assert!(got.bound <= fast.bound() && got.value == fast.value(x));
+                taken_nearby(&f, x, got.value, got.bound)?;
+            }
+            for piece in f.pieces() {
+                let got = fast.evaluate(piece.x()[0]);
+                prop_assert_eq!((got.value, got.bound), (piece.y()[0], 0.0));
+            }
+        }
+    }
+
+    #[test]
+    fn near_critical_unequal_knots_are_right_or_refused(f in uneven(0.999), s in 0.0..1.0_f64) {
+        if let Ok(fast) = Uneven::new(f.view(), 1e-4) {
+            let x = f.domain().lo + s * f.domain().width();
+            let got = fast.evaluate(x);
+            taken_nearby(&f, x, got.value, got.bound)?;
+        }
+    }
 }
 
 proptest! {
