@@ -2,7 +2,7 @@
 
 use crate::interval::Interval;
 use crate::map::Piece;
-use crate::polynomial::{UNIT, restrict};
+use crate::polynomial::{UNIT, restrict, restriction_error};
 
 /// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
 ///
@@ -47,6 +47,29 @@ impl<const C: usize> Cell<C> {
         let p = self.polynomial_range();
         let f = domain.scaled(self.product);
         p.sum(f).inflated(1.01 * self.error + (self.steps + 4.0) * UNIT * f.magnitude())
+    }
+
+    /// The part `[from, to]` of the cell, in units of its width, with the middle of the range for the fractal part.
+    pub(crate) fn levelled(&self, domain: Interval, from: f64, to: f64) -> Self {
+        let middle = self.product * domain.middle();
+        let radius = self.product.abs() * 0.5 * domain.width();
+        let largest = self.polynomial_range().magnitude();
+        let polynomial = restrict(&self.polynomial, from, to).map(|b| b + middle);
+        let rounding = restriction_error::<C>(from, to) * largest
+            + UNIT * (largest + (self.steps + 3.0) * (middle.abs() + radius));
+        Self { product: 0.0, polynomial, error: self.error + 1.0001 * radius + rounding, steps: self.steps }
+    }
+
+    /// Bernstein coefficients of the polynomial.
+    #[inline]
+    pub(crate) fn bernstein(&self) -> &[f64; C] {
+        &self.polynomial
+    }
+
+    /// Bound of the relative error of `product`.
+    #[inline]
+    pub(crate) fn product_error(&self) -> f64 {
+        self.steps * UNIT
     }
 
     /// The polynomial's part of the range, without its error.

@@ -2,10 +2,13 @@
 
 use core::cell::Cell as CoreCell;
 
+use crate::estimate::Estimate;
 use crate::map::Piece;
+use crate::polynomial::UNIT;
 use crate::storage::Storage;
 use crate::system::Fif;
 use crate::system_error::SystemError;
+use crate::tiling::{Tile, directed};
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// `∫ f` over the whole domain.
@@ -26,6 +29,109 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
             rest += a * (1.0 - piece.map().alpha);
         }
         sum / rest
+    }
+
+    /// `∫ f` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
+    ///
+    /// ```text
+    /// ∫_e f = |e| (A_e mean f + mean P_e)   over each cell e of a union that is [l, r],   f = A_e f(·) + P_e there
+    /// ```
+    ///
+    /// The cells follow from the addresses of both ends, `O(N log)` of them; a short interval loses no digits, as a
+    /// difference of two values of the integral would.
+    ///
+    /// - **Accuracy:** measured against exact rationals, ten systems: within 1e-14 relative times `condition`.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// let part = f.integral_over(0.5, 1.0);
+    /// assert!((part.value - 0.5625).abs() <= part.bound && part.bound < 1e-14);
+    /// assert_eq!(f.integral_over(1.0, 0.5).value, -part.value);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn integral_over(&self, l: f64, r: f64) -> Estimate {
+        let Some((l, r, sign)) = directed(l, r, self.domain()) else { return Estimate::NAN };
+        if l >= r {
+            return Estimate::new(0.0, 0.0, 0.0);
+        }
+        let over = self.sums_over(l, r);
+        let width = self.domain().width();
+        Estimate::new(
+            width * over.sum,
+            width * over.magnitude,
+            width * over.bound + UNIT * width * over.sum.abs(),
+        )
+        .scaled(sign)
+    }
+
+    /// The mean of `f` over the interval between `l` and `r`, in either order; `f(l)` when they are equal.
+    ///
+    /// Numerator and denominator are added up over the same cells, so the value is a true mean, over an interval whose
+    /// ends have moved by the rounding of `(x − x_0)/(x_N − x_0)`; `bound` counts what that may do. On even knots from 0
+    /// over a width that is a power of two nothing rounds.
+    ///
+    /// ```
+    /// let g = asperity_fif::paper::g()?;
+    /// let (x, step) = (0.7, 1e-12);
+    /// let mean = g.mean(x, x + step);
+    /// let values = g.extrema_over(x, x + step, 1e-3).unwrap().enclosure();
+    /// assert!(values.inflated(mean.bound).contains(mean.value));
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn mean(&self, l: f64, r: f64) -> Estimate {
+        let Some((l, r, _)) = directed(l, r, self.domain()) else { return Estimate::NAN };
+        let over = if l < r { self.sums_over(l, r) } else { Sums::default() };
+        if over.length > 0.0 {
+            let mean = over.sum / over.length;
+            let bound = over.bound / over.length + 2.0 * UNIT * mean.abs();
+            return Estimate::new(mean, over.magnitude / over.length, 1.01 * bound);
+        }
+        let value = self.evaluate(l, 0.0);
+        Estimate { value: value.value, bound: value.bound, condition: 1.0 }
+    }
+
+    /// In units of the domain.
+    fn sums_over(&self, l: f64, r: f64) -> Sums {
+        let (whole, whole_error) = self.mean_value();
+        let range = self.range().magnitude();
+        let mut sums = Sums::default();
+        let mut tiles = 0.0;
+        let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
+            let bernstein = tile.cell.bernstein();
+            let polynomial = bernstein.iter().sum::<f64>() / C.max(1) as f64;
+            let size = tile.cell.polynomial_range().magnitude();
+            let fractal = tile.cell.product * whole;
+            sums.sum += tile.width * (polynomial + fractal);
+            sums.magnitude += tile.width * (polynomial.abs() + fractal.abs());
+            sums.length += tile.width;
+            let rounding = (C as f64 + 2.0) * UNIT * size + tile.cell.product_error() * fractal.abs();
+            sums.bound += tile.width * (tile.cell.error() + tile.cell.product.abs() * whole_error + rounding);
+            tiles += 1.0;
+        });
+        sums.bound += (tiles + 3.0 * tiling.steps) * UNIT * sums.magnitude + 2.0 * tiling.drift * range;
+        sums.bound *= 1.01;
+        sums
+    }
+
+    /// The mean of `f` over the domain with a bound of its error, by eq. 30.
+    fn mean_value(&self) -> (f64, f64) {
+        let (mut sum, mut rest, mut size, mut slack) = (0.0, 0.0, 0.0, 0.0);
+        for piece in self.pieces() {
+            let a = piece.s[1] - piece.s[0];
+            sum += a * mean(&piece.local);
+            rest += a * (1.0 - piece.map().alpha);
+            size += a * crate::polynomial::magnitude(&piece.local, 1.0);
+            slack += a * piece.slack;
+        }
+        let mean = sum / rest;
+        // Knots in units of the domain have two roundings each.
+        let maps = self.pieces().len();
+        let largest = self.range().magnitude();
+        let rounding =
+            (maps + C + 6) as f64 * UNIT * size + 8.0 * maps as f64 * UNIT * (size + 2.0 * largest);
+        (mean, 1.01 * (rounding + slack) / rest + 4.0 * UNIT * mean.abs())
     }
 
     /// The integral `f̂(x) = y0 + ∫ f` from `x_0` to `x`, again a fractal interpolation function, one degree higher.
@@ -146,6 +252,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     fn knot(&self, j: usize) -> f64 {
         self.pieces().get(j).map_or(self.domain().hi, |piece| piece.x()[0])
     }
+}
+
+/// What the cells of an interval add up to, in units of the domain.
+#[derive(Default)]
+struct Sums {
+    sum: f64,
+    magnitude: f64,
+    bound: f64,
+    length: f64,
 }
 
 /// `∫ Σ c_i sⁱ` over `[0, 1]`.

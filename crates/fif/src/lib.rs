@@ -24,6 +24,7 @@
 //! |---|---|
 //! | [`Fif`], [`FixedFif`], [`FifBuf`], [`FifView`] | a validated system of maps, in an array, a vector, or borrowed |
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
+//! | [`Fif::from_maps`], [`Fif::sum`], [`Fif::scaled`] | the same from maps, and from other systems |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
 //! | [`Uneven`] | the same on any knots |
@@ -32,9 +33,14 @@
 //! | [`Fif::address`] | the maps that close in on a point |
 //! | [`Map::compose`] | the composite of two maps |
 //! | [`Fif::integral`], [`Fif::derivative`], [`Fif::total_integral`] | calculus, within the same class of functions |
+//! | [`Fif::integral_over`], [`Fif::mean`], [`Fif::nth_integral`] | over any interval, an [`Estimate`] with its error and conditioning |
+//! | [`Fif::moment`], [`Fif::moment_over`], [`Fif::norm_squared`] | `∫ xᵏ fᵖ`, over the domain or any interval |
+//! | [`Fif::inner_product`], [`Fif::supremum_norm`], [`Fif::differentiability`] | `∫ f g` on the same knots, `max ∣f∣`, the number of derivatives |
 //! | [`Fif::range`], [`Fif::extrema`], [`Fif::extrema_over`] | rigorous bounds |
 //! | [`Smooth`], [`FixedSmooth`], [`SmoothBuf`] | a function with its derivative |
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
+//! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
+//! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
 //! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
 //! | [`Cached`] | an axis with a table of bounds: faster hits |
 //! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
@@ -54,6 +60,7 @@
 //!   bits wherever `f64` is IEEE 754.
 //!
 //! Not here: fits to data, moments, rays against surfaces that are no products, `f32`.
+//! Not here: fits to data, surfaces that are no products, `f32`.
 //!
 //! ## Features
 //!
@@ -80,6 +87,7 @@ extern crate std;
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
 mod algorithm_two;
+mod area;
 mod axis;
 mod batch;
 mod bounds;
@@ -88,18 +96,26 @@ mod cached;
 mod cell;
 mod chaos_game;
 mod chord;
+mod combine;
 mod composites;
 mod descent;
+mod estimate;
 mod evaluate;
 mod fast;
 mod grid;
 mod height_field;
 mod hermite_patch;
+mod homogeneous;
+mod inner_product;
 mod integral;
 mod interval;
 mod map;
 mod math;
 mod matrix;
+mod moment_basis;
+mod moments;
+#[cfg(feature = "alloc")]
+mod normal_distribution;
 mod orbit;
 pub mod paper;
 mod polynomial;
@@ -109,6 +125,7 @@ mod series;
 mod storage;
 mod system;
 mod system_error;
+mod tiling;
 mod torus;
 mod torus_error;
 mod torus_evaluate;
@@ -119,13 +136,16 @@ mod turn;
 #[cfg(feature = "alloc")]
 mod uneven;
 
+pub use area::{AreaMeans, AxisMeans, LineMeans, SlopeMeans};
 pub use axis::{Axis, Smooth};
 pub use batch::BatchError;
 pub use bounds::Extrema;
 #[cfg(feature = "alloc")]
 pub use cached::Cached;
 pub use chaos_game::ChaosGame;
+pub use combine::CombineError;
 pub use composites::{Composite, TableError, TableStorage};
+pub use estimate::Estimate;
 pub use evaluate::MAX_DEPTH;
 #[cfg(feature = "alloc")]
 pub use fast::FastBuf;
@@ -135,6 +155,9 @@ pub use grid::GridError;
 pub use height_field::HeightField;
 pub use interval::{Bounded, Interval};
 pub use map::{Map, Piece};
+pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
+#[cfg(feature = "alloc")]
+pub use normal_distribution::NormalDistributionError;
 pub use ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 pub use storage::{FifBuf, SmoothBuf};

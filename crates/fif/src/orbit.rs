@@ -59,6 +59,7 @@ impl Orbit for Fraction {
 
 /// A point on equally spaced knots, however near the left end: a fraction of the domain with every bit that an `f64`
 /// under one can have, the least significant word first.
+#[derive(Clone, Copy)]
 pub(crate) struct LongFraction {
     words: [u64; Self::WORDS],
 }
@@ -106,6 +107,7 @@ impl Orbit for LongFraction {
 }
 
 /// A point on any knots; the float orbit is that of a point within a few units in the last place.
+#[derive(Clone, Copy)]
 pub(crate) struct Position {
     s: f64,
 }

@@ -111,6 +111,15 @@ pub enum SystemError {
         /// Where the map sends the end of the graph.
         found: f64,
     },
+    /// The image of a map does not begin where that of the map before ends, or the last not at the end of the domain.
+    Tiling {
+        /// Which map, from 1.
+        map: usize,
+        /// The end that its image should have.
+        expected: f64,
+        /// The end that it has.
+        found: f64,
+    },
     /// No finite bound of the function could be proved: the numbers overflow, or a factor is a rounding error from 1.
     Unbounded {
         /// The largest `|α_j|`.
@@ -161,6 +170,9 @@ impl fmt::Display for SystemError {
             Self::JoinUp { map, end, expected, found } => {
                 let end = if end == End::Left { "left" } else { "right" };
                 write!(f, "map {map} sends its {end} end to {found}, the knot is at {expected}")
+            }
+            Self::Tiling { map, expected, found } => {
+                write!(f, "the image of map {map} begins or ends at {found}, not at {expected}")
             }
             Self::Unbounded { alpha } => {
                 write!(

@@ -1,5 +1,7 @@
 //! Fractal interpolation: properties, references, rays and pinned values.
 
+mod area;
+mod calculus;
 mod fast;
 mod golden;
 mod properties;

@@ -5,7 +5,7 @@ use asperity_fif::{Cached, FifBuf, HeightField, Ray, SmoothBuf};
 use proptest::prelude::*;
 
 /// Random affine systems: 2 to 64 maps, gaps up to 1 : 100, factors up to `steepest` in size.
-fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+pub(super) fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
     (2_usize..=64, -5.0..5.0_f64)
         .prop_flat_map(move |(maps, x0)| {
             let gaps = prop::collection::vec(0.01..1.0_f64, maps);
@@ -22,7 +22,7 @@ fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
 }
 
 /// Random Hermite systems on 2 to 6 even or uneven maps.
-fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
+pub(super) fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
     (2_usize..=6)
         .prop_flat_map(|maps| {
             let list = |range: std::ops::Range<f64>, len| prop::collection::vec(range, len);
@@ -45,7 +45,7 @@ fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
         })
 }
 
-fn config(cases: u32) -> ProptestConfig {
+pub(super) fn config(cases: u32) -> ProptestConfig {
     let rng_seed = proptest::test_runner::RngSeed::Fixed(0x00A5_9E71);
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
 }
