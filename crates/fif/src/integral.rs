@@ -45,7 +45,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// ```
     /// let f = asperity_fif::paper::f()?;
     /// let part = f.integral_over(0.5, 1.0);
-    /// assert!((part.value - 0.5625).abs() <= part.bound && part.bound < 1e-14);
+    /// assert!((part.value - 0.625).abs() <= part.bound && part.bound < 1e-14);
     /// assert_eq!(f.integral_over(1.0, 0.5).value, -part.value);
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```

@@ -39,6 +39,7 @@
 //! | [`Fif::range`], [`Fif::extrema`], [`Fif::extrema_over`] | rigorous bounds |
 //! | [`Smooth`], [`FixedSmooth`], [`SmoothBuf`] | a function with its derivative |
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
+//! | [`HeightField::curvature`] | mean and Gaussian [`Curvature`] |
 //! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
 //! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
 //! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
@@ -98,6 +99,7 @@ mod chaos_game;
 mod chord;
 mod combine;
 mod composites;
+mod curvature;
 mod descent;
 mod estimate;
 mod evaluate;
@@ -145,6 +147,7 @@ pub use cached::Cached;
 pub use chaos_game::ChaosGame;
 pub use combine::CombineError;
 pub use composites::{Composite, TableError, TableStorage};
+pub use curvature::Curvature;
 pub use estimate::Estimate;
 pub use evaluate::MAX_DEPTH;
 #[cfg(feature = "alloc")]
