@@ -1,7 +1,11 @@
 //! What a height field asks of the function along one of its axes.
 
+#[cfg(feature = "alloc")]
+use crate::cached::Top;
 use crate::cell::Cell;
 use crate::interval::{Bounded, Interval};
+#[cfg(feature = "alloc")]
+use crate::jet_table::{JetTable, NoJets};
 use crate::map::Piece;
 use crate::storage::Storage;
 use crate::system::Fif;
@@ -29,12 +33,18 @@ pub trait Axis: sealed::Descend {
 }
 
 pub(crate) mod sealed {
-    use crate::interval::Interval;
+    use crate::interval::{Bounded, Interval};
+    #[cfg(feature = "alloc")]
+    use crate::{cached::Top, jet_table::Jets};
 
     /// Descent from the domain to ever smaller cells.
     pub trait Descend {
         /// A cell, as far as its children and bounds need it.
         type Cell: Copy;
+
+        /// A table of values and slopes, for functions that can have one.
+        #[cfg(feature = "alloc")]
+        type Jets: Jets;
 
         /// The whole domain.
         fn root(&self) -> Self::Cell;
@@ -50,11 +60,34 @@ pub(crate) mod sealed {
 
         /// Enclosures of the values and of the slopes over the cell; [`Interval::ENTIRE`] for unknown slopes.
         fn bounds(&self, cell: &Self::Cell) -> [Interval; 2];
+
+        /// The value to the rounding error, as near as a ray's own coordinates are.
+        fn near(&self, x: f64) -> Bounded;
+
+        /// Makes the table, where there can be one.
+        #[cfg(feature = "alloc")]
+        fn jets(&self) -> Option<Self::Jets> {
+            None
+        }
+
+        /// The cell with this number in the cached top levels; the whole domain where there are none.
+        #[cfg(feature = "alloc")]
+        fn numbered(&self, _number: usize) -> Self::Cell {
+            self.root()
+        }
+
+        /// The cached top levels, where they have a table of values and slopes too.
+        #[cfg(feature = "alloc")]
+        fn top(&self) -> Option<Top<'_, Self::Jets>> {
+            None
+        }
     }
 }
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> sealed::Descend for Fif<S, C> {
     type Cell = Cell<C>;
+    #[cfg(feature = "alloc")]
+    type Jets = NoJets;
 
     fn root(&self) -> Self::Cell {
         Cell::root()
@@ -78,6 +111,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> sealed::Descend for Fif<S, C> {
     #[inline]
     fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
         [cell.range(self.range()), Interval::ENTIRE]
+    }
+
+    #[inline]
+    fn near(&self, x: f64) -> Bounded {
+        self.evaluate(x, 0.0)
     }
 }
 
@@ -150,6 +188,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize>
     for Smooth<S, C, T, D>
 {
     type Cell = (Cell<C>, Cell<D>);
+    #[cfg(feature = "alloc")]
+    type Jets = JetTable<C>;
 
     fn root(&self) -> Self::Cell {
         (Cell::root(), Cell::root())
@@ -174,6 +214,16 @@ impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize>
     fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
         [cell.0.range(self.value.range()), cell.1.range(self.slope.range())]
     }
+
+    #[inline]
+    fn near(&self, x: f64) -> Bounded {
+        self.value.evaluate(x, 0.0)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn jets(&self) -> Option<Self::Jets> {
+        JetTable::new(&self.value, &self.slope)
+    }
 }
 
 impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize> Axis for Smooth<S, C, T, D> {
@@ -197,6 +247,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize>
 /// A borrowed axis is an axis, so that one table can serve two axes or two surfaces.
 impl<A: sealed::Descend> sealed::Descend for &A {
     type Cell = A::Cell;
+    #[cfg(feature = "alloc")]
+    type Jets = A::Jets;
 
     #[inline]
     fn root(&self) -> Self::Cell {
@@ -221,6 +273,28 @@ impl<A: sealed::Descend> sealed::Descend for &A {
     #[inline]
     fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
         A::bounds(self, cell)
+    }
+
+    #[inline]
+    fn near(&self, x: f64) -> Bounded {
+        A::near(self, x)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn jets(&self) -> Option<Self::Jets> {
+        A::jets(self)
+    }
+
+    #[cfg(feature = "alloc")]
+    #[inline]
+    fn numbered(&self, number: usize) -> Self::Cell {
+        A::numbered(self, number)
+    }
+
+    #[cfg(feature = "alloc")]
+    #[inline]
+    fn top(&self) -> Option<Top<'_, Self::Jets>> {
+        A::top(self)
     }
 }
 

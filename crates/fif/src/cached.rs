@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use crate::axis::{Axis, sealed::Descend};
 use crate::interval::{Bounded, Interval};
+use crate::jet_table::Jets;
 
 /// An axis with a table of the value and slope ranges of its top levels of cells; makes ray hits fast.
 ///
@@ -27,6 +28,19 @@ pub struct Cached<A: Axis> {
     bounds: Vec<[Interval; 2]>,
     /// The cells of the last level.
     leaves: Vec<A::Cell>,
+    /// Values and slopes, where a table can have them.
+    jets: Option<A::Jets>,
+}
+
+/// The table of an axis, as the descent of a ray reads it.
+pub struct Top<'a, Jets> {
+    /// Level after level; the children of cell `i` are `i N + 1` to `i N + N`.
+    pub(crate) bounds: &'a [[Interval; 2]],
+    /// The number of the first cell of the last level.
+    pub(crate) first_leaf: usize,
+    /// Children of a cell.
+    pub(crate) count: usize,
+    pub(crate) jets: &'a Jets,
 }
 
 impl<A: Axis> Cached<A> {
@@ -62,13 +76,29 @@ impl<A: Axis> Cached<A> {
             levels.push(above);
         }
         let bounds = levels.into_iter().rev().flatten().collect();
-        Self { axis, bounds, leaves }
+        let jets = if cells > 1 { axis.jets() } else { None };
+        Self { axis, bounds, leaves, jets }
     }
 
     /// The axis itself.
     #[must_use]
     pub const fn axis(&self) -> &A {
         &self.axis
+    }
+
+    /// Memory of the tables, without the axis itself.
+    ///
+    /// ```
+    /// use asperity_fif::{Cached, FixedSmooth, paper};
+    /// let axis = Cached::new(FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?);
+    /// assert!(axis.bytes() < 400_000);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.bounds.as_slice())
+            + size_of_val(self.leaves.as_slice())
+            + self.jets.as_ref().map_or(0, Jets::bytes)
     }
 
     fn first_leaf(&self) -> usize {
@@ -101,6 +131,7 @@ pub enum CachedCell<Cell> {
 
 impl<A: Axis> Descend for Cached<A> {
     type Cell = CachedCell<A::Cell>;
+    type Jets = A::Jets;
 
     #[inline]
     fn root(&self) -> Self::Cell {
@@ -136,6 +167,28 @@ impl<A: Axis> Descend for Cached<A> {
             CachedCell::Top(i) => self.bounds.get(*i).copied().unwrap_or([Interval::ENTIRE; 2]),
             CachedCell::Below(cell) => self.axis.bounds(cell),
         }
+    }
+
+    #[inline]
+    fn near(&self, x: f64) -> Bounded {
+        match &self.jets {
+            Some(jets) => {
+                let (steps, bound) = jets.finest();
+                Bounded { value: jets.jet(x, steps)[0], bound }
+            }
+            None => self.axis.near(x),
+        }
+    }
+
+    #[inline]
+    fn numbered(&self, number: usize) -> Self::Cell {
+        CachedCell::Top(number)
+    }
+
+    #[inline]
+    fn top(&self) -> Option<Top<'_, Self::Jets>> {
+        let jets = self.jets.as_ref()?;
+        Some(Top { bounds: &self.bounds, first_leaf: self.first_leaf(), count: self.count(), jets })
     }
 }
 
@@ -209,6 +262,15 @@ mod tests {
                 })
                 .collect();
         }
+    }
+
+    #[test]
+    fn smooth_axes_on_even_knots_have_values_in_their_tables() {
+        for rough in [paper::f(), paper::g()] {
+            let cached = Cached::new(FixedSmooth::<2, 3, 2>::integral(rough.unwrap(), 0.0).unwrap());
+            assert!(cached.top().is_some() && cached.bytes() < 500_000);
+        }
+        assert!(Cached::new(paper::f().unwrap()).top().is_none());
     }
 
     #[test]

@@ -33,6 +33,12 @@ impl<Cell: Copy> Level<Cell> {
         Self { cell, left: domain.lo, width: domain.width(), value, slope, depth: 0 }
     }
 
+    /// A cell of the cached top levels, where it lies, and its bounds; children count from here.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn top(cell: Cell, left: f64, width: f64, [value, slope]: [Interval; 2]) -> Self {
+        Self { cell, left, width, value, slope, depth: 0 }
+    }
+
     #[inline]
     fn child<A: Axis<Cell = Cell>>(&self, axis: &A, j: usize, s: [f64; 2]) -> Self {
         let cell = axis.child(&self.cell, j);
@@ -59,6 +65,14 @@ pub(crate) struct Walk<'a, X, Y> {
     pub(crate) close: f64,
     /// Boxes left to visit.
     pub(crate) budget: u32,
+}
+
+impl<X, Y> Copy for Walk<'_, X, Y> {}
+
+impl<X, Y> Clone for Walk<'_, X, Y> {
+    fn clone(&self) -> Self {
+        *self
+    }
 }
 
 impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
@@ -154,7 +168,7 @@ impl<X: Axis, Y: Axis> Walk<'_, X, Y> {
     /// The height of the ray above the surface at `t`.
     fn above(&self, t: f64) -> Bounded {
         let z = self.o.z + t * self.d.z;
-        let h = self.surface.evaluate(self.o.x + t * self.d.x, self.o.y + t * self.d.y, 0.0);
+        let h = self.surface.near(self.o.x + t * self.d.x, self.o.y + t * self.d.y);
         Bounded { value: z - h.value, bound: h.bound + f64::EPSILON * (self.o.z.abs() + z.abs()) }
     }
 

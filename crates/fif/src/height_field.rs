@@ -54,11 +54,13 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     #[must_use]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let share = |other: Interval| 0.5 * tolerance / other.magnitude().max(f64::MIN_POSITIVE);
-        let f = self.x.evaluate(x, share(self.y.range()));
-        let g = self.y.evaluate(y, share(self.x.range()));
-        let value = f.value * g.value;
-        let bound = f.value.abs() * g.bound + g.value.abs() * f.bound + f.bound * g.bound;
-        Bounded { value, bound: bound * 1.0001 + UNIT * value.abs() }
+        product(self.x.evaluate(x, share(self.y.range())), self.y.evaluate(y, share(self.x.range())))
+    }
+
+    /// `h` to the rounding error of the point.
+    #[inline]
+    pub(crate) fn near(&self, x: f64, y: f64) -> Bounded {
+        product(self.x.near(x), self.y.near(y))
     }
 
     /// `h` to the rounding error; the value of [`HeightField::evaluate`] at tolerance 0.
@@ -83,6 +85,12 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     pub fn normal(&self, x: f64, y: f64) -> Option<DVec3> {
         self.gradient(x, y).map(upward_normal)
     }
+}
+
+fn product(f: Bounded, g: Bounded) -> Bounded {
+    let value = f.value * g.value;
+    let bound = f.value.abs() * g.bound + g.value.abs() * f.bound + f.bound * g.bound;
+    Bounded { value, bound: bound * 1.0001 + UNIT * value.abs() }
 }
 
 /// `(−h_x, −h_y, 1)` scaled to length one; steep slopes do not overflow.

@@ -43,6 +43,7 @@
 //! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
 //! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
 //! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
+//! | [`HeightField::first_hit_within`], [`HeightField::hits_any`], [`HeightField::first_hits`] | the same to a tolerance, any hit, and many rays |
 //! | [`Cached`] | an axis with a table of bounds: faster hits |
 //! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
 //! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
@@ -111,6 +112,8 @@ mod homogeneous;
 mod inner_product;
 mod integral;
 mod interval;
+#[cfg(feature = "alloc")]
+mod jet_table;
 mod map;
 mod math;
 mod matrix;
@@ -123,10 +126,14 @@ pub mod paper;
 mod polynomial;
 mod range_box;
 mod ray;
+#[cfg(feature = "alloc")]
+mod ray_batch;
 mod series;
 mod storage;
 mod system;
 mod system_error;
+#[cfg(feature = "alloc")]
+mod table_descent;
 mod tiling;
 mod torus;
 mod torus_error;

@@ -8,3 +8,4 @@ mod properties;
 mod rays;
 mod reference;
 mod surfaces;
+mod table_rays;

@@ -1,0 +1,252 @@
+//! Rays against surfaces with tables of values: tolerances, brackets, batches, and rays that try to slip through.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
+
+use asperity_fif::glam::DVec3;
+use asperity_fif::{Cached, FixedSmooth, HeightField, Hit, Interval, Ray, paper};
+use asperity_tests::fif_systems::read;
+use serde_json::Value;
+
+type Axis = FixedSmooth<2, 3, 2>;
+
+const ALL: Interval = Interval::new(0.0, f64::INFINITY);
+
+fn f_hat() -> Axis {
+    Axis::integral(paper::f().unwrap(), 0.0).unwrap()
+}
+
+fn g_hat() -> Axis {
+    Axis::integral(paper::g().unwrap(), 0.0).unwrap()
+}
+
+fn cached(axis: Axis) -> HeightField<Cached<Axis>, Cached<Axis>> {
+    HeightField::new(Cached::new(axis), Cached::new(axis))
+}
+
+fn vector(value: &Value) -> DVec3 {
+    let v: Vec<f64> = value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+    DVec3::new(v[0], v[1], v[2])
+}
+
+/// SplitMix64, in `[0, 1)`.
+fn uniform(state: &mut u64) -> f64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut z = *state;
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0
+}
+
+/// Down onto the square and past it, from inside the box, nearly level.
+fn random_rays(count: usize) -> Vec<Ray> {
+    let mut state = 11;
+    (0..count)
+        .map(|i| {
+            let mut r = |lo: f64, hi: f64| lo + (hi - lo) * uniform(&mut state);
+            let (origin, to) = match i % 3 {
+                0 => (
+                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), 4.5),
+                    DVec3::new(r(-1.0, 3.0), r(-1.0, 3.0), r(0.0, 0.5)),
+                ),
+                1 => (
+                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), r(0.0, 2.0)),
+                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), r(0.0, 2.0)),
+                ),
+                _ => (DVec3::new(-1.0, r(-1.0, 3.0), r(0.0, 2.0)), DVec3::new(2.0, r(0.0, 2.0), r(0.0, 2.0))),
+            };
+            Ray { origin, direction: to - origin }
+        })
+        .collect()
+}
+
+/// What is known of a first hit from enclosures alone: no root before `lo`, and one, if `root`, in `[lo, hi]`.
+struct Bracket {
+    lo: f64,
+    hi: f64,
+    root: bool,
+}
+
+/// By bisection of the ray and rigorous ranges of the two factors over stretches, without any table or slope.
+fn bracket(axis: &Axis, ray: &Ray, span: Interval) -> Option<Bracket> {
+    let f = axis.value();
+    let over = |lo: f64, hi: f64, o: f64, d: f64| {
+        let (a, b) = (o + lo * d, o + hi * d);
+        let (a, b) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
+        f.extrema_over(a, b, 0.5 * (b - a)).map_or(Interval::EMPTY, |e| e.enclosure())
+    };
+    let above = |t: f64| {
+        let p = ray.at(t);
+        p.z - f.evaluate(p.x, 0.0).value * f.evaluate(p.y, 0.0).value
+    };
+    let mut stack = vec![(span.lo, span.hi)];
+    while let Some((lo, hi)) = stack.pop() {
+        let h =
+            over(lo, hi, ray.origin.x, ray.direction.x).product(over(lo, hi, ray.origin.y, ray.direction.y));
+        let z = Interval::new(ray.at(lo).z.min(ray.at(hi).z), ray.at(lo).z.max(ray.at(hi).z)).inflated(1e-14);
+        if z.lo > h.hi || z.hi < h.lo {
+            continue;
+        }
+        if hi - lo < 1e-9 {
+            // A range that holds 0 but no change of sign within a few stretches is a ray that grazes.
+            let (before, after) = (above(lo - 2e-9), above(hi + 2e-9));
+            return Some(Bracket { lo, hi, root: (before < 0.0) != (after < 0.0) });
+        }
+        let middle = 0.5 * (lo + hi);
+        stack.push((middle, hi));
+        stack.push((lo, middle));
+    }
+    None
+}
+
+/// The stretch over the square.
+fn over_square(ray: &Ray) -> Interval {
+    [(ray.origin.x, ray.direction.x), (ray.origin.y, ray.direction.y)].into_iter().fold(
+        ALL,
+        |span, (o, d)| {
+            let (a, b) = ((0.0 - o) / d, (2.0 - o) / d);
+            span.intersection(Interval::new(a.min(b), a.max(b)))
+        },
+    )
+}
+
+#[test]
+fn hits_of_both_surfaces_lie_in_independent_brackets() {
+    let (mut hits, mut misses, mut worst) = (0, 0, 0.0_f64);
+    for axis in [f_hat(), g_hat()] {
+        let surface = cached(axis);
+        for ray in random_rays(150) {
+            let span = over_square(&ray);
+            let found = surface.first_hit(&ray);
+            let bracket = if span.lo <= span.hi { bracket(&axis, &ray, span) } else { None };
+            match bracket {
+                None => {
+                    assert_eq!(found, None, "{ray:?}");
+                    misses += 1;
+                }
+                Some(Bracket { lo, hi, root: true }) => {
+                    let hit = found.unwrap_or_else(|| panic!("{ray:?} is missed, [{lo}, {hi}]"));
+                    worst = worst.max(lo - hit.t).max(hit.t - hi);
+                    assert!(lo - 3e-9 <= hit.t && hit.t <= hi + 3e-9, "{ray:?}: {hit:?}, [{lo}, {hi}]");
+                    hits += 1;
+                }
+                // Whether a ray that grazes or begins at the border hits is open; nothing lies before.
+                Some(Bracket { lo, .. }) => {
+                    assert!(found.is_none_or(|hit| hit.t >= lo - 3e-9), "{ray:?}: {found:?}")
+                }
+            }
+        }
+    }
+    println!("{hits} hits, {misses} misses, {worst:e} outside at most");
+    assert!(hits > 100 && misses > 50, "{hits}, {misses}");
+}
+
+#[test]
+fn reference_hits_stay_within_any_tolerance() {
+    let surface = cached(f_hat());
+    let json = read("rays_fhat_fhat");
+    for tolerance in [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
+        let mut worst = 0.0_f64;
+        for ray in json["rays"].as_array().unwrap() {
+            let half_line = Ray { origin: vector(&ray["o"]), direction: vector(&ray["d"]) };
+            let hit = surface.first_hit_within(&half_line, ALL, tolerance);
+            assert_eq!(hit.is_some(), ray["hit"].as_bool().unwrap(), "{half_line:?} to {tolerance:e}");
+            assert_eq!(hit.is_some(), surface.hits_any(&half_line, ALL), "{half_line:?}");
+            let Some(hit) = hit else { continue };
+            let (lo, hi) = (ray["t_lo"].as_f64().unwrap(), ray["t_hi"].as_f64().unwrap());
+            let length = half_line.direction.length();
+            let outside = (lo - hit.t).max(hit.t - hi) * length;
+            assert!(outside <= tolerance + 1e-11, "{half_line:?} to {tolerance:e}: {outside:e}");
+            worst = worst.max(outside);
+        }
+        println!("{tolerance:e}: {worst:e}");
+    }
+}
+
+#[test]
+fn tolerances_change_no_decision_and_batches_no_hit() {
+    for axis in [f_hat(), g_hat()] {
+        let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
+        let rays = random_rays(3000);
+        let mut exact = vec![None; rays.len()];
+        surface.first_hits(&rays, ALL, 0.0, &mut exact);
+        for tolerance in [0.0, 2e-6, 2e-4] {
+            let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
+            surface.first_hits(&rays, ALL, tolerance, &mut hits);
+            for ((ray, hit), exact) in rays.iter().zip(&hits).zip(&exact) {
+                assert_eq!(*hit, surface.first_hit_within(ray, ALL, tolerance), "{ray:?}");
+                assert_eq!(hit.is_some(), exact.is_some(), "{ray:?} to {tolerance:e}");
+                if let (Some(hit), Some(exact)) = (hit, exact) {
+                    let off = (hit.t - exact.t).abs() * ray.direction.length();
+                    assert!(off <= tolerance + 1e-11, "{ray:?} to {tolerance:e}: {off:e}");
+                }
+            }
+        }
+        // The plain descent of boxes, which has no tables.
+        for (ray, exact) in rays.iter().zip(&exact).step_by(5) {
+            let hit = plain.first_hit(ray);
+            assert_eq!(hit.is_some(), exact.is_some(), "{ray:?}");
+            assert_eq!(hit.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
+            if let (Some(hit), Some(exact)) = (hit, exact) {
+                assert!((hit.t - exact.t).abs() < 1e-10, "{ray:?}: {hit:?}, {exact:?}");
+                let (got, want) = (exact.gradient.unwrap(), hit.gradient.unwrap());
+                // Slopes of ĝ are of Hölder exponent 0.234: 1e-14 of t may be 5e-4.
+                assert!((got - want).abs().max_element() < 2e-3, "{got} {want}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
+    let ray =
+        |o: [f64; 3], d: [f64; 3]| Ray { origin: DVec3::from_array(o), direction: DVec3::from_array(d) };
+    for axis in [f_hat(), g_hat()] {
+        let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
+        let mut rays = vec![
+            // From the surface, along every way; along the border; parallel to axes, and nearly so.
+            ray([1.0, 1.0, 1.0], [0.0, 0.0, 1.0]),
+            ray([1.0, 1.0, 1.0], [0.0, 0.0, -1.0]),
+            ray([1.0, 1.0, 1.0], [1.0, 0.5, 0.3]),
+            ray([1.0, 1.0, 1.0], [-0.2, 1.0, 3.0]),
+            ray([1.0, 1.0, 1.0], [-0.2, -1.0, -3.0]),
+            ray([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
+            ray([-1.0, 1e-300, 1e-300], [1.0, 1e-300, 0.0]),
+            ray([1.0, -3.0, 1.0], [0.0, 1.0, 0.0]),
+            ray([1.0, -3.0, 1.0], [1e-200, 1.0, 0.0]),
+            ray([4.0, 1.0, 1.0], [-2.0, 0.0, 0.0]),
+            ray([4.0, 1.0, 1.0], [-2.0, 1e-17, 1e-17]),
+            ray([3.0, 3.0, 4.0], [-1.0, -1.0, -1e-9]),
+            ray([0.5, 0.5, 0.01], [1.0, 1.0, 0.0]),
+            ray([2.0, 2.0, 9.0], [-1e-12, -1e-12, -1.0]),
+            ray([0.0, 0.0, 0.0], [1.0, 1.0, 0.25]),
+            ray([f64::NAN, 0.0, 1.0], [1.0, 1.0, -1.0]),
+            ray([0.0, 0.0, 1.0], [1.0, f64::INFINITY, -1.0]),
+            ray([0.5, 0.5, 1.0], [0.0; 3]),
+        ];
+        // Tangents at knots and elsewhere, raised and lowered by little.
+        for (x, y) in [(1.0, 1.0), (0.5, 1.25), (0.7, 1.6), (1.5, 0.5)] {
+            let gradient = surface.gradient(x, y).unwrap();
+            for way in [[1.0, 0.3], [-0.4, 1.0], [1.0, -1.0]] {
+                for lift in [-1e-3, -1e-6, 1e-9, 1e-6, 1e-3] {
+                    let rise = gradient.x * way[0] + gradient.y * way[1];
+                    let start = [x - way[0], y - way[1], surface.height(x, y) + lift - rise];
+                    rays.push(ray(start, [way[0], way[1], rise]));
+                }
+            }
+        }
+        for ray in &rays {
+            let (got, want) = (surface.first_hit(ray), plain.first_hit(ray));
+            assert_eq!(got.is_some(), want.is_some(), "{ray:?}: {got:?}, {want:?}");
+            assert_eq!(got.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
+            if let (Some(got), Some(want)) = (got, want) {
+                assert!((got.t - want.t).abs() < 1e-8, "{ray:?}: {got:?}, {want:?}");
+            }
+            let near = surface.first_hit_within(ray, ALL, 1e-4);
+            assert_eq!(near.is_some(), want.is_some(), "{ray:?}: {near:?}, {want:?}");
+        }
+        let down = ray([1.0, 0.999, 3.0], [1e-3, 1e-3, -1.0]);
+        assert_eq!(surface.first_hit_within(&down, Interval::new(0.0, 1.9), 1e-4), None);
+        assert_eq!(surface.first_hit_within(&down, Interval::new(2.5, 9.0), 1e-4), None);
+        assert_eq!(surface.first_hit_within(&down, Interval::new(0.0, f64::NAN), 1e-4), None);
+        assert!(surface.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
+    }
+}

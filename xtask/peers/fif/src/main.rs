@@ -1,0 +1,224 @@
+//! Rays per second against fractal height fields: Asperity's and Embree's on meshes of comparable error, in turn.
+//!
+//! `cargo run --release -- [--rounds N] [--largest SIDE] [--ship FILE]` prints a table in Markdown; README.md says what is what.
+
+mod embree;
+
+use std::{error::Error, fs, hint::black_box, path::PathBuf, time::Instant};
+
+use asperity_fif::{Cached, FixedSmooth, HeightField, Hit, Interval, Ray, glam::DVec3, paper};
+use embree::Mesh;
+
+type Axis = FixedSmooth<2, 3, 2>;
+type Surface<'a> = HeightField<&'a Cached<Axis>, &'a Cached<Axis>>;
+
+const RAYS: u32 = 512 * 512;
+const ALL: Interval = Interval::new(0.0, f64::INFINITY);
+/// The side of the square under the surfaces.
+const SIZE: f64 = 2.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let option = |name: &str| arguments.iter().skip_while(|a| *a != name).nth(1).cloned();
+    let rounds: usize = option("--rounds").map_or(Ok(5), |text| text.parse())?;
+    let largest: usize = option("--largest").map_or(Ok(2048), |text| text.parse())?;
+    let mut text = format!(
+        "# Rays against fractal height fields, side by side\n\nOne thread of {}; {RAYS} different rays in one turn, {rounds} turns of \
+         everybody, interleaved; medians of the thread's own time. Errors are the 99th percentile of the distance of hits along the ray, \
+         in units of the square's side; the mesh is the smallest of the powers of two that reaches the wanted one, or the largest that was tried. \
+         Asperity's tolerance is the wanted error, certified for every ray. `xtask/peers/fif` makes this table.\n\n\
+         | surface | rays | error wanted | mesh | its error | Embree, M rays/s | Asperity's error | one by one | in a batch | ratio, better of both | wanted |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|\n",
+        processor()
+    );
+    let mut costs = String::from("\n| | build | memory |\n|---|---|---|\n");
+    for (name, rough) in [("f̂×f̂", paper::f()?), ("ĝ×ĝ", paper::g()?)] {
+        let axis = Axis::integral(rough, 0.0)?;
+        let start = Instant::now();
+        let cached = Cached::new(axis);
+        let took = start.elapsed().as_secs_f64();
+        costs += &format!(
+            "| {name}, Asperity | {:.2} ms | {:.3} MB |\n",
+            took * 1e3,
+            cached.bytes() as f64 * 1e-6
+        );
+        let surface = HeightField::new(&cached, &cached);
+        let sets = [("primary", primary()), ("random", random())];
+        let exact: Vec<Vec<Option<Hit>>> =
+            sets.iter().map(|(_, rays)| trace(&surface, rays, 0.0).0).collect();
+        let mut side = 64;
+        let mut mesh = None;
+        let mut errors = [f64::INFINITY; 2];
+        for (goal, wanted) in [(1e-4, 0.9), (1e-6, 1.6)] {
+            for (k, (kind, rays)) in sets.iter().enumerate() {
+                while mesh.is_none() || (errors[k] > goal && side < largest) {
+                    if mesh.is_some() {
+                        side *= 2;
+                    }
+                    drop(mesh.take());
+                    let nodes: Vec<f64> = (0..=side)
+                        .map(|i| axis.value().evaluate(SIZE * i as f64 / side as f64, 0.0).value)
+                        .collect();
+                    let (before, start) = (resident(), Instant::now());
+                    let built = Mesh::new(side, |i, j| nodes[i] * nodes[j]);
+                    costs += &format!(
+                        "| {name}, Embree, {side}² | {:.0} ms | {:.0} MB |\n",
+                        start.elapsed().as_secs_f64() * 1e3,
+                        resident() - before
+                    );
+                    for (error, ((_, rays), exact)) in errors.iter_mut().zip(sets.iter().zip(&exact)) {
+                        let found = intersect(&built, rays).0;
+                        *error = percentile(rays, exact, |i| f64::from(found[i]));
+                    }
+                    mesh = Some(built);
+                }
+                let Some(built) = &mesh else { continue };
+                let tolerance = goal * SIZE;
+                let mut times = [const { Vec::new() }; 3];
+                let mut ours = Vec::new();
+                for _ in 0..rounds {
+                    times[0].push(intersect(built, rays).1);
+                    let (hits, single) = trace(&surface, rays, tolerance);
+                    times[1].push(single);
+                    times[2].push(batch(&surface, rays, tolerance));
+                    ours = hits;
+                }
+                let error = percentile(rays, &exact[k], |i| ours[i].map_or(f64::INFINITY, |hit| hit.t));
+                let rates = times.map(|times| f64::from(RAYS) / median(times) * 1e-6);
+                text += &format!(
+                    "| {name} | {kind} | {goal:e} | {side}² | {:.1e} | {:.2} | {error:.1e} | {:.2} | {:.2} | {:.2} | {wanted} |\n",
+                    errors[k],
+                    rates[0],
+                    rates[1],
+                    rates[2],
+                    rates[1].max(rates[2]) / rates[0]
+                );
+                eprintln!("{}", text.lines().last().unwrap_or_default());
+            }
+        }
+    }
+    text += &costs;
+    println!("{text}");
+    if let Some(file) = option("--ship") {
+        // Written beside and renamed, so that a table is whole or the old one.
+        let part = PathBuf::from(&file).with_extension("part");
+        fs::write(&part, text)?;
+        fs::rename(part, file)?;
+    }
+    Ok(())
+}
+
+/// A camera that looks down at the middle of the square; six rays in seven hit f̂×f̂.
+fn primary() -> Vec<Ray> {
+    let origin = DVec3::new(-2.5, -3.25, 4.9);
+    let forward = DVec3::new(3.5, 4.25, -4.3).normalize();
+    let right = DVec3::new(forward.y, -forward.x, 0.0).normalize();
+    let up = right.cross(forward);
+    let at = |i: u32| (f64::from(i) + 0.5) / 512.0 - 0.5;
+    (0..RAYS)
+        .map(|i| single(origin, forward + right * (0.34 * at(i % 512)) + up * (0.3 * at(i / 512))))
+        .collect()
+}
+
+/// From above the square towards a larger one on the ground.
+fn random() -> Vec<Ray> {
+    let mut state = 7_u64;
+    let mut next = || {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0
+    };
+    (0..RAYS)
+        .map(|_| {
+            let from = DVec3::new(2.0 * next(), 2.0 * next(), 4.5);
+            let to = DVec3::new(4.0 * next() - 1.0, 4.0 * next() - 1.0, 0.5 * next());
+            single(from, to - from)
+        })
+        .collect()
+}
+
+/// The nearest ray with components in single precision, the same for both.
+fn single(origin: DVec3, direction: DVec3) -> Ray {
+    Ray { origin: origin.as_vec3().as_dvec3(), direction: direction.as_vec3().as_dvec3() }
+}
+
+/// `t` of every ray on the mesh, and the seconds they took.
+fn intersect(mesh: &Mesh, rays: &[Ray]) -> (Vec<f32>, f64) {
+    let rays: Vec<[[f32; 3]; 2]> = rays
+        .iter()
+        .map(|ray| [ray.origin.as_vec3().to_array(), ray.direction.as_vec3().to_array()])
+        .collect();
+    let mut found = vec![0.0; rays.len()];
+    let start = now();
+    for ([origin, direction], t) in rays.iter().zip(&mut found) {
+        *t = mesh.first_hit(*origin, *direction);
+    }
+    let took = now() - start;
+    (black_box(found), took)
+}
+
+/// The hits, one ray by itself, and the seconds they took.
+fn trace(surface: &Surface<'_>, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, f64) {
+    let mut hits = vec![None; rays.len()];
+    let start = now();
+    for (ray, hit) in rays.iter().zip(&mut hits) {
+        *hit = surface.first_hit_within(ray, ALL, tolerance);
+    }
+    let took = now() - start;
+    (black_box(hits), took)
+}
+
+/// The seconds for all of them together.
+fn batch(surface: &Surface<'_>, rays: &[Ray], tolerance: f64) -> f64 {
+    let mut hits = vec![None; rays.len()];
+    let start = now();
+    surface.first_hits(rays, ALL, tolerance, &mut hits);
+    let took = now() - start;
+    black_box(hits);
+    took
+}
+
+/// The 99th percentile of the distance to the exact hit, over rays that hit both.
+fn percentile(rays: &[Ray], exact: &[Option<Hit>], t: impl Fn(usize) -> f64) -> f64 {
+    let mut errors: Vec<f64> = rays
+        .iter()
+        .zip(exact)
+        .enumerate()
+        .filter_map(|(i, (ray, exact))| {
+            Some((t(i) - exact.as_ref()?.t).abs() * ray.direction.length() / SIZE)
+        })
+        .filter(|error| error.is_finite())
+        .collect();
+    errors.sort_by(f64::total_cmp);
+    errors.get(errors.len() * 99 / 100).copied().unwrap_or(f64::INFINITY)
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Seconds that this thread has run, where Linux counts them (to some milliseconds), so that other programs take none.
+fn now() -> f64 {
+    thread_local!(static START: Instant = Instant::now());
+    let run = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let run = run.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    run.map_or_else(|| START.with(|start| start.elapsed().as_secs_f64()), |nanoseconds| nanoseconds * 1e-9)
+}
+
+/// Memory of this process in MB.
+fn resident() -> f64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok())
+        .map_or(f64::NAN, |kb| kb * 1.024e-3)
+}
+
+fn processor() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let line = info.lines().find(|line| line.starts_with("model name"));
+    line.and_then(|line| Some(line.split_once(':')?.1.trim().to_owned()))
+        .unwrap_or_else(|| "an unknown processor".into())
+}
