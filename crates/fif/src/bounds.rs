@@ -1,17 +1,37 @@
-//! Rigorous extrema over the domain and over any interval, by branch and bound.
+//! Rigorous extrema over the domain and over any interval, with the places where they lie.
 
-use crate::cell::Cell;
 use crate::interval::Interval;
 use crate::map::Piece;
+use crate::search::{Goal, Search};
 use crate::system::Fif;
 
-/// Brackets of the two extrema of a function over an interval.
+/// Brackets of the two extrema of a function over an interval, and where they lie.
+///
+/// ```
+/// let f = asperity_fif::paper::f()?;
+/// let top = f.extrema(1e-9);
+/// // The certificate of the lower end: f is that large there.
+/// let x = top.at_maximum.middle();
+/// assert!(f.evaluate(x, 1e-12).value >= top.maximum.lo - 1e-12);
+/// // 2/3 and 4/3 are the outermost of the points where f is largest.
+/// assert!(top.maximum_within.contains(2.0 / 3.0) && top.maximum_within.contains(4.0 / 3.0));
+/// # Ok::<(), asperity_fif::SystemError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extrema {
     /// The least value lies in here.
     pub minimum: Interval,
     /// The greatest value lies in here.
     pub maximum: Interval,
+    /// A certificate: `f` is at most `minimum.hi` somewhere in here, a few units in the last place around a knot of some
+    /// level.
+    pub at_minimum: Interval,
+    /// A certificate: `f` is at least `maximum.lo` somewhere in here, likewise.
+    pub at_maximum: Interval,
+    /// Every point where the least value is taken lies in here; found with 2¹² cells from each side.
+    pub minimum_within: Interval,
+    /// Every point where the greatest value is taken lies in here, likewise.
+    pub maximum_within: Interval,
 }
 
 impl Extrema {
@@ -23,18 +43,16 @@ impl Extrema {
     }
 }
 
-/// Cells that one search visits at most.
-const BUDGET: u32 = 1 << 16;
-
-/// Maps that one search composes at most.
-const DEPTH: u32 = 200;
-
 impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// Brackets of the extrema over the domain, each at most `width` wide where `f64` and 2¹⁶ cells allow that.
     ///
     /// The brackets are rigorous whatever their width: an upper end bounds `f`, a lower end of the maximum is a value at
     /// a knot of some level. A chaos game (Algorithm 1 of the source) with 10⁴ points misses up to 27 % of the range, so
     /// no inflation of it is safe.
+    ///
+    /// A search visits at most 2¹⁶ cells, or eight per map where that is more, at most 200 levels deep; it does not
+    /// recurse. With a factor near one neither suffices: 200 levels of 0.999 leave 82 % of the range, and the bracket
+    /// is as wide as that.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -50,9 +68,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 
     /// Brackets of the extrema over `[l, r]`, clipped to the domain, as [`Fif::extrema`].
     ///
-    /// The interval is widened by the rounding of the ends of cells, eight units in the last place of the domain. Over
-    /// one that holds no knot of any visited level, a bracket is the whole enclosure. `None` when the
-    /// interval misses the domain, is empty or has NaN ends.
+    /// The interval is widened by the rounding of the ends of cells, eight units in the last place of the domain and
+    /// one for each level. Over one that holds no knot of any visited level, a bracket is the whole enclosure, and its
+    /// certificate the interval. `None` when the interval misses the domain, is empty or has NaN ends.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -68,167 +86,68 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         whole.then(|| self.search(over, width))
     }
 
-    fn search(&self, over: Interval, width: f64) -> Extrema {
-        let domain = self.domain();
+    /// An enclosure of `f` over `[l, r]`, clipped to the domain, each end at most `width` from the best one.
+    ///
+    /// That of [`Fif::extrema_over`], with its limits and its `None`, without the search for places.
+    ///
+    /// ```
+    /// let g = asperity_fif::paper::g()?;
+    /// let part = g.enclosure(0.5, 0.75, 1e-6).unwrap();
+    /// assert!(part.contains(g.evaluate(0.6, 1e-9).value) && part.width() < g.range().width());
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn enclosure(&self, l: f64, r: f64, width: f64) -> Option<Interval> {
+        let over = Interval::new(l, r).intersection(self.domain());
+        let whole = l <= r && over.lo <= over.hi;
+        whole.then(|| {
+            let goal = self.goal(over, width);
+            let (top, bottom, _) = self.searches(&goal, over);
+            Interval::new(-bottom.bound, top.bound)
+        })
+    }
+
+    fn goal(&self, over: Interval, width: f64) -> Goal {
         // A bracket under the rounding errors of the two bounds cannot be had.
         let least = 64.0 * (self.noise * self.gain).max(f64::EPSILON * self.range().magnitude());
-        let goal = Goal {
-            over,
-            margin: 8.0 * f64::EPSILON * domain.magnitude(),
-            width: if width > least { width } else { least },
-        };
-        let root = Place { cell: Cell::root(), left: domain.lo, width: domain.width() };
-        let [maximum, negated] = [1.0, -1.0].map(|sign| {
-            let mut found = Found {
-                sign,
-                best: f64::NEG_INFINITY,
-                top: f64::INFINITY,
-                left: BUDGET,
-                width: self.range().width(),
-            };
-            found.note(self, &root, &goal);
-            self.roll_out(root, &goal, &mut found);
-            // Ever narrower searches: when the last one runs out of cells, the one before stands.
-            let mut bound = found.upper(self, &root);
-            while found.width > goal.width && found.left > 0 {
-                found.width = goal.width.max(found.width / 16.0);
-                found.top = found.best;
-                self.branch(&root, &goal, &mut found, DEPTH);
-                bound = if found.top < bound { found.top } else { bound };
-            }
-            Interval::new(found.best, bound)
-        });
-        let maximum =
-            Interval::new(if maximum.lo.is_finite() { maximum.lo } else { -negated.hi }, maximum.hi);
-        let minimum =
-            Interval::new(-negated.hi, if negated.lo.is_finite() { -negated.lo } else { maximum.hi });
-        Extrema { minimum, maximum }
+        Goal::new(over, self.domain(), if width > least { width } else { least })
     }
 
-    /// Follows the most promising child, to have a good value before the search begins.
-    fn roll_out(&self, root: Place<C>, goal: &Goal, found: &mut Found) {
-        let mut place = root;
-        for _ in 0..DEPTH {
-            let mut next = None;
-            let mut most = f64::NEG_INFINITY;
-            for piece in self.pieces() {
-                let child = place.child(piece);
-                if !goal.meets(&child) {
-                    continue;
-                }
-                found.note(self, &child, goal);
-                // Upper bounds tie often, so the middle counts too.
-                let promise =
-                    found.upper(self, &child) + found.sign * child.cell.range(self.range()).middle();
-                if promise > most {
-                    (most, next) = (promise, Some(child));
-                }
+    /// The finished searches for the maxima of `f` and `−f`, and a range of `f` over the domain.
+    fn searches<'a>(&'a self, goal: &'a Goal, over: Interval) -> (Search<'a, C>, Search<'a, C>, Interval) {
+        let (mut top, mut bottom) = (Search::new(self, goal, 1.0), Search::new(self, goal, -1.0));
+        let mut range = self.range();
+        if over == self.domain() {
+            // Both passes, however the first one ends.
+            while top.narrow(range) | bottom.narrow(range) {
+                range = range.intersection(Interval::new(-bottom.bound, top.bound));
             }
-            match next {
-                Some(child) if found.upper(self, &child) > found.best + 0.125 * goal.width => place = child,
-                _ => break,
-            }
+            return (top, bottom, range);
         }
+        while top.narrow(range) | bottom.narrow(range) {}
+        (top, bottom, range)
     }
 
-    /// Depth first, at most [`DEPTH`] deep and [`BUDGET`] cells in all.
-    fn branch(&self, place: &Place<C>, goal: &Goal, found: &mut Found, depth: u32) {
-        let domain = self.domain();
-        for piece in self.pieces() {
-            let child = place.child(piece);
-            if !goal.meets(&child) {
-                continue;
-            }
-            found.left = found.left.saturating_sub(1);
-            found.note(self, &child, goal);
-            let upper = found.upper(self, &child);
-            // At a border, a cell under the rounding of its place cannot be told from its neighbours.
-            let lost = child.width < 0.25 * goal.margin && !goal.holds(&child, domain);
-            let done = depth == 0 || found.left == 0 || lost;
-            if done || upper <= found.best + found.width {
-                found.top = if upper > found.top { upper } else { found.top };
-            } else {
-                self.branch(&child, goal, found, depth - 1);
-            }
-        }
-    }
-}
-
-/// A cell and where it lies.
-#[derive(Clone, Copy)]
-struct Place<const C: usize> {
-    cell: Cell<C>,
-    left: f64,
-    width: f64,
-}
-
-impl<const C: usize> Place<C> {
-    fn child(&self, piece: &Piece<C>) -> Self {
-        Self {
-            cell: self.cell.child(piece),
-            left: self.left + self.width * piece.s[0],
-            width: self.width * (piece.s[1] - piece.s[0]),
-        }
-    }
-}
-
-/// What is searched, and how well.
-struct Goal {
-    over: Interval,
-    /// More than the rounding of a cell's place.
-    margin: f64,
-    width: f64,
-}
-
-impl Goal {
-    fn meets<const C: usize>(&self, place: &Place<C>) -> bool {
-        place.left - self.margin <= self.over.hi && place.left + place.width + self.margin >= self.over.lo
-    }
-
-    /// Whether `x` is surely inside, or at an end of the domain that belongs to the interval.
-    fn surely(&self, x: f64, domain: Interval) -> bool {
-        let left = self.over.lo == domain.lo || self.over.lo + self.margin <= x;
-        let right = self.over.hi == domain.hi || x <= self.over.hi - self.margin;
-        left && right
-    }
-
-    fn holds<const C: usize>(&self, place: &Place<C>, domain: Interval) -> bool {
-        self.surely(place.left, domain) && self.surely(place.left + place.width, domain)
-    }
-}
-
-/// The state of one search, for the maximum of `sign · f`.
-struct Found {
-    sign: f64,
-    /// A value that is attained, rounded down.
-    best: f64,
-    /// An upper bound over the cells that this search is done with.
-    top: f64,
-    /// How much that may be above `best`.
-    width: f64,
-    left: u32,
-}
-
-impl Found {
-    fn upper<S: AsRef<[Piece<C>]>, const C: usize>(&self, fif: &Fif<S, C>, place: &Place<C>) -> f64 {
-        let range = place.cell.range(fif.range());
-        if self.sign > 0.0 { range.hi } else { -range.lo }
-    }
-
-    fn note<S: AsRef<[Piece<C>]>, const C: usize>(&mut self, fif: &Fif<S, C>, place: &Place<C>, goal: &Goal) {
-        let ends = place.cell.ends(fif.end_values());
-        for (value, x) in ends.into_iter().zip([place.left, place.left + place.width]) {
-            if goal.surely(x, fif.domain()) {
-                let attained = if self.sign > 0.0 { value.lo } else { -value.hi };
-                self.best = if attained > self.best { attained } else { self.best };
-            }
+    fn search(&self, over: Interval, width: f64) -> Extrema {
+        let goal = self.goal(over, width);
+        let (mut top, mut bottom, range) = self.searches(&goal, over);
+        (top.assume(range), bottom.assume(range));
+        // Without a knot inside, all that is known of a value is that it lies in the enclosure.
+        let attained = |best: f64, other: f64| if best.is_finite() { best } else { -other };
+        Extrema {
+            minimum: Interval::new(-bottom.bound, -attained(bottom.best, top.bound)),
+            maximum: Interval::new(attained(top.best, bottom.bound), top.bound),
+            at_minimum: bottom.at,
+            at_maximum: top.at,
+            minimum_within: bottom.places(),
+            maximum_within: top.places(),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::paper;
+    use crate::{FixedFif, paper};
 
     #[test]
     fn the_takagi_function_has_maximum_four_thirds() {
@@ -236,7 +155,21 @@ mod tests {
             let e = paper::f().unwrap().extrema(width);
             assert!(e.maximum.contains(4.0 / 3.0) && e.maximum.width() <= width, "{e:?}");
             assert!(e.minimum.contains(0.0) && e.minimum.width() <= width, "{e:?}");
+            // The minimum is taken at the two ends, the maximum first at 2/3 and last at 4/3.
+            assert!(e.minimum_within.contains(0.0) && e.minimum_within.contains(2.0), "{e:?}");
+            assert!(e.maximum_within.contains(2.0 / 3.0) && e.maximum_within.contains(4.0 / 3.0), "{e:?}");
+            // Where the attained value is the maximum, nothing else is left.
+            assert!(width > 1e-6 || e.maximum_within.width() < 2.0 / 3.0 + 1e-2, "{e:?}");
         }
+    }
+
+    #[test]
+    fn the_only_maximum_is_found_where_it_lies() {
+        // f_int rises: least at 0, greatest at 2.
+        let e = paper::f_hat().unwrap().extrema(1e-9);
+        assert!(e.at_maximum.contains(2.0) && e.maximum_within.contains(2.0), "{e:?}");
+        assert!(e.maximum_within.width() < 1e-3 && e.minimum_within.width() < 1e-3, "{e:?}");
+        assert!(e.at_minimum.contains(0.0) && e.at_minimum.width() < 1e-14, "{e:?}");
     }
 
     #[test]
@@ -251,11 +184,23 @@ mod tests {
     fn empty_and_unordered_intervals_have_no_extrema() {
         let f = paper::f().unwrap();
         for (l, r) in [(1.0, 0.5), (f64::NAN, 1.0), (0.0, f64::NAN), (-2.0, -1.0)] {
-            assert!(f.extrema_over(l, r, 1e-6).is_none(), "[{l}, {r}]");
+            assert!(f.extrema_over(l, r, 1e-6).is_none() && f.enclosure(l, r, 1e-6).is_none(), "[{l}, {r}]");
         }
         let whole = f.extrema_over(f64::NEG_INFINITY, f64::INFINITY, 1e-6).unwrap();
         assert_eq!(whole, f.extrema(1e-6));
         let point = f.extrema_over(2.0 / 3.0, 2.0 / 3.0, 1e-6).unwrap();
         assert!(point.enclosure().contains(4.0 / 3.0) && point.enclosure().width() < 1e-5, "{point:?}");
+        // No knot is surely inside: the interval itself is the place.
+        assert_eq!(point.at_maximum, crate::Interval::new(2.0 / 3.0, 2.0 / 3.0));
+    }
+
+    #[test]
+    fn cells_of_a_billionth_are_found() {
+        // A spike of height 1 in the first billionth of the domain, and its copies.
+        let spike =
+            FixedFif::<3, 2>::affine(&[0.0, 1e-9, 2e-9, 1.0], &[0.0, 1.0, 0.0, 0.0], &[0.5, 0.5, 0.5]);
+        let e = spike.unwrap().extrema(1e-9);
+        assert!(e.maximum.width() <= 1e-9 && e.minimum.contains(0.0), "{e:?}");
+        assert!(e.at_maximum.lo >= 0.0 && e.at_maximum.hi < 2.1e-9, "{e:?}");
     }
 }

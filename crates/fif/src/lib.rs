@@ -36,7 +36,10 @@
 //! | [`Fif::integral_over`], [`Fif::mean`], [`Fif::nth_integral`] | over any interval, an [`Estimate`] with its error and conditioning |
 //! | [`Fif::moment`], [`Fif::moment_over`], [`Fif::norm_squared`] | `∫ xᵏ fᵖ`, over the domain or any interval |
 //! | [`Fif::inner_product`], [`Fif::supremum_norm`], [`Fif::differentiability`] | `∫ f g` on the same knots, `max ∣f∣`, the number of derivatives |
-//! | [`Fif::range`], [`Fif::extrema`], [`Fif::extrema_over`] | rigorous bounds |
+//! | [`Fif::range`], [`Fif::enclosure`] | rigorous bounds |
+//! | [`Fif::extrema`], [`Fif::extrema_over`] | the least and the greatest value, and where they lie |
+//! | [`Fif::modulus`], [`Fif::conditioning`] | how much `f` moves when `x` does |
+//! | [`Fif::dimension`] | the box dimension of the graph |
 //! | [`Smooth`], [`FixedSmooth`], [`SmoothBuf`] | a function with its derivative |
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
 //! | [`HeightField::curvature`] | mean and Gaussian [`Curvature`] |
@@ -48,6 +51,7 @@
 //! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
 //! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
 //! | [`Interval`], [`Bounded`] | enclosures |
+//! | [`fit`] | factors and knots for given data, with what they miss by |
 //! | [`paper`] | the functions of the source |
 //!
 //! ## Contract
@@ -58,19 +62,18 @@
 //!   nodes with factor 0.6 is wrong by 6·10⁻³.
 //! - Loops are bounded: [`MAX_DEPTH`] maps per evaluation, a number of cells per search, of boxes per ray. Where a limit
 //!   binds, the returned bound or bracket is wider and still true.
-//! - Values use only `+ − × ÷` and comparisons in a fixed order (the normal also a square root), so they have the same
-//!   bits wherever `f64` is IEEE 754.
+//! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also square roots), so they have
+//!   the same bits wherever `f64` is IEEE 754. A modulus and a dimension use powers and logarithms of the float backend.
 //!
-//! Not here: fits to data, moments, rays against surfaces that are no products, `f32`.
-//! Not here: fits to data, surfaces that are no products, `f32`.
+//! Not here: rays against surfaces that are no products, `f32`.
 //!
 //! ## Features
 //!
 //! | feature | gives |
 //! |---|---|
-//! | `std` (default) | the square root of the standard library |
-//! | `libm` | that of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Uneven`], [`Cached`] |
+//! | `std` (default) | roots, powers and logarithms of the standard library |
+//! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Uneven`], [`Cached`], [`fit`] |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -102,9 +105,18 @@ mod combine;
 mod composites;
 mod curvature;
 mod descent;
+mod dimension;
 mod estimate;
 mod evaluate;
 mod fast;
+#[cfg(feature = "alloc")]
+pub mod fit;
+#[cfg(feature = "alloc")]
+mod fit_error;
+#[cfg(feature = "alloc")]
+mod fit_knots;
+#[cfg(feature = "alloc")]
+mod fit_refine;
 mod grid;
 mod height_field;
 mod hermite_patch;
@@ -128,6 +140,8 @@ mod range_box;
 mod ray;
 #[cfg(feature = "alloc")]
 mod ray_batch;
+mod regularity;
+mod search;
 mod series;
 mod storage;
 mod system;
@@ -169,6 +183,7 @@ pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
 #[cfg(feature = "alloc")]
 pub use normal_distribution::NormalDistributionError;
 pub use ray::{Hit, Ray};
+pub use regularity::Modulus;
 #[cfg(feature = "alloc")]
 pub use storage::{FifBuf, SmoothBuf};
 pub use storage::{FifView, FixedFif, FixedSmooth, Storage};

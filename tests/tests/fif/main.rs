@@ -1,8 +1,10 @@
 //! Fractal interpolation: properties, references, rays and pinned values.
 
 mod area;
+mod bounds;
 mod calculus;
 mod fast;
+mod fit;
 mod golden;
 mod properties;
 mod rays;
