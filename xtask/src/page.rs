@@ -70,8 +70,9 @@ pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
     out + "</table></div>\n"
 }
 
-/// One page of the gallery: the figures whose names begin with its word.
+/// One page of the gallery: the figures whose names begin with one of its words.
 pub(crate) struct Page {
+    words: &'static [&'static str],
     /// The file beside the pictures.
     pub(crate) file: &'static str,
     title: &'static str,
@@ -83,14 +84,16 @@ pub(crate) struct Page {
 /// The pages of the gallery; the first has every figure that is not on another.
 pub(crate) const PAGES: &[Page] = &[
     Page {
+        words: &[],
         file: "index.html",
         title: "Asperity",
         about: "Surface detail from mathematics: noise with exact gradients, normals drawn from a density, fractal \
                 surfaces with exact normals, and shading that keeps its mean at every zoom. Every picture on this \
                 page was computed by the crates themselves, from nothing but the parameters beneath it.",
-        name: "Bumps and fractals",
+        name: "Bumps",
     },
     Page {
+        words: &["noise"],
         file: "noise.html",
         title: "Noise",
         about: "Every kind of noise with its power spectrum and its distribution; what sums of octaves make of it; \
@@ -99,6 +102,7 @@ pub(crate) const PAGES: &[Page] = &[
         name: "Noise",
     },
     Page {
+        words: &["ndf"],
         file: "ndf.html",
         title: "Densities of normals",
         about: "Every density of normals as a map, a lobe and its slopes; normals drawn from it, and what is left between \
@@ -106,13 +110,21 @@ pub(crate) const PAGES: &[Page] = &[
                 are taken from bump maps and given back.",
         name: "Densities of normals",
     },
+    Page {
+        words: &["cochran", "fif"],
+        file: "fif.html",
+        title: "Fractal interpolation",
+        about: "Functions made of smaller copies of themselves: evaluated to a stated error, integrated exactly, held in \
+                rigorous boxes; and the surfaces that they span, met by every ray, with exact normals.",
+        name: "Fractal interpolation",
+    },
 ];
 
 impl Page {
     /// The page of a figure.
     fn of(figure: &str) -> &'static Self {
         let word = figure.split('-').next().unwrap_or_default();
-        PAGES.iter().find(|page| page.file.strip_suffix(".html") == Some(word)).unwrap_or(&PAGES[0])
+        PAGES.iter().find(|page| page.words.contains(&word)).unwrap_or(&PAGES[0])
     }
 
     /// The page over its records; `drawing` hands over the text of an SVG file by its name.
@@ -176,7 +188,8 @@ fn section_of(name: &str) -> &'static str {
     let mut words = name.split('-');
     match (words.next(), words.next()) {
         (Some("kautz"), _) => "Real-Time Bump Map Synthesis, Kautz, Heidrich and Seidel 2001",
-        (Some("cochran"), _) => "The Normal of a Fractal Surface, Cochran, Lewis and Hart 2000",
+        (Some("cochran"), Some("1" | "2" | "3" | "4" | "dimension")) => "Functions",
+        (Some("cochran" | "fif"), _) => "Surfaces",
         (Some("noise"), Some("kind")) => "Kinds",
         (Some("noise"), Some("sum")) => "Sums of octaves",
         (Some("noise"), _) => "Gradients, warps and flows",

@@ -1,10 +1,14 @@
 //! Every figure of the gallery, in the order of the page.
 
 mod asperity_mean_radiance;
+mod cochran_bounds;
 mod cochran_contractions;
 mod cochran_corner;
 mod cochran_curves;
 mod cochran_mirrors;
+mod cochran_models;
+mod cochran_second_integrals;
+mod cochran_zoom;
 mod kautz_isotropic;
 mod kautz_ndf;
 mod kautz_pipeline;
@@ -42,8 +46,13 @@ const FIGURES: &[&[Figure]] = &[
         cochran_curves::FUNCTIONS,
         cochran_contractions::CONTRACTIONS,
         cochran_curves::INTEGRALS,
+        cochran_second_integrals::SECOND_INTEGRALS,
+        cochran_bounds::BOUNDS,
+        cochran_bounds::DESCENT,
         cochran_mirrors::MIRRORS,
         cochran_corner::CORNER,
+        cochran_models::MODELS,
+        cochran_zoom::ZOOM,
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
     ndf_densities::DENSITIES,

@@ -6,8 +6,8 @@ use asperity_fif::{
 };
 
 /// The surface `z = rise · ĥ(x) ĥ(y)`, where `ĥ` is the integral of a fractal function.
-pub(crate) struct Fractal {
-    axis: Cached<FixedSmooth<2, 3, 2>>,
+pub(crate) struct Fractal<const N: usize = 2> {
+    axis: Cached<FixedSmooth<N, 3, 2>>,
     rise: f64,
 }
 
@@ -21,9 +21,9 @@ pub(crate) struct Meeting {
     pub(crate) normal: DVec3,
 }
 
-impl Fractal {
+impl<const N: usize> Fractal<N> {
     /// The square of the integral of `slope`, its heights multiplied by `rise`.
-    pub(crate) fn new(slope: FixedFif<2, 2>, rise: f64) -> Result<Self, SystemError> {
+    pub(crate) fn new(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
         Ok(Self { axis: Cached::new(FixedSmooth::integral(slope, 0.0)?), rise })
     }
 
