@@ -131,7 +131,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     fn search(&self, over: Interval, width: f64) -> Extrema {
         let goal = self.goal(over, width);
         let (mut top, mut bottom, range) = self.searches(&goal, over);
-        (top.assume(range), bottom.assume(range));
+        top.assume(range);
+        bottom.assume(range);
         // Without a knot inside, all that is known of a value is that it lies in the enclosure.
         let attained = |best: f64, other: f64| if best.is_finite() { best } else { -other };
         Extrema {

@@ -94,7 +94,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
                 scale += weight.abs() * (rise.abs() + 4.0 * self.noise * self.gain / APART);
             }
             // Also when points coincide in f64.
-            !(sum.abs() > APART * scale)
+            sum.is_nan() || scale.is_nan() || sum.abs() <= APART * scale
         })
     }
 
