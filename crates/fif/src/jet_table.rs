@@ -158,7 +158,7 @@ impl<const C: usize> JetTable<C> {
 }
 
 impl<const C: usize> Jets for JetTable<C> {
-    #[inline]
+    #[inline(always)]
     fn jet(&self, x: f64, steps: usize) -> [f64; 2] {
         const SCALE: f64 = 9_223_372_036_854_775_808.0;
         let t = (x - self.origin) * self.per_width;
@@ -203,10 +203,10 @@ impl<const C: usize> Jets for JetTable<C> {
 
     #[inline]
     fn cells_within(&self, part: f64) -> usize {
-        let each = 1.0 / self.radix as i64 as f64;
-        let (mut steps, mut cell) = (0, 1.0);
-        while cell > part && steps < self.enough[1] {
-            cell *= each;
+        let radix = self.radix as i64 as f64;
+        let (mut steps, mut finer) = (0, part);
+        while finer < 1.0 && steps < self.enough[1] {
+            finer *= radix;
             steps += 1;
         }
         steps

@@ -57,7 +57,8 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     ///
     /// Boxes of rigorous value ranges are visited in the order of the ray, split along one axis at a time. Where the
     /// slope ranges show that the ray comes nearer to the surface all along, there is one root at most: two evaluations
-    /// decide, and a bracketed secant finds it to the last places of `t`. A continuous surface is followed down to
+    /// decide, and a bracketed secant finds it to the last places of `t`; with the tables of a [`Cached`](crate::Cached) smooth
+    /// axis, interval Newton does, which proves that the root lies in the stretch. A continuous surface is followed down to
     /// stretches of 10⁻¹² of the domain, where a change of sign is a root.
     ///
     /// No hit is passed by, but a pair of roots within one such stretch: a ray that dips into the surface and out again.
@@ -163,19 +164,20 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
             return None;
         }
         let (x, y) = (self.x.domain(), self.y.domain());
-        let pad = |origin: f64, extent: Interval| 16.0 * f64::EPSILON * (origin.abs() + extent.magnitude());
-        let height = self.x.range().product(self.y.range());
+        let pad = |origin: f64, extent: f64| 16.0 * f64::EPSILON * (origin.abs() + extent);
+        let height = self.x.range().magnitude() * self.y.range().magnitude();
         let walk = Walk {
             surface: self,
             o,
             d,
-            pad: DVec3::new(pad(o.x, x), pad(o.y, y), pad(o.z, height)),
+            pad: DVec3::new(pad(o.x, x.magnitude()), pad(o.y, y.magnitude()), pad(o.z, height)),
             close: CLOSE * x.width().max(y.width()) / d.x.abs().max(d.y.abs()).max(d.z.abs()),
             budget: BUDGET,
         };
         let span = Interval::new(t_min, t.hi);
-        let span = span.intersection(slab(o.x, d.x, x.inflated(walk.pad.x)));
-        let span = span.intersection(slab(o.y, d.y, y.inflated(walk.pad.y)));
+        let padded = |side: Interval, pad: f64| Interval::new(side.lo - pad, side.hi + pad);
+        let span = span.intersection(slab(o.x, d.x, padded(x, walk.pad.x)));
+        let span = span.intersection(slab(o.y, d.y, padded(y, walk.pad.y)));
         Some((walk, span))
     }
 

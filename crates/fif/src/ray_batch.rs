@@ -20,7 +20,8 @@ struct Lane<'a, X: Axis, Y: Axis> {
 impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// The first hit of every ray, as [`HeightField::first_hit_within`], into `hits`; rays and places without a partner are left.
     ///
-    /// An evaluation waits for its tables most of the time, so the searches of a few rays take turns; the hits are the same.
+    /// The searches of a few rays take turns; the hits are the same. On Zen 3 that gains nothing over one by one: 0.7 to 1.0 times
+    /// the rate.
     ///
     /// ```
     /// use asperity_fif::{Cached, FixedSmooth, HeightField, Interval, Ray, paper};

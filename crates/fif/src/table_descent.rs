@@ -207,15 +207,19 @@ impl<'a, X: Axis, Y: Axis> TableWalk<'a, X, Y> {
         1.0001 * (self.magnitude[0] * g + self.magnitude[1] * f + f * g) + self.blur
     }
 
-    /// The jets at `t`, the height of the ray above the surface, a bound of its error, and how it changes.
-    #[inline]
-    fn above(&self, t: f64, steps: usize) -> ([[f64; 2]; 2], f64, f64, f64) {
+    /// The jets at `t`, the height of the ray above the surface, and how it changes.
+    #[inline(always)]
+    fn above(&self, t: f64, steps: usize) -> ([[f64; 2]; 2], f64, f64) {
         let (o, d) = (self.walk.o, self.walk.d);
-        let f = self.x.jets.jet(o.x + t * d.x, steps);
-        let g = self.y.jets.jet(o.y + t * d.y, steps);
+        let (x, y) = (o.x + t * d.x, o.y + t * d.y);
+        // The numbers of steps that tolerances ask for, as constants: half the time of a loop.
+        let (f, g) = match steps {
+            1 => (self.x.jets.jet(x, 1), self.y.jets.jet(y, 1)),
+            2 => (self.x.jets.jet(x, 2), self.y.jets.jet(y, 2)),
+            _ => (self.x.jets.jet(x, steps), self.y.jets.jet(y, steps)),
+        };
         let z = o.z + t * d.z;
-        let slope = d.z - d.x * f[1] * g[0] - d.y * f[0] * g[1];
-        ([f, g], z - f[0] * g[0], self.error(steps) + f64::EPSILON * z.abs(), slope)
+        ([f, g], z - f[0] * g[0], d.z - d.x * f[1] * g[0] - d.y * f[0] * g[1])
     }
 }
 
@@ -230,12 +234,17 @@ pub(crate) struct Search {
     sign: f64,
     least: f64,
     most: f64,
+    /// Their reciprocals; the slack of the bounds is more than their rounding.
+    slow: f64,
+    fast: f64,
     lo: f64,
     hi: f64,
     /// Whether the root is known not to lie before the stretch, and not behind it.
     starts: bool,
     ends: bool,
     steps: usize,
+    /// Bound of the error of a height after so many steps.
+    bound: f64,
     wanted: usize,
     slack: f64,
     reach: f64,
@@ -265,11 +274,14 @@ impl Search {
             sign,
             least,
             most,
+            slow: 1.0 / least,
+            fast: 1.0 / most,
             lo: span.lo,
             hi: span.hi,
             starts: false,
             ends: false,
             steps: 1,
+            bound: walk.error(1),
             wanted: walk.steps(0.25 * reach * least),
             slack,
             reach,
@@ -283,14 +295,15 @@ impl Search {
     #[inline]
     pub(crate) fn step<X: Axis, Y: Axis>(&mut self, walk: &TableWalk<'_, X, Y>) -> Progress {
         let t = self.t;
-        let (jets, value, bound, slope) = walk.above(t, self.steps);
+        let (jets, value, slope) = walk.above(t, self.steps);
+        let bound = self.bound;
         let (value, slope) = (self.sign * value, self.sign * slope);
         self.jets = jets;
         self.evaluated += 1;
         // The root lies between these: at the least rate it is far, at the greatest near.
         let (low, high) = (value - bound, value + bound);
-        let before = t - high / if high > 0.0 { self.least } else { self.most } - self.slack;
-        let after = t - low / if low < 0.0 { self.least } else { self.most } + self.slack;
+        let before = t - high * if high > 0.0 { self.slow } else { self.fast } - self.slack;
+        let after = t - low * if low < 0.0 { self.slow } else { self.fast } + self.slack;
         self.ends |= low > 0.0 || after <= self.span.hi;
         self.starts |= high < 0.0 || before >= self.span.lo;
         self.lo = if before > self.lo { before } else { self.lo };
@@ -307,6 +320,7 @@ impl Search {
         }
         if size <= 4.0 * bound {
             self.steps = if self.steps < self.wanted { self.wanted } else { walk.finest };
+            self.bound = walk.error(self.steps);
         }
         let slope = if slope < self.least { self.least } else { slope };
         let slope = if slope > self.most { self.most } else { slope };
@@ -325,7 +339,8 @@ impl Search {
         for (known, t, way) in [(self.starts, self.span.lo, self.sign), (self.ends, self.span.hi, -self.sign)]
         {
             if !known {
-                let (_, value, bound, _) = walk.above(t, walk.finest);
+                let (_, value, _) = walk.above(t, walk.finest);
+                let bound = walk.error(walk.finest);
                 if value.abs() <= bound {
                     return Some(Meeting { t, jets: None });
                 }

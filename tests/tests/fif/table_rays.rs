@@ -188,8 +188,14 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
             if let (Some(hit), Some(exact)) = (hit, exact) {
                 assert!((hit.t - exact.t).abs() < 1e-10, "{ray:?}: {hit:?}, {exact:?}");
                 let (got, want) = (exact.gradient.unwrap(), hit.gradient.unwrap());
-                // Slopes of ĝ are of Hölder exponent 0.234: 1e-14 of t may be 5e-4.
-                assert!((got - want).abs().max_element() < 2e-3, "{got} {want}");
+                // The hits are some units in the last place apart, and what the rough slopes take between them is slack.
+                let spread = |a: f64, b: f64| {
+                    let (lo, hi) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
+                    axis.derivative().extrema_over(lo, hi, 1e-6).unwrap().enclosure().width() + 1e-9
+                };
+                let (off, magnitude) = ((got - want).abs(), axis.value().range().magnitude());
+                assert!(off.x <= magnitude * spread(hit.x, exact.x), "{ray:?}: {got} {want}");
+                assert!(off.y <= magnitude * spread(hit.y, exact.y), "{ray:?}: {got} {want}");
             }
         }
     }
