@@ -92,7 +92,7 @@ fn tests(root: &Path) -> Result<(), Failure> {
             // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
             let more: &[&str] = match name {
                 "asperity-noise" => &["", ",simd"],
-                "asperity-ndf-sampling" => &[",alloc,simd"],
+                "asperity-ndf-sampling" | "asperity-fif" => &[",alloc,simd"],
                 _ => &[",alloc"],
             };
             for more in more {

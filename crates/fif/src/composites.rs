@@ -71,6 +71,11 @@ pub enum TableError {
         /// The size.
         found: usize,
     },
+    /// Rows in `f32` hold three coefficients at most.
+    Coefficients {
+        /// The number of coefficients of the system.
+        found: usize,
+    },
     /// The vertical factors are so near to one that a table of bounded depth misses the tolerance.
     Depth {
         /// The largest `|α_j|`.
@@ -90,6 +95,9 @@ impl fmt::Display for TableError {
             }
             Self::Storage { expected, found } => {
                 write!(f, "the table must hold {expected} composites, its type holds {found}")
+            }
+            Self::Coefficients { found } => {
+                write!(f, "the table holds 3 coefficients a row, the system has {found}")
             }
             Self::Depth { alpha, most, bound } => {
                 write!(

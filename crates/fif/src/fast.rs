@@ -66,7 +66,7 @@ pub type FastBuf<S, const C: usize> = Fast<S, alloc::vec::Vec<Composite<C>>, C>;
 impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
     /// The table of `system` for values to `tolerance`.
     ///
-    /// The least number of steps whose bound is at most `tolerance`, or the one with the least bound: a tolerance that is
+    /// The least number of steps whose bound is at most `tolerance`, else the least within 5/4 of the least bound: a tolerance that is
     /// zero, negative, NaN or under the rounding error stands for the rounding error, so [`Fast::bound`] never grows with
     /// a smaller tolerance. When the number of maps is a power of two, 64 bits are used up after `⌈64/log₂ M⌉` steps,
     /// however near to one the factors are.
@@ -85,13 +85,14 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
             ratio: made.steepest,
             largest: made.largest,
             // Horner's rule, the scaled powers, and the 11 bits of u that the sum does not see.
-            row: made.error + (4.0 * degree + 6.0) * UNIT * made.largest,
+            row: made.error + 3.0 * degree * UNIT * made.largest,
             roundings: f64::from(made.digits) + 2.0,
             tail: made.deviation,
             scale: chord.start.abs() + chord.rise.abs(),
             end,
             // Coefficients in units of 2⁻⁵³ᵏ may be subnormal.
             lost: (1..C).fold(f64::MIN_POSITIVE, |lost, _| lost / UNIT),
+            unit: UNIT,
         };
         let depth = series.depth(tolerance).map_err(|bound| system.too_deep(bound))?;
         for row in made.table.as_mut() {

@@ -27,6 +27,7 @@
 //! | [`Fif::from_maps`], [`Fif::sum`], [`Fif::scaled`] | the same from maps, and from other systems |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
+//! | [`Fast32`] | the same in `f32`, in SIMD lanes for many points |
 //! | [`Uneven`] | the same on any knots |
 //! | [`Fif::grid`] | values at all nodes of an even grid |
 //! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
@@ -65,7 +66,7 @@
 //! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also square roots), so they have
 //!   the same bits wherever `f64` is IEEE 754. A modulus and a dimension use powers and logarithms of the float backend.
 //!
-//! Not here: rays against surfaces that are no products, `f32`.
+//! Not here: rays against surfaces that are no products.
 //!
 //! ## Features
 //!
@@ -73,7 +74,8 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Uneven`], [`Cached`], [`fit`] |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`Cached`], [`fit`] |
+//! | `simd` (default) | batches of [`Fast32`] in SIMD lanes, with the same bits |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -110,6 +112,8 @@ mod estimate;
 mod evaluate;
 mod fast;
 #[cfg(feature = "alloc")]
+mod fast32;
+#[cfg(feature = "alloc")]
 pub mod fit;
 #[cfg(feature = "alloc")]
 mod fit_error;
@@ -126,6 +130,8 @@ mod integral;
 mod interval;
 #[cfg(feature = "alloc")]
 mod jet_table;
+#[cfg(all(feature = "alloc", feature = "simd"))]
+mod lanes;
 mod map;
 mod math;
 mod matrix;
@@ -174,6 +180,8 @@ pub use evaluate::MAX_DEPTH;
 #[cfg(feature = "alloc")]
 pub use fast::FastBuf;
 pub use fast::{Fast, FixedFast};
+#[cfg(feature = "alloc")]
+pub use fast32::Fast32;
 pub use glam;
 pub use grid::GridError;
 pub use height_field::HeightField;

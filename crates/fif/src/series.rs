@@ -3,7 +3,6 @@
 use crate::composites::TableError;
 use crate::interval::Interval;
 use crate::map::Piece;
-use crate::polynomial::UNIT;
 use crate::system::Fif;
 
 /// Composites that one evaluation takes at most.
@@ -26,6 +25,8 @@ pub(crate) struct Series {
     pub(crate) end: u32,
     /// An error that does not depend on the depth.
     pub(crate) lost: f64,
+    /// The unit of rounding.
+    pub(crate) unit: f64,
 }
 
 /// How many steps, and the error that they leave.
@@ -35,35 +36,55 @@ pub(crate) struct Depth {
 }
 
 impl Series {
-    /// The least number of steps within the tolerance, else the one with the least bound; or the least bound, when
-    /// more steps than [`MOST`] would have lessened it.
+    /// The least number of steps whose bound is within the tolerance, or else within 5/4 of the least bound; that bound
+    /// as an error when more steps than [`MOST`] would have lessened it.
     pub(crate) fn depth(&self, tolerance: f64) -> Result<Depth, f64> {
+        let last = MOST.min(self.end);
+        let bounds = || (1..=last).map(|steps| Depth { steps, bound: self.bound(steps) });
+        let least = bounds().fold(f64::INFINITY, |least, depth| least.min(depth.bound));
+        let enough = if tolerance > 1.25 * least { tolerance } else { 1.25 * least };
+        let first =
+            bounds().find(|depth| depth.bound <= enough).filter(|_| least.is_finite()).ok_or(least)?;
+        let [truncation, rounding] = self.errors(last);
+        // NaN is no tolerance that could be met.
+        let within = first.bound <= tolerance;
+        if within || truncation <= rounding { Ok(first) } else { Err(least) }
+    }
+
+    /// The least number of steps whose truncation is within the tolerance, or else within half the rounding error.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn depth_of_truncation(&self, tolerance: f64) -> Result<Depth, f64> {
+        let enough = |steps: &u32| {
+            let [truncation, rounding] = self.errors(*steps);
+            truncation <= tolerance || truncation <= 0.5 * rounding
+        };
+        let bound = |steps: u32| Depth { steps, bound: self.bound(steps) };
+        let last = MOST.min(self.end);
+        let found = (1..=last).find(enough).map(bound).filter(|depth| depth.bound.is_finite());
+        found.ok_or_else(|| self.bound(last))
+    }
+
+    fn bound(&self, steps: u32) -> f64 {
+        let [truncation, rounding] = self.errors(steps);
+        1.001 * (truncation + rounding) + self.lost
+    }
+
+    /// What `steps` steps leave, and what they round.
+    fn errors(&self, steps: u32) -> [f64; 2] {
         let (radius, most) = (0.5 * self.tail.width(), self.tail.magnitude());
+        // Σ |W_k| and Σ k |W_k|.
         let (mut weight, mut weights, mut counts) = (1.0_f64, 0.0_f64, 0.0_f64);
-        let mut best = Depth { steps: MOST, bound: f64::INFINITY };
-        let mut left = f64::INFINITY;
-        for steps in 1..=MOST.min(self.end) {
-            let k = f64::from(steps);
-            // Σ |W_k| and Σ k |W_k|.
+        for k in 0..steps {
             weights += weight;
-            counts += (k - 1.0) * weight;
+            counts += f64::from(k) * weight;
             weight *= self.ratio;
-            let rounding = weights * self.row
-                + counts * self.roundings * UNIT * self.largest
-                + (k + 3.0) * UNIT * (self.scale + weights * self.largest + most)
-                + weight * most * (k * self.roundings + 2.0) * UNIT;
-            let truncation = if steps == self.end { 0.0 } else { weight * radius };
-            let bound = 1.001 * (truncation + rounding) + self.lost;
-            if bound < best.bound {
-                best = Depth { steps, bound };
-            }
-            left = truncation - rounding;
-            if bound <= tolerance {
-                return Ok(best);
-            }
         }
-        // Written so that NaN is refused too.
-        if left <= 0.0 && best.bound.is_finite() { Ok(best) } else { Err(best.bound) }
+        let k = f64::from(steps);
+        let rounding = weights * self.row
+            + counts * self.roundings * self.unit * self.largest
+            + (k + 3.0) * self.unit * (self.scale + weights * self.largest)
+            + weight * most * (k * self.roundings + 4.0) * self.unit;
+        [if steps == self.end { 0.0 } else { weight * radius }, rounding]
     }
 }
 

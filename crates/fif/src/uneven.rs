@@ -71,7 +71,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
         let parts = partition(&system);
         let most = |of: fn(&Part<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
         let (largest, roundings) = (most(|part| magnitude(&part.c, 1.0)), most(|part| part.depth) + 2.0);
-        let row = 1.01 * most(|part| part.error) + (4.0 * C as f64 + 6.0) * UNIT * largest;
+        let row = 1.01 * most(|part| part.error) + 3.0 * C as f64 * UNIT * largest;
         let rows = parts.iter().map(|part| (part.a, &part.c));
         let tail = enclose(&system, &rows, row + 4.0 * C as f64 * UNIT * largest, roundings);
         let chord = system.chord();
@@ -84,6 +84,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
             scale: chord.start.abs() + chord.rise.abs(),
             end: u32::MAX,
             lost: 0.0,
+            unit: UNIT,
         };
         let depth = series.depth(tolerance).map_err(|bound| system.too_deep(bound))?;
         let rows =
