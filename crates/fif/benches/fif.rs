@@ -1,7 +1,9 @@
 //! Evaluations and primary rays per second of the source's functions.
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Axis, Cached, FifBuf, FixedSmooth, HeightField, Ray, paper};
+use asperity_fif::{
+    Axis, Cached, Fast32, FastBuf, Fif, FifBuf, FixedSmooth, HeightField, Piece, Ray, Uneven, paper,
+};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -46,6 +48,56 @@ fn evaluation(c: &mut Criterion) {
     group.finish();
 }
 
+/// Algorithm 2 as printed beside the tables, at the same points; to 10⁻¹², `f32` to 10⁻⁶.
+fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f: &Fif<S, C>) {
+    let points: Vec<f64> = points()
+        .into_iter()
+        .chain((1..=3072).map(|i| 2.0 * (f64::from(i) * 0.754_877_666).fract()))
+        .collect();
+    let mut values = vec![0.0; points.len()];
+    let fast = FastBuf::new(f.view(), 1e-12).expect("equally spaced");
+    let fast32 = Fast32::new(f.view(), 1e-6).expect("equally spaced");
+    let points32: Vec<f32> = points.iter().map(|&x| x as f32).collect();
+    let mut values32 = vec![0.0; points.len()];
+    let mut nodes = vec![0.0; (1 << 16) + 1];
+    let mut group = c.benchmark_group(name);
+    group.throughput(Throughput::Elements(points.len() as u64));
+    group.bench_function("algorithm 2", |b| {
+        b.iter(|| points.iter().map(|&x| f.algorithm_two(x, 1e-12)).sum::<f64>());
+    });
+    group.bench_function("plain", |b| {
+        b.iter(|| points.iter().map(|&x| f.evaluate(x, 1e-12).value).sum::<f64>())
+    });
+    group.bench_function("table", |b| b.iter(|| points.iter().map(|&x| fast.value(x)).sum::<f64>()));
+    group.bench_function("table, batch", |b| b.iter(|| fast.values(black_box(&points), &mut values)));
+    group.bench_function("f32", |b| b.iter(|| points32.iter().map(|&x| fast32.value(x)).sum::<f32>()));
+    group.bench_function("f32, batch", |b| b.iter(|| fast32.values(black_box(&points32), &mut values32)));
+    group.throughput(Throughput::Elements(nodes.len() as u64));
+    group.bench_function("grid", |b| b.iter(|| f.grid(black_box(&mut nodes))));
+    group.finish();
+}
+
+fn fast(c: &mut Criterion) {
+    tables(c, "f, table", &paper::f().expect("valid"));
+    tables(c, "g, table", &paper::g().expect("valid"));
+    tables(c, "f integral, table", &paper::f_hat().expect("valid"));
+    tables(c, "g integral, table", &paper::g_hat().expect("valid"));
+    let f = FifBuf::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
+    let points = points();
+    let mut group = c.benchmark_group("uneven, table");
+    group.throughput(Throughput::Elements(points.len() as u64));
+    for tolerance in [1e-6, 1e-12] {
+        let table = Uneven::new(f.view(), tolerance).expect("gentle factors");
+        group.bench_function(format!("algorithm 2 at {tolerance:e}"), |b| {
+            b.iter(|| points.iter().map(|&x| f.algorithm_two(x, tolerance)).sum::<f64>());
+        });
+        group.bench_function(format!("table to {tolerance:e}"), |b| {
+            b.iter(|| points.iter().map(|&x| table.value(x)).sum::<f64>());
+        });
+    }
+    group.finish();
+}
+
 fn trace<A: Axis>(surface: &HeightField<A, A>, rays: &[Ray]) -> f64 {
     rays.iter().filter_map(|ray| surface.first_hit(black_box(ray))).map(|hit| hit.t).sum()
 }
@@ -77,5 +129,5 @@ fn construction(c: &mut Criterion) {
     c.bench_function("table of g", |b| b.iter(|| Cached::new(g)));
 }
 
-criterion_group!(benches, evaluation, rays, construction);
+criterion_group!(benches, evaluation, fast, rays, construction);
 criterion_main!(benches);
