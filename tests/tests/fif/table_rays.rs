@@ -130,7 +130,7 @@ fn hits_of_both_surfaces_lie_in_independent_brackets() {
                 }
                 // Whether a ray that grazes or begins at the border hits is open; nothing lies before.
                 Some(Bracket { lo, .. }) => {
-                    assert!(found.is_none_or(|hit| hit.t >= lo - 3e-9), "{ray:?}: {found:?}")
+                    assert!(found.is_none_or(|hit| hit.t >= lo - 3e-9), "{ray:?}: {found:?}");
                 }
             }
         }
