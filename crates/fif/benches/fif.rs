@@ -66,7 +66,7 @@ fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f
         b.iter(|| points.iter().map(|&x| f.algorithm_two(x, 1e-12)).sum::<f64>());
     });
     group.bench_function("plain", |b| {
-        b.iter(|| points.iter().map(|&x| f.evaluate(x, 1e-12).value).sum::<f64>())
+        b.iter(|| points.iter().map(|&x| f.evaluate(x, 1e-12).value).sum::<f64>());
     });
     group.bench_function("table", |b| b.iter(|| points.iter().map(|&x| fast.value(x)).sum::<f64>()));
     group.bench_function("table, batch", |b| b.iter(|| fast.values(black_box(&points), &mut values)));

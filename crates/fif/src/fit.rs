@@ -184,7 +184,8 @@ mod tests {
     #[test]
     fn straight_data_have_no_factors() {
         let fit = affine(&[0.0, 1.0, 2.0, 3.0, 5.0], &[1.0, 2.0, 3.0, 4.0, 6.0], &[0, 2, 4]).unwrap();
-        assert!(fit.error < 1e-14 && fit.collage < 1e-14, "{fit:?}");
+        // The error counts the bounds of the values, 4e-14 here.
+        assert!(fit.error < 1e-13 && fit.collage < 1e-14, "{fit:?}");
         assert!(fit.system.pieces().iter().all(|p| p.map().alpha == 0.0), "{fit:?}");
     }
 }

@@ -12,11 +12,15 @@ const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
 fn reference_torus() -> (TorusBuf, Value) {
     let json = reference::read("fif/fis_torus.json");
     let grid = |key: &str| -> Vec<f64> {
-        let rows = json[key].as_array().unwrap();
-        rows.iter().flat_map(|row| row.as_array().unwrap()).map(|v| ratio(v.as_str().unwrap())).collect()
+        let rows = json[key].as_array().expect("an array");
+        rows.iter()
+            .flat_map(|row| row.as_array().expect("an array"))
+            .map(|v| ratio(v.as_str().expect("a ratio")))
+            .collect()
     };
     let d: Vec<[f64; 2]> = grid("zx").into_iter().zip(grid("zy")).map(|(x, y)| [x, y]).collect();
-    let surface = TorusBuf::new(4, ROTATING, ratio(json["s"].as_str().unwrap()), &grid("z"), &d).unwrap();
+    let surface = TorusBuf::new(4, ROTATING, ratio(json["s"].as_str().expect("a ratio")), &grid("z"), &d)
+        .expect("contractive");
     (surface, json)
 }
 
@@ -80,7 +84,7 @@ fn the_torus_is_continuous_with_its_gradient_across_patches_and_the_seam() {
     let (surface, _) = reference_torus();
     // Far under the modulus of a visible jump, far over the rounding of coordinates next to 1.
     let step = 2f64.powi(-40);
-    let steepest = surface.slope_range().map(|range| range.magnitude());
+    let steepest = surface.slope_range().map(Interval::magnitude);
     for line in [0.0, 0.25, 0.5, 0.75, 1.0] {
         for k in 0..50 {
             let along = f64::from(k) * 0.019_7 + 0.003;
@@ -223,11 +227,11 @@ fn tori() -> impl Strategy<Value = TorusBuf> {
         let d = prop::collection::vec(prop::array::uniform2(-8.0..8.0_f64), count);
         (z, d).prop_map(move |(z, d)| {
             let TorusError::NotContractive { norm, .. } =
-                TorusBuf::new(1 << bits, matrix, 1.0, &z, &d).err().unwrap()
+                TorusBuf::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
             else {
                 panic!("{matrix:?} with factor 1")
             };
-            TorusBuf::new(1 << bits, matrix, part / norm, &z, &d).unwrap()
+            TorusBuf::new(1 << bits, matrix, part / norm, &z, &d).expect("contractive")
         })
     })
 }
