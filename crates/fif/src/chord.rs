@@ -63,7 +63,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use crate::polynomial::horner;
     use crate::{FifBuf, paper};

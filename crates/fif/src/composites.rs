@@ -231,7 +231,7 @@ fn displaced<S: AsRef<[Piece<C>]>, const C: usize>(system: &Fif<S, C>) -> (usize
     (worst.0, worst.1)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
     use crate::{FifBuf, paper};

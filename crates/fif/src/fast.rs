@@ -238,7 +238,7 @@ pub(crate) fn polynomial<const C: usize>(c: &[f64; C], rest: u64) -> f64 {
     others.iter().rev().fold(last, |p, &c| p * s + c)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
     use crate::{FifBuf, FixedFif, paper};

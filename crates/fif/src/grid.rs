@@ -133,7 +133,7 @@ impl fmt::Display for GridError {
 
 impl core::error::Error for GridError {}
 
-#[cfg(test)]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use crate::{FifBuf, paper};
     use alloc::string::ToString;
