@@ -106,6 +106,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// Only smooth axes on equal knots within a [`Cached`](crate::Cached) gain; for others it is 0.
     ///
     /// ```
+    /// # #[cfg(feature = "alloc")] {
     /// use asperity_fif::{Cached, FixedSmooth, HeightField, Interval, Ray, paper};
     /// use glam::DVec3;
     /// let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
@@ -114,6 +115,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// let exact = surface.first_hit(&ray).unwrap();
     /// let near = surface.first_hit_within(&ray, Interval::new(0.0, 9.0), 1e-4).unwrap();
     /// assert!((near.t - exact.t).abs() * ray.direction.length() <= 1e-4);
+    /// # }
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
     #[must_use]
@@ -137,12 +139,14 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit.
     ///
     /// ```
+    /// # #[cfg(feature = "alloc")] {
     /// use asperity_fif::{Cached, FixedSmooth, HeightField, Interval, Ray, paper};
     /// use glam::DVec3;
     /// let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
     /// let surface = HeightField::new(Cached::new(axis), Cached::new(axis));
     /// let ray = Ray { origin: DVec3::new(-1.0, -0.9, 3.0), direction: DVec3::new(1.0, 1.0, -1.0) };
     /// assert!(surface.hits_any(&ray, Interval::new(0.0, 9.0)) && !surface.hits_any(&ray, Interval::new(0.0, 1.0)));
+    /// # }
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
     #[must_use]
