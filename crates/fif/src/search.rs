@@ -165,8 +165,8 @@ impl<'a, const C: usize> Search<'a, C> {
         self.left = PASS.max(self.pieces.len().saturating_mul(PER_MAP)).min(self.budget);
         let given = self.left;
         self.width = self.goal.width.max(self.part * (self.bound - self.best));
-        let blind = !self.best.is_finite();
         self.pass();
+        let blind = !self.best.is_finite();
         let done = self.left > 0;
         self.budget -= given - self.left;
         let gained = self.top < self.bound;

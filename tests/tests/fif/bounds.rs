@@ -1,6 +1,6 @@
 //! Extrema and their places, enclosures, moduli, conditioning and dimension, up to systems that hardly contract.
 
-use asperity_fif::{Fif, FifBuf, Interval, Modulus, Piece, paper};
+use asperity_fif::{Fif, FifBuf, FixedSmooth, Interval, Modulus, Piece, paper};
 use asperity_tests::fif_systems::{Reference, decimal, ratio};
 use proptest::prelude::*;
 
@@ -288,5 +288,19 @@ proptest! {
         }
         let d = f.dimension();
         prop_assert!(d.lo >= 1.0 && d.hi <= 2.0 && d.lo <= d.hi && d.width() < 1e-9, "{d:?}");
+    }
+}
+
+#[test]
+fn intervals_that_end_beside_a_knot_are_bracketed_to_the_requested_width() {
+    let f = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+    for k in 1..512 {
+        let knot = f64::from(k) / 256.0;
+        for (before, after) in [(2e-9, 1e-14), (1.86e-9, 1e-14), (1e-14, 2e-9)] {
+            let (l, r) = (knot - before, knot + after);
+            let got = f.value().extrema_over(l, r, 0.5 * (r - l)).unwrap();
+            // No knot of few maps lies surely inside; the slope is at most 2.
+            assert!(got.enclosure().width() < 4.0 * (r - l), "[{l}, {r}]: {got:?}");
+        }
     }
 }
