@@ -296,7 +296,8 @@ fn intervals_that_end_beside_a_knot_are_bracketed_to_the_requested_width() {
     let f = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
     for k in 1..512 {
         let knot = f64::from(k) / 256.0;
-        for (before, after) in [(2e-9, 1e-14), (1.86e-9, 1e-14), (1e-14, 2e-9)] {
+        let cell = 2.0_f64.powi(-29);
+        for (before, after) in [(2e-9, 1e-14), (cell + 1e-14, 1e-14), (1e-14, cell + 1e-14)] {
             let (l, r) = (knot - before, knot + after);
             let got = f.value().extrema_over(l, r, 0.5 * (r - l)).unwrap();
             // No knot of few maps lies surely inside; the slope is at most 2.
