@@ -332,3 +332,39 @@ impl Fixed {
         }
     }
 }
+
+/// The same function of every reference system, with its number of coefficients; an array of the results.
+#[macro_export]
+macro_rules! systems {
+    ($check:ident) => {
+        [
+            $check::<1>("cantor"),
+            $check::<4>("cubic5"),
+            $check::<2>("nonuni3"),
+            $check::<2>("paper_f"),
+            $check::<2>("paper_g"),
+            $check::<3>("paper_f_int"),
+            $check::<4>("paper_f_int2"),
+            $check::<3>("paper_g_int"),
+            $check::<2>("parabola"),
+            $check::<2>("takagi"),
+        ]
+    };
+}
+
+/// The same function of the reference systems on equally spaced knots.
+#[macro_export]
+macro_rules! even_systems {
+    ($check:ident) => {
+        [
+            $check::<1>("cantor"),
+            $check::<2>("paper_f"),
+            $check::<2>("paper_g"),
+            $check::<3>("paper_f_int"),
+            $check::<4>("paper_f_int2"),
+            $check::<3>("paper_g_int"),
+            $check::<2>("parabola"),
+            $check::<2>("takagi"),
+        ]
+    };
+}

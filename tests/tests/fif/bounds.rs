@@ -2,6 +2,7 @@
 
 use asperity_fif::{Fif, FifBuf, FixedSmooth, Interval, Modulus, Piece, paper};
 use asperity_tests::fif_systems::{Reference, decimal, ratio};
+use asperity_tests::systems;
 use proptest::prelude::*;
 
 /// Random affine systems: 2 to `maps` maps, cells from `smallest` of one another, factors up to `steepest` in size.
@@ -95,16 +96,7 @@ fn the_reference_extrema_are_contained_and_within_a_millionth() {
             assert!(within.hull(at) == within, "{name} {key}: {at:?} {within:?}");
         }
     }
-    check::<1>("cantor");
-    check::<4>("cubic5");
-    check::<2>("nonuni3");
-    check::<2>("paper_f");
-    check::<2>("paper_g");
-    check::<3>("paper_f_int");
-    check::<4>("paper_f_int2");
-    check::<3>("paper_g_int");
-    check::<2>("parabola");
-    check::<2>("takagi");
+    systems!(check);
 }
 
 #[test]

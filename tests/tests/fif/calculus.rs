@@ -3,6 +3,7 @@
 
 use asperity_fif::{Estimate, FifBuf};
 use asperity_tests::fif_systems::{Reference, decimal, ratio, read};
+use asperity_tests::systems;
 use proptest::prelude::*;
 
 use super::properties::{affine, config, hermite};
@@ -17,24 +18,6 @@ fn close(name: &str, got: Estimate, want: f64, ends: f64) -> f64 {
     let error = (full - ends).max(0.0);
     assert!(error <= got.bound + f64::EPSILON * want.abs(), "{name}: {got:?} != {want}, error {error:e}");
     if want == 0.0 { full } else { full / (want.abs() * got.condition + ends / f64::EPSILON) }
-}
-
-/// The same function of every system, with its number of coefficients.
-macro_rules! systems {
-    ($check:ident) => {
-        [
-            $check::<1>("cantor"),
-            $check::<4>("cubic5"),
-            $check::<2>("nonuni3"),
-            $check::<2>("paper_f"),
-            $check::<2>("paper_g"),
-            $check::<3>("paper_f_int"),
-            $check::<4>("paper_f_int2"),
-            $check::<3>("paper_g_int"),
-            $check::<2>("parabola"),
-            $check::<2>("takagi"),
-        ]
-    };
 }
 
 fn moments<const C: usize>(name: &str) -> f64 {

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::{FastBuf, FifBuf, TableError, Uneven};
+use asperity_tests::even_systems;
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 
@@ -37,16 +38,7 @@ fn check_doubles<const C: usize>(name: &str) -> [f64; 2] {
 #[test]
 fn values_at_doubles_equal_the_exact_ones() {
     // Worst errors measured: f 6.1e-13, takagi 3.0e-13, f integrated 1.2e-13, g and its integral 4.4e-16; bounds to 6.7e-13.
-    for [bound, least] in [
-        check_doubles::<1>("cantor"),
-        check_doubles::<2>("paper_f"),
-        check_doubles::<2>("paper_g"),
-        check_doubles::<3>("paper_f_int"),
-        check_doubles::<4>("paper_f_int2"),
-        check_doubles::<3>("paper_g_int"),
-        check_doubles::<2>("parabola"),
-        check_doubles::<2>("takagi"),
-    ] {
+    for [bound, least] in even_systems!(check_doubles) {
         assert!(bound <= 1e-12 && least <= bound, "bounds {bound:e} {least:e}");
     }
 }

@@ -3,6 +3,7 @@
 
 use asperity_fif::FifBuf;
 use asperity_tests::fif_systems::{Reference, decimal, digits_of_double, ratio};
+use asperity_tests::{even_systems, systems};
 
 /// Largest error allowed where the address is exact; the worst measured is written beside each test.
 const EXACT: f64 = 1e-12;
@@ -92,16 +93,7 @@ fn check_doubles<const C: usize>(name: &str) -> f64 {
 #[test]
 fn values_at_doubles_equal_the_exact_ones() {
     // On equally spaced knots the address of a double is exact; the worst error measured is 5e-14, the worst bound 2e-13.
-    for bound in [
-        check_doubles::<1>("cantor"),
-        check_doubles::<2>("paper_f"),
-        check_doubles::<2>("paper_g"),
-        check_doubles::<3>("paper_f_int"),
-        check_doubles::<4>("paper_f_int2"),
-        check_doubles::<3>("paper_g_int"),
-        check_doubles::<2>("parabola"),
-        check_doubles::<2>("takagi"),
-    ] {
+    for bound in even_systems!(check_doubles) {
         assert!(bound <= EXACT, "bound {bound:e}");
     }
     backward_stable::<2>("nonuni3");
@@ -155,16 +147,7 @@ fn extrema_are_bracketed_to_the_requested_width() {
             "{name}: {candidate}"
         );
     }
-    check::<1>("cantor");
-    check::<4>("cubic5");
-    check::<2>("nonuni3");
-    check::<2>("paper_f");
-    check::<2>("paper_g");
-    check::<3>("paper_f_int");
-    check::<4>("paper_f_int2");
-    check::<3>("paper_g_int");
-    check::<2>("parabola");
-    check::<2>("takagi");
+    systems!(check);
 }
 
 #[test]

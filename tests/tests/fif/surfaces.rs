@@ -2,6 +2,7 @@
 
 use asperity_fif::{FixedSmooth, FixedTorus, HeightField, Interval, TorusBuf, TorusError, paper};
 use asperity_tests::fif_systems::{decimal, integers, ratio};
+use asperity_tests::random::Random;
 use asperity_tests::reference;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -347,12 +348,8 @@ fn the_torus_has_no_grain_and_a_product_of_curves_has() {
     let product = HeightField::new(curve, curve);
     let slopes = |x: f64, y: f64| product.gradient(2.0 * x, 2.0 * y).unwrap().to_array();
     let product = grain(slopes, |t| (std::f64::consts::PI * t).sin().powi(2));
-    // SplitMix64's finalizer on the point: white.
-    let mix = |x: u64| {
-        let x = (x ^ x >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let x = (x ^ x >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        x ^ x >> 31
-    };
+    // A random number for every point: white.
+    let mix = |x: u64| Random(x).bits();
     let isotropic = grain(
         |x, y| {
             let bits = mix(mix(x.to_bits()) ^ y.to_bits());

@@ -4,6 +4,7 @@
 use asperity_fif::glam::DVec3;
 use asperity_fif::{Cached, FixedSmooth, HeightField, Hit, Interval, Ray, paper};
 use asperity_tests::fif_systems::read;
+use asperity_tests::random::Random;
 use serde_json::Value;
 
 type Axis = FixedSmooth<2, 3, 2>;
@@ -27,21 +28,12 @@ fn vector(value: &Value) -> DVec3 {
     DVec3::new(v[0], v[1], v[2])
 }
 
-/// SplitMix64, in `[0, 1)`.
-fn uniform(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0
-}
-
 /// Down onto the square and past it, from inside the box, nearly level.
 fn random_rays(count: usize) -> Vec<Ray> {
-    let mut state = 11;
+    let mut random = Random(11);
     (0..count)
         .map(|i| {
-            let mut r = |lo: f64, hi: f64| lo + (hi - lo) * uniform(&mut state);
+            let mut r = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
             let (origin, to) = match i % 3 {
                 0 => (
                     DVec3::new(r(0.0, 2.0), r(0.0, 2.0), 4.5),
