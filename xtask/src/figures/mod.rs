@@ -5,6 +5,7 @@ mod cochran_bounds;
 mod cochran_contractions;
 mod cochran_corner;
 mod cochran_curves;
+mod cochran_dimension;
 mod cochran_mirrors;
 mod cochran_models;
 mod cochran_second_integrals;
@@ -47,6 +48,7 @@ const FIGURES: &[&[Figure]] = &[
         cochran_contractions::CONTRACTIONS,
         cochran_curves::INTEGRALS,
         cochran_second_integrals::SECOND_INTEGRALS,
+        cochran_dimension::DIMENSION,
         cochran_bounds::BOUNDS,
         cochran_bounds::DESCENT,
         cochran_mirrors::MIRRORS,
