@@ -51,6 +51,8 @@
 //! | [`Cached`] | an axis with a table of bounds: faster hits |
 //! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
 //! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
+//! | [`FoldedSurface`], [`FixedFolded`], [`FoldedBuf`], [`FoldedView`] | the like on a grid of unequal cells, not periodic |
+//! | [`FoldedSurface::bounds`], [`FoldedSurface::extrema_over`], [`FoldedSurface::mean`] | its rigorous bounds and its mean |
 //! | [`Interval`], [`Bounded`] | enclosures |
 //! | [`fit`] | factors and knots for given data, with what they miss by |
 //! | [`paper`] | the functions of the source |
@@ -121,6 +123,12 @@ mod fit_error;
 mod fit_knots;
 #[cfg(feature = "alloc")]
 mod fit_refine;
+mod folded;
+mod folded_error;
+mod folded_evaluate;
+mod folded_limits;
+mod folded_node;
+mod folded_ranges;
 mod grid;
 mod height_field;
 mod hermite_patch;
@@ -150,6 +158,8 @@ mod regularity;
 mod search;
 mod series;
 mod storage;
+mod surface;
+mod surface_extrema;
 mod system;
 mod system_error;
 #[cfg(feature = "alloc")]
@@ -182,6 +192,11 @@ pub use fast::FastBuf;
 pub use fast::{Fast, FixedFast};
 #[cfg(feature = "alloc")]
 pub use fast32::Fast32;
+pub use folded::FoldedSurface;
+pub use folded_error::FoldedError;
+#[cfg(feature = "alloc")]
+pub use folded_node::FoldedBuf;
+pub use folded_node::{FixedFolded, FoldedNode, FoldedStorage, FoldedView};
 pub use glam;
 pub use grid::GridError;
 pub use height_field::HeightField;
@@ -195,6 +210,8 @@ pub use regularity::Modulus;
 #[cfg(feature = "alloc")]
 pub use storage::{FifBuf, SmoothBuf};
 pub use storage::{FifView, FixedFif, FixedSmooth, Storage};
+pub use surface::{Surface, SurfaceBounds};
+pub use surface_extrema::SurfaceExtrema;
 pub use system::{Fif, JOIN_TOLERANCE};
 pub use system_error::{End, List, SystemError};
 pub use torus::TorusSurface;
@@ -202,6 +219,5 @@ pub use torus_error::TorusError;
 #[cfg(feature = "alloc")]
 pub use torus_node::TorusBuf;
 pub use torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
-pub use torus_ranges::{SurfaceBounds, SurfaceExtrema};
 #[cfg(feature = "alloc")]
 pub use uneven::Uneven;

@@ -1,43 +1,15 @@
 //! Rigorous bounds of a torus surface over rectangles, its extrema and its means.
 
-use glam::DVec2;
-
 use crate::interval::{Bounded, Interval};
 use crate::math::sqrt;
 use crate::matrix::{IDENTITY, added, product, transposed};
 use crate::polynomial::UNIT;
+use crate::surface::SurfaceBounds;
+use crate::surface_extrema::{SurfaceExtrema, extrema};
 use crate::torus::TorusSurface;
 use crate::torus_evaluate::{MOST_STEPS, place};
 use crate::torus_node::TorusNode;
 use crate::turn::Turn;
-
-/// Enclosures of the heights and slopes of a surface over a rectangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceBounds {
-    /// Of the heights.
-    pub height: Interval,
-    /// Of `∂f/∂x` and `∂f/∂y`.
-    pub slopes: [Interval; 2],
-}
-
-/// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceExtrema {
-    /// The least height lies in here.
-    pub minimum: Interval,
-    /// The greatest height lies in here.
-    pub maximum: Interval,
-    /// A point whose height lies in `minimum`.
-    pub lowest: DVec2,
-    /// A point whose height lies in `maximum`.
-    pub highest: DVec2,
-}
-
-/// Rectangles that one search for an extremum visits at most.
-const BUDGET: u32 = 1 << 16;
-
-/// Times that a search splits a rectangle at most.
-const DEPTH: usize = 64;
 
 impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
     /// Rigorous enclosures of the heights and slopes over `x × y`; the smaller the rectangle, the tighter.
@@ -148,9 +120,7 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
             if finite && range.width() < 1.0 { range } else { Interval::new(0.0, 1.0) }
         };
         let rectangle = [period(x), period(y)];
-        let (maximum, highest) = self.greatest(rectangle, width, 1.0);
-        let (minimum, lowest) = self.greatest(rectangle, width, -1.0);
-        SurfaceExtrema { minimum: Interval::new(-minimum.hi, -minimum.lo), maximum, lowest, highest }
+        extrema(self, rectangle, width)
     }
 
     /// The mean height over `x × y` by its bounds over `cells`² equal parts.
@@ -208,39 +178,6 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
         }
         [all[0].inflated(self.limits.noise[0]), all[1], all[2]]
     }
-
-    /// A bracket of the greatest of `sign · f`, and where the value is that is its lower end.
-    fn greatest(&self, rectangle: [Interval; 2], width: f64, sign: f64) -> (Interval, DVec2) {
-        let upper = |[x, y]: [Interval; 2]| {
-            let range = self.bounds(x, y).height;
-            if sign < 0.0 { -range.lo } else { range.hi }
-        };
-        let mut stack = [(rectangle, f64::INFINITY, 0); 3 * DEPTH + 4];
-        let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
-        let (mut best, mut highest) = (Interval::new(f64::NEG_INFINITY, f64::NEG_INFINITY), DVec2::ZERO);
-        while let Some(&([x, y], bound, depth)) = stack.get(..filled).and_then(<[_]>::last) {
-            filled -= 1;
-            let middle = DVec2::new(x.middle(), y.middle());
-            let centre = self.evaluate(middle.x, middle.y, 0.0).interval().scaled(sign);
-            if centre.lo > best.lo {
-                (best, highest) = (centre, middle);
-            }
-            visited += 1;
-            if bound <= best.lo + width || visited > BUDGET || depth == DEPTH {
-                top = bound.max(top);
-                continue;
-            }
-            let mut parts = quarters([x, y]).map(|part| (part, upper(part).min(bound), depth + 1));
-            parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
-            for part in parts {
-                if let Some(place) = stack.get_mut(filled) {
-                    *place = part;
-                    filled += 1;
-                }
-            }
-        }
-        (Interval::new(best.lo, best.hi.max(top)), highest)
-    }
 }
 
 /// Half the width, rounded up so that the middle's rounding does not count.
@@ -256,13 +193,4 @@ fn pieces([lo, hi]: [f64; 2]) -> impl Iterator<Item = (isize, [f64; 2])> {
     let after = (1, [0.0, (hi - 1.0).min(1.0)]);
     let parts = [Some(own), (lo < 0.0).then_some(before), (hi > 1.0).then_some(after)];
     parts.into_iter().flatten()
-}
-
-fn quarters([x, y]: [Interval; 2]) -> [[Interval; 2]; 4] {
-    let split = |range: Interval| {
-        let middle = range.middle();
-        [Interval::new(range.lo, middle), Interval::new(middle, range.hi)]
-    };
-    let ([west, east], [south, north]) = (split(x), split(y));
-    [[west, south], [east, south], [west, north], [east, north]]
 }

@@ -5,6 +5,7 @@ mod bounds;
 mod calculus;
 mod fast;
 mod fit;
+mod folded;
 mod golden;
 mod properties;
 mod rays;

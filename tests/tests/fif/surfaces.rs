@@ -295,7 +295,7 @@ const SIDE: usize = 128;
 /// The energy of slopes in waves within 5° of the axes, over what a surface without any direction has there.
 ///
 /// Waves of 8 to 64 periods per side count, those beyond the data; `window` takes off the ends of what is not periodic.
-fn grain(gradient: impl Fn(f64, f64) -> [f64; 2], window: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn grain(gradient: impl Fn(f64, f64) -> [f64; 2], window: impl Fn(f64) -> f64) -> f64 {
     let place = |k: usize| (k as f64 + 0.37) / SIDE as f64;
     let turns: Vec<[f64; 2]> = (0..SIDE)
         .map(|k| (std::f64::consts::TAU * k as f64 / SIDE as f64).sin_cos())
