@@ -1,4 +1,5 @@
-//! Shading by a density of normals, from afar and close by: the mean radiance of a surface is the same at every zoom.
+//! Shading by a density of normals, from afar and close by: the mean radiance of a surface is the same at every zoom. And
+//! the reflectances that go with it, diffuse and glossy, each with its samples.
 //!
 //! A pixel resolves some octaves of a surface's bump map and not the rest. This crate decides how many from the pixel's
 //! [`Footprint`], takes the resolved ones from a noise, and shades what the pixel then sees, by one of two rules
@@ -39,7 +40,11 @@
 //! | [`BumpField`] | a field laid into space, with its frequency clamp |
 //! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
 //! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
-//! | [`Dielectric`], [`Conductor`], [`Schlick`] | Fresnel reflectance, unpolarised |
+//! | [`Fresnel`]: [`Dielectric`], [`Conductor`], [`Schlick`], [`SchlickF82`] | Fresnel reflectance, unpolarised |
+//! | [`Brdf`] | what a surface does to light: value, samples and their density |
+//! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
+//! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
+//! | [`Phong`], [`BlinnPhongLobe`], [`WardReflection`] | lobes about the mirrored direction and the half vector |
 //!
 //! # Conventions
 //!
@@ -52,8 +57,8 @@
 //!
 //! # What it does not do
 //!
-//! No masking and shadowing, no diffuse term, no displacement: both rules show p(h) as it is. A Fresnel term is
-//! multiplied on by the caller, at the angle between `h` and either direction.
+//! No displacement. Both rules of level of detail show p(h) as it is, without masking and shadowing; a Fresnel term is
+//! multiplied on by the caller, at the angle between `h` and either direction. The full microfacet model is [`CookTorrance`].
 //!
 //! # Features
 //!
@@ -70,7 +75,9 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
+mod brdf;
 mod bump_field;
+mod diffuse;
 mod direction;
 mod footprint;
 mod frequency_clamp;
@@ -78,17 +85,28 @@ mod fresnel;
 mod gaussian_field;
 mod level_of_detail;
 mod math;
+mod microfacet;
+mod phong;
 mod remapped_octaves;
+mod ward;
 
 pub use asperity_ndf_sampling as ndf_sampling;
-pub use asperity_ndf_sampling::{Beckmann, Frame, Ggx, Ndf, conditional_density};
+pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Ndf, conditional_density};
 pub use asperity_noise as noise;
+pub use brdf::Brdf;
 pub use bump_field::BumpField;
+pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
 pub use footprint::Footprint;
 pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
-pub use fresnel::{Conductor, ConductorError, Dielectric, DielectricError, Schlick, SchlickError};
+pub use fresnel::{
+    Conductor, ConductorError, Dielectric, DielectricError, Fresnel, Schlick, SchlickError, SchlickF82,
+    SchlickF82Error,
+};
 pub use gaussian_field::{Coordinates, GaussianField};
 pub use glam;
 pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
+pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
+pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
 pub use remapped_octaves::RemappedOctaves;
+pub use ward::{WardError, WardForm, WardReflection};

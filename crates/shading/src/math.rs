@@ -20,8 +20,14 @@ macro_rules! backends {
 }
 
 backends! {
+    atan2(y, x) = atan2f | atan2;
+    cos(x) = cosf | cos;
+    exp(x) = expf | exp;
     exp2(x) = exp2f | exp2;
+    ln_1p(x) = log1pf | ln_1p;
     log2(x) = log2f | log2;
+    pow(x, y) = powf | powf;
+    sin(x) = sinf | sin;
     sqrt(x) = sqrtf | sqrt;
 }
 

@@ -2,5 +2,6 @@
 
 mod fresnel;
 mod mean_radiance;
+mod reflectance;
 mod remapped;
 mod zoom;
