@@ -38,6 +38,8 @@
 //! | [`GaussianField`], [`Coordinates`] | two Gaussian noises over space; what is resolved of them at a point |
 //! | [`RemappedOctaves`] | classic noise as such a field, through its measured distribution; [`noise::GaussianOctaves`] needs none |
 //! | [`BumpField`] | a field laid into space, with its frequency clamp |
+//! | [`surface_gradient`], [`tangential`], [`gradient_of_normal`], [`differences`] | gradients along a surface: from two parameters, from space, from a normal, by neighbours |
+//! | [`bumped_normal`], [`lecture_normal`], [`displace`], [`facing`] | bump mapping: the normals of displaced surfaces |
 //! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
 //! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
 //! | [`Fresnel`]: [`Dielectric`], [`Conductor`], [`Schlick`], [`SchlickF82`] | Fresnel reflectance, unpolarised |
@@ -57,7 +59,7 @@
 //!
 //! # What it does not do
 //!
-//! No displacement. Both rules of level of detail show p(h) as it is, without masking and shadowing; a Fresnel term is
+//! Both rules of level of detail show p(h) as it is, without masking and shadowing; a Fresnel term is
 //! multiplied on by the caller, at the angle between `h` and either direction. The full microfacet model is [`CookTorrance`].
 //!
 //! # Features
@@ -76,6 +78,7 @@ extern crate std;
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
 mod brdf;
+mod bump;
 mod bump_field;
 mod diffuse;
 mod direction;
@@ -94,6 +97,10 @@ pub use asperity_ndf_sampling as ndf_sampling;
 pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Ndf, conditional_density};
 pub use asperity_noise as noise;
 pub use brdf::Brdf;
+pub use bump::{
+    Displaced, bumped_normal, differences, displace, facing, gradient_of_normal, lecture_normal,
+    surface_gradient, tangential,
+};
 pub use bump_field::BumpField;
 pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
