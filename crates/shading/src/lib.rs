@@ -82,6 +82,7 @@ mod bump;
 mod bump_field;
 mod diffuse;
 mod direction;
+mod displacement;
 mod footprint;
 mod frequency_clamp;
 mod fresnel;
@@ -98,12 +99,12 @@ pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Nd
 pub use asperity_noise as noise;
 pub use brdf::Brdf;
 pub use bump::{
-    Displaced, bumped_normal, differences, displace, facing, gradient_of_normal, lecture_normal,
-    surface_gradient, tangential,
+    bumped_normal, differences, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
 };
 pub use bump_field::BumpField;
 pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
+pub use displacement::{Displaced, displace};
 pub use footprint::Footprint;
 pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
 pub use fresnel::{
