@@ -2,7 +2,8 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    Axis, Cached, Fast32, FastBuf, Fif, FifBuf, FixedSmooth, HeightField, Piece, Ray, Uneven, paper,
+    Axis, Cached, Fast32, FastBuf, FastJets, Fif, FifBuf, FixedFif, FixedSmooth, HeightField, Jet, Piece,
+    Ray, Uneven, paper,
 };
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -82,6 +83,8 @@ fn fast(c: &mut Criterion) {
     tables(c, "g, table", &paper::g().expect("valid"));
     tables(c, "f integral, table", &paper::f_hat().expect("valid"));
     tables(c, "g integral, table", &paper::g_hat().expect("valid"));
+    jets(c, "f integral, jets", &paper::f_hat().expect("valid"));
+    jets(c, "g integral, jets", &paper::g_hat().expect("valid"));
     let f = FifBuf::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
     let points = points();
     let mut group = c.benchmark_group("uneven, table");
@@ -95,6 +98,30 @@ fn fast(c: &mut Criterion) {
             b.iter(|| points.iter().map(|&x| table.value(x)).sum::<f64>());
         });
     }
+    group.finish();
+}
+
+/// Value, slope and integral beside the value alone, to 10⁻¹².
+fn jets<const C: usize>(c: &mut Criterion, name: &str, f: &FixedFif<2, C>) {
+    let points = points();
+    let fast = FastBuf::new(f.view(), 1e-12).expect("equally spaced");
+    let jets = FastJets::new(f.view(), 1e-12).expect("smooth");
+    let [mut value, mut slope, mut integral] = [0; 3].map(|_| vec![0.0; points.len()]);
+    let mut group = c.benchmark_group(name);
+    group.throughput(Throughput::Elements(points.len() as u64));
+    group.bench_function("values", |b| b.iter(|| fast.values(black_box(&points), &mut value)));
+    group.bench_function("jets, batch", |b| {
+        b.iter(|| {
+            let out: Jet<&mut [f64]> = Jet { value: &mut value, slope: &mut slope, integral: &mut integral };
+            jets.jets(black_box(&points), out)
+        });
+    });
+    group.bench_function("jets", |b| {
+        b.iter(|| {
+            let sum = |jet: Jet| jet.value + jet.slope + jet.integral;
+            points.iter().map(|&x| sum(jets.jet(x))).sum::<f64>()
+        });
+    });
     group.finish();
 }
 

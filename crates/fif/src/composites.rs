@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::interval::Interval;
 use crate::map::Piece;
-use crate::polynomial::{UNIT, bernstein, magnitude, substitute};
+use crate::polynomial::{UNIT, bernstein, falling, magnitudes, substitute};
 use crate::system::{Fif, Spacing};
 
 /// A composite of maps: over its cell, scaled to `[0, 1]`, the function less its chord is `a v(u) + Σ c_k uᵏ`.
@@ -71,6 +71,8 @@ pub enum TableError {
         /// The size.
         found: usize,
     },
+    /// The system has no continuous derivative.
+    Rough,
     /// Rows in `f32` hold three coefficients at most.
     Coefficients {
         /// The number of coefficients of the system.
@@ -96,6 +98,7 @@ impl fmt::Display for TableError {
             Self::Storage { expected, found } => {
                 write!(f, "the table must hold {expected} composites, its type holds {found}")
             }
+            Self::Rough => write!(f, "jets need a continuous derivative, the system has none"),
             Self::Coefficients { found } => {
                 write!(f, "the table holds 3 coefficients a row, the system has {found}")
             }
@@ -125,6 +128,9 @@ pub(crate) struct Composites<T, const C: usize> {
     pub(crate) largest: f64,
     /// Bound of the error of every polynomial over `[0, 1]`.
     pub(crate) error: f64,
+    /// The same of its derivatives over a row, order by order from 0.
+    #[cfg(feature = "alloc")]
+    pub(crate) errors: [f64; C],
     /// An enclosure of the deviation from the chord.
     pub(crate) deviation: Interval,
 }
@@ -140,12 +146,12 @@ impl<T: TableStorage<C>, const C: usize> Composites<T, C> {
         let (digits, radix) = size(maps, T::capacity(), size_of::<Composite<C>>());
         let storage = TableError::Storage { expected: radix, found: T::capacity() };
         let mut table = T::with_len(radix).ok_or(storage)?;
-        let (mut steepest, mut largest, mut error) = (1.0_f64, 0.0_f64, 0.0_f64);
+        let (mut steepest, mut largest, mut errors) = (1.0_f64, [0.0; C], [0.0; C]);
         let gamma = 4.0 * C as f64 * UNIT;
         for digit in 0..digits {
             // Outer composites first: v∘L_e∘L_j = a_e (α_j v + p_j) + P_e∘L_j, in place from the last to the first.
             let outer = maps.saturating_pow(digit);
-            let (mut steep, mut large, mut part, mut slack) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+            let (mut steep, mut large, mut part, mut slack) = (0.0_f64, [0.0; C], [0.0; C], 0.0_f64);
             for e in (0..outer).rev() {
                 let Some(&Composite { a, c }) = table.as_ref().get(e) else { continue };
                 let children = system.pieces().iter().zip(table.as_mut().iter_mut().skip(e * maps));
@@ -157,22 +163,59 @@ impl<T: TableStorage<C>, const C: usize> Composites<T, C> {
                     }
                     *child = Composite { a: a * map.alpha, c: polynomial };
                     steep = steep.max(child.a.abs());
-                    large = large.max(magnitude(&child.c, 1.0));
-                    part = part.max(magnitude(&map.p, 1.0));
+                    large = greater(large, magnitudes(&child.c));
+                    part = greater(part, magnitudes(&map.p));
                     slack = slack.max(map.slack);
                 }
             }
-            // In the norm Σ|c|, which no substitution u ↦ a u + s into [0, 1] enlarges.
+            // In the norms Σ|c| of the derivatives, which no substitution u ↦ a u + s into [0, 1] enlarges: it takes aᵐ off.
             let factor = f64::from(digit) + 2.0;
-            error += gamma * largest + steepest * (slack + factor * UNIT * part) + UNIT * large;
+            let mut shrink = 1.0;
+            let sizes = largest.iter().zip(part).zip(large);
+            for (m, (error, ((before, part), after))) in errors.iter_mut().zip(sizes).enumerate() {
+                let added = falling(C - 1, m) * slack + factor * UNIT * part;
+                *error = shrink * (*error + gamma * before) + steepest * added + UNIT * after;
+                shrink /= maps as f64;
+            }
             (steepest, largest) = (steep, large);
         }
-        let (error, roundings) = (1.01 * error, f64::from(digits) + 2.0);
+        let errors = errors.map(|error: f64| 1.01 * error);
+        let (error, largest) = (first(&errors), first(&largest));
+        let roundings = f64::from(digits) + 2.0;
         let rows = table.as_ref().iter().map(|row| (row.a, &row.c));
         let deviation = enclose(system, &rows, error + 8.0 * C as f64 * UNIT * largest, roundings);
         let steepest = steepest * (1.0 + roundings * UNIT);
-        Ok(Self { table, radix, digits, steepest, largest, error, deviation })
+        Ok(Self {
+            table,
+            radix,
+            digits,
+            steepest,
+            largest,
+            error,
+            #[cfg(feature = "alloc")]
+            errors,
+            deviation,
+        })
     }
+}
+
+impl<T, const C: usize> Composites<T, C> {
+    /// Steps after which nothing is left of 64 bits: a power of two uses them up.
+    pub(crate) fn end(&self) -> u32 {
+        let bits = self.radix.trailing_zeros();
+        if self.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX }
+    }
+}
+
+fn greater<const C: usize>(mut most: [f64; C], values: [f64; C]) -> [f64; C] {
+    for (most, value) in most.iter_mut().zip(values) {
+        *most = most.max(value);
+    }
+    most
+}
+
+fn first<const C: usize>(values: &[f64; C]) -> f64 {
+    values.first().copied().unwrap_or(0.0)
 }
 
 /// An enclosure of the deviation from the chord: the range of `f` less that of the chord, then the hull of its images
@@ -184,15 +227,25 @@ pub(crate) fn enclose<'a, S: AsRef<[Piece<C>]>, const C: usize>(
     slack: f64,
     roundings: f64,
 ) -> Interval {
-    const ROUNDS: usize = 8;
     let (chord, range) = (system.chord(), system.range());
     let scale = range.magnitude() + 2.0 * (chord.start.abs() + chord.rise.abs());
     let (start, end) = (chord.start, chord.at(1.0));
     let line = Interval::new(start, start).hull(Interval::new(end, end));
-    let mut bound = Interval::new(range.lo - line.hi, range.hi - line.lo).inflated(8.0 * UNIT * scale);
+    let bound = Interval::new(range.lo - line.hi, range.hi - line.lo).inflated(8.0 * UNIT * scale);
+    narrow(bound, &rows.clone().map(|(a, c)| (a, *c)), slack, roundings)
+}
+
+/// The hull of the images of a bound under all rows `(a, c)` of a table that covers the domain, while that pays.
+pub(crate) fn narrow<const C: usize>(
+    mut bound: Interval,
+    rows: &(impl Iterator<Item = (f64, [f64; C])> + Clone),
+    slack: f64,
+    roundings: f64,
+) -> Interval {
+    const ROUNDS: usize = 8;
     for _ in 0..ROUNDS {
         let hull = rows.clone().fold(Interval::EMPTY, |hull, (a, c)| {
-            let p = bernstein(c).iter().fold(Interval::EMPTY, |p, &b| p.hull(Interval::new(b, b)));
+            let p = bernstein(&c).iter().fold(Interval::EMPTY, |p, &b| p.hull(Interval::new(b, b)));
             let p = if C == 0 { Interval::new(0.0, 0.0) } else { p };
             hull.hull(p.sum(bound.scaled(a)))
         });

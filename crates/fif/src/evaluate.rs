@@ -17,8 +17,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     ///
     /// After `k` inverse steps `f(x) = acc + A f(u)`, so the error is at most `|A| R` with `R` half the width of
     /// [`Fif::range`]; the middle of the range stands for the tail. The depth follows from that, not from the horizontal
-    /// contraction, which bounds no error of `y`: Algorithm 2 of the source, taken literally, errs by 0.48 for its own
-    /// `g` at ε = 10⁻³. At most [`MAX_DEPTH`] steps are made; `bound` holds truncation and rounding.
+    /// contraction, which bounds no error of `y`: Algorithm 2 of the source, taken literally, errs by 0.38 for its own
+    /// `g` at ε = 10⁻³ and by 0.075 at 10⁻⁶ (measured at 400,000 points). At most [`MAX_DEPTH`] steps are made; `bound`
+    /// holds truncation and rounding.
     ///
     /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
     ///   NaN or under the rounding error stands for the rounding error.

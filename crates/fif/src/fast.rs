@@ -10,7 +10,7 @@ use crate::series::Series;
 use crate::system::Fif;
 
 /// The least distance from the left end, in units of the domain, whose 53 bits all lie within 64: 2⁻¹¹.
-const LEAST: f64 = 1.0 / 2048.0;
+pub(crate) const LEAST: f64 = 1.0 / 2048.0;
 
 /// A function on equally spaced knots with a table, for values at any points in a few nanoseconds.
 ///
@@ -78,9 +78,6 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
     pub fn new(system: Fif<S, C>, tolerance: f64) -> Result<Self, TableError> {
         let mut made = Composites::<T, C>::new(&system)?;
         let (chord, degree) = (system.chord(), C as f64);
-        // A power of two uses up 64 bits; no tail is left then.
-        let bits = made.radix.trailing_zeros();
-        let end = if made.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX };
         let series = Series {
             ratio: made.steepest,
             largest: made.largest,
@@ -89,7 +86,7 @@ impl<S: AsRef<[Piece<C>]>, T: TableStorage<C>, const C: usize> Fast<S, T, C> {
             roundings: f64::from(made.digits) + 2.0,
             tail: made.deviation,
             scale: chord.start.abs() + chord.rise.abs(),
-            end,
+            end: made.end(),
             // Coefficients in units of 2⁻⁵³ᵏ may be subnormal.
             lost: (1..C).fold(f64::MIN_POSITIVE, |lost, _| lost / UNIT),
             unit: UNIT,

@@ -56,7 +56,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fast32<S, C> {
         }
         let made = Composites::<Vec<Composite<C>>, C>::new(&system)?;
         let chord = system.chord();
-        let bits = made.radix.trailing_zeros();
         let series = Series {
             ratio: made.steepest * (1.0 + UNIT),
             largest: made.largest,
@@ -65,7 +64,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fast32<S, C> {
             roundings: 2.0,
             tail: made.deviation,
             scale: 1.25 * (chord.start.abs() + chord.rise.abs()),
-            end: if made.radix.is_power_of_two() { u64::BITS.div_ceil(bits.max(1)) } else { u32::MAX },
+            end: made.end(),
             lost: (1..C).fold(f64::from(f32::MIN_POSITIVE), |lost, _| lost / UNIT),
             unit: UNIT,
         };

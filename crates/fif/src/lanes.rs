@@ -13,7 +13,7 @@ const LANES: usize = 4;
 const LEAST: f32 = 1.0 / 128.0;
 
 /// The best level of this machine; without `std`, the best that the program was built for.
-fn best_level() -> Level {
+pub(crate) fn best_level() -> Level {
     #[cfg(feature = "std")]
     return Level::new();
     #[cfg(not(feature = "std"))]

@@ -29,6 +29,7 @@
 //! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
 //! | [`Fast32`] | the same in `f32`, in SIMD lanes for many points |
 //! | [`Uneven`] | the same on any knots |
+//! | [`FastJets`] | value, slope, integral and higher derivatives of a smooth function at once |
 //! | [`Fif::grid`] | values at all nodes of an even grid |
 //! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
 //! | [`Fif::address`] | the maps that close in on a point |
@@ -76,8 +77,8 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`Cached`], [`fit`] |
-//! | `simd` (default) | batches of [`Fast32`] in SIMD lanes, with the same bits |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`fit`] |
+//! | `simd` (default) | batches of [`Fast32`] and [`FastJets`] in SIMD lanes, with the same bits |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -137,7 +138,17 @@ mod inner_product;
 mod integral;
 mod interval;
 #[cfg(feature = "alloc")]
+mod jet;
+#[cfg(all(feature = "alloc", feature = "simd"))]
+mod jet_lanes;
+#[cfg(feature = "alloc")]
+mod jet_orders;
+#[cfg(feature = "alloc")]
+mod jet_sums;
+#[cfg(feature = "alloc")]
 mod jet_table;
+#[cfg(feature = "alloc")]
+mod jets;
 #[cfg(all(feature = "alloc", feature = "simd"))]
 mod lanes;
 mod map;
@@ -150,6 +161,8 @@ mod normal_distribution;
 mod orbit;
 pub mod paper;
 mod polynomial;
+#[cfg(feature = "alloc")]
+mod primitive;
 mod range_box;
 mod ray;
 #[cfg(feature = "alloc")]
@@ -201,6 +214,10 @@ pub use glam;
 pub use grid::GridError;
 pub use height_field::HeightField;
 pub use interval::{Bounded, Interval};
+#[cfg(feature = "alloc")]
+pub use jet::Jet;
+#[cfg(feature = "alloc")]
+pub use jets::FastJets;
 pub use map::{Map, Piece};
 pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
 #[cfg(feature = "alloc")]

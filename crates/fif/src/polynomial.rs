@@ -28,6 +28,25 @@ pub(crate) fn magnitude<const C: usize>(c: &[f64; C], x: f64) -> f64 {
     sum
 }
 
+/// `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th power.
+pub(crate) fn falling(k: usize, m: usize) -> f64 {
+    (0..m).fold(1.0, |product, i| product * k.saturating_sub(i) as f64)
+}
+
+/// [`magnitude`] of all derivatives at 1: `Σ_k k!/(k − m)! |c_k|` for every order `m`.
+#[must_use]
+pub(crate) fn magnitudes<const C: usize>(c: &[f64; C]) -> [f64; C] {
+    let mut sums = [0.0; C];
+    for (k, c) in c.iter().enumerate() {
+        let mut term = c.abs();
+        for (m, sum) in sums.iter_mut().enumerate().take(k + 1) {
+            *sum += term;
+            term *= (k - m) as f64;
+        }
+    }
+    sums
+}
+
 /// Coefficients of `p(a x + b)` (Cochran, Lewis, Hart 2000, eq. 28, by repeated Horner steps).
 #[must_use]
 pub(crate) fn substitute<const C: usize>(p: &[f64; C], a: f64, b: f64) -> [f64; C] {

@@ -9,6 +9,7 @@ use crate::system::Fif;
 pub(crate) const MOST: u32 = 64;
 
 /// The sum `Σ_{k < K} W_k P_k + W_K tail`, every factor of `W_k` at most `ratio` in size.
+#[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) ratio: f64,
     /// `max |P_k|`.
@@ -64,7 +65,8 @@ impl Series {
         found.ok_or_else(|| self.bound(last))
     }
 
-    fn bound(&self, steps: u32) -> f64 {
+    /// Truncation and rounding after so many steps.
+    pub(crate) fn bound(&self, steps: u32) -> f64 {
         let [truncation, rounding] = self.errors(steps);
         1.001 * (truncation + rounding) + self.lost
     }

@@ -7,6 +7,7 @@ mod fast;
 mod fit;
 mod folded;
 mod golden;
+mod jets;
 mod properties;
 mod rays;
 mod reference;
