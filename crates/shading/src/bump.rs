@@ -270,6 +270,8 @@ mod tests {
             assert!(crate::reflect(wo, seen).z >= -1e-4, "{wo}, {bumped}: {seen}");
             if crate::reflect(wo, bumped).z >= 0.0 {
                 assert_eq!(seen, bumped);
+            } else {
+                assert!(crate::reflect(wo, seen).z < 1e-4, "no further than needed: {wo}, {bumped}: {seen}");
             }
         }
     }

@@ -47,6 +47,9 @@
 //! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
 //! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
 //! | [`Phong`], [`BlinnPhongLobe`], [`WardReflection`] | lobes about the mirrored direction and the half vector |
+//! | [`Brick`], [`Bevel`], [`Edge`] | bricks and mortar, with the exact mean over a pixel; ridges along edges |
+//! | [`StarWallpaper`], [`PerturbedTexture`], [`Marble`] | stars in cells, images that run, blue marble |
+//! | [`Gas`], [`Steam`], [`march`] | gas as a density, its room over a cup, light through it |
 //!
 //! # Conventions
 //!
@@ -92,6 +95,7 @@ mod math;
 mod microfacet;
 mod phong;
 mod remapped_octaves;
+mod texture;
 mod ward;
 
 pub use asperity_ndf_sampling as ndf_sampling;
@@ -117,4 +121,8 @@ pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_fac
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
 pub use remapped_octaves::RemappedOctaves;
+pub use texture::{
+    Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,
+    PerturbedTexture, Seen, StarWallpaper, StarWallpaperError, Steam, march,
+};
 pub use ward::{WardError, WardForm, WardReflection};

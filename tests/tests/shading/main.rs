@@ -4,4 +4,5 @@ mod fresnel;
 mod mean_radiance;
 mod reflectance;
 mod remapped;
+mod textures;
 mod zoom;

@@ -1,0 +1,205 @@
+//! Ridges along the edges of a figure.
+
+use core::fmt;
+
+use glam::Vec2;
+
+use crate::math::sqrt;
+
+/// The profile of a ridge along an edge: a plateau beside the edge, then a flank down to the face.
+///
+/// ```text
+/// distance d to the edge   0 … plateau          height H, slope 0
+///                          plateau … ridge      slope from `top` to `bottom`, linearly; the height its integral
+///                          ridge …              height 0, slope 0
+/// H = (top + bottom)/2 · (ridge − plateau)
+/// ```
+///
+/// Slopes are how fast the height falls away from the edge; negative ones make a groove. Widths are in the unit of the distance.
+/// The figure's [`Edge`] gives the distance and the direction away from it, and the gradient of the height is the slope along that
+/// direction.
+///
+/// Cohen, *Procedural Bump Mapping and Noise*, "Bevelling Effects": ridge and plateau widths, slopes at the top and the bottom of
+/// the ridge, perpendicular to the closest edge. The lecture leaves the ridge function open; this is the one with the least
+/// curvature for its four parameters.
+///
+/// ```
+/// use asperity_shading::{Bevel, Edge, glam::Vec2};
+///
+/// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
+/// let tile = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
+/// let edge = Edge::nearest(&tile, Vec2::new(0.5, 0.06)).unwrap();
+/// let [height, slope] = bevel.profile(edge.distance);
+/// // Half way down the flank, which falls away from the edge below.
+/// assert!((slope + 0.5).abs() < 1e-6 && height > 0.0 && edge.away == Vec2::Y);
+/// # Ok::<(), asperity_shading::BevelError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bevel {
+    plateau: f32,
+    flank: f32,
+    top: f32,
+    bottom: f32,
+}
+
+impl Bevel {
+    /// The ridge with a plateau of this width, `ridge` wide in all, and these slopes where its flank begins and ends.
+    ///
+    /// # Errors
+    /// [`BevelError`] unless `0 ≤ plateau < ridge` and all four are finite.
+    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, BevelError> {
+        if !(0.0 <= plateau && plateau < ridge && ridge.is_finite()) {
+            return Err(BevelError::Widths { plateau, ridge });
+        }
+        for (end, slope) in [("top", top), ("bottom", bottom)] {
+            if !slope.is_finite() {
+                return Err(BevelError::Slope { end, slope });
+            }
+        }
+        Ok(Self { plateau, flank: ridge - plateau, top, bottom })
+    }
+
+    /// Height and its derivative by the distance, at a distance from the edge; flat at a distance that is no number.
+    #[must_use]
+    pub fn profile(&self, distance: f32) -> [f32; 2] {
+        let x = (distance - self.plateau) / self.flank;
+        if x <= 0.0 {
+            return [0.5 * (self.top + self.bottom) * self.flank, 0.0];
+        }
+        if x < 1.0 {
+            let slope = self.top + (self.bottom - self.top) * x;
+            [0.5 * (1.0 - x) * (slope + self.bottom) * self.flank, -slope]
+        } else {
+            // NaN too.
+            [0.0, 0.0]
+        }
+    }
+}
+
+/// Why a [`Bevel`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BevelError {
+    /// The plateau is negative, not narrower than the ridge, or one of the two is not finite.
+    Widths {
+        /// The width of the plateau.
+        plateau: f32,
+        /// The width of the whole ridge.
+        ridge: f32,
+    },
+    /// A slope is not finite.
+    Slope {
+        /// `top` or `bottom`.
+        end: &'static str,
+        /// The slope.
+        slope: f32,
+    },
+}
+
+impl fmt::Display for BevelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Widths { plateau, ridge } => {
+                write!(f, "a plateau of {plateau} does not fit into a ridge of {ridge}")
+            }
+            Self::Slope { end, slope } => write!(f, "the slope at the {end} is {slope}, not finite"),
+        }
+    }
+}
+
+impl core::error::Error for BevelError {}
+
+/// The edge of a polygon that is closest to a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// How far away it is, at least 0.
+    pub distance: f32,
+    /// The unit direction from its closest point to the point; across the edge where the point lies on it.
+    pub away: Vec2,
+}
+
+impl Edge {
+    /// The closest edge of the polygon with these corners, in either orientation, from a point within or without.
+    ///
+    /// `None` for fewer than two corners, and where no edge's distance is a number.
+    #[must_use]
+    pub fn nearest(corners: &[Vec2], p: Vec2) -> Option<Self> {
+        let mut nearest: Option<Self> = None;
+        let mut from = *corners.last().filter(|_| corners.len() > 1)?;
+        for &to in corners {
+            let edge = Self::of(from, to, p);
+            if edge.distance.is_finite() && nearest.is_none_or(|nearest| edge.distance < nearest.distance) {
+                nearest = Some(edge);
+            }
+            from = to;
+        }
+        nearest
+    }
+
+    /// The edge between two corners.
+    fn of(from: Vec2, to: Vec2, p: Vec2) -> Self {
+        let (along, offset) = (to - from, p - from);
+        let length = along.dot(along);
+        let t = if length > 0.0 { (offset.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
+        let apart = offset - t * along;
+        let distance = sqrt(apart.dot(apart));
+        let away = if distance > 0.0 { apart / distance } else { along.perp().normalize_or(Vec2::Y) };
+        Self { distance, away }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn profile_is_continuous_and_the_slopes_integral() {
+        for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (0.4, 0.4), (-0.7, 0.2)] {
+            let bevel = Bevel::new(0.1, 0.6, top, bottom).unwrap();
+            let mut integral = 0.0;
+            let n = 1000;
+            for i in (0..n).rev() {
+                let d = 0.7 * (i as f32 + 0.5) / n as f32;
+                let [height, slope] = bevel.profile(d);
+                integral -= slope * 0.7 / n as f32;
+                assert!((height - integral).abs() < 1e-3, "{top}, {bottom}, {d}: {height} {integral}");
+            }
+            assert!((bevel.profile(0.1 + 1e-6)[1] + top).abs() < 1e-4);
+            assert!((bevel.profile(0.6 - 1e-6)[1] + bottom).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn distances_that_are_none_are_flat() {
+        let bevel = Bevel::new(0.1, 0.6, 0.3, 0.9).unwrap();
+        assert_eq!(bevel.profile(f32::NAN), [0.0, 0.0]);
+        assert_eq!(bevel.profile(f32::INFINITY), [0.0, 0.0]);
+        assert_eq!(bevel.profile(-1.0), bevel.profile(0.0));
+    }
+
+    #[test]
+    fn refuses_what_is_no_ridge() {
+        for (plateau, ridge) in
+            [(-0.1, 1.0), (1.0, 1.0), (f32::NAN, 1.0), (0.1, f32::INFINITY), (0.1, f32::NAN)]
+        {
+            assert!(matches!(Bevel::new(plateau, ridge, 0.0, 1.0), Err(BevelError::Widths { .. })));
+        }
+        assert!(matches!(Bevel::new(0.0, 1.0, f32::NAN, 1.0), Err(BevelError::Slope { end: "top", .. })));
+    }
+
+    #[test]
+    fn nearest_edge_is_found_from_both_sides() {
+        let square = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
+        let inside = Edge::nearest(&square, Vec2::new(0.9, 0.4)).unwrap();
+        assert!((inside.distance - 0.1).abs() < 1e-6 && (inside.away + Vec2::X).length() < 1e-6);
+        let outside = Edge::nearest(&square, Vec2::new(-3.0, -4.0)).unwrap();
+        assert!(
+            (outside.distance - 5.0).abs() < 1e-6 && (outside.away - Vec2::new(-0.6, -0.8)).length() < 1e-6
+        );
+        let on = Edge::nearest(&square, Vec2::new(0.5, 0.0)).unwrap();
+        assert!(on.distance == 0.0 && (on.away.length() - 1.0).abs() < 1e-6);
+        assert_eq!(Edge::nearest(&square, Vec2::NAN), None);
+        assert_eq!(Edge::nearest(&square[..1], Vec2::ZERO), None);
+        assert_eq!(Edge::nearest(&[], Vec2::ZERO), None);
+    }
+}

@@ -1,0 +1,218 @@
+//! Blue marble: a spline of colours over a sum of noise.
+
+use core::fmt;
+
+use asperity_noise::{Noise, Perlin2002, removed_share};
+use glam::Vec3;
+
+use crate::Footprint;
+use crate::math::sqrt;
+
+/// Marble: the sum of a few octaves of noise picks a colour from a spline.
+///
+/// ```text
+/// m(p) = Σ n(s fᵢ p)/fᵢ,   fᵢ = 2.17ⁱ,   i = 0 … 3,   s the texture's scale
+/// colour(m) = Catmull–Rom spline through thirteen colours at clamp(2m + 0.75, 0, 1)
+/// ```
+///
+/// The first and the last colour only steer the spline, as in RenderMan's, so that ten pieces remain. Where a pixel does not resolve
+/// the upper octaves, [`colour`](Self::colour) is the mean of the spline over what they would add, and not the colour of the mean:
+/// marble keeps its colour from afar.
+///
+/// Cohen, *Procedural Bump Mapping and Noise*, listing `blue_marble`.
+///
+/// ```
+/// use asperity_shading::{Footprint, Marble, glam::Vec3};
+///
+/// let marble = Marble::default();
+/// let near = marble.colour(Vec3::new(0.3, 0.1, 0.8), Footprint::from_width(0.0));
+/// assert_eq!(near, Marble::<asperity_shading::noise::Perlin2002>::spline(2.0 * marble.sum(Vec3::new(0.3, 0.1, 0.8)) + 0.75));
+/// // From afar every point has the same pale blue.
+/// let far = |p| marble.colour(p, Footprint::from_width(1e3));
+/// assert_eq!(far(Vec3::ZERO), far(Vec3::ONE));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Marble<N = Perlin2002> {
+    noise: N,
+    scale: f32,
+    seed: u32,
+}
+
+const OCTAVES: usize = 4;
+const LACUNARITY: f32 = 2.17;
+
+const PALE: Vec3 = Vec3::new(0.25, 0.25, 0.35);
+const MEDIUM: Vec3 = Vec3::new(0.10, 0.10, 0.30);
+const DARK: Vec3 = Vec3::new(0.05, 0.05, 0.26);
+const DARKER: Vec3 = Vec3::new(0.03, 0.03, 0.20);
+const COLOURS: [Vec3; 13] =
+    [PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE, PALE, DARK, DARK, DARKER, DARKER, PALE, DARKER];
+
+/// The lecture's: Perlin's noise, scale 2.5.
+impl Default for Marble {
+    fn default() -> Self {
+        Self { noise: Perlin2002::default(), scale: 2.5, seed: 0 }
+    }
+}
+
+impl<N: Noise<Vec3>> Marble<N> {
+    /// Marble of a noise with values about `[−1, 1]`, `scale` cells of its first octave per unit.
+    ///
+    /// # Errors
+    /// [`MarbleError`] unless the scale is finite and positive.
+    pub fn new(noise: N, scale: f32, seed: u32) -> Result<Self, MarbleError> {
+        if scale > 0.0 && scale.is_finite() {
+            Ok(Self { noise, scale, seed })
+        } else {
+            Err(MarbleError(scale))
+        }
+    }
+
+    /// The sum of noise `m(p)`; 0 for coordinates that are not finite.
+    #[must_use]
+    pub fn sum(&self, p: Vec3) -> f32 {
+        self.resolved(p, 0.0).0
+    }
+
+    /// The colour at a point, linear RGB, as a pixel of this footprint sees it.
+    ///
+    /// Octave i keeps the share `1 − kᵢ` that [`removed_share`] leaves; what is removed has the measured distribution of sums
+    /// of the noise at its variance, over which the mean of the spline is taken.
+    #[must_use]
+    pub fn colour(&self, p: Vec3, footprint: Footprint) -> Vec3 {
+        let (sum, deviation) = self.resolved(p, footprint.width());
+        if deviation <= 0.0 {
+            return Self::spline(2.0 * sum + 0.75);
+        }
+        let cdf = self.noise.statistics().cdf;
+        let at = |k: usize| 2.0 * (sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0)) + 0.75;
+        let (mut mean, mut below, mut left) = (Vec3::ZERO, 0.0, Self::antiderivative(at(0)));
+        for k in 1..=PARTS {
+            let above = if k == PARTS { 1.0 } else { cdf.get(k * cdf.len() / PARTS).copied().unwrap_or(1.0) };
+            let right = Self::antiderivative(at(k));
+            mean += (above - below) * (right - left);
+            (below, left) = (above, right);
+        }
+        mean / (at(1) - at(0))
+    }
+
+    /// The colours over `x` in `[0, 1]`, clamped; NaN is 0.
+    #[must_use]
+    pub fn spline(x: f32) -> Vec3 {
+        let (_, t, [b, linear, square, cube]) = Self::piece(x);
+        b + t * (linear + t * (square + t * cube))
+    }
+
+    /// `∫₀ˣ spline`.
+    fn antiderivative(x: f32) -> Vec3 {
+        let pieces = (COLOURS.len() - 3) as f32;
+        if x < 0.0 {
+            return Self::spline(0.0) * x;
+        }
+        let within = |t: f32, [b, linear, square, cube]: [Vec3; 4]| {
+            t * (b + t * (linear / 2.0 + t * (square / 3.0 + t * cube / 4.0)))
+        };
+        let (index, t, piece) = Self::piece(x);
+        let mut sum = within(t, piece);
+        for k in 0..index {
+            sum += within(1.0, Self::piece((k as f32 + 0.5) / pieces).2);
+        }
+        sum / pieces + Self::spline(1.0) * (x - 1.0).max(0.0)
+    }
+
+    /// The piece of `x`, its place there, and the polynomial.
+    fn piece(x: f32) -> (usize, f32, [Vec3; 4]) {
+        let pieces = (COLOURS.len() - 3) as f32;
+        let x = if x > 0.0 { x.min(1.0) * pieces } else { 0.0 };
+        let piece = (x as usize).min(COLOURS.len() - 4);
+        let [a, b, c, d] =
+            COLOURS.get(piece..).and_then(|knots| knots.first_chunk()).copied().unwrap_or([DARKER; 4]);
+        let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
+        (piece, x - piece as f32, [b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a)])
+    }
+
+    /// The resolved part of the sum, and the standard deviation of the rest.
+    fn resolved(&self, p: Vec3, width: f32) -> (f32, f32) {
+        let one = self.noise.statistics().standard_deviation;
+        let (mut sum, mut variance, mut frequency) = (0.0, 0.0, 1.0);
+        for i in 0..OCTAVES {
+            let removed = removed_share(width, self.scale * frequency);
+            let kept = 1.0 - removed;
+            if kept > 0.0 {
+                let seed = self.seed.wrapping_add(i as u32);
+                sum += kept / frequency * self.noise.value(p * (self.scale * frequency), seed);
+            }
+            variance += (1.0 - kept * kept) * (one / frequency) * (one / frequency);
+            frequency *= LACUNARITY;
+        }
+        (sum, sqrt(variance))
+    }
+}
+
+/// Parts of the distribution of what is removed.
+const PARTS: usize = 16;
+
+/// The scale of a [`Marble`] is not finite and positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarbleError(
+    /// The scale.
+    pub f32,
+);
+
+impl fmt::Display for MarbleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the scale of the marble is {}, not finite and positive", self.0)
+    }
+}
+
+impl core::error::Error for MarbleError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Blue = Marble<Perlin2002>;
+
+    #[test]
+    fn spline_goes_through_its_inner_colours_smoothly() {
+        for (k, colour) in COLOURS[1..12].iter().enumerate() {
+            let x = k as f32 / 10.0;
+            assert!((Blue::spline(x) - *colour).length() < 1e-6, "knot {k}");
+            let h = 1e-3;
+            if k > 0 && k < 10 {
+                let (left, right) =
+                    (Blue::spline(x) - Blue::spline(x - h), Blue::spline(x + h) - Blue::spline(x));
+                // The second derivative leaps, by less than 200.
+                assert!((right - left).length() < 200.0 * h * h, "knot {k}");
+            }
+        }
+        assert!((0..=1000).all(|k| Blue::spline(k as f32 / 1000.0).min_element() > 0.0));
+        assert_eq!(Blue::spline(-3.0), Blue::spline(0.0));
+        assert_eq!(Blue::spline(f32::INFINITY), Blue::spline(1.0));
+        assert_eq!(Blue::spline(f32::NAN), Blue::spline(0.0));
+    }
+
+    #[test]
+    fn antiderivative_is_the_splines() {
+        let h = 1e-3;
+        for k in -30..130 {
+            let x = 0.01 * k as f32 + 0.003;
+            let rate = (Blue::antiderivative(x + h) - Blue::antiderivative(x - h)) / (2.0 * h);
+            assert!((rate - Blue::spline(x)).length() < 3e-4, "{x}: {rate} {}", Blue::spline(x));
+        }
+    }
+
+    #[test]
+    fn every_point_has_a_colour() {
+        let marble = Marble::default();
+        for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e9, f32::INFINITY] {
+            for width in [0.0, 0.1, 1e30, f32::INFINITY, f32::NAN] {
+                let colour = marble.colour(Vec3::new(x, 0.3, -x), Footprint::from_width(width));
+                assert!(colour.is_finite() && colour.min_element() >= 0.0, "{x} {width}: {colour}");
+            }
+        }
+        for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+            assert!(Marble::new(Perlin2002::default(), bad, 0).is_err());
+        }
+    }
+}

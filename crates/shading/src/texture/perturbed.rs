@@ -1,0 +1,80 @@
+//! Texture coordinates moved by noise.
+
+use asperity_noise::{Noise, Perlin2002};
+use glam::{Vec2, Vec3};
+
+/// Moves the texture coordinates of a surface by noise at its points, so that any image on it runs.
+///
+/// ```text
+/// s′ = s + strength_x n(scale P),   t′ = t + strength_y n(scale P + (1.5, 6.7, 3.4))
+/// ```
+///
+/// Two channels of one noise, kept apart by an offset; Cohen, *Procedural Bump Mapping and Noise*, listing `perturb`. Here the second
+/// channel has a seed of its own beside the offset, because channels on one lattice are not independent.
+///
+/// ```
+/// use asperity_shading::{PerturbedTexture, glam::{Vec2, Vec3}};
+///
+/// let running = PerturbedTexture::default();
+/// let moved = running.coordinates(Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));
+/// assert!((moved - Vec2::splat(0.5)).abs().cmple(Vec2::new(0.1, 0.05)).all());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerturbedTexture<N = Perlin2002> {
+    /// The noise, with values about `[−1, 1]`.
+    pub noise: N,
+    /// Cells of the noise per unit of the positions.
+    pub scale: f32,
+    /// How far either coordinate is moved at most.
+    pub strength: Vec2,
+    /// Which noise.
+    pub seed: u32,
+}
+
+/// The lecture's: 0.2 cells per unit, by 0.1 and 0.05.
+impl Default for PerturbedTexture {
+    fn default() -> Self {
+        Self { noise: Perlin2002::default(), scale: 0.2, strength: Vec2::new(0.1, 0.05), seed: 0 }
+    }
+}
+
+impl<N: Noise<Vec3>> PerturbedTexture<N> {
+    /// Where to look up the texture for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
+    #[must_use]
+    pub fn coordinates(&self, p: Vec3, uv: Vec2) -> Vec2 {
+        let q = p * self.scale;
+        let second = self.noise.value(q + Vec3::new(1.5, 6.7, 3.4), self.seed.wrapping_add(1));
+        uv + self.strength * Vec2::new(self.noise.value(q, self.seed), second)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_that_are_none_move_nothing() {
+        let uv = Vec2::new(0.25, 0.75);
+        for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.0)] {
+            assert_eq!(PerturbedTexture::default().coordinates(bad, uv), uv);
+        }
+    }
+
+    #[test]
+    fn directions_move_apart() {
+        let running = PerturbedTexture { strength: Vec2::ONE, scale: 1.0, ..PerturbedTexture::default() };
+        let (mut xy, mut xx, mut yy) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for i in 0..20_000 {
+            let i = i as f32;
+            let p =
+                Vec3::new((0.618_034 * i).fract(), (0.754_878 * i).fract(), (0.569_84 * i).fract()) * 50.0;
+            let moved = running.coordinates(p, Vec2::ZERO);
+            let moved = moved.to_array().map(f64::from);
+            xy += moved[0] * moved[1];
+            xx += moved[0] * moved[0];
+            yy += moved[1] * moved[1];
+        }
+        // Correlation of independent channels over some 10⁴ cells.
+        assert!(xx > 0.0 && yy > 0.0 && (xy / (xx * yy).sqrt()).abs() < 0.05, "{}", xy / (xx * yy).sqrt());
+    }
+}

@@ -1,0 +1,280 @@
+//! Wallpaper with a star in some of its cells.
+
+use core::f32::consts::{PI, TAU};
+use core::fmt;
+
+use asperity_noise::{Noise, Perlin2002, White, removed_share};
+use glam::Vec2;
+
+use crate::math::{atan2, cos, sin, sqrt};
+
+/// Stars scattered over a grid of cells.
+///
+/// ```text
+/// a cell has a star with the given chance; its centre lies within 0.6 of a cell of the cell's, in both directions
+/// star: n points at radius r_max, notches at r_min between them
+/// ```
+///
+/// A point sees the stars of its own and the eight neighbouring cells. The listing is corrected in two places, which
+/// [`as_listed`](Self::as_listed) keeps for comparison: a fraction of a turn is used as an angle in radians, which makes the
+/// notches shallow; and its chance and offsets come from lattice noise, which neither is uniform nor keeps to the chance. Its third,
+/// `CELLSIZE (1/NCELLS)`, an integer division that is 0, leaves nothing to reproduce.
+///
+/// Cohen, *Procedural Bump Mapping and Noise*, listing `wallpaper`.
+///
+/// ```
+/// use asperity_shading::{StarWallpaper, glam::Vec2};
+///
+/// let wallpaper = StarWallpaper::default();
+/// // From afar, the share of stars.
+/// assert_eq!(wallpaper.coverage(Vec2::new(0.3, 0.8), 10.0), wallpaper.mean());
+/// // Close by it is star or ground.
+/// let share = wallpaper.coverage(Vec2::new(0.3, 0.8), 0.0);
+/// assert!(share == 0.0 || share == 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StarWallpaper {
+    points: u32,
+    r_min: f32,
+    r_max: f32,
+    cells: f32,
+    chance: f32,
+    seed: u32,
+}
+
+/// How far the centre of a star may lie from that of its cell, in cells.
+const SCATTER: f32 = 0.6;
+
+/// The lecture's: ten cells per unit, stars of five points, radii 0.01 and 0.03, in 55 of 100 cells.
+impl Default for StarWallpaper {
+    fn default() -> Self {
+        Self { points: 5, r_min: 0.01, r_max: 0.03, cells: 10.0, chance: 0.55, seed: 0 }
+    }
+}
+
+impl StarWallpaper {
+    /// Stars of `points` points with notches at `r_min` and points at `r_max`, in a share `chance` of `cells` cells per unit.
+    ///
+    /// # Errors
+    /// [`StarWallpaperError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`, `cells` is finite and
+    /// positive, `r_max` is at most 0.4 of a cell (beyond, a star might reach past the neighbouring cells), and `chance` is within
+    /// `[0, 1]`.
+    pub fn new(
+        points: u32,
+        [r_min, r_max]: [f32; 2],
+        cells: f32,
+        chance: f32,
+        seed: u32,
+    ) -> Result<Self, StarWallpaperError> {
+        if !(2..=1000).contains(&points) {
+            return Err(StarWallpaperError::Points(points));
+        }
+        if !(cells > 0.0 && cells.is_finite()) {
+            return Err(StarWallpaperError::Cells(cells));
+        }
+        if !(0.0 < r_min && r_min <= r_max && r_max * cells <= 0.4) {
+            return Err(StarWallpaperError::Radii { r_min, r_max, most: 0.4 / cells });
+        }
+        if !(0.0..=1.0).contains(&chance) {
+            return Err(StarWallpaperError::Chance(chance));
+        }
+        Ok(Self { points, r_min, r_max, cells, chance, seed })
+    }
+
+    /// The share of the wall that stars cover, where they do not overlap.
+    ///
+    /// ```text
+    /// chance · cells² · n r_min r_max sin(π/n)
+    /// ```
+    ///
+    /// Overlaps make the true share less: for the lecture's stars by 2 % of it, measured.
+    #[must_use]
+    pub fn mean(&self) -> f32 {
+        let n = self.points as f32;
+        (self.chance * self.cells * self.cells * n * self.r_min * self.r_max * sin(PI / n)).min(1.0)
+    }
+
+    /// The share of a pixel that stars cover, at a point seen through a footprint of this width.
+    ///
+    /// The edge of a star is a ramp, half as wide as the footprint in each of its quarters; where the footprint nears the size of a star, the wall turns into its
+    /// mean. A footprint of 0 gives 0 or 1. 0 for coordinates that are not finite.
+    #[must_use]
+    pub fn coverage(&self, uv: Vec2, footprint: f32) -> f32 {
+        if !uv.is_finite() {
+            return 0.0;
+        }
+        let footprint = footprint.abs();
+        // A pixel that cannot be measured resolves nothing.
+        let far = if footprint.is_nan() { 1.0 } else { removed_share(footprint, 0.75 / self.r_max) };
+        if far >= 1.0 {
+            return self.mean();
+        }
+        let white =
+            |cell: Vec2, k: u32| White::default().value(cell, self.seed.wrapping_mul(3).wrapping_add(k));
+        let mut bare = 1.0;
+        self.for_neighbours(uv, |cell| {
+            if 0.5 + 0.5 * white(cell, 0) < self.chance {
+                let offset = SCATTER * Vec2::new(white(cell, 1), white(cell, 2));
+                let p = uv - (cell + offset) / self.cells;
+                // Out of reach of every ramp.
+                if p.dot(p) < (self.r_max + footprint) * (self.r_max + footprint) {
+                    bare *= 1.0 - self.ramped(p, footprint);
+                }
+            }
+        });
+        let near = 1.0 - bare;
+        near + far * (self.mean() - near)
+    }
+
+    /// The listing as it stands, with [`Perlin2002`] for its noise: the number of stars over a point is at least one.
+    ///
+    /// The noise is the listing's `noise`, `0.5 + 0.5 n`; the angle within a star runs to half a unit instead of half a star's angle.
+    #[must_use]
+    pub fn as_listed(&self, uv: Vec2) -> bool {
+        let mut covered = false;
+        if uv.is_finite() {
+            let noise = |x: f32, y: f32| Perlin2002::default().value(Vec2::new(x, y), self.seed);
+            self.for_neighbours(uv, |middle| {
+                let cell = middle - 0.5;
+                if 0.5 + 0.5 * noise(3.0 * cell.x - 9.5, 7.0 * cell.y + 7.5) < self.chance {
+                    let offset =
+                        Vec2::new(noise(cell.x + 0.5, cell.y + 0.5), noise(cell.x + 3.5, cell.y + 8.5));
+                    let centre = (middle + SCATTER * offset) / self.cells;
+                    covered |= self.inside(uv - centre, self.points as f32 / TAU) >= 0.0;
+                }
+            });
+        }
+        covered
+    }
+
+    /// The share of a pixel that a star about 0 covers: the mean of ramps over its quarters.
+    fn ramped(&self, p: Vec2, footprint: f32) -> f32 {
+        let quarter = 0.25 * footprint;
+        if quarter == 0.0 {
+            return if self.inside(p, 1.0) >= 0.0 { 1.0 } else { 0.0 };
+        }
+        let mut sum = 0.0;
+        for x in [-quarter, quarter] {
+            for y in [-quarter, quarter] {
+                sum += (0.5 + self.inside(p + Vec2::new(x, y), 1.0) / (2.0 * quarter)).clamp(0.0, 1.0);
+            }
+        }
+        0.25 * sum
+    }
+
+    /// The middles of the cell and its neighbours, in cells.
+    fn for_neighbours(&self, uv: Vec2, mut visit: impl FnMut(Vec2)) {
+        let cell = (uv * self.cells).floor();
+        for i in [-0.5, 0.5, 1.5] {
+            for j in [-0.5, 0.5, 1.5] {
+                visit(cell + Vec2::new(i, j));
+            }
+        }
+    }
+
+    /// How far `p` lies within the edge of a star about 0, negative outside; the angle from its point is multiplied by `listed`,
+    /// which is 1 for a star.
+    fn inside(&self, p: Vec2, listed: f32) -> f32 {
+        let angle = TAU / self.points as f32;
+        let turn = (atan2(p.x, p.y) + PI) / angle;
+        let fraction = turn - (turn as u32) as f32;
+        let a = fraction.min(1.0 - fraction) * angle * listed;
+        let tip = Vec2::new(self.r_max, 0.0);
+        let edge = self.r_min * Vec2::new(cos(0.5 * angle), sin(0.5 * angle)) - tip;
+        let r = sqrt(p.dot(p));
+        edge.perp_dot(r * Vec2::new(cos(a), sin(a)) - tip) / sqrt(edge.dot(edge))
+    }
+}
+
+/// Why a [`StarWallpaper`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StarWallpaperError {
+    /// The number of points is outside `[2, 1000]`.
+    Points(u32),
+    /// The radii are not positive, not in order, or too large for a cell.
+    Radii {
+        /// The radius of the notches.
+        r_min: f32,
+        /// The radius of the points.
+        r_max: f32,
+        /// The largest radius.
+        most: f32,
+    },
+    /// The number of cells per unit is not finite and positive.
+    Cells(f32),
+    /// The chance of a star is outside `[0, 1]`.
+    Chance(f32),
+}
+
+impl fmt::Display for StarWallpaperError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Points(n) => write!(f, "a star has {n} points, outside [2, 1000]"),
+            Self::Radii { r_min, r_max, most } => {
+                write!(f, "the radii {r_min} and {r_max} do not satisfy 0 < r_min ≤ r_max ≤ {most}")
+            }
+            Self::Cells(cells) => write!(f, "{cells} cells per unit, not finite and positive"),
+            Self::Chance(chance) => write!(f, "the chance of a star is {chance}, outside [0, 1]"),
+        }
+    }
+}
+
+impl core::error::Error for StarWallpaperError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn star_has_its_points_and_notches() {
+        let wall = StarWallpaper::default();
+        // The listing's angle starts at the negative second axis.
+        let at = |r: f32, turn: f32| {
+            let angle = turn * TAU / 5.0 - PI;
+            wall.inside(r * Vec2::new(angle.sin(), angle.cos()), 1.0)
+        };
+        for k in 0..5 {
+            let k = k as f32;
+            assert!(at(0.0299, k) > 0.0 && at(0.0301, k) < 0.0, "point {k}");
+            assert!(at(0.0099, k + 0.5) > 0.0 && at(0.0101, k + 0.5) < 0.0, "notch {k}");
+        }
+    }
+
+    #[test]
+    fn listed_stars_have_shallow_notches() {
+        let wall = StarWallpaper::default();
+        let at = |turn: f32, r: f32| {
+            let angle = turn * TAU / 5.0 - PI;
+            wall.inside(r * Vec2::new(angle.sin(), angle.cos()), 5.0 / TAU)
+        };
+        // A notch ends where the edge reaches half a radian instead of half a star's angle, at 0.0113.
+        assert!(at(0.5, 0.0112) > 0.0 && at(0.5, 0.0114) < 0.0);
+    }
+
+    #[test]
+    fn every_point_is_a_share() {
+        let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, 0.0, 1e-30, 1e9, 1e30, f32::INFINITY];
+        let wall = StarWallpaper::default();
+        for u in odd {
+            for v in odd {
+                for width in odd {
+                    let share = wall.coverage(Vec2::new(u, v), width);
+                    assert!((0.0..=1.0).contains(&share), "{u} {v} {width}: {share}");
+                }
+                let _ = wall.as_listed(Vec2::new(u, v));
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_wallpaper() {
+        let new = |points, radii, cells, chance| StarWallpaper::new(points, radii, cells, chance, 1);
+        assert!(matches!(new(1, [0.01, 0.03], 10.0, 0.5), Err(StarWallpaperError::Points(1))));
+        for radii in [[0.0, 0.03], [0.04, 0.03], [0.01, 0.05], [f32::NAN, 0.03]] {
+            assert!(matches!(new(5, radii, 10.0, 0.5), Err(StarWallpaperError::Radii { .. })), "{radii:?}");
+        }
+        assert!(matches!(new(5, [0.01, 0.03], f32::NAN, 0.5), Err(StarWallpaperError::Cells(_))));
+        assert!(matches!(new(5, [0.01, 0.03], 10.0, 1.5), Err(StarWallpaperError::Chance(_))));
+    }
+}
