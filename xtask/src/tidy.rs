@@ -10,7 +10,7 @@ use crate::figure::Failure;
 const EDGES: &[(&str, &[&str], &[&str])] = &[
     ("asperity-noise", &["fearless_simd", "glam", "libm"], &["criterion"]),
     ("asperity-ndf-sampling", &["fearless_simd", "glam", "libm"], &["criterion", "libm"]),
-    ("asperity-fif", &["fearless_simd", "glam", "libm"], &["criterion"]),
+    ("asperity-fif", &["fearless_simd", "glam", "libm", "serde"], &["criterion"]),
     ("asperity-shading", &["asperity-ndf-sampling", "asperity-noise", "glam", "libm"], &["criterion"]),
 ];
 

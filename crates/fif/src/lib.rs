@@ -78,6 +78,7 @@
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
 //! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`fit`] |
+//! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
 //! | `simd` (default) | batches of [`Fast32`] and [`FastJets`] in SIMD lanes, with the same bits |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
@@ -169,6 +170,8 @@ mod ray;
 mod ray_batch;
 mod regularity;
 mod search;
+#[cfg(feature = "serde")]
+mod serialise;
 mod series;
 mod storage;
 mod surface;

@@ -11,5 +11,6 @@ mod jets;
 mod properties;
 mod rays;
 mod reference;
+mod serialise;
 mod surfaces;
 mod table_rays;
