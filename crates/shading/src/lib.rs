@@ -46,6 +46,10 @@
 //! | [`Brdf`] | what a surface does to light: value, samples and their density |
 //! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
 //! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
+//! | [`SurfacePoint`], [`Form`], [`ParameterError`] | where materials are evaluated; printed or corrected formulas; parameters refused |
+//! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
+//! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
+//! | [`Seams`], [`SeamPattern`], [`Seam`], [`rim_light`] | seams of a carpet, light along its rim |
 //! | [`Phong`], [`BlinnPhongLobe`], [`WardReflection`] | lobes about the mirrored direction and the half vector |
 //! | [`Brick`], [`Bevel`], [`Edge`] | bricks and mortar, with the exact mean over a pixel; ridges along edges |
 //! | [`StarWallpaper`], [`PerturbedTexture`], [`Marble`] | stars in cells, images that run, blue marble |
@@ -91,6 +95,7 @@ mod frequency_clamp;
 mod fresnel;
 mod gaussian_field;
 mod level_of_detail;
+mod material;
 mod math;
 mod microfacet;
 mod phong;
@@ -118,6 +123,10 @@ pub use fresnel::{
 pub use gaussian_field::{Coordinates, GaussianField};
 pub use glam;
 pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
+pub use material::{
+    Carpet, CarpetParameters, CarpetSurface, DarkAreas, DiffuseThreads, Form, ParameterError, Seam,
+    SeamPattern, Seams, SpecularThreads, SurfacePoint, rim_light,
+};
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
 pub use remapped_octaves::RemappedOctaves;

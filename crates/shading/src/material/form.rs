@@ -1,0 +1,13 @@
+//! Whether a formula of the thesis is taken as it was printed.
+
+/// Which of two forms of a formula: the one that its source prints, or the one that does what its source says.
+///
+/// The printed form is there to be compared with; what differs is documented at each function that takes a form.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// As printed, errors included.
+    Printed,
+    /// As meant.
+    #[default]
+    Corrected,
+}

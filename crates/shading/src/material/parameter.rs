@@ -1,0 +1,121 @@
+//! Why a material's parameters were refused.
+
+use core::fmt;
+
+use glam::{Vec2, Vec3};
+
+/// A parameter of a material that is outside its range.
+///
+/// ```
+/// use asperity_shading::{ParameterError, Seams, SeamPattern, glam::Vec2};
+///
+/// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
+/// assert_eq!(error, ParameterError::Outside { parameter: "seams_amplitude", value: 1.5, least: 0.0, most: 1.0 });
+/// assert_eq!(error.to_string(), "seams_amplitude is 1.5, outside [0, 1]");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ParameterError {
+    /// A number is outside its closed range, or is NaN.
+    Outside {
+        /// The parameter's name.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+        /// The least value that it can have.
+        least: f32,
+        /// The greatest.
+        most: f32,
+    },
+    /// A direction is zero or not finite.
+    Direction {
+        /// The parameter's name.
+        parameter: &'static str,
+        /// Its value; the third component of a direction in the plane is 0.
+        value: Vec3,
+    },
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outside { parameter, value, least, most } => {
+                write!(f, "{parameter} is {value}, outside [{least}, {most}]")
+            }
+            Self::Direction { parameter, value } => {
+                write!(f, "{parameter} is {value}, which has no direction")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+/// The smallest and the largest size of anything, in units of the surface's positions.
+pub(crate) const SIZES: [f32; 2] = [1e-6, 1e6];
+/// What is a share or a strength.
+pub(crate) const SHARES: [f32; 2] = [0.0, 1.0];
+
+/// The value, if it is in the range.
+pub(crate) fn within(
+    parameter: &'static str,
+    value: f32,
+    [least, most]: [f32; 2],
+) -> Result<f32, ParameterError> {
+    if (least..=most).contains(&value) {
+        Ok(value)
+    } else {
+        Err(ParameterError::Outside { parameter, value, least, most })
+    }
+}
+
+/// A colour, if every component is in `[0, 1]`.
+pub(crate) fn colour(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
+    for c in value.to_array() {
+        within(parameter, c, SHARES)?;
+    }
+    Ok(value)
+}
+
+/// The unit vector along a direction.
+pub(crate) fn direction(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
+    // Scaled first: squares of what is very long or short leave the range of `f32`.
+    let scale = value.abs().max_element();
+    let unit = (value / scale).normalize_or_zero();
+    if value.is_finite() && unit.is_finite() && unit != Vec3::ZERO {
+        Ok(unit)
+    } else {
+        Err(ParameterError::Direction { parameter, value })
+    }
+}
+
+/// The unit vector along a direction in the plane.
+pub(crate) fn direction_in_plane(parameter: &'static str, value: Vec2) -> Result<Vec2, ParameterError> {
+    direction(parameter, value.extend(0.0)).map(Vec3::truncate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_closed_and_hold_no_nan() {
+        assert_eq!(within("a", 0.0, SHARES), Ok(0.0));
+        assert_eq!(within("a", 1.0, SHARES), Ok(1.0));
+        for bad in [-1e-9, 1.001, f32::NAN, f32::INFINITY] {
+            assert!(within("a", bad, SHARES).is_err(), "{bad}");
+        }
+        assert!(colour("c", Vec3::new(0.0, 0.5, f32::NAN)).is_err());
+    }
+
+    #[test]
+    fn directions_are_made_unit() {
+        for length in [1e-30, 1.0, 1e30] {
+            let unit = direction_in_plane("d", Vec2::new(3.0, -4.0) * length).unwrap();
+            assert!((unit - Vec2::new(0.6, -0.8)).length() < 1e-6, "{length}: {unit}");
+        }
+        for bad in [Vec3::ZERO, Vec3::NAN, Vec3::new(f32::INFINITY, 0.0, 0.0)] {
+            assert!(direction("d", bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! The point of a surface that a material is evaluated at.
+
+use asperity_ndf_sampling::Frame;
+use glam::{Vec2, Vec3};
+
+use crate::{Footprint, surface_gradient};
+
+/// Where a pixel meets a surface: what every material needs to know.
+///
+/// ```
+/// use asperity_shading::{Footprint, SurfacePoint, glam::Vec3};
+///
+/// let point = SurfacePoint::new(Vec3::new(0.2, 0.1, 0.5), Vec3::Z, Footprint::from_width(1e-3));
+/// assert_eq!(point.tangents, [Vec3::X, Vec3::Y]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The position in the space of the model: noises are sampled here.
+    pub position: Vec3,
+    /// The unit normal of the surface without bumps.
+    pub normal: Vec3,
+    /// The texture coordinates: seams and waves of scratches and fibres lie along them.
+    pub uv: Vec2,
+    /// `∂P/∂u` and `∂P/∂v`.
+    pub tangents: [Vec3; 2],
+    /// The width of the pixel on the surface.
+    pub footprint: Footprint,
+}
+
+impl SurfacePoint {
+    /// A point without texture coordinates of its own: `uv` is 0, tangents are those of [`Frame::from_normal`].
+    #[must_use]
+    pub fn new(position: Vec3, normal: Vec3, footprint: Footprint) -> Self {
+        let frame = Frame::from_normal(normal);
+        let tangents = [frame.tangent, frame.bitangent];
+        Self { position, normal: frame.normal, uv: Vec2::ZERO, tangents, footprint }
+    }
+
+    /// A point with texture coordinates and the derivatives of the position in them.
+    #[must_use]
+    pub fn with_uv(self, uv: Vec2, tangents: [Vec3; 2]) -> Self {
+        Self { uv, tangents, ..self }
+    }
+
+    /// The gradient along the surface of a function with this slope in texture coordinates.
+    pub(crate) fn gradient(&self, slope: Vec2) -> Vec3 {
+        surface_gradient(self.normal, self.tangents, slope)
+    }
+
+    /// By how much a function with this gradient changes across the pixel; ∞ where there is no gradient.
+    pub(crate) fn change(&self, gradient: Vec3) -> f32 {
+        let change = gradient.length() * self.footprint.width();
+        if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
+    }
+}
