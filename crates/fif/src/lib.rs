@@ -54,6 +54,10 @@
 //! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
 //! | [`FoldedSurface`], [`FixedFolded`], [`FoldedBuf`], [`FoldedView`] | the like on a grid of unequal cells, not periodic |
 //! | [`FoldedSurface::bounds`], [`FoldedSurface::extrema_over`], [`FoldedSurface::mean`] | its rigorous bounds and its mean |
+//! | [`Surface`] | any surface over a rectangle: its bounds, and rays against it |
+//! | [`Surface::first_hit`], [`Surface::first_hit_within`], [`Surface::hits_any`], [`Surface::first_hits`] | the first point of a ray on it, to a tolerance, any hit, many rays |
+//! | [`Pyramid`] | a surface with a table of bounds: faster hits |
+//! | [`TorusSurface::narrowed`], [`FoldedSurface::narrowed`] | narrower global ranges, before searches and rays |
 //! | [`Interval`], [`Bounded`] | enclosures |
 //! | [`fit`] | factors and knots for given data, with what they miss by |
 //! | [`paper`] | the functions of the source |
@@ -69,15 +73,13 @@
 //! - Values use only `+ − × ÷` and comparisons in a fixed order (normals, extrema and fits also square roots), so they have
 //!   the same bits wherever `f64` is IEEE 754. A modulus and a dimension use powers and logarithms of the float backend.
 //!
-//! Not here: rays against surfaces that are no products.
-//!
 //! ## Features
 //!
 //! | feature | gives |
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`fit`] |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`Pyramid`], [`fit`] |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
 //! | `simd` (default) | batches of [`Fast32`] and [`FastJets`] in SIMD lanes, with the same bits |
 //!
@@ -100,6 +102,7 @@ compile_error!("asperity-fif needs a float backend: enable the feature `std` or 
 mod algorithm_two;
 mod area;
 mod axis;
+mod axis_cover;
 mod batch;
 mod bounds;
 #[cfg(feature = "alloc")]
@@ -164,6 +167,8 @@ pub mod paper;
 mod polynomial;
 #[cfg(feature = "alloc")]
 mod primitive;
+#[cfg(feature = "alloc")]
+mod pyramid;
 mod range_box;
 mod ray;
 #[cfg(feature = "alloc")]
@@ -174,8 +179,10 @@ mod search;
 mod serialise;
 mod series;
 mod storage;
+mod stretch;
 mod surface;
 mod surface_extrema;
+mod surface_ray;
 mod system;
 mod system_error;
 #[cfg(feature = "alloc")]
@@ -225,6 +232,8 @@ pub use map::{Map, Piece};
 pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
 #[cfg(feature = "alloc")]
 pub use normal_distribution::NormalDistributionError;
+#[cfg(feature = "alloc")]
+pub use pyramid::Pyramid;
 pub use ray::{Hit, Ray};
 pub use regularity::Modulus;
 #[cfg(feature = "alloc")]

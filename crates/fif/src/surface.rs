@@ -1,10 +1,15 @@
-//! What bounds and rays need of any surface over the plane.
+//! Any surface over a rectangle: what bounds and rays need of it.
 
 use glam::DVec2;
 
+use crate::axis::Axis;
+use crate::axis_cover::covered;
 use crate::folded::FoldedSurface;
 use crate::folded_node::FoldedNode;
+use crate::height_field::HeightField;
 use crate::interval::{Bounded, Interval};
+use crate::ray::{Hit, Ray};
+use crate::surface_ray::{self, Unbounded};
 use crate::torus::TorusSurface;
 use crate::torus_node::TorusNode;
 
@@ -17,7 +22,20 @@ pub struct SurfaceBounds {
     pub slopes: [Interval; 2],
 }
 
-/// A surface `z = f(x, y)` over a rectangle, as far as bounds of it and rays against it need.
+/// A surface `z = f(x, y)` over a rectangle: what bounds and rays need of it, and the rays.
+///
+/// Implemented by [`TorusSurface`] over one period, the unit square, by [`FoldedSurface`] over its grid, by [`HeightField`],
+/// whose own rays are faster, and by [`Pyramid`](crate::Pyramid) over any of them, which makes hits several times as fast.
+///
+/// ```
+/// use asperity_fif::{FixedTorus, Ray, Surface, glam::DVec3};
+/// let z = [0.0, 1.0, -0.5, 0.25];
+/// let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+/// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
+/// let hit = surface.first_hit(&ray).unwrap();
+/// assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10 && hit.normal.unwrap().z > 0.0);
+/// # Ok::<(), asperity_fif::TorusError>(())
+/// ```
 pub trait Surface {
     /// The rectangle.
     #[must_use]
@@ -27,8 +45,8 @@ pub trait Surface {
     #[must_use]
     fn range(&self) -> Interval;
 
-    /// The height with a bound of its error, to `tolerance` or the rounding error. Points outside the domain stand for some
-    /// point of it; one at its border may be rounded to the outside.
+    /// The height with a bound of its error, to `tolerance` or the rounding error. A point that rounding has put outside the
+    /// domain stands for the nearest of it.
     #[must_use]
     fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded;
 
@@ -39,6 +57,104 @@ pub trait Surface {
     /// The gradient at a point that is known to `distance`, or `None` where there is none.
     #[must_use]
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2>;
+
+    /// The first point of the ray on the surface, `t ≥ 0`; a ray that starts on the surface hits at `t = 0`.
+    ///
+    /// ```text
+    /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
+    /// ```
+    ///
+    /// Guarantees and limits are those of [`HeightField::first_hit`]: no hit is passed by but a pair of roots within one
+    /// stretch of 10⁻¹² of the domain, and none is invented; rays that are no rays hit nothing.
+    #[must_use]
+    fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
+    }
+
+    /// The first hit with `t` in the interval, to a tolerance: a length in the domain's unit along the ray.
+    ///
+    /// ```text
+    /// f stays away from the ray over [t, t + |z − f|/r],   r ≥ |d/dt (z − f)| over a cell
+    /// ```
+    ///
+    /// Rigorous boxes are visited in the order of the ray. Within one, bounds of the slopes say from both ends how far the nearest
+    /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
+    /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. So a
+    /// hit lies within `tolerance` of a root before which there is none, but for a pair of roots within one such
+    /// stretch: a ray that dips in and out again. 0, negative and NaN stand for 10⁻¹² of the domain and a root to the
+    /// rounding error. A ray takes at most 2¹⁶ evaluations; beyond, a stretch is decided by its ends.
+    ///
+    /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
+    #[must_use]
+    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        surface_ray::first(self, &Unbounded(self), ray, t, tolerance)
+    }
+
+    /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit.
+    #[must_use]
+    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+        surface_ray::any(self, &Unbounded(self), ray, t)
+    }
+
+    /// The first hit of every ray, as [`Surface::first_hit_within`], into `hits`; rays and places without a partner are left.
+    fn first_hits(&self, rays: &[Ray], t: Interval, tolerance: f64, hits: &mut [Option<Hit>]) {
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = self.first_hit_within(ray, t, tolerance);
+        }
+    }
+}
+
+impl<S: Surface> Surface for &S {
+    fn domain(&self) -> [Interval; 2] {
+        S::domain(self)
+    }
+
+    fn range(&self) -> Interval {
+        S::range(self)
+    }
+
+    fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        S::evaluate(self, x, y, tolerance)
+    }
+
+    fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        S::bounds(self, x, y)
+    }
+
+    fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
+        S::gradient_near(self, x, y, distance)
+    }
+
+    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        S::first_hit_within(self, ray, t, tolerance)
+    }
+
+    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+        S::hits_any(self, ray, t)
+    }
+}
+
+impl<X: Axis, Y: Axis> Surface for HeightField<X, Y> {
+    fn domain(&self) -> [Interval; 2] {
+        [self.x.domain(), self.y.domain()]
+    }
+
+    fn range(&self) -> Interval {
+        self.x.range().product(self.y.range())
+    }
+
+    fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        self.evaluate(x, y, tolerance)
+    }
+
+    fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        let ([f, f_slope], [g, g_slope]) = (covered(&self.x, x), covered(&self.y, y));
+        SurfaceBounds { height: f.product(g), slopes: [f_slope.product(g), f.product(g_slope)] }
+    }
+
+    fn gradient_near(&self, x: f64, y: f64, _: f64) -> Option<DVec2> {
+        self.gradient(x, y)
+    }
 }
 
 const PERIOD: Interval = Interval::new(0.0, 1.0);

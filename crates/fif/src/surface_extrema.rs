@@ -64,6 +64,34 @@ fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign:
     (Interval::new(best.lo, best.hi.max(top)), highest)
 }
 
+/// The greatest of `upper` over the squares that quartering `depth` times gives, where it is no greater than over what holds
+/// them; the greatest over larger squares where a budget ends before.
+pub(crate) fn ceiling(rectangle: [Interval; 2], depth: u32, upper: impl Fn([Interval; 2]) -> f64) -> f64 {
+    const LEVELS: usize = 24;
+    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * LEVELS + 4];
+    let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
+    while let Some(&(square, bound, level)) = stack.get(..filled).and_then(<[_]>::last) {
+        filled -= 1;
+        if bound <= top {
+            continue;
+        }
+        visited += 1;
+        if level >= depth.min(LEVELS as u32) || visited > BUDGET {
+            top = bound;
+            continue;
+        }
+        let mut parts = quarters(square).map(|part| (part, upper(part).min(bound), level + 1));
+        parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
+        for part in parts {
+            if let Some(place) = stack.get_mut(filled) {
+                *place = part;
+                filled += 1;
+            }
+        }
+    }
+    top
+}
+
 fn quarters([x, y]: [Interval; 2]) -> [[Interval; 2]; 4] {
     let split = |range: Interval| {
         let middle = range.middle();

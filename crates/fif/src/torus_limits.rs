@@ -105,6 +105,11 @@ impl Limits {
             .map(|range| range.intersection(Interval::new(-self.steepest, self.steepest)));
     }
 
+    /// `(|s| ‖M‖₂)ᵏ`, rounded up; no smaller than for 64 steps.
+    pub(crate) fn contraction_of(&self, steps: u32) -> f64 {
+        (0..steps.min(64)).fold(1.0, |power, _| power * self.contraction * (1.0 + 2.0 * UNIT))
+    }
+
     /// Rounding of a value after `steps` terms: of the patches, of powers of s, and of partial sums of up to twice the range.
     pub(crate) fn value_rounding(&self, steps: u32) -> f64 {
         let steps = f64::from(steps);

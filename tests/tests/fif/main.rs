@@ -12,5 +12,6 @@ mod properties;
 mod rays;
 mod reference;
 mod serialise;
+mod surface_rays;
 mod surfaces;
 mod table_rays;

@@ -1,0 +1,276 @@
+//! Rays against any surface: independent brackets, agreement with products of curves, tolerances, and edge cases.
+#![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
+
+use asperity_fif::glam::DVec3;
+use asperity_fif::{
+    FixedSmooth, FoldedBuf, HeightField, Hit, Interval, Pyramid, Ray, Surface, TorusBuf, paper,
+};
+use asperity_tests::random::Random;
+
+const ALL: Interval = Interval::new(0.0, f64::INFINITY);
+
+fn torus() -> TorusBuf {
+    let mut random = Random(3);
+    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
+    let z: Vec<f64> = (0..16).map(|_| uniform(0.5)).collect();
+    let d: Vec<[f64; 2]> = (0..16).map(|_| [uniform(2.0), uniform(2.0)]).collect();
+    TorusBuf::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
+}
+
+fn folded() -> FoldedBuf {
+    let (x, y) = ([-0.5, 0.0, 0.25, 1.0], [0.0, 0.3, 1.0]);
+    let mut random = Random(4);
+    let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
+    let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
+    let d: Vec<[f64; 2]> = (0..12).map(|_| [uniform(2.0), uniform(2.0)]).collect();
+    FoldedBuf::new(&x, &y, -0.1, &z, &d).unwrap().narrowed()
+}
+
+fn mirror() -> HeightField<FixedSmooth<2, 3, 2>, FixedSmooth<2, 3, 2>> {
+    let axis = FixedSmooth::integral(paper::f().unwrap(), 0.0).unwrap();
+    HeightField::new(axis, axis)
+}
+
+fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
+    Ray { origin: DVec3::from_array(o), direction: DVec3::from_array(d) }
+}
+
+/// Down onto the domain and past it, from inside the box, nearly level.
+fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
+    let mut random = Random(17);
+    let ([x, y], z) = (surface.domain(), surface.range());
+    (0..count)
+        .map(|i| {
+            let mut at = |side: Interval, out: f64| {
+                side.lo + side.width() * (random.uniform() * (1.0 + 2.0 * out) - out)
+            };
+            let (origin, to) = match i % 3 {
+                0 => (
+                    DVec3::new(at(x, 0.0), at(y, 0.0), z.hi + z.width()),
+                    DVec3::new(at(x, 0.5), at(y, 0.5), at(z, 0.0)),
+                ),
+                1 => (
+                    DVec3::new(at(x, 0.0), at(y, 0.0), at(z, 0.0)),
+                    DVec3::new(at(x, 0.0), at(y, 0.0), at(z, 0.0)),
+                ),
+                _ => (
+                    DVec3::new(x.lo - 0.5 * x.width(), at(y, 0.0), at(z, 0.0)),
+                    DVec3::new(x.hi, at(y, 0.0), at(z, 0.0)),
+                ),
+            };
+            Ray { origin, direction: to - origin }
+        })
+        .collect()
+}
+
+/// No root lies before `lo`; one lies in `[lo, hi]` if `root` is set.
+struct Bracket {
+    lo: f64,
+    hi: f64,
+    root: bool,
+}
+
+/// By bisection of the ray and enclosures of heights alone, with no slope, no square and no search for a root.
+fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
+    const FINEST: f64 = 1e-6;
+    let over = |lo: f64, hi: f64| Interval::new(lo.min(hi) - 1e-14, lo.max(hi) + 1e-14);
+    let above = |t: f64| {
+        let p = ray.at(t);
+        p.z - surface.evaluate(p.x, p.y, 0.0).value
+    };
+    let span = [(ray.origin.x, ray.direction.x), (ray.origin.y, ray.direction.y)]
+        .into_iter()
+        .zip(surface.domain())
+        .fold(ALL, |span, ((o, d), side)| {
+            let (a, b) = ((side.lo - o) / d, (side.hi - o) / d);
+            span.intersection(Interval::new(a.min(b), a.max(b)))
+        });
+    let mut stack = if span.lo <= span.hi { vec![(span.lo, span.hi)] } else { vec![] };
+    while let Some((lo, hi)) = stack.pop() {
+        let (a, b) = (ray.at(lo), ray.at(hi));
+        let z = over(a.z, b.z);
+        let h = surface.bounds(over(a.x, b.x), over(a.y, b.y)).height;
+        if z.lo > h.hi || z.hi < h.lo {
+            continue;
+        }
+        if hi - lo < FINEST {
+            let (before, after) = ((lo - 4.0 * FINEST).max(span.lo), (hi + 4.0 * FINEST).min(span.hi));
+            return Some(Bracket {
+                lo: before,
+                hi: after,
+                root: (above(before) < 0.0) != (above(after) < 0.0),
+            });
+        }
+        let middle = 0.5 * (lo + hi);
+        stack.push((middle, hi));
+        stack.push((lo, middle));
+    }
+    None
+}
+
+/// How many rays hit and miss for certain, both of the surface itself and of a pyramid over it.
+fn compare_with_brackets<S: Surface>(surface: &S, count: usize) -> [u32; 2] {
+    let fast = Pyramid::with_levels(surface, 5);
+    let mut seen = [0; 2];
+    for ray in random_rays(surface, count) {
+        let bracket = bracket(surface, &ray);
+        for found in [surface.first_hit(&ray), fast.first_hit(&ray)] {
+            match bracket {
+                None => {
+                    assert_eq!(found, None, "{ray:?}: invented");
+                    seen[1] += 1;
+                }
+                Some(Bracket { lo, hi, root: true }) => {
+                    let hit = found.unwrap_or_else(|| panic!("{ray:?} is missed, [{lo}, {hi}]"));
+                    assert!(lo - 1e-12 <= hit.t && hit.t <= hi + 1e-12, "{ray:?}: {hit:?}, [{lo}, {hi}]");
+                    let at = ray.at(hit.t);
+                    assert!((at.z - hit.height).abs() < 1e-10, "{ray:?}: {hit:?}");
+                    assert!(
+                        (surface.evaluate(hit.x, hit.y, 0.0).value - hit.height).abs() < 1e-12,
+                        "{hit:?}"
+                    );
+                    seen[0] += 1;
+                }
+                // A ray that grazes may hit or not; nothing lies before.
+                Some(Bracket { lo, .. }) => assert!(found.is_none_or(|hit| hit.t >= lo - 1e-12), "{ray:?}"),
+            }
+        }
+    }
+    seen
+}
+
+#[test]
+fn no_hit_of_a_surface_is_missed_and_none_invented() {
+    for [hits, misses] in [compare_with_brackets(&torus(), 450), compare_with_brackets(&folded(), 450)] {
+        assert!(hits >= 150 && misses >= 100, "{hits} hits, {misses} misses");
+    }
+}
+
+#[test]
+fn any_surface_and_a_product_of_curves_have_the_same_hits() {
+    let surface = mirror();
+    let fast = Pyramid::with_levels(surface, 6);
+    let (mut hits, mut worst) = (0, 0.0_f64);
+    for ray in random_rays(&surface, 600) {
+        let own = surface.first_hit(&ray);
+        for other in [Surface::first_hit(&surface, &ray), fast.first_hit(&ray)] {
+            assert_eq!(own.is_some(), other.is_some(), "{ray:?}: {own:?} {other:?}");
+            if let (Some(own), Some(other)) = (own, other) {
+                worst = worst.max((own.t - other.t).abs());
+                assert!(own.normal.unwrap().distance(other.normal.unwrap()) < 1e-6, "{own:?} {other:?}");
+                hits += 1;
+            }
+        }
+    }
+    // Measured 5e-13: the generic search ends at stretches of 10⁻¹² of the domain.
+    assert!(hits >= 300 && worst < 1e-11, "{hits}, {worst:e}");
+}
+
+#[test]
+fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
+    let torus = Pyramid::with_levels(torus(), 6);
+    let rays = random_rays(&torus, 300);
+    let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.first_hit(ray)).collect();
+    for (ray, exact) in rays.iter().zip(&exact) {
+        assert_eq!(torus.hits_any(ray, ALL), exact.is_some(), "{ray:?}");
+        assert_eq!(<&Pyramid<TorusBuf> as Surface>::first_hit(&&torus, ray), *exact);
+    }
+    for tolerance in [1e-2, 1e-4, 1e-7, 1e-10] {
+        let mut hits = vec![None; rays.len()];
+        torus.first_hits(&rays, ALL, tolerance, &mut hits);
+        let mut off = 0;
+        for ((ray, exact), hit) in rays.iter().zip(&exact).zip(hits) {
+            let near = match (exact, hit) {
+                (Some(exact), Some(hit)) => (exact.t - hit.t).abs() * ray.direction.length() <= tolerance,
+                (exact, hit) => exact.is_none() && hit.is_none(),
+            };
+            off += u32::from(!near);
+        }
+        // Rays that dip into the surface for less than the tolerance may miss it there.
+        assert!(off <= if tolerance > 1e-3 { 6 } else { 0 }, "{tolerance}: {off}");
+    }
+}
+
+#[test]
+fn rays_at_nodes_start_end_and_run_as_they_should() {
+    let surface = torus();
+    let fast = Pyramid::with_levels(surface.view(), 4);
+    let node = |i: u32, j: u32| {
+        let (x, y) = (0.25 * f64::from(i), 0.25 * f64::from(j));
+        [x, y, surface.height(x, y)]
+    };
+    for [x, y, z] in [node(0, 0), node(1, 2), node(3, 3), node(2, 0)] {
+        for d in [[0.0, 0.0, 1.0], [0.1, 0.2, 0.9], [-0.3, 0.1, -2.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]] {
+            for hit in [surface.first_hit(&ray([x, y, z], d)), fast.first_hit(&ray([x, y, z], d))] {
+                let hit = hit.unwrap_or_else(|| panic!("({x}, {y}) {d:?}"));
+                assert!(hit.t.abs() < 1e-11, "({x}, {y}) {d:?}: {hit:?}");
+            }
+        }
+        // Straight down and nearly so onto a node; straight up from under it.
+        for d in [[0.0, 0.0, -2.0], [1e-9, 0.0, -2.0], [0.0, 1e-12, -2.0]] {
+            let hit = fast.first_hit(&ray([x, y, z + 4.0], d)).unwrap();
+            assert!((hit.t - 2.0).abs() < 1e-8 && (hit.height - z).abs() < 1e-8, "{hit:?}");
+            assert_eq!(fast.first_hit(&ray([x, y, z + 4.0], [d[0], d[1], 2.0])), None);
+        }
+        assert!(fast.first_hit(&ray([x, y, z - 4.0], [0.0, 0.0, 1.0])).is_some());
+        // The ends of the stretch belong to it.
+        let down = ray([x, y, z + 1.0], [0.0, 0.0, -1.0]);
+        assert!(fast.first_hit_within(&down, Interval::new(0.0, 1.0), 0.0).is_some());
+        assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, 0.999), 0.0), None);
+        assert_eq!(fast.first_hit_within(&down, Interval::new(1.001, 9.0), 0.0), None);
+        assert_eq!(fast.first_hit_within(&down, Interval::new(0.0, f64::NAN), 0.0), None);
+        assert!(fast.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
+    }
+    // Along a line of the grid, and level within the range.
+    let z = node(2, 1)[2];
+    for [o, d] in [[[-1.0, 0.25, z], [1.0, 0.0, 0.0]], [[0.5, 3.0, z], [0.0, -1.0, 0.0]]] {
+        let (plain, fast) = (surface.first_hit(&ray(o, d)), fast.first_hit(&ray(o, d)));
+        let [plain, fast] = [plain, fast].map(Option::unwrap);
+        assert!((plain.t - fast.t).abs() < 1e-10 && (plain.height - z).abs() < 1e-10, "{plain:?} {fast:?}");
+    }
+    // One period, and no more.
+    assert!(fast.first_hit(&ray([0.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_some());
+    assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_none());
+    assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.01, 0.0, -1.0])).is_none());
+}
+
+#[test]
+fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
+    let surface = Pyramid::with_levels(folded(), 4);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for k in 0..3 {
+            let (mut o, mut d) = ([0.25, 0.25, 9.0], [0.01, 0.01, -1.0]);
+            assert!(surface.first_hit(&ray(o, d)).is_some());
+            o[k] = bad;
+            assert_eq!(surface.first_hit(&ray(o, d)), None, "origin {o:?}");
+            o[k] = 0.25;
+            d[k] = bad;
+            assert_eq!(surface.first_hit(&ray(o, d)), None, "direction {d:?}");
+            assert!(!surface.hits_any(&ray(o, d), ALL), "direction {d:?}");
+        }
+    }
+    assert_eq!(surface.first_hit(&ray([0.25, 0.25, 0.0], [0.0; 3])), None);
+    let slanted = |scale: f64| ray([-1.0, -1.0, 2.0], [scale, scale, -1.5 * scale]);
+    let t = surface.first_hit(&slanted(1.0)).unwrap().t;
+    for scale in [1e-300, 1e-12, 1e12, 1e300] {
+        let hit = surface.first_hit(&slanted(scale)).unwrap();
+        assert!((hit.t * scale - t).abs() < 1e-10, "{scale}: {hit:?}");
+    }
+    for scale in [1e-320, 1e-308, f64::MAX] {
+        let _ = surface.first_hit(&slanted(scale));
+    }
+}
+
+#[test]
+fn a_level_surface_is_hit_and_grazed() {
+    let level = FoldedBuf::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
+    for hit in [
+        level.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
+        Pyramid::new(&level).first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
+    ] {
+        assert!((hit.unwrap().t - 2.0).abs() < 1e-11, "{hit:?}");
+    }
+    let along = level.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
+    assert!((along.t - 1.0).abs() < 1e-11, "{along:?}");
+    assert_eq!(level.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
+}
