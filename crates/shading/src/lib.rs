@@ -33,7 +33,7 @@
 //! | [`half_vector`], [`reflect`] | the facet that mirrors one direction into another; the mirrored direction |
 //! | [`Frame`] | tangent frame of the macro surface, from its normal with or without ∂P/∂u; of a facet, by minimal rotation |
 //! | [`far_field`] | p(h), shading where nothing is resolved |
-//! | [`Footprint`] | width of a pixel on the surface, from distance and angle or from two derivatives |
+//! | [`Footprint`], [`PixelEllipse`] | width of a pixel on the surface, from distance and angle or from two derivatives; its long and its short axis |
 //! | [`FrequencyClamp`] | footprint → real count of octaves, none above the pixel's Nyquist frequency |
 //! | [`GaussianField`], [`Coordinates`] | two Gaussian noises over space; what is resolved of them at a point |
 //! | [`RemappedOctaves`] | classic noise as such a field, through its measured distribution; [`noise::GaussianOctaves`] needs none |
@@ -99,6 +99,7 @@ mod material;
 mod math;
 mod microfacet;
 mod phong;
+mod pixel_ellipse;
 mod remapped_octaves;
 mod texture;
 mod ward;
@@ -129,6 +130,7 @@ pub use material::{
 };
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
+pub use pixel_ellipse::PixelEllipse;
 pub use remapped_octaves::RemappedOctaves;
 pub use texture::{
     Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,

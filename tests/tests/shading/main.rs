@@ -1,5 +1,6 @@
 //! Shading: level of detail, Fresnel terms and means over the surface.
 
+mod aliasing;
 mod fresnel;
 mod materials;
 mod mean_radiance;

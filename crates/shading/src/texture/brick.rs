@@ -111,14 +111,9 @@ impl Brick {
     /// do widths above 2¹⁶ bricks.
     #[must_use]
     pub fn filtered(&self, uv: Vec2, widths: Vec2) -> BrickSample {
-        let Some((s, t, cell)) = self.place(uv) else { return BrickSample::NOWHERE };
-        let widest = |width: f32, cell: f32| {
-            let width = (width / cell).abs();
-            if width <= MOST { width } else { MOST }
-        };
-        let (ds, dt) = (widest(widths.x, self.cell.x), widest(widths.y, self.cell.y));
+        let Some((s, t, [ds, dt], row)) = self.boxed(uv, widths) else { return BrickSample::NOWHERE };
         // Rows are counted from the even one at or below, so that positions stay small.
-        let t = t + if cell[1] % 2 == 0 { 0.0 } else { 1.0 };
+        let t = t + if row % 2 == 0 { 0.0 } else { 1.0 };
         let rows = if dt < LEAST {
             Rows::at(Pulse(self.margin.y), t)
         } else {
@@ -134,6 +129,26 @@ impl Brick {
         sample
     }
 
+    /// The middle of a box in its cell, its sides in cells, and its row.
+    pub(super) fn boxed(&self, uv: Vec2, widths: Vec2) -> Option<(f32, f32, [f32; 2], i32)> {
+        let (s, t, [_, row]) = self.place(uv)?;
+        let widest = |width: f32, cell: f32| {
+            let width = (width / cell).abs();
+            if width <= MOST { width } else { MOST }
+        };
+        Some((s, t, [widest(widths.x, self.cell.x), widest(widths.y, self.cell.y)], row))
+    }
+
+    /// Width and height of a brick with its mortar.
+    pub(super) const fn cell(&self) -> Vec2 {
+        self.cell
+    }
+
+    /// Half the mortar as a share of the cell.
+    pub(super) const fn margin(&self) -> Vec2 {
+        self.margin
+    }
+
     /// Column and row fractions, and the cell without the shift of its row.
     fn place(&self, uv: Vec2) -> Option<(f32, f32, [i32; 2])> {
         let p = uv / self.cell;
@@ -146,47 +161,59 @@ impl Brick {
     }
 }
 
-const LEAST: f32 = 1.0 / 1024.0;
+pub(super) const LEAST: f32 = 1.0 / 1024.0;
 const MOST: f32 = 65536.0;
 
-fn shift(row: i32) -> f32 {
+pub(super) fn shift(row: i32) -> f32 {
     if row % 2 == 0 { 0.0 } else { 0.5 }
 }
 
 /// A pulse of period 1 that is 0 within the margin of whole numbers; sharp, and with rounded flanks.
 #[derive(Clone, Copy)]
-struct Pulse(f32);
+pub(super) struct Pulse(pub(super) f32);
 
 /// Values of both pulses and the slope of the round one; or their means, and the slope of that mean.
 #[derive(Clone, Copy, Default)]
-struct Value {
-    step: f32,
-    round: f32,
-    slope: f32,
+pub(super) struct Value {
+    pub(super) step: f32,
+    pub(super) round: f32,
+    pub(super) slope: f32,
+    /// How much of an interval lies in rows of one kind.
+    pub(super) length: f32,
 }
 
 impl Pulse {
     /// At `f` in `[0, 1]`.
-    fn at(self, f: f32) -> Value {
+    pub(super) fn at(self, f: f32) -> Value {
         let m = self.0;
         let flank = f.min(1.0 - f);
         if flank >= m {
-            return Value { step: 1.0, round: 1.0, slope: 0.0 };
+            return Value { step: 1.0, round: 1.0, ..Value::default() };
         }
         let x = (flank / m).max(0.0);
         let sign = if f < 0.5 { 1.0 } else { -1.0 };
-        Value { step: 0.0, round: x * x * (3.0 - 2.0 * x), slope: sign * 6.0 * x * (1.0 - x) / m }
+        Value {
+            step: 0.0,
+            round: x * x * (3.0 - 2.0 * x),
+            slope: sign * 6.0 * x * (1.0 - x) / m,
+            ..Value::default()
+        }
     }
 
     /// Mean over the interval of this width about `x`.
-    fn over(self, x: f32, width: f32) -> Value {
+    pub(super) fn over(self, x: f32, width: f32) -> Value {
         if width < LEAST {
             return self.at(x - floor(x));
         }
         let (left, right) = (x - 0.5 * width, x + 0.5 * width);
         let (a, b) = (self.antiderivative(left), self.antiderivative(right));
         let ends = self.at(right - floor(right)).round - self.at(left - floor(left)).round;
-        Value { step: (b.step - a.step) / width, round: (b.round - a.round) / width, slope: ends / width }
+        Value {
+            step: (b.step - a.step) / width,
+            round: (b.round - a.round) / width,
+            slope: ends / width,
+            ..Value::default()
+        }
     }
 
     /// Integrals from 0 to `x`, of any sign.
@@ -194,7 +221,11 @@ impl Pulse {
         let whole = floor(x);
         let within = self.integral(x - whole);
         let full = self.integral(1.0);
-        Value { step: whole * full.step + within.step, round: whole * full.round + within.round, slope: 0.0 }
+        Value {
+            step: whole * full.step + within.step,
+            round: whole * full.round + within.round,
+            ..Value::default()
+        }
     }
 
     /// Integrals from 0 to `f` in `[0, 1]`.
@@ -210,12 +241,12 @@ impl Pulse {
         } else {
             1.0 - m - if m > 0.0 { rise(((1.0 - f) / m).max(0.0)) } else { 0.0 }
         };
-        Value { step, round, slope: 0.0 }
+        Value { step, round, ..Value::default() }
     }
 }
 
 /// What a range of heights has of even and of odd rows.
-struct Rows([Value; 2]);
+pub(super) struct Rows(pub(super) [Value; 2]);
 
 impl Rows {
     fn at(pulse: Pulse, t: f32) -> Self {
@@ -224,7 +255,7 @@ impl Rows {
     }
 
     /// Over the interval of this width about `t`, where row 0 is even.
-    fn over(pulse: Pulse, t: f32, width: f32) -> Self {
+    pub(super) fn over(pulse: Pulse, t: f32, width: f32) -> Self {
         let (low, high) = (t - 0.5 * width, t + 0.5 * width);
         Self([0.0, 1.0].map(|row| {
             let (a, b) = (Self::antiderivative(pulse, low - row), Self::antiderivative(pulse, high - row));
@@ -232,6 +263,7 @@ impl Rows {
                 step: (b.step - a.step) / width,
                 round: (b.round - a.round) / width,
                 slope: (b.slope - a.slope) / width,
+                length: (b.length - a.length) / width,
             }
         }))
     }
@@ -245,6 +277,7 @@ impl Rows {
             step: pair * full.step + part.step,
             round: pair * full.round + part.round,
             slope: if within < 1.0 { pulse.at(within).round } else { 0.0 },
+            length: pair + within.min(1.0),
         }
     }
 }

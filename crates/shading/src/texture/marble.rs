@@ -71,29 +71,48 @@ impl<N: Noise<Vec3>> Marble<N> {
     /// The sum of noise `m(p)`; 0 for coordinates that are not finite.
     #[must_use]
     pub fn sum(&self, p: Vec3) -> f32 {
-        self.resolved(p, 0.0).0
+        self.resolved(p, 0.0).sum
     }
 
     /// The colour at a point, linear RGB, as a pixel of this footprint sees it.
     ///
-    /// Octave i keeps the share `1 − kᵢ` that [`removed_share`] leaves; what is removed has the measured distribution of sums
-    /// of the noise at its variance, over which the mean of the spline is taken.
+    /// Octave i keeps the share `1 − kᵢ` that [`removed_share`] leaves of half the footprint: at the whole of it, octaves would
+    /// vanish that a pixel's mean still shows. What is removed has the measured distribution of sums
+    /// of the noise at its variance. What is kept still varies within the pixel, by its gradient. The colour is
+    /// the mean of the spline over both.
     #[must_use]
     pub fn colour(&self, p: Vec3, footprint: Footprint) -> Vec3 {
-        let (sum, deviation) = self.resolved(p, footprint.width());
-        if deviation <= 0.0 {
-            return Self::spline(2.0 * sum + 0.75);
+        let width = footprint.width();
+        if width == 0.0 {
+            return Self::spline(2.0 * self.sum(p) + 0.75);
         }
+        let Resolved { sum, removed, within } = self.resolved(p, width);
+        if removed == 0.0 {
+            // An interval has a twelfth of its square for variance.
+            let half = sqrt(3.0 * within);
+            return Self::over(sum - half, sum + half);
+        }
+        let deviation = sqrt(removed + within);
         let cdf = self.noise.statistics().cdf;
-        let at = |k: usize| 2.0 * (sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0)) + 0.75;
-        let (mut mean, mut below, mut left) = (Vec3::ZERO, 0.0, Self::antiderivative(at(0)));
+        let at = |k: usize| sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0);
+        let (mut mean, mut below) = (Vec3::ZERO, 0.0);
         for k in 1..=PARTS {
             let above = if k == PARTS { 1.0 } else { cdf.get(k * cdf.len() / PARTS).copied().unwrap_or(1.0) };
-            let right = Self::antiderivative(at(k));
-            mean += (above - below) * (right - left);
-            (below, left) = (above, right);
+            mean += (above - below) * Self::over(at(k - 1), at(k));
+            below = above;
         }
-        mean / (at(1) - at(0))
+        mean
+    }
+
+    /// The mean colour over sums from `low` to `high`.
+    fn over(low: f32, high: f32) -> Vec3 {
+        let (a, b) = (2.0 * low + 0.75, 2.0 * high + 0.75);
+        // Below this the difference of antiderivatives has fewer digits than the polynomial in the middle.
+        if b - a > 0.01 {
+            (Self::antiderivative(b) - Self::antiderivative(a)) / (b - a)
+        } else {
+            Self::spline(0.5 * (a + b))
+        }
     }
 
     /// The colours over `x` in `[0, 1]`, clamped; NaN is 0.
@@ -131,23 +150,43 @@ impl<N: Noise<Vec3>> Marble<N> {
         (piece, x - piece as f32, [b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a)])
     }
 
-    /// The resolved part of the sum, and the standard deviation of the rest.
-    fn resolved(&self, p: Vec3, width: f32) -> (f32, f32) {
+    fn resolved(&self, p: Vec3, width: f32) -> Resolved {
         let one = self.noise.statistics().standard_deviation;
-        let (mut sum, mut variance, mut frequency) = (0.0, 0.0, 1.0);
+        let mut resolved = Resolved { sum: 0.0, removed: 0.0, within: 0.0 };
+        let mut frequency = 1.0;
         for i in 0..OCTAVES {
-            let removed = removed_share(width, self.scale * frequency);
+            let removed = removed_share(SOFTER * width, self.scale * frequency);
             let kept = 1.0 - removed;
+            let whole = (one / frequency) * (one / frequency);
             if kept > 0.0 {
                 let seed = self.seed.wrapping_add(i as u32);
-                sum += kept / frequency * self.noise.value(p * (self.scale * frequency), seed);
+                let sample = self.noise.sample(p * (self.scale * frequency), seed);
+                resolved.sum += kept / frequency * sample.value;
+                // A surface cuts two of three directions of space. A line varies without end, noise by its variance.
+                let rate = kept * self.scale * width;
+                let line = sample.gradient.dot(sample.gradient) * rate * rate / 18.0;
+                if line > 0.0 {
+                    resolved.within += line * whole / (line + whole);
+                }
             }
-            variance += (1.0 - kept * kept) * (one / frequency) * (one / frequency);
+            resolved.removed += (1.0 - kept * kept) * whole;
             frequency *= LACUNARITY;
         }
-        (sum, sqrt(variance))
+        resolved
     }
 }
+
+/// What a pixel resolves of the sum.
+struct Resolved {
+    sum: f32,
+    /// The variance of what it does not resolve.
+    removed: f32,
+    /// The variance within it of what it does.
+    within: f32,
+}
+
+/// The share of a footprint by which octaves are removed.
+const SOFTER: f32 = 0.5;
 
 /// Parts of the distribution of what is removed.
 const PARTS: usize = 16;

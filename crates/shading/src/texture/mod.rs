@@ -2,6 +2,7 @@
 
 mod bevel;
 mod brick;
+mod brick_facets;
 mod gas;
 mod marble;
 mod perturbed;
