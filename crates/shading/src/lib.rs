@@ -50,6 +50,14 @@
 //! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
 //! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
 //! | [`Seams`], [`SeamPattern`], [`Seam`], [`rim_light`] | seams of a carpet, light along its rim |
+//! | [`MetallicPaint`], [`MetallicPaintParameters`], [`PaintSurface`], [`Facet`] | metallic paint; its parts: |
+//! | [`OrangePeel`], [`PassiveFlakes`] | bumps of the clear coat; flakes that vary the colour |
+//! | [`Sparkles`], [`Sparkle`], [`Elimination`], [`brighter_normal`], [`brighter_reflection`], [`boosted`] | sparkling flakes of a fixed width in pixels |
+//! | [`flake_patch`], [`FlakePatch`], [`flake_patch_printed`], [`flake_tilt_printed`] | which flake a point is in |
+//! | [`GlintField`], [`GlintFlake`] | flakes of any density, single or counted, with its mean at every distance |
+//! | [`TemperedGlass`], [`TemperedGlassParameters`], [`GlassSurface`], [`GlassWaves`], [`wave_height`], [`wave_gradient`] | glass with waves |
+//! | [`Variations`], [`VariationsParameters`], [`VariedSurface`] | variations for any material; its parts: |
+//! | [`Blemishes`], [`varied`], [`Dents`] | spots of colour; dents here and there |
 //! | [`Phong`], [`BlinnPhongLobe`], [`WardReflection`] | lobes about the mirrored direction and the half vector |
 //! | [`Brick`], [`Bevel`], [`Edge`] | bricks and mortar, with the exact mean over a pixel; ridges along edges |
 //! | [`StarWallpaper`], [`PerturbedTexture`], [`Marble`] | stars in cells, images that run, blue marble |
@@ -125,8 +133,12 @@ pub use gaussian_field::{Coordinates, GaussianField};
 pub use glam;
 pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
 pub use material::{
-    Carpet, CarpetParameters, CarpetSurface, DarkAreas, DiffuseThreads, Form, ParameterError, Seam,
-    SeamPattern, Seams, SpecularThreads, SurfacePoint, rim_light,
+    Blemishes, Carpet, CarpetParameters, CarpetSurface, DarkAreas, Dents, DiffuseThreads, Elimination, Facet,
+    FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake, MetallicPaint,
+    MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError, PassiveFlakes, Seam, SeamPattern,
+    Seams, Sparkle, Sparkles, SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters,
+    Variations, VariationsParameters, VariedSurface, boosted, brighter_normal, brighter_reflection,
+    flake_patch, flake_patch_printed, flake_tilt_printed, rim_light, varied, wave_gradient, wave_height,
 };
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};

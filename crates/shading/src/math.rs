@@ -24,6 +24,7 @@ backends! {
     cos(x) = cosf | cos;
     exp(x) = expf | exp;
     exp2(x) = exp2f | exp2;
+    exp_m1(x) = expm1f | exp_m1;
     floor(x) = floorf | floor;
     ln_1p(x) = log1pf | ln_1p;
     log2(x) = log2f | log2;

@@ -3,7 +3,9 @@
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::noise::removed_share;
 use asperity_shading::{
-    Carpet, CarpetParameters, Footprint, Form, SeamPattern, Seams, SpecularThreads, SurfacePoint, rim_light,
+    Beckmann, Carpet, CarpetParameters, Dents, Footprint, Form, Ggx, GlintField, Ndf, PassiveFlakes,
+    SeamPattern, Seams, SpecularThreads, SurfacePoint, bumped_normal, flake_patch, rim_light, varied,
+    wave_gradient,
 };
 use asperity_tests::random::Random;
 use asperity_tests::reference::{read, rows};
@@ -120,4 +122,124 @@ fn carpets_keep_their_mean_colour_at_every_distance() {
             }
         }
     }
+}
+
+#[test]
+fn colours_and_waves_meet_the_references() {
+    for row in rows(&file()["colour_variation"]["rows"]) {
+        let [colour, variation, noise, low, high, fixed] = row[..] else { panic!("six columns") };
+        let varied = |noise: f64, form| varied(colour as f32, noise as f32, variation as f32, form);
+        close(varied(noise, Form::Corrected), fixed, 1e-6, &row);
+        close(varied(-1.0, Form::Printed), low, 1e-5, &row);
+        close(varied(1.0, Form::Printed), high, 1e-5, &row);
+    }
+    for item in file()["tempered_glass"].as_array().expect("an array") {
+        let vector = |name: &str| {
+            let v: Vec<f64> =
+                item[name].as_array().expect("an array").iter().map(|x| x.as_f64().unwrap()).collect();
+            Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32)
+        };
+        let [frequency, amplitude] =
+            ["frequency", "amplitude"].map(|name| item[name].as_f64().unwrap() as f32);
+        let [n, d, p] = ["normal", "direction", "position"].map(vector);
+        let gradient = |form| wave_gradient(p, n, d, frequency, amplitude, form);
+        // Phases of up to 40 are rounded by 4e-6, times a slope of up to 1.1.
+        assert!((gradient(Form::Printed) - vector("thesis_gradient")).length() < 1e-5, "{item}");
+        let corrected = gradient(Form::Corrected);
+        assert!((corrected - vector("corrected_tangent_gradient")).length() < 1e-5, "{item}: {corrected}");
+        assert!((bumped_normal(n, corrected) - vector("corrected_normal")).length() < 1e-5, "{item}");
+    }
+}
+
+#[test]
+fn dents_have_the_variance_and_the_tails_of_dropped_gradients() {
+    let moments = |cover: f32| {
+        let dents = Dents::new(0.02, cover, 1, 11).unwrap();
+        let (mut n, mut second, mut fourth) = (0.0, 0.0, 0.0);
+        for p in points(9, 100_000) {
+            let x = f64::from(dents.sample(p.position, Footprint::from_width(0.0)).value);
+            n += 1.0;
+            second += x * x;
+            fourth += x * x * x * x;
+        }
+        [second / n, fourth * n / (second * second) - 3.0]
+    };
+    let [all, _] = moments(1.0);
+    let mut last = -1.0;
+    for dropped in [0.0, 0.3, 0.5, 0.7, 0.9] {
+        let [variance, kurtosis] = moments(1.0 - dropped);
+        println!("dropped {dropped}: variance {}, excess kurtosis {kurtosis}", variance / all);
+        // Of 40000 cells: the standard error of the share is √(dropped/(1 − dropped)/40000) and that of the variance itself 1 %.
+        assert!((variance / all / f64::from(1.0 - dropped) - 1.0).abs() < 0.06, "{dropped}: {variance}");
+        assert!(kurtosis > last, "{dropped}: {kurtosis} after {last}");
+        last = kurtosis;
+    }
+}
+
+#[test]
+fn passive_flakes_keep_their_mean() {
+    let flakes = PassiveFlakes::new(0.02, 1.0, 4).unwrap();
+    for width in [0.0, 0.0005, 0.002, 0.005] {
+        let [mean, error] = mean(
+            points(4, 40_000).map(|p| f64::from(flakes.factor(p.position, Footprint::from_width(width)))),
+        );
+        assert!((mean - 1.0).abs() < 5.0 * error + 1e-3, "{width}: {mean} ± {error}");
+    }
+}
+
+#[test]
+fn flakes_are_tilted_to_all_sides_alike() {
+    // Tilts steeper than 0.8, in directions of 45° and of 0° about z: as many by the solid angle they cover.
+    let (mut axes, mut diagonals) = (0.0, 0.0);
+    let mut random = Random(8);
+    for _ in 0..400_000 {
+        let p = Vec3::new(random.uniform() as f32, random.uniform() as f32, random.uniform() as f32) * 4000.0;
+        let tilt = flake_patch(p, 1.0, Vec3::ONE, 2).unwrap().tilt;
+        let r = tilt.length();
+        if r > 0.8 && tilt.z.abs() < 0.2 * r {
+            let octant = (tilt.y.atan2(tilt.x) / std::f32::consts::FRAC_PI_4).round() as i32;
+            *(if octant % 2 == 0 { &mut axes } else { &mut diagonals }) += 1.0;
+        }
+    }
+    // About 20000 each: four standard errors of the ratio of two of them.
+    let ratio: f64 = axes / diagonals;
+    assert!((ratio - 1.0).abs() < 4.0 * (2.0_f64 / diagonals).sqrt(), "{axes} and {diagonals}");
+}
+
+/// Mean of D̂/D over places, and its standard deviation.
+fn glints<N: Ndf>(field: &GlintField<N>, h: Vec3, width: f32, count: usize) -> [f64; 2] {
+    let mut random = Random(17);
+    let density = f64::from(field.ndf().density(h));
+    let values = std::iter::repeat_with(|| {
+        let p = Vec3::new(random.uniform() as f32, random.uniform() as f32, random.uniform() as f32) * 900.0;
+        f64::from(field.density(h, p * width.max(1.0), Footprint::from_width(width))) / density
+    });
+    let [mean, error] = mean(values.take(count));
+    [mean, error * (count as f64).sqrt()]
+}
+
+#[test]
+fn counted_flakes_have_the_density_for_their_mean_at_every_distance() {
+    fn check<N: Ndf>(name: &str, ndf: N) {
+        let field = GlintField::new(ndf, 1.0, 0.25, 5).unwrap();
+        for h in [Vec3::Z, Vec3::new(0.2, 0.1, 1.0).normalize(), Vec3::new(-0.25, 0.2, 1.0).normalize()] {
+            let mut last = f64::INFINITY;
+            for width in [0.3, 1.0, 1.5, 2.0, 3.0, 8.0, 23.0, 100.0, 1000.0] {
+                let count = 20_000;
+                let [mean, deviation] = glints(&field, h, width, count);
+                println!("{name} {h} width {width}: {mean} ± {deviation}");
+                // Five standard errors: two sides of 54 cases at a significance of 0.001.
+                let error = deviation / (count as f64).sqrt();
+                assert!(
+                    (mean - 1.0).abs() < 5.0 * error.max(1e-6),
+                    "{name} {h} width {width}: {mean} ± {error}"
+                );
+                assert!(deviation < 1.1 * last, "{name} {h} width {width}: {deviation} after {last}");
+                last = deviation;
+            }
+            assert!(last < 0.1, "{name} {h}: {last}");
+        }
+    }
+    check("GGX", Ggx::new(0.2, 0.4).unwrap());
+    check("Beckmann", Beckmann::new(0.3, 0.3).unwrap());
 }

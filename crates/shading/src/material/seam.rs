@@ -222,7 +222,7 @@ fn folded_cosine(p: f32) -> f32 {
 
 /// The mean of |sin| over [p − w/2, p + w/2], and its derivative by p.
 fn mean_crease(p: f32, w: f32) -> [f32; 2] {
-    if w > 1e4 {
+    if w > 1e4 || w.is_nan() {
         return [2.0 / PI, 0.0];
     }
     // |sin| has period π: only the place in it matters, and small phases keep their digits.

@@ -1,0 +1,243 @@
+//! Tempered glass: the waves that rollers leave in it.
+
+use glam::Vec3;
+
+use super::fbm::{Fbm, SLOPE_VARIANCE};
+use super::form::Form;
+use super::parameter::{ParameterError, SIZES, direction, within};
+use super::surface_point::SurfacePoint;
+use crate::math::{cos, sin};
+use crate::{bumped_normal, tangential};
+
+/// The shape of the waves of [`TemperedGlass`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum GlassWaves {
+    /// A sine along one direction, as rollers leave it.
+    #[default]
+    Sine,
+    /// One octave of simplex noise, which looks bumpy: the thesis's other try.
+    Noise,
+}
+
+/// The parameters of [`TemperedGlass`], by the names of Nilsson 2008, Appendix B.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TemperedGlassParameters {
+    /// The frequency of the waves in radians per unit of length, of noise in cells; within `[10⁻⁶, 10⁶]`. Default 20: every 0.3.
+    pub wave_frequency: f32,
+    /// Their amplitude in units of length, within `[0, 10⁶]`. Default 10⁻⁴: a slope of 0.002, seen in what is far away.
+    pub wave_amplitude: f32,
+    /// The direction in which they travel, in the space of positions; it is made unit. Default (0, 1, 0).
+    pub wave_propagation_vector: Vec3,
+    /// Sine or noise. Default sine.
+    pub waves: GlassWaves,
+    /// Which noise: any number.
+    pub seed: u32,
+}
+
+impl Default for TemperedGlassParameters {
+    fn default() -> Self {
+        Self {
+            wave_frequency: 20.0,
+            wave_amplitude: 1e-4,
+            wave_propagation_vector: Vec3::Y,
+            waves: GlassWaves::Sine,
+            seed: 1,
+        }
+    }
+}
+
+/// Tempered glass: a wavy surface.
+///
+/// ```text
+/// h = A sin(f p·d),   g = (d − n (n·d)) f A cos(f p·d),   n′ = normalize(n − g)
+/// ```
+///
+/// or h = A N(f p). Waves that a pixel cannot resolve fade to none; [`GlassSurface::slope_variance`] is what is lost.
+///
+/// Nilsson 2008, §4.4 and Appendix B.
+///
+/// ```
+/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{Footprint, SurfacePoint, TemperedGlass, TemperedGlassParameters};
+///
+/// let glass = TemperedGlass::new(TemperedGlassParameters::default())?;
+/// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3));
+/// assert!((glass.surface(&point).normal.y + 0.002).abs() < 1e-6);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TemperedGlass {
+    parameters: TemperedGlassParameters,
+    direction: Vec3,
+    noise: Fbm,
+}
+
+/// What of tempered glass a pixel sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GlassSurface {
+    /// The unit normal.
+    pub normal: Vec3,
+    /// The variance of the slope that the footprint took, the mean of both axes: α² grows by twice that.
+    pub slope_variance: f32,
+}
+
+/// The height of waves in glass: `A sin(f p·d)`.
+///
+/// 0 where the phase is not finite. Nilsson 2008, §4.4.2; its parentheses do not match in print.
+#[must_use]
+pub fn wave_height(position: Vec3, direction: Vec3, frequency: f32, amplitude: f32) -> f32 {
+    let phase = position.dot(direction) * frequency;
+    if phase.is_finite() { amplitude * sin(phase) } else { 0.0 }
+}
+
+/// The gradient of [`wave_height`] along a surface.
+///
+/// - **Printed:** `n d f A cos(f p·d)`, component by component, which is zero for n = (0, 0, 1) and d = (1, 0, 0): no waves at all.
+/// - **Corrected:** `(d − n (n·d)) f A cos(f p·d)`.
+///
+/// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`.
+///
+/// ```
+/// use asperity_shading::{Form, wave_gradient, glam::Vec3};
+///
+/// let gradient = |form| wave_gradient(Vec3::ZERO, Vec3::Z, Vec3::X, 20.0, 0.01, form);
+/// assert_eq!(gradient(Form::Printed), Vec3::ZERO);
+/// assert!((gradient(Form::Corrected) - Vec3::new(0.2, 0.0, 0.0)).length() < 1e-6);
+/// ```
+#[must_use]
+pub fn wave_gradient(
+    position: Vec3,
+    n: Vec3,
+    direction: Vec3,
+    frequency: f32,
+    amplitude: f32,
+    form: Form,
+) -> Vec3 {
+    let phase = position.dot(direction) * frequency;
+    if !phase.is_finite() {
+        return Vec3::ZERO;
+    }
+    let slope = frequency * amplitude * cos(phase);
+    match form {
+        Form::Printed => n * direction * slope,
+        Form::Corrected => tangential(n, direction) * slope,
+    }
+}
+
+impl TemperedGlass {
+    /// The glass of these parameters.
+    ///
+    /// # Errors
+    /// [`ParameterError`] with the first parameter that is out of its range, or for a `wave_propagation_vector` that is zero or not
+    /// finite.
+    pub fn new(parameters: TemperedGlassParameters) -> Result<Self, ParameterError> {
+        let p = &parameters;
+        let size = 1.0 / within("wave_frequency", p.wave_frequency, SIZES)?;
+        within("wave_amplitude", p.wave_amplitude, [0.0, 1e6])?;
+        let direction = direction("wave_propagation_vector", p.wave_propagation_vector)?;
+        Ok(Self { parameters, direction, noise: Fbm::single(size, p.seed) })
+    }
+
+    /// The parameters.
+    #[must_use]
+    pub const fn parameters(&self) -> &TemperedGlassParameters {
+        &self.parameters
+    }
+
+    /// What a pixel sees of the glass; total: flat where the position is not finite.
+    #[must_use]
+    pub fn surface(&self, point: &SurfacePoint) -> GlassSurface {
+        let p = &self.parameters;
+        let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
+        let (gradient, slope_variance) = match p.waves {
+            GlassWaves::Sine => {
+                let across = tangential(n, self.direction);
+                // Its period is 2π/f, and along the surface the longer the more it leans away.
+                let cycles = point.change(across) * p.wave_frequency / core::f32::consts::TAU;
+                let kept =
+                    if across == Vec3::ZERO { 1.0 } else { 1.0 - asperity_noise::removed_share(cycles, 1.0) };
+                let g = wave_gradient(
+                    point.position,
+                    n,
+                    self.direction,
+                    p.wave_frequency,
+                    p.wave_amplitude,
+                    Form::Corrected,
+                );
+                // Half of cos² and half again for one of two axes.
+                (g * kept, 0.25 * steepest * steepest * across.length_squared() * (1.0 - kept * kept))
+            }
+            GlassWaves::Noise => {
+                let sample = self.noise.sample(point.position, point.footprint);
+                let removed = self.noise.removed_slope(point.footprint, SLOPE_VARIANCE);
+                (tangential(n, sample.gradient) * steepest, steepest * steepest * removed)
+            }
+        };
+        GlassSurface { normal: bumped_normal(n, gradient), slope_variance }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Footprint;
+
+    fn glass(waves: GlassWaves) -> TemperedGlass {
+        TemperedGlass::new(TemperedGlassParameters { waves, wave_amplitude: 0.01, ..Default::default() })
+            .unwrap()
+    }
+
+    #[test]
+    fn the_gradient_is_that_of_the_height() {
+        let n = Vec3::new(0.36, 0.48, 0.8);
+        let d = Vec3::new(0.6, 0.0, 0.8);
+        let h = 1.0 / 1024.0;
+        for i in 0..50_u8 {
+            let p = Vec3::new(f32::from(i) * 0.1, 0.2, -0.3);
+            let g = wave_gradient(p, n, d, 7.0, 0.1, Form::Corrected);
+            for t in [tangential(n, Vec3::X), tangential(n, Vec3::Y)] {
+                let difference =
+                    (wave_height(p + t * h, d, 7.0, 0.1) - wave_height(p - t * h, d, 7.0, 0.1)) / (2.0 * h);
+                // Phases up to 35 are rounded by 2e-6: 0.1 · 2e-6/2h.
+                assert!((g.dot(t) - difference).abs() < 5e-4, "{p}: {g}, {difference}");
+            }
+        }
+    }
+
+    #[test]
+    fn waves_fade_into_roughness() {
+        for waves in [GlassWaves::Sine, GlassWaves::Noise] {
+            let at = |width| {
+                glass(waves).surface(&SurfacePoint::new(
+                    Vec3::splat(0.3),
+                    Vec3::Z,
+                    Footprint::from_width(width),
+                ))
+            };
+            assert!(at(1e-4).normal.z < 1.0 && at(1e-4).slope_variance == 0.0);
+            assert!(at(10.0).normal == Vec3::Z && at(10.0).slope_variance > 0.009);
+        }
+    }
+
+    #[test]
+    fn every_point_has_a_normal() {
+        for waves in [GlassWaves::Sine, GlassWaves::Noise] {
+            for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e30] {
+                for n in [Vec3::Y, Vec3::new(x, 0.0, 1.0)] {
+                    let point = SurfacePoint::new(Vec3::new(0.1, x, 0.3), n, Footprint::from_width(x));
+                    let s = glass(waves).surface(&point);
+                    assert!(
+                        (s.normal.length() - 1.0).abs() < 1e-5 && s.slope_variance >= 0.0,
+                        "{x}, {n}: {s:?}"
+                    );
+                }
+            }
+        }
+        let bad = TemperedGlassParameters { wave_propagation_vector: Vec3::ZERO, ..Default::default() };
+        assert!(matches!(TemperedGlass::new(bad), Err(ParameterError::Direction { .. })));
+        assert!(
+            TemperedGlass::new(TemperedGlassParameters { wave_amplitude: -1.0, ..Default::default() })
+                .is_err()
+        );
+    }
+}
