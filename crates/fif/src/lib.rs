@@ -58,6 +58,7 @@
 //! | [`Surface::first_hit`], [`Surface::first_hit_within`], [`Surface::hits_any`], [`Surface::first_hits`] | the first point of a ray on it, to a tolerance, any hit, many rays |
 //! | [`Pyramid`] | a surface with a table of bounds: faster hits |
 //! | [`TorusSurface::narrowed`], [`FoldedSurface::narrowed`] | narrower global ranges, before searches and rays |
+//! | [`Recurrent`] | systems whose maps copy parts of the graph, each its own |
 //! | [`Interval`], [`Bounded`] | enclosures |
 //! | [`fit`] | factors and knots for given data, with what they miss by |
 //! | [`paper`] | the functions of the source |
@@ -79,7 +80,7 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`Pyramid`], [`fit`] |
+//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`Pyramid`], [`Recurrent`], [`fit`] |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
 //! | `simd` (default) | batches of [`Fast32`] and [`FastJets`] in SIMD lanes, with the same bits |
 //!
@@ -88,7 +89,8 @@
 //! ## Sources
 //!
 //! W. O. Cochran, R. R. Lewis, J. C. Hart, *The Normal of a Fractal Surface*, 2000; M. F. Barnsley, *Fractal functions
-//! and interpolation*, Constructive Approximation 2, 1986. Where the first is corrected, the item says so.
+//! and interpolation*, Constructive Approximation 2, 1986; M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated
+//! function systems*, Constructive Approximation 5, 1989. Where the first is corrected, the item says so.
 #![no_std]
 
 #[cfg(any(feature = "alloc", test))]
@@ -173,6 +175,14 @@ mod range_box;
 mod ray;
 #[cfg(feature = "alloc")]
 mod ray_batch;
+#[cfg(feature = "alloc")]
+mod recurrent;
+#[cfg(feature = "alloc")]
+mod recurrent_error;
+#[cfg(feature = "alloc")]
+mod recurrent_evaluate;
+#[cfg(feature = "alloc")]
+mod recurrent_means;
 mod regularity;
 mod search;
 #[cfg(feature = "serde")]
@@ -235,6 +245,10 @@ pub use normal_distribution::NormalDistributionError;
 #[cfg(feature = "alloc")]
 pub use pyramid::Pyramid;
 pub use ray::{Hit, Ray};
+#[cfg(feature = "alloc")]
+pub use recurrent::Recurrent;
+#[cfg(feature = "alloc")]
+pub use recurrent_error::RecurrentError;
 pub use regularity::Modulus;
 #[cfg(feature = "alloc")]
 pub use storage::{FifBuf, SmoothBuf};

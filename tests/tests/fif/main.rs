@@ -10,6 +10,7 @@ mod golden;
 mod jets;
 mod properties;
 mod rays;
+mod recurrent;
 mod reference;
 mod serialise;
 mod surface_rays;
