@@ -55,6 +55,8 @@
 //! | [`Sparkles`], [`Sparkle`], [`Elimination`], [`brighter_normal`], [`brighter_reflection`], [`boosted`] | sparkling flakes of a fixed width in pixels |
 //! | [`flake_patch`], [`FlakePatch`], [`flake_patch_printed`], [`flake_tilt_printed`] | which flake a point is in |
 //! | [`GlintField`], [`GlintFlake`] | flakes of any density, single or counted, with its mean at every distance |
+//! | [`Fibres`], [`FibresParameters`], [`Fibre`] | threads that are still threads from very near |
+//! | [`Scratches`], [`ScratchesParameters`], [`ScratchedSurface`] | scratches by hashes, with their mean in closed form |
 //! | [`TemperedGlass`], [`TemperedGlassParameters`], [`GlassSurface`], [`GlassWaves`], [`wave_height`], [`wave_gradient`] | glass with waves |
 //! | [`Variations`], [`VariationsParameters`], [`VariedSurface`] | variations for any material; its parts: |
 //! | [`Blemishes`], [`varied`], [`Dents`] | spots of colour; dents here and there |
@@ -134,11 +136,12 @@ pub use glam;
 pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
 pub use material::{
     Blemishes, Carpet, CarpetParameters, CarpetSurface, DarkAreas, Dents, DiffuseThreads, Elimination, Facet,
-    FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake, MetallicPaint,
-    MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError, PassiveFlakes, Seam, SeamPattern,
-    Seams, Sparkle, Sparkles, SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters,
-    Variations, VariationsParameters, VariedSurface, boosted, brighter_normal, brighter_reflection,
-    flake_patch, flake_patch_printed, flake_tilt_printed, rim_light, varied, wave_gradient, wave_height,
+    Fibre, Fibres, FibresParameters, FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake,
+    MetallicPaint, MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError, PassiveFlakes,
+    ScratchedSurface, Scratches, ScratchesParameters, Seam, SeamPattern, Seams, Sparkle, Sparkles,
+    SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
+    VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch, flake_patch_printed,
+    flake_tilt_printed, rim_light, varied, wave_gradient, wave_height,
 };
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};

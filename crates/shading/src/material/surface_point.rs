@@ -19,7 +19,7 @@ pub struct SurfacePoint {
     pub position: Vec3,
     /// The unit normal of the surface without bumps.
     pub normal: Vec3,
-    /// The texture coordinates: seams and waves of scratches and fibres lie along them.
+    /// The texture coordinates: seams, scratches and fibres lie along them.
     pub uv: Vec2,
     /// `∂P/∂u` and `∂P/∂v`.
     pub tangents: [Vec3; 2],
@@ -51,5 +51,11 @@ impl SurfacePoint {
     pub(crate) fn change(&self, gradient: Vec3) -> f32 {
         let change = gradient.length() * self.footprint.width();
         if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
+    }
+
+    /// The width of the pixel in texture coordinates: the larger of the changes of u and of v across it.
+    pub(crate) fn uv_width(&self) -> f32 {
+        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.change(self.gradient(axis)));
+        u.max(v)
     }
 }
