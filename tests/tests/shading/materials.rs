@@ -194,7 +194,7 @@ fn flakes_are_tilted_to_all_sides_alike() {
     let mut random = Random(8);
     for _ in 0..400_000 {
         let p = Vec3::new(random.uniform() as f32, random.uniform() as f32, random.uniform() as f32) * 4000.0;
-        let tilt = flake_patch(p, 1.0, Vec3::ONE, 2).unwrap().tilt;
+        let tilt = flake_patch(p, 1.0, Vec3::ONE, 0.0, 2).unwrap().tilt;
         let r = tilt.length();
         if r > 0.8 && tilt.z.abs() < 0.2 * r {
             let octant = (tilt.y.atan2(tilt.x) / std::f32::consts::FRAC_PI_4).round() as i32;

@@ -3,7 +3,7 @@
 use asperity_noise::{ChainedTable, IntegerHash, Lattice};
 use glam::Vec3;
 
-use crate::math::{cos, floor, pow, sin, sqrt};
+use crate::math::{clamp_to, cos, floor, pow, sin, sqrt};
 
 /// The flake that a point lies in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,11 +44,14 @@ pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> O
     inside.then_some(value)
 }
 
-/// The flake at a point: of a cell of side `cell`, the cube of sides `width` in its middle.
+/// The flake at a point: of a cell of side `cell`, a box of sides `width`.
 ///
 /// ```text
-/// d = (frac(p/cell) − ½) cell,   inside where |dᵢ| ≤ widthᵢ/2,   centre = p − d
+/// d = (frac(p/cell) − ½) cell − scatter r (cell − width),   inside where |dᵢ| ≤ widthᵢ/2,   centre = p − d
 /// ```
+///
+/// with three random numbers r of the cell in [−½, ½). Without scatter flakes are in the middle of their cells, as in the thesis,
+/// where they show as a grid; with a scatter of 1 they may be anywhere in them. As a flake gets wider it keeps all of its points.
 ///
 /// Two sizes, where the printed test has one: cells stay where they are while flakes change their width with the distance. A
 /// width of a whole cell or more fills space with flakes.
@@ -64,27 +67,29 @@ pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> O
 /// use asperity_shading::{flake_patch, glam::Vec3};
 ///
 /// let p = Vec3::new(0.26, 0.74, 0.25);
-/// let flake = flake_patch(p, 0.5, Vec3::splat(0.1), 1).unwrap();
+/// let flake = flake_patch(p, 0.5, Vec3::splat(0.1), 0.0, 1).unwrap();
 /// assert_eq!(flake.centre, Vec3::new(0.25, 0.75, 0.25));
-/// assert_eq!(flake_patch(p + Vec3::X * 0.1, 0.5, Vec3::splat(0.1), 1), None);
+/// assert_eq!(flake_patch(p + Vec3::X * 0.1, 0.5, Vec3::splat(0.1), 0.0, 1), None);
 /// ```
 #[must_use]
-pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, seed: u32) -> Option<FlakePatch> {
+pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u32) -> Option<FlakePatch> {
     const FARTHEST: f32 = 8_388_608.0;
-    let places = (position / cell).to_array();
-    let cells = places.map(floor);
-    let mut inside = true;
-    for ((place, floor), width) in places.iter().zip(cells).zip(width.to_array()) {
-        // Written so that NaN is outside.
-        inside &= place.abs() < FARTHEST && ((place - floor) - 0.5).abs() * cell <= 0.5 * width;
-    }
-    if !inside {
+    let place = position / cell;
+    // Written so that NaN is none.
+    if !(place.abs().max_element() < FARTHEST && place.is_finite()) {
         return None;
     }
-    let centre = (Vec3::from(cells) + 0.5) * cell;
-    let cells = cells.map(|c| c as i32);
+    let corner = Vec3::from(place.to_array().map(floor));
+    let cells = corner.to_array().map(|c| c as i32);
     let random = |k: u32| unit(IntegerHash.word(cells, seed ^ k.wrapping_mul(0x9e37_79b9)));
-    Some(FlakePatch { value: random(0), centre, tilt: ball([random(1), random(2), random(3)]) })
+    let room = (Vec3::ONE - width / cell).clamp(Vec3::ZERO, Vec3::ONE) * clamp_to(scatter, 1.0);
+    let middle = Vec3::splat(0.5) + (Vec3::new(random(4), random(5), random(6)) - 0.5) * room;
+    let off = ((place - corner) - middle).abs() * cell;
+    off.cmple(0.5 * width).all().then(|| FlakePatch {
+        value: random(0),
+        centre: (corner + middle) * cell,
+        tilt: ball([random(1), random(2), random(3)]),
+    })
 }
 
 /// A number in [0, 1) of 24 bits.
@@ -125,14 +130,33 @@ mod tests {
     fn all_points_of_a_flake_agree() {
         let width = Vec3::new(0.3, 0.2, 0.4);
         let centre = Vec3::new(2.5, -1.5, 0.5);
-        let flake = flake_patch(centre, 1.0, width, 9).unwrap();
+        let flake = flake_patch(centre, 1.0, width, 0.0, 9).unwrap();
         for corner in [Vec3::ONE, Vec3::NEG_ONE, Vec3::new(1.0, -1.0, 1.0)] {
-            assert_eq!(flake_patch(centre + corner * width * 0.499, 1.0, width, 9), Some(flake));
-            assert_eq!(flake_patch(centre + corner * width * 0.501, 1.0, width, 9), None);
+            assert_eq!(flake_patch(centre + corner * width * 0.499, 1.0, width, 0.0, 9), Some(flake));
+            assert_eq!(flake_patch(centre + corner * width * 0.501, 1.0, width, 0.0, 9), None);
         }
-        let others = [centre + Vec3::X, centre - Vec3::Y].map(|c| flake_patch(c, 1.0, width, 9).unwrap());
+        let others =
+            [centre + Vec3::X, centre - Vec3::Y].map(|c| flake_patch(c, 1.0, width, 0.0, 9).unwrap());
         assert!(others.iter().all(|other| other.value != flake.value && other.tilt != flake.tilt));
-        assert_ne!(flake_patch(centre, 1.0, width, 10).unwrap().value, flake.value);
+        assert_ne!(flake_patch(centre, 1.0, width, 0.0, 10).unwrap().value, flake.value);
+    }
+
+    #[test]
+    fn scattered_flakes_keep_their_points_as_they_grow() {
+        let mut inside = 0;
+        for i in 0..2000_u16 {
+            let p = Vec3::new(f32::from(i) * 0.173, f32::from(i) * 0.291 - 70.0, f32::from(i) * 0.117);
+            let at = |width: f32| flake_patch(p, 1.0, Vec3::splat(width), 1.0, 5);
+            let mut before = None;
+            for k in 1..=20_u8 {
+                let flake = at(f32::from(k) / 20.0);
+                assert!(before.is_none() || flake.is_some(), "{p}, {k}");
+                before = flake;
+            }
+            inside += u16::from(at(0.5).is_some());
+        }
+        // An eighth of space: four standard errors of 2000 points.
+        assert!(inside.abs_diff(250) < 60, "{inside}");
     }
 
     #[test]
@@ -140,7 +164,7 @@ mod tests {
         let (mut radii, mut squares) = (0.0, Vec3::ZERO);
         for i in 0..4096_u16 {
             let p = Vec3::new(f32::from(i % 16), f32::from(i / 16 % 16), f32::from(i / 256)) + 0.5;
-            let tilt = flake_patch(p, 1.0, Vec3::ONE, 3).unwrap().tilt;
+            let tilt = flake_patch(p, 1.0, Vec3::ONE, 0.0, 3).unwrap().tilt;
             assert!(tilt.length() < 1.00001);
             radii += tilt.length_squared();
             squares += tilt * tilt;
@@ -170,9 +194,9 @@ mod tests {
     #[test]
     fn points_that_are_none_have_no_flake() {
         for x in [f32::NAN, f32::INFINITY, 1e30] {
-            assert_eq!(flake_patch(Vec3::new(x, 0.0, 0.0), 1.0, Vec3::ONE, 0), None, "{x}");
-            assert_eq!(flake_patch(Vec3::ZERO, x, Vec3::ONE, 0), None, "{x}");
+            assert_eq!(flake_patch(Vec3::new(x, 0.0, 0.0), 1.0, Vec3::ONE, x, 0), None, "{x}");
+            assert_eq!(flake_patch(Vec3::ZERO, x, Vec3::ONE, 0.0, 0), None, "{x}");
         }
-        assert_eq!(flake_patch(Vec3::ZERO, 1.0, Vec3::NAN, 0), None);
+        assert_eq!(flake_patch(Vec3::ZERO, 1.0, Vec3::NAN, 0.0, 0), None);
     }
 }

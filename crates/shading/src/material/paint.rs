@@ -21,19 +21,19 @@ pub struct MetallicPaintParameters {
     pub orange_peel_strength: f32,
     /// The size of orange peel. Default 0.006.
     pub orange_peel_size: f32,
-    /// The width of a sparkle in pixels, within `[0, 1000]`. Default 1.5.
+    /// The width of a sparkle in pixels, within `[0, 1000]`. Default 2.
     pub flake_sparkle_pixel_size: f32,
-    /// The greatest width of a sparkle, and the distance between them. Default 0.002.
+    /// The greatest width of a sparkle, and the distance between them. Default 0.001.
     pub flake_sparkle_physical_size: f32,
     /// How much a flake tilts the normal. Default 0.5.
     pub flake_sparkle_variation: f32,
-    /// How far the colour of a sparkle is moved to the target. Default 0.
+    /// How far the colour of a sparkle is moved to the target. Default 0.3.
     pub flake_sparkle_boost: f32,
     /// The target: the strongest signal of a sparkle. Default white.
     pub flake_sparkle_boost_target: Vec3,
     /// The share of flakes that is left out. Default 0.4.
     pub flake_sparkle_elimination: f32,
-    /// Whether fewer are left out from afar. Default adaptive, by 0.004.
+    /// Whether fewer are left out from afar. Default adaptive, by 0.002.
     pub smart_flake_sparkle: Elimination,
     /// The size of the coarsest passive flakes. Default 0.004.
     pub passive_flake_size: f32,
@@ -51,13 +51,13 @@ impl Default for MetallicPaintParameters {
             specular: Vec3::new(0.25, 0.35, 0.6),
             orange_peel_strength: 0.01,
             orange_peel_size: 0.006,
-            flake_sparkle_pixel_size: 1.5,
-            flake_sparkle_physical_size: 0.002,
+            flake_sparkle_pixel_size: 2.0,
+            flake_sparkle_physical_size: 0.001,
             flake_sparkle_variation: 0.5,
-            flake_sparkle_boost: 0.0,
+            flake_sparkle_boost: 0.3,
             flake_sparkle_boost_target: Vec3::ONE,
             flake_sparkle_elimination: 0.4,
-            smart_flake_sparkle: Elimination::Adaptive { unit: 0.004 },
+            smart_flake_sparkle: Elimination::Adaptive { unit: 0.002 },
             passive_flake_size: 0.004,
             passive_flake_strength: 0.3,
             passive_flake_detail: 4,
@@ -195,7 +195,7 @@ impl MetallicPaint {
             coat_slope_variance: self.orange_peel.removed_slope(point.footprint),
             base_normal: n,
             specular,
-            sparkle: self.sparkles.flake(point.position, point.footprint).map(|flake| Facet {
+            sparkle: self.sparkles.flake(point.position, n, point.footprint).map(|flake| Facet {
                 normal: flake.normal(n),
                 specular: boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost),
             }),
@@ -219,8 +219,8 @@ mod tests {
     #[test]
     fn sparkles_are_boosted_and_seen_where_they_are_brighter() {
         let paint = MetallicPaint::new(flaky()).unwrap();
-        // The centre of a cell of 0.002.
-        let point = SurfacePoint::new(Vec3::splat(0.041), Vec3::Z, Footprint::from_width(1e-5));
+        // The middle of a cell of 0.001, in a flake of more than half its width.
+        let point = SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(2.5e-4));
         let surface = paint.surface(&point);
         let flake = surface.sparkle.unwrap();
         let boosted = (surface.specular + Vec3::ONE) / 2.0;
@@ -237,7 +237,7 @@ mod tests {
     fn from_afar_it_is_even_and_the_coat_rougher() {
         let paint = MetallicPaint::new(flaky()).unwrap();
         let surface =
-            paint.surface(&SurfacePoint::new(Vec3::splat(0.041), Vec3::Z, Footprint::from_width(1.0)));
+            paint.surface(&SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(1.0)));
         assert_eq!((surface.sparkle, surface.coat_normal), (None, Vec3::Z));
         assert_eq!(surface.specular, paint.parameters().specular);
         assert!(surface.coat_slope_variance > 1e-4);

@@ -16,11 +16,11 @@ pub struct ScratchesParameters {
     pub scratch_size: f32,
     /// The length of a scratch over that of a cell, within `[0.01, 1]`. Default 1.
     pub scratch_length: f32,
-    /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.004.
+    /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.01.
     pub scratch_width: f32,
-    /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.4.
+    /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.5.
     pub scratch_strength: f32,
-    /// The mean number of scratches of a cell, within `[0, 4]`. Default 1.
+    /// The mean number of scratches of a cell, within `[0, 4]`. Default 2.
     pub scratch_cover: f32,
     /// The direction that they are spread about. Default (1, 0).
     pub scratch_direction: Vec2,
@@ -35,9 +35,9 @@ impl Default for ScratchesParameters {
         Self {
             scratch_size: 0.05,
             scratch_length: 1.0,
-            scratch_width: 0.004,
-            scratch_strength: 0.4,
-            scratch_cover: 1.0,
+            scratch_width: 0.01,
+            scratch_strength: 0.5,
+            scratch_cover: 2.0,
             scratch_direction: Vec2::X,
             scratch_spread: 1.0,
             seed: 1,

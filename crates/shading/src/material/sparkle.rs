@@ -38,7 +38,10 @@ pub enum Elimination {
 /// directions would have no flakes. Which of both normals is seen is decided by [`brighter_normal`] or
 /// [`brighter_reflection`].
 ///
-/// - **Deviation:** the footprint is one width; the thesis takes one along each axis of space.
+/// - **Deviations:** flakes are scattered in their cells, see [`flake_patch`]. The footprint is one width; the thesis takes one
+///   along each axis of space. Along the axis next to the normal a flake is as wide as its cell: the thesis's cubes are missed
+///   by most surfaces between them, ever more as they get smaller, while here a surface has `(width/physical size)²` of its
+///   area under flakes wherever it lies.
 ///
 /// Nilsson 2008, §4.3.4. For flakes that keep the light's energy see [`GlintField`](crate::GlintField).
 ///
@@ -47,9 +50,9 @@ pub enum Elimination {
 ///
 /// let sparkles = Sparkles::new(2.0, 0.01, 0.3, 0.0, Elimination::Fixed, 1)?;
 /// let centre = Vec3::splat(0.005);
-/// let near = sparkles.flake(centre, Footprint::from_width(1e-4)).unwrap();
-/// assert_eq!(near.fade, 1.0);
-/// assert_eq!(sparkles.flake(centre, Footprint::from_width(1.0)), None);
+/// let near = sparkles.flake(centre, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
+/// assert!(near.fade < 1.0);
+/// assert_eq!(sparkles.flake(centre, Vec3::Z, Footprint::from_width(1.0)), None);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,16 +122,25 @@ impl Sparkles {
         }
     }
 
-    /// The flake at a point, if there is one; none where a coordinate is not finite.
+    /// The flake at a point of a surface of normal `n`, if there is one; none where a coordinate is not finite.
     #[must_use]
-    pub fn flake(&self, position: Vec3, footprint: Footprint) -> Option<Sparkle> {
+    pub fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
         let width = footprint.width() * self.pixel_size;
         let fade = 1.0 - removed_share(width, 1.0 / self.physical_size);
         if fade <= 0.0 {
             return None;
         }
-        let width = Vec3::splat(width.min(self.physical_size));
-        let flake = flake_patch(position, self.physical_size, width, self.seed)?;
+        // 1 along the axis nearest to the normal, 0 along the others.
+        let n = n.abs();
+        let across = if n.x > n.y.max(n.z) {
+            Vec3::X
+        } else if n.y > n.z {
+            Vec3::Y
+        } else {
+            Vec3::Z
+        };
+        let width = Vec3::splat(width.min(self.physical_size)).max(across * self.physical_size);
+        let flake = flake_patch(position, self.physical_size, width, 1.0, self.seed)?;
         let sparkle = Sparkle { tilt: flake.tilt * (self.variation * fade), fade };
         (flake.value >= self.elimination(footprint)).then_some(sparkle)
     }
@@ -193,8 +205,8 @@ mod tests {
     fn cover(sparkles: &Sparkles, width: f32) -> f32 {
         let mut flakes = 0_u16;
         for i in 0..20_000_u16 {
-            let p = Vec3::new(f32::from(i % 141) * 0.317, f32::from(i / 141) * 0.283, 0.5);
-            flakes += u16::from(sparkles.flake(p, Footprint::from_width(width)).is_some());
+            let p = Vec3::new(0.87, f32::from(i % 141) * 0.317, f32::from(i / 141) * 0.283);
+            flakes += u16::from(sparkles.flake(p, Vec3::X, Footprint::from_width(width)).is_some());
         }
         f32::from(flakes) / 20_000.0
     }
@@ -242,7 +254,7 @@ mod tests {
         let sparkles = Sparkles::new(1000.0, 1.0, 1.0, 0.0, Elimination::Fixed, 1).unwrap();
         for x in [f32::NAN, f32::INFINITY, -1e30, 0.5] {
             for width in [0.0, 1e-4, 1.0, f32::INFINITY, f32::NAN] {
-                if let Some(flake) = sparkles.flake(Vec3::splat(x), Footprint::from_width(width)) {
+                if let Some(flake) = sparkles.flake(Vec3::splat(x), Vec3::Z, Footprint::from_width(width)) {
                     assert!((flake.normal(Vec3::Z).length() - 1.0).abs() < 1e-5, "{x}, {width}");
                 }
             }
