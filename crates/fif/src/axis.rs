@@ -1,7 +1,7 @@
 //! What a height field asks of the function along one of its axes.
 
 #[cfg(feature = "alloc")]
-use crate::cached::Top;
+use crate::axis_tables::AxisTables;
 use crate::cell::Cell;
 use crate::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
@@ -35,7 +35,7 @@ pub trait Axis: sealed::Descend {
 pub(crate) mod sealed {
     use crate::interval::{Bounded, Interval};
     #[cfg(feature = "alloc")]
-    use crate::{cached::Top, jet_table::Jets};
+    use crate::{axis_tables::AxisTables, jet_table::Jets};
 
     /// Descent from the domain to ever smaller cells.
     pub trait Descend {
@@ -70,15 +70,9 @@ pub(crate) mod sealed {
             None
         }
 
-        /// The cell with this number in the cached top levels; the whole domain where there are none.
+        /// The tables of the cached top levels, where there are values and slopes too.
         #[cfg(feature = "alloc")]
-        fn numbered(&self, _number: usize) -> Self::Cell {
-            self.root()
-        }
-
-        /// The cached top levels, where they have a table of values and slopes too.
-        #[cfg(feature = "alloc")]
-        fn top(&self) -> Option<Top<'_, Self::Jets>> {
+        fn top(&self) -> Option<&AxisTables<Self::Jets>> {
             None
         }
     }
@@ -287,13 +281,7 @@ impl<A: sealed::Descend> sealed::Descend for &A {
 
     #[cfg(feature = "alloc")]
     #[inline]
-    fn numbered(&self, number: usize) -> Self::Cell {
-        A::numbered(self, number)
-    }
-
-    #[cfg(feature = "alloc")]
-    #[inline]
-    fn top(&self) -> Option<Top<'_, Self::Jets>> {
+    fn top(&self) -> Option<&AxisTables<Self::Jets>> {
         A::top(self)
     }
 }

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::axis::{Axis, sealed::Descend};
+use crate::axis_tables::AxisTables;
 use crate::interval::{Bounded, Interval};
 use crate::jet_table::Jets;
 
@@ -28,19 +29,8 @@ pub struct Cached<A: Axis> {
     bounds: Vec<[Interval; 2]>,
     /// The cells of the last level.
     leaves: Vec<A::Cell>,
-    /// Values and slopes, where a table can have them.
-    jets: Option<A::Jets>,
-}
-
-/// The table of an axis, as the descent of a ray reads it.
-pub struct Top<'a, Jets> {
-    /// Level after level; the children of cell `i` are `i N + 1` to `i N + N`.
-    pub(crate) bounds: &'a [[Interval; 2]],
-    /// The number of the first cell of the last level.
-    pub(crate) first_leaf: usize,
-    /// Children of a cell.
-    pub(crate) count: usize,
-    pub(crate) jets: &'a Jets,
+    /// Ranges over runs of leaves, and values and slopes, where a table can have them.
+    tables: Option<AxisTables<A::Jets>>,
 }
 
 impl<A: Axis> Cached<A> {
@@ -66,6 +56,8 @@ impl<A: Axis> Cached<A> {
         // From the last level up, then turned round.
         let mut levels: Vec<Vec<[Interval; 2]>> = Vec::with_capacity(level_sizes.len());
         levels.push(leaves.iter().map(|cell| finer(&axis, cell, below)).collect());
+        let jets = if cells > 1 { axis.jets() } else { None };
+        let tables = jets.zip(levels.first()).map(|(jets, last)| AxisTables::new(last, jets, axis.domain()));
         while let Some(last) = levels.last()
             && last.len() > 1
         {
@@ -76,8 +68,7 @@ impl<A: Axis> Cached<A> {
             levels.push(above);
         }
         let bounds = levels.into_iter().rev().flatten().collect();
-        let jets = if cells > 1 { axis.jets() } else { None };
-        Self { axis, bounds, leaves, jets }
+        Self { axis, bounds, leaves, tables }
     }
 
     /// The axis itself.
@@ -91,14 +82,14 @@ impl<A: Axis> Cached<A> {
     /// ```
     /// use asperity_fif::{Cached, FixedSmooth, paper};
     /// let axis = Cached::new(FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?);
-    /// assert!(axis.bytes() < 400_000);
+    /// assert!(axis.bytes() < 500_000);
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of_val(self.bounds.as_slice())
             + size_of_val(self.leaves.as_slice())
-            + self.jets.as_ref().map_or(0, Jets::bytes)
+            + self.tables.as_ref().map_or(0, |tables| tables.ranges.bytes() + tables.jets.bytes())
     }
 
     fn first_leaf(&self) -> usize {
@@ -171,24 +162,18 @@ impl<A: Axis> Descend for Cached<A> {
 
     #[inline]
     fn near(&self, x: f64) -> Bounded {
-        match &self.jets {
-            Some(jets) => {
+        match &self.tables {
+            Some(AxisTables { jets, .. }) => {
                 let (steps, bound) = jets.finest();
-                Bounded { value: jets.jet(x, steps)[0], bound }
+                Bounded { value: jets.jet(jets.part(x), steps)[0], bound }
             }
             None => self.axis.near(x),
         }
     }
 
     #[inline]
-    fn numbered(&self, number: usize) -> Self::Cell {
-        CachedCell::Top(number)
-    }
-
-    #[inline]
-    fn top(&self) -> Option<Top<'_, Self::Jets>> {
-        let jets = self.jets.as_ref()?;
-        Some(Top { bounds: &self.bounds, first_leaf: self.first_leaf(), count: self.count(), jets })
+    fn top(&self) -> Option<&AxisTables<Self::Jets>> {
+        self.tables.as_ref()
     }
 }
 

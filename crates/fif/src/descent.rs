@@ -33,12 +33,6 @@ impl<Cell: Copy> Level<Cell> {
         Self { cell, left: domain.lo, width: domain.width(), value, slope, depth: 0 }
     }
 
-    /// A cell of the cached top levels, where it lies, and its bounds; children count from here.
-    #[cfg(feature = "alloc")]
-    pub(crate) fn top(cell: Cell, left: f64, width: f64, [value, slope]: [Interval; 2]) -> Self {
-        Self { cell, left, width, value, slope, depth: 0 }
-    }
-
     #[inline]
     fn child<A: Axis<Cell = Cell>>(&self, axis: &A, j: usize, s: [f64; 2]) -> Self {
         let cell = axis.child(&self.cell, j);

@@ -105,6 +105,8 @@ mod algorithm_two;
 mod area;
 mod axis;
 mod axis_cover;
+#[cfg(feature = "alloc")]
+mod axis_tables;
 mod batch;
 mod bounds;
 #[cfg(feature = "alloc")]
@@ -172,6 +174,8 @@ mod primitive;
 #[cfg(feature = "alloc")]
 mod pyramid;
 mod range_box;
+#[cfg(feature = "alloc")]
+mod range_table;
 mod ray;
 #[cfg(feature = "alloc")]
 mod ray_batch;
@@ -184,6 +188,8 @@ mod recurrent_evaluate;
 #[cfg(feature = "alloc")]
 mod recurrent_means;
 mod regularity;
+#[cfg(feature = "alloc")]
+mod root_search;
 mod search;
 #[cfg(feature = "serde")]
 mod serialise;
@@ -195,8 +201,6 @@ mod surface_extrema;
 mod surface_ray;
 mod system;
 mod system_error;
-#[cfg(feature = "alloc")]
-mod table_descent;
 mod tiling;
 mod torus;
 mod torus_error;
@@ -204,6 +208,8 @@ mod torus_evaluate;
 mod torus_limits;
 mod torus_node;
 mod torus_ranges;
+#[cfg(feature = "alloc")]
+mod tracer;
 mod turn;
 #[cfg(feature = "alloc")]
 mod uneven;

@@ -7,7 +7,7 @@ use crate::descent::{BUDGET, CLOSE, Level, Walk, slab};
 use crate::height_field::{HeightField, upward_normal};
 use crate::interval::Interval;
 #[cfg(feature = "alloc")]
-use crate::table_descent::TableWalk;
+use crate::tracer::{Aim, Path, Tracer};
 
 /// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,14 +57,17 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     ///
     /// Boxes of rigorous value ranges are visited in the order of the ray, split along one axis at a time. Where the
     /// slope ranges show that the ray comes nearer to the surface all along, there is one root at most: two evaluations
-    /// decide, and a bracketed secant finds it to the last places of `t`; with the tables of a [`Cached`](crate::Cached) smooth
-    /// axis, interval Newton does, which proves that the root lies in the stretch. A continuous surface is followed down to
+    /// decide, and a bracketed secant finds it to the last places of `t`. A continuous surface is followed down to
     /// stretches of 10⁻¹² of the domain, where a change of sign is a root.
+    ///
+    /// With the tables of two [`Cached`](crate::Cached) smooth axes stretches of the ray take the place of boxes: rigorous ranges over
+    /// the cells under a stretch cut off what lies above or below the surface, a height in the middle what is too near to it for a
+    /// root, and Newton's steps find the one root where the ray comes nearer all along. After 256 divisions boxes decide the rest.
     ///
     /// No hit is passed by, but a pair of roots within one such stretch: a ray that dips into the surface and out again.
     /// Rounding counts as that of the ray: the result belongs to a ray within a few units in the last place, and one that
     /// grazes nearer than the rounding error of `h` counts as a hit. Two limits keep every ray bounded: a box is split
-    /// at most 96 times per axis (that binds where a horizontal factor is over 0.75) and a ray visits at most 2¹⁶ boxes;
+    /// at most 96 times per axis (that binds where a horizontal factor is over 0.75) and a ray, or what tables leave of one stretch, visits at most 2¹⁶ boxes;
     /// beyond, a box is decided like a stretch.
     ///
     /// `None` for a ray that misses, a zero direction, one so short that `t` overflows, and any component that is NaN or
@@ -120,18 +123,24 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// ```
     #[must_use]
     pub fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        #[cfg(feature = "alloc")]
+        if let Some(tracer) = Tracer::new(self, tolerance)
+            && let Some(path) = tracer.path(ray, t)
+        {
+            return self.meet(&path);
+        }
+        // Without tables every value is as good as it can be.
+        let _ = tolerance;
+        self.first_box(ray, t)
+    }
+
+    /// The first hit by boxes.
+    pub(crate) fn first_box(&self, ray: &Ray, t: Interval) -> Option<Hit> {
         let (mut walk, span) = self.walk(ray, t)?;
         if ray.direction.x == 0.0 && ray.direction.y == 0.0 {
             let t = walk.vertical(span)?;
             return self.hit(ray, t);
         }
-        #[cfg(feature = "alloc")]
-        if let Some(mut table) = TableWalk::new(&walk, tolerance) {
-            let meeting = table.first(span)?;
-            return self.hit_with(ray, meeting.t, table.jets(meeting));
-        }
-        // Without tables every value is as good as it can be.
-        let _ = tolerance;
         let t = walk.visit(&Level::root(&self.x), &Level::root(&self.y), span)?;
         self.hit(ray, t)
     }
@@ -152,12 +161,12 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     #[must_use]
     pub fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
         #[cfg(feature = "alloc")]
-        if let Some((walk, span)) = self.walk(ray, t)
-            && let Some(mut table) = TableWalk::new(&walk, 0.0)
+        if let Some(tracer) = Tracer::new(self, 0.0)
+            && let Some(path) = tracer.path(ray, t)
         {
-            return table.any(span);
+            return path.search(Aim::Any).is_some();
         }
-        self.first_hit_within(ray, t, 0.0).is_some()
+        self.first_box(ray, t).is_some()
     }
 
     /// The ray ready to go, and the stretch of it over the domain; `None` for a ray that is none.
@@ -192,19 +201,16 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
         Some(Hit { t, x, y, height: self.height(x, y), gradient, normal: gradient.map(upward_normal) })
     }
 
-    /// The same with the values and slopes of both axes known.
+    /// The first hit by tables.
     #[cfg(feature = "alloc")]
-    pub(crate) fn hit_with(&self, ray: &Ray, t: f64, [f, g]: [[f64; 2]; 2]) -> Option<Hit> {
-        let (x, y) = self.place(ray, t)?;
+    #[inline(always)]
+    pub(crate) fn meet(&self, path: &Path<'_, X, Y>) -> Option<Hit> {
+        let t = path.search(Aim::First)?;
+        let [f, g] = path.jets(t);
+        let [x, y] = path.place(t);
         let gradient = DVec2::new(f[1] * g[0], f[0] * g[1]);
-        Some(Hit {
-            t,
-            x,
-            y,
-            height: f[0] * g[0],
-            gradient: Some(gradient),
-            normal: Some(upward_normal(gradient)),
-        })
+        let normal = Some(upward_normal(gradient));
+        Some(Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal })
     }
 
     fn place(&self, ray: &Ray, t: f64) -> Option<(f64, f64)> {

@@ -1,13 +1,13 @@
 //! A fractal height field as an object of a scene: the square of one function, raised by a factor.
 
 use asperity_fif::{
-    Axis, Cached, FixedFif, FixedSmooth, HeightField, Ray, SystemError,
+    Axis, Cached, FixedFif, FixedSmooth, HeightField, Interval, Ray, SystemError,
     glam::{DVec2, DVec3},
 };
 
 /// The surface `z = rise · ĥ(x) ĥ(y)`, where `ĥ` is the integral of a fractal function.
 pub(crate) struct Fractal<const N: usize = 2> {
-    axis: Cached<FixedSmooth<N, 3, 2>>,
+    axis: Axle<N>,
     rise: f64,
 }
 
@@ -34,9 +34,8 @@ impl<const N: usize> Fractal<N> {
 
     /// The first meeting beyond a hundred-thousandth of the direction's length.
     pub(crate) fn first_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting> {
-        let flat = |v: DVec3| DVec3::new(v.x, v.y, v.z / self.rise);
-        let ray = Ray { origin: flat(origin), direction: flat(direction) };
-        let hit = HeightField::new(&self.axis, &self.axis).first_hit_between(&ray, 1e-5, f64::INFINITY)?;
+        let (surface, ray) = self.flat(origin, direction);
+        let hit = surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), TOLERANCE)?;
         let slope = hit.gradient.unwrap_or(DVec2::ZERO) * self.rise;
         let up = DVec3::new(-slope.x, -slope.y, 1.0).normalize();
         let normal = if up.dot(direction) > 0.0 { -up } else { up };
@@ -45,9 +44,24 @@ impl<const N: usize> Fractal<N> {
 
     /// Whether anything of it lies between the point and the place `direction` away.
     pub(crate) fn hides(&self, origin: DVec3, direction: DVec3) -> bool {
-        self.first_meeting(origin, direction).is_some_and(|meeting| meeting.t < 1.0)
+        let (surface, ray) = self.flat(origin, direction);
+        surface.hits_any(&ray, Interval::new(NEAR, 1.0))
+    }
+
+    /// The surface of heights as they are, and the ray beside it.
+    fn flat(&self, origin: DVec3, direction: DVec3) -> (HeightField<&'_ Axle<N>, &'_ Axle<N>>, Ray) {
+        let flat = |v: DVec3| DVec3::new(v.x, v.y, v.z / self.rise);
+        (HeightField::new(&self.axis, &self.axis), Ray { origin: flat(origin), direction: flat(direction) })
     }
 }
+
+/// A ray does not meet the surface where it starts.
+const NEAR: f64 = 1e-5;
+
+/// Errors of meetings along the ray, far below the pixels and below [`NEAR`].
+const TOLERANCE: f64 = 1e-8;
+
+type Axle<const N: usize> = Cached<FixedSmooth<N, 3, 2>>;
 
 #[cfg(test)]
 mod tests {
