@@ -49,10 +49,10 @@
 //! | [`SurfacePoint`], [`Form`], [`ParameterError`] | where materials are evaluated; printed or corrected formulas; parameters refused |
 //! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
 //! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
-//! | [`Seams`], [`SeamPattern`], [`Seam`], [`rim_light`] | seams of a carpet, light along its rim |
+//! | [`Seams`], [`SeamPattern`], [`Seam`], [`linear_seam`], [`rim_light`] | seams of a carpet, light along its rim |
 //! | [`MetallicPaint`], [`MetallicPaintParameters`], [`PaintSurface`], [`Facet`] | metallic paint; its parts: |
 //! | [`OrangePeel`], [`PassiveFlakes`] | bumps of the clear coat; flakes that vary the colour |
-//! | [`Sparkles`], [`Sparkle`], [`Elimination`], [`brighter_normal`], [`brighter_reflection`], [`boosted`] | sparkling flakes of a fixed width in pixels |
+//! | [`Sparkles`], [`Sparkle`], [`Elimination`], [`brighter_normal`], [`brighter_reflection`], [`boosted`], [`sparkle_width`] | sparkling flakes of a fixed width in pixels |
 //! | [`flake_patch`], [`FlakePatch`], [`flake_patch_printed`], [`flake_tilt_printed`] | which flake a point is in |
 //! | [`GlintField`], [`GlintFlake`] | flakes of any density, single or counted, with its mean at every distance |
 //! | [`Fibres`], [`FibresParameters`], [`Fibre`] | threads that are still threads from very near |
@@ -141,7 +141,7 @@ pub use material::{
     ScratchedSurface, Scratches, ScratchesParameters, Seam, SeamPattern, Seams, Sparkle, Sparkles,
     SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
     VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch, flake_patch_printed,
-    flake_tilt_printed, rim_light, varied, wave_gradient, wave_height,
+    flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient, wave_height,
 };
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};

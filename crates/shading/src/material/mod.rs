@@ -40,8 +40,10 @@ pub use parameter::ParameterError;
 pub use passive_flakes::PassiveFlakes;
 pub use rim::rim_light;
 pub use scratch::{ScratchedSurface, Scratches, ScratchesParameters};
-pub use seam::{Seam, SeamPattern, Seams};
-pub use sparkle::{Elimination, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection};
+pub use seam::{Seam, SeamPattern, Seams, linear_seam};
+pub use sparkle::{
+    Elimination, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection, sparkle_width,
+};
 pub use surface_point::SurfacePoint;
 pub use thread::{DiffuseThreads, SpecularThreads};
 pub use variations::{Variations, VariationsParameters, VariedSurface};

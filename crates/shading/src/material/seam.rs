@@ -215,6 +215,33 @@ impl Seams {
     }
 }
 
+/// The thesis's first seams, with straight sides: good enough where they are close together and there is no bump mapping.
+///
+/// ```text
+/// printed     |frac(2p)|, a saw that leaps from 1 to 0 at every half
+/// corrected   1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
+/// ```
+///
+/// The text speaks of twice the distance, and of values up to 1; the distance is at most ¼. Coordinates that are not finite have 1.
+///
+/// Nilsson 2008, §4.2.3.
+///
+/// ```
+/// use asperity_shading::{Form, linear_seam};
+///
+/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Corrected)), [0.0, 0.5, 1.0, 0.5]);
+/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Printed)), [0.0, 0.25, 0.5, 0.75]);
+/// ```
+#[must_use]
+pub fn linear_seam(p: f32, form: Form) -> f32 {
+    let fraction = 2.0 * p - floor(2.0 * p);
+    match form {
+        _ if !fraction.is_finite() => 1.0,
+        Form::Printed => fraction,
+        Form::Corrected => 1.0 - (2.0 * fraction - 1.0).abs(),
+    }
+}
+
 /// d|sin p|/dp from the right: the cosine of the phase folded into [0, π).
 fn folded_cosine(p: f32) -> f32 {
     cos(p - floor(p / PI) * PI)
@@ -338,6 +365,15 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn linear_seams_are_continuous_as_corrected_only() {
+        let leap = |form| (linear_seam(0.499_999, form) - linear_seam(0.500_001, form)).abs();
+        assert!(leap(Form::Corrected) < 1e-5 && leap(Form::Printed) > 0.99);
+        for p in [f32::NAN, f32::INFINITY, f32::MAX] {
+            assert_eq!(linear_seam(p, Form::Corrected), 1.0, "{p}");
         }
     }
 

@@ -146,6 +146,30 @@ impl Sparkles {
     }
 }
 
+/// The width of a sparkle of `pixel_size` pixels along each axis of space, as the thesis has it.
+///
+/// ```text
+/// widthᵢ = pixel size · max(|∂pᵢ/∂x|, |∂pᵢ/∂y|)
+/// ```
+///
+/// `ddx` and `ddy` are the changes of the position from one pixel to the next; parts that are NaN are left out. It is a width for
+/// [`flake_patch`]. [`Sparkles`] takes the footprint for all of them.
+///
+/// Nilsson 2008, §4.3.4, `new_sparkle_size`.
+///
+/// ```
+/// use asperity_shading::{sparkle_width, glam::Vec3};
+///
+/// let width = sparkle_width(2.0, Vec3::new(0.1, 0.0, -0.2), Vec3::new(0.0, -0.3, 0.1));
+/// assert_eq!(width, Vec3::new(0.2, 0.6, 0.4));
+/// ```
+#[must_use]
+pub fn sparkle_width(pixel_size: f32, ddx: Vec3, ddy: Vec3) -> Vec3 {
+    let (dx, dy) = (ddx.abs().to_array(), ddy.abs().to_array());
+    // `f32::max` leaves a NaN out on every platform.
+    Vec3::from_array([0, 1, 2].map(|i| pixel_size * dx[i].max(dy[i]).max(0.0)))
+}
+
 /// The normal of the two that is nearer to the half vector, which gives the stronger highlight of Phong's or Blinn's lobe.
 ///
 /// ```text
@@ -247,6 +271,7 @@ mod tests {
         assert_eq!(brighter_reflection(Vec3::Z, Vec3::X, Vec3::Z, |_| Vec3::NAN), Vec3::Z);
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, f32::NAN), Vec3::ZERO);
         assert_eq!(boosted(Vec3::ZERO, Vec3::ONE, 2.0), Vec3::ONE);
+        assert_eq!(sparkle_width(1.0, Vec3::NAN, Vec3::new(-1.0, 0.0, f32::NAN)), Vec3::X);
     }
 
     #[test]
