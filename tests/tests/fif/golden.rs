@@ -4,8 +4,8 @@ use std::array;
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    Cached, Fast32, FastBuf, FastJets, FifBuf, FixedFast, FixedSmooth, HeightField, Interval, Ray, TorusBuf,
-    Uneven, paper,
+    Cached, Fast32, FastBuf, FastJets, FifBuf, FixedFast, FixedSmooth, HeightField, Interval, Ray, Recurrent,
+    TorusBuf, Uneven, paper,
 };
 
 fn pinned(name: &str, got: f64, want: u64) {
@@ -91,6 +91,16 @@ fn jets_have_the_pinned_bits() {
     let twice: FifBuf<4> = paper::f_hat().unwrap().integral(0.0).unwrap();
     let [_, _, second] = FastJets::new(twice, 1e-12).unwrap().derivatives(0.7);
     pinned("second derivative", second.value, 0x3ff5_5555_5555_554d);
+}
+
+#[test]
+fn recurrent_systems_have_the_pinned_bits() {
+    let (x, y) = ([0.0, 1.0, 2.0, 3.5, 4.0], [0.25, 1.0, -0.5, 1.0, 0.3]);
+    let f = Recurrent::affine(&x, &y, &[0.7, -0.3, 0.9, -0.8], &[[0, 2], [1, 4], [1, 4], [2, 4]]).unwrap();
+    pinned("recurrent value", f.evaluate(2.9, 1e-9).value, 0xbff2_0378_6656_014b);
+    pinned("recurrent bound", f.evaluate(2.9, 1e-9).bound, 0x3df8_b98a_8fd2_e2d2);
+    pinned("recurrent integral", f.integral(3.1).value, 0x3fed_e0c8_3539_70ea);
+    pinned("recurrent range", f.range().hi, 0x4019_28d3_1c27_f66c);
 }
 
 #[test]

@@ -132,6 +132,34 @@ proptest! {
     }
 
     #[test]
+    fn points_on_any_domain_are_a_few_units_off(
+        y in prop::collection::vec(-1.0..1.0_f64, 6),
+        slopes in prop::collection::vec(-1.0..1.0_f64, 6),
+        share in prop::collection::vec(-0.7..0.7_f64, 5),
+        x0 in -20.0..20.0_f64, width in 0.1..10.0_f64, s in prop::collection::vec(0.0..1.0_f64, 8),
+    ) {
+        let x: Vec<f64> = (0..=5).map(|j| x0 + width * (f64::from(j) / 5.0)).collect();
+        let alpha: Vec<f64> = share.iter().map(|share| share / 5.0).collect();
+        let f = FifBuf::hermite(&x, &y, &slopes, &alpha).unwrap();
+        let d: FifBuf<4> = f.derivative().unwrap();
+        let jets = FastJets::new(f.view(), 1e-10).unwrap();
+        for (&x, &y) in x.iter().zip(&y) {
+            prop_assert_eq!(jets.jet(x).value, y);
+        }
+        for s in s {
+            let (x, near) = (x0 + s * width, 8.0 * f64::EPSILON * f.domain().magnitude());
+            let got = jets.evaluate(x);
+            for (f, got) in [(f.view(), got.value), (d.view(), got.slope)] {
+                let taken = f.extrema_over(x - near, x + near, 1e-11).unwrap().enclosure();
+                prop_assert!(taken.inflated(got.bound).contains(got.value), "{x}: {got:?} {taken:?}");
+            }
+            let want = f.integral_over(x0, x);
+            let most = got.integral.bound + want.bound + near * f.range().magnitude();
+            prop_assert!((got.integral.value - want.value).abs() <= most, "{x}: {got:?} {want:?}");
+        }
+    }
+
+    #[test]
     fn lanes_have_the_bits_of_single_jets(all in smooth(), s in prop::collection::vec(-0.1..2.1_f64, 41)) {
         let jets = FastJets::new(all[0].view(), 1e-12).unwrap();
         same_bits(&jets, &s);
