@@ -7,6 +7,8 @@ use crate::descent::{BUDGET, CLOSE, Level, Walk, slab};
 use crate::height_field::{HeightField, upward_normal};
 use crate::interval::Interval;
 #[cfg(feature = "alloc")]
+use crate::math::sqrt;
+#[cfg(feature = "alloc")]
 use crate::tracer::{Aim, Path, Tracer};
 
 /// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
@@ -209,7 +211,15 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
         let [f, g] = path.jets(t);
         let [x, y] = path.place(t);
         let gradient = DVec2::new(f[1] * g[0], f[0] * g[1]);
-        let normal = Some(upward_normal(gradient));
+        // One division and one root do, unless squares overflow.
+        let square = gradient.x * gradient.x + gradient.y * gradient.y + 1.0;
+        let normal = if square < f64::MAX {
+            let scale = 1.0 / sqrt(square);
+            DVec3::new(-gradient.x * scale, -gradient.y * scale, scale)
+        } else {
+            upward_normal(gradient)
+        };
+        let normal = Some(normal);
         Some(Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal })
     }
 

@@ -248,3 +248,31 @@ fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
         assert!(surface.first_hit_within(&down, Interval::new(f64::NAN, 9.0), f64::NAN).is_some());
     }
 }
+
+#[test]
+fn a_value_that_tables_know_coarsely_decides_nothing() {
+    // The first place that is looked at lies so near to the surface that one step of the table cannot tell on which side.
+    let directions = [
+        [0.595_129_907_131_195_1, 0.456_805_974_245_071_4, -0.688_720_583_915_710_4],
+        [0.347_619_444_131_851_2, 0.668_113_648_891_449, -0.681_331_992_149_353],
+        [0.513_154_804_706_573_5, 0.629_906_415_939_331, -0.584_356_844_425_201_4],
+        [0.522_786_259_651_184_1, 0.623_843_550_682_067_9, -0.582_509_696_483_612_1],
+        [0.519_265_055_656_433_1, 0.630_013_823_509_216_3, -0.579_277_217_388_153_1],
+    ];
+    let (surface, plain) = (cached(g_hat()), HeightField::new(g_hat(), g_hat()));
+    for direction in directions {
+        let ray = Ray {
+            origin: DVec3::new(-2.5, -3.25, 4.900_000_095_367_432),
+            direction: DVec3::from_array(direction),
+        };
+        let want = plain.first_hit(&ray).unwrap();
+        for tolerance in [0.0, 2e-6, 2e-4] {
+            let got = surface.first_hit_within(&ray, ALL, tolerance).unwrap();
+            assert!(
+                (got.t - want.t).abs() <= tolerance + 1e-11,
+                "{ray:?} to {tolerance:e}: {got:?}, {want:?}"
+            );
+            assert!((got.normal.unwrap().length() - 1.0).abs() < 1e-15, "{got:?}");
+        }
+    }
+}
