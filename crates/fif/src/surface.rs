@@ -24,8 +24,8 @@ pub struct SurfaceBounds {
 
 /// A surface `z = f(x, y)` over a rectangle: what bounds and rays need of it, and the rays.
 ///
-/// Implemented by [`TorusSurface`] over one period, the unit square, by [`FoldedSurface`] over its grid, by [`HeightField`],
-/// whose own rays are faster, and by [`Pyramid`](crate::Pyramid) over any of them, which makes hits several times as fast.
+/// Implemented by [`TorusSurface`] over one period, the unit square, by [`FoldedSurface`] over its grid, by [`HeightField`]
+/// with its own rays, and by [`Pyramid`](crate::Pyramid) over any of them, which makes hits of the first two fast.
 ///
 /// ```
 /// use asperity_fif::{FixedTorus, Ray, Surface, glam::DVec3};
@@ -54,7 +54,7 @@ pub trait Surface {
     #[must_use]
     fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds;
 
-    /// The gradient at a point that is known to `distance`, or `None` where there is none.
+    /// The gradient at a point that is known to `distance`, or `None` where there is none: what changes over less may be left out.
     #[must_use]
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2>;
 
@@ -155,6 +155,30 @@ impl<X: Axis, Y: Axis> Surface for HeightField<X, Y> {
     fn gradient_near(&self, x: f64, y: f64, _: f64) -> Option<DVec2> {
         self.gradient(x, y)
     }
+
+    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        self.first_hit_within(ray, t, tolerance)
+    }
+
+    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+        self.hits_any(ray, t)
+    }
+}
+
+/// A tolerance that leaves out the repetitions whose cells are smaller than `distance`.
+fn left_out(distance: f64, cell: f64, steepest: f64, [stretch, contraction]: [f64; 2]) -> f64 {
+    const STEPS: u32 = 1 << 10;
+    if distance.is_nan() || distance <= 0.0 {
+        return 0.0;
+    }
+    let (mut cell, mut tolerance) = (cell, 2.0 * steepest);
+    for _ in 0..STEPS {
+        if cell < distance {
+            break;
+        }
+        (cell, tolerance) = (cell / stretch, tolerance * contraction);
+    }
+    tolerance
 }
 
 const PERIOD: Interval = Interval::new(0.0, 1.0);
@@ -179,7 +203,9 @@ impl<S: AsRef<[TorusNode]>> Surface for TorusSurface<S> {
     }
 
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
-        let tolerance = if distance > 0.0 { self.gradient_modulus(distance) } else { 0.0 };
+        let limits = &self.limits;
+        let tolerance =
+            left_out(distance, 1.0 / self.side() as f64, limits.steepest, [limits.norm, limits.contraction]);
         let [x, y] = self.evaluate_gradient(x, y, tolerance);
         Some(DVec2::new(x.value, y.value))
     }
@@ -204,7 +230,11 @@ impl<S: AsRef<[FoldedNode]>> Surface for FoldedSurface<S> {
     }
 
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
-        let tolerance = if distance > 0.0 { 2.0 * self.gradient_modulus(distance) } else { 0.0 };
+        let limits = &self.limits;
+        let [wide, deep] = self.domain().map(Interval::width);
+        let cell = if wide < deep { wide } else { deep } / limits.stretch;
+        let steepest = limits.steepest() / if wide < deep { wide } else { deep };
+        let tolerance = left_out(distance, cell, steepest, [limits.stretch, limits.contraction]);
         let [x, y] = self.evaluate_gradient(x, y, tolerance);
         Some(DVec2::new(x.value, y.value))
     }
