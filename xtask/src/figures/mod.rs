@@ -6,6 +6,7 @@ mod cochran_contractions;
 mod cochran_corner;
 mod cochran_curves;
 mod cochran_dimension;
+mod cochran_landscape;
 mod cochran_mirrors;
 mod cochran_models;
 mod cochran_second_integrals;
@@ -55,6 +56,7 @@ const FIGURES: &[&[Figure]] = &[
         cochran_corner::CORNER,
         cochran_models::MODELS,
         cochran_zoom::ZOOM,
+        cochran_landscape::LANDSCAPE,
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
     ndf_densities::DENSITIES,
