@@ -118,6 +118,14 @@ pub(crate) const PAGES: &[Page] = &[
                 rigorous boxes; and the surfaces that they span, met by every ray, with exact normals.",
         name: "Fractal interpolation",
     },
+    Page {
+        words: &["shading", "cohen", "nilsson"],
+        file: "shading.html",
+        title: "Shading",
+        about: "Reflectances, matte and glossy, that say how much light they keep; the procedural textures of a lecture, as \
+                listed and corrected; and what a pixel sees of them from any distance.",
+        name: "Shading",
+    },
 ];
 
 impl Page {
@@ -197,6 +205,9 @@ fn section_of(name: &str) -> &'static str {
         (Some("ndf"), Some("table")) => "Tables",
         (Some("ndf"), Some("map")) => "Bump maps",
         (Some("ndf"), _) => "Masking and level of detail",
+        (Some("shading"), _) => "Reflectance",
+        (Some("cohen"), _) => "Procedural Bump Mapping and Noise, Cohen",
+        (Some("nilsson"), _) => "Procedural Generation of Natural Variations, Nilsson 2008",
         _ => "Beyond the sources",
     }
 }

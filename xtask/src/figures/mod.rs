@@ -11,6 +11,10 @@ mod cochran_mirrors;
 mod cochran_models;
 mod cochran_second_integrals;
 mod cochran_zoom;
+mod cohen_bevel;
+mod cohen_brick;
+mod cohen_patterns;
+mod cohen_still_lifes;
 mod kautz_isotropic;
 mod kautz_ndf;
 mod kautz_pipeline;
@@ -21,6 +25,7 @@ mod ndf_conditional;
 mod ndf_densities;
 mod ndf_masking;
 mod ndf_table;
+mod nilsson_zoom;
 mod noise_curl;
 mod noise_footprint;
 mod noise_gradients;
@@ -32,6 +37,7 @@ mod noise_tiled;
 mod noise_warp;
 mod panels;
 mod power_spectrum;
+mod shading_reflectance;
 
 use crate::figure::Figure;
 
@@ -59,6 +65,16 @@ const FIGURES: &[&[Figure]] = &[
         cochran_landscape::LANDSCAPE,
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
+    &[shading_reflectance::REFLECTANCE],
+    &[
+        cohen_brick::BRICK,
+        cohen_bevel::BEVEL,
+        cohen_patterns::PATTERNS,
+        cohen_patterns::SPECTRUM,
+        cohen_still_lifes::VASE,
+        cohen_still_lifes::CUP,
+    ],
+    &[nilsson_zoom::ZOOM],
     ndf_densities::DENSITIES,
     &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],
     &[ndf_table::TABLE],

@@ -13,5 +13,7 @@ pub(crate) mod pattern;
 pub(crate) mod relief;
 pub(crate) mod render;
 pub(crate) mod request;
+pub(crate) mod revolution;
 pub(crate) mod shape;
+pub(crate) mod still;
 pub(crate) mod teapot;
