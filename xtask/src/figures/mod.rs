@@ -88,3 +88,31 @@ const FIGURES: &[&[Figure]] = &[
 pub(crate) fn figures() -> impl Iterator<Item = &'static Figure> {
     FIGURES.iter().copied().flatten()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words in backticks of the last cell of every row of the tables in `docs/coverage.md`.
+    fn pictures() -> Vec<String> {
+        let page = include_str!("../../../docs/coverage.md");
+        let rows = page.lines().filter(|line| line.starts_with('|'));
+        let cells = rows.filter_map(|row| row.trim_end_matches('|').rsplit('|').next());
+        cells
+            .flat_map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>())
+            .collect()
+    }
+
+    #[test]
+    fn the_coverage_page_names_pictures_that_there_are() {
+        let pictures = pictures();
+        assert!(pictures.len() > 50);
+        for name in pictures {
+            let found = match name.strip_suffix('*') {
+                Some(start) => figures().any(|figure| figure.name.starts_with(start)),
+                None => figures().any(|figure| figure.name == name),
+            };
+            assert!(found, "{name}");
+        }
+    }
+}

@@ -58,8 +58,8 @@ impl<const N: usize> Fractal<N> {
 /// A ray does not meet the surface where it starts.
 const NEAR: f64 = 1e-5;
 
-/// Errors of meetings along the ray, far below the pixels and below [`NEAR`].
-const TOLERANCE: f64 = 1e-8;
+/// Errors of meetings along the ray: a tenth of [`NEAR`], and far below the pixels.
+const TOLERANCE: f64 = 1e-6;
 
 type Axle<const N: usize> = Cached<FixedSmooth<N, 3, 2>>;
 
