@@ -171,6 +171,20 @@ mod tests {
     }
 
     #[test]
+    fn a_whole_flank_has_the_moments_of_its_slopes() {
+        let mut moments = [0.0; 3];
+        whole_flank(1.0, 2.0, &mut |part| {
+            for (power, moment) in (0..).zip(&mut moments) {
+                *moment += part.share * part.slope.powi(power);
+            }
+        });
+        // ∫ (6x(1 − x))² dx = 6/5, times the square of the mean.
+        for (got, expected) in moments.into_iter().zip([1.0, 2.0, 4.8]) {
+            assert!((got - expected).abs() < 1e-6, "{got} {expected}");
+        }
+    }
+
+    #[test]
     fn every_box_has_its_whole() {
         let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, 0.0, 1e-30, 1.0, 1e9, f32::INFINITY];
         for mortar in [0.0, 0.1] {
