@@ -20,7 +20,7 @@ pub(crate) const BRICK: Figure = Figure {
     source: "Cohen, Procedural Bump Mapping and Noise, listing brickbump",
     caption: "The lecture's bricks, 0.25 by 0.08 with 0.01 of mortar, lit from the upper left so that the grooves show. Below, \
               a floor of them to the horizon: one sample a pixel breaks into moir\u{e9}; one sample that shades the exact \
-              shares of the pixel's slopes and of its mortar does not, and is what a thousand samples come to.",
+              shares of the pixel's slopes and of its mortar does not, and is what 256 samples come to.",
     draw,
 };
 
@@ -43,7 +43,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         "A brick wall whose mortar lies deeper than the bricks",
         image.exposed(1.0),
     );
-    panel.span = 2;
+    panel.span = 3;
     panels.push(panel);
     let floor = |samples_per_pixel| Sampling {
         width: context.size,
@@ -74,7 +74,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     }
     Ok(Drawn {
         panels,
-        columns: 2,
+        columns: 3,
         parameters: vec![
             ("depth of the mortar".to_owned(), DEPTH.to_string()),
             ("facets of a distant pixel".to_owned(), "50".to_owned()),

@@ -117,13 +117,6 @@ fn cloth(normal: Vec3) -> Surface {
 fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = half_page(context);
     let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 2, ..sampling };
-    let camera = Camera::new(
-        Vec3::new(0.0, -7.2, 2.6),
-        Vec3::new(0.0, 0.0, 1.12),
-        0.44,
-        sampling.width,
-        sampling.height,
-    );
     let marble = Marble::default();
     let still = Still {
         objects: vec![
@@ -137,17 +130,21 @@ fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
         ],
         lights: studio(Vec3::splat(0.9)),
     };
-    let image = render(sampling, context.progress, context.interrupted, |x, y| {
-        still.radiance(&camera, camera.direction(x, y)).map_or(hex(0x2a_2d33), |(colour, t)| far(colour, t))
-    })?;
+    let mut panels = Vec::new();
+    for (stem, label, eye, target) in [
+        ("vase", "The vase", Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)),
+        ("neck", "Its neck, from nearby", Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)),
+    ] {
+        let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
+        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+            let seen = still.radiance(&camera, camera.direction(x, y));
+            seen.map_or(hex(0x2a_2d33), |(colour, t)| far(colour, t))
+        })?;
+        panels.push(raster(stem, label, "A tall vase with blue veins on a table", image.exposed(1.0)));
+    }
     Ok(Drawn {
-        panels: vec![raster(
-            "vase",
-            "The vase",
-            "A tall vase with blue veins on a table",
-            image.exposed(1.0),
-        )],
-        columns: 1,
+        panels,
+        columns: 2,
         parameters: vec![("cells of the first octave per unit".to_owned(), "2.5".to_owned())],
         table: None,
     })
