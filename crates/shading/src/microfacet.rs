@@ -94,11 +94,7 @@ impl<D: Microfacet, F: Fresnel> Brdf for CookTorrance<D, F> {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !are_above(wi, wo) {
-            return 0.0;
-        }
-        let h = half_vector(wi, wo);
-        finite(self.density.visible_density(wo, h) / (4.0 * wo.dot(h)))
+        mirrored_density(wi, wo, |h| self.density.visible_density(wo, h))
     }
 }
 
@@ -169,12 +165,24 @@ impl<D: Ndf, F: Fresnel> Brdf for TorranceSparrow<D, F> {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !are_above(wi, wo) {
-            return 0.0;
-        }
-        let h = half_vector(wi, wo);
-        finite(self.density.sample_density(h) / (4.0 * wo.dot(h)))
+        mirrored_density(wi, wo, |h| self.density.sample_density(h))
     }
+}
+
+/// The density over `ωi` of mirroring `ωo` in facets that are drawn with a density over h; 0 unless both are above the horizon.
+///
+/// ```text
+/// p(ωi) = p(h) / (4 ωo·h)
+/// ```
+///
+/// Walter, Marschner, Li, Torrance 2007, eq. 14.
+#[inline]
+pub(crate) fn mirrored_density(wi: Vec3, wo: Vec3, density: impl FnOnce(Vec3) -> f32) -> f32 {
+    if !are_above(wi, wo) {
+        return 0.0;
+    }
+    let h = half_vector(wi, wo);
+    finite(density(h) / (4.0 * wo.dot(h)))
 }
 
 /// What is no number is none of the light, and what overflows is the greatest finite one.

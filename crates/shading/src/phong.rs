@@ -8,8 +8,8 @@ use glam::{Vec2, Vec3};
 
 use crate::brdf::{are_above, share};
 use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
-use crate::microfacet::finite;
-use crate::{Brdf, half_vector, reflect};
+use crate::microfacet::{finite, mirrored_density};
+use crate::{Brdf, reflect};
 
 /// Phong's lobe about the mirrored direction, normalised.
 ///
@@ -197,11 +197,7 @@ impl Brdf for BlinnPhongLobe {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !are_above(wi, wo) {
-            return 0.0;
-        }
-        let h = half_vector(wi, wo);
-        finite(self.density.sample_density(h) / (4.0 * wo.dot(h)))
+        mirrored_density(wi, wo, |h| self.density.sample_density(h))
     }
 }
 

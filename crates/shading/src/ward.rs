@@ -8,8 +8,8 @@ use glam::{Vec2, Vec3};
 
 use crate::brdf::{are_above, share};
 use crate::math::{exp, sqrt};
-use crate::microfacet::finite;
-use crate::{Brdf, half_vector, reflect};
+use crate::microfacet::{finite, mirrored_density};
+use crate::{Brdf, reflect};
 
 /// The denominator of a [`WardReflection`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -89,11 +89,7 @@ impl Brdf for WardReflection {
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !are_above(wi, wo) {
-            return 0.0;
-        }
-        let h = half_vector(wi, wo);
-        finite(self.slopes.sample_density(h) / (4.0 * wo.dot(h)))
+        mirrored_density(wi, wo, |h| self.slopes.sample_density(h))
     }
 }
 

@@ -1,9 +1,12 @@
 //! The carpet of a car: threads, seams, dark areas, roughness and light along the rim.
 
+use core::f32::consts::FRAC_1_PI;
+
+use asperity_noise::removed_share;
 use glam::{Vec2, Vec3};
 
 use super::dark_area::DarkAreas;
-use super::fbm::{Fbm, smoothstep};
+use super::fbm::Fbm;
 use super::fibre::{Fibres, FibresParameters};
 use super::form::Form;
 use super::parameter::{ParameterError, SHARES, SIZES, colour, within};
@@ -244,7 +247,7 @@ impl Carpet {
             0.0
         } else {
             // Slopes of |sin| have mean square ½, along one axis of two; so much as the pixel takes across.
-            let removed = smoothstep(0.2, 0.6, widths[0].max(widths[1]) / core::f32::consts::PI);
+            let removed = removed_share(widths[0].max(widths[1]), FRAC_1_PI);
             0.25 * p.seams_bump_strength * p.seams_bump_strength * removed * (1.0 - disturb) * (1.0 - disturb)
         };
         CarpetSurface {

@@ -100,7 +100,7 @@ impl Brick {
             brick: across.step * up.step,
             height: across.round * up.round,
             slope: Vec2::new(across.slope * up.round, across.round * up.slope) / self.cell,
-            cell: [cell[0].saturating_add(i32::from(shifted >= 1.0)), cell[1]],
+            cell: brick_of(cell, shifted),
         }
     }
 
@@ -111,15 +111,15 @@ impl Brick {
     /// do widths above 2¹⁶ bricks.
     #[must_use]
     pub fn filtered(&self, uv: Vec2, widths: Vec2) -> BrickSample {
-        let Some((s, t, [ds, dt], row)) = self.boxed(uv, widths) else { return BrickSample::NOWHERE };
+        let Some((s, t, [ds, dt], cell)) = self.boxed(uv, widths) else { return BrickSample::NOWHERE };
         // Rows are counted from the even one at or below, so that positions stay small.
-        let t = t + if row % 2 == 0 { 0.0 } else { 1.0 };
+        let t = t + if cell[1] % 2 == 0 { 0.0 } else { 1.0 };
         let rows = if dt < LEAST {
             Rows::at(Pulse(self.margin.y), t)
         } else {
             Rows::over(Pulse(self.margin.y), t, dt)
         };
-        let mut sample = BrickSample { cell: self.sample(uv).cell, ..BrickSample::NOWHERE };
+        let mut sample = BrickSample { cell: brick_of(cell, s + shift(cell[1])), ..BrickSample::NOWHERE };
         for (row, shift) in rows.0.into_iter().zip([0.0, 0.5]) {
             let across = Pulse(self.margin.x).over(s + shift, ds);
             sample.brick += across.step * row.step;
@@ -129,14 +129,14 @@ impl Brick {
         sample
     }
 
-    /// The middle of a box in its cell, its sides in cells, and its row.
-    pub(super) fn boxed(&self, uv: Vec2, widths: Vec2) -> Option<(f32, f32, [f32; 2], i32)> {
-        let (s, t, [_, row]) = self.place(uv)?;
+    /// The middle of a box in its cell, its sides in cells, and the cell without the shift of its row.
+    pub(super) fn boxed(&self, uv: Vec2, widths: Vec2) -> Option<(f32, f32, [f32; 2], [i32; 2])> {
+        let (s, t, cell) = self.place(uv)?;
         let widest = |width: f32, cell: f32| {
             let width = (width / cell).abs();
             if width <= MOST { width } else { MOST }
         };
-        Some((s, t, [widest(widths.x, self.cell.x), widest(widths.y, self.cell.y)], row))
+        Some((s, t, [widest(widths.x, self.cell.x), widest(widths.y, self.cell.y)], cell))
     }
 
     /// Width and height of a brick with its mortar.
@@ -163,6 +163,11 @@ impl Brick {
 
 pub(super) const LEAST: f32 = 1.0 / 1024.0;
 const MOST: f32 = 65536.0;
+
+/// The brick in a cell, at this place in its shifted row.
+fn brick_of([column, row]: [i32; 2], shifted: f32) -> [i32; 2] {
+    [column.saturating_add(i32::from(shifted >= 1.0)), row]
+}
 
 pub(super) fn shift(row: i32) -> f32 {
     if row % 2 == 0 { 0.0 } else { 0.5 }

@@ -36,7 +36,7 @@ impl Brick {
     /// assert!((shares - 1.0).abs() < 1e-5);
     /// ```
     pub fn facets(&self, uv: Vec2, widths: Vec2, mut visit: impl FnMut(f32, f32, Vec2)) {
-        let Some((s, t, [ds, dt], index)) = self.boxed(uv, widths) else {
+        let Some((s, t, [ds, dt], [_, index])) = self.boxed(uv, widths) else {
             return visit(1.0, 0.0, Vec2::ZERO);
         };
         let (across, up) = (Pulse(self.margin().x), Pulse(self.margin().y));
