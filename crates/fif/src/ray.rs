@@ -9,7 +9,9 @@ use crate::interval::Interval;
 #[cfg(feature = "alloc")]
 use crate::math::sqrt;
 #[cfg(feature = "alloc")]
-use crate::tracer::{Aim, Path, Tracer};
+use crate::stretch::Aim;
+#[cfg(feature = "alloc")]
+use crate::tracer::{Path, Tracer};
 
 /// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,8 @@
 use crate::axis::Axis;
 use crate::interval::Interval;
 use crate::polynomial::UNIT;
-use crate::tracer::{Aim, Path};
+use crate::stretch::Aim;
+use crate::tracer::Path;
 
 /// Evaluations that one search makes at most.
 const EVALUATIONS: u32 = 80;

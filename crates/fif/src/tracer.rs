@@ -11,20 +11,13 @@ use crate::jet_table::Jets;
 use crate::math::sqrt;
 use crate::ray::Ray;
 use crate::root_search::Search;
+use crate::stretch::Aim;
 
 /// Stretches that wait behind the one under search at most; more are left to the descent of boxes.
 const WAITING: usize = 32;
 
 /// Divisions of stretches before the descent of boxes takes over.
 const DIVISIONS: u32 = 256;
-
-/// What a search is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Aim {
-    First,
-    /// Some hit, as soon as there is one for certain.
-    Any,
-}
 
 /// What all rays against a surface share.
 pub(crate) struct Tracer<'a, X: Axis, Y: Axis> {
