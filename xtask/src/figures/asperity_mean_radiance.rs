@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
-use glam::Vec3;
+use glam::{Mat3, Vec2, Vec3};
 use rayon::prelude::*;
 
 use super::panels::rule_words;
@@ -109,7 +109,15 @@ fn measure(
     let footprint = Footprint::from_width(0.5 / zoom);
     // Slanted, so that no plane of the lattice is sampled alone.
     let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
-    let hit = Hit { t: 1.0, position: Vec3::ZERO, normal: Vec3::Z, tangent: Vec3::X };
+    let hit = Hit {
+        t: 1.0,
+        position: Vec3::ZERO,
+        normal: Vec3::Z,
+        tangent: Vec3::X,
+        uv: Vec2::ZERO,
+        tangents: [Vec3::X, Vec3::Y],
+        bend: Mat3::ZERO,
+    };
     let rows: Result<Vec<[[[f64; 2]; 2]; 3]>, Interrupted> = (0..PIXELS)
         .into_par_iter()
         .map(|y| {

@@ -1,7 +1,8 @@
 //! The marble vase and the steaming tea cup.
 
 use asperity_shading::{
-    Brdf, CookTorrance, EnergyPreservingOrenNayar, Gas, Ggx, Lambert, Marble, Schlick, Steam, march,
+    Brdf, CookTorrance, EnergyPreservingOrenNayar, Gas, Ggx, Lambert, Marble, Schlick, Steam, SurfacePoint,
+    march,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
 };
 use glam::Vec3;
@@ -122,11 +123,11 @@ fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
         objects: vec![
             (
                 TracedMesh::new(revolved(&VASE_PROFILE)),
-                Box::new(move |hit, footprint| {
-                    porcelain(hit.normal, 2.6 * marble.colour(hit.position, footprint), 0.12)
+                Box::new(move |point| {
+                    porcelain(point.normal, 2.6 * marble.colour(point.position, point.footprint), 0.12)
                 }),
             ),
-            (table(), Box::new(|hit, _| cloth(hit.normal))),
+            (table(), Box::new(|point| cloth(point.normal))),
         ],
         lights: studio(Vec3::splat(0.9)),
     };
@@ -164,7 +165,7 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
         sampling.width,
         sampling.height,
     );
-    let white = |hit: &crate::scene::shape::Hit, _| porcelain(hit.normal, hex(0xf0_ede6), 0.1);
+    let white = |point: &SurfacePoint| porcelain(point.normal, hex(0xf0_ede6), 0.1);
     let still = Still {
         objects: vec![
             (TracedMesh::new(revolved(&CUP_PROFILE)), Box::new(white)),
@@ -172,9 +173,9 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
             (TracedMesh::new(revolved(&SAUCER_PROFILE)), Box::new(white)),
             (
                 TracedMesh::new(revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]])),
-                Box::new(|hit, _| porcelain(hit.normal, hex(0x7a_2f10), 0.05)),
+                Box::new(|point| porcelain(point.normal, hex(0x7a_2f10), 0.05)),
             ),
-            (table(), Box::new(|hit, _| cloth(hit.normal))),
+            (table(), Box::new(|point| cloth(point.normal))),
         ],
         lights: studio(Vec3::splat(0.9)),
     };

@@ -38,7 +38,7 @@ fn vertex(point: &impl Fn(f32, f32) -> Vec3, t: f32, phi: f32) -> Vertex {
     let outward = point((t + STEP).min(1.0), phi) - point((t - STEP).max(0.0), phi);
     let around = point(t, phi + STEP) - point(t, phi - STEP);
     let normal = outward.cross(around).try_normalize().unwrap_or(Vec3::Z);
-    Vertex { position, normal, tangent: normal.any_orthonormal_vector() }
+    Vertex { position, normal, tangent: normal.any_orthonormal_vector(), uv: position.truncate() }
 }
 
 #[cfg(test)]

@@ -13,9 +13,18 @@ const STEPS: usize = 16;
 const AROUND: usize = 192;
 
 /// The smooth profile through points `(radius, height)`, turned about the z axis; its outside is to the right of the way along it.
+///
+/// Texture coordinates are the angle and the length along the profile.
 pub(crate) fn revolved(points: &[[f32; 2]]) -> Mesh {
     let profile = smooth(points);
     let rows = profile.len();
+    let mut length = 0.0;
+    let lengths: Vec<f32> = std::iter::once(0.0)
+        .chain(profile.windows(2).map(|pair| {
+            length += (pair[1].0 - pair[0].0).length();
+            length
+        }))
+        .collect();
     grid(rows, AROUND, |row, column| {
         let angle = TAU * column as f32 / AROUND as f32;
         let (sin, cos) = angle.sin_cos();
@@ -25,6 +34,7 @@ pub(crate) fn revolved(points: &[[f32; 2]]) -> Mesh {
             position: Vec3::new(p.x * cos, p.x * sin, p.y),
             normal: Vec3::new(out.x * cos, out.x * sin, out.y),
             tangent: Vec3::new(-sin, cos, 0.0),
+            uv: Vec2::new(angle, lengths[row]),
         }
     })
 }
@@ -39,19 +49,23 @@ pub(crate) fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
             position: centre + ring * Vec3::new(ca, 0.0, sa) + tube * out,
             normal: out,
             tangent: Vec3::new(-sa, 0.0, ca),
+            uv: Vec2::new(
+                ring * TAU * column as f32 / (AROUND / 2) as f32,
+                tube * TAU * row as f32 / (AROUND / 4) as f32,
+            ),
         }
     })
 }
 
-/// Triangles over rows of vertices that close around the columns.
+/// Triangles over rows of vertices; the last column lies where the first does, with texture coordinates of its own.
 fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Mesh {
     let mut mesh = Mesh::default();
     for row in 0..rows {
-        for column in 0..columns {
+        for column in 0..=columns {
             mesh.vertices.push(vertex(row, column));
         }
     }
-    let index = |row: usize, column: usize| (row * columns + column % columns) as u32;
+    let index = |row: usize, column: usize| (row * (columns + 1) + column) as u32;
     for row in 1..rows {
         for column in 0..columns {
             let (a, b) = (index(row - 1, column), index(row - 1, column + 1));

@@ -1,6 +1,7 @@
 //! What a ray can meet: a sphere, a plane or a mesh.
 
-use glam::Vec3;
+use asperity_shading::{Footprint, SurfacePoint};
+use glam::{Mat3, Vec2, Vec3};
 
 use super::mesh::TracedMesh;
 
@@ -14,6 +15,12 @@ pub(crate) struct Hit {
     pub(crate) normal: Vec3,
     /// Unit, orthogonal to the normal; the local x axis of an anisotropic density.
     pub(crate) tangent: Vec3,
+    /// Texture coordinates.
+    pub(crate) uv: Vec2,
+    /// ∂P/∂u and ∂P/∂v.
+    pub(crate) tangents: [Vec3; 2],
+    /// How the normal turns along the surface: dn = bend · dP, before it is made unit.
+    pub(crate) bend: Mat3,
 }
 
 impl Hit {
@@ -22,16 +29,22 @@ impl Hit {
     pub(crate) fn facing(mut self, direction: Vec3) -> Self {
         if self.normal.dot(direction) > 0.0 {
             self.normal = -self.normal;
+            self.bend = -self.bend;
         }
         self
+    }
+
+    /// Where a material is evaluated, of which a pixel sees so much.
+    pub(crate) fn point(&self, footprint: Footprint) -> SurfacePoint {
+        SurfacePoint::new(self.position, self.normal, footprint).with_uv(self.uv, self.tangents)
     }
 }
 
 /// A shape in its own space, z up.
 pub(crate) enum Shape {
-    /// Radius 1 about the origin; tangents go east around the z axis.
+    /// Radius 1 about the origin; tangents go east around the z axis, texture coordinates are longitude and latitude.
     Sphere,
-    /// z = 0, seen from above; tangents along x.
+    /// z = 0, seen from above; tangents along x, texture coordinates are x and y.
     Plane,
     /// Triangles.
     Mesh(TracedMesh),
@@ -66,7 +79,16 @@ fn sphere(origin: Vec3, direction: Vec3) -> Option<Hit> {
     let p = (o + d * t).normalize().as_vec3();
     let east = Vec3::new(-p.y, p.x, 0.0);
     let tangent = if east.length_squared() > 0.0 { east.normalize() } else { Vec3::Y };
-    Some(Hit { t: t as f32, position: p, normal: p, tangent })
+    let north = p.cross(tangent);
+    Some(Hit {
+        t: t as f32,
+        position: p,
+        normal: p,
+        tangent,
+        uv: Vec2::new(p.y.atan2(p.x), p.z.clamp(-1.0, 1.0).asin()),
+        tangents: [east, north],
+        bend: Mat3::IDENTITY,
+    })
 }
 
 fn plane(origin: Vec3, direction: Vec3) -> Option<Hit> {
@@ -77,6 +99,9 @@ fn plane(origin: Vec3, direction: Vec3) -> Option<Hit> {
         position: Vec3::new(position.x, position.y, 0.0),
         normal: Vec3::Z,
         tangent: Vec3::X,
+        uv: position.truncate(),
+        tangents: [Vec3::X, Vec3::Y],
+        bend: Mat3::ZERO,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use asperity_shading::{Brdf, Footprint, Frame};
+use asperity_shading::{Brdf, Frame, SurfacePoint};
 use glam::Vec3;
 
 use super::{camera::Camera, lights::Light, material::sky, mesh::TracedMesh, render::hash, shape::Hit};
@@ -15,8 +15,8 @@ pub(crate) struct Surface {
     pub(crate) albedo: Vec3,
 }
 
-/// The surface at a hit, of which a pixel sees so much.
-pub(crate) type Finish<'a> = dyn Fn(&Hit, Footprint) -> Surface + Sync + 'a;
+/// The surface at a point.
+pub(crate) type Finish<'a> = dyn Fn(&SurfacePoint) -> Surface + Sync + 'a;
 
 /// Objects and lights.
 pub(crate) struct Still<'a> {
@@ -39,7 +39,7 @@ impl Still<'_> {
         let (object, hit) = self.first_hit(camera.eye(), direction)?;
         let hit = hit.facing(direction);
         let (_, finish) = self.objects.get(object)?;
-        let surface = finish(&hit, camera.footprint(direction, &hit));
+        let surface = finish(&hit.point(camera.footprint(direction, &hit)));
         Some((self.shade(&hit, -direction, &surface), hit.t))
     }
 

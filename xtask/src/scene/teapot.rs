@@ -4,7 +4,7 @@
 //! Databases; the numbers are those of three.js' `TeapotGeometry` (MIT). The lid is widened by 14/13, so that its
 //! border at radius 1.3 meets the rim's at 1.4: with the original numbers one looks through the gap into the pot.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use serde::Deserialize;
 
 use super::mesh::{Mesh, Vertex};
@@ -90,6 +90,7 @@ fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
         position: p.as_vec3(),
         normal: p_u.cross(p_v).normalize_or_zero().as_vec3(),
         tangent: tangent.normalize_or_zero().as_vec3(),
+        uv: DVec2::new(u, v).as_vec2(),
     }
 }
 
