@@ -46,6 +46,7 @@
 //! | [`Brdf`] | what a surface does to light: value, samples and their density |
 //! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
 //! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
+//! | [`Environment`]: [`LatitudeLongitude`], [`EnvironmentRef`], [`EnvironmentMap`] | light from all around by an image, its samples and their density |
 //! | [`SurfacePoint`], [`Form`], [`ParameterError`] | where materials are evaluated; printed or corrected formulas; parameters refused |
 //! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
 //! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
@@ -91,6 +92,9 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
@@ -100,6 +104,7 @@ mod bump_field;
 mod diffuse;
 mod direction;
 mod displacement;
+mod environment;
 mod footprint;
 mod frequency_clamp;
 mod fresnel;
@@ -125,6 +130,9 @@ pub use bump_field::BumpField;
 pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
 pub use displacement::{Displaced, displace};
+#[cfg(feature = "alloc")]
+pub use environment::EnvironmentMap;
+pub use environment::{Environment, EnvironmentError, EnvironmentRef, LatitudeLongitude};
 pub use footprint::Footprint;
 pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
 pub use fresnel::{

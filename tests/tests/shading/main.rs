@@ -1,6 +1,7 @@
 //! Shading: level of detail, Fresnel terms and means over the surface.
 
 mod aliasing;
+mod environment;
 mod fresnel;
 mod materials;
 mod mean_radiance;

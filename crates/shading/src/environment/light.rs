@@ -1,0 +1,112 @@
+//! What surrounds a scene: the light that arrives from every direction, as a trait.
+
+use core::f32::consts::{FRAC_1_PI, TAU};
+
+use glam::{Vec2, Vec3};
+
+use crate::math::{clamp_to, cos, sin, sqrt};
+
+/// Light from infinitely far away: its radiance by direction, and directions drawn where it is bright.
+///
+/// ```text
+/// L_o(ωo) = ∫ f_r(ωi, ωo) L(ωi) cos θ_i dω_i
+/// ```
+///
+/// Directions are in the world's frame, whose z axis is up, and point towards the light; their length does not count.
+/// Colours are linear RGB. The trait is dyn-compatible.
+///
+/// Every implementation in this crate is total: what is no direction (zero, NaN, infinite) is dark and has the density 0.
+/// A colour is an environment that is the same all around.
+///
+/// ```
+/// use asperity_shading::{Environment, glam::{Vec2, Vec3}};
+///
+/// let fog = Vec3::splat(0.5);
+/// let wi = fog.sample(Vec2::new(0.3, 0.8));
+/// assert_eq!(fog.radiance(wi), fog);
+/// // The mean of radiance/density is the integral over the sphere, 4π L; here at every sample.
+/// assert!((fog.radiance(wi) / fog.density(wi) / (4.0 * core::f32::consts::PI) - fog).length() < 1e-6);
+/// ```
+pub trait Environment {
+    /// The radiance that arrives from `direction`, at least 0 in each channel.
+    #[must_use]
+    fn radiance(&self, direction: Vec3) -> Vec3;
+
+    /// A unit direction with the density [`density`](Environment::density), from a uniform point of the unit square.
+    ///
+    /// The provided one is uniform on the sphere. Numbers outside `[0, 1)` are moved to it, with NaN as 0.
+    #[must_use]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        uniform_sphere(u)
+    }
+
+    /// The density of [`sample`](Environment::sample) over solid angle, in sr⁻¹.
+    #[must_use]
+    fn density(&self, direction: Vec3) -> f32 {
+        if is_direction(direction) { 0.25 * FRAC_1_PI } else { 0.0 }
+    }
+}
+
+impl<E: Environment + ?Sized> Environment for &E {
+    fn radiance(&self, direction: Vec3) -> Vec3 {
+        (**self).radiance(direction)
+    }
+
+    fn sample(&self, u: Vec2) -> Vec3 {
+        (**self).sample(u)
+    }
+
+    fn density(&self, direction: Vec3) -> f32 {
+        (**self).density(direction)
+    }
+}
+
+/// The same radiance from everywhere; what is negative or NaN is 0, infinity the greatest number.
+impl Environment for Vec3 {
+    fn radiance(&self, direction: Vec3) -> Vec3 {
+        if is_direction(direction) {
+            Self::from_array(self.to_array().map(|c| clamp_to(c, f32::MAX)))
+        } else {
+            Self::ZERO
+        }
+    }
+}
+
+/// Whether a vector has a direction.
+#[inline]
+pub(crate) fn is_direction(v: Vec3) -> bool {
+    v.is_finite() && v != Vec3::ZERO
+}
+
+/// A direction with the density `1/4π`: by Archimedes, uniform in z and in longitude.
+#[inline]
+pub(crate) fn uniform_sphere(u: Vec2) -> Vec3 {
+    let (down, turn) = (clamp_to(u.y, 1.0), clamp_to(u.x, 1.0));
+    let rho = 2.0 * sqrt(down * (1.0 - down));
+    Vec3::new(rho * cos(TAU * turn), rho * sin(TAU * turn), 1.0 - 2.0 * down)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn provided_samples_are_unit() {
+        let fog: &dyn Environment = &Vec3::ONE;
+        for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 1.0, 7.0] {
+            for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
+                let wi = fog.sample(Vec2::new(x, y));
+                assert!((wi.length() - 1.0).abs() < 1e-6, "{x}, {y}: {wi}");
+                assert_eq!(fog.density(wi), 0.25 * FRAC_1_PI);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_direction_is_dark() {
+        for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 1.0)] {
+            assert_eq!((Vec3::ONE.radiance(bad), Vec3::ONE.density(bad)), (Vec3::ZERO, 0.0), "{bad}");
+        }
+        assert_eq!(Vec3::new(-1.0, f32::NAN, 2.0).radiance(Vec3::Z), Vec3::new(0.0, 0.0, 2.0));
+    }
+}
