@@ -47,6 +47,9 @@
 //! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
 //! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
 //! | [`Environment`]: [`LatitudeLongitude`], [`EnvironmentRef`], [`EnvironmentMap`] | light from all around by an image, its samples and their density |
+//! | [`light_samples`], [`LightSample`], [`reflected_radiance`], [`even_points`] | what a surface sends on of it, by samples of both |
+//! | [`Irradiance`], [`PrefilteredRef`], [`PrefilteredMap`], [`PrefilteredLevel`], [`prefiltered_radiance`] | the same by one look-up, diffuse and glossy |
+//! | [`SplitSum`], [`split_sum`] | how much of even light a rough mirror sends on |
 //! | [`SurfacePoint`], [`Form`], [`ParameterError`] | where materials are evaluated; printed or corrected formulas; parameters refused |
 //! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
 //! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
@@ -130,9 +133,13 @@ pub use bump_field::BumpField;
 pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
 pub use displacement::{Displaced, displace};
+pub use environment::{
+    Environment, EnvironmentError, EnvironmentRef, Irradiance, LatitudeLongitude, LightSample,
+    PrefilteredError, PrefilteredLevel, PrefilteredRef, SplitSum, even_points, light_samples,
+    prefiltered_radiance, reflected_radiance, split_sum,
+};
 #[cfg(feature = "alloc")]
-pub use environment::EnvironmentMap;
-pub use environment::{Environment, EnvironmentError, EnvironmentRef, LatitudeLongitude};
+pub use environment::{EnvironmentMap, PrefilteredMap};
 pub use footprint::Footprint;
 pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
 pub use fresnel::{

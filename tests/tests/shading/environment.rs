@@ -8,14 +8,14 @@ use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
 
 /// A soft sky over a dark ground.
-fn smooth(w: Vec3) -> Vec3 {
+pub(crate) fn smooth(w: Vec3) -> Vec3 {
     let up = 0.5 + 0.5 * w.z;
     Vec3::new(0.2 + 0.5 * up, 0.3 + 0.6 * up * up, 0.3 + up)
         + Vec3::new(0.6, 0.4, 0.1) * (0.5 + 0.5 * w.x).powi(4)
 }
 
 /// The same with a sun of 6° across, a thousand times as bright.
-fn hard(w: Vec3) -> Vec3 {
+pub(crate) fn hard(w: Vec3) -> Vec3 {
     let sun = Vec3::new(0.48, -0.36, 0.8);
     smooth(w)
         + if w.dot(sun) > 3.0_f32.to_radians().cos() { Vec3::new(1000.0, 900.0, 700.0) } else { Vec3::ZERO }

@@ -3,6 +3,7 @@
 mod aliasing;
 mod environment;
 mod fresnel;
+mod image_light;
 mod materials;
 mod mean_radiance;
 mod reflectance;

@@ -107,6 +107,7 @@ impl<'a> LatitudeLongitude<'a> {
     }
 
     /// The image of already checked parts.
+    #[cfg(feature = "alloc")]
     pub(super) const fn from_parts(
         width: usize,
         height: usize,
@@ -116,6 +117,7 @@ impl<'a> LatitudeLongitude<'a> {
         Self { width, height, texels, poles }
     }
 
+    #[cfg(feature = "alloc")]
     pub(super) const fn poles(&self) -> [Vec3; 2] {
         self.poles
     }

@@ -4,13 +4,27 @@
 mod environment_map;
 mod environment_ref;
 mod error;
+mod even_points;
 mod importance;
+mod irradiance;
 mod latitude_longitude;
 mod light;
+mod multiple_importance;
+mod prefiltered;
+#[cfg(feature = "alloc")]
+mod prefiltered_map;
+mod split_sum;
 
 #[cfg(feature = "alloc")]
 pub use environment_map::EnvironmentMap;
 pub use environment_ref::EnvironmentRef;
 pub use error::EnvironmentError;
+pub use even_points::even_points;
+pub use irradiance::Irradiance;
 pub use latitude_longitude::LatitudeLongitude;
 pub use light::Environment;
+pub use multiple_importance::{LightSample, light_samples, reflected_radiance};
+pub use prefiltered::{PrefilteredError, PrefilteredLevel, PrefilteredRef, prefiltered_radiance};
+#[cfg(feature = "alloc")]
+pub use prefiltered_map::PrefilteredMap;
+pub use split_sum::{SplitSum, split_sum};

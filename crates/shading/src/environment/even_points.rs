@@ -1,0 +1,50 @@
+//! Pairs of points that fill the square evenly.
+
+use glam::Vec2;
+
+/// So many pairs of points of the unit square, for [`reflected_radiance`](crate::reflected_radiance): evenly spread in each square and in
+/// both together, the same at every call.
+///
+/// ```text
+/// frac(½ + k g⁻ⁱ), i = 1 … 4,   g⁵ = g + 1
+/// ```
+///
+/// Roberts 2018, *The Unreasonable Effectiveness of Quasirandom Sequences*, in four dimensions. Add a random shift on the torus where
+/// neighbouring pixels should differ.
+///
+/// ```
+/// let [first, _] = asperity_shading::even_points(1).next().unwrap();
+/// assert_eq!(first, asperity_shading::glam::Vec2::splat(0.5));
+/// ```
+pub fn even_points(count: u32) -> impl Iterator<Item = [Vec2; 2]> {
+    const G: f64 = 1.167_303_978_261_418_7;
+    let steps = [1.0 / G, 1.0 / (G * G), 1.0 / (G * G * G), 1.0 / (G * G * G * G)];
+    (0..count).map(move |k| {
+        let [a, b, c, d] = steps.map(|step| {
+            let x = 0.5 + f64::from(k) * step;
+            // Positive, so that the cast is the floor; the rounding to `f32` may reach 1.
+            ((x - x as u64 as f64) as f32).min(1.0 - f32::EPSILON / 2.0)
+        });
+        [Vec2::new(a, b), Vec2::new(c, d)]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_square_is_filled_evenly() {
+        const SIDE: usize = 8;
+        let mut counts = [[0_i32; SIDE * SIDE]; 2];
+        for pair in even_points(6400) {
+            for (point, counts) in pair.into_iter().zip(&mut counts) {
+                assert!((0.0..1.0).contains(&point.x) && (0.0..1.0).contains(&point.y), "{point}");
+                let cell = (point * SIDE as f32).floor();
+                counts[cell.y as usize * SIDE + cell.x as usize] += 1;
+            }
+        }
+        // Random ones would be off by 30.
+        assert!(counts.as_flattened().iter().all(|count| (count - 100).abs() <= 12), "{counts:?}");
+    }
+}

@@ -1,0 +1,308 @@
+//! Environments that were filtered by rough mirrors beforehand: a stack of images, one for each roughness.
+
+use core::fmt;
+
+use asperity_ndf_sampling::{Frame, Ggx, Ndf};
+use glam::{Vec2, Vec3};
+
+use super::even_points::even_points;
+use super::latitude_longitude::LatitudeLongitude;
+use super::light::{Environment, is_direction};
+use super::multiple_importance::light_samples;
+use super::split_sum::SplitSum;
+use crate::math::clamp_to;
+use crate::microfacet::mirrored_density;
+use crate::{Brdf, half_vector, reflect};
+
+/// The roughness below which a mirror is smooth: its lobe is a tenth of a degree wide.
+const SMOOTH: f32 = 1e-3;
+
+/// The light of an environment around `direction`, as far as a GGX mirror seen straight on spreads it.
+///
+/// ```text
+/// L_α(r) = ∫ L(ω) D_α(h) max(0, r·ω) dω/∫ D_α(h) max(0, r·ω) dω,   h = (ω + r)/|ω + r|
+/// ```
+///
+/// - **Domain:** roughness within [0, 1], NaN as 0, where below 10⁻³ it is the environment itself; 0 for what is no direction.
+/// - **Accuracy:** both integrals are sums over the same `points` pairs of samples of lobe and light. Measured over all directions, as the
+///   deviation by the mean: 64 of a soft sky 0.7 %, 256 0.4 %; where a sun of 6° brings most of the light, with a peak of a hundred times
+///   the mean, 3 % and 1 % from a roughness of 0.3 on, 22 % and 5 % at 0.05.
+///
+/// The first factor of the split sum of Karis 2013, *Real Shading in Unreal Engine 4*, "Pre-Filtered Environment Map"; there from samples
+/// of the lobe alone, which miss the sun.
+#[must_use]
+pub fn prefiltered_radiance<E: Environment + ?Sized>(
+    environment: &E,
+    alpha: f32,
+    direction: Vec3,
+    points: u32,
+) -> Vec3 {
+    let alpha = clamp_to(alpha, 1.0);
+    if alpha < SMOOTH || !is_direction(direction) {
+        return environment.radiance(direction);
+    }
+    let (lobe, drawn) = (Lobe(Ggx::clamped(alpha, alpha)), Drawn(environment));
+    let frame = Frame::from_normal(direction / direction.abs().max_element());
+    let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
+    for pair in even_points(points.max(1)) {
+        for sample in light_samples(&lobe, &drawn, &frame, frame.normal, pair) {
+            sum += environment.radiance(sample.direction) * sample.radiance.x;
+            weight += sample.radiance.x;
+        }
+    }
+    if weight > 0.0 { sum / weight } else { environment.radiance(direction) }
+}
+
+/// Mirrored facets, without the factors that depend on the view.
+struct Lobe(Ggx);
+
+impl Brdf for Lobe {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        Vec3::splat(0.25 * self.0.density(half_vector(wi, wo)))
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        reflect(wo, self.0.sample(u))
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        mirrored_density(wi, wo, |h| self.0.sample_density(h))
+    }
+}
+
+/// Even light with the samples of another.
+struct Drawn<E>(E);
+
+impl<E: Environment> Environment for Drawn<E> {
+    fn radiance(&self, _: Vec3) -> Vec3 {
+        Vec3::ONE
+    }
+
+    fn sample(&self, u: Vec2) -> Vec3 {
+        self.0.sample(u)
+    }
+
+    fn density(&self, direction: Vec3) -> f32 {
+        self.0.density(direction)
+    }
+}
+
+/// An image of the environment as a mirror of this roughness spreads it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrefilteredLevel<'a> {
+    /// The roughness.
+    pub alpha: f32,
+    /// What such a mirror shows in each direction, by [`prefiltered_radiance`].
+    pub image: LatitudeLongitude<'a>,
+}
+
+/// A stack of borrowed images, from smooth to rough: what a mirror of any roughness shows by one look-up.
+///
+/// Between two levels it is interpolated linearly in the roughness, beyond the last one it is that.
+///
+/// - **Error:** [`reflected`](PrefilteredRef::reflected) takes the lobe for that of a mirror seen straight on, round, and does not cut it
+///   off at the surface. Measured beside [`reflected_radiance`](super::reflected_radiance), as the deviation over all normals by the mean:
+///
+/// | roughness | soft sky, seen from above | at 60° | at 80° |
+/// |---|---|---|---|
+/// | 0.1 | 0.005 | 0.018 | 0.052 |
+/// | 0.3 | 0.018 | 0.075 | 0.15 |
+/// | 0.6 | 0.018 | 0.14 | 0.20 |
+///
+/// Where a sun brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle: highlights should be long there.
+///
+/// ```
+/// use asperity_shading::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef, glam::Vec3};
+///
+/// let (sharp, blurred) = ([Vec3::splat(2.0), Vec3::ZERO], [Vec3::ONE]);
+/// let levels = [
+///     PrefilteredLevel { alpha: 0.0, image: LatitudeLongitude::new(1, 2, &sharp)? },
+///     PrefilteredLevel { alpha: 0.8, image: LatitudeLongitude::new(1, 1, &blurred)? },
+/// ];
+/// let stack = PrefilteredRef::new(&levels)?;
+/// assert!((stack.radiance(Vec3::Z, 0.4) - Vec3::splat(1.5)).length() < 1e-6);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrefilteredRef<'a> {
+    levels: &'a [PrefilteredLevel<'a>],
+}
+
+impl<'a> PrefilteredRef<'a> {
+    /// The stack of these levels.
+    ///
+    /// # Errors
+    /// [`PrefilteredError`] unless there are levels whose roughness is within [0, 1] and increases.
+    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, PrefilteredError> {
+        check_alphas(levels.iter().map(|level| level.alpha))?;
+        Ok(Self { levels })
+    }
+
+    /// The radiance that a mirror of the roughness `alpha`, seen straight on, gathers around a direction.
+    ///
+    /// 0 for what is no direction; roughness that is NaN counts as 0.
+    #[must_use]
+    pub fn radiance(&self, direction: Vec3, alpha: f32) -> Vec3 {
+        blend(self.levels.iter().copied(), direction, alpha)
+    }
+
+    /// What a GGX mirror with Schlick's reflectance `f0` sends into the direction `view`.
+    ///
+    /// ```text
+    /// L_o ≈ L_α(reflect(view, normal)) (F₀ scale + bias)
+    /// ```
+    ///
+    /// Karis 2013. `normal` and `view` are unit; from below it is dark.
+    #[must_use]
+    pub fn reflected(&self, table: &SplitSum, f0: Vec3, alpha: f32, normal: Vec3, view: Vec3) -> Vec3 {
+        self.radiance(reflect(view, normal), alpha) * split(table, f0, alpha, normal.dot(view))
+    }
+}
+
+/// The factor of the reflectance; 0 from below.
+pub(super) fn split(table: &SplitSum, f0: Vec3, alpha: f32, cosine: f32) -> Vec3 {
+    if cosine > 0.0 {
+        let [scale, bias] = table.at(alpha, cosine);
+        f0 * scale + bias
+    } else {
+        Vec3::ZERO
+    }
+}
+
+/// A look-up between the two levels around a roughness.
+pub(super) fn blend<'a>(
+    levels: impl Iterator<Item = PrefilteredLevel<'a>>,
+    direction: Vec3,
+    alpha: f32,
+) -> Vec3 {
+    let alpha = clamp_to(alpha, 1.0);
+    let mut smoother: Option<PrefilteredLevel<'_>> = None;
+    for level in levels {
+        if level.alpha >= alpha {
+            let rough = level.image.radiance(direction);
+            return match smoother {
+                Some(smooth) if level.alpha > alpha => {
+                    let share = (alpha - smooth.alpha) / (level.alpha - smooth.alpha);
+                    smooth.image.radiance(direction).lerp(rough, share)
+                }
+                _ => rough,
+            };
+        }
+        smoother = Some(level);
+    }
+    smoother.map_or(Vec3::ZERO, |level| level.image.radiance(direction))
+}
+
+/// Refuses what is no increasing roughness.
+pub(super) fn check_alphas(alphas: impl Iterator<Item = f32>) -> Result<(), PrefilteredError> {
+    let mut last = None;
+    for (level, alpha) in alphas.enumerate() {
+        if !(0.0..=1.0).contains(&alpha) {
+            return Err(PrefilteredError::Roughness { level, alpha });
+        }
+        if last.is_some_and(|last| alpha <= last) {
+            return Err(PrefilteredError::NotIncreasing { level, alpha });
+        }
+        last = Some(alpha);
+    }
+    if last.is_some() { Ok(()) } else { Err(PrefilteredError::NoLevels) }
+}
+
+/// Why images are no stack of increasing roughness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PrefilteredError {
+    /// There are no levels.
+    NoLevels,
+    /// A roughness is outside [0, 1].
+    Roughness {
+        /// Which level.
+        level: usize,
+        /// Its roughness.
+        alpha: f32,
+    },
+    /// A level is not rougher than the one before.
+    NotIncreasing {
+        /// Which level.
+        level: usize,
+        /// Its roughness.
+        alpha: f32,
+    },
+    /// A level has no rows, or more than 8192.
+    Rows {
+        /// Which level.
+        level: usize,
+        /// Its rows.
+        rows: usize,
+    },
+}
+
+impl fmt::Display for PrefilteredError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoLevels => f.write_str("stack must have levels, got none"),
+            Self::Roughness { level, alpha } => {
+                write!(f, "roughness of level {level} must be within [0, 1], got {alpha}")
+            }
+            Self::NotIncreasing { level, alpha } => {
+                write!(f, "level {level} must be rougher than the one before, got {alpha}")
+            }
+            Self::Rows { level, rows } => write!(f, "level {level} must have 1 to 8192 rows, got {rows}"),
+        }
+    }
+}
+
+impl core::error::Error for PrefilteredError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_light_stays_even() {
+        for alpha in [f32::NAN, 0.0, 0.05, 0.3, 0.6, 1.0, 2.0] {
+            for direction in [Vec3::Z, Vec3::new(-0.6, 0.0, -0.8), Vec3::new(1e30, 0.0, 1e20)] {
+                let got = prefiltered_radiance(&Vec3::splat(2.0), alpha, direction, 64);
+                assert!((got - Vec3::splat(2.0)).length() < 1e-5, "{alpha}: {got}");
+            }
+        }
+        for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY] {
+            assert_eq!(prefiltered_radiance(&Vec3::ONE, 0.3, bad, 4), Vec3::ZERO);
+        }
+        assert!(prefiltered_radiance(&Vec3::ONE, 0.3, Vec3::Z, 0).is_finite());
+    }
+
+    #[test]
+    fn levels_are_blended_by_their_roughness() {
+        let texels = [1.0, 3.0, 7.0].map(|value| [Vec3::splat(value)]);
+        let mut levels = [0.1, 0.2, 0.6].map(|alpha| PrefilteredLevel {
+            alpha,
+            image: LatitudeLongitude::new(1, 1, &texels[0]).unwrap(),
+        });
+        for (level, texels) in levels.iter_mut().zip(&texels) {
+            level.image = LatitudeLongitude::new(1, 1, texels).unwrap();
+        }
+        let stack = PrefilteredRef::new(&levels).unwrap();
+        let cases =
+            [(f32::NAN, 1.0), (0.1, 1.0), (0.15, 2.0), (0.2, 3.0), (0.5, 6.0), (0.6, 7.0), (9.0, 7.0)];
+        for (alpha, expected) in cases {
+            let got = stack.radiance(Vec3::X, alpha).x;
+            assert!((got - expected).abs() < 1e-5, "{alpha}: {got}");
+        }
+        assert_eq!(stack.radiance(Vec3::NAN, 0.5), Vec3::ZERO);
+        let table = SplitSum::new();
+        assert_eq!(stack.reflected(&table, Vec3::ONE, 0.3, Vec3::Z, Vec3::NEG_Z), Vec3::ZERO);
+        assert_eq!(stack.reflected(&table, Vec3::ONE, 0.3, Vec3::Z, Vec3::NAN), Vec3::ZERO);
+    }
+
+    #[test]
+    fn refusals_name_the_level() {
+        extern crate std;
+        use std::string::ToString;
+        let refused = |alphas: &[f32]| check_alphas(alphas.iter().copied()).unwrap_err().to_string();
+        assert_eq!(refused(&[]), "stack must have levels, got none");
+        assert_eq!(refused(&[0.0, 1.5]), "roughness of level 1 must be within [0, 1], got 1.5");
+        assert_eq!(refused(&[0.0, f32::NAN]), "roughness of level 1 must be within [0, 1], got NaN");
+        assert_eq!(refused(&[0.2, 0.2]), "level 1 must be rougher than the one before, got 0.2");
+    }
+}
