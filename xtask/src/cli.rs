@@ -35,7 +35,9 @@ pub(crate) enum Command {
     /// Render one scene with chosen parameters to a PNG.
     #[command(after_help = "Examples:
   cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
-  cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16")]
+  cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16
+  cargo xtask render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
+  cargo xtask render --mesh house.obj --up z")]
     Render(Render),
     /// Run the crates' benches, or time our noises beside those of other libraries.
     #[command(after_help = "Examples:
@@ -115,6 +117,12 @@ pub(crate) struct Render {
     /// What is seen.
     #[arg(long, value_enum, default_value_t = Scene::Teapot)]
     pub(crate) scene: Scene,
+    /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply or .glb.
+    #[arg(long, value_name = "FILE", conflicts_with = "scene")]
+    pub(crate) mesh: Option<PathBuf>,
+    /// Which way is up in the mesh's file.
+    #[arg(long, value_enum, default_value_t = Up::Y, requires = "mesh")]
+    pub(crate) up: Up,
     /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
     /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
     #[arg(long, default_value = "ggx:0.2,0.4")]
@@ -246,6 +254,15 @@ pub(crate) enum Scene {
     Plane,
 }
 
+/// The axis that points up in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Up {
+    /// As glTF has it, and most of the others.
+    Y,
+    /// As in files of buildings and maps.
+    Z,
+}
+
 /// The level-of-detail rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Rule {
@@ -296,6 +313,9 @@ mod tests {
         for line in [
             "cargo-xtask render --zoom 0",
             "cargo-xtask render --zoom nan",
+            "cargo-xtask render --mesh a.obj --scene plane",
+            "cargo-xtask render --up z",
+            "cargo-xtask render --mesh a.obj --up x",
             "cargo-xtask gallery --size 3",
             "cargo-xtask gallery --jobs 0",
             "cargo-xtask tables --check --ndf ggx:0.2",

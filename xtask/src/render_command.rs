@@ -14,8 +14,11 @@ use crate::{
     scene::{
         field::NoiseKind,
         material::Facets,
+        mesh::TracedMesh,
+        mesh_file,
         render::Sampling,
         request::{Bumps, RenderRequest, Subject},
+        shape::Shape,
     },
 };
 
@@ -30,6 +33,13 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     let name = path.file_name().map(|name| name.to_string_lossy());
     let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {
         return Err(format!("`{}` is a folder; name a file in it", wanted.out.display()).into());
+    };
+    let mesh = match &wanted.mesh {
+        Some(file) => {
+            let named = |error| Failure::from(format!("mesh `{}`: {error}", file.display()));
+            Some(TracedMesh::new(mesh_file::open(file, wanted.up).map_err(named)?))
+        }
+        None => None,
     };
     let output = Output::new(folder)?;
     let subject = match wanted.scene {
@@ -52,7 +62,10 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
         samples_per_pixel: wanted.spp,
         seed: wanted.seed,
     };
-    let mut request = RenderRequest::new(subject, density.ndf(), sampling);
+    let mut request = match &mesh {
+        Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf(), sampling),
+        None => RenderRequest::new(subject, density.ndf(), sampling),
+    };
     request.facets = Facets::Consistent(rule);
     request.zoom = wanted.zoom;
     request.bumps = Bumps {
@@ -64,7 +77,8 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     request.tint = hex(wanted.tint);
     request.exposure = wanted.exposure;
     let bar = progress::bar("render");
-    let image = request.draw(&RenderRequest::shape(subject), &bar, interrupted);
+    let shape = mesh.map_or_else(|| RenderRequest::shape(subject), Shape::Mesh);
+    let image = request.draw(&shape, &bar, interrupted);
     bar.finish_and_clear();
     output.write(&name, &image?.png()?)?;
     progress::say(&format!("the picture: {}", path.display()));

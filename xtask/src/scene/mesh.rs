@@ -97,6 +97,12 @@ impl TracedMesh {
         })
     }
 
+    /// The corner of a triangle that is nearest to a point.
+    pub(crate) fn nearest_corner(&self, point: Vec3) -> Vec3 {
+        let corners = self.mesh.triangles.iter().flatten().map(|&i| self.mesh.vertices[i as usize].position);
+        corners.min_by(|a, b| a.distance(point).total_cmp(&b.distance(point))).unwrap_or_default()
+    }
+
     fn corners(&self, triangle: usize) -> [Vertex; 3] {
         self.mesh.triangles[triangle].map(|i| self.mesh.vertices[i as usize])
     }

@@ -9,6 +9,7 @@ pub(crate) mod hemisphere;
 pub(crate) mod lights;
 pub(crate) mod material;
 pub(crate) mod mesh;
+pub(crate) mod mesh_file;
 pub(crate) mod pattern;
 pub(crate) mod relief;
 pub(crate) mod render;

@@ -58,7 +58,7 @@ impl Bumps {
 /// One picture.
 #[derive(Clone, Copy)]
 pub(crate) struct RenderRequest<'a> {
-    pub(crate) subject: Subject,
+    view: View,
     pub(crate) ndf: &'a SharedNdf,
     pub(crate) facets: Facets<'a>,
     /// How many times closer than the view of the whole object.
@@ -79,8 +79,17 @@ impl<'a> RenderRequest<'a> {
             Subject::Teapot => 16.0,
             Subject::Plane => 24.0,
         };
+        Self::seen(View::of(subject), frequency, ndf, sampling)
+    }
+
+    /// The same of a mesh in the unit ball.
+    pub(crate) fn of_mesh(mesh: &TracedMesh, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
+        Self::seen(View::of_mesh(mesh), 24.0, ndf, sampling)
+    }
+
+    fn seen(view: View, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
         Self {
-            subject,
+            view,
             ndf,
             facets: Facets::Consistent(LevelOfDetail::Exact),
             zoom: 1.0,
@@ -102,7 +111,7 @@ impl<'a> RenderRequest<'a> {
 
     /// The camera: towards the whole object at zoom 1, and from there straight to a point of its surface.
     pub(crate) fn camera(&self) -> Camera {
-        let view = View::of(self.subject);
+        let view = self.view;
         let near = 1.0 / self.zoom;
         // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
         let aim = view.focus + (view.centre - view.focus) * near * near;
@@ -154,6 +163,7 @@ pub(crate) fn trace(
 }
 
 /// Where the camera stands for the whole object, and the point of the surface that it comes close to.
+#[derive(Clone, Copy)]
 struct View {
     eye: Vec3,
     centre: Vec3,
@@ -181,6 +191,19 @@ impl View {
                 Self { eye: Vec3::new(0.0, -3.0, 3.0), centre: Vec3::ZERO, focus: Vec3::ZERO, field: 27.0 }
             }
         }
+    }
+
+    /// The unit ball from the front, a little from the right and from above, just inside the picture; nearby, the
+    /// point that is in its middle, or else the corner that is nearest to the eye.
+    fn of_mesh(mesh: &TracedMesh) -> Self {
+        let eye = Vec3::new(1.3, -4.0, 1.7);
+        let field = 27.0_f32;
+        let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
+        let focus = match mesh.first_hit(eye, -eye.normalize()) {
+            Some(hit) => hit.position,
+            None => mesh.nearest_corner(eye),
+        };
+        Self { eye, centre: Vec3::ZERO, focus, field }
     }
 }
 
