@@ -14,4 +14,5 @@ pub mod random;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;
+pub mod shaded;
 pub mod surface_patches;

@@ -40,6 +40,7 @@
 //! | [`BumpField`] | a field laid into space, with its frequency clamp |
 //! | [`surface_gradient`], [`tangential`], [`gradient_of_normal`], [`differences`] | gradients along a surface: from two parameters, from space, from a normal, by neighbours |
 //! | [`bumped_normal`], [`lecture_normal`], [`displace`], [`facing`] | bump mapping: the normals of displaced surfaces |
+//! | [`slope_facets`](fn@slope_facets) | slopes that a pixel does not resolve, as a few facets |
 //! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
 //! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
 //! | [`Fresnel`]: [`Dielectric`], [`Conductor`], [`Schlick`], [`SchlickF82`] | Fresnel reflectance, unpolarised |
@@ -119,6 +120,7 @@ mod microfacet;
 mod phong;
 mod pixel_ellipse;
 mod remapped_octaves;
+mod slope_facets;
 mod texture;
 mod ward;
 
@@ -162,6 +164,7 @@ pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
 pub use pixel_ellipse::PixelEllipse;
 pub use remapped_octaves::RemappedOctaves;
+pub use slope_facets::slope_facets;
 pub use texture::{
     Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,
     PerturbedTexture, Seen, StarWallpaper, StarWallpaperError, Steam, march,

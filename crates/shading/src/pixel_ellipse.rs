@@ -24,6 +24,8 @@ use crate::math::sqrt;
 pub struct PixelEllipse {
     /// The long axis, as long as the pixel.
     major: Vec3,
+    /// The short axis, as long as the pixel is wide.
+    minor: Vec3,
     /// Widths along the long and the short axis.
     widths: [Footprint; 2],
 }
@@ -39,7 +41,8 @@ impl PixelEllipse {
     #[must_use]
     pub fn from_derivatives(dx: Vec3, dy: Vec3) -> Self {
         let scale = dx.abs().max_element().max(dy.abs().max_element());
-        let round = Self { major: Vec3::ZERO, widths: [Footprint::from_derivatives(dx, dy); 2] };
+        let round =
+            Self { major: Vec3::ZERO, minor: Vec3::ZERO, widths: [Footprint::from_derivatives(dx, dy); 2] };
         if !(scale > 0.0 && dx.is_finite() && dy.is_finite()) {
             return round;
         }
@@ -49,10 +52,17 @@ impl PixelEllipse {
         let long = 0.5 * (e + g + root);
         // The eigenvector by its larger component; the smaller eigenvalue by the determinant, which keeps its digits.
         let (x, y) = if e > g { (0.5 * (e - g + root), f) } else { (f, 0.5 * (g - e + root)) };
+        // All axes of a circle are the same.
+        let (x, y) = if x == 0.0 && y == 0.0 { (1.0, 0.0) } else { (x, y) };
         let major = (x * dx + y * dy).normalize_or_zero() * sqrt(long);
         let cross = dx.cross(dy);
         let short = sqrt(cross.dot(cross)) / sqrt(long);
-        Self { major: scale * major, widths: [sqrt(long), short].map(|w| Footprint::from_width(scale * w)) }
+        let minor = cross.cross(major).normalize_or_zero() * short;
+        Self {
+            major: scale * major,
+            minor: scale * minor,
+            widths: [sqrt(long), short].map(|w| Footprint::from_width(scale * w)),
+        }
     }
 
     /// The width along the long axis.
@@ -88,6 +98,33 @@ impl PixelEllipse {
         let width = Footprint::from_width(if count == 1 { long } else { short.max(long / count as f32) });
         let major = self.major;
         (0..count).map(move |k| (major * ((k as f32 + 0.5) / count as f32 - 0.5), width))
+    }
+
+    /// Twice as many along either axis, half as wide, where there are enough of them: for textures whose mean over a pixel is
+    /// nearer to the mean of four of its quarters than to what one wide footprint sees.
+    ///
+    /// Up to `most` (and 64) on one or two lines along the long axis. Two of them for pixels whose axes have at most a quarter of
+    /// `most` to one another; otherwise as [`taps`](Self::taps).
+    ///
+    /// ```
+    /// use asperity_shading::{PixelEllipse, glam::Vec3};
+    ///
+    /// let pixel = PixelEllipse::from_derivatives(Vec3::new(0.01, 0.0, 0.0), Vec3::new(0.0, 0.01, 0.0));
+    /// assert_eq!(pixel.fine_taps(32).count(), 4);
+    /// assert!(pixel.fine_taps(32).all(|(_, tap)| (tap.width() - 0.005).abs() < 1e-6));
+    /// ```
+    pub fn fine_taps(&self, most: u32) -> impl Iterator<Item = (Vec3, Footprint)> + use<> {
+        let [long, short] = self.widths.map(|width| width.width());
+        let most = most.clamp(1, 64);
+        // Written so that NaN, of a pixel without an axis, has one line.
+        let two = 4.0 * long <= most as f32 * short && self.minor != Vec3::ZERO;
+        let (lines, across) = if two { (2, Footprint::from_width(0.5 * short)) } else { (1, self.widths[1]) };
+        let line = Self { widths: [self.widths[0], across], ..*self };
+        let minor = self.minor;
+        (0..lines).flat_map(move |k| {
+            let aside = minor * ((k as f32 + 0.5) / lines as f32 - 0.5);
+            line.taps(most / lines).map(move |(along, tap)| (aside + along, tap))
+        })
     }
 }
 

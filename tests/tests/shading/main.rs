@@ -10,3 +10,4 @@ mod reflectance;
 mod remapped;
 mod textures;
 mod zoom;
+mod zoom_means;

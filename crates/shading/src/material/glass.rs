@@ -6,8 +6,8 @@ use super::fbm::{Fbm, SLOPE_VARIANCE};
 use super::form::Form;
 use super::parameter::{ParameterError, SIZES, direction, within};
 use super::surface_point::SurfacePoint;
-use crate::math::{cos, sin};
-use crate::{bumped_normal, tangential};
+use crate::math::{cos, sin, sqrt};
+use crate::{bumped_normal, slope_facets, tangential};
 
 /// The shape of the waves of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -79,6 +79,25 @@ pub struct GlassSurface {
     pub normal: Vec3,
     /// The variance of the slope that the footprint took, the mean of both axes: α² grows by twice that.
     pub slope_variance: f32,
+    /// The steepest slope of a sine that the footprint took, along its direction; zero for noise.
+    pub swing: Vec3,
+}
+
+impl GlassSurface {
+    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
+    ///
+    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev; of noise [`slope_facets`](fn@crate::slope_facets).
+    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+        let swing = 0.866_025_4 * self.swing;
+        let (cosine, bumped) = (self.normal.dot(n), self.normal);
+        let sine = swing != Vec3::ZERO && cosine > 0.0;
+        let sides = if sine { [-1.0, 1.0].as_slice() } else { [].as_slice() };
+        let share = if sine { 1.0 / 3.0 } else { 1.0 };
+        let variance = if sine { 0.0 } else { self.slope_variance };
+        let middle = slope_facets(n, bumped, variance).map(move |(part, m)| (share * part, m));
+        let slope = n - bumped / cosine;
+        middle.chain(sides.iter().map(move |side| (share, bumped_normal(n, slope + *side * swing))))
+    }
 }
 
 /// The height of waves in glass: `A sin(f p·d)`.
@@ -149,7 +168,7 @@ impl TemperedGlass {
     pub fn surface(&self, point: &SurfacePoint) -> GlassSurface {
         let p = &self.parameters;
         let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
-        let (gradient, slope_variance) = match p.waves {
+        let (gradient, slope_variance, swing) = match p.waves {
             GlassWaves::Sine => {
                 let across = tangential(n, self.direction);
                 // Its period is 2π/f, and along the surface the longer the more it leans away.
@@ -165,15 +184,17 @@ impl TemperedGlass {
                     Form::Corrected,
                 );
                 // Half of cos² and half again for one of two axes.
-                (g * kept, 0.25 * steepest * steepest * across.length_squared() * (1.0 - kept * kept))
+                let lost = 1.0 - kept * kept;
+                let variance = 0.25 * steepest * steepest * across.length_squared() * lost;
+                (g * kept, variance, across * (steepest * sqrt(lost)))
             }
             GlassWaves::Noise => {
                 let sample = self.noise.sample(point.position, point.footprint);
                 let removed = self.noise.removed_slope(point.footprint, SLOPE_VARIANCE);
-                (tangential(n, sample.gradient) * steepest, steepest * steepest * removed)
+                (tangential(n, sample.gradient) * steepest, steepest * steepest * removed, Vec3::ZERO)
             }
         };
-        GlassSurface { normal: bumped_normal(n, gradient), slope_variance }
+        GlassSurface { normal: bumped_normal(n, gradient), slope_variance, swing }
     }
 }
 

@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3};
 use super::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 use super::segment::Segments;
 use super::surface_point::SurfacePoint;
-use crate::bumped_normal;
 use crate::math::sqrt;
+use crate::{bumped_normal, slope_facets};
 
 /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,6 +89,21 @@ pub struct ScratchedSurface {
     pub normal: Vec3,
     /// The variance of the slope along each axis that the footprint took, the mean of both axes: α² grows by twice that.
     pub slope_variance: f32,
+    /// The share of the surface that is scratched, which has all of that variance.
+    pub covered: f32,
+}
+
+impl ScratchedSurface {
+    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
+    ///
+    /// Most of a scratched surface is smooth: the variance is that of [`slope_facets`](fn@crate::slope_facets) on the covered share alone.
+    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+        let Self { normal, slope_variance, covered, .. } = *self;
+        let rough = slope_variance > 0.0 && covered > 0.0;
+        let (covered, variance) = if rough { (covered, slope_variance / covered) } else { (1.0, 0.0) };
+        let smooth = (covered < 1.0).then_some((1.0 - covered, normal));
+        smooth.into_iter().chain(slope_facets(n, normal, variance).map(move |(part, m)| (covered * part, m)))
+    }
 }
 
 impl Scratches {
@@ -181,6 +196,7 @@ impl Scratches {
             amount,
             normal: bumped_normal(point.normal, gradient),
             slope_variance: 0.5 * (self.mean_square_slope(self.half) - left).max(0.0),
+            covered: (self.segments.density() * 2.0 * self.half * self.segments.length).min(1.0),
         }
     }
 }
