@@ -42,6 +42,7 @@
 //! | [`bumped_normal`], [`lecture_normal`], [`displace`], [`facing`] | bump mapping: the normals of displaced surfaces |
 //! | [`slope_facets`](fn@slope_facets) | slopes that a pixel does not resolve, as a few facets |
 //! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
+//! | [`SlopePyramidRef`], [`SlopePyramid`], [`SlopeLobes`], [`SlopeLobe`], [`SlopeMoments`] | normal maps made by hand at every zoom: their slopes within a pixel |
 //! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
 //! | [`Fresnel`]: [`Dielectric`], [`Conductor`], [`Schlick`], [`SchlickF82`] | Fresnel reflectance, unpolarised |
 //! | [`Brdf`] | what a surface does to light: value, samples and their density |
@@ -117,6 +118,7 @@ mod level_of_detail;
 mod material;
 mod math;
 mod microfacet;
+mod normal_map;
 mod phong;
 mod pixel_ellipse;
 mod remapped_octaves;
@@ -161,6 +163,9 @@ pub use material::{
     flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient, wave_height,
 };
 pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
+#[cfg(feature = "alloc")]
+pub use normal_map::SlopePyramid;
+pub use normal_map::{SlopeLobe, SlopeLobes, SlopeMoments, SlopePyramidError, SlopePyramidRef};
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
 pub use pixel_ellipse::PixelEllipse;
 pub use remapped_octaves::RemappedOctaves;

@@ -3,9 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::ndf_sampling::Ndf as _;
 use asperity_shading::{
     Brdf, CookTorrance, EnergyPreservingOrenNayar, Environment, EnvironmentMap, Frame, Ggx, Irradiance,
-    Lambert, Phong, PrefilteredMap, Schlick, SplitSum, even_points, prefiltered_radiance, reflected_radiance,
+    Lambert, Phong, PrefilteredMap, Schlick, SplitSum, even_points, half_vector, prefiltered_radiance,
+    reflected_radiance,
 };
 use asperity_tests::random::Random;
 
@@ -139,6 +141,26 @@ fn irradiance_is_near_the_sampled_one() {
         println!("{name}: {found:.4?}");
         // Measured: 0.0051 and 0.0096, with a sun 0.055 and 0.127.
         assert!(found[0] < most[0] && found[1] < most[1], "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn prefiltered_light_is_the_quotient_of_its_integrals() {
+    let map = EnvironmentMap::from_fn(64, 32, hard).expect("an image");
+    for alpha in [0.15, 0.4, 0.8] {
+        let ggx = Ggx::isotropic(alpha).expect("in range");
+        for r in spiral(12).chain([Vec3::new(0.48, -0.36, 0.8), Vec3::new(0.3, -0.5, 0.81).normalize()]) {
+            let (mut sum, mut weight) = (0.0, 0.0);
+            for w in spiral(60_000).filter(|w| w.dot(r) > 0.0) {
+                let lobe =
+                    f64::from(ggx.density(Frame::from_normal(r).to_local(half_vector(w, r))) * w.dot(r));
+                sum += lobe * f64::from(map.radiance(w).x);
+                weight += lobe;
+            }
+            let got = f64::from(prefiltered_radiance(&map, alpha, r, 2048).x);
+            let error = got / (sum / weight) - 1.0;
+            assert!(error.abs() < 0.03, "{alpha}, {r}: {got} for {}", sum / weight);
+        }
     }
 }
 

@@ -6,6 +6,8 @@ mod fresnel;
 mod image_light;
 mod materials;
 mod mean_radiance;
+
+mod normal_maps;
 mod reflectance;
 mod remapped;
 mod textures;

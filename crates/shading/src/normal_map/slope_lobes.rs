@@ -1,0 +1,189 @@
+//! What a pixel sees of a normal map whose slopes are far from Gaussian: a few lobes of them.
+
+use asperity_ndf_sampling::{Beckmann, Ndf as _};
+use glam::{Vec2, Vec3};
+
+use super::slope_moments::SlopeMoments;
+use crate::Coordinates;
+
+/// A part of the slopes within a pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlopeLobe {
+    /// Its share of the pixel.
+    pub weight: f32,
+    /// Its moments.
+    pub moments: SlopeMoments,
+}
+
+/// The slopes within a pixel in `K` groups, each with its share and its moments.
+///
+/// A wall of bricks is flat nearly everywhere, and steep along few edges: one Gaussian fits neither. The groups are those of a
+/// [`SlopePyramid`](crate::SlopePyramid), the same everywhere on the map; `K = 1` is one Gaussian for all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlopeLobes<const K: usize> {
+    lobes: [SlopeLobe; K],
+}
+
+impl<const K: usize> Default for SlopeLobes<K> {
+    fn default() -> Self {
+        Self { lobes: [SlopeLobe::default(); K] }
+    }
+}
+
+impl<const K: usize> SlopeLobes<K> {
+    /// One slope, in the group of the nearest centre.
+    #[must_use]
+    pub(super) fn point(slope: Vec2, centres: &[Vec2; K]) -> Self {
+        let group = nearest(slope, centres);
+        let mut lobes = Self::default();
+        if let Some(lobe) = lobes.lobes.get_mut(group) {
+            *lobe = SlopeLobe { weight: 1.0, moments: SlopeMoments::point(slope) };
+        }
+        lobes
+    }
+
+    /// A mixture of parts with weights, group by group; weights that are not positive do not count.
+    #[must_use]
+    pub(super) fn mixed(parts: impl IntoIterator<Item = (f32, Self)>) -> Self {
+        let (mut mixed, mut all) = (Self::default(), 0.0);
+        for (share, part) in parts {
+            if share > 0.0 {
+                all += share;
+                for (lobe, other) in mixed.lobes.iter_mut().zip(part.lobes) {
+                    let weight = share * other.weight;
+                    if weight > 0.0 {
+                        lobe.weight += weight;
+                        lobe.moments = lobe.moments.joined(other.moments, weight / lobe.weight);
+                    }
+                }
+            }
+        }
+        for lobe in &mut mixed.lobes {
+            lobe.weight /= if all > 0.0 { all } else { 1.0 };
+        }
+        mixed
+    }
+
+    /// The groups.
+    #[must_use]
+    pub const fn lobes(&self) -> &[SlopeLobe; K] {
+        &self.lobes
+    }
+
+    /// The moments of all groups together.
+    #[must_use]
+    pub fn moments(&self) -> SlopeMoments {
+        SlopeMoments::mixed(self.lobes.iter().map(|lobe| (lobe.weight, lobe.moments)))
+    }
+
+    /// The density of facets that the pixel sees, with finer bumps of the density `fine` on the map, in sr⁻¹.
+    ///
+    /// ```text
+    /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the share that is resolved
+    /// ```
+    ///
+    /// Where nothing finer is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of the surface. See
+    /// [`SlopeMoments::detailed`].
+    ///
+    /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero vector and NaN.
+    /// - **Range:** at least 0, finite.
+    #[must_use]
+    pub fn density(&self, fine: Beckmann, noise: Coordinates, h: Vec3) -> f32 {
+        if h.z > 0.0 && h.is_finite() {
+            let part = |lobe: &SlopeLobe| lobe.weight * lobe.moments.detailed(fine, noise).density(h);
+            self.lobes.iter().filter(|lobe| lobe.weight > 0.0).map(part).sum::<f32>().min(f32::MAX)
+        } else {
+            0.0
+        }
+    }
+}
+
+/// The group of a slope: that of the nearest centre.
+fn nearest<const K: usize>(slope: Vec2, centres: &[Vec2; K]) -> usize {
+    let mut best = (0, f32::INFINITY);
+    for (k, centre) in centres.iter().enumerate() {
+        let distance = slope.distance_squared(*centre);
+        if distance < best.1 {
+            best = (k, distance);
+        }
+    }
+    best.0
+}
+
+/// Centres of `K` groups of slopes: far apart at first, then moved to the means of their groups.
+///
+/// Lloyd 1982, *Least Squares Quantization in PCM*, ten times, from the points of Gonzalez 1985, *Clustering to Minimize the Maximum
+/// Intercluster Distance*; over at most 4096 of the slopes.
+pub(super) fn centres<const K: usize>(slopes: &[Vec2]) -> [Vec2; K] {
+    let stride = slopes.len().div_ceil(4096).max(1);
+    // Odd, so that it does not fall into the rows of a map.
+    let some = || slopes.iter().step_by(stride | 1).copied();
+    let count = some().count().max(1) as f32;
+    let mean = some().fold(Vec2::ZERO, |sum, slope| sum + slope / count);
+    let mut centres = [mean; K];
+    for k in 1..K {
+        let known = centres;
+        let away =
+            |slope: Vec2| known.iter().take(k).map(|c| slope.distance_squared(*c)).fold(f32::MAX, f32::min);
+        let farthest = some().fold((mean, 0.0), |best, slope| {
+            let distance = away(slope);
+            if distance > best.1 { (slope, distance) } else { best }
+        });
+        if let Some(centre) = centres.get_mut(k) {
+            *centre = farthest.0;
+        }
+    }
+    for _ in 0..10 {
+        let mut sums = [(Vec2::ZERO, 0.0); K];
+        for slope in some() {
+            if let Some((sum, count)) = sums.get_mut(nearest(slope, &centres)) {
+                *sum += slope;
+                *count += 1.0;
+            }
+        }
+        for (centre, (sum, count)) in centres.iter_mut().zip(sums) {
+            if count > 0.0 {
+                *centre = sum / count;
+            }
+        }
+    }
+    centres
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_are_found() {
+        let middles = [Vec2::ZERO, Vec2::new(1.0, 0.2), Vec2::new(-0.5, 0.8)];
+        let slopes: [Vec2; 90] = core::array::from_fn(|k| {
+            middles[k % 3] + 0.05 * Vec2::new((k as f32 * 1.7).sin(), (k as f32 * 2.9).cos())
+        });
+        let found = centres::<3>(&slopes);
+        for middle in middles {
+            assert!(found.iter().any(|c| c.distance(middle) < 0.03), "{found:?}");
+        }
+        let lobes = SlopeLobes::mixed(slopes.map(|s| (2.0, SlopeLobes::point(s, &found))));
+        let all = SlopeMoments::mixed(slopes.map(|s| (1.0, SlopeMoments::point(s))));
+        assert!(lobes.lobes().iter().all(|lobe| (lobe.weight - 1.0 / 3.0).abs() < 1e-5), "{lobes:?}");
+        assert!((lobes.moments().mean - all.mean).length() < 1e-5);
+        for (got, all) in lobes.moments().covariance.into_iter().zip(all.covariance) {
+            assert!((got - all).abs() < 1e-5, "{got} {all}");
+        }
+        // More groups than slopes.
+        assert_eq!(centres::<4>(&[Vec2::ONE]), [Vec2::ONE; 4]);
+        assert_eq!(centres::<2>(&[]), [Vec2::ZERO; 2]);
+    }
+
+    #[test]
+    fn what_is_no_half_vector_is_dark() {
+        let lobes = SlopeLobes::point(Vec2::new(0.3, 0.1), &[Vec2::ZERO]);
+        let fine = Beckmann::isotropic(0.2).unwrap();
+        for h in [Vec3::ZERO, Vec3::NEG_Z, Vec3::X, Vec3::NAN, Vec3::INFINITY] {
+            assert_eq!(lobes.density(fine, Coordinates::FAR, h), 0.0, "{h}");
+        }
+        assert!(lobes.density(fine, Coordinates::FAR, lobes.moments().normal()) > 5.0);
+        assert_eq!(SlopeLobes::<2>::default().density(fine, Coordinates::FAR, Vec3::Z), 0.0);
+    }
+}

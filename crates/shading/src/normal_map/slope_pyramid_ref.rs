@@ -1,0 +1,290 @@
+//! A normal map with the slopes of its levels in groups, in borrowed storage.
+
+use glam::{Vec2, Vec3};
+
+use super::error::{SlopePyramidError, check_values, texel_count};
+use super::levels::{fill, last_level, level_size, level_start};
+use super::slope_lobes::{SlopeLobes, centres};
+use crate::math::{floor, log2};
+use crate::{Footprint, PixelEllipse};
+
+/// A periodic map of slopes with levels, each of whose texels has the moments of its slopes in `K` groups; all borrowed.
+///
+/// - **Layout:** texel `row · width + column` has its centre at `u = (column + ½)/width`, `v = (row + ½)/height`; the map repeats.
+///   Slopes `(n_x, n_y)/n_z` are along u and v.
+/// - **Nearby** the map is bilinear between the centres, and a point is one slope.
+/// - **Levels:** the texels of the first have the exact moments of the bilinear field over their squares, those of every other the
+///   moments of what they cover. So **the mean over the map of the first and second moments is the same at every footprint.**
+/// - **Groups:** found in the map's own slopes. Each is shaded as a Gaussian; with `K = 1`, one for all, this is LEAN mapping. So far
+///   is the mean radiance of a wall of rounded bricks from that of its points, at whatever distance is worst, as the root mean square over
+///   half vectors by their mean:
+///
+/// | roughness of the stone | averaged normals | Toksvig | K = 1 | 4 | 8 | 16 |
+/// |---|---|---|---|---|---|---|
+/// | 0.2 | 1.30 | 0.64 | 0.63 | 0.38 | 0.037 | 0.016 |
+/// | 0.4 | 0.60 | 0.18 | 0.13 | 0.072 | 0.005 | 0.002 |
+///
+/// - **Storage:** for each texel a slope and 1⅓ [`SlopeLobes`], of 24 K bytes.
+///
+/// ```
+/// use asperity_shading::{Footprint, SlopeLobes, SlopePyramidRef, glam::Vec2};
+///
+/// // Ridges along v.
+/// let slopes = [0.4, 0.4, -0.4, -0.4].map(|x| Vec2::new(x, 0.0));
+/// let mut lobes = [SlopeLobes::<2>::default(); SlopePyramidRef::<2>::lobes_len(4, 1)];
+/// let ridges = SlopePyramidRef::new(4, 1, &slopes, &mut lobes)?;
+///
+/// let near = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(0.0)).moments();
+/// assert!((near.mean.x - 0.4).abs() < 1e-6 && near.covariance[0] < 1e-6);
+/// let far = ridges.sample(Vec2::new(0.25, 0.5), Footprint::from_width(1.0));
+/// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
+/// // Both sides are still there, each by itself.
+/// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
+/// # Ok::<(), asperity_shading::SlopePyramidError>(())
+/// ```
+///
+/// Olano, Baker 2010, *LEAN Mapping*, whose levels start from the texels as they are, so that nearby, between texels, there is a covariance
+/// that the surface does not have; groups in the manner of Han, Sun, Ramamoorthi, Grinspun 2007, *Frequency Domain Normal Map
+/// Filtering*, §5.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlopePyramidRef<'a, const K: usize> {
+    size: [usize; 2],
+    slopes: &'a [Vec2],
+    centres: [Vec2; K],
+    lobes: &'a [SlopeLobes<K>],
+}
+
+impl<'a, const K: usize> SlopePyramidRef<'a, K> {
+    /// The number of lobes in all levels of a map of this size; 0 where there is no such map.
+    #[must_use]
+    pub const fn lobes_len(width: usize, height: usize) -> usize {
+        match texel_count(width, height) {
+            Ok(_) => level_start(width, height, last_level(width, height) + 1),
+            Err(_) => 0,
+        }
+    }
+
+    /// The map of these slopes; `lobes` is filled.
+    ///
+    /// # Errors
+    /// [`SlopePyramidError`] for a map without texels or with more than 2²⁶, slices of another length, and the first slope with a
+    /// coordinate that is not finite or beyond 10⁶.
+    pub fn new(
+        width: usize,
+        height: usize,
+        slopes: &'a [Vec2],
+        lobes: &'a mut [SlopeLobes<K>],
+    ) -> Result<Self, SlopePyramidError> {
+        check_values(width, height, slopes)?;
+        let needed = Self::lobes_len(width, height);
+        if lobes.len() != needed {
+            return Err(SlopePyramidError::LevelsMismatch { needed, len: lobes.len() });
+        }
+        let (size, centres) = ([width, height], centres(slopes));
+        fill(size, slopes, &centres, lobes);
+        Ok(Self { size, slopes, centres, lobes })
+    }
+
+    /// The map of already checked and filled parts.
+    #[cfg(any(feature = "alloc", test))]
+    pub(super) const fn from_parts(
+        size: [usize; 2],
+        slopes: &'a [Vec2],
+        centres: [Vec2; K],
+        lobes: &'a [SlopeLobes<K>],
+    ) -> Self {
+        Self { size, slopes, centres, lobes }
+    }
+
+    /// The number of columns.
+    #[must_use]
+    pub const fn width(&self) -> usize {
+        self.size[0]
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub const fn height(&self) -> usize {
+        self.size[1]
+    }
+
+    /// The last level, of one texel: that of the whole map.
+    #[must_use]
+    pub const fn last_level(&self) -> u32 {
+        last_level(self.size[0], self.size[1])
+    }
+
+    /// The slopes of the whole map.
+    #[must_use]
+    pub fn whole(&self) -> SlopeLobes<K> {
+        self.lobes.last().copied().unwrap_or_default()
+    }
+
+    /// The slope at a point, bilinear between the centres of the texels. A coordinate that is no number counts as 0.
+    #[must_use]
+    pub fn slope(&self, uv: Vec2) -> Vec2 {
+        corners(uv, self.size).into_iter().fold(Vec2::ZERO, |sum, (weight, k)| {
+            sum + weight * self.slopes.get(k).copied().unwrap_or_default()
+        })
+    }
+
+    /// The slopes in one level, bilinear between the centres of its texels; a level beyond the last is the last one.
+    ///
+    /// What the texels' means lack of one another belongs to the covariance.
+    #[must_use]
+    pub fn level(&self, uv: Vec2, level: u32) -> SlopeLobes<K> {
+        let level = level.min(self.last_level());
+        let start = level_start(self.size[0], self.size[1], level);
+        let parts = corners(uv, level_size(self.size[0], self.size[1], level));
+        SlopeLobes::mixed(
+            parts.map(|(weight, k)| (weight, self.lobes.get(start + k).copied().unwrap_or_default())),
+        )
+    }
+
+    /// What a round pixel sees around a point: trilinear between levels.
+    ///
+    /// ```text
+    /// p = width of the pixel · max(width, height):   p ≥ 1: levels ⌊log₂ p⌋ and the next;   p < 1: p² of level 0, the rest a point
+    /// ```
+    ///
+    /// `footprint` is in the unit of `uv`, in which the map has the side 1. Continuous in both; where nothing is resolved it is
+    /// [`whole`](Self::whole).
+    #[must_use]
+    pub fn sample(&self, uv: Vec2, footprint: Footprint) -> SlopeLobes<K> {
+        let pixel = footprint.width() * self.size[0].max(self.size[1]) as f32;
+        if pixel < 1.0 {
+            let share = pixel * pixel;
+            return SlopeLobes::mixed([
+                (1.0 - share, SlopeLobes::point(self.slope(uv), &self.centres)),
+                (share, self.level(uv, 0)),
+            ]);
+        }
+        let level = log2(pixel).min(self.last_level() as f32);
+        let first = floor(level);
+        let share = level - first;
+        SlopeLobes::mixed([
+            (1.0 - share, self.level(uv, first as u32)),
+            (share, self.level(uv, first as u32 + 1)),
+        ])
+    }
+
+    /// What a long pixel sees around a point, by up to `most` round footprints along its long axis.
+    ///
+    /// The ellipse is in the unit of `uv`: made of the derivatives of `(u, v, 0)` by one pixel to the right and one down.
+    #[must_use]
+    pub fn sample_along(&self, uv: Vec2, pixel: &PixelEllipse, most: u32) -> SlopeLobes<K> {
+        SlopeLobes::mixed(pixel.taps(most).map(|(offset, footprint)| {
+            let Vec3 { x, y, .. } = offset;
+            (1.0, self.sample(uv + Vec2::new(x, y), footprint))
+        }))
+    }
+}
+
+/// The four texels around a point and their weights.
+fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
+    let axis = |u: f32, size: usize| {
+        // The fraction of what is no number, or infinite, is NaN.
+        let turn = u - floor(u);
+        let place = if turn > 0.0 { turn * size as f32 } else { 0.0 } - 0.5;
+        let first = floor(place);
+        // −1 is the last one, and `size` the first.
+        let i = (first as i64).rem_euclid(size as i64) as usize;
+        (i, if i + 1 < size { i + 1 } else { 0 }, place - first)
+    };
+    let ((left, right, x), (low, high, y)) = (axis(uv.x, width), axis(uv.y, height));
+    [
+        ((1.0 - x) * (1.0 - y), low * width + left),
+        (x * (1.0 - y), low * width + right),
+        ((1.0 - x) * y, high * width + left),
+        (x * y, high * width + right),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::slope_moments::SlopeMoments;
+    use super::*;
+
+    const SIZE: usize = 16;
+
+    fn values() -> [Vec2; SIZE * SIZE] {
+        core::array::from_fn(|k| {
+            let turn = core::f32::consts::TAU / SIZE as f32;
+            let (x, y) = ((k % SIZE) as f32 * turn, (k / SIZE) as f32 * turn);
+            Vec2::new(x.sin() + 0.3 * (3.0 * y).cos(), (x + 2.0 * y).cos())
+        })
+    }
+
+    #[test]
+    fn moments_are_kept_at_every_footprint() {
+        let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
+        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let whole = map.whole().moments();
+        for width in [0.0, 0.01, 0.05, 0.0625, 0.1, 0.3, 0.7, 1.0, 3.0, f32::INFINITY] {
+            let pixel = Footprint::from_width(width);
+            let points = (0..64 * 64).map(|k| {
+                let uv = Vec2::new((k % 64) as f32 + 0.5, (k / 64) as f32 + 0.5) / 64.0;
+                (1.0, map.sample(uv, pixel).moments())
+            });
+            let got = SlopeMoments::mixed(points);
+            assert!((got.mean - whole.mean).length() < 1e-4, "{width}: {got:?} {whole:?}");
+            for (got, whole) in got.covariance.into_iter().zip(whole.covariance) {
+                // Measured 1.8e-3, of the mean over points in place of the integral.
+                assert!((got - whole).abs() < 3e-3, "{width}: {got} {whole}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_pops_between_levels() {
+        let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
+        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let uv = Vec2::new(0.37, 0.81);
+        let mut last = map.sample(uv, Footprint::from_width(0.01)).moments();
+        for k in 1..2000 {
+            let next = map.sample(uv, Footprint::from_width(0.01 * (0.003 * k as f32).exp())).moments();
+            let step = (next.mean - last.mean).length() + (next.covariance[0] - last.covariance[0]).abs();
+            // Measured: 0.004, of a twentieth of a percent in width.
+            assert!(step < 0.01, "{k}: {last:?} {next:?}");
+            last = next;
+        }
+        assert_eq!(last, map.whole().moments());
+    }
+
+    #[test]
+    fn long_pixels_are_longer_than_wide() {
+        let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
+        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        let uv = Vec2::new(0.3, 0.6);
+        let pixel = PixelEllipse::from_derivatives(Vec3::X * 1e-3, Vec3::Y * 0.25);
+        let seen = map.sample_along(uv, &pixel, 16).moments();
+        let points = (0..256).map(|k| {
+            (1.0, SlopeMoments::point(map.slope(uv + Vec2::Y * 0.25 * ((k as f32 + 0.5) / 256.0 - 0.5))))
+        });
+        let exact = SlopeMoments::mixed(points);
+        assert!((seen.mean - exact.mean).length() < 0.02, "{seen:?} {exact:?}");
+        assert!((seen.covariance[2] - exact.covariance[2]).abs() < 0.02, "{seen:?} {exact:?}");
+        let round = map.sample(uv, pixel.long()).moments();
+        assert!((round.mean - exact.mean).length() > 0.05, "{round:?} {exact:?}");
+    }
+
+    #[test]
+    fn every_point_and_pixel_has_moments() {
+        let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
+        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
+        for x in [f32::NAN, f32::INFINITY, -1e30, -1e-9, 0.0, 1.0, 1e30] {
+            for width in [0.0, 1e-30, 0.0625, 1.0, 1e30, f32::NAN, f32::INFINITY] {
+                let got = map.sample(Vec2::new(x, 0.4), Footprint::from_width(width)).moments();
+                assert!(got.mean.is_finite(), "{x}, {width}: {got:?}");
+                assert!(got.covariance.iter().all(|c| c.is_finite()), "{x}, {width}: {got:?}");
+            }
+        }
+        let pixel = PixelEllipse::from_derivatives(Vec3::NAN, Vec3::X);
+        assert!(
+            (map.sample_along(Vec2::ONE, &pixel, 8).moments().mean - map.whole().moments().mean).length()
+                < 1e-6
+        );
+        let refused = SlopePyramidRef::<1>::new(1, 1, &[Vec2::ONE], &mut []).unwrap_err();
+        assert_eq!(refused, SlopePyramidError::LevelsMismatch { needed: 1, len: 0 });
+    }
+}
