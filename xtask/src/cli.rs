@@ -32,9 +32,12 @@ pub(crate) enum Command {
   cargo xtask tables --fif system.json --out my-tables
   cargo xtask tables --check")]
     Tables(Tables),
-    /// Render one scene with chosen parameters to a PNG.
+    /// Render one scene with a chosen material and light to a PNG or an OpenEXR file.
     #[command(after_help = "Examples:
   cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
+  cargo xtask render --scene car --material paint --spp 64
+  cargo xtask render --scene room --material carpet --tone plain --out carpet.exr
+  cargo xtask render --scene sphere --material glass --light studio.exr
   cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16
   cargo xtask render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
   cargo xtask render --mesh house.obj --up z")]
@@ -123,6 +126,16 @@ pub(crate) struct Render {
     /// Which way is up in the mesh's file.
     #[arg(long, value_enum, default_value_t = Up::Y, requires = "mesh")]
     pub(crate) up: Up,
+    /// What it is made of [default: what suits the scene].
+    #[arg(long, value_enum)]
+    pub(crate) material: Option<Material>,
+    /// The light: `lamps` (from single directions, without shadows; for bumps alone), `studio`, `day`, or an image of the
+    /// surroundings by longitude and latitude, PNG or OpenEXR [default: `lamps` for bumps, else `studio`].
+    #[arg(long, value_name = "LIGHT")]
+    pub(crate) light: Option<String>,
+    /// How radiance becomes a picture; OpenEXR files have the radiance itself.
+    #[arg(long, value_enum, default_value_t = Tone::Filmic)]
+    pub(crate) tone: Tone,
     /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
     /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
     #[arg(long, default_value = "ggx:0.2,0.4")]
@@ -250,8 +263,52 @@ pub(crate) enum Scene {
     Teapot,
     /// A sphere.
     Sphere,
-    /// A plane, seen at an angle.
+    /// A plane, seen at an angle; of other materials than bumps, to the horizon.
     Plane,
+    /// A smooth car-like body.
+    Car,
+    /// The corner of a room.
+    Room,
+    /// A wall, seen along it.
+    Wall,
+    /// A turned vase on a table.
+    Vase,
+}
+
+/// What `render` makes its subject of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Material {
+    /// Bumps of the density `--ndf`.
+    Bumps,
+    /// The carpet of a car.
+    Carpet,
+    /// Metallic paint with sparkles.
+    Paint,
+    /// Metallic paint whose flakes are counted.
+    Flakes,
+    /// Tempered glass: a body that refracts.
+    Glass,
+    /// Plastic with blemishes and dents.
+    Plastic,
+    /// Scratched metal.
+    Scratched,
+    /// A polished metal.
+    Chrome,
+    /// Bricks and mortar.
+    Brick,
+    /// Blue marble.
+    Marble,
+    /// Stars on paper.
+    Wallpaper,
+}
+
+/// How radiance becomes a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Tone {
+    /// A curve with a toe and a shoulder, as film has.
+    Filmic,
+    /// As it is, cut off at white.
+    Plain,
 }
 
 /// The axis that points up in a file.

@@ -1,6 +1,6 @@
 //! Densities from the outside: `ggx:0.2,0.4` and its like, `painted`, an image file, or the density of a normal map.
 
-use std::path::Path;
+use std::{path::Path, sync::Arc};
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, NormalMapFormat, Reconstruction, StudentT,
@@ -38,8 +38,8 @@ pub(crate) struct Density {
 }
 
 enum Form {
-    Formula(Box<SharedNdf>),
-    Map(Box<NdfMap>),
+    Formula(Arc<SharedNdf>),
+    Map(Arc<NdfMap>),
 }
 
 impl Density {
@@ -50,8 +50,8 @@ impl Density {
             Some((word, numbers)) if FORMULAS.iter().any(|formula| formula.0 == word) => {
                 Form::Formula(formula(word, numbers).map_err(fail)?)
             }
-            _ if text == "painted" => Form::Map(Box::new(painted()?)),
-            _ => Form::Map(Box::new(match text.strip_prefix(NORMAL_MAP) {
+            _ if text == "painted" => Form::Map(Arc::new(painted()?)),
+            _ => Form::Map(Arc::new(match text.strip_prefix(NORMAL_MAP) {
                 Some(file) => estimated(Path::new(file), reading.tangent_space).map_err(fail)?,
                 None => image_density(Path::new(text), reading).map_err(fail)?,
             })),
@@ -70,6 +70,14 @@ impl Density {
         match &self.form {
             Form::Formula(formula) => formula.as_ref(),
             Form::Map(map) => map.as_ref(),
+        }
+    }
+
+    /// The density, to be kept.
+    pub(crate) fn shared(&self) -> Arc<SharedNdf> {
+        match &self.form {
+            Form::Formula(formula) => Arc::clone(formula),
+            Form::Map(map) => Arc::clone(map) as Arc<SharedNdf>,
         }
     }
 
@@ -133,7 +141,7 @@ pub(crate) fn painted() -> Result<NdfMap, Failure> {
 }
 
 /// The density of a formula's word and its numbers.
-fn formula(word: &str, text: &str) -> Result<Box<SharedNdf>, Failure> {
+fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
     let parse = |text: &str| {
         text.trim().parse::<f32>().map_err(|_| Failure::from(format!("`{}` is not a number", text.trim())))
     };
@@ -142,12 +150,12 @@ fn formula(word: &str, text: &str) -> Result<Box<SharedNdf>, Failure> {
     let form = form.map(|&(word, _, numbers)| format!("{word}:{numbers}")).unwrap_or_default();
     let alpha_y = numbers.get(1).copied().or(numbers.first().copied());
     Ok(match (word, numbers.as_slice(), alpha_y) {
-        ("ggx", &[x] | &[x, _], Some(y)) => Box::new(Ggx::new(x, y)?),
-        ("beckmann", &[x] | &[x, _], Some(y)) => Box::new(Beckmann::new(x, y)?),
-        ("ward", &[x] | &[x, _], Some(y)) => Box::new(Ward::new(x, y)?),
-        ("student-t", &[x, y, gamma], _) => Box::new(StudentT::new(x, y, gamma)?),
-        ("blinn-phong", &[exponent], _) => Box::new(BlinnPhong::new(exponent)?),
-        ("ashikhmin-shirley", &[n_u, n_v], _) => Box::new(AshikhminShirley::new(n_u, n_v)?),
+        ("ggx", &[x] | &[x, _], Some(y)) => Arc::new(Ggx::new(x, y)?),
+        ("beckmann", &[x] | &[x, _], Some(y)) => Arc::new(Beckmann::new(x, y)?),
+        ("ward", &[x] | &[x, _], Some(y)) => Arc::new(Ward::new(x, y)?),
+        ("student-t", &[x, y, gamma], _) => Arc::new(StudentT::new(x, y, gamma)?),
+        ("blinn-phong", &[exponent], _) => Arc::new(BlinnPhong::new(exponent)?),
+        ("ashikhmin-shirley", &[n_u, n_v], _) => Arc::new(AshikhminShirley::new(n_u, n_v)?),
         _ => return Err(format!("got {} numbers, write `{form}`", numbers.len()).into()),
     })
 }

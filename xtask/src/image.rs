@@ -1,5 +1,6 @@
 //! An image of linear radiance, row by row from the top left, and its way to an sRGB PNG.
 
+use crate::{figure::Failure, tables::formats::exr};
 use glam::Vec3;
 use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
 
@@ -37,6 +38,29 @@ impl Image {
         self
     }
 
+    /// Every pixel times `exposure`, then through [`filmic`].
+    pub(crate) fn filmic(mut self, exposure: f32) -> Self {
+        for pixel in &mut self.pixels {
+            let p = *pixel * exposure;
+            *pixel = Vec3::new(filmic(p.x), filmic(p.y), filmic(p.z));
+        }
+        self
+    }
+
+    /// Every pixel times `exposure`.
+    pub(crate) fn scaled(mut self, exposure: f32) -> Self {
+        for pixel in &mut self.pixels {
+            *pixel *= exposure;
+        }
+        self
+    }
+
+    /// The bytes of an OpenEXR file of 32-bit floats, as they are.
+    pub(crate) fn exr(&self) -> Result<Vec<u8>, Failure> {
+        let plane = |axis: usize| self.pixels.iter().map(|p| p[axis]).collect::<Vec<f32>>();
+        exr(self.width as usize, self.height as usize, &[("R", plane(0)), ("G", plane(1)), ("B", plane(2))])
+    }
+
     /// The bytes of an 8-bit sRGB PNG; values outside `[0, 1]` and NaN are clamped.
     pub(crate) fn png(&self) -> Result<Vec<u8>, EncodingError> {
         let mut bytes = Vec::new();
@@ -59,6 +83,18 @@ impl Image {
 pub(crate) fn shoulder(x: f32) -> f32 {
     const KNEE: f32 = 0.7;
     if x <= KNEE { x.max(0.0) } else { KNEE - (1.0 - KNEE) * (-(x - KNEE) / (1.0 - KNEE)).exp_m1() }
+}
+
+/// A curve with a toe and a shoulder, as film has: dark parts a little darker, lights rolled off towards 1.
+///
+/// ```text
+/// x (a x + b)/(x (c x + d) + e),   a = 2.51, b = 0.03, c = 2.43, d = 0.59, e = 0.14,   of 0.6 times the radiance
+/// ```
+///
+/// Narkowicz 2016, "ACES Filmic Tone Mapping Curve".
+pub(crate) fn filmic(radiance: f32) -> f32 {
+    let x = (0.6 * radiance).clamp(0.0, 1e6);
+    (x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)).min(1.0)
 }
 
 /// Linear `[0, 1]` to the sRGB transfer curve, IEC 61966-2-1.
@@ -96,6 +132,19 @@ mod tests {
         assert_eq!(&buffer[..9], [0, 0, 0, 188, 0, 0, 255, 0, 0]);
         assert_eq!(&buffer[9..], [0, 255, 0, 188, 255, 0, 255, 255, 0]);
         assert_eq!(image.at(1, 1).y, 1.0);
+    }
+
+    #[test]
+    fn the_film_s_curve_increases_from_black_to_white() {
+        assert_eq!([filmic(0.0), filmic(-1.0), filmic(f32::INFINITY)], [0.0, 0.0, 1.0]);
+        let mut last = 0.0;
+        for i in 1..200 {
+            let y = filmic(i as f32 * 0.05);
+            assert!(y >= last && y <= 1.0, "filmic({}) = {y}", i as f32 * 0.05);
+            last = y;
+        }
+        // The middle grey of photographers stays about where it is.
+        assert!((filmic(0.18) - 0.18).abs() < 0.05, "{}", filmic(0.18));
     }
 
     #[test]

@@ -1,24 +1,34 @@
 //! `cargo xtask render`: one picture of one object with chosen parameters.
 
-use std::sync::atomic::AtomicBool;
+use std::{path::Path, sync::atomic::AtomicBool};
 
-use asperity_shading::LevelOfDetail;
+use asperity_shading::{
+    Brick, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaintParameters,
+    ScratchesParameters, StarWallpaper, TemperedGlassParameters, VariationsParameters,
+};
+use glam::Vec3;
+use indicatif::ProgressBar;
 
 use crate::{
-    cli::{Noise, Render, Rule, Scene},
+    cli::{Material, Noise, Render, Rule, Scene, Tone},
     densities::{Density, NORMAL_MAP},
     figure::Failure,
-    image::hex,
+    image::{Image, hex, linear},
+    image_file::ImageFile,
     output::Output,
     progress,
     scene::{
         field::NoiseKind,
+        finish,
         material::Facets,
         mesh::TracedMesh,
         mesh_file,
         render::Sampling,
         request::{Bumps, RenderRequest, Subject},
+        set::{Set, backdrop, ground},
         shape::Shape,
+        stage::{Finish, Object, Shadow, Stage},
+        surroundings::Studio,
     },
 };
 
@@ -42,45 +52,240 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
         None => None,
     };
     let output = Output::new(folder)?;
-    let subject = match wanted.scene {
-        Scene::Teapot => Subject::Teapot,
-        Scene::Sphere => Subject::Sphere,
-        Scene::Plane => Subject::Plane,
-    };
-    let kind = match wanted.noise {
-        Noise::Gaussian => NoiseKind::Gaussian,
-        Noise::Perlin => NoiseKind::Perlin2002,
-        Noise::Simplex => NoiseKind::Simplex,
-    };
-    let rule = match wanted.rule {
-        Rule::Exact => LevelOfDetail::Exact,
-        Rule::Fractal => LevelOfDetail::Fractal,
-    };
     let sampling = Sampling {
         width: wanted.size,
         height: wanted.size,
         samples_per_pixel: wanted.spp,
         seed: wanted.seed,
     };
+    let material = wanted.material.unwrap_or(usual(wanted.scene));
+    let lamps = match &wanted.light {
+        Some(light) => light == LAMPS,
+        None => material == Material::Bumps,
+    };
+    let bar = progress::bar("render");
+    let image = if lamps {
+        by_lamps(wanted, mesh, material, &density, sampling, &bar, interrupted)
+    } else {
+        staged(wanted, mesh, material, &density, sampling, &bar, interrupted)
+    };
+    bar.finish_and_clear();
+    let image = image?;
+    let bytes = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("exr")) {
+        image.exr()?
+    } else if lamps {
+        // The lamps' exposure is chosen for the soft shoulder.
+        if wanted.tone == Tone::Filmic { image.exposed(1.0).png()? } else { image.png()? }
+    } else if wanted.tone == Tone::Filmic {
+        image.filmic(wanted.exposure).png()?
+    } else {
+        image.scaled(wanted.exposure).png()?
+    };
+    output.write(&name, &bytes)?;
+    progress::say(&format!("the picture: {}", path.display()));
+    Ok(())
+}
+
+/// The word for light from single directions.
+const LAMPS: &str = "lamps";
+
+/// What a scene is usually made of.
+const fn usual(scene: Scene) -> Material {
+    match scene {
+        Scene::Teapot | Scene::Sphere | Scene::Plane => Material::Bumps,
+        Scene::Car => Material::Paint,
+        Scene::Room => Material::Carpet,
+        Scene::Wall => Material::Brick,
+        Scene::Vase => Material::Marble,
+    }
+}
+
+fn rule(wanted: &Render) -> LevelOfDetail {
+    match wanted.rule {
+        Rule::Exact => LevelOfDetail::Exact,
+        Rule::Fractal => LevelOfDetail::Fractal,
+    }
+}
+
+fn bumps(wanted: &Render, usual: Bumps) -> Bumps {
+    let kind = match wanted.noise {
+        Noise::Gaussian => NoiseKind::Gaussian,
+        Noise::Perlin => NoiseKind::Perlin2002,
+        Noise::Simplex => NoiseKind::Simplex,
+    };
+    Bumps {
+        kind,
+        octaves: wanted.octaves,
+        frequency: wanted.frequency.unwrap_or(usual.frequency),
+        gain: wanted.gain.unwrap_or(usual.gain),
+    }
+}
+
+/// Bumps by the source's shading, under lamps without shadows.
+fn by_lamps(
+    wanted: &Render,
+    mesh: Option<TracedMesh>,
+    material: Material,
+    density: &Density,
+    sampling: Sampling,
+    bar: &ProgressBar,
+    interrupted: &AtomicBool,
+) -> Result<Image, Failure> {
+    let subject = match wanted.scene {
+        Scene::Teapot => Subject::Teapot,
+        Scene::Sphere => Subject::Sphere,
+        Scene::Plane => Subject::Plane,
+        Scene::Car | Scene::Room | Scene::Wall | Scene::Vase => {
+            return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
+        }
+    };
+    if material != Material::Bumps {
+        return Err("lamps light bumps only; take `--light studio`".into());
+    }
     let mut request = match &mesh {
         Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf(), sampling),
         None => RenderRequest::new(subject, density.ndf(), sampling),
     };
-    request.facets = Facets::Consistent(rule);
+    request.facets = Facets::Consistent(rule(wanted));
     request.zoom = wanted.zoom;
-    request.bumps = Bumps {
-        kind,
-        octaves: wanted.octaves,
-        frequency: wanted.frequency.unwrap_or(request.bumps.frequency),
-        gain: wanted.gain.unwrap_or(request.bumps.gain),
-    };
+    request.bumps = bumps(wanted, request.bumps);
     request.tint = hex(wanted.tint);
     request.exposure = wanted.exposure;
-    let bar = progress::bar("render");
     let shape = mesh.map_or_else(|| RenderRequest::shape(subject), Shape::Mesh);
-    let image = request.draw(&shape, &bar, interrupted);
-    bar.finish_and_clear();
-    output.write(&name, &image?.png()?)?;
-    progress::say(&format!("the picture: {}", path.display()));
-    Ok(())
+    request.radiance(&shape, bar, interrupted)
+}
+
+/// Any material in light from all around, with shadows.
+fn staged(
+    wanted: &Render,
+    mesh: Option<TracedMesh>,
+    material: Material,
+    density: &Density,
+    sampling: Sampling,
+    bar: &ProgressBar,
+    interrupted: &AtomicBool,
+) -> Result<Image, Failure> {
+    let set = match wanted.scene {
+        Scene::Teapot => Set::Teapot,
+        Scene::Sphere => Set::Sphere,
+        Scene::Plane => Set::Plane,
+        Scene::Car => Set::Car,
+        Scene::Room => Set::Room,
+        Scene::Wall => Set::Wall,
+        Scene::Vase => Set::Vase,
+    };
+    let surroundings: Box<dyn Environment + Sync> = match wanted.light.as_deref() {
+        None | Some("studio") => Box::new(Studio::new(1.0)),
+        Some("day") => Box::new(Studio::day(1.0)),
+        Some(file) => Box::new(surroundings(Path::new(file))?),
+    };
+    let metres = if mesh.is_some() { Set::Sphere.metres() } else { set.metres() };
+    let subject = finish_of(wanted, material, density, metres)?;
+    let (mut objects, camera) = match mesh {
+        Some(mesh) => {
+            let mut request = RenderRequest::of_mesh(&mesh, density.ndf(), sampling);
+            request.zoom = wanted.zoom;
+            let (camera, bottom) = (request.camera(), mesh.bottom());
+            let body = Object::new(Shape::Mesh(mesh), move |seen| subject(seen));
+            (vec![body, ground(bottom)?], camera)
+        }
+        None => (set.objects(subject)?, set.view().camera(wanted.zoom, sampling)),
+    };
+    if material == Material::Glass {
+        objects[0].shadow = Shadow::None;
+    }
+    let stage = Stage {
+        objects,
+        surroundings: surroundings.as_ref(),
+        backdrop: (wanted.light.is_none() && set != Set::Plane).then(backdrop),
+        splits: 1,
+    };
+    stage.draw(sampling, &camera, bar, interrupted)
+}
+
+/// The image of the surroundings in a file.
+fn surroundings(file: &Path) -> Result<EnvironmentMap, Failure> {
+    let fail = |error: &dyn std::fmt::Display| Failure::from(format!("light `{}`: {error}", file.display()));
+    let image = ImageFile::open(file).map_err(|error| fail(&error))?;
+    let grey = image.grey();
+    let [r, g, b] = image.components(&[["R", "G", "B"]]).unwrap_or([&grey, &grey, &grey]);
+    // Numbers of an 8-bit image are those of a screen.
+    let light = |x: f32| if image.signed { x } else { linear(x) };
+    let texels = (0..image.width * image.height).map(|i| Vec3::new(light(r[i]), light(g[i]), light(b[i])));
+    EnvironmentMap::new(image.width, image.height, texels.collect()).map_err(|error| fail(&error))
+}
+
+/// The material with its usual parameters, where a unit of the scene is so many metres.
+fn finish_of(
+    wanted: &Render,
+    material: Material,
+    density: &Density,
+    metres: f32,
+) -> Result<Box<Finish<'static>>, Failure> {
+    let seed = wanted.seed;
+    Ok(match material {
+        Material::Bumps => {
+            let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
+            let field = bumps(wanted, usual).field(seed)?;
+            Box::new(finish::bumped(density.shared(), rule(wanted), field, hex(wanted.tint)))
+        }
+        Material::Carpet => Box::new(finish::carpet(
+            CarpetParameters { diffuse: Vec3::new(0.24, 0.21, 0.19), seed, ..Default::default() },
+            metres,
+            Vec3::splat(0.5),
+        )?),
+        Material::Paint => {
+            let parameters = MetallicPaintParameters { seed, ..Default::default() };
+            Box::new(finish::paint(parameters, metres, Vec3::new(0.02, 0.05, 0.14))?)
+        }
+        Material::Flakes => {
+            let parameters = MetallicPaintParameters { seed, ..Default::default() };
+            Box::new(finish::glinting(parameters, metres, Vec3::new(0.02, 0.05, 0.14), 2e-4)?)
+        }
+        Material::Glass => {
+            let parameters = TemperedGlassParameters { seed, ..Default::default() };
+            Box::new(finish::glass(parameters, metres, Vec3::new(0.86, 0.95, 0.92))?)
+        }
+        Material::Plastic => {
+            let parameters =
+                VariationsParameters { diffuse: Vec3::new(0.34, 0.12, 0.06), seed, ..Default::default() };
+            Box::new(finish::panel(parameters, metres, 0.2)?)
+        }
+        Material::Scratched => {
+            let parameters = ScratchesParameters { seed, ..Default::default() };
+            Box::new(finish::scratched(parameters, metres, hex(0xc8_ccd2), 0.2)?)
+        }
+        Material::Chrome => Box::new(finish::chrome(hex(0xe4_e6ea))?),
+        Material::Brick => Box::new(finish::bricks(Brick::default(), metres)),
+        Material::Marble => Box::new(finish::marble(Marble::default(), metres / 0.2, 2.6)?),
+        Material::Wallpaper => {
+            let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, seed)?;
+            Box::new(finish::wallpaper(stars, metres / 0.1, [hex(0x2c_3a5e), hex(0xe8_d9a8)]))
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_image_of_the_surroundings_is_read_and_a_broken_one_named() {
+        let scratch = tempfile::tempdir().unwrap();
+        let sky = Image::from_fn(16, 8, |_, y| Vec3::new(3.0, 2.0, y as f32));
+        let file = scratch.path().join("sky.exr");
+        std::fs::write(&file, sky.exr().unwrap()).unwrap();
+        let map = surroundings(&file).unwrap();
+        assert!(
+            (map.radiance(Vec3::X) - Vec3::new(3.0, 2.0, 3.5)).length() < 0.01,
+            "{}",
+            map.radiance(Vec3::X)
+        );
+        std::fs::write(&file, b"no image").unwrap();
+        let error = surroundings(&file).err().unwrap().to_string();
+        assert!(
+            error.starts_with("light `") && error.contains("sky.exr") && !error.contains('\n'),
+            "{error}"
+        );
+    }
 }

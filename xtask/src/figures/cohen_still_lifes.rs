@@ -1,8 +1,7 @@
 //! The marble vase and the steaming tea cup.
 
 use asperity_shading::{
-    Brdf, CookTorrance, EnergyPreservingOrenNayar, Gas, Ggx, Lambert, Marble, Schlick, Steam, SurfacePoint,
-    march,
+    Gas, Marble, Steam, march,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
 };
 use glam::Vec3;
@@ -13,11 +12,14 @@ use crate::{
     image::hex,
     scene::{
         camera::Camera,
-        lights::studio,
+        finish::{glazed, marble},
         mesh::TracedMesh,
-        render::{Sampling, jitter, render},
+        render::{Sampling, render_paths},
         revolution::{revolved, ring},
-        still::{Still, Surface},
+        set::{Set, backdrop, ground},
+        shape::Shape,
+        stage::{Object, Stage},
+        surroundings::Studio,
     },
 };
 
@@ -41,22 +43,6 @@ pub(crate) const CUP: Figure = Figure {
     draw: draw_cup,
 };
 
-/// Points of the profile, radius and height.
-const VASE_PROFILE: [[f32; 2]; 12] = [
-    [0.0, 0.0],
-    [0.44, 0.0],
-    [0.50, 0.06],
-    [0.62, 0.35],
-    [0.86, 0.85],
-    [0.84, 1.25],
-    [0.58, 1.62],
-    [0.38, 1.95],
-    [0.40, 2.2],
-    [0.52, 2.34],
-    [0.48, 2.36],
-    [0.34, 2.12],
-];
-
 const CUP_PROFILE: [[f32; 2]; 11] = [
     [0.0, 0.05],
     [0.42, 0.05],
@@ -76,60 +62,15 @@ const SAUCER_PROFILE: [[f32; 2]; 6] =
 
 const TEA: f32 = 0.84;
 
-/// A table that fades into the background.
-fn table() -> TracedMesh {
-    TracedMesh::new(revolved(&[[60.0, 0.0], [9.0, 0.0], [0.0, 0.0]]))
-}
-
-fn porcelain(normal: Vec3, colour: Vec3, gloss: f32) -> Surface {
-    Surface { normal, brdf: Box::new(Glazed::new(colour, gloss)), albedo: colour }
-}
-
-/// A matte surface under a thin glaze.
-struct Glazed {
-    base: Lambert,
-    glaze: CookTorrance<Ggx, Schlick>,
-}
-
-impl Glazed {
-    fn new(colour: Vec3, roughness: f32) -> Self {
-        let colour = colour.clamp(Vec3::ZERO, Vec3::ONE);
-        let (base, glaze) = (Lambert::new(colour), Schlick::new(0.04));
-        // In range: clamped above, and constant.
-        Self {
-            base: base.expect("a colour within [0, 1]"),
-            glaze: CookTorrance::new(Ggx::clamped(roughness, roughness), glaze.expect("a share")),
-        }
-    }
-}
-
-impl Brdf for Glazed {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        self.base.value(wi, wo) + self.glaze.value(wi, wo)
-    }
-}
-
-fn cloth(normal: Vec3) -> Surface {
-    let colour = hex(0x8d_8377);
-    let brdf = EnergyPreservingOrenNayar::new(colour, 0.8).expect("parameters within [0, 1]");
-    Surface { normal, brdf: Box::new(brdf), albedo: colour }
-}
-
 fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = half_page(context);
-    let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 2, ..sampling };
-    let marble = Marble::default();
-    let still = Still {
-        objects: vec![
-            (
-                TracedMesh::new(revolved(&VASE_PROFILE)),
-                Box::new(move |point| {
-                    porcelain(point.normal, 2.6 * marble.colour(point.position, point.footprint), 0.12)
-                }),
-            ),
-            (table(), Box::new(|point| cloth(point.normal))),
-        ],
-        lights: studio(Vec3::splat(0.9)),
+    let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 4, ..sampling };
+    let studio = Studio::new(1.0);
+    let stage = Stage {
+        objects: Set::Vase.objects(Box::new(marble(Marble::default(), 1.0, 2.6)?))?,
+        surroundings: &studio,
+        backdrop: Some(backdrop()),
+        splits: 1,
     };
     let mut panels = Vec::new();
     for (stem, label, eye, target) in [
@@ -137,11 +78,8 @@ fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("neck", "Its neck, from nearby", Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)),
     ] {
         let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
-            let seen = still.radiance(&camera, camera.direction(x, y));
-            seen.map_or(hex(0x2a_2d33), |(colour, t)| far(colour, t))
-        })?;
-        panels.push(raster(stem, label, "A tall vase with blue veins on a table", image.exposed(1.0)));
+        let image = stage.draw(sampling, &camera, context.progress, context.interrupted)?;
+        panels.push(raster(stem, label, "A tall vase with blue veins on a table", image.filmic(1.45)));
     }
     Ok(Drawn {
         panels,
@@ -165,19 +103,23 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
         sampling.width,
         sampling.height,
     );
-    let white = |point: &SurfacePoint| porcelain(point.normal, hex(0xf0_ede6), 0.1);
-    let still = Still {
+    let studio = Studio::new(1.0);
+    let mesh = |mesh| Shape::Mesh(TracedMesh::new(mesh));
+    let china = || glazed(0.1, |_| hex(0xf0_ede6));
+    let stage = Stage {
         objects: vec![
-            (TracedMesh::new(revolved(&CUP_PROFILE)), Box::new(white)),
-            (TracedMesh::new(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065)), Box::new(white)),
-            (TracedMesh::new(revolved(&SAUCER_PROFILE)), Box::new(white)),
-            (
-                TracedMesh::new(revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]])),
-                Box::new(|point| porcelain(point.normal, hex(0x7a_2f10), 0.05)),
+            Object::new(mesh(revolved(&CUP_PROFILE)), china()?),
+            Object::new(mesh(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065)), china()?),
+            Object::new(mesh(revolved(&SAUCER_PROFILE)), china()?),
+            Object::new(
+                mesh(revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]])),
+                glazed(0.05, |_| hex(0x7a_2f10))?,
             ),
-            (table(), Box::new(|point| cloth(point.normal))),
+            ground(0.0)?,
         ],
-        lights: studio(Vec3::splat(0.9)),
+        surroundings: &studio,
+        backdrop: Some(backdrop()),
+        splits: 1,
     };
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
     let mut panels = Vec::new();
@@ -193,13 +135,11 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
                 0.0
             }
         };
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
-            let direction = camera.direction(x, y);
-            let (behind, t) = still
-                .radiance(&camera, direction)
-                .map_or((hex(0x2a_2d33), 50.0), |(colour, t)| (far(colour, t), t));
-            let offset = jitter((x * 97.0) as u32, (y * 97.0) as u32, context.seed).x;
-            let seen = march(camera.eye(), direction, [3.0, t.min(10.0)], 0.06, offset, extinction, |_| {
+        let image = render_paths(sampling, context.progress, context.interrupted, |x, y, sampler| {
+            let ray = camera.ray(x, y);
+            let (behind, t) = stage.seen(&ray, sampler);
+            let range = [3.0, t.min(10.0)];
+            let seen = march(ray.origin, ray.direction, range, 0.06, sampler.point().x, extinction, |_| {
                 Vec3::new(0.78, 0.8, 0.82)
             });
             seen.light + seen.transmittance * behind
@@ -208,7 +148,7 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
             &format!("exponent-{exponent}"),
             &format!("Exponent {exponent}"),
             "A white tea cup on its saucer, with steam over it",
-            image.exposed(1.0),
+            image.filmic(1.45),
         ));
     }
     Ok(Drawn {
@@ -220,9 +160,4 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
         ],
         table: None,
     })
-}
-
-/// The table's far end in the dark of the room.
-fn far(colour: Vec3, t: f32) -> Vec3 {
-    hex(0x2a_2d33) + (colour - hex(0x2a_2d33)) * (-((t - 6.0).max(0.0) / 7.0).powi(2)).exp()
 }

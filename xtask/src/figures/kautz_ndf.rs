@@ -115,7 +115,8 @@ impl View<'_> {
             let sky = 0.5 + 0.5 * hit.normal.z;
             self.colour(hit) * (0.95 * lit + 0.42 * sky)
         };
-        trace(sampling, &camera, &shape, context.progress, context.interrupted, shade)
+        let image = trace(sampling, &camera, &shape, context.progress, context.interrupted, shade)?;
+        Ok(image.exposed(1.0))
     }
 
     fn colour(&self, hit: &Hit) -> Vec3 {

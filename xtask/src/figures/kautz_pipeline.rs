@@ -74,12 +74,14 @@ fn steps(
     let Facets::Table(table) = request.facets else {
         return Err("the pipeline looks its normals up".into());
     };
-    trace(request.sampling, &camera, shape, context.progress, context.interrupted, |direction, hit: &Hit| {
+    let shade = |direction: Vec3, hit: &Hit| {
         let coordinates = bumps.coordinates(hit.position, camera.footprint(direction, hit));
         let z = coordinates.z * coordinates.fade;
         // Some light from the sky, so that the shape stays readable.
         colour(z, table.bilinear(z).normal) * (0.35 + 0.65 * sky(hit.normal))
-    })
+    };
+    let image = trace(request.sampling, &camera, shape, context.progress, context.interrupted, shade)?;
+    Ok(image.exposed(1.0))
 }
 
 /// A pair of Gaussian numbers, made uniform, between four colours at the corners of the unit square.

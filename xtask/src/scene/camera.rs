@@ -3,7 +3,7 @@
 use asperity_shading::Footprint;
 use glam::Vec3;
 
-use super::shape::Hit;
+use super::{ray::Ray, shape::Hit};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +43,20 @@ impl Camera {
         let across = (x - self.centre[0]) * self.pixel;
         let above = (self.centre[1] - y) * self.pixel;
         (self.forward + self.right * across + self.up * above).normalize()
+    }
+
+    /// The ray through the picture's point `(x, y)` with its derivatives by the pixel.
+    pub(crate) fn ray(&self, x: f32, y: f32) -> Ray {
+        let direction = self.direction(x, y);
+        // The direction is a vector of depth 1 made unit.
+        let scale = self.pixel * direction.dot(self.forward);
+        let by = |axis: Vec3| scale * (axis - direction * direction.dot(axis));
+        Ray {
+            origin: self.eye,
+            direction,
+            origin_by: [Vec3::ZERO; 2],
+            direction_by: [by(self.right), by(-self.up)],
+        }
     }
 
     /// What a pixel around `direction` covers of the surface at `hit`.

@@ -32,6 +32,21 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
+    /// A parallelogram from a corner along two sides; its texture coordinates are lengths along them.
+    pub(crate) fn parallelogram(corner: Vec3, sides: [Vec3; 2]) -> Self {
+        let [u, v] = sides;
+        let normal = u.cross(v).normalize_or(Vec3::Z);
+        let lengths = Vec2::new(u.length(), v.length());
+        let vertex = |x: f32, y: f32| Vertex {
+            position: corner + x * u + y * v,
+            normal,
+            tangent: u.normalize_or(Vec3::X),
+            uv: lengths * Vec2::new(x, y),
+        };
+        let vertices = vec![vertex(0.0, 0.0), vertex(1.0, 0.0), vertex(1.0, 1.0), vertex(0.0, 1.0)];
+        Self { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+    }
+
     /// Appends a triangle unless two of its corners coincide, as they do at the pole of a patch.
     pub(crate) fn push_unless_degenerate(&mut self, triangle: [u32; 3]) {
         let [a, b, c] = triangle.map(|i| self.vertices.get(i as usize).map(|v| v.position));
@@ -101,6 +116,11 @@ impl TracedMesh {
     pub(crate) fn nearest_corner(&self, point: Vec3) -> Vec3 {
         let corners = self.mesh.triangles.iter().flatten().map(|&i| self.mesh.vertices[i as usize].position);
         corners.min_by(|a, b| a.distance(point).total_cmp(&b.distance(point))).unwrap_or_default()
+    }
+
+    /// The least height of any corner; 0 of no mesh.
+    pub(crate) fn bottom(&self) -> f32 {
+        self.mesh.vertices.iter().map(|v| v.position.z).reduce(f32::min).unwrap_or(0.0)
     }
 
     fn corners(&self, triangle: usize) -> [Vertex; 3] {

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
+use super::sampler::Sampler;
 use crate::{
     figure::{Failure, Interrupted},
     image::Image,
@@ -30,25 +31,51 @@ pub(crate) fn render(
     interrupted: &AtomicBool,
     radiance: impl Fn(f32, f32) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
-    let Sampling { width, height, samples_per_pixel, seed } = sampling;
+    let count = sampling.samples_per_pixel.max(1);
+    pixels(sampling, progress, interrupted, |x, y| {
+        let shift = jitter(x, y, sampling.seed);
+        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+            let place = sample(k, shift);
+            sum + radiance(x as f32 + place.x, y as f32 + place.y)
+        });
+        sum / count as f32
+    })
+}
+
+/// The mean of `radiance` over the samples of each pixel, each with random points of its own; the first is its place in the pixel.
+pub(crate) fn render_paths(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let count = sampling.samples_per_pixel.max(1);
+    pixels(sampling, progress, interrupted, |x, y| {
+        let seed = hash(x ^ hash(y ^ hash(sampling.seed)));
+        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+            let mut sampler = Sampler::new(k, seed);
+            let place = sampler.point();
+            sum + radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler)
+        });
+        sum / count as f32
+    })
+}
+
+fn pixels(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    pixel: impl Fn(u32, u32) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let Sampling { width, height, .. } = sampling;
     progress.inc_length(u64::from(height));
-    let count = samples_per_pixel.max(1);
     let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
         .into_par_iter()
         .map(|y| {
             if interrupted.load(Ordering::Relaxed) {
                 return Err(Interrupted);
             }
-            let row = (0..width)
-                .map(|x| {
-                    let shift = jitter(x, y, seed);
-                    let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
-                        let place = sample(k, shift);
-                        sum + radiance(x as f32 + place.x, y as f32 + place.y)
-                    });
-                    sum / count as f32
-                })
-                .collect();
+            let row = (0..width).map(|x| pixel(x, y)).collect();
             progress.inc(1);
             Ok(row)
         })

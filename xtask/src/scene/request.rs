@@ -126,6 +126,16 @@ impl<'a> RenderRequest<'a> {
         progress: &ProgressBar,
         interrupted: &AtomicBool,
     ) -> Result<Image, Failure> {
+        Ok(self.radiance(shape, progress, interrupted)?.exposed(1.0))
+    }
+
+    /// Draws it, in linear radiance.
+    pub(crate) fn radiance(
+        &self,
+        shape: &Shape,
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+    ) -> Result<Image, Failure> {
         let bumps = self.bumps.field(self.sampling.seed)?;
         let lights = studio(self.tint * (self.exposure / peak(self.ndf)));
         let material = Material {
@@ -142,7 +152,7 @@ impl<'a> RenderRequest<'a> {
     }
 }
 
-/// The shape before the background, each hit shaded by `shade(ray's direction, hit)`, toned for the screen.
+/// The shape before the background, each hit shaded by `shade(ray's direction, hit)`, in linear radiance.
 pub(crate) fn trace(
     sampling: Sampling,
     camera: &Camera,
@@ -152,14 +162,13 @@ pub(crate) fn trace(
     shade: impl Fn(Vec3, &Hit) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
     let size = Vec2::new(sampling.width as f32, sampling.height as f32);
-    let image = render::render(sampling, progress, interrupted, |x, y| {
+    render::render(sampling, progress, interrupted, |x, y| {
         let direction = camera.direction(x, y);
         match shape.first_hit(camera.eye(), direction) {
             Some(hit) => shade(direction, &hit.facing(direction)),
             None => background(x / size.x, y / size.y),
         }
-    })?;
-    Ok(image.exposed(1.0))
+    })
 }
 
 /// Where the camera stands for the whole object, and the point of the surface that it comes close to.
