@@ -89,6 +89,12 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
         Octaves { noise, spectrum, normalisation, rotation, seed, layers, shape }
     }
 
+    /// The noise of every octave.
+    #[must_use]
+    pub const fn noise(&self) -> &K {
+        &self.noise
+    }
+
     /// The spectrum of the sum.
     #[must_use]
     pub const fn spectrum(&self) -> &Spectrum {

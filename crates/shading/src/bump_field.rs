@@ -46,6 +46,9 @@ impl<F: GaussianField> BumpField<F> {
     ///
     /// Continuous in `p` and in the footprint, and [`Coordinates::FAR`] as soon as the pixel is wider than half a
     /// cell of the first octave.
+    ///
+    /// That is as many octaves as show no alias. The mean over a pixel still shows a bit of the next one: half of a pixel's
+    /// width for its footprint gives the least error against it.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> Coordinates {
         self.field.coordinates(p * self.clamp.frequency(), self.octaves(footprint))

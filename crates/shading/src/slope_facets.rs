@@ -33,15 +33,30 @@ use crate::math::sqrt;
 /// assert!((mean(Vec3::Z) - (1.0 - 0.01)).abs() < 3e-4);
 /// ```
 pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item = (f32, Vec3)> + use<> {
-    let cosine = bumped.dot(n);
-    let rough = variance > 0.0 && variance.is_finite() && cosine > 0.0 && bumped.is_finite();
-    let slope = n - bumped / cosine;
     let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
-    let radius = if rough { 2.0 * sqrt(variance) } else { 0.0 };
-    let (middle, sides) = if rough { (0.5, HEXAGON.as_slice()) } else { (1.0, [].as_slice()) };
-    let facet = move |[x, y]: [f32; 2]| {
-        (1.0 / 12.0, bumped_normal(n, slope + (tangent * x + bitangent * y) * radius))
-    };
+    let deviation = if variance > 0.0 { sqrt(variance) } else { 0.0 };
+    facets_along(n, bumped, [tangent * deviation, bitangent * deviation], 0.5)
+}
+
+/// The same for slopes with these deviations along two axes, with this share of the facet in the middle.
+///
+/// ```text
+/// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   shares (1 − middle)/6
+/// ```
+pub(crate) fn facets_along(
+    n: Vec3,
+    bumped: Vec3,
+    [u, v]: [Vec3; 2],
+    middle: f32,
+) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+    let cosine = bumped.dot(n);
+    let rough = (u != Vec3::ZERO || v != Vec3::ZERO) && u.is_finite() && v.is_finite();
+    let rough = rough && cosine > 0.0 && bumped.is_finite();
+    let slope = n - bumped / cosine;
+    let radius = sqrt(2.0 / (1.0 - middle));
+    let (middle, sides) = if rough { (middle, HEXAGON.as_slice()) } else { (1.0, [].as_slice()) };
+    let share = (1.0 - middle) / 6.0;
+    let facet = move |[x, y]: [f32; 2]| (share, bumped_normal(n, slope + (u * x + v * y) * radius));
     core::iter::once((middle, bumped)).chain(sides.iter().copied().map(facet))
 }
 

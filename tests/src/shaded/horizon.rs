@@ -33,9 +33,9 @@ impl Horizon {
         Vec2::new((x - 0.5 * self.width as f32) / height * distance, distance)
     }
 
-    /// A pixel, in this row from above, of the plane with a surface that is so many times as large.
+    /// A pixel, in this row from above, of the plane; eight units of it are the width of [`Subject`].
     #[must_use]
-    pub fn seen(&self, [x, y]: [u32; 2], subject: &Subject, by: f32, sky: &Sky) -> Seen {
+    pub fn seen(&self, [x, y]: [u32; 2], subject: &Subject, sky: &Sky) -> Seen {
         let (x, y) = (x as f32, y as f32);
         let (middle_x, middle_y) = (x + 0.5, y + 0.5);
         let middle = self.point(middle_x, middle_y);
@@ -44,7 +44,7 @@ impl Horizon {
         let derivatives = [Vec2::new(middle.y / height, 0.0), -middle * (middle.y / height)];
         let radiance = |at: Vec2, derivatives| {
             let eye = Eye::At(Vec3::Z);
-            subject.radiance(&Pixel { at, derivatives, taps: 32, eye }.magnified(by), sky)
+            subject.radiance(&Pixel { at, derivatives, taps: 32, eye }.magnified(8.0 / subject.width), sky)
         };
         let sum = (0..1024).map(r2).fold(Vec3::ZERO, |sum, [i, j]| {
             sum + radiance(self.point(x + i as f32, y + j as f32), [Vec2::ZERO; 2])

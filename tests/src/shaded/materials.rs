@@ -173,7 +173,9 @@ fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let spectrum = Spectrum::new(2.17, 0.8, 3).expect("three octaves");
     let bumps = BumpField::new(GaussianOctaves::<3>::new(spectrum, 7), 20.0).expect(VALID);
     subject(name, 0.8, move |pixel, footprint, sky| {
-        let coordinates = bumps.coordinates(pixel.at.extend(0.0), footprint);
+        // The mean over a pixel still shows octaves above the limit of its frequency.
+        let half = Footprint::from_width(0.5 * footprint.width());
+        let coordinates = bumps.coordinates(pixel.at.extend(0.0), half);
         sky.lights.iter().fold(Vec3::ZERO, |sum, light| {
             let h = half_vector(light.direction, pixel.view());
             sum + Vec3::splat(light.on_flat() * rule.radiance(&ndf, h, coordinates))

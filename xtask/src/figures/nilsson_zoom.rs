@@ -4,8 +4,8 @@ use std::f32::consts::PI;
 
 use asperity_shading::{
     Beckmann, Brdf, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Footprint, Frame,
-    GlintField, Ndf, ScratchedSurface, Scratches, ScratchesParameters, SurfacePoint, Variations,
-    VariationsParameters, half_vector,
+    GlintField, Ndf, Scratches, ScratchesParameters, SurfacePoint, Variations, VariationsParameters,
+    half_vector,
 };
 use glam::{Vec2, Vec3};
 
@@ -153,14 +153,13 @@ fn scratches() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
     })?;
     // Beside the highlight, where grooves catch the light that the surface mirrors past the eye.
     let h = Vec3::new(0.2, 0.25, 1.0).normalize();
-    // Area of the grooves, from their mean amount: unresolved, they are a rougher metal on that share of the surface.
-    let share = scratches.mean() * (2.0 * 15.0 / 16.0 * 3.0 / 2.0);
+    let metal = widened(0.2, 0.0);
     Ok(move |p: Vec2, pixel: Footprint| {
-        let ScratchedSurface { normal, slope_variance, .. } = scratches.surface(&point(p, pixel));
-        let local = Frame::from_normal_tangent(normal, Vec3::X).to_local(h);
-        let smooth = widened(0.2, 0.0).density(local);
-        let grooved = widened(0.2, slope_variance / share).density(local);
-        hex(0xc8_ccd2) * 0.2 * (smooth + (grooved - smooth) * share)
+        let facets = scratches.surface(&point(p, pixel)).facets(Vec3::Z);
+        let density = facets.map(|(share, normal)| {
+            share * metal.density(Frame::from_normal_tangent(normal, Vec3::X).to_local(h))
+        });
+        hex(0xc8_ccd2) * 0.2 * density.sum::<f32>()
     })
 }
 

@@ -50,7 +50,7 @@ impl Default for FibresParameters {
 /// rise   = (1 − s²) (t + 1)/2,   s across and t along, −1 … 1
 /// ```
 ///
-/// The mean of the factor over the surface is 1: `mean` is measured when the fibres are made, to 1 %. Where pixels are
+/// The mean of the factor over the surface is 1: `mean` is measured when the fibres are made, to 1 %. Where pixels get
 /// as wide as fibres the factor fades to 1 and the slope to 0, so that a carpet of [`DiffuseThreads`](crate::DiffuseThreads) times this factor
 /// keeps its colour from afar and has threads nearby.
 ///
@@ -126,7 +126,7 @@ impl Fibres {
     /// The factor is 1 where a coordinate is not finite or 2²³ cells away.
     #[must_use]
     pub fn sample(&self, uv: Vec2, width: f32) -> Fibre {
-        let kept = 1.0 - removed_share(width, 0.5 / self.half);
+        let kept = 1.0 - removed_share(width, 0.25 / self.half);
         let place = uv / self.segments.cell;
         if kept <= 0.0 || !uv.is_finite() || place.abs().max_element() >= 8_388_608.0 {
             return Fibre { factor: 1.0, direction: self.segments.direction, slope: Vec2::ZERO };
@@ -143,7 +143,7 @@ impl Fibres {
     pub fn surface(&self, point: &SurfacePoint) -> (Fibre, Vec3, f32) {
         let width = point.uv_width();
         let fibre = self.sample(point.uv, width);
-        let kept = 1.0 - removed_share(width, 0.5 / self.half);
+        let kept = 1.0 - removed_share(width, 0.25 / self.half);
         let gradient = point.gradient(fibre.slope).normalize_or_zero() * fibre.slope.length();
         (fibre, gradient, 0.5 * self.mean_square_slope * (1.0 - kept * kept))
     }

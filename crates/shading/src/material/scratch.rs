@@ -6,8 +6,9 @@ use glam::{Vec2, Vec3};
 use super::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 use super::segment::Segments;
 use super::surface_point::SurfacePoint;
+use crate::bumped_normal;
 use crate::math::sqrt;
-use crate::{bumped_normal, slope_facets};
+use crate::slope_facets::facets_along;
 
 /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,21 +90,36 @@ pub struct ScratchedSurface {
     pub normal: Vec3,
     /// The variance of the slope along each axis that the footprint took, the mean of both axes: α² grows by twice that.
     pub slope_variance: f32,
-    /// The share of the surface that is scratched, which has all of that variance.
+    /// The share of the pixel that is scratched, which has all of that variance.
     pub covered: f32,
+    /// The deviations of its slope along their two principal directions.
+    pub axes: [Vec3; 2],
 }
 
+/// The share of the facet in the middle of a groove: slopes across it have a kurtosis of 1.5 to 2.1, where a Gaussian has 3.
+const FLOOR: f32 = 0.2;
+
 impl ScratchedSurface {
-    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
+    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of
+    /// each.
     ///
-    /// Most of a scratched surface is smooth: the variance is that of [`slope_facets`](fn@crate::slope_facets) on the covered share alone.
+    /// Most of a scratched surface is smooth, and has one facet; the share that is scratched has seven, across its grooves.
     pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
-        let Self { normal, slope_variance, covered, .. } = *self;
-        let rough = slope_variance > 0.0 && covered > 0.0;
-        let (covered, variance) = if rough { (covered, slope_variance / covered) } else { (1.0, 0.0) };
+        let Self { normal, covered, axes, .. } = *self;
         let smooth = (covered < 1.0).then_some((1.0 - covered, normal));
-        smooth.into_iter().chain(slope_facets(n, normal, variance).map(move |(part, m)| (covered * part, m)))
+        let grooves = facets_along(n, normal, axes, FLOOR).map(move |(part, m)| (covered * part, m));
+        smooth.into_iter().chain(grooves)
     }
+}
+
+/// Scratches at a point of the texture.
+struct Grooves {
+    amount: f32,
+    slope: Vec2,
+    /// The share of the pixel.
+    covered: f32,
+    /// The second moments of the slopes that the pixel does not resolve: along u, along both, along v.
+    removed: Vec3,
 }
 
 impl Scratches {
@@ -156,27 +172,51 @@ impl Scratches {
     /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
     #[must_use]
     pub fn sample(&self, uv: Vec2, width: f32) -> (f32, Vec2) {
+        let Grooves { amount, slope, .. } = self.grooves(uv, width);
+        (amount, slope)
+    }
+
+    fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
         let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
-        let mean = self.mean();
+        let far = Grooves {
+            amount: self.mean(),
+            slope: Vec2::ZERO,
+            covered: self.segments.density() * 2.0 * self.half * self.segments.length,
+            removed: self.mean_square_slope(self.half) * self.segments.mean_square_across(),
+        };
         if kept <= 0.0 || !uv.is_finite() {
-            return (mean, Vec2::ZERO);
+            return far;
         }
         let wide = self.wide(width);
         let shallow = self.half / wide;
-        let (mut amount, mut slope) = (0.0, Vec2::ZERO);
-        self.segments.visit(uv, |near| {
-            let (s, t) = (near.across / wide, near.along);
+        let mut near = Grooves { amount: 0.0, slope: Vec2::ZERO, covered: 0.0, removed: Vec3::ZERO };
+        // Of all squares of slopes across, what a groove so wide does not have; so much as far as this pixel is concerned.
+        let strength = self.parameters.scratch_strength;
+        let lost = (1.0 - kept * shallow * shallow * shallow) * strength * strength * (128.0 / 105.0);
+        self.segments.visit(uv, |groove| {
+            let (s, t) = (groove.across / wide, groove.along);
             let (side, taper) = (1.0 - s * s, 1.0 - t * t);
             if side > 0.0 && taper > 0.0 {
-                amount += side * side * taper * shallow;
+                near.amount += side * side * taper * shallow;
                 // d/ds and d/dt, over the width and half the length.
+                let across = groove.direction.perp();
                 let by_across = -4.0 * s * side * taper / wide;
                 let by_along = side * side * -2.0 * t / (0.5 * self.segments.length);
-                slope += (near.direction.perp() * by_across + near.direction * by_along) * shallow;
+                near.slope += (across * by_across + groove.direction * by_along) * shallow;
+                // The groove's width, spread out as it is.
+                let covered = side * side * shallow * (15.0 / 8.0);
+                near.covered += covered;
+                near.removed += Vec3::new(across.x * across.x, across.x * across.y, across.y * across.y)
+                    * (lost * covered * taper * taper);
             }
         });
-        let depth = self.parameters.scratch_strength * self.half;
-        (mean + kept * (amount - mean), slope * (-depth * kept))
+        let depth = strength * self.half;
+        Grooves {
+            amount: far.amount + kept * (near.amount - far.amount),
+            slope: near.slope * (-depth * kept),
+            covered: far.covered + kept * (near.covered - far.covered),
+            removed: far.removed + kept * (near.removed - far.removed),
+        }
     }
 
     fn wide(&self, width: f32) -> f32 {
@@ -186,19 +226,30 @@ impl Scratches {
     /// What a pixel sees of the scratches; total.
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
-        let width = point.uv_width();
-        let (amount, slope) = self.sample(point.uv, width);
-        let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
-        let left = if kept > 0.0 { self.mean_square_slope(self.wide(width)) * kept * kept } else { 0.0 };
+        let Grooves { amount, slope, covered, removed } = self.grooves(point.uv, point.uv_width());
         // A slope in the texture is one on the surface, whatever the texture's scale.
-        let gradient = point.gradient(slope).normalize_or_zero() * slope.length();
+        let on_surface = |slope: Vec2| point.gradient(slope).normalize_or_zero() * slope.length();
+        let covered = covered.min(1.0);
+        let axes = if covered > 0.0 { principal(removed / covered) } else { [Vec2::ZERO; 2] };
         ScratchedSurface {
             amount,
-            normal: bumped_normal(point.normal, gradient),
-            slope_variance: 0.5 * (self.mean_square_slope(self.half) - left).max(0.0),
-            covered: (self.segments.density() * 2.0 * self.half * self.segments.length).min(1.0),
+            normal: bumped_normal(point.normal, on_surface(slope)),
+            slope_variance: 0.5 * (removed.x + removed.z),
+            covered,
+            axes: axes.map(on_surface),
         }
     }
+}
+
+/// The principal axes of second moments (xx, xy, yy), as long as their deviations.
+fn principal(moments: Vec3) -> [Vec2; 2] {
+    let (middle, half) = (0.5 * (moments.x + moments.z), 0.5 * (moments.x - moments.z));
+    let apart = sqrt(half * half + moments.y * moments.y);
+    // The eigenvector by its larger component.
+    let first =
+        if half > 0.0 { Vec2::new(half + apart, moments.y) } else { Vec2::new(moments.y, apart - half) };
+    let first = first.normalize_or(Vec2::X);
+    [first * sqrt(middle + apart), first.perp() * sqrt((middle - apart).max(0.0))]
 }
 
 #[cfg(test)]

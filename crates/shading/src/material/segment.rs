@@ -1,7 +1,7 @@
 //! Short oriented segments in the cells of a plane, drawn by hashes: what scratches and fibres lie along.
 
 use asperity_noise::{IntegerHash, Lattice};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use super::flake_patch::unit;
 use crate::math::{cos, floor, sin};
@@ -80,6 +80,16 @@ impl Segments {
                 });
             }
         }
+    }
+
+    /// The mean squares of the unit direction across a segment: along x, along both, along y.
+    pub(crate) fn mean_square_across(&self) -> Vec3 {
+        // Of an even spread over ±turn, E cos 2φ = sin(2 turn)/(2 turn).
+        let turn = core::f32::consts::PI * self.spread;
+        let lean = if turn > 1e-3 { sin(turn) / turn } else { 1.0 };
+        let (d, across) = (self.direction, self.direction.perp());
+        let of = |a: Vec2| Vec3::new(a.x * a.x, a.x * a.y, a.y * a.y);
+        of(across) * (0.5 + 0.5 * lean) + of(d) * (0.5 - 0.5 * lean)
     }
 
     /// How many segments there are to a unit of area.

@@ -74,6 +74,45 @@ impl Bevel {
             [0.0, 0.0]
         }
     }
+
+    /// The facets between two distances from the edge: the share of each and its slope by the distance, as a pixel sees them.
+    ///
+    /// The shares add up to 1. A cut of the flank is two facets, by the formula of Gauss: a lighting model's mean over them is what
+    /// the pixel shows, where the model at the mean slope is something else. An interval that is empty or no number is its middle.
+    ///
+    /// ```
+    /// use asperity_shading::Bevel;
+    ///
+    /// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
+    /// let (mut shares, mut slope) = (0.0, 0.0);
+    /// bevel.facets(0.0, 0.2, |share, s| {
+    ///     shares += share;
+    ///     slope += share * s;
+    /// });
+    /// // The mean slope is what the height falls by, over the interval.
+    /// let fall = (bevel.profile(0.2)[0] - bevel.profile(0.0)[0]) / 0.2;
+    /// assert!((shares - 1.0_f32).abs() < 1e-6 && (slope - fall).abs() < 1e-6);
+    /// # Ok::<(), asperity_shading::BevelError>(())
+    /// ```
+    pub fn facets(&self, low: f32, high: f32, mut visit: impl FnMut(f32, f32)) {
+        let width = high - low;
+        if !(width > 0.0 && width.is_finite()) {
+            let [_, slope] = self.profile(0.5 * (low + high));
+            return visit(1.0, slope);
+        }
+        let within = |begin: f32, end: f32| {
+            let [from, to] = [begin.max(low), end.min(high)];
+            [from, (to - from).max(0.0)]
+        };
+        let [from, flank] = within(self.plateau, self.plateau + self.flank);
+        if flank > 0.0 {
+            for at in [0.211_324_87, 0.788_675_1] {
+                let [_, slope] = self.profile(from + at * flank);
+                visit(0.5 * flank / width, slope);
+            }
+        }
+        visit((1.0 - flank / width).max(0.0), 0.0);
+    }
 }
 
 /// Why a [`Bevel`] was refused.

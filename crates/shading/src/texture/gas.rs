@@ -2,7 +2,9 @@
 
 use core::fmt;
 
-use asperity_noise::{Field, Kernel, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_noise::{
+    Field, Kernel, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, removed_share,
+};
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
@@ -77,11 +79,36 @@ impl<K: Kernel<3>> Gas<K> {
         self.of(self.turbulence.value(p, self.octaves))
     }
 
-    /// The density as a pixel of this footprint sees it: octaves that it does not resolve give way to their mean.
+    /// The density as a pixel of this footprint sees it: the mean over what octaves that it does not resolve would add.
+    ///
+    /// Turbulence of the octaves that are left, with the mean of the others, at three points of the distribution that these would
+    /// give it (the formula of Gauss and Hermite): the density of the mean is less than the mean of densities, by a quarter for the
+    /// gas of the lecture.
     #[must_use]
     pub fn clamped_density(&self, p: Vec3, footprint: f32) -> f32 {
         let field = self.turbulence.first(self.octaves).clamped(footprint);
-        self.of(Field::<3>::value(&field, p))
+        let mean = Field::<3>::value(&field, p);
+        let apart = sqrt(3.0 * self.removed(footprint));
+        if apart > 0.0 {
+            let sides = self.of((mean - apart).max(0.0)) + self.of(mean + apart);
+            (2.0 / 3.0) * self.of(mean) + sides / 6.0
+        } else {
+            self.of(mean)
+        }
+    }
+
+    /// The variance of the turbulence that a pixel of this footprint does not resolve.
+    fn removed(&self, footprint: f32) -> f32 {
+        let spectrum = self.turbulence.spectrum();
+        let [first, second, ..] = self.turbulence.noise().absolute_moments();
+        let mut sum = 0.0;
+        for i in 0..spectrum.max_octaves() {
+            let kept = 1.0 - removed_share(footprint, spectrum.frequency(i));
+            let amplitude = spectrum.weight(self.octaves, i) * spectrum.amplitude(i);
+            sum += amplitude * amplitude * (1.0 - kept * kept);
+        }
+        let total = spectrum.sum_of_amplitudes(self.octaves);
+        if total > 0.0 { sum * (second - first * first) / (total * total) } else { 0.0 }
     }
 
     /// No density is greater.

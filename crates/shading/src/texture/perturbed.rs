@@ -1,7 +1,10 @@
 //! Texture coordinates moved by noise.
 
-use asperity_noise::{Noise, Perlin2002};
+use asperity_noise::{Noise, Perlin2002, removed_share};
 use glam::{Vec2, Vec3};
+
+use crate::Footprint;
+use crate::math::sqrt;
 
 /// Moves the texture coordinates of a surface by noise at its points, so that any image on it runs.
 ///
@@ -45,6 +48,32 @@ impl<N: Noise<Vec3>> PerturbedTexture<N> {
         let q = p * self.scale;
         let second = self.noise.value(q + Vec3::new(1.5, 6.7, 3.4), self.seed.wrapping_add(1));
         uv + self.strength * Vec2::new(self.noise.value(q, self.seed), second)
+    }
+
+    /// Where to look up the texture as a pixel of this footprint sees it, and by which deviations its coordinates are spread there.
+    ///
+    /// Noise that the pixel does not resolve fades to 0, and what it moved the texture by is a blur: a box that is
+    /// `√(width² + 12 spread²)` wide sees both.
+    ///
+    /// ```
+    /// use asperity_shading::{Footprint, PerturbedTexture, glam::{Vec2, Vec3}};
+    ///
+    /// let running = PerturbedTexture::default();
+    /// let (p, uv) = (Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));
+    /// let near = running.filtered(p, uv, Footprint::from_width(0.1));
+    /// assert_eq!(near, (running.coordinates(p, uv), Vec2::ZERO));
+    /// let (far, spread) = running.filtered(p, uv, Footprint::from_width(10.0));
+    /// assert!(far == uv && spread.x > spread.y && spread.y > 0.0);
+    /// ```
+    #[must_use]
+    pub fn filtered(&self, p: Vec3, uv: Vec2, footprint: Footprint) -> (Vec2, Vec2) {
+        let kept = 1.0 - removed_share(footprint.width(), self.scale);
+        if kept >= 1.0 {
+            return (self.coordinates(p, uv), Vec2::ZERO);
+        }
+        let deviation = self.noise.statistics().standard_deviation * sqrt(1.0 - kept * kept);
+        let moved = if kept > 0.0 { uv + kept * (self.coordinates(p, uv) - uv) } else { uv };
+        (moved, self.strength.abs() * deviation)
     }
 }
 
