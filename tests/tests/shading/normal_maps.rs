@@ -99,7 +99,7 @@ fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64
     let off = WIDTHS.map(|width| {
         let pixel = Footprint::from_width(width / SIZE as f32);
         // From afar, where one pixel is as another, few are enough.
-        let count = if width > 40.0 { 20 } else { 4000 };
+        let count = if width > 40.0 { 20 } else { 3000 };
         apart(&means(|uv, h| map.sample(uv, pixel).density(stone, Coordinates::FAR, h), count), resolved)
     });
     off.into_iter().fold(0.0, f64::max)
@@ -114,7 +114,7 @@ fn mean_radiance_is_kept_by_groups_of_slopes_and_lost_by_averaged_normals() {
     let bounds = [(0.2, [1.2, 0.55, 0.7, 0.42, 0.045, 0.02]), (0.4, [0.5, 0.16, 0.15, 0.08, 0.01, 0.01])];
     for (alpha, [averaged_least, toksvig_least, one, four, eight, sixteen]) in bounds {
         let point = |uv: Vec2| SlopeMoments::point(map.slope(uv)).beckmann(alpha, alpha);
-        let resolved = means(|uv, h| point(uv).density(h), 30_000);
+        let resolved = means(|uv, h| point(uv).density(h), 20_000);
         let mut mips = [0.0_f64; 2];
         for width in WIDTHS {
             let at = |uv| averaged(&normals, uv, width / SIZE as f32);
