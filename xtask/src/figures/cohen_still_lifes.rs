@@ -6,7 +6,7 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-use super::panels::{half_page, raster};
+use super::panels::{raster, square};
 use crate::{
     figure::{Context, Drawn, Failure, Figure},
     image::hex,
@@ -63,7 +63,7 @@ const SAUCER_PROFILE: [[f32; 2]; 6] =
 const TEA: f32 = 0.84;
 
 fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let sampling = half_page(context);
+    let sampling = square(context);
     let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 4, ..sampling };
     let studio = Studio::new(1.0);
     let stage = Stage {

@@ -37,6 +37,7 @@ mod noise_tiled;
 mod noise_warp;
 mod panels;
 mod power_spectrum;
+mod scenes;
 mod shading_reflectance;
 
 use crate::figure::Figure;
@@ -73,7 +74,10 @@ const FIGURES: &[&[Figure]] = &[
         cohen_patterns::SPECTRUM,
         cohen_still_lifes::VASE,
         cohen_still_lifes::CUP,
+        scenes::WALLS,
     ],
+    &[scenes::TEAPOTS],
+    &[scenes::CAR, scenes::ROOM],
     &[nilsson_zoom::ZOOM],
     ndf_densities::DENSITIES,
     &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],

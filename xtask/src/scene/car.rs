@@ -27,14 +27,14 @@ fn step(a: f32, b: f32, x: f32) -> f32 {
 
 /// The height of the roof line.
 fn top(x: f32) -> f32 {
-    let body = 0.74 + 0.10 * step(2.1, 0.7, x) - 0.02 * step(-1.2, -2.1, x);
-    let cabin = step(1.05, 0.05, x) * step(-1.95, -0.75, x);
-    body + 0.56 * cabin
+    let body = 0.72 + 0.15 * step(2.3, 0.6, x) + 0.06 * step(-0.9, -1.8, x);
+    let cabin = step(1.15, 0.10, x) * step(-2.0, -0.80, x);
+    body + 0.54 * cabin
 }
 
 /// How much of its breadth and height the car has towards its ends.
 fn end(x: f32) -> f32 {
-    (1.0 - (x.abs() / LENGTH).powf(6.0)).max(0.0).powf(1.0 / 3.2)
+    (1.0 - (x.abs() / LENGTH).powf(6.0)).max(0.0).powf(1.0 / 4.4)
 }
 
 /// The body at a place along it and an angle around it, 0 … 1 each.
@@ -49,7 +49,7 @@ fn body(along: f32, around: f32) -> Vec3 {
     let z = if sin >= 0.0 {
         middle + closing * (upper - middle) * round(sin, 0.62)
     } else {
-        middle + closing * (middle - lower) * round(sin, 0.55)
+        middle + closing * (middle - lower) * round(sin, 0.42)
     };
     // The cabin leans inwards.
     let lean = 1.0 - 0.34 * step(BELT - 0.14, 1.38, z) - 0.05 * step(0.55, 0.2, z);
@@ -102,6 +102,14 @@ pub(crate) fn window(position: Vec3, normal: Vec3) -> f32 {
         let screens = (x - 0.12).max(-1.02 - x);
         above.min(screens).min(0.60 - position.y.abs())
     }
+}
+
+/// Where the wheels are, along the car and above the ground, and their radius.
+pub(crate) const WHEELS: [[f32; 2]; 2] = [[-1.28, 0.325], [1.32, 0.325]];
+
+/// Whether a point of the body is in the dark around a wheel.
+pub(crate) fn arch(position: Vec3) -> bool {
+    WHEELS.iter().any(|[x, z]| (position.x - x).hypot(position.z - z) < 0.375 && position.y.abs() > 0.4)
 }
 
 /// A tyre about the y axis, upright, with its outer side towards −y, and the disc inside it.

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::{
     camera::Camera,
-    car::{car_body, wheel, window},
+    car::{WHEELS, arch, car_body, wheel, window},
     finish,
     mesh::{Mesh, TracedMesh},
     render::Sampling,
@@ -208,7 +208,7 @@ fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
             }
             glass.layers = seal(seen).layers;
             glass
-        } else if depth > 0.0 {
+        } else if depth > 0.0 || arch(seen.point.position) {
             seal(seen)
         } else {
             paint(seen)
@@ -216,9 +216,9 @@ fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
     };
     let mut objects = vec![Object::new(Shape::Mesh(TracedMesh::new(car_body())), body)];
     objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
-    for x in [-1.32, 1.34] {
+    for [x, z] in WHEELS {
         for side in [-1.0, 1.0] {
-            let [tyre, disc] = wheel(Vec3::new(x, 0.70 * side, 0.325));
+            let [tyre, disc] = wheel(Vec3::new(x, 0.77 * side, z));
             let rubber = finish::cloth(hex(0x2a_2a2c))?;
             objects.push(Object::new(Shape::Mesh(TracedMesh::new(tyre)), rubber));
             objects.push(Object::new(

@@ -106,7 +106,7 @@ const TAPS: u32 = 16;
 /// Mirrors in mirrors.
 const MIRRORS: u32 = 6;
 /// Light that comes by way of another object is cut off here: what is brighter would be speckles.
-const BRIGHTEST: f32 = 6.0;
+const BRIGHTEST: f32 = 2.5;
 
 impl Stage<'_> {
     /// Draws it, in linear radiance.
@@ -216,9 +216,18 @@ impl Stage<'_> {
                 let eta = if outside { 1.0 / eta } else { eta };
                 let kept = if outside { Vec3::ONE } else { tint.powf(hit.t) };
                 let refracted = ray.refracted(&hit, normal, eta, hit.position - start * hit.normal);
-                if let Some(next) = refracted.filter(|_| mirrors < MIRRORS) {
-                    sum += kept * (1.0 - share) * self.radiance(&next, sampler, mirrors + 1, bounces);
+                let Some(next) = refracted.filter(|_| mirrors < MIRRORS) else {
+                    return sum + kept * mirrored(Vec3::splat(share), sampler);
+                };
+                // Both ways once; further in one of them, as likely as there is light in it.
+                if mirrors > 0 {
+                    return if sampler.point().x < share {
+                        sum + kept * mirrored(Vec3::ONE, sampler)
+                    } else {
+                        sum + kept * self.radiance(&next, sampler, mirrors + 1, bounces)
+                    };
                 }
+                sum += kept * (1.0 - share) * self.radiance(&next, sampler, mirrors + 1, bounces);
                 sum + kept * mirrored(Vec3::splat(share), sampler)
             }
         }
