@@ -7,17 +7,16 @@ use asperity_shading::{Brdf, Frame, facing};
 
 /// A distant lamp.
 #[derive(Clone, Copy, Debug)]
-pub struct Light {
+pub(super) struct Light {
     /// The unit direction to it.
-    pub direction: Vec3,
+    pub(super) direction: Vec3,
     /// What a white Lambertian surface that faces it sends to the eye.
-    pub radiance: f32,
+    pub(super) radiance: f32,
 }
 
 impl Light {
     /// What it sends along `view` from a flat surface, for a reflectance of 1.
-    #[must_use]
-    pub fn on_flat(&self) -> f32 {
+    pub(super) fn on_flat(&self) -> f32 {
         PI * self.radiance * self.direction.z.max(0.0)
     }
 }
@@ -26,7 +25,7 @@ impl Light {
 #[derive(Clone, Copy, Debug)]
 pub struct Sky {
     /// The lamp, then the sky.
-    pub lights: [Light; 4],
+    pub(super) lights: [Light; 4],
 }
 
 impl Sky {
@@ -42,8 +41,7 @@ impl Sky {
     }
 
     /// What a surface of this reflectance and normal sends along `view`.
-    #[must_use]
-    pub fn on(&self, brdf: &(impl Brdf + ?Sized), normal: Vec3, view: Vec3) -> Vec3 {
+    pub(super) fn on(&self, brdf: &(impl Brdf + ?Sized), normal: Vec3, view: Vec3) -> Vec3 {
         let frame = Frame::from_normal_tangent(facing(Vec3::Z, normal, view), Vec3::X);
         let wo = frame.to_local(view);
         self.lights.iter().fold(Vec3::ZERO, |sum, light| {

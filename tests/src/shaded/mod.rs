@@ -11,7 +11,7 @@ mod telephoto;
 mod textures;
 
 pub use horizon::{Horizon, Seen, errors};
-pub use light::{Light, Sky};
+pub use light::Sky;
 pub use materials::{fractal_bumps, materials};
 pub use pixel::{Eye, Pixel};
 pub use subject::Subject;

@@ -291,17 +291,48 @@ mod tests {
             (random >> 8) as f32 / 16_777_216.0
         };
         for width in [0.0, 0.05 * cell, 0.15 * cell, 0.4 * cell] {
-            let (mut amount, mut squares) = (0.0, 0.0);
+            let (mut amount, mut squares, mut removed, mut covered) = (0.0, 0.0, 0.0, 0.0);
             for _ in 0..20_000 {
-                let (a, slope) = scratches.sample(Vec2::new(uniform(), uniform()) * 1000.0 * cell, width);
-                amount += a;
-                squares += slope.length_squared();
+                let at = Vec2::new(uniform(), uniform()) * 1000.0 * cell;
+                let grooves = scratches.grooves(at, width);
+                amount += grooves.amount;
+                squares += grooves.slope.length_squared();
+                removed += grooves.removed.x + grooves.removed.z;
+                covered += grooves.covered;
             }
             let kept = 1.0 - removed_share(width, 1.0 / cell);
             // Deviations are about twice and four times the means: five standard errors, and the tapers' own slopes.
             assert!((amount / 20_000.0 / scratches.mean() - 1.0).abs() < 0.07, "{width}: {amount}");
             let expected = scratches.mean_square_slope(scratches.wide(width)) * kept * kept;
             assert!((squares / 20_000.0 / expected - 1.0).abs() < 0.15, "{width}: {squares} for {expected}");
+            // What is not resolved is all the rest, and as much of the surface is scratched from afar.
+            let whole = scratches.mean_square_slope(scratches.half);
+            let rest = (removed / 20_000.0 + expected) / whole;
+            assert!((rest - 1.0).abs() < 0.1, "{width}: {rest}");
+            let far = scratches.grooves(Vec2::ZERO, 10.0 * cell).covered;
+            assert!((covered / 20_000.0 / far - 1.0).abs() < 0.07, "{width}: {covered} for {far}");
+        }
+    }
+
+    #[test]
+    fn facets_have_the_variance_of_the_pixel() {
+        let scratches = wide();
+        for (x, width) in [(0.3, 0.004), (0.31, 0.02), (0.37, 0.05), (0.4, 1.0)] {
+            let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))
+                .with_uv(Vec2::new(x, 0.2), [Vec3::X, Vec3::Y]);
+            let surface = scratches.surface(&point);
+            let slope = |m: Vec3| Vec3::Z - m / m.z;
+            let (mut shares, mut squares) = (0.0, 0.0);
+            for (share, m) in surface.facets(Vec3::Z) {
+                shares += share;
+                squares += share * (slope(m) - slope(surface.normal)).length_squared();
+            }
+            assert!((shares - 1.0).abs() < 1e-5, "{x}, {width}: {shares}");
+            let expected = 2.0 * surface.slope_variance;
+            assert!(
+                (squares - expected).abs() < 1e-5 + 1e-3 * expected,
+                "{x}, {width}: {squares}, {expected}"
+            );
         }
     }
 

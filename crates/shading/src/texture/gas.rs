@@ -82,8 +82,8 @@ impl<K: Kernel<3>> Gas<K> {
     /// The density as a pixel of this footprint sees it: the mean over what octaves that it does not resolve would add.
     ///
     /// Turbulence of the octaves that are left, with the mean of the others, at three points of the distribution that these would
-    /// give it (the formula of Gauss and Hermite): the density of the mean is less than the mean of densities, by a quarter for the
-    /// gas of the lecture.
+    /// give it (the formula of Gauss and Hermite): the density of the mean is less than the mean of densities, by 36 % for the gas of
+    /// the lecture, and this by 1.4 %.
     #[must_use]
     pub fn clamped_density(&self, p: Vec3, footprint: f32) -> f32 {
         let field = self.turbulence.first(self.octaves).clamped(footprint);
@@ -264,6 +264,18 @@ const MOST_STEPS: f32 = 65536.0;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn gas_from_afar_is_as_dense_as_gas_from_nearby_is_on_average() {
+        let gas = Gas::default();
+        let point = |k: u16| 7.3 * f32::from(k) * Vec3::new(0.819_172_5, 0.671_043_6, 0.549_700_5);
+        let mean = (0..20_000).map(|k| gas.density(point(k))).sum::<f32>() / 20_000.0;
+        let far = gas.clamped_density(Vec3::ZERO, 100.0);
+        let of_mean = gas.of(gas.turbulence.first(gas.octaves).clamped(100.0).value(Vec3::ZERO));
+        // Deviations of densities are about their mean: 0.7 % of it. The third moment of the turbulence is left out; measured: 1.4 %.
+        assert!((far / mean - 1.0).abs() < 0.04, "{far} for {mean}");
+        assert!(of_mean < 0.85 * mean, "{of_mean} for {mean}");
+    }
 
     #[test]
     fn density_is_the_listings() {
