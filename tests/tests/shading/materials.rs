@@ -219,6 +219,28 @@ fn glints<N: Ndf>(field: &GlintField<N>, h: Vec3, width: f32, count: usize) -> [
 }
 
 #[test]
+fn glints_stay_where_they_are_as_one_comes_nearer() {
+    let field = GlintField::new(Ggx::new(0.2, 0.4).unwrap(), 1.0, 0.2, 5).unwrap();
+    let h = Vec3::new(0.2, 0.1, 1.0).normalize();
+    let places = || points(9, 20_000).map(|p| p.position * 3000.0);
+    for width in [2.0, 4.0, 8.0, 16.0] {
+        let [near, far] = [width, 2.0 * width].map(|width| {
+            places().map(|p| f64::from(field.density(h, p, Footprint::from_width(width)))).collect::<Vec<_>>()
+        });
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let [m, n] = [mean(&near), mean(&far)];
+        let product = |a: &[f64], am: f64, b: &[f64], bm: f64| {
+            a.iter().zip(b).map(|(a, b)| (a - am) * (b - bm)).sum::<f64>()
+        };
+        let correlation =
+            product(&near, m, &far, n) / (product(&near, m, &near, m) * product(&far, n, &far, n)).sqrt();
+        println!("{width}: {correlation}");
+        // A mean over four parts and one of them: ½. Of independent ones it would be 0 ± 0.007.
+        assert!((correlation - 0.5).abs() < 0.07, "{width}: {correlation}");
+    }
+}
+
+#[test]
 fn counted_flakes_have_the_density_for_their_mean_at_every_distance() {
     fn check<N: Ndf>(name: &str, ndf: N) {
         let field = GlintField::new(ndf, 1.0, 0.25, 5).unwrap();

@@ -18,10 +18,15 @@ use crate::math::{exp, exp_m1, floor, ln_1p, log2, sqrt};
 ///
 /// ```text
 /// D̂(h) = D(h) Σ_bins w(h, bin) count(bin)/(N q(bin)),   count ~ B(N, q),   q(bin) = ∫_bin N(z; 0, I) dz,   Σ w = 1
+/// count in a cell, given the coarser one's:   count ~ B(count above, ¼)
 /// ```
 ///
 /// and two levels are blended by the logarithm of the width. Where a pixel sees at most one flake it is that flake, with the
 /// normal that [`flake`](Self::flake) returns.
+///
+/// The flakes of a cell are those of the coarser cell around it that are in it: a quarter of them on average, drawn by another hash. So
+/// what glints from afar still does where one comes nearer, in ever smaller cells, down to four flakes; only the last step, to single
+/// ones, is not of the same flakes.
 ///
 /// - **Energy:** the mean of D̂(h) over the surface is D(h), at every width and for every density: E count = N q.
 /// - **From afar:** its variance falls as 1/N, and D̂ goes to D: the paint's smooth lobe is left, and nothing has to fade.
@@ -70,6 +75,8 @@ pub struct GlintFlake {
 
 /// The coarsest level: cells of 2²⁸ flakes.
 const LEVELS: f32 = 14.0;
+/// The expected count from which cells are drawn by themselves: of 6 % of deviation.
+const CERTAIN: f32 = 256.0;
 /// How far cells can be told apart.
 const FARTHEST: f32 = 8_388_608.0;
 
@@ -122,30 +129,40 @@ impl<N: Ndf> GlintField<N> {
         let bins = Bins::new(self.ndf.to_gaussian(h), self.bin);
         let lower = floor(level);
         let upper_share = level - lower;
-        let mut relative = 0.0;
-        for (level, share) in [(lower, 1.0 - upper_share), (lower + 1.0, upper_share)] {
-            if share > 0.0 {
-                relative += share
-                    * if level == 0.0 {
-                        bins.single(self.tilt(nearest))
-                    } else {
-                        self.counted(&bins, position, level)
-                    };
-            }
-        }
-        density * relative
+        let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest)));
+        density
+            * bins.sum(|bin, q| {
+                let [fine, coarse] = self.relative_counts(position, bin, q, lower as i32);
+                let fine = single.map_or(fine, |own| if own == bin { 1.0 / q } else { 0.0 });
+                fine + upper_share * (coarse - fine)
+            })
     }
 
-    /// Σ w count/(N q) in the cell of a level that the position is in.
-    fn counted(&self, bins: &Bins, position: Vec3, level: f32) -> f32 {
-        let across = (1_u32 << level as u32) as f32;
-        let cell = (position / (self.spacing * across)).to_array().map(|x| floor(x) as i32);
-        let count = across * across;
-        bins.sum(|bin, q| {
-            let seed = IntegerHash.word([bin[0], bin[1], level as i32], self.seed);
-            let uniform = (IntegerHash.word(cell, seed) as f32 + 0.5) / 4_294_967_296.0;
-            binomial(count, q, uniform) / (count * q)
-        })
+    /// count/(N q) of a bin in the cells around a position of this level and of the next.
+    ///
+    /// From a level where the number is nearly certain, down from cell to cell.
+    fn relative_counts(&self, position: Vec3, bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
+        let size = |level: i32| (1_u32 << level) as f32;
+        let flakes = |level: i32| size(level) * size(level);
+        let place = position / self.spacing;
+        let seed = IntegerHash.word(bin, self.seed);
+        let word = |level: i32| {
+            let cell = (place / size(level)).to_array().map(|x| floor(x) as i32);
+            IntegerHash.word(cell, seed.wrapping_add(level as u32))
+        };
+        let drawn = |level: i32| binomial(flakes(level), q, uniform(word(level)));
+        // The logarithm of a positive number; its cast is in range.
+        let certain = (0.5 * log2(CERTAIN / q) + 1.0) as i32;
+        let start = certain.clamp(level, (LEVELS as i32).max(level));
+        let mut count = drawn(start);
+        let mut coarse = if start == level { drawn(level + 1) / (flakes(level + 1) * q) } else { 0.0 };
+        for finer in (level..start).rev() {
+            coarse = count / (flakes(finer + 1) * q);
+            if count > 0.0 {
+                count = quarter(count, flakes(finer + 1), word(finer));
+            }
+        }
+        [count / (flakes(level) * q), coarse]
     }
 
     /// The Gaussian coordinates of the normal of a cell's flake.
@@ -219,11 +236,33 @@ impl Bins {
         sum
     }
 
-    /// Σ w count/q for the one flake of these coordinates.
-    fn single(&self, tilt: Vec2) -> f32 {
-        let bin = (tilt / self.width).to_array().map(|z| floor(z) as i32);
-        self.sum(|at, q| if at == bin { 1.0 / q } else { 0.0 })
+    /// The bin of a coordinate.
+    fn bin(&self, z: Vec2) -> [i32; 2] {
+        (z / self.width).to_array().map(|z| floor(z) as i32)
     }
+}
+
+/// A number in (0, 1).
+fn uniform(word: u32) -> f32 {
+    (word as f32 + 0.5) / 4_294_967_296.0
+}
+
+/// How many of the flakes in a bin, `count` of `n`, are in one of the four quarters, for 32 random bits; the mean is a quarter.
+///
+/// By inversion where few are, with a count that is no integer rounded up or down at random; else a number of the mean and the variance of
+/// drawing without putting back, from the sum of four bytes.
+fn quarter(count: f32, n: f32, word: u32) -> f32 {
+    let mean = 0.25 * count;
+    if mean > 16.0 {
+        /// Of the sum of four bytes: `√(4 (256² − 1)/12)`.
+        const DEVIATION: f32 = 147.801;
+        let sum: i32 = word.to_le_bytes().into_iter().map(i32::from).sum();
+        // At most 3.5 deviations, which are at most 4 √mean.
+        return mean + sqrt((0.75 * mean * (1.0 - count / n)).max(0.0)) / DEVIATION * (sum - 510) as f32;
+    }
+    // Twelve bits for the one, twenty for the other.
+    let whole = floor(count + ((word & 0xfff) as f32 + 0.5) / 4096.0);
+    if whole > 0.0 { binomial(whole, 0.25, ((word >> 12) as f32 + 0.5) / 1_048_576.0) } else { 0.0 }
 }
 
 /// A number of successes of `n` trials of probability `q`, for a uniform number in (0, 1), with the mean `n q`.
@@ -273,6 +312,42 @@ mod tests {
             assert!((mean / expected - 1.0).abs() < 2e-3, "{n}, {q}: {mean}");
             assert!((variance / (expected * f64::from(1.0 - q)) - 1.0).abs() < 0.01, "{n}, {q}: {variance}");
         }
+    }
+
+    #[test]
+    fn quarters_have_a_quarter_for_their_mean() {
+        for (count, n) in [(1.0, 64.0), (3.4, 64.0), (40.0, 1e4), (64.0, 1e4), (65.0, 1e4), (900.5, 4e3)] {
+            let (mut sum, mut squares) = (0.0, 0.0);
+            for i in 0..10_000_u16 {
+                let k = f64::from(quarter(count, n, IntegerHash.word([i32::from(i)], 5)));
+                sum += k / 1e4;
+                squares += k * k / 1e4;
+            }
+            let (mean, variance) = (f64::from(0.25 * count), f64::from(0.1875 * count));
+            // Four standard errors.
+            assert!((sum - mean).abs() < 0.04 * (variance + 0.03).sqrt(), "{count}: {sum}");
+            // Within what is not put back, and what rounding adds.
+            assert!((squares - sum * sum) < 1.2 * variance + 0.03, "{count}: {}", squares - sum * sum);
+            assert!((squares - sum * sum) > 0.7 * variance, "{count}: {}", squares - sum * sum);
+        }
+    }
+
+    #[test]
+    fn flakes_of_a_cell_are_those_of_the_coarser_one_around_it() {
+        let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 1.0, 0.1, 3).unwrap();
+        let mut lit = [0, 0];
+        for i in 0..4000_u16 {
+            let p = Vec3::new(f32::from(i) * 7.3, f32::from(i % 61) * 11.9, 0.4);
+            for level in 0..13 {
+                let [fine, coarse] = field.relative_counts(p, [2, -1], 0.002, level);
+                let again = field.relative_counts(p, [2, -1], 0.002, level + 1);
+                // Nothing leaps where a level ends.
+                assert_eq!(coarse, again[0], "{p}, {level}");
+                lit[0] += u32::from(fine > 0.0);
+                lit[1] += u32::from(fine > 0.0 && coarse > 0.0);
+            }
+        }
+        assert!(lit[0] > 200 && lit[0] == lit[1], "{lit:?}");
     }
 
     #[test]
