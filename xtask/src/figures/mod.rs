@@ -1,6 +1,7 @@
 //! Every figure of the gallery, in the order of the page.
 
 mod asperity_mean_radiance;
+mod cochran_area;
 mod cochran_bounds;
 mod cochran_contractions;
 mod cochran_corner;
@@ -13,6 +14,7 @@ mod cochran_second_integrals;
 mod cochran_zoom;
 mod cohen_bevel;
 mod cohen_brick;
+mod cohen_bump;
 mod cohen_patterns;
 mod cohen_still_lifes;
 mod kautz_isotropic;
@@ -25,6 +27,7 @@ mod ndf_conditional;
 mod ndf_densities;
 mod ndf_masking;
 mod ndf_table;
+mod nilsson_prng;
 mod nilsson_zoom;
 mod noise_curl;
 mod noise_footprint;
@@ -64,10 +67,12 @@ const FIGURES: &[&[Figure]] = &[
         cochran_models::MODELS,
         cochran_zoom::ZOOM,
         cochran_landscape::LANDSCAPE,
+        cochran_area::AREA,
     ],
     &[asperity_mean_radiance::MEAN_RADIANCE],
     &[shading_reflectance::REFLECTANCE],
     &[
+        cohen_bump::BUMP,
         cohen_brick::BRICK,
         cohen_bevel::BEVEL,
         cohen_patterns::PATTERNS,
@@ -77,7 +82,7 @@ const FIGURES: &[&[Figure]] = &[
         scenes::WALLS,
     ],
     &[scenes::TEAPOTS],
-    &[scenes::CAR, scenes::ROOM],
+    &[nilsson_prng::PRNG, scenes::CAR, scenes::ROOM],
     &[nilsson_zoom::ZOOM],
     ndf_densities::DENSITIES,
     &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],

@@ -100,7 +100,8 @@ fn parameters(list: &[(&str, String)]) -> Vec<(String, String)> {
 
 fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
     let paint = MetallicPaintParameters::default();
-    let door = View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
+    let door =
+        View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
     let mut panels = Vec::new();
     let whole = Box::new(finish::paint(paint, 1.0, PIGMENT)?);
     let sampling = panel_sampling(context, [24, 11], 5);
