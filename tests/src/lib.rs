@@ -10,6 +10,7 @@ pub mod noise_errors;
 pub mod noise_kinds;
 pub mod noise_lanes;
 pub mod noise_reference;
+pub mod pinned;
 pub mod random;
 #[cfg(doctest)]
 pub mod readme;

@@ -7,27 +7,11 @@ use asperity_ndf_sampling::{
     Beckmann, Frame, GaussianSplit, Ggx, MAX_SHARE, Measure, Ndf, NdfMap, NoiseCdf, NormalTable, PackedMap,
     Reconstruction, conditional_density, inverse_phi, phi,
 };
+use asperity_tests::pinned::{SINGLE, pinned, vec2, vec3};
 use glam::{Vec2, Vec3};
 
-/// Compares with pinned values, each within the relative `tolerance`.
-pub(crate) fn pinned<const N: usize>(what: &str, got: [f64; N], expected: [f64; N], tolerance: f64) {
-    let close =
-        got.iter().zip(expected).all(|(got, expected)| (got - expected).abs() <= tolerance * expected.abs());
-    assert!(close, "{what}: {got:?} is pinned to {expected:?}");
-}
-
-/// Some units in the last place of `f32`.
-pub(crate) const SINGLE: f64 = 1e-6;
 /// Some units in the last place of `f64`.
 const DOUBLE: f64 = 1e-14;
-
-pub(crate) fn vec3(v: Vec3) -> [f64; 3] {
-    v.as_dvec3().to_array()
-}
-
-pub(crate) fn vec2(v: Vec2) -> [f64; 2] {
-    v.as_dvec2().to_array()
-}
 
 pub(crate) const Z: Vec2 = Vec2::new(0.7, -1.2);
 

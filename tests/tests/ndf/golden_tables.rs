@@ -9,7 +9,9 @@ use asperity_ndf_sampling::{
 };
 use glam::{Vec2, Vec3};
 
-use super::golden::{SINGLE, Z, direction, pinned, vec2, vec3};
+use asperity_tests::pinned::{SINGLE, pinned, vec2, vec3};
+
+use super::golden::{Z, direction};
 
 #[test]
 fn charts_and_spacings() {

@@ -1,8 +1,11 @@
 //! Shading: level of detail, Fresnel terms and means over the surface.
 
 mod aliasing;
+mod bad_input;
 mod environment;
 mod fresnel;
+mod golden;
+mod golden_materials;
 mod image_light;
 mod materials;
 mod mean_radiance;
@@ -10,6 +13,7 @@ mod mean_radiance;
 mod normal_maps;
 mod reflectance;
 mod remapped;
+mod tangents;
 mod textures;
 mod zoom;
 mod zoom_means;

@@ -182,7 +182,8 @@ impl Edge {
         let t = if length > 0.0 { (offset.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
         let apart = offset - t * along;
         let distance = sqrt(apart.dot(apart));
-        let away = if distance > 0.0 { apart / distance } else { along.perp().normalize_or(Vec2::Y) };
+        // Twice: a distance near 1e-22 has lost digits, because its square is subnormal.
+        let away = (apart / distance).normalize_or(along.perp().normalize_or(Vec2::Y));
         Self { distance, away }
     }
 }

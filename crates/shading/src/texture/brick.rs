@@ -4,7 +4,7 @@ use core::fmt;
 
 use glam::Vec2;
 
-use crate::math::floor;
+use crate::math::{clamp_to, floor};
 
 /// Bricks in running bond: every other row is shifted by half a brick.
 ///
@@ -126,6 +126,9 @@ impl Brick {
             sample.height += across.round * row.round;
             sample.slope += Vec2::new(across.slope * row.round, across.round * row.slope) / self.cell;
         }
+        // Sums of shares, rounded.
+        sample.brick = clamp_to(sample.brick, 1.0);
+        sample.height = clamp_to(sample.height, 1.0);
         sample
     }
 

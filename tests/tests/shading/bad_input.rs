@@ -1,0 +1,453 @@
+//! Surfaces and reflectances of any parameters in range, at any point, seen from anywhere: what they promise holds for NaN,
+//! infinities, degenerate tangents and directions as well.
+
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::noise::Perlin2002;
+use asperity_shading::{
+    Beckmann, Bevel, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, Conductor,
+    CookTorrance, Dielectric, Edge, Elimination, EnergyPreservingOrenNayar, Fibres, FibresParameters,
+    Footprint, Frame, Gas, Ggx, GlassWaves, GlintField, Lambert, Marble, Masking, MetallicPaint,
+    MetallicPaintParameters, OrenNayar, OrenNayarForm, PerturbedTexture, Phong, Schlick, SchlickF82,
+    Scratches, ScratchesParameters, SeamPattern, StarWallpaper, Steam, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters, WardForm, WardReflection,
+    bumped_normal, displace, facing, gradient_of_normal, lecture_normal, march, rim_light, surface_gradient,
+    tangential,
+};
+use proptest::prelude::*;
+use proptest::sample::select;
+
+fn config(cases: u32) -> ProptestConfig {
+    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x5_4ADE);
+    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// Mostly ordinary numbers, some of any bits, some that are known for trouble.
+fn number() -> impl Strategy<Value = f32> {
+    let odd = vec![
+        0.0,
+        -0.0,
+        1e-30,
+        -1e-30,
+        f32::MIN_POSITIVE,
+        1.0,
+        16_777_216.0,
+        8_388_608.0,
+        1e30,
+        -1e30,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::NAN,
+    ];
+    prop_oneof![6 => -4.0..4.0_f32, 1 => proptest::num::f32::ANY, 2 => select(odd)]
+}
+
+fn vector() -> impl Strategy<Value = Vec3> {
+    [number(), number(), number()].prop_map(Vec3::from)
+}
+
+fn pair() -> impl Strategy<Value = Vec2> {
+    [number(), number()].prop_map(Vec2::from)
+}
+
+fn unit() -> impl Strategy<Value = Vec3> {
+    (-1.0..1.0_f32, 0.0..std::f32::consts::TAU).prop_map(|(z, turn)| {
+        let r = (1.0 - z * z).sqrt();
+        Vec3::new(r * turn.cos(), r * turn.sin(), z)
+    })
+}
+
+/// A unit vector, along the horizon too, or what has no direction.
+fn direction() -> impl Strategy<Value = Vec3> {
+    let along = vector().prop_map(|v| {
+        let unit = v.as_dvec3().normalize_or_zero().as_vec3();
+        if unit == Vec3::ZERO || !unit.is_finite() { v } else { unit }
+    });
+    prop_oneof![unit(), along]
+}
+
+fn point() -> impl Strategy<Value = SurfacePoint> {
+    (vector(), unit(), number(), pair(), [vector(), vector()]).prop_map(
+        |(position, n, width, uv, tangents)| {
+            SurfacePoint::new(position, n, Footprint::from_width(width)).with_uv(uv, tangents)
+        },
+    )
+}
+
+/// Any size in range, at its ends too.
+fn size() -> impl Strategy<Value = f32> {
+    prop_oneof![8 => (-6.0..6.0_f32).prop_map(|e| 10.0_f32.powf(e)), 1 => Just(1e-6), 1 => Just(1e6)]
+}
+
+fn share() -> impl Strategy<Value = f32> {
+    prop_oneof![6 => 0.0..=1.0_f32, 1 => Just(0.0), 1 => Just(1.0)]
+}
+
+fn colour() -> impl Strategy<Value = Vec3> {
+    [share(), share(), share()].prop_map(Vec3::from)
+}
+
+fn heading() -> impl Strategy<Value = Vec2> {
+    (0.0..std::f32::consts::TAU, size()).prop_map(|(turn, length)| Vec2::from_angle(turn) * length)
+}
+
+/// A unit normal on the side of the surface's own.
+fn is_normal(n: Vec3, bumped: Vec3) -> bool {
+    (bumped.length() - 1.0).abs() < 1e-5 && bumped.dot(n) > 0.0
+}
+
+fn is_colour(colour: Vec3) -> bool {
+    colour.to_array().iter().all(|c| (0.0..=1.0).contains(c))
+}
+
+fn is_variance(variance: f32) -> bool {
+    variance >= 0.0 && variance.is_finite()
+}
+
+fn fibres() -> impl Strategy<Value = FibresParameters> {
+    (size(), 0.01..=0.3_f32, 0.0..=0.3_f32, heading(), share(), share(), any::<u32>()).prop_map(
+        |(fibre_length, fibre_width, fibre_bend, fibre_direction, fibre_spread, fibre_contrast, seed)| {
+            FibresParameters {
+                fibre_length,
+                fibre_width,
+                fibre_bend,
+                fibre_direction,
+                fibre_spread,
+                fibre_contrast,
+                seed,
+            }
+        },
+    )
+}
+
+fn carpet() -> impl Strategy<Value = CarpetParameters> {
+    let pattern = select(vec![SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid]);
+    let sizes = proptest::array::uniform5(size());
+    let shares = proptest::array::uniform12(share());
+    let rest = (colour(), colour(), heading(), pattern, fibres(), any::<u32>());
+    (sizes, shares, rest).prop_map(
+        |(sizes, shares, (diffuse, specular, seams_propagation, seams_pattern, fibres, seed))| {
+            CarpetParameters {
+                diffuse,
+                specular,
+                diffuse_thread_size: sizes[0],
+                diffuse_thread_strength: shares[0],
+                diffuse_thread_bump_strength: shares[1],
+                specular_thread_size: sizes[1],
+                specular_thread_strength: shares[2],
+                dark_area_size: sizes[2],
+                dark_area_strength: shares[3],
+                seams_propagation,
+                seams_pattern,
+                seam_distance: sizes[3],
+                seams_amplitude: shares[4],
+                seams_bump_strength: shares[5],
+                seam_crossover_size: sizes[4],
+                seam_crossover_strength: shares[6],
+                fibre_strength: shares[7],
+                fibre_bump_strength: shares[8],
+                fibres,
+                roughness: shares[9],
+                fake_rim_light: shares[10],
+                fake_rim_light_width: shares[11],
+                seed,
+            }
+        },
+    )
+}
+
+fn paint() -> impl Strategy<Value = MetallicPaintParameters> {
+    let elimination =
+        prop_oneof![Just(Elimination::Fixed), size().prop_map(|unit| Elimination::Adaptive { unit })];
+    let sizes = proptest::array::uniform3(size());
+    let shares = proptest::array::uniform5(share());
+    (colour(), colour(), sizes, shares, elimination, 0.0..=1000.0_f32, 1..=8_u32, any::<u32>()).prop_map(
+        |(specular, target, sizes, shares, smart_flake_sparkle, pixel_size, detail, seed)| {
+            MetallicPaintParameters {
+                specular,
+                orange_peel_strength: shares[0],
+                orange_peel_size: sizes[0],
+                flake_sparkle_pixel_size: pixel_size,
+                flake_sparkle_physical_size: sizes[1],
+                flake_sparkle_variation: shares[1],
+                flake_sparkle_boost: shares[2],
+                flake_sparkle_boost_target: target,
+                flake_sparkle_elimination: shares[3],
+                smart_flake_sparkle,
+                passive_flake_size: sizes[2],
+                passive_flake_strength: shares[4],
+                passive_flake_detail: detail,
+                seed,
+            }
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(config(60))]
+
+    #[test]
+    fn carpets(parameters in carpet(), point in point(), view in direction()) {
+        let carpet = Carpet::new(parameters).unwrap();
+        let got = carpet.surface(&point, view);
+        prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
+        prop_assert!(is_colour(got.diffuse) && is_colour(got.specular), "{got:?}");
+        prop_assert!(is_variance(got.slope_variance), "{got:?}");
+        prop_assert!((0.0..=1.0).contains(&got.rim) && got.roughness == parameters.roughness, "{got:?}");
+        prop_assert!(got.reflectance().is_ok(), "{got:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    #[test]
+    fn paints(parameters in paint(), point in point(), view in direction(), light in vector()) {
+        let paint = MetallicPaint::new(parameters).unwrap();
+        let got = paint.surface(&point);
+        for normal in [got.coat_normal, got.base_normal] {
+            prop_assert!(is_normal(point.normal, normal), "{got:?}");
+        }
+        prop_assert!(is_variance(got.coat_slope_variance) && is_colour(got.specular), "{got:?}");
+        for facet in [got.towards(view), got.mirroring(view, |_| light)].into_iter().chain(got.sparkle) {
+            prop_assert!(is_normal(point.normal, facet.normal) && is_colour(facet.specular), "{got:?} {facet:?}");
+        }
+    }
+
+    #[test]
+    fn glasses_and_varied_materials(
+        (frequency, amplitude, direction) in (size(), 0.0..=1e6_f32, unit()),
+        waves in select(vec![GlassWaves::Sine, GlassWaves::Noise]),
+        (diffuse, specular, sizes) in (colour(), colour(), [size(), size()]),
+        shares in proptest::array::uniform5(share()),
+        (detail, seed) in (1..=8_u32, any::<u32>()),
+        point in point(),
+    ) {
+        let glass = TemperedGlass::new(TemperedGlassParameters {
+            wave_frequency: frequency,
+            wave_amplitude: amplitude,
+            wave_propagation_vector: direction,
+            waves,
+            seed,
+        }).unwrap().surface(&point);
+        prop_assert!(is_normal(point.normal, glass.normal), "{glass:?}");
+        prop_assert!(is_variance(glass.slope_variance), "{glass:?}");
+        let varied = Variations::new(VariationsParameters {
+            diffuse,
+            specular,
+            roughness: shares[0],
+            small_blemish_size: sizes[0],
+            small_blemish_bump_strength: shares[1],
+            small_blemish_colour_strength: shares[2],
+            dent_strength: shares[3],
+            dent_size: sizes[1],
+            dent_cover: shares[4],
+            dent_detail: detail,
+            seed,
+        }).unwrap().surface(&point);
+        prop_assert!(is_normal(point.normal, varied.normal), "{varied:?}");
+        prop_assert!(is_colour(varied.diffuse) && is_colour(varied.specular), "{varied:?}");
+        prop_assert!(is_variance(varied.slope_variance) && varied.reflectance().is_ok(), "{varied:?}");
+    }
+
+    #[test]
+    fn scratches_and_glints(
+        (scratch_size, scratch_length, scratch_width) in (size(), 0.01..=1.0_f32, 1e-4..=0.5_f32),
+        (scratch_strength, scratch_cover, scratch_spread) in (share(), 0.0..=4.0_f32, share()),
+        scratch_direction in heading(),
+        (spacing, bin, alpha) in (size(), 0.001..=1.0_f32, 0.01..1.0_f32),
+        (h, seed) in (direction(), any::<u32>()),
+        point in point(),
+    ) {
+        let scratches = Scratches::new(ScratchesParameters {
+            scratch_size,
+            scratch_length,
+            scratch_width,
+            scratch_strength,
+            scratch_cover,
+            scratch_direction,
+            scratch_spread,
+            seed,
+        }).unwrap();
+        let got = scratches.surface(&point);
+        prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
+        prop_assert!(got.amount >= 0.0 && got.amount.is_finite() && is_variance(got.slope_variance), "{got:?}");
+        let field = GlintField::new(Beckmann::isotropic(alpha).unwrap(), spacing, bin, seed).unwrap();
+        let density = field.density(h, point.position, point.footprint);
+        prop_assert!(density >= 0.0 && density.is_finite(), "{density}");
+        if let Some(flake) = field.flake(point.position) {
+            prop_assert!(is_normal(Vec3::Z, flake.normal) && flake.centre.is_finite(), "{flake:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(60))]
+
+    #[test]
+    fn fibres_are_bright_and_have_a_direction(parameters in fibres(), point in point()) {
+        let (fibre, gradient, variance) = Fibres::new(parameters).unwrap().surface(&point);
+        prop_assert!(fibre.factor >= 0.0 && fibre.factor.is_finite(), "{fibre:?}");
+        prop_assert!((fibre.direction.length() - 1.0).abs() < 1e-5 && fibre.slope.is_finite(), "{fibre:?}");
+        prop_assert!(gradient.is_finite() && is_variance(variance), "{gradient} {variance}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    #[test]
+    fn textures(
+        (width, height, mortar) in (size(), size(), prop_oneof![size(), Just(0.0)]),
+        (uv, widths, p, footprint) in (pair(), pair(), vector(), number()),
+        (points, chance, inner) in (2..=1000_u32, share(), 0.01..=1.0_f32),
+    ) {
+        let wall = Brick::new(width, height, mortar).unwrap();
+        for got in [wall.sample(uv), wall.filtered(uv, widths)] {
+            prop_assert!((0.0..=1.0).contains(&got.brick) && (0.0..=1.0).contains(&got.height), "{got:?}");
+            prop_assert!(got.slope.is_finite(), "{got:?}");
+        }
+        prop_assert!((0.0..=1.0).contains(&wall.mean()));
+        let largest = 0.4 / width;
+        let stars = StarWallpaper::new(points, [inner * largest * 0.999, largest * 0.999], width, chance, 1);
+        if let Ok(stars) = stars {
+            let share = stars.coverage(uv, footprint);
+            prop_assert!((0.0..=1.0).contains(&share), "{share}");
+        }
+        let marble = Marble::new(Perlin2002::default(), width, 1).unwrap();
+        let colour = marble.colour(p, Footprint::from_width(footprint));
+        prop_assert!(is_colour(colour), "{colour}");
+        prop_assert!(marble.sum(p).is_finite());
+        let moved = PerturbedTexture::default().coordinates(p, uv);
+        prop_assert!(moved.is_finite() || !uv.is_finite(), "{moved}");
+        let gas = Gas::default().with_veins();
+        for density in [gas.density(p), gas.clamped_density(p, footprint)] {
+            prop_assert!((0.0..=gas.densest()).contains(&density), "{density}");
+        }
+        let room = Steam::new(Vec3::ZERO, width, height).unwrap().share(p);
+        prop_assert!((0.0..=1.0).contains(&room), "{room}");
+    }
+
+    #[test]
+    fn ridges_and_edges(
+        (plateau, top, bottom) in (size(), -1e6..1e6_f32, -1e6..1e6_f32),
+        distance in number(),
+        corners in proptest::collection::vec(pair(), 0..6),
+        p in pair(),
+    ) {
+        let [height, slope] = Bevel::new(plateau, 2.0 * plateau, top, bottom).unwrap().profile(distance);
+        prop_assert!(height.is_finite() && slope.is_finite(), "{height} {slope}");
+        if let Some(edge) = Edge::nearest(&corners, p) {
+            prop_assert!(edge.distance >= 0.0 && (edge.away.length() - 1.0).abs() < 1e-5, "{edge:?}");
+        }
+    }
+
+    #[test]
+    fn bumps(n in unit(), (g, m, wo) in (vector(), vector(), vector()), p in [vector(), vector()], slope in pair()) {
+        let frame = Frame::from_normal(n);
+        for gradient in [surface_gradient(n, p, slope), tangential(n, g), gradient_of_normal(&frame, m)] {
+            prop_assert!(gradient.is_finite(), "{gradient}");
+            prop_assert!(is_normal(n, bumped_normal(n, gradient)), "{gradient}");
+        }
+        prop_assert!(is_normal(n, bumped_normal(n, g)));
+        for normal in [lecture_normal(n, p, slope), displace(g, n, p, [m, wo], slope.x, slope).normal] {
+            prop_assert!((normal.length() - 1.0).abs() < 1e-5, "{normal}");
+        }
+        let rim = rim_light(n, wo, 0.5);
+        prop_assert!((0.0..=1.0).contains(&rim), "{rim}");
+        let seen = facing(n, bumped_normal(n, g), wo);
+        prop_assert!((seen.length() - 1.0).abs() < 1e-5, "{seen} {wo}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    #[test]
+    fn light_through_gas(
+        (origin, direction, from, to) in (vector(), vector(), number(), number()),
+        (step, offset) in (1e-2..1e3_f32, 0.0..=1.0_f32),
+        (extinction, light) in (number(), colour()),
+    ) {
+        let seen = march(origin, direction, [from, to], step, offset, |_| extinction, |_| light);
+        prop_assert!((0.0..=1.0).contains(&seen.transmittance), "{seen:?}");
+        prop_assert!(seen.light.is_finite() && seen.light.min_element() >= 0.0, "{seen:?}");
+    }
+}
+
+/// Colour, roughness, widths of the density, exponent, refractive index.
+type Looks = (Vec3, f32, [f32; 2], f32, [f32; 2]);
+
+fn looks() -> impl Strategy<Value = Looks> {
+    let alpha = || 1e-3..1.0_f32;
+    (
+        colour(),
+        share(),
+        [alpha(), alpha()],
+        1.0..1e4_f32,
+        (1.01..4.0_f32, 0.0..6.0_f32).prop_map(<[f32; 2]>::from),
+    )
+}
+
+fn reflectances(
+    (albedo, roughness, [ax, ay], exponent, [eta, k]): Looks,
+) -> Vec<(&'static str, Box<dyn Brdf>)> {
+    const FORMS: [OrenNayarForm; 3] = [OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii];
+    const FACTORS: [BlinnPhongFactor; 3] =
+        [BlinnPhongFactor::Albedo, BlinnPhongFactor::Approximate, BlinnPhongFactor::Density];
+    let ggx = Ggx::new(ax, ay).expect("in range");
+    let beckmann = Beckmann::new(ax, ay).expect("in range");
+    let glass = Dielectric::new(eta).expect("in range");
+    let metal = Conductor::new(eta, k).expect("in range");
+    let schlick = Schlick::new(roughness).expect("in range");
+    let tinted = SchlickF82::new(roughness, albedo.x).expect("in range");
+    let mut all: Vec<(&'static str, Box<dyn Brdf>)> = vec![
+        ("Lambert", Box::new(Lambert::new(albedo).expect("in range"))),
+        ("rough", Box::new(EnergyPreservingOrenNayar::new(albedo, roughness).expect("in range"))),
+        ("GGX glass", Box::new(CookTorrance::new(ggx, glass))),
+        ("GGX, separable", Box::new(CookTorrance::new(ggx, glass).with_masking(Masking::Separable))),
+        ("Beckmann metal", Box::new(CookTorrance::new(beckmann, metal))),
+        ("grooves", Box::new(TorranceSparrow::new(ggx, schlick))),
+        ("F82", Box::new(CookTorrance::new(ggx, tinted))),
+        ("Phong", Box::new(Phong::new(albedo, exponent).expect("in range"))),
+    ];
+    for form in FORMS {
+        all.push(("Oren-Nayar", Box::new(OrenNayar::new(albedo, roughness, form).expect("in range"))));
+    }
+    for factor in FACTORS {
+        all.push(("Blinn-Phong", Box::new(BlinnPhongLobe::new(albedo, exponent, factor).expect("in range"))));
+    }
+    for form in [WardForm::Ward, WardForm::Dur, WardForm::Bounded] {
+        all.push(("Ward", Box::new(WardReflection::new(albedo, ax, ay, form).expect("in range"))));
+    }
+    all
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    #[test]
+    fn reflectances_of_any_roughness(
+        looks in looks(),
+        wi in direction(),
+        wo in direction(),
+        u in pair(),
+    ) {
+        for (name, brdf) in reflectances(looks) {
+            let value = brdf.value(wi, wo);
+            prop_assert!(value.is_finite() && value.min_element() >= 0.0, "{name}: {value}");
+            let density = brdf.density(wi, wo);
+            prop_assert!(density >= 0.0 && density.is_finite(), "{name}: {density}");
+            if !(wi.z > 0.0 && wo.z > 0.0 && wi.is_finite() && wo.is_finite()) {
+                prop_assert_eq!(value, Vec3::ZERO, "{}", name);
+                prop_assert_eq!(density, 0.0, "{}", name);
+            }
+            let sampled = brdf.sample(wo, u);
+            if (wo.length() - 1.0).abs() < 1e-5 && wo.z > 0.0 {
+                prop_assert!((sampled.length() - 1.0).abs() < 1e-3, "{name}: {sampled} from {wo}, {u}");
+            }
+            let (value, density) = (brdf.value(sampled, wo), brdf.density(sampled, wo));
+            prop_assert!(value.is_finite() && density.is_finite(), "{name}: {value}, {density} at {sampled}");
+        }
+    }
+}

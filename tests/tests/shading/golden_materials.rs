@@ -1,0 +1,206 @@
+//! Pinned values of the materials with their default parameters: a change of one is value-breaking.
+
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::noise::{ChainedTable, PermutationTable};
+use asperity_shading::{
+    Beckmann, Blemishes, Carpet, CarpetParameters, DarkAreas, Dents, DiffuseThreads, Fibres,
+    FibresParameters, Footprint, Form, GlassWaves, GlintField, MetallicPaint, MetallicPaintParameters,
+    OrangePeel, PassiveFlakes, Scratches, ScratchesParameters, SeamPattern, Seams, SpecularThreads,
+    SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, boosted,
+    flake_patch, flake_patch_printed, flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied,
+    wave_gradient, wave_height,
+};
+use asperity_tests::pinned::{SINGLE, pinned, vec2, vec3};
+
+const P: Vec3 = Vec3::new(0.37, -1.21, 2.83);
+const N: Vec3 = Vec3::new(0.36, 0.48, 0.8);
+const UV: Vec2 = Vec2::new(0.613, 0.247);
+/// Sums of noises, and slopes of noises at up to hundreds of cells per unit.
+const LOOSE: f64 = 100.0 * SINGLE;
+
+fn point(width: f32) -> SurfacePoint {
+    let point = SurfacePoint::new(P, N, Footprint::from_width(width));
+    point.with_uv(UV, point.tangents)
+}
+
+fn one(x: f32) -> [f64; 1] {
+    [x.into()]
+}
+
+#[test]
+fn carpets() {
+    let carpet = Carpet::new(CarpetParameters::default()).unwrap();
+    let seen = carpet.surface(&point(1e-3), Vec3::Z);
+    pinned("Carpet, diffuse", vec3(seen.diffuse), [0.0582934842, 0.0582934842, 0.066407837], LOOSE);
+    pinned("Carpet, specular", vec3(seen.specular), [0.0174031127, 0.0174031127, 0.0174031127], LOOSE);
+    pinned("Carpet, normal", vec3(seen.normal), [0.405752867, 0.452479362, 0.794120312], LOOSE);
+    pinned(
+        "Carpet, rim and variance",
+        [seen.rim, seen.slope_variance].map(f64::from),
+        [0.0, 0.132105887],
+        LOOSE,
+    );
+    let footprint = Footprint::from_width(1e-3);
+    let threads = DiffuseThreads::new(0.01, 1).unwrap().sample(P, footprint);
+    pinned("DiffuseThreads", one(threads.value), [-0.12571007], LOOSE);
+    pinned("DiffuseThreads, gradient", vec3(threads.gradient), [0.0246064272, -0.46553421, 1.4558475], LOOSE);
+    let single = SpecularThreads::new(0.01, 1).unwrap();
+    pinned(
+        "SpecularThreads",
+        [single.value(P, footprint), single.mean()].map(f64::from),
+        [0.252536207, 0.132031083],
+        LOOSE,
+    );
+    let dark = DarkAreas::new(0.15, 0.5, 1).unwrap();
+    let factors = [Form::Printed, Form::Corrected].map(|form| dark.factor(P, footprint, form).into());
+    pinned("DarkAreas", factors, [0.0, 1.0], LOOSE);
+    let seams = Seams::new(Vec2::new(0.8, 0.6), SeamPattern::Grid, 0.3, 0.6).unwrap();
+    let samples = [
+        ("Seams, printed", seams.sample(UV, Form::Printed), [0.635979891, 0.441316992, 0.330987751]),
+        ("Seams, corrected", seams.sample(UV, Form::Corrected), [0.635979891, 4.62146044, 3.46609545]),
+        ("Seams::rounded", seams.rounded(UV, 0.05), [0.637582362, 4.57884121, 3.43413091]),
+        ("Seams::filtered", seams.filtered(UV, Vec2::splat(0.02)), [0.635306418, 4.60827398, 3.45620561]),
+    ];
+    for (name, seam, expected) in samples {
+        pinned(name, [seam.amount, seam.slope.x, seam.slope.y].map(f64::from), expected, LOOSE);
+    }
+    pinned(
+        "linear_seam",
+        [Form::Printed, Form::Corrected].map(|form| linear_seam(2.3, form).into()),
+        [0.599999905, 0.800000191],
+        SINGLE,
+    );
+    pinned("rim_light", one(rim_light(N, Vec3::X, 0.7)), [0.478577256], SINGLE);
+    let fibres = Fibres::new(FibresParameters::default()).unwrap();
+    let (fibre, gradient, variance) = fibres.surface(&point(1e-4));
+    pinned(
+        "Fibres",
+        [fibre.factor, fibre.direction.x, fibre.slope.x, variance].map(f64::from),
+        [1.09207547, 0.785506785, -0.0322536975, 0.0],
+        LOOSE,
+    );
+    pinned("Fibres, gradient", vec3(gradient), [-0.0354265086, 0.0530099683, -0.01586405], LOOSE);
+}
+
+#[test]
+fn paints() {
+    let paint = MetallicPaint::new(MetallicPaintParameters::default()).unwrap();
+    let seen = paint.surface(&point(1e-3));
+    pinned("MetallicPaint, coat", vec3(seen.coat_normal), [0.369602084, 0.448754311, 0.813642502], LOOSE);
+    pinned("MetallicPaint, specular", vec3(seen.specular), [0.249356881, 0.349099636, 0.598456562], LOOSE);
+    let footprint = Footprint::from_width(1e-3);
+    let peel = OrangePeel::new(0.01, 0.3, 1).unwrap();
+    pinned("OrangePeel", vec3(peel.normal(P, N, footprint)), [0.632075727, 0.44061923, 0.637444139], LOOSE);
+    pinned(
+        "OrangePeel, variance",
+        one(peel.removed_slope(Footprint::from_width(1e-2))),
+        [0.277200013],
+        SINGLE,
+    );
+    pinned(
+        "PassiveFlakes",
+        one(PassiveFlakes::new(0.01, 0.4, 3).unwrap().factor(P, footprint)),
+        [1.03568506],
+        LOOSE,
+    );
+    let patch = flake_patch(P, 0.01, Vec3::splat(0.01), 0.5, 1).unwrap();
+    pinned("flake_patch", vec3(patch.tilt), [0.160218909, -0.556663692, 0.689331889], SINGLE);
+    pinned("flake_patch, centre", vec3(patch.centre), [0.375, -1.21499991, 2.83500004], SINGLE);
+    let table = ChainedTable(PermutationTable::new(7));
+    // The first flake in a plane: most of space has none.
+    let places = (0..1 << 20).map(|k: u32| Vec3::new(3.0, (k % 1024) as f32, (k / 1024) as f32));
+    let found = |place| Some((place, flake_patch_printed(&table, place, 4.0)?));
+    let (place, value) = places.filter_map(found).next().unwrap();
+    pinned(
+        "flake_patch_printed",
+        [place.y, place.z, value].map(f64::from),
+        [386.0, 386.0, 0.623529434],
+        SINGLE,
+    );
+    pinned(
+        "flake_tilt_printed",
+        vec3(flake_tilt_printed(&table, value, 0.4)),
+        [-0.133333325, 0.365490198, 0.371764719],
+        SINGLE,
+    );
+    pinned(
+        "sparkle_width",
+        vec3(sparkle_width(2.5, 0.1 * N, 0.2 * P)),
+        [0.185000002, 0.605000019, 1.41499996],
+        SINGLE,
+    );
+    pinned("boosted", vec3(boosted(N, Vec3::ONE, 0.3)), [0.552000046, 0.635999978, 0.860000014], SINGLE);
+    let glints = GlintField::new(Beckmann::isotropic(0.3).unwrap(), 1e-3, 0.1, 1).unwrap();
+    pinned("GlintField", one(glints.density(N, P, Footprint::from_width(0.02))), [0.0], LOOSE);
+    pinned(
+        "GlintFlake",
+        vec3(glints.flake(P).unwrap().normal),
+        [0.0322401002, 0.240900666, 0.970014215],
+        SINGLE,
+    );
+}
+
+#[test]
+fn glass_scratches_and_variations() {
+    for (name, waves, expected) in [
+        ("sine", GlassWaves::Sine, [0.36020565, 0.479082882, 0.800457001]),
+        ("noise", GlassWaves::Noise, [0.362038791, 0.480483174, 0.798789084]),
+    ] {
+        let glass = TemperedGlass::new(TemperedGlassParameters { waves, ..Default::default() }).unwrap();
+        pinned(name, vec3(glass.surface(&point(1e-3)).normal), expected, LOOSE);
+    }
+    pinned("wave_height", one(wave_height(P, Vec3::X, 3.0, 0.1)), [0.0895698667], SINGLE);
+    for (form, expected) in [
+        (Form::Printed, [0.0480234474, 0.0, 0.0]),
+        (Form::Corrected, [0.116110019, -0.0230512545, -0.0384187587]),
+    ] {
+        pinned("wave_gradient", vec3(wave_gradient(P, N, Vec3::X, 3.0, 0.1, form)), expected, SINGLE);
+    }
+    let scratches = Scratches::new(ScratchesParameters { scratch_cover: 4.0, ..Default::default() }).unwrap();
+    let seen = scratches.surface(&point(1e-4));
+    pinned(
+        "Scratches",
+        [seen.amount, seen.slope_variance, scratches.mean()].map(f64::from),
+        [0.0, 0.0, 0.0142222224],
+        LOOSE,
+    );
+    pinned("Scratches, normal", vec3(seen.normal), [0.360000014, 0.479999989, 0.800000012], LOOSE);
+    let variations = Variations::new(VariationsParameters::default()).unwrap();
+    let seen = variations.surface(&point(1e-3));
+    pinned("Variations, specular", vec3(seen.specular), [0.19137013, 0.19137013, 0.19137013], LOOSE);
+    pinned("Variations, normal", vec3(seen.normal), [0.361925334, 0.461992264, 0.80967474], LOOSE);
+    pinned(
+        "varied",
+        [Form::Printed, Form::Corrected].map(|form| varied(0.4, 0.7, 0.5, form).into()),
+        [1.24000001, 0.610000014],
+        SINGLE,
+    );
+    let footprint = Footprint::from_width(1e-3);
+    let blemishes = Blemishes::new(0.01, 1).unwrap();
+    pinned(
+        "Blemishes",
+        vec3(blemishes.colour(N, 0.5, P, footprint)),
+        [0.367582709, 0.486160934, 0.802369595],
+        LOOSE,
+    );
+    pinned(
+        "Blemishes, gradient",
+        vec3(blemishes.gradient(0.5, P, N, footprint)),
+        [-0.510073543, 0.0261690691, 0.213831663],
+        LOOSE,
+    );
+    let dents = Dents::new(0.05, 0.5, 3, 1).unwrap();
+    pinned("Dents", one(dents.sample(P, footprint).value), [0.388560683], LOOSE);
+    pinned(
+        "Dents, gradient",
+        vec3(dents.gradient(0.5, P, N, footprint)),
+        [-0.336684078, -0.0285361707, 0.168629497],
+        LOOSE,
+    );
+    pinned(
+        "Fibre, width",
+        vec2(Fibres::new(FibresParameters::default()).unwrap().sample(UV, 1e-4).slope),
+        [-0.0322536975, 0.0572403781],
+        LOOSE,
+    );
+}

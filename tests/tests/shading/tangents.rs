@@ -1,0 +1,178 @@
+//! Bumps and facets do not depend on how a surface is parametrised: turned, stretched, sheared and mirrored.
+
+use asperity_shading::glam::{Mat2, Vec2, Vec3};
+use asperity_shading::{
+    Beckmann, BlinnPhong, BlinnPhongFactor, BlinnPhongLobe, Brdf, Carpet, CarpetParameters, CookTorrance,
+    Coordinates, Dielectric, EnergyPreservingOrenNayar, Footprint, Frame, Ggx, LevelOfDetail, MetallicPaint,
+    MetallicPaintParameters, Ndf, OrenNayar, OrenNayarForm, Phong, SeamPattern, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters, Variations, VariationsParameters, bumped_normal, displace, gradient_of_normal,
+    surface_gradient, tangential,
+};
+use proptest::prelude::*;
+
+fn config() -> ProptestConfig {
+    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x7A_96E7);
+    ProptestConfig { cases: 2000, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+fn unit() -> impl Strategy<Value = Vec3> {
+    (-1.0..1.0_f32, angle()).prop_map(|(z, turn)| {
+        let r = (1.0 - z * z).sqrt();
+        Vec3::new(r * turn.cos(), r * turn.sin(), z)
+    })
+}
+
+fn angle() -> impl Strategy<Value = f32> {
+    0.0..std::f32::consts::TAU
+}
+
+fn plane() -> impl Strategy<Value = Vec2> {
+    [-3.0..3.0_f32, -3.0..3.0_f32].prop_map(Vec2::from)
+}
+
+/// A linear map of the plane that is far from singular, turning it over or not.
+fn linear() -> impl Strategy<Value = Mat2> {
+    (angle(), angle(), 0.2..3.0_f32, 0.2..3.0_f32, any::<bool>()).prop_map(|(a, b, x, y, over)| {
+        let y = if over { -y } else { y };
+        Mat2::from_angle(a) * Mat2::from_diagonal(Vec2::new(x, y)) * Mat2::from_angle(b)
+    })
+}
+
+/// The derivatives of the position by (u′, v′), where (u, v) = map (u′, v′).
+fn mapped([p_u, p_v]: [Vec3; 2], map: Mat2) -> [Vec3; 2] {
+    [map.x_axis, map.y_axis].map(|by| p_u * by.x + p_v * by.y)
+}
+
+/// The same direction in a frame that is turned about its normal.
+fn turned(v: Vec3, by: f32) -> Vec3 {
+    Vec2::from_angle(-by).rotate(v.truncate()).extend(v.z)
+}
+
+/// Two spans of three at most (a length) over sides of a fifth at least, and the rounding of some ten operations.
+const ROUNDING: f32 = 3e-5;
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn a_height_has_one_gradient_in_all_parametrisations(n in unit(), first in linear(), map in linear(), slope in plane()) {
+        let frame = Frame::from_normal(n);
+        let p = mapped([frame.tangent, frame.bitangent], first);
+        let slopes = map.transpose() * slope;
+        let [one, other] =
+            [surface_gradient(frame.normal, p, slope), surface_gradient(frame.normal, mapped(p, map), slopes)];
+        prop_assert!(one.distance(other) < ROUNDING * (1.0 + one.length()), "{one} {other}");
+        let [a, b] = [one, other].map(|gradient| bumped_normal(frame.normal, gradient));
+        prop_assert!(a.distance(b) < ROUNDING, "{a} {b}");
+        let bend = mapped([0.3 * frame.tangent, -0.2 * frame.bitangent], first);
+        let [a, b] = [(p, bend, slope), (mapped(p, map), mapped(bend, map), slopes)]
+            .map(|(p, bend, slope)| displace(n, frame.normal, p, bend, 0.4, slope).normal);
+        prop_assert!(a.distance(b) < ROUNDING, "{a} {b}");
+    }
+
+    #[test]
+    fn frames_that_are_turned_give_the_same_bumps(n in unit(), m in unit(), by in angle(), g in unit()) {
+        let frame = Frame::from_normal(n);
+        let along = frame.to_world(Vec2::from_angle(by).extend(0.0));
+        let other = Frame::from_normal_tangent(frame.normal, along);
+        let m = Vec3::new(m.x, m.y, m.z.abs() + 0.1).normalize();
+        let [a, b] = [gradient_of_normal(&frame, m), gradient_of_normal(&other, turned(m, by))];
+        prop_assert!(a.distance(b) < ROUNDING * (1.0 + a.length()), "{a} {b}");
+        // What is left of a gradient in space is what it is along any two tangents.
+        let [a, b] = [tangential(frame.normal, g), other.tangent * other.tangent.dot(g) + other.bitangent * other.bitangent.dot(g)];
+        prop_assert!(a.distance(b) < ROUNDING, "{a} {b}");
+    }
+
+    #[test]
+    fn facets_of_isotropic_densities_turn_with_their_noise(
+        alpha in 0.05..1.0_f32, h in unit(), z in plane(), share in 0.0..0.9_f32, fade in 0.0..=1.0_f32, by in angle(),
+    ) {
+        let densities: [&dyn Ndf; 3] = [
+            &Ggx::isotropic(alpha).unwrap(),
+            &Beckmann::isotropic(alpha).unwrap(),
+            &BlinnPhong::new(2.0 / (alpha * alpha)).unwrap(),
+        ];
+        let h = Vec3::new(h.x, h.y, h.z.abs());
+        let one = Coordinates { z, share, fade };
+        let other = Coordinates { z: Vec2::from_angle(-by).rotate(z), share, fade };
+        for ndf in densities {
+            for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+                let [a, b] = [rule.normal(ndf, one), rule.normal(ndf, other)];
+                prop_assert!(turned(a, by).distance(b) < ROUNDING, "{rule:?}: {a} {b}");
+                let [a, b] = [rule.radiance(ndf, h, one), rule.radiance(ndf, turned(h, by), other)];
+                // An exponent of e has the rounding of e times that of its terms.
+                let tolerance = 1e-4 * (1.0 + (a.max(1e-30) / ndf.density(Vec3::Z)).ln().abs());
+                prop_assert!((a - b).abs() <= tolerance * a.max(1e-6), "{rule:?}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn isotropic_reflectances_turn_with_their_frame(wi in unit(), wo in unit(), by in angle()) {
+        let [wi, wo] = [wi, wo].map(|w| Vec3::new(w.x, w.y, w.z.abs().max(1e-2)).normalize());
+        let grey = Vec3::splat(0.5);
+        let all: [(&str, Box<dyn Brdf>); 6] = [
+            ("rough", Box::new(EnergyPreservingOrenNayar::new(grey, 0.7).unwrap())),
+            ("Oren-Nayar", Box::new(OrenNayar::new(grey, 0.7, OrenNayarForm::Full).unwrap())),
+            ("GGX", Box::new(CookTorrance::new(Ggx::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
+            ("Beckmann", Box::new(CookTorrance::new(Beckmann::isotropic(0.3).unwrap(), Dielectric::new(1.5).unwrap()))),
+            ("Phong", Box::new(Phong::new(grey, 20.0).unwrap())),
+            ("Blinn-Phong", Box::new(BlinnPhongLobe::new(grey, 20.0, BlinnPhongFactor::Albedo).unwrap())),
+        ];
+        for (name, brdf) in all {
+            let [a, b] = [brdf.value(wi, wo).x, brdf.value(turned(wi, by), turned(wo, by)).x];
+            prop_assert!((a - b).abs() <= 1e-4 * a.max(1e-3), "{name}: {a} {b}");
+            let [a, b] = [brdf.density(wi, wo), brdf.density(turned(wi, by), turned(wo, by))];
+            prop_assert!((a - b).abs() <= 1e-4 * a.max(1e-3), "{name}, density: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn materials_in_space_do_not_ask_for_tangents(n in unit(), position in unit(), uv in plane(), map in linear()) {
+        let footprint = Footprint::from_width(1e-3);
+        let one = SurfacePoint::new(position, n, footprint);
+        let other = one.with_uv(uv, mapped(one.tangents, map));
+        let glass = TemperedGlass::new(TemperedGlassParameters::default()).unwrap();
+        prop_assert_eq!(glass.surface(&one), glass.surface(&other));
+        let paint = MetallicPaint::new(MetallicPaintParameters::default()).unwrap();
+        prop_assert_eq!(paint.surface(&one), paint.surface(&other));
+        let varied = Variations::new(VariationsParameters::default()).unwrap();
+        prop_assert_eq!(varied.surface(&one), varied.surface(&other));
+    }
+}
+
+proptest! {
+    // Each case measures the fibres of two carpets.
+    #![proptest_config(ProptestConfig { cases: 40, ..config() })]
+
+    #[test]
+    fn seams_stay_where_they_are_when_the_texture_is_turned_or_scaled(
+        n in unit(), position in unit(), uv in plane(), by in angle(), scale in 0.2..3.0_f32, grid in any::<bool>(),
+    ) {
+        let seams_pattern = if grid { SeamPattern::Grid } else { SeamPattern::Lines };
+        // Fibres are hashed from texture coordinates: other coordinates are other fibres.
+        let parameters = CarpetParameters {
+            seams_pattern,
+            seam_distance: 0.5,
+            fibre_strength: 0.0,
+            fibre_bump_strength: 0.0,
+            ..Default::default()
+        };
+        let one = SurfacePoint::new(position, n, Footprint::from_width(1e-3));
+        let one = one.with_uv(uv, one.tangents);
+        // (u, v) = map (u′, v′).
+        let map = Mat2::from_angle(by) * Mat2::from_diagonal(Vec2::splat(1.0 / scale));
+        let back = map.inverse();
+        let other = one.with_uv(back * uv, mapped(one.tangents, map));
+        let same = CarpetParameters {
+            seam_distance: parameters.seam_distance * scale,
+            seams_propagation: back * parameters.seams_propagation,
+            ..parameters
+        };
+        let [a, b] = [(parameters, one), (same, other)]
+            .map(|(parameters, point)| Carpet::new(parameters).unwrap().surface(&point, n));
+        // Phases of up to 27 are rounded by 4e-6, and the bend of a rounded crease is 1/(π/20) of that.
+        prop_assert!(a.normal.distance(b.normal) < 1e-4, "{a:?} {b:?}");
+        prop_assert!(a.diffuse.distance(b.diffuse) < 1e-4 && (a.slope_variance - b.slope_variance).abs() < 1e-4, "{a:?} {b:?}");
+    }
+}
