@@ -28,6 +28,7 @@ mod ndf_densities;
 mod ndf_masking;
 mod ndf_table;
 mod nilsson_prng;
+mod nilsson_sliders;
 mod nilsson_zoom;
 mod noise_curl;
 mod noise_footprint;
@@ -83,7 +84,15 @@ const FIGURES: &[&[Figure]] = &[
     ],
     &[scenes::TEAPOTS],
     &[nilsson_prng::PRNG, scenes::CAR, scenes::ROOM],
-    &[nilsson_zoom::ZOOM],
+    &[
+        nilsson_zoom::ZOOM,
+        nilsson_sliders::CARPET,
+        nilsson_sliders::PAINT,
+        nilsson_sliders::GLASS,
+        nilsson_sliders::VARIATIONS,
+        nilsson_sliders::SCRATCHES,
+        nilsson_sliders::FIBRES,
+    ],
     ndf_densities::DENSITIES,
     &[ndf_masking::MASKING, ndf_conditional::CONDITIONAL],
     &[ndf_table::TABLE],

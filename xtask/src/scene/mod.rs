@@ -23,4 +23,5 @@ pub(crate) mod set;
 pub(crate) mod shape;
 pub(crate) mod stage;
 pub(crate) mod surroundings;
+pub(crate) mod swatch;
 pub(crate) mod teapot;

@@ -253,7 +253,7 @@ impl Stage<'_> {
         let mut sum = Vec3::ZERO;
         for _ in 0..self.splits {
             let wi = self.surroundings.sample(sampler.point());
-            let reflected = layers.reflected(hit, wi);
+            let reflected = layers.reflected(hit.normal, wi);
             // Seen by way of another object, samples of the light alone will do.
             let other = if bounces > 0 { layers.density(wi) } else { 0.0 };
             if reflected.max_element() > 0.0 && !self.hidden(start, wi) {
@@ -264,7 +264,7 @@ impl Stage<'_> {
                 continue;
             }
             let wi = layers.sample(sampler);
-            let reflected = layers.reflected(hit, wi);
+            let reflected = layers.reflected(hit.normal, wi);
             if reflected.max_element() <= 0.0 {
                 continue;
             }
@@ -317,12 +317,12 @@ impl Coat {
 }
 
 /// Layers in the light of one view.
-struct Lit<'a> {
+pub(crate) struct Lit<'a> {
     layers: Vec<(Frame, Vec3, &'a dyn Brdf)>,
 }
 
 impl<'a> Lit<'a> {
-    fn new(layers: &'a [Layer], seen: &Seen) -> Self {
+    pub(crate) fn new(layers: &'a [Layer], seen: &Seen) -> Self {
         let layers = layers.iter().map(|layer| {
             let frame = Frame::from_normal_tangent(layer.normal, seen.tangent);
             // A bump that faces away is seen along it.
@@ -333,9 +333,9 @@ impl<'a> Lit<'a> {
         Self { layers: layers.collect() }
     }
 
-    /// Σ f_r cos θ, none from below the surface.
-    fn reflected(&self, hit: &Hit, wi: Vec3) -> Vec3 {
-        if wi.dot(hit.normal) <= 0.0 {
+    /// Σ f_r cos θ, none from below the surface of this normal.
+    pub(crate) fn reflected(&self, normal: Vec3, wi: Vec3) -> Vec3 {
+        if wi.dot(normal) <= 0.0 {
             return Vec3::ZERO;
         }
         self.layers.iter().fold(Vec3::ZERO, |sum, (frame, wo, brdf)| {

@@ -1,0 +1,78 @@
+//! The fields of a struct in words, by its `Debug`.
+
+use std::fmt::Debug;
+
+/// Values in words: of structs what differs between them.
+pub(super) fn varied(values: &[String]) -> Vec<String> {
+    let inner: Vec<_> = values.iter().map(|value| parts(value)).collect();
+    let differs = |k: usize| inner.iter().any(|fields| fields.get(k) != inner[0].get(k));
+    let words = |(value, fields): (&String, &Vec<(String, String)>)| {
+        let varied: Vec<_> = (0..fields.len())
+            .filter(|&k| fields.len() > 1 && differs(k))
+            .map(|k| format!("{} {}", fields[k].0, fields[k].1))
+            .collect();
+        if varied.is_empty() { value.clone() } else { varied.join(", ") }
+    };
+    values.iter().zip(&inner).map(words).collect()
+}
+
+/// The names and values of a struct's fields, as its `Debug` writes them.
+pub(super) fn fields(parameters: &impl Debug) -> Vec<(String, String)> {
+    parts(&format!("{parameters:?}").replace("Vec2(", "(").replace("Vec3(", "("))
+}
+
+/// The names and values of the fields of a struct that is written in one line.
+fn parts(text: &str) -> Vec<(String, String)> {
+    let text = text.split_once(" { ").map_or("", |(_, fields)| fields);
+    let text = text.strip_suffix(" }").unwrap_or(text);
+    let (mut out, mut depth, mut start) = (Vec::new(), 0_u32, 0);
+    for (at, c) in text.char_indices().chain([(text.len(), ',')]) {
+        match c {
+            '(' | '{' => depth += 1,
+            ')' | '}' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 => {
+                if let Some((name, value)) = text[start..at].trim_start_matches([',', ' ']).split_once(": ") {
+                    out.push((name.to_owned(), rounded(value)));
+                }
+                start = at;
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Numbers without a fraction of zero.
+fn rounded(value: &str) -> String {
+    let whole = value.replace(".0,", ",").replace(".0)", ")").replace(".0 ", " ");
+    whole.strip_suffix(".0").unwrap_or(&whole).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    #[test]
+    fn fields_are_read_with_their_values() {
+        #[derive(Debug)]
+        #[expect(dead_code, reason = "only its text is read")]
+        struct Parameters {
+            colour: Vec3,
+            rule: Option<f32>,
+            detail: u32,
+        }
+        let parameters = Parameters { colour: Vec3::new(0.5, 1.0, 0.0), rule: Some(2.0), detail: 3 };
+        let expected = [("colour", "(0.5, 1, 0)"), ("rule", "Some(2)"), ("detail", "3")];
+        assert_eq!(fields(&parameters), expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
+    }
+
+    #[test]
+    fn of_structs_only_what_differs_is_said() {
+        let values = ["A { b: 1, c: 2 }", "A { b: 1, c: 3 }"].map(str::to_owned);
+        assert_eq!(varied(&values), ["c 2", "c 3"]);
+        let values = ["None", "Some { unit: 3 }"].map(str::to_owned);
+        assert_eq!(varied(&values), values);
+    }
+}
