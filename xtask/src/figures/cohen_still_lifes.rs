@@ -93,7 +93,7 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = Sampling {
         width: context.size,
         height: context.size * 4 / 3,
-        samples_per_pixel: context.samples_per_pixel * 2,
+        samples_per_pixel: context.samples_per_pixel * 3,
         seed: context.seed,
     };
     let camera = Camera::new(

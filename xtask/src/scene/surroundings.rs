@@ -22,6 +22,8 @@ struct SoftPanel {
     half: [Vec3; 2],
     radiance: Vec3,
     area: f32,
+    /// The share of the samples, by its light.
+    share: f32,
 }
 
 /// The share of a panel's half width that is its soft border.
@@ -40,7 +42,7 @@ impl SoftPanel {
         // The border passes half of its light.
         let lit = area * (1.0 - 0.5 * BORDER) * (1.0 - 0.5 * BORDER);
         let half = [right * half[0], centre.cross(right) * half[1]];
-        Self { centre, half, radiance: colour * (PI / lit), area }
+        Self { centre, half, radiance: colour * (PI / lit), area, share: colour.element_sum() }
     }
 
     /// Where a direction meets the panel, −1 … 1 along both sides.
@@ -73,28 +75,29 @@ impl SoftPanel {
 }
 
 impl Studio {
+    fn lit(mut panels: Vec<SoftPanel>, floor: Vec3, ceiling: Vec3) -> Self {
+        let all: f32 = panels.iter().map(|panel| panel.share).sum();
+        for panel in &mut panels {
+            panel.share *= (1.0 - ROOM) / all;
+        }
+        Self { panels, floor, ceiling }
+    }
+
     /// A warm key from the upper left, a cool fill from the right and a rim from behind, in a dim room.
     pub(crate) fn new(brightness: f32) -> Self {
         let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
-        Self {
-            panels: vec![
-                panel([-132.0, 46.0], [34.0, 34.0], hex(0xff_f2e2) * 0.85),
-                panel([-18.0, 22.0], [18.0, 46.0], hex(0xb9_d0ff) * 0.4),
-                panel([100.0, 40.0], [60.0, 20.0], hex(0xff_d6a8) * 0.5),
-            ],
-            floor: hex(0x4a_4642) * 0.35 * brightness,
-            ceiling: hex(0xb4_bcc8) * 0.55 * brightness,
-        }
+        let panels = vec![
+            panel([-132.0, 46.0], [34.0, 34.0], hex(0xff_f2e2) * 0.85),
+            panel([-18.0, 22.0], [18.0, 46.0], hex(0xb9_d0ff) * 0.4),
+            panel([100.0, 40.0], [60.0, 20.0], hex(0xff_d6a8) * 0.5),
+        ];
+        Self::lit(panels, hex(0x4a_4642) * 0.35 * brightness, hex(0xb4_bcc8) * 0.55 * brightness)
     }
 
     /// The sky of a bright day behind a sun 3 degrees wide, for what lies out of doors.
     pub(crate) fn day(brightness: f32) -> Self {
-        let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
-        Self {
-            panels: vec![panel([-140.0, 38.0], [3.0, 3.0], hex(0xff_f0d8) * 1.1)],
-            floor: hex(0x6b_645a) * 0.3 * brightness,
-            ceiling: hex(0x9c_bce8) * 0.8 * brightness,
-        }
+        let sun = SoftPanel::new([-140.0, 38.0], [3.0, 3.0], hex(0xff_f0d8) * 1.1 * brightness);
+        Self::lit(vec![sun], hex(0x6b_645a) * 0.3 * brightness, hex(0x9c_bce8) * 0.8 * brightness)
     }
 
     fn room(&self, direction: Vec3) -> Vec3 {
@@ -114,14 +117,21 @@ impl Environment for Studio {
             let (sin, cos) = (TAU * u.y).sin_cos();
             return Vec3::new(cos, sin, 0.0) * (1.0 - z * z).max(0.0).sqrt() + Vec3::Z * z;
         }
-        let place = (u.x - ROOM) / (1.0 - ROOM) * self.panels.len() as f32;
-        let index = (place as usize).min(self.panels.len() - 1);
-        self.panels[index].sample(Vec2::new(place - index as f32, u.y))
+        let mut left = u.x - ROOM;
+        let mut panel = &self.panels[0];
+        for next in &self.panels {
+            panel = next;
+            if left < panel.share {
+                break;
+            }
+            left -= panel.share;
+        }
+        panel.sample(Vec2::new((left / panel.share).min(1.0), u.y))
     }
 
     fn density(&self, direction: Vec3) -> f32 {
-        let panels: f32 = self.panels.iter().map(|panel| panel.density(direction)).sum();
-        ROOM / (4.0 * PI) + (1.0 - ROOM) / self.panels.len() as f32 * panels
+        let panels: f32 = self.panels.iter().map(|panel| panel.share * panel.density(direction)).sum();
+        ROOM / (4.0 * PI) + panels
     }
 }
 
