@@ -1,6 +1,7 @@
 //! Every figure of the gallery, in the order of the page.
 
 mod asperity_mean_radiance;
+mod asperity_normal_maps;
 mod cochran_area;
 mod cochran_bounds;
 mod cochran_contractions;
@@ -70,7 +71,7 @@ const FIGURES: &[&[Figure]] = &[
         cochran_landscape::LANDSCAPE,
         cochran_area::AREA,
     ],
-    &[asperity_mean_radiance::MEAN_RADIANCE],
+    &[asperity_mean_radiance::MEAN_RADIANCE, asperity_normal_maps::ANTIALIASING],
     &[shading_reflectance::REFLECTANCE],
     &[
         cohen_bump::BUMP,
