@@ -5,8 +5,8 @@ use std::hint::black_box;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::noise::{GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::{
-    Beckmann, Conductor, Coordinates, Dielectric, GaussianField, Ggx, LevelOfDetail, Ndf, RemappedOctaves,
-    Schlick, far_field, half_vector,
+    Beckmann, Conductor, Coordinates, Dielectric, Frame, GaussianField, Ggx, LevelOfDetail, Ndf,
+    RemappedOctaves, Schlick, far_field, half_vector, shade_facet,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -22,6 +22,37 @@ fn rules(c: &mut Criterion) {
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
             c.bench_function(&format!("{rule:?}/{name}").to_lowercase(), |b| {
                 b.iter(|| rule.radiance(ndf, black_box(h), black_box(coordinates)));
+            });
+        }
+    }
+}
+
+/// A pixel of a bump map by either rule: noise of four octaves, and so many lights.
+fn pixels(c: &mut Criterion) {
+    let field = GaussianOctaves::<3>::new(Spectrum::default(), 1);
+    let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");
+    let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
+    for lights in [1_u8, 8, 32] {
+        let halves: Vec<Vec3> = (0..lights)
+            .map(|k| half_vector(Vec3::new(0.6 - 0.03 * f32::from(k), 0.3, 0.8).normalize(), wo))
+            .collect();
+        for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+            let mut k = 0.0_f32;
+            c.bench_function(&format!("pixel/{lights}_lights/{rule:?}").to_lowercase(), |b| {
+                b.iter(|| {
+                    k = (k + 1.0) % 1024.0;
+                    let coordinates = field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), 4.0);
+                    match rule {
+                        LevelOfDetail::Exact => {
+                            halves.iter().map(|&h| rule.radiance(ndf, h, coordinates)).sum::<f32>()
+                        }
+                        // One frame for all lights.
+                        LevelOfDetail::Fractal => {
+                            let facet = Frame::from_normal(rule.normal(ndf, coordinates));
+                            halves.iter().map(|&h| shade_facet(ndf, &facet, h)).sum()
+                        }
+                    }
+                });
             });
         }
     }
@@ -51,5 +82,5 @@ fn fresnel(c: &mut Criterion) {
     c.bench_function("fresnel/schlick", |b| b.iter(|| schlick.reflectance(black_box(0.6))));
 }
 
-criterion_group!(benches, rules, fields, fresnel);
+criterion_group!(benches, rules, pixels, fields, fresnel);
 criterion_main!(benches);

@@ -1,12 +1,14 @@
-//! Time per pixel of each material, near and far.
+//! Time per pixel of each material, near and far, of each texture, and per value of each reflectance.
 
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{
-    Beckmann, Carpet, CarpetParameters, Footprint, GlintField, MetallicPaint, MetallicPaintParameters,
-    Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
-    VariationsParameters,
+    Beckmann, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, CookTorrance,
+    Dielectric, EnergyPreservingOrenNayar, Footprint, Gas, Ggx, GlintField, Lambert, Marble, MetallicPaint,
+    MetallicPaintParameters, OrenNayar, OrenNayarForm, Phong, Scratches, ScratchesParameters, StarWallpaper,
+    SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
+    WardForm, WardReflection,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -42,5 +44,42 @@ fn materials(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, materials);
+fn textures(c: &mut Criterion) {
+    let (wall, stars, marble, gas) =
+        (Brick::default(), StarWallpaper::default(), Marble::default(), Gas::default());
+    let mut k = 0.0;
+    let mut time = |name: &str, f: &dyn Fn(&SurfacePoint) -> f32| {
+        c.bench_function(&format!("texture/{name}"), |b| b.iter(|| f(black_box(&point(&mut k, 1e-3)))));
+    };
+    time("brick", &|p| wall.sample(p.uv).height);
+    time("brick_filtered", &|p| wall.filtered(p.uv, Vec2::splat(0.03)).height);
+    time("star_wallpaper", &|p| stars.coverage(p.uv, 0.01));
+    time("marble", &|p| marble.colour(p.position, p.footprint).x);
+    time("gas", &|p| gas.density(p.position));
+}
+
+fn reflectances(c: &mut Criterion) {
+    let grey = Vec3::splat(0.5);
+    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
+    let glass = Dielectric::new(1.5).expect("index in range");
+    let lobe = BlinnPhongLobe::new(grey, 30.0, BlinnPhongFactor::Albedo).expect("parameters in range");
+    let ward = WardReflection::new(grey, 0.2, 0.4, WardForm::Bounded).expect("parameters in range");
+    let full = OrenNayar::new(grey, 0.6, OrenNayarForm::Full).expect("parameters in range");
+    let all: [(&str, &dyn Brdf); 8] = [
+        ("lambert", &Lambert::new(grey).expect("albedo in range")),
+        ("oren_nayar_full", &full),
+        ("energy_preserving", &EnergyPreservingOrenNayar::new(grey, 0.6).expect("parameters in range")),
+        ("cook_torrance", &CookTorrance::new(ggx, glass)),
+        ("torrance_sparrow", &TorranceSparrow::new(ggx, glass)),
+        ("phong", &Phong::new(grey, 30.0).expect("parameters in range")),
+        ("blinn_phong", &lobe),
+        ("ward", &ward),
+    ];
+    let (wi, wo) = (Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
+    for (name, brdf) in all {
+        c.bench_function(&format!("value/{name}"), |b| b.iter(|| brdf.value(black_box(wi), black_box(wo))));
+    }
+}
+
+criterion_group!(benches, materials, textures, reflectances);
 criterion_main!(benches);
