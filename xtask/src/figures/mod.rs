@@ -112,26 +112,41 @@ pub(crate) fn figures() -> impl Iterator<Item = &'static Figure> {
 mod tests {
     use super::*;
 
-    /// The words in backticks of the last cell of every row of the tables in `docs/coverage.md`.
-    fn pictures() -> Vec<String> {
-        let page = include_str!("../../../docs/coverage.md");
+    /// The words in backticks of a cell of every row of a page's tables: the first one, or the last.
+    fn names(page: &str, cell: fn(&str) -> Option<&str>) -> Vec<String> {
         let rows = page.lines().filter(|line| line.starts_with('|'));
-        let cells = rows.filter_map(|row| row.trim_end_matches('|').rsplit('|').next());
+        let cells = rows.filter_map(|row| cell(row.trim_matches('|')));
         cells
             .flat_map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>())
             .collect()
     }
 
+    /// Whether a name, or a family with a star in its name, is a figure's.
+    fn is_of(name: &str, figure: &Figure) -> bool {
+        match name.split_once('*') {
+            Some((start, end)) => figure.name.starts_with(start) && figure.name.ends_with(end),
+            None => figure.name == name,
+        }
+    }
+
     #[test]
     fn the_coverage_page_names_pictures_that_there_are() {
-        let pictures = pictures();
+        let page = include_str!("../../../docs/coverage.md");
+        let pictures = names(page, |row| row.rsplit('|').next());
         assert!(pictures.len() > 50);
         for name in pictures {
-            let found = match name.strip_suffix('*') {
-                Some(start) => figures().any(|figure| figure.name.starts_with(start)),
-                None => figures().any(|figure| figure.name == name),
-            };
-            assert!(found, "{name}");
+            assert!(figures().any(|figure| is_of(&name, figure)), "{name}");
+        }
+    }
+
+    #[test]
+    fn the_review_has_a_line_for_every_figure_and_no_other() {
+        let reviewed = names(include_str!("../../../docs/gallery-review.md"), |row| row.split('|').next());
+        for name in &reviewed {
+            assert!(figures().any(|figure| is_of(name, figure)), "{name} is no figure");
+        }
+        for figure in figures() {
+            assert!(reviewed.iter().any(|name| is_of(name, figure)), "{} has no line", figure.name);
         }
     }
 }
