@@ -120,7 +120,9 @@ mod tests {
             words(check_texel(7, Vec3::new(0.0, f32::NAN, 1.0)).unwrap_err()),
             "texel 7 must be at most 1e30 in each channel, got [0, NaN, 1]"
         );
-        assert!(check_texel(0, Vec3::splat(f32::INFINITY)).is_err());
+        assert!(
+            check_texel(0, Vec3::splat(f32::INFINITY)).is_err() && check_texel(0, Vec3::splat(2e30)).is_err()
+        );
         assert_eq!(check_texel(0, Vec3::splat(-0.0)), Ok(()));
     }
 }
