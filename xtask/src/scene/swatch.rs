@@ -86,6 +86,8 @@ impl Swatch<'_> {
     }
 
     /// What a coat mirrors, and what is left of the light below it; behind a pane or a body it is dark.
+    ///
+    /// Its slopes that are too fine for the pixel are left out: pictures are to be near enough to resolve them.
     fn coated(&self, seen: &Seen, coat: Coat, below: Vec3) -> Vec3 {
         let cosine = seen.view.dot(coat.normal).max(0.0);
         let direction = 2.0 * seen.view.dot(coat.normal) * coat.normal - seen.view;

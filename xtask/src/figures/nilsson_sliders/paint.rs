@@ -58,7 +58,7 @@ pub(super) fn strips() -> Vec<Strip<MetallicPaintParameters>> {
             peel,
             MetallicPaintParameters { orange_peel_strength: 0.02, ..base },
             orange_peel_size,
-            [0.003, 0.006, 0.012, 0.024, 0.048]
+            [0.004, 0.006, 0.012, 0.024, 0.048]
         ),
         strip!(bead, sparkling, flake_sparkle_pixel_size, [1.0, 1.5, 2.0, 3.0, 4.0]),
         strip!(bead, sparkling, flake_sparkle_physical_size, [0.0005, 0.0007, 0.001, 0.0015, 0.002]),
