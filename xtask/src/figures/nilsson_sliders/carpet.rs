@@ -29,11 +29,16 @@ pub(super) fn strips() -> Vec<Strip<CarpetParameters>> {
     let shining = CarpetParameters { specular_thread_strength: 0.6, ..plain };
     let crossing = CarpetParameters { seams_amplitude: 0.9, ..base };
     let soft = CarpetParameters { fake_rim_light: 0.6, ..plain };
-    let near = View::patch(0.01).exposed(2.2);
+    let near = View::patch(0.01).exposed(3.0);
     let seamed = View::patch(0.14).exposed(2.2);
     let wide = View::patch(1.2).exposed(2.2);
     let ball = View::ball(0.3, 0.32).exposed(2.2);
-    let even = CarpetParameters { diffuse_thread_bump_strength: 0.0, diffuse_thread_strength: 0.0, ..plain };
+    let even = CarpetParameters {
+        diffuse_thread_bump_strength: 0.0,
+        diffuse_thread_strength: 0.0,
+        specular_thread_strength: 0.0,
+        ..plain
+    };
     let matte = CarpetParameters {
         fake_rim_light: 0.0,
         diffuse_thread_bump_strength: 0.0,
