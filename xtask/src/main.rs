@@ -10,6 +10,10 @@ mod figures;
 mod gallery;
 mod image;
 mod image_file;
+/// The points by which they are sampled.
+#[expect(unreachable_pub, reason = "the tests' library exports it")]
+#[path = "../../tests/src/low_discrepancy.rs"]
+mod low_discrepancy;
 mod no_std;
 mod output;
 mod page;
@@ -18,6 +22,10 @@ mod progress;
 mod random;
 mod render_command;
 mod scene;
+/// The surfaces of the tests and the renderer that measures them, so that the gallery shows what is measured.
+#[expect(unreachable_pub, reason = "the tests' library exports it")]
+#[path = "../../tests/src/shaded/mod.rs"]
+mod shaded;
 mod systems;
 mod tables;
 mod tidy;

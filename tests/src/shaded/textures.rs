@@ -25,7 +25,7 @@ fn wall() -> Brick {
 fn brick() -> Subject {
     let wall = wall();
     Subject::new("brick", 8.0, move |pixel, _| {
-        Vec3::new(0.5, 0.15, 0.14).lerp(Vec3::splat(0.5), wall.filtered(pixel.at, pixel.widths()).brick)
+        Vec3::splat(0.5).lerp(Vec3::new(0.5, 0.15, 0.14), wall.filtered(pixel.at, pixel.widths()).brick)
     })
 }
 
@@ -96,7 +96,7 @@ fn perturbed() -> Subject {
             let (at, spread) = running.filtered(tap.at.extend(0.3), tap.at, footprint);
             let width = Vec2::splat(footprint.width());
             let widths = (width * width + 12.0 * spread * spread).map(f32::sqrt);
-            Vec3::new(0.5, 0.15, 0.14).lerp(Vec3::splat(0.5), wall.filtered(at, widths).brick)
+            Vec3::splat(0.5).lerp(Vec3::new(0.5, 0.15, 0.14), wall.filtered(at, widths).brick)
         })
     })
 }

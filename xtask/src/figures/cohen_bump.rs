@@ -40,6 +40,9 @@ const STEP: f32 = 2e-3;
 
 type Noise = Octaves<Perlin2002, 3>;
 
+/// The shading normal at a hit.
+type Normal<'a> = dyn Fn(&Hit) -> Vec3 + Sync + 'a;
+
 /// The height over the sphere, and its gradient in space.
 fn height(noise: &Noise, p: Vec3) -> (f32, Vec3) {
     let Sample { value, gradient } = noise.sample(p * FREQUENCY, 3.0);
@@ -75,7 +78,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     };
     let sampling = square(context);
     let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 2, ..sampling };
-    let ways: [(&str, &str, &Shape, &(dyn Fn(&Hit) -> Vec3 + Sync)); 3] = [
+    let ways: [(&str, &str, &Shape, &Normal<'_>); 3] = [
         ("gradient", "The noise's gradient along the surface", &Shape::Sphere, &by_gradient),
         ("neighbours", "Heights of four neighbours", &Shape::Sphere, &by_neighbours),
         ("displaced", "Displaced, with its own normal", &displaced, &of_displaced),

@@ -1,7 +1,9 @@
 //! Every figure of the gallery, in the order of the page.
 
+mod asperity_horizon;
 mod asperity_mean_radiance;
 mod asperity_normal_maps;
+mod asperity_zoom_means;
 mod cochran_area;
 mod cochran_bounds;
 mod cochran_contractions;
@@ -71,7 +73,12 @@ const FIGURES: &[&[Figure]] = &[
         cochran_landscape::LANDSCAPE,
         cochran_area::AREA,
     ],
-    &[asperity_mean_radiance::MEAN_RADIANCE, asperity_normal_maps::ANTIALIASING],
+    &[
+        asperity_mean_radiance::MEAN_RADIANCE,
+        asperity_zoom_means::ZOOM_MEANS,
+        asperity_horizon::HORIZON,
+        asperity_normal_maps::ANTIALIASING,
+    ],
     &[shading_reflectance::REFLECTANCE],
     &[
         cohen_bump::BUMP,
