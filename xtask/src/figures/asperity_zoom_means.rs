@@ -65,7 +65,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("samples per pixel".to_owned(), SAMPLES.to_string()),
         (
             "pixels".to_owned(),
-            "576 of each picture; where details are wider than a pixel 16,384 of 16 samples".to_owned(),
+            "576 of each picture; where details are wider than a pixel 10,816 of 16 samples".to_owned(),
         ),
         (
             "slow zoom".to_owned(),
@@ -87,7 +87,7 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means,
             let (pixels, samples) = if zoom < 50.0 {
                 (8, SAMPLES)
             } else if fine {
-                (128, SAMPLES / 16)
+                (104, SAMPLES / 16)
             } else {
                 (24, SAMPLES)
             };

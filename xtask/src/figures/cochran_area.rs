@@ -13,7 +13,7 @@ pub(crate) const AREA: Figure = Figure {
     name: "cochran-area",
     title: "What a pixel sees of a fractal's slopes",
     source: "Cochran, Lewis, Hart 2000, section 6.1",
-    caption: "The slope along x of the product of two integrals of f, over a quarter of its domain, in 48 by 48 pixels. On the \
+    caption: "The slope along x of the product of two integrals of g, over its whole domain, in 48 by 48 pixels. On the \
               left that of each pixel's middle; then its mean over the pixel, a rectangle's mean in closed form; then how \
               far slopes spread within the pixel, from the mean of their squares: the roughness that a renderer adds where \
               it takes the mean for its normal.",
@@ -22,16 +22,16 @@ pub(crate) const AREA: Figure = Figure {
 
 /// Pixels along a side.
 const SIDE: u32 = 48;
-/// The part of the domain that is seen.
-const WIDTH: f64 = 0.5;
+/// The width of the domain.
+const WIDTH: f64 = 2.0;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
+    let axis = FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?;
     let surface = HeightField::new(axis, axis);
     let cell = WIDTH / f64::from(SIDE);
     let means = |x: u32, y: u32, share: f64| -> Result<SlopeMeans, Failure> {
         let side = |k: u32| {
-            let middle = 0.5 + (f64::from(k) + 0.5) * cell;
+            let middle = (f64::from(k) + 0.5) * cell;
             Interval::new(middle - 0.5 * share * cell, middle + 0.5 * share * cell)
         };
         let AreaMeans { slopes, .. } = surface.area_means(side(x), side(SIDE - 1 - y))?;
@@ -77,7 +77,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             raster(
                 "spread",
                 "Its standard deviation within the pixel",
-                "A plaid, bright where the surface is steep in y",
+                "Bands, brightest where slopes change most",
                 picture(&spread, &widths),
             ),
         ],

@@ -47,6 +47,13 @@ impl Mesh {
         Self { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
     }
 
+    /// Appends another mesh.
+    pub(crate) fn append(&mut self, other: Self) {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(other.vertices);
+        self.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|i| first + i)));
+    }
+
     /// Appends a triangle unless two of its corners coincide, as they do at the pole of a patch.
     pub(crate) fn push_unless_degenerate(&mut self, triangle: [u32; 3]) {
         let [a, b, c] = triangle.map(|i| self.vertices.get(i as usize).map(|v| v.position));

@@ -216,16 +216,16 @@ fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
     };
     let mut objects = vec![Object::new(Shape::Mesh(TracedMesh::new(car_body())), body)];
     objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
+    let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
     for [x, z] in WHEELS {
         for side in [-1.0, 1.0] {
             let [tyre, disc] = wheel(Vec3::new(x, 0.77 * side, z));
-            let rubber = finish::cloth(hex(0x2a_2a2c))?;
-            objects.push(Object::new(Shape::Mesh(TracedMesh::new(tyre)), rubber));
-            objects.push(Object::new(
-                Shape::Mesh(TracedMesh::new(disc)),
-                finish::chrome(Vec3::new(0.62, 0.63, 0.65))?,
-            ));
+            tyres.append(tyre);
+            discs.append(disc);
         }
     }
+    let shape = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
+    objects.push(Object::new(shape(tyres), finish::cloth(hex(0x2a_2a2c))?));
+    objects.push(Object::new(shape(discs), finish::chrome(Vec3::new(0.62, 0.63, 0.65))?));
     Ok(objects)
 }
