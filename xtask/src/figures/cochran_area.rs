@@ -65,13 +65,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             raster(
                 "point",
                 "The slope in the middle of each pixel",
-                "A grainy plaid",
+                "Upright bars of many shades",
                 picture(&point, &slopes),
             ),
             raster(
                 "mean",
                 "Its mean over the pixel",
-                "A plaid of the same colours, calmer",
+                "Bars of the same colours, fewer extremes",
                 picture(&mean, &slopes),
             ),
             raster(

@@ -1,37 +1,39 @@
-//! The thesis's materials from afar to very near, with their mean radiance.
+//! The thesis's materials, and bumps of a density, from afar to ten thousand times nearer.
 
 use std::f32::consts::PI;
 
 use asperity_shading::{
-    Beckmann, Brdf, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Footprint, Frame,
-    GlintField, Ndf, Scratches, ScratchesParameters, SurfacePoint, Variations, VariationsParameters,
-    half_vector,
+    Beckmann, Brdf, BumpField, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Footprint,
+    Frame, Ggx, GlintField, LevelOfDetail, Ndf, Scratches, ScratchesParameters, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters, Variations, VariationsParameters, half_vector,
+    noise::{GaussianOctaves, Spectrum},
+    reflect,
 };
 use glam::{Vec2, Vec3};
 
 use super::panels::raster;
 use crate::{
-    figure::{Context, Drawn, Failure, Figure, Table},
+    figure::{Context, Drawn, Failure, Figure},
     image::hex,
     scene::render::{Sampling, render},
 };
 
 pub(crate) const ZOOM: Figure = Figure {
     name: "nilsson-zoom",
-    title: "Carpet, paint, scratched metal and plastic, from 4 metres wide to 1 millimetre",
+    title: "Six materials, ten thousand times nearer",
     source: "Nilsson 2008, chapters 4 and 6",
-    caption: "Each row is one surface in one light, twenty times nearer from picture to picture. The carpet has seams, dark \
-              areas and threads, and from very near fibres, where the thesis's noise no longer looked like threads; the \
-              flakes of the paint part into single ones, counted by hashes; scratches and blemishes come up. What a pixel \
-              does not resolve goes into its roughness: the table has the mean radiance over the whole surface, seen with \
-              the pixels of each picture, over that of the first.",
+    caption: "Each row is one surface in one light, ten times nearer from picture to picture, from 4 metres wide to 0.4 \
+              millimetres. The carpet has seams, dark areas and threads, and from very near fibres, where the thesis's noise no \
+              longer looked like threads; the flakes of the paint part into single ones, counted by hashes; scratches and \
+              blemishes come up; a row of lamps bends in the waves of the glass; bumps have bumps. What a pixel does not \
+              resolve goes into its roughness, so that the mean over a whole surface stays, whatever single pictures show.",
     draw,
 };
 
 /// Widths of the pictures in metres.
-const WIDTHS: [f32; 4] = [4.0, 0.2, 0.01, 0.0008];
+const WIDTHS: [f32; 5] = [4.0, 0.4, 0.04, 0.004, 0.0004];
 
-const NAMES: [&str; 4] = ["4 m", "20 cm", "1 cm", "0.8 mm"];
+const NAMES: [&str; 5] = ["4 m", "×10", "×100", "×1000", "×10,000"];
 
 /// Directions to the light and to the eye: 17 degrees apart, so that the half vector is near the normal.
 fn light() -> [Vec3; 2] {
@@ -41,65 +43,38 @@ fn light() -> [Vec3; 2] {
 type Radiance = dyn Fn(Vec2, Footprint) -> Vec3 + Sync;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let surfaces: [(&str, Box<Radiance>); 4] = [
+    let surfaces: [(&str, Box<Radiance>); 6] = [
         ("carpet", Box::new(carpet()?)),
         ("paint", Box::new(paint()?)),
         ("scratches", Box::new(scratches()?)),
         ("plastic", Box::new(plastic()?)),
+        ("glass", Box::new(glass()?)),
+        ("bumps", Box::new(bumps()?)),
     ];
     let sampling = Sampling {
-        width: context.size * 3 / 4,
-        height: context.size * 3 / 4,
+        width: context.size * 3 / 5,
+        height: context.size * 3 / 5,
         samples_per_pixel: context.samples_per_pixel,
         seed: context.seed,
     };
     let side = sampling.width as f32;
-    let (mut panels, mut rows) = (Vec::new(), Vec::new());
+    let mut panels = Vec::new();
     for (name, radiance) in &surfaces {
-        let mut row = vec![(*name).to_owned()];
-        let mut first = 0.0;
-        for (width, label) in WIDTHS.into_iter().zip(NAMES) {
+        for ((k, width), label) in WIDTHS.into_iter().enumerate().zip(NAMES) {
             let pixel = Footprint::from_width(width / side);
             let image = render(sampling, context.progress, context.interrupted, |x, y| {
                 radiance(CENTRE + Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
             })?;
-            let alt = format!("A patch of {name}, {label} wide");
-            panels.push(raster(
-                &format!("{name}-{}", label.replace([' ', '.'], "")),
-                label,
-                &alt,
-                image.exposed(1.0),
-            ));
-            let mean = mean(radiance, pixel);
-            if first == 0.0 {
-                first = mean;
-            }
-            row.push(format!("{:.4}", mean / first));
+            let alt = format!("A patch of {name}, {} mm wide", width * 1000.0);
+            let label = if k == 0 { format!("{name}, {label}") } else { label.to_owned() };
+            panels.push(raster(&format!("{name}-{k}"), &label, &alt, image.exposed(1.0)));
         }
-        rows.push(row);
     }
-    let head = std::iter::once("mean radiance").chain(NAMES).map(str::to_owned).collect();
-    Ok(Drawn {
-        panels,
-        columns: 4,
-        parameters: vec![("points of each mean".to_owned(), POINTS.to_string())],
-        table: Some(Table { head, rows }),
-    })
+    let parameters = vec![("widths".to_owned(), WIDTHS.map(|width| format!("{width} m")).join(", "))];
+    Ok(Drawn { panels, columns: 5, parameters, table: None })
 }
 
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
-
-const POINTS: u32 = 400_000;
-
-/// The mean luminance over 16 m of the surface, at points of the R₂ sequence.
-fn mean(radiance: &Radiance, pixel: Footprint) -> f32 {
-    let sum = (0..POINTS).fold(0.0_f64, |sum, k| {
-        let k = f64::from(k);
-        let p = Vec2::new((0.754_877_666 * k).fract() as f32, (0.569_840_291 * k).fract() as f32);
-        sum + f64::from(radiance(4.0 * p, pixel).dot(Vec3::new(0.2126, 0.7152, 0.0722)))
-    });
-    (sum / f64::from(POINTS)) as f32
-}
 
 fn point(p: Vec2, pixel: Footprint) -> SurfacePoint {
     SurfacePoint::new(p.extend(0.0), Vec3::Z, pixel).with_uv(p, [Vec3::X, Vec3::Y])
@@ -176,6 +151,31 @@ fn plastic() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
         };
         let coat = CookTorrance::new(widened(0.25, surface.slope_variance), surface.specular);
         0.45 * (lit(&diffuse, surface.normal) + lit(&coat, surface.normal))
+    })
+}
+
+fn glass() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
+    let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
+    let [_, v] = light();
+    Ok(move |p: Vec2, pixel: Footprint| {
+        let surface = glass.surface(&point(p, pixel));
+        let lamps = |m: Vec3| {
+            // Tubes along x, seen at the distance of a few metres.
+            let across = (reflect(v, m).y + 0.06 * p.y) * 55.0;
+            let tube = (3.0 * across.sin()).tanh();
+            Vec3::new(0.50, 0.56, 0.60) * (0.55 + 0.42 * tube)
+        };
+        surface.facets(Vec3::Z).fold(Vec3::ZERO, |sum, (share, m)| sum + share * lamps(m))
+    })
+}
+
+fn bumps() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
+    let ndf = Ggx::new(0.2, 0.4)?;
+    let field = BumpField::new(GaussianOctaves::<3>::new(Spectrum::new(2.17, 0.8, 16)?, 5), 60.0)?;
+    let h = Vec3::new(0.14, 0.2, 1.0).normalize();
+    Ok(move |p: Vec2, pixel: Footprint| {
+        let coordinates = field.coordinates(p.extend(0.0), pixel);
+        hex(0xf2_b184) * 0.3 * LevelOfDetail::Exact.radiance(&ndf, h, coordinates)
     })
 }
 

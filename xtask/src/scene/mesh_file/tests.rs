@@ -348,7 +348,6 @@ fn scenes_that_break_a_rule_are_told_so() {
         ("/nodes/1/children", json!([0]), "node 0 of the glTF is in the scene more than once"),
         ("/nodes/0/children", json!([1, 1]), "node 1 of the glTF is in the scene more than once"),
         ("/nodes/1/scale", json!([2, 0, 0]), "no triangle has an area"),
-        ("/nodes/1/scale", json!([1e39, 1, 1]), "is not finite"),
         ("/nodes/1/mesh", json!(3), "Index out of bounds"),
         ("/meshes/0/primitives/0/attributes/POSITION", json!(77), "Index out of bounds"),
         (
@@ -397,6 +396,11 @@ fn scenes_that_break_a_rule_are_told_so() {
         let got = refusal(glb::parse, &glb(&broken, &bin));
         assert!(got.contains(message), "{pointer}: {got}");
     }
+    // Read as infinity or refused as a number: other packages that are built along decide on serde_json's features.
+    let mut broken = json.clone();
+    broken["nodes"][1]["scale"] = json!([1e39, 1, 1]);
+    let got = refusal(glb::parse, &glb(&broken, &bin));
+    assert!(got.contains("is not finite") || got.contains("out of range"), "{got}");
     // A container that is shorter than its own header, and other magic.
     let mut bytes = cube_glb();
     bytes[8..12].copy_from_slice(&3_u32.to_le_bytes());
