@@ -72,7 +72,7 @@ pub(crate) fn marble(
     metres: f32,
     brightness: f32,
 ) -> Result<impl Fn(&Seen) -> Appearance + Sync, Failure> {
-    let polish = CookTorrance::new(Ggx::new(0.1, 0.1)?, Schlick::new(0.04)?);
+    let polish = CookTorrance::new(Ggx::new(0.12, 0.12)?, Schlick::new(0.04)?);
     Ok(move |seen: &Seen| {
         let point = in_metres(seen, metres);
         let colour = brightness * marble.colour(point.position, point.footprint);
