@@ -4,20 +4,17 @@ mod bare_metal;
 mod bench;
 mod ci;
 mod cli;
-mod densities;
-mod figure;
-mod figures;
+mod failure;
 mod gallery;
 mod image;
 mod image_file;
+mod input;
 /// The points by which they are sampled.
 #[expect(unreachable_pub, reason = "the tests' library exports it")]
 #[path = "../../tests/src/low_discrepancy.rs"]
 mod low_discrepancy;
 mod no_std;
 mod output;
-mod page;
-mod plot;
 mod progress;
 mod random;
 mod render_command;
@@ -26,9 +23,15 @@ mod scene;
 #[expect(unreachable_pub, reason = "the tests' library exports it")]
 #[path = "../../tests/src/shaded/mod.rs"]
 mod shaded;
-mod systems;
 mod tables;
 mod tidy;
+
+use input::density as densities;
+
+/// Errors by the name that the renderer calls them.
+mod figure {
+    pub(crate) use crate::failure::{Failure, Interrupted};
+}
 
 use std::{
     io::Write,
@@ -43,7 +46,7 @@ use std::{
 use clap::Parser;
 
 use cli::{Cli, Command};
-use figure::Failure;
+use failure::Failure;
 use output::Output;
 
 fn main() -> ExitCode {

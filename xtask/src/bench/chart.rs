@@ -5,9 +5,11 @@ use super::{
     times::{OURS, Ratio, Times},
 };
 use crate::{
-    figure::Failure,
-    page,
-    plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    failure::Failure,
+    gallery::{
+        page,
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    },
 };
 
 /// Height of a row in CSS pixels.

@@ -16,7 +16,7 @@ use serde::Serialize;
 use crate::{
     ci::{CRATES, cargo_program},
     cli::Bench,
-    figure::{Failure, Interrupted},
+    failure::{Failure, Interrupted},
     output::Output,
     progress,
 };

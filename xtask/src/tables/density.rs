@@ -11,7 +11,10 @@ use super::{
     formats::{exr, npy},
 };
 use crate::{
-    densities::Density, figure::Failure, image::Image, scene::hemisphere::ember, scene::material::SharedNdf,
+    failure::Failure,
+    image::Image,
+    input::density::Density,
+    scene::{hemisphere::ember, material::SharedNdf},
 };
 
 /// Side of the table L.

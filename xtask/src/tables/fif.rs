@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 
 use super::{Made, formats::npy};
 use crate::{
-    figure::Failure,
+    failure::Failure,
     image::Image,
+    input::fif_system::{COEFFICIENTS, System},
     scene::hemisphere::ember,
-    systems::{COEFFICIENTS, System},
 };
 
 /// Values of a function from end to end.

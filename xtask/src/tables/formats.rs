@@ -6,7 +6,7 @@ use exr::prelude::{
     AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec, WritableImage,
 };
 
-use crate::figure::Failure;
+use crate::failure::Failure;
 
 /// Named channels of 32-bit floats, row by row from the top, as an uncompressed OpenEXR file.
 pub(crate) fn exr(width: usize, height: usize, channels: &[(&str, Vec<f32>)]) -> Result<Vec<u8>, Failure> {

@@ -19,12 +19,15 @@ use serde_json::{Value, json};
 
 use crate::{
     cli::Tables,
-    densities::{Density, NORMAL_MAP},
-    figure::{Failure, Interrupted},
+    failure::{Failure, Interrupted},
+    gallery::page,
     image::Image,
+    input::{
+        density::{Density, NORMAL_MAP},
+        fif_system::System,
+    },
     output::Output,
-    page, progress,
-    systems::System,
+    progress,
 };
 pub(crate) use shipped::{check, ship};
 

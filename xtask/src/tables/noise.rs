@@ -7,7 +7,7 @@ use asperity_noise::{
 use serde_json::{Map, json};
 
 use super::{Made, formats::npy};
-use crate::{figure::Failure, image::Image, scene::hemisphere::ember};
+use crate::{failure::Failure, image::Image, scene::hemisphere::ember};
 
 /// Lattice points per side.
 const SIDE: i32 = 128;

@@ -10,7 +10,7 @@ use asperity_noise::{
 use glam::Vec2;
 use png::{BitDepth, ColorType, Compression, Encoder};
 
-use crate::figure::Failure;
+use crate::failure::Failure;
 
 /// Side in pixels.
 const SIDE: u32 = 128;

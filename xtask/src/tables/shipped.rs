@@ -7,7 +7,7 @@ use super::{
     noise_cdf::noise_statistics_source, noise_levels::noise_levels_source,
     noise_means::absolute_moments_source, noise_pictures::noise_pictures,
 };
-use crate::{figure::Failure, output::Output, progress};
+use crate::{failure::Failure, output::Output, progress};
 
 /// One generated file: its folder and name in the source tree, and what makes its text.
 type Shipped = (&'static str, &'static str, fn() -> String);

@@ -1,0 +1,89 @@
+//! Every texture and material on a plane to the horizon: one sample a pixel, plain and filtered, against 1024.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use crate::{
+    failure::{Failure, Interrupted},
+    gallery::figure::{Context, Drawn, Figure, Panel, Picture, Table},
+    image::Image,
+    shaded::{Horizon, Seen, Sky, Subject, errors, materials, textures},
+};
+
+/// The figure.
+pub(crate) const HORIZON: Figure = Figure {
+    name: "asperity-horizon",
+    title: "To the horizon with one sample a pixel",
+    source: "Asperity",
+    caption: "Every texture and material on a plane to the horizon, in triples: one plain sample a pixel, one sample that is \
+              filtered by the pixel's footprint, and the mean of 1024 plain ones. Details as small as a pixel and smaller \
+              turn into noise and moiré on the left, and into their mean in the middle, as on the right. The number is the error \
+              of the filtered sample over that of the plain one, root mean square over the picture; where a material shines, \
+              what it does not resolve goes on as facets of other slopes.",
+    draw,
+};
+
+const PICTURE: Horizon = Horizon { width: 60, height: 40 };
+
+/// Pixels of the page for each of the picture's, and between its parts.
+const SIDE: u32 = 6;
+const GAP: u32 = 8;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let sky = Sky::about(Vec3::new(-0.48, 0.6, 0.64));
+    let (mut panels, mut rows) = (Vec::new(), Vec::new());
+    for subject in textures().into_iter().chain(materials()) {
+        let seen = seen(context, &subject, &sky)?;
+        let [plain, filtered] = errors(&seen);
+        let ratio = format!("{:.2}", filtered / plain);
+        let name = subject.name;
+        panels.push(Panel {
+            stem: name.replace(", ", "-").replace(' ', "-"),
+            label: format!("{name}: {ratio}"),
+            alt: format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples"),
+            span: 1,
+            picture: Picture::Raster(triple(&seen)),
+        });
+        rows.push(vec![name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
+    }
+    let head =
+        ["surface", "error of a plain sample", "of a filtered one", "ratio"].map(str::to_owned).to_vec();
+    let parameters = vec![
+        (
+            "picture".to_owned(),
+            format!("{} × {} pixels, 1024 samples in the mean", PICTURE.width, PICTURE.height),
+        ),
+        ("filter".to_owned(), "exact boxes, or up to 32 taps along the pixel's ellipse".to_owned()),
+    ];
+    Ok(Drawn { columns: 2, panels, parameters, table: Some(Table { head, rows }) })
+}
+
+fn seen(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Vec<Seen>, Failure> {
+    context.progress.inc_length(u64::from(PICTURE.height));
+    let row = |y: u32| {
+        context.checkpoint().map_err(|_| Interrupted)?;
+        let row: Vec<Seen> = (0..PICTURE.width).map(|x| PICTURE.seen([x, y], subject, sky)).collect();
+        context.progress.inc(1);
+        Ok(row)
+    };
+    let rows: Result<Vec<Vec<Seen>>, Interrupted> = (0..PICTURE.height).into_par_iter().map(row).collect();
+    Ok(rows?.concat())
+}
+
+/// The three pictures side by side, as bright as their mean allows, with visible pixels.
+fn triple(seen: &[Seen]) -> Image {
+    let mut light: Vec<f32> = seen.iter().map(|pixel| pixel.mean.max_element()).collect();
+    light.sort_by(f32::total_cmp);
+    let bright = light.get(light.len() * 19 / 20).copied().unwrap_or(1.0).max(1e-6);
+    let (width, height) = (PICTURE.width * SIDE, PICTURE.height * SIDE);
+    Image::from_fn(3 * width + 2 * GAP, height, |x, y| {
+        let (part, x) = (x / (width + GAP), x % (width + GAP));
+        let place = (y / SIDE) * PICTURE.width + x / SIDE;
+        match seen.get(place as usize) {
+            Some(pixel) if x < width => {
+                [pixel.plain, pixel.filtered, pixel.mean][part.min(2) as usize] * (0.75 / bright)
+            }
+            _ => Vec3::ONE,
+        }
+    })
+}

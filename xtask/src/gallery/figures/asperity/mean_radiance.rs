@@ -1,0 +1,216 @@
+//! The mean radiance of a patch against zoom, for both rules of level of detail.
+
+use asperity_ndf_sampling::{Beckmann, Ggx};
+use asperity_shading::{BumpField, Footprint, LevelOfDetail};
+use glam::{Mat3, Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::{
+    failure::{Failure, Interrupted},
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel, Picture, Table},
+        panels::rule_words,
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    },
+    input::density::painted,
+    scene::{
+        field::{Field, NoiseKind},
+        lights::Light,
+        material::{Facets, Material, SharedNdf},
+        render::jitter,
+        shape::Hit,
+    },
+};
+
+/// The figure.
+pub(crate) const MEAN_RADIANCE: Figure = Figure {
+    name: "asperity-mean-radiance",
+    title: "What zooming in does to the mean",
+    source: "Asperity",
+    caption: "A flat patch is rendered closer and closer, and the mean of its pixels is divided by what was seen \
+              from afar, the density at the half-vector. By the fractal rule the highlight loses most of its light \
+              to the tails as soon as the first facets come into sight, because the density is convolved with \
+              itself. By the exact rule the mean stays where it was, at every zoom and for every density, a \
+              painted one included; what scatter is left is that of the finite patch.",
+    draw,
+};
+
+/// Lattice cells of the first octave along the patch, and pixels drawn from it, one per cell and more.
+const CELLS: f32 = 320.0;
+const PIXELS: u32 = 400;
+const GAIN: f32 = 0.8;
+/// Doublings of the zoom, dense where the first octave fades in.
+const DOUBLINGS: [f64; 11] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+
+/// A half-vector under which the patch is seen.
+struct Look {
+    name: &'static str,
+    h: Vec3,
+}
+
+struct Subject<'a> {
+    name: &'static str,
+    stem: &'static str,
+    ndf: &'a SharedNdf,
+    looks: [Look; 2],
+}
+
+const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
+
+/// By density, half-vector and rule: mean over far field at each zoom.
+type Ratios = Vec<[[f64; 2]; 2]>;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
+    let look = |name, x: f32, y: f32| Look { name, h: Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()) };
+    let subjects = [
+        Subject {
+            name: "GGX 0.2, 0.4",
+            stem: "ggx",
+            ndf: &ggx,
+            looks: [look("peak", 0.0, 0.0), look("tail", 0.24, 0.42)],
+        },
+        Subject {
+            name: "Beckmann 0.3",
+            stem: "beckmann",
+            ndf: &beckmann,
+            looks: [look("peak", 0.0, 0.0), look("tail", 0.34, 0.26)],
+        },
+        Subject {
+            name: "painted, two lobes",
+            stem: "painted",
+            ndf: &painted,
+            looks: [look("brighter lobe", -0.38, 0.22), look("between the lobes", 0.0, 0.0)],
+        },
+    ];
+    let bumps = BumpField::new(Field::new(NoiseKind::Gaussian, 16, GAIN, context.seed)?, 1.0)?;
+    context.progress.inc_length(DOUBLINGS.len() as u64 * u64::from(PIXELS));
+    let mut curves: Vec<Ratios> = subjects.iter().map(|_| Vec::new()).collect();
+    for doubling in DOUBLINGS {
+        let means = measure(context, &subjects, &bumps, f64::exp2(doubling) as f32)?;
+        for (curve, mean) in curves.iter_mut().zip(means) {
+            curve.push(mean);
+        }
+    }
+    let panels = subjects.iter().zip(&curves).map(|(s, c)| panel(s, c)).collect::<Result<_, _>>()?;
+    let parameters = [
+        ("noise", format!("Gaussian, gain {GAIN}, the first octave half a cell per pixel at zoom 1")),
+        ("patch", format!("{CELLS} × {CELLS} cells of the first octave")),
+        ("pixels per mean", format!("{PIXELS} × {PIXELS}, spread evenly over the patch")),
+    ]
+    .map(|(name, value)| (name.to_owned(), value));
+    Ok(Drawn { columns: 3, panels, parameters: parameters.to_vec(), table: Some(table(&subjects, &curves)) })
+}
+
+/// The mean over the patch at one zoom, for every density, half-vector and rule, over the far field.
+fn measure(
+    context: &Context<'_>,
+    subjects: &[Subject<'_>; 3],
+    bumps: &BumpField<Field>,
+    zoom: f32,
+) -> Result<[[[f64; 2]; 2]; 3], Failure> {
+    let footprint = Footprint::from_width(0.5 / zoom);
+    // Slanted, so that no plane of the lattice is sampled alone.
+    let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
+    let hit = Hit {
+        t: 1.0,
+        position: Vec3::ZERO,
+        normal: Vec3::Z,
+        tangent: Vec3::X,
+        uv: Vec2::ZERO,
+        tangents: [Vec3::X, Vec3::Y],
+        bend: Mat3::ZERO,
+    };
+    let rows: Result<Vec<[[[f64; 2]; 2]; 3]>, Interrupted> = (0..PIXELS)
+        .into_par_iter()
+        .map(|y| {
+            context.checkpoint().map_err(|_| Interrupted)?;
+            let mut sums = [[[0.0; 2]; 2]; 3];
+            for x in 0..PIXELS {
+                let place = jitter(x, y, context.seed);
+                let step = CELLS / PIXELS as f32;
+                let p = (across * (x as f32 + place.x) + along * (y as f32 + place.y)) * step;
+                let coordinates = bumps.coordinates(p, footprint);
+                for (subject, sums) in subjects.iter().zip(&mut sums) {
+                    for (look, sums) in subject.looks.iter().zip(sums) {
+                        // Seen and lit from the half-vector itself.
+                        let lights = [Light { direction: look.h, colour: Vec3::ONE }];
+                        for (rule, sum) in RULES.into_iter().zip(sums) {
+                            let material = Material {
+                                ndf: subject.ndf,
+                                facets: Facets::Consistent(rule),
+                                bumps,
+                                lights: &lights,
+                                diffuse: Vec3::ZERO,
+                            };
+                            *sum += f64::from(material.shade(&hit, look.h, coordinates).x);
+                        }
+                    }
+                }
+            }
+            context.progress.inc(1);
+            Ok(sums)
+        })
+        .collect();
+    let mut means = [[[0.0; 2]; 2]; 3];
+    for row in rows? {
+        for s in 0..3 {
+            for l in 0..2 {
+                for r in 0..2 {
+                    let look = &subjects[s].looks[l];
+                    let far = f64::from(subjects[s].ndf.density(look.h) * look.h.z);
+                    means[s][l][r] += row[s][l][r] / far / f64::from(PIXELS * PIXELS);
+                }
+            }
+        }
+    }
+    Ok(means)
+}
+
+fn panel(subject: &Subject<'_>, curve: &Ratios) -> Result<Panel, Failure> {
+    let mut marks = Vec::new();
+    for (l, look) in subject.looks.iter().enumerate() {
+        for (r, rule) in RULES.into_iter().enumerate() {
+            let ink = Ink::Series(r as u8 + 1);
+            let stroke = if l == 0 { Stroke::solid(ink) } else { Stroke::dashed(ink) };
+            let points = DOUBLINGS.iter().zip(curve).map(|(k, mean)| [f64::exp2(*k), mean[l][r]]).collect();
+            marks.push(Mark::Line {
+                points,
+                stroke,
+                name: format!("{}, {}", rule_words(rule)[0], look.name),
+            });
+        }
+    }
+    let label = format!("{}: mean over the patch / p(h)", subject.name);
+    let plot = Plot {
+        title: format!("{label}, against zoom: flat at 1 by the exact rule, off by the fractal rule"),
+        size: [420.0, 380.0],
+        x: Axis::log2("zoom", [1.0, 64.0], 1),
+        y: Axis::log2("", [1.0 / 32.0, 16.0], 1),
+        names: Names::Above,
+        marks,
+    };
+    let title = plot.title.clone();
+    Ok(Panel { stem: subject.stem.into(), label, alt: title, span: 1, picture: Picture::Vector(plot.svg()?) })
+}
+
+fn table(subjects: &[Subject<'_>; 3], curves: &[Ratios]) -> Table {
+    let shown = |k: &f64| [0.0, 0.5, 1.0, 2.0, 4.0, 6.0].contains(k);
+    let mut head = vec!["density".to_owned(), "half-vector".to_owned(), "rule".to_owned()];
+    head.extend(
+        DOUBLINGS.iter().filter(|k| shown(k)).map(|k| format!("×{:.3}", f64::exp2(*k)).replace(".000", "")),
+    );
+    let mut rows = Vec::new();
+    for (subject, curve) in subjects.iter().zip(curves) {
+        for (l, look) in subject.looks.iter().enumerate() {
+            for (r, rule) in RULES.into_iter().enumerate() {
+                let mut row =
+                    vec![subject.name.to_owned(), look.name.to_owned(), rule_words(rule)[0].to_owned()];
+                let means = DOUBLINGS.iter().zip(curve).filter(|(k, _)| shown(k));
+                row.extend(means.map(|(_, mean)| format!("{:.3}", mean[l][r])));
+                rows.push(row);
+            }
+        }
+    }
+    Table { head, rows }
+}

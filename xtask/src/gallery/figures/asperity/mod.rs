@@ -1,0 +1,7 @@
+//! Figures of the level of detail and of reflectance.
+
+pub(super) mod horizon;
+pub(super) mod mean_radiance;
+pub(super) mod normal_maps;
+pub(super) mod reflectance;
+pub(super) mod zoom_means;

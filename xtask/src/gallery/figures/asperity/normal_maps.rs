@@ -1,0 +1,225 @@
+//! A wet street of cobbles to the horizon: a normal map made by hand, filtered by the slopes within each pixel.
+
+use asperity_shading::{
+    Beckmann, Coordinates, Fresnel, Ndf, PixelEllipse, Schlick, SlopeLobes, SlopeMoments, SlopePyramid,
+    half_vector,
+};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Table},
+        panels::raster,
+    },
+    image::{Image, hex},
+    scene::{
+        cobbles::cobbles,
+        lights::{Light, direction},
+        render::{Sampling, render},
+    },
+};
+
+pub(crate) const ANTIALIASING: Figure = Figure {
+    name: "asperity-normal-map-antialiasing",
+    title: "A normal map made by hand, to the horizon",
+    source: "Asperity",
+    caption: "Wet cobbles against a low sun, from a normal map that repeats to the horizon. One plain sample a pixel glitters \
+              at random. Averaged normals, as mipmaps have them, take the bumps off the street from afar: the highlight \
+              shrinks to the narrow one of a smooth road. One sample that knows the slopes within its pixel, in sixteen groups of \
+              mean, variance and share, shows what 1024 samples come to. The table compares them with the samples, over the \
+              whole street.",
+    draw,
+};
+
+/// Texels along the map, which covers a square of this many metres.
+const SIZE: usize = 256;
+const TILE: f32 = 1.3;
+/// Groups of slopes.
+const GROUPS: usize = 16;
+/// Samples of the reference.
+const SAMPLES: u32 = 1024;
+/// Round footprints of a long pixel, at most.
+const TAPS: u32 = 16;
+/// Roughness of the wet stone.
+const ALPHA: f32 = 0.2;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let normals = cobbles(SIZE);
+    let street = Street {
+        groups: SlopePyramid::from_normals(SIZE, SIZE, &normals)?,
+        one: SlopePyramid::from_normals(SIZE, SIZE, &normals)?,
+        wet: Beckmann::isotropic(ALPHA)?,
+        water: Schlick::new(0.06)?,
+        lights: lights(),
+    };
+    let (width, height) = (context.size, context.size * 5 / 8);
+    let view = View { width: width as f32, height: height as f32 };
+    let once = Sampling { width, height, samples_per_pixel: 1, seed: context.seed };
+    let many = Sampling { samples_per_pixel: SAMPLES, ..once };
+    let draw = |sampling: Sampling, seen: &(dyn Fn(Vec2, &PixelEllipse, Vec3) -> Vec3 + Sync)| {
+        render(sampling, context.progress, context.interrupted, |x, y| {
+            // One sample is the pixel's middle.
+            let (x, y) =
+                if sampling.samples_per_pixel == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
+            let ray = view.ray(x, y);
+            match view.ground(x, y) {
+                Some(uv) => seen(uv, &view.pixel(x, y), -ray),
+                None => sky(ray),
+            }
+        })
+    };
+    let plain =
+        |uv: Vec2, _: &PixelEllipse, wo: Vec3| street.alone(SlopeMoments::point(street.one.slope(uv)), wo);
+    let pictures = [
+        ("plain", "One sample a pixel", draw(once, &plain)?),
+        (
+            "averaged",
+            "One sample, averaged normals",
+            draw(once, &|uv, pixel, wo| {
+                let seen = street.one.sample_along(uv, pixel, TAPS).moments();
+                street.alone(SlopeMoments::point(seen.mean), wo)
+            })?,
+        ),
+        (
+            "one",
+            "One sample, one group of slopes",
+            draw(once, &|uv, pixel, wo| street.grouped(&street.one.sample_along(uv, pixel, TAPS), wo))?,
+        ),
+        (
+            "groups",
+            "One sample, sixteen groups of slopes",
+            draw(once, &|uv, pixel, wo| street.grouped(&street.groups.sample_along(uv, pixel, TAPS), wo))?,
+        ),
+        ("reference", "1024 samples a pixel", draw(many, &plain)?),
+    ];
+    let table = compare(&pictures, &view);
+    let panels = pictures
+        .into_iter()
+        .filter(|picture| picture.0 != "one")
+        .map(|(stem, label, image)| {
+            let alt = format!("A wet street of cobbles under a low sun, {}", label.to_lowercase());
+            raster(stem, label, &alt, image.exposed(1.0))
+        })
+        .collect();
+    let parameters = [
+        ("normal map", format!("{SIZE} \u{d7} {SIZE} texels on {TILE} m")),
+        ("roughness of the wet stone", ALPHA.to_string()),
+        ("footprints of a pixel", format!("at most {TAPS}")),
+    ]
+    .map(|(name, value)| (name.to_owned(), value));
+    Ok(Drawn { columns: 2, panels, parameters: parameters.to_vec(), table: Some(table) })
+}
+
+/// Each picture's street beside the last one's: mean radiance, and root mean square error over that of the first.
+fn compare(pictures: &[(&str, &str, Image); 5], view: &View) -> Table {
+    let [.., (_, _, reference)] = pictures;
+    let street = |image: &Image| -> Vec<Vec3> {
+        let rows = image.pixels.chunks_exact(image.width as usize).enumerate();
+        rows.filter(|(y, _)| view.ground(0.0, *y as f32 + 0.5).is_some())
+            .flat_map(|(_, row)| row.to_vec())
+            .collect()
+    };
+    let expected = street(reference);
+    let mean = |pixels: &[Vec3]| pixels.iter().map(|p| f64::from(p.element_sum())).sum::<f64>();
+    let error = |pixels: &[Vec3]| {
+        let squares = pixels.iter().zip(&expected).map(|(p, e)| f64::from((*p - *e).length_squared()));
+        (squares.sum::<f64>() / (3 * expected.len()) as f64).sqrt()
+    };
+    let worst = error(&street(&pictures[0].2));
+    let rows = pictures
+        .iter()
+        .map(|(_, label, image)| {
+            let pixels = street(image);
+            vec![
+                (*label).to_owned(),
+                format!("{:.3}", mean(&pixels) / mean(&expected)),
+                format!("{:.4}", error(&pixels)),
+                format!("{:.3}", error(&pixels) / worst),
+            ]
+        })
+        .collect();
+    let head = ["street", "mean radiance over that of 1024 samples", "RMSE", "RMSE over that of one sample"];
+    Table { head: head.map(str::to_owned).to_vec(), rows }
+}
+
+/// A camera at the height of the eyes that looks along +y, a little down.
+struct View {
+    width: f32,
+    height: f32,
+}
+
+impl View {
+    /// Unit, through a point of the picture in pixels from the top left.
+    fn ray(&self, x: f32, y: f32) -> Vec3 {
+        let (across, down) = ((x - 0.5 * self.width) / self.height, y / self.height - 0.27);
+        Vec3::new(1.1 * across, 1.0, -1.1 * down).normalize()
+    }
+
+    /// Where the ray meets the street, in tiles; nothing at the horizon and above.
+    fn ground(&self, x: f32, y: f32) -> Option<Vec2> {
+        let ray = self.ray(x, y);
+        (ray.z < -1e-4).then(|| Vec2::new(ray.x, ray.y) * (1.2 / -ray.z / TILE) + Vec2::new(0.3, 0.1))
+    }
+
+    /// The pixel on the street, in tiles.
+    fn pixel(&self, x: f32, y: f32) -> PixelEllipse {
+        // Rows at the horizon have no end: half a pixel down is twice as far from there as up.
+        let at = |x, y| self.ground(x, y).map_or(Vec3::INFINITY, |uv| uv.extend(0.0));
+        let (dx, dy) = (at(x + 0.5, y) - at(x - 0.5, y), at(x, y - 0.5) - at(x, y + 0.5));
+        PixelEllipse::from_derivatives(dx, dy)
+    }
+}
+
+/// The sun, the glow above it and the sky.
+fn lights() -> Vec<Light> {
+    let light = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
+    vec![
+        light(86.0, 13.0, hex(0xff_c890) * 0.3),
+        light(86.0, 30.0, hex(0xe8_9c90) * 0.12),
+        light(110.0, 55.0, hex(0x7c_94e0) * 0.3),
+    ]
+}
+
+/// The sky behind the lights.
+fn sky(ray: Vec3) -> Vec3 {
+    let sun = direction(86.0, 13.0);
+    let near = ray.dot(sun).max(0.0);
+    let height = (ray.z * 2.6).clamp(0.0, 1.0).sqrt();
+    let glow = hex(0xff_a868) * (0.55 * near.powi(24)) + hex(0xff_e8c8) * (2.5 * near.powi(1400));
+    hex(0xd9_8a62).lerp(hex(0x39_4a78), height) * 0.55 + glow
+}
+
+struct Street {
+    groups: SlopePyramid<GROUPS>,
+    one: SlopePyramid<1>,
+    wet: Beckmann,
+    water: Schlick,
+    lights: Vec<Light>,
+}
+
+impl Street {
+    /// One slope.
+    fn alone(&self, slope: SlopeMoments, wo: Vec3) -> Vec3 {
+        let facets = slope.beckmann(ALPHA, ALPHA);
+        self.shade(slope, wo, |h| facets.density(h))
+    }
+
+    fn grouped<const K: usize>(&self, seen: &SlopeLobes<K>, wo: Vec3) -> Vec3 {
+        self.shade(seen.moments(), wo, |h| seen.density(self.wet, Coordinates::FAR, h))
+    }
+
+    /// Stone under water, with a density of facets and the mean of their slopes: the model of Torrance and Sparrow.
+    fn shade(&self, slopes: SlopeMoments, wo: Vec3, density: impl Fn(Vec3) -> f32) -> Vec3 {
+        let normal = slopes.mean_normal();
+        let stone = hex(0x4e_4c50);
+        self.lights.iter().fold(Vec3::ZERO, |sum, light| {
+            let wi = light.direction;
+            let h = half_vector(wi, wo);
+            let cosine = wo.dot(h);
+            let masked = (1.0 / wo.z).min(2.0 * h.z / cosine).min(2.0 * h.z * wi.z / (cosine * wo.z));
+            let mirrored = 0.25 * density(h) * masked * self.water.reflectance_rgb(cosine);
+            sum + light.colour * (stone * normal.dot(wi).max(0.0) + std::f32::consts::PI * mirrored)
+        })
+    }
+}

@@ -1,0 +1,93 @@
+//! Area means of a fractal surface in closed form: what a pixel sees of its slopes.
+
+use asperity_fif::{AreaMeans, FixedSmooth, HeightField, Interval, SlopeMeans, paper};
+use glam::Vec3;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::raster,
+    },
+    image::{Image, hex},
+};
+
+pub(crate) const AREA: Figure = Figure {
+    name: "cochran-area",
+    title: "What a pixel sees of a fractal's slopes",
+    source: "Cochran, Lewis, Hart 2000, section 6.1",
+    caption: "The slope along x of the product of two integrals of g, over its whole domain, in 48 by 48 pixels. On the \
+              left that of each pixel's middle; then its mean over the pixel, a rectangle's mean in closed form; then how \
+              far slopes spread within the pixel, from the mean of their squares: the roughness that a renderer adds where \
+              it takes the mean for its normal.",
+    draw,
+};
+
+/// Pixels along a side.
+const SIDE: u32 = 48;
+/// The width of the domain.
+const WIDTH: f64 = 2.0;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let axis = FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?;
+    let surface = HeightField::new(axis, axis);
+    let cell = WIDTH / f64::from(SIDE);
+    let means = |x: u32, y: u32, share: f64| -> Result<SlopeMeans, Failure> {
+        let side = |k: u32| {
+            let middle = (f64::from(k) + 0.5) * cell;
+            Interval::new(middle - 0.5 * share * cell, middle + 0.5 * share * cell)
+        };
+        let AreaMeans { slopes, .. } = surface.area_means(side(x), side(SIDE - 1 - y))?;
+        Ok(slopes.ok_or("a surface without slopes")?)
+    };
+    let (mut point, mut mean, mut spread) = (Vec::new(), Vec::new(), Vec::new());
+    for y in 0..SIDE {
+        context.checkpoint()?;
+        for x in 0..SIDE {
+            // A rectangle without area is a point.
+            point.push(means(x, y, 0.0)?.slope[0].value);
+            let pixel = means(x, y, 1.0)?;
+            let slope = pixel.slope[0].value;
+            mean.push(slope);
+            spread.push((pixel.squared[0].value - slope * slope).max(0.0).sqrt());
+        }
+    }
+    let top = spread.iter().fold(0.0_f64, |top, x| top.max(*x));
+    let (low, high) = point.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
+    let picture = |values: &[f64], colour: &dyn Fn(f64) -> Vec3| {
+        let scale = (context.size / SIDE).max(1);
+        Image::from_fn(SIDE * scale, SIDE * scale, |x, y| {
+            colour(values[((y / scale) * SIDE + x / scale) as usize])
+        })
+    };
+    let slopes = |x: f64| hex(0x17_2a45).lerp(hex(0xf2_e2b8), ((x - low) / (high - low)) as f32);
+    let widths = |x: f64| hex(0x1d_1f23).lerp(hex(0xe8_6a4a), (x / top) as f32);
+    Ok(Drawn {
+        columns: 3,
+        panels: vec![
+            raster(
+                "point",
+                "The slope in the middle of each pixel",
+                "Upright bars of many shades",
+                picture(&point, &slopes),
+            ),
+            raster(
+                "mean",
+                "Its mean over the pixel",
+                "Bars of the same colours, fewer extremes",
+                picture(&mean, &slopes),
+            ),
+            raster(
+                "spread",
+                "Its standard deviation within the pixel",
+                "Bands, brightest where slopes change most",
+                picture(&spread, &widths),
+            ),
+        ],
+        parameters: vec![
+            ("slopes".to_owned(), format!("{low:.3} to {high:.3}")),
+            ("largest deviation in a pixel".to_owned(), format!("{top:.4}")),
+        ],
+        table: None,
+    })
+}

@@ -1,0 +1,137 @@
+//! The second integrals of the functions of Cochran, Lewis and Hart, whose curvature is fractal.
+
+use asperity_fif::{FixedFif, paper};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel},
+        figures::cochran::curves::outline,
+        panels::{fact, vector},
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    },
+};
+
+pub(crate) const SECOND_INTEGRALS: Figure = Figure {
+    name: "cochran-3-second-integrals",
+    title: "Integrated once more, the roughness is in the curvature",
+    source: "Cochran, Lewis and Hart 2000, section 3",
+    caption: "Thick, the integral of the integral: again a fractal interpolation function, of the same maps along x, \
+              with a quarter of the vertical factors that the function began with. No eye tells it from a parabola, \
+              yet its second derivative is the rough function, drawn thinnest. The short arcs are parabolas with the \
+              value, the slope and the second derivative of the curve at the dot, each taken from one of the three \
+              functions.",
+    draw,
+};
+
+const TOLERANCE: f64 = 1e-9;
+
+/// Where the parabolas touch.
+const TOUCHED: [f64; 4] = [0.3, 2.0 / 3.0, 1.2, 1.75];
+
+/// How far along x a parabola reaches to either side.
+const REACH: f64 = 0.2;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    context.progress.inc_length(2);
+    let names = ["f", "f\u{302}", "f\u{302}\u{302}"];
+    let f = panel("f", names, &paper::f()?, Axis::linear("", [0.0, 2.15], 0.5))?;
+    context.progress.inc(1);
+    let names = ["g", "\u{11d}", "\u{11d}\u{302}"];
+    let g = panel("g", names, &paper::g()?, Axis::linear("", [-1.0, 2.0], 0.5))?;
+    context.progress.inc(1);
+    let facts = [
+        ("vertical factors", "1/2, 1/4, 1/8 and \u{b1}17/20, \u{b1}17/40, \u{b1}17/80"),
+        ("parabolas at", "3/10, 2/3, 6/5, 7/4"),
+        ("tolerance", "1e-9"),
+    ];
+    Ok(Drawn {
+        panels: vec![f, g],
+        columns: 2,
+        parameters: facts.map(|(name, value)| fact(name, value)).to_vec(),
+        table: None,
+    })
+}
+
+fn panel(stem: &str, names: [&str; 3], rough: &FixedFif<2, 2>, y: Axis) -> Result<Panel, Failure> {
+    let first: FixedFif<2, 3> = rough.integral(0.0)?;
+    let second: FixedFif<2, 4> = first.integral(0.0)?;
+    let curve = |points, ink, width, name: &str| Mark::Line {
+        points,
+        stroke: Stroke::solid(Ink::Series(ink)).wide(width),
+        name: name.to_owned(),
+    };
+    let mut marks = vec![
+        curve(outline(rough), 3, 0.6, names[0]),
+        curve(outline(&first), 2, 1.1, names[1]),
+        curve(outline(&second), 1, 3.6, names[2]),
+    ];
+    let touched = TOUCHED.map(|x| jet(x, rough, &first, &second));
+    for jet in touched {
+        let points = (-16..=16).map(|k| jet.parabola(REACH * f64::from(k) / 16.0)).collect();
+        let stroke = Stroke::solid(Ink::Text).wide(0.9);
+        marks.push(Mark::Line { points, stroke, name: String::new() });
+    }
+    let points = touched.map(|jet| jet.parabola(0.0)).to_vec();
+    marks.push(Mark::Dots { points, ink: Ink::Text, radius: 2.6 });
+    let alt =
+        format!("A smooth arc, {}, over its rougher derivative and its jagged second derivative", names[2]);
+    let plot = Plot {
+        title: alt.clone(),
+        size: [520.0, 330.0],
+        x: Axis::linear("x", [0.0, 2.0], 0.5),
+        y,
+        names: Names::AtEnds,
+        marks,
+    };
+    let label = format!("{}, its derivative {} and its second derivative {}", names[2], names[1], names[0]);
+    vector(stem, &label, &alt, &plot)
+}
+
+/// Value, slope and second derivative at a point.
+#[derive(Clone, Copy)]
+struct Jet {
+    x: f64,
+    orders: [f64; 3],
+}
+
+fn jet(x: f64, rough: &FixedFif<2, 2>, first: &FixedFif<2, 3>, second: &FixedFif<2, 4>) -> Jet {
+    let orders = [
+        second.evaluate(x, TOLERANCE).value,
+        first.evaluate(x, TOLERANCE).value,
+        rough.evaluate(x, TOLERANCE).value,
+    ];
+    Jet { x, orders }
+}
+
+impl Jet {
+    /// The point of the parabola that is `step` to the right.
+    fn parabola(&self, step: f64) -> [f64; 2] {
+        let [value, slope, bend] = self.orders;
+        [self.x + step, value + step * (slope + 0.5 * step * bend)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_parabola_leaves_the_curve_by_less_than_the_bend_changes() {
+        let rough = paper::f().unwrap();
+        let first: FixedFif<2, 3> = rough.integral(0.0).unwrap();
+        let second: FixedFif<2, 4> = first.integral(0.0).unwrap();
+        for x in TOUCHED {
+            let jet = jet(x, &rough, &first, &second);
+            for step in [-REACH, -0.01, 0.01, REACH] {
+                let [at, height] = jet.parabola(step);
+                let [lo, hi] = [x.min(at), x.max(at)];
+                let bend = rough.extrema_over(lo, hi, 1e-6).unwrap().enclosure().width();
+                let apart = (second.evaluate(at, 1e-12).value - height).abs();
+                // Taylor's remainder: half the step's square times what the second derivative changes by.
+                assert!(apart <= 0.5 * step * step * bend + 1e-9, "{x} {step}: {apart}");
+                assert!(apart > 1e-9, "{x} {step}: no parabola");
+            }
+        }
+    }
+}

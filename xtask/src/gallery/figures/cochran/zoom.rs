@@ -1,0 +1,180 @@
+//! A fractal surface at seven zooms, each ten times the last.
+
+use asperity_fif::{
+    Cached, FastBuf, FixedFif, HeightField, Piece, Ray,
+    glam::{DVec2, DVec3},
+    paper,
+};
+use glam::Vec3;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::{raster, square},
+    },
+    image::hex,
+    scene::{
+        camera::Camera,
+        lights::direction,
+        pattern::mix,
+        render::{Sampling, render},
+    },
+};
+
+pub(crate) const ZOOM: Figure = Figure {
+    name: "cochran-zoom",
+    title: "A million times closer",
+    source: "Asperity",
+    caption: "The surface f(x) f(y) in true proportions, each view ten times closer than the last to the same point, \
+              with the same light, the same colours and no parameter changed but the camera's distance. Vertical and \
+              horizontal factors are equal, so the mountains have the same steepness at every scale; the last view is \
+              less than four millionths wide. Rays meet the surface itself. The surface is continuous but has no \
+              normal: each pixel is shaded by the mean slope over its own width, which is a difference of two exact \
+              values.",
+    draw,
+};
+
+/// Powers of ten.
+const POWERS: i32 = 6;
+
+/// Heights are multiplied by this; f(x) f(y) reaches 16/9.
+const RISE: f64 = 0.4;
+
+/// The point that the camera approaches. 19/63 and 35/63 of the domain have the binary digits 010011 and 100011, repeated:
+/// the rises and falls of all levels cancel there, and neither the camera's way nor the light's is ever blocked.
+const POINT: DVec2 = DVec2::new(38.0 / 63.0, 10.0 / 9.0);
+
+/// From the point to the camera at zoom 1, in the surface's units.
+const AWAY: DVec3 = DVec3::new(-1.9, -2.7, 3.5);
+
+const FIELD: f32 = 0.7;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let surface = Surface::new()?;
+    // Seven panels side by side are small, and mean slopes are smooth already.
+    let sampling = square(context);
+    let side = sampling.width - sampling.width / 4;
+    let samples_per_pixel = sampling.samples_per_pixel.div_ceil(2);
+    let sampling = Sampling { width: side, height: side, samples_per_pixel, ..sampling };
+    let mut panels = Vec::new();
+    for power in 0..=POWERS {
+        let view = View::new(&surface, 10.0_f64.powi(-power), sampling);
+        let image = render(sampling, context.progress, context.interrupted, |x, y| view.radiance(x, y))?;
+        let zoom = ["1", "10", "100", "1000", "10\u{2074}", "10\u{2075}", "10\u{2076}"];
+        let zoom = zoom.get(power as usize).copied().unwrap_or_default();
+        let label = format!("\u{d7}{zoom}");
+        let alt = format!("Jagged mountains in low light, magnified {zoom} times");
+        panels.push(raster(&format!("e{power}"), &label, &alt, image.exposed(1.1)));
+    }
+    Ok(Drawn {
+        panels,
+        columns: 4,
+        parameters: [
+            ("heights times", RISE.to_string()),
+            ("point", "(38/63, 10/9)".to_owned()),
+            ("distance at \u{d7}1", format!("{:.2}", AWAY.length())),
+            ("samples per pixel", sampling.samples_per_pixel.to_string()),
+        ]
+        .map(|(name, value)| (name.to_owned(), value))
+        .to_vec(),
+        table: None,
+    })
+}
+
+struct Surface {
+    axis: Cached<FixedFif<2, 2>>,
+    values: FastBuf<[Piece<2>; 2], 2>,
+}
+
+impl Surface {
+    fn new() -> Result<Self, Failure> {
+        Ok(Self { axis: Cached::new(paper::f()?), values: FastBuf::new(paper::f()?, 1e-14)? })
+    }
+
+    fn height(&self, p: DVec2) -> f64 {
+        RISE * self.values.value(p.x) * self.values.value(p.y)
+    }
+
+    /// The ray's parameter at the first meeting beyond `start`.
+    fn meeting(&self, origin: DVec3, direction: DVec3, start: f64) -> Option<f64> {
+        let flat = |v: DVec3| DVec3::new(v.x, v.y, v.z / RISE);
+        let ray = Ray { origin: flat(origin), direction: flat(direction) };
+        Some(HeightField::new(&self.axis, &self.axis).first_hit_between(&ray, start, f64::INFINITY)?.t)
+    }
+
+    /// The upward unit normal of the mean slope over a square of side `2 reach`.
+    fn normal(&self, p: DVec2, reach: f64) -> DVec3 {
+        let across = |step: DVec2| (self.height(p + step) - self.height(p - step)) / (2.0 * reach);
+        let slope = DVec2::new(across(DVec2::new(reach, 0.0)), across(DVec2::new(0.0, reach)));
+        DVec3::new(-slope.x, -slope.y, 1.0).normalize()
+    }
+}
+
+/// A camera near the point.
+struct View<'a> {
+    surface: &'a Surface,
+    camera: Camera,
+    /// Side of the picture over that at zoom 1.
+    scale: f64,
+    target: DVec3,
+    /// Side of a pixel at distance 1.
+    pixel: f64,
+}
+
+impl<'a> View<'a> {
+    fn new(surface: &'a Surface, scale: f64, sampling: Sampling) -> Self {
+        // Directions do not change with the zoom; the place of the eye needs `f64`.
+        let camera = Camera::new(AWAY.as_vec3(), Vec3::ZERO, FIELD, sampling.width, sampling.height);
+        let target = POINT.extend(surface.height(POINT));
+        let pixel = f64::from(2.0 * (0.5 * FIELD).tan() / sampling.height as f32);
+        Self { surface, camera, scale, target, pixel }
+    }
+
+    fn radiance(&self, x: f32, y: f32) -> Vec3 {
+        let eye = self.target + AWAY * self.scale;
+        let towards = self.camera.direction(x, y).as_dvec3();
+        let Some(t) = self.surface.meeting(eye, towards, 0.0) else { return ground(eye, towards) };
+        let p = eye + towards * t;
+        let reach = 0.75 * self.pixel * t;
+        let normal = self.surface.normal(p.truncate(), reach);
+        let sun = direction(-168.0, 36.0).as_dvec3();
+        let cos_theta = normal.dot(sun).max(0.0) as f32;
+        let start = p + DVec3::Z * (1.5 * reach);
+        let lit = cos_theta > 0.0 && self.surface.meeting(start, sun, 0.0).is_none();
+        let sun = if lit { hex(0xff_ecd0) * (2.3 * cos_theta) } else { Vec3::ZERO };
+        let sky = hex(0x9f_b6d6) * (0.3 + 0.24 * normal.z as f32);
+        // Steep faces are bare.
+        let steep = ((0.83 - normal.z as f32) / 0.2).clamp(0.0, 1.0);
+        let rock = mix(hex(0xc6_b69c), hex(0x93_7a66), steep);
+        rock * (sun + sky)
+    }
+}
+
+/// The table that the surface stands on, and the room behind it.
+fn ground(eye: DVec3, towards: DVec3) -> Vec3 {
+    let p = eye.truncate() - towards.truncate() * (eye.z / towards.z.min(-1e-9));
+    let away = ((p - 1.0).length() / 5.0).min(1.0) as f32;
+    mix(hex(0xcf_ccc6), hex(0x8d_949c), away)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_relief_is_as_steep_at_every_zoom() {
+        let surface = Surface::new().unwrap();
+        for power in 0..=POWERS {
+            let side = 10.0_f64.powi(-power);
+            let mut square = 0.0;
+            for k in 0..400 {
+                let place = DVec2::new(f64::from(k % 20), f64::from(k / 20)) / 20.0 - 0.5;
+                let normal = surface.normal(POINT + place * side, 0.002 * side);
+                square += (normal.truncate() / normal.z).length_squared() / 400.0;
+            }
+            // Measured 1.70 to 2.05.
+            assert!((1.5..2.3).contains(&square.sqrt()), "10^{power}: {square}");
+        }
+    }
+}

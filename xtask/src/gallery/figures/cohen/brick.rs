@@ -1,0 +1,107 @@
+//! Bump-mapped brick, close by and to the horizon.
+
+use asperity_shading::{Brick, bumped_normal, surface_gradient};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::raster,
+    },
+    image::hex,
+    scene::{
+        lights::direction,
+        pattern::mix,
+        render::{Sampling, hash, render},
+    },
+};
+
+pub(crate) const BRICK: Figure = Figure {
+    name: "cohen-brick",
+    title: "Bump-mapped brick",
+    source: "Cohen, Procedural Bump Mapping and Noise, listing brickbump",
+    caption: "The lecture's bricks, 0.25 by 0.08 with 0.01 of mortar, lit from the upper left so that the grooves show. Below, \
+              a floor of them to the horizon: one sample a pixel breaks into moir\u{e9}; one sample that shades the exact \
+              shares of the pixel's slopes and of its mortar does not, and is what 256 samples come to.",
+    draw,
+};
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let wall = Brick::default();
+    let wide = Sampling {
+        width: 2 * context.size,
+        height: context.size * 2 / 3,
+        samples_per_pixel: 4 * context.samples_per_pixel,
+        seed: context.seed,
+    };
+    let scale = 1.1 / wide.width as f32;
+    let mut panels = Vec::new();
+    let image = render(wide, context.progress, context.interrupted, |x, y| {
+        shade(&wall, Vec2::new(x, wide.height as f32 - y) * scale + Vec2::new(0.04, 0.02), Vec2::ZERO)
+    })?;
+    let mut panel = raster(
+        "wall",
+        "The wall",
+        "A brick wall whose mortar lies deeper than the bricks",
+        image.exposed(1.0),
+    );
+    panel.span = 3;
+    panels.push(panel);
+    let floor = |samples_per_pixel| Sampling {
+        width: context.size,
+        height: context.size * 2 / 3,
+        samples_per_pixel,
+        ..wide
+    };
+    for (stem, label, samples, filtered) in [
+        ("plain", "One sample a pixel", 1, false),
+        ("filtered", "One filtered sample a pixel", 1, true),
+        ("mean", "256 samples a pixel", 256, false),
+    ] {
+        let sampling = floor(samples);
+        let (half, height) = (0.5 * sampling.width as f32, sampling.height as f32);
+        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+            // One sample is the pixel's middle.
+            let (x, y) = if samples == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
+            let at = |x: f32, y: f32| {
+                let distance = 0.35 * height / (y + 0.02 * height).max(0.02);
+                Vec2::new((x - half) / (0.8 * height) * distance, distance)
+            };
+            let (dx, dy) = (at(x + 0.5, y) - at(x - 0.5, y), at(x, y + 0.5) - at(x, y - 0.5));
+            let widths = if filtered { dx.abs() + dy.abs() } else { Vec2::ZERO };
+            shade(&wall, at(x, y), widths)
+        })?;
+        let alt = format!("A floor of bricks to the horizon, {}", label.to_lowercase());
+        panels.push(raster(stem, label, &alt, image.exposed(1.0)));
+    }
+    Ok(Drawn {
+        panels,
+        columns: 3,
+        parameters: vec![
+            ("depth of the mortar".to_owned(), DEPTH.to_string()),
+            ("facets of a distant pixel".to_owned(), "50".to_owned()),
+        ],
+        table: None,
+    })
+}
+
+const DEPTH: f32 = 0.004;
+
+/// The wall under one lamp and a sky, with a colour of its own for every brick that a pixel resolves.
+fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
+    let sun = direction(126.0, 34.0);
+    let [column, row] = wall.sample(uv).cell;
+    let own = hash(column as u32 ^ hash(row as u32)) as f32 / 4_294_967_296.0 - 0.5;
+    // Several bricks in a pixel have their mean colour.
+    let resolved = (1.0 - widths.x.max(3.0 * widths.y) / 0.25).clamp(0.0, 1.0);
+    let clay = hex(0xa5_4f3c) * (1.0 + 0.5 * own * resolved);
+    let mut light = Vec3::ZERO;
+    wall.facets(uv, widths, |share, brick, slope| {
+        let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], DEPTH * slope);
+        let normal = bumped_normal(Vec3::Z, gradient);
+        let lamp = 1.35 * normal.dot(sun).max(0.0);
+        light += share * mix(hex(0xb4_aea4), clay, brick) * (0.3 + lamp);
+    });
+    light
+}

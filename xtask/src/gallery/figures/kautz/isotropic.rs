@@ -1,0 +1,78 @@
+//! Two isotropic densities on the teapot.
+
+use asperity_ndf_sampling::{Beckmann, Ggx};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel},
+        panels::{common_parameters, density_panel, fine, object_panel},
+    },
+    image::hex,
+    scene::{
+        material::SharedNdf,
+        render::Sampling,
+        request::{RenderRequest, Subject},
+        shape::Shape,
+    },
+};
+
+/// The figure.
+pub(crate) const ISOTROPIC: Figure = Figure {
+    name: "kautz-5-isotropic",
+    title: "Two materials from two densities",
+    source: "after Kautz, Heidrich, Seidel 2001, figure 5",
+    caption: "The same noise, seed and lights; only the density differs. Left a narrow Beckmann density, hammered \
+              silver: its Gaussian slopes end early, and the highlight has an edge. Right a wide GGX density, sand \
+              cast bronze: long tails put stray glints far from the highlight.",
+    draw,
+};
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let shape = RenderRequest::shape(Subject::Teapot);
+    let (narrow, wide) = (Beckmann::isotropic(0.22)?, Ggx::isotropic(0.36)?);
+    let silver = Look { ndf: &narrow, name: "Beckmann 0.22", stem: "beckmann", tint: 0xe6_e8ec };
+    let bronze = Look { ndf: &wide, name: "GGX 0.36", stem: "ggx", tint: 0xe0_a36a };
+    let mut panels = Vec::new();
+    for look in [&silver, &bronze] {
+        panels.push(look.density(context)?);
+        panels.push(look.teapot(context, &shape)?);
+    }
+    let mut parameters = common_parameters(&silver.request(context));
+    parameters.insert(0, ("densities".into(), format!("{}; {}", silver.name, bronze.name)));
+    Ok(Drawn { columns: 6, panels, parameters, table: None })
+}
+
+struct Look<'a> {
+    ndf: &'a SharedNdf,
+    name: &'static str,
+    stem: &'static str,
+    tint: u32,
+}
+
+impl Look<'_> {
+    fn density(&self, context: &Context<'_>) -> Result<Panel, Failure> {
+        let mut panel = density_panel(context, self.ndf, self.name)?;
+        panel.stem = format!("density-{}", self.stem);
+        Ok(panel)
+    }
+
+    /// Twice as large as a square panel.
+    fn request(&self, context: &Context<'_>) -> RenderRequest<'_> {
+        let side = context.size * 2;
+        let sampling = Sampling { width: side, height: side * 3 / 4, ..fine(context) };
+        let mut request = RenderRequest::new(Subject::Teapot, self.ndf, sampling);
+        request.zoom = 1.2;
+        request.bumps.frequency = 9.0;
+        request.tint = hex(self.tint);
+        request
+    }
+
+    fn teapot(&self, context: &Context<'_>, shape: &Shape) -> Result<Panel, Failure> {
+        let alt = format!("The teapot with bumps and highlights of the density {}.", self.name);
+        let words = [&format!("teapot-{}", self.stem) as &str, self.name, &alt];
+        let mut panel = object_panel(context, &self.request(context), shape, words)?;
+        panel.span = 2;
+        Ok(panel)
+    }
+}

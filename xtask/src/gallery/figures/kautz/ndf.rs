@@ -1,0 +1,144 @@
+//! A density drawn as a map, as a relief over the map, and as a lobe.
+
+use std::f32::consts::FRAC_PI_2;
+
+use asperity_ndf_sampling::{Ggx, Ndf};
+use glam::Vec3;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel},
+        panels::{density_panel, raster, square},
+    },
+    image::{Image, hex},
+    scene::{
+        camera::Camera,
+        hemisphere::ember,
+        lights::direction,
+        material::SharedNdf,
+        mesh::{Mesh, TracedMesh},
+        relief::relief,
+        request::{peak, trace},
+        shape::{Hit, Shape},
+    },
+};
+
+/// The figure.
+pub(crate) const NDF: Figure = Figure {
+    name: "kautz-2-ndf",
+    title: "A normal density function",
+    source: "after Kautz, Heidrich, Seidel 2001, figure 2, right",
+    caption: "How many facets of a rough surface face which way. Left, the density over the disk of normals, seen \
+              from above. Middle, the same as a relief; the lines are a tenth of the peak apart. Right, as a lobe: \
+              in each direction the surface is as far from the centre as there are facets that face there. The \
+              density is anisotropic, twice as wide in y as in x.",
+    draw,
+};
+
+const ALPHA: [f32; 2] = [0.25, 0.5];
+
+/// Height of the relief's peak over the unit disk.
+const HEIGHT: f32 = 1.15;
+
+/// Length of the lobe at the peak.
+const LENGTH: f32 = 1.7;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
+    let top = peak(&ndf);
+    let share = |x: f32, y: f32| {
+        // At the horizon itself a density is 0 by definition; the rim shows its limit.
+        let z = (1.0 - x * x - y * y).max(1e-6).sqrt();
+        ndf.density(Vec3::new(x, y, z)) / top
+    };
+    let hill = relief(|t, phi| {
+        // Denser rings near the peak, where the relief is steep; the last ones are the wall below its rim, for a GGX
+        // has some facets that face the horizon.
+        let t = t / 0.98;
+        let r = (t * (0.4 + 0.6 * t)).min(1.0);
+        let (x, y) = (r * phi.cos(), r * phi.sin());
+        let wall = ((1.02 - t) / 0.02).clamp(0.0, 1.0);
+        Vec3::new(x, y, HEIGHT * share(x, y) * wall)
+    });
+    let eye = Vec3::new(3.3, -4.1, 3.0);
+    let over_map = View { eye, centre: Vec3::new(0.0, 0.0, 0.36), value: &|p| p.z / HEIGHT };
+    let panels = vec![
+        density_panel(context, &ndf, "GGX 0.25, 0.5")?,
+        raster(
+            "relief",
+            "as a relief",
+            "A steep ridge over a round map, longer in one direction.",
+            over_map.draw(context, hill)?,
+        ),
+        lobe_panel(context, &ndf, "A flattened upright lobe above a disk.")?,
+    ];
+    let parameters = vec![("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1]))];
+    Ok(Drawn { columns: 3, panels, parameters, table: None })
+}
+
+/// The density as a lobe: in each direction as far from the centre as there are facets that face there.
+pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel, Failure> {
+    let top = peak(ndf);
+    let lobe = relief(|t, phi| {
+        let (sin, cos) = (t * FRAC_PI_2).sin_cos();
+        let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
+        let share = ndf.density(m) / top;
+        // Thousands of triangles too small to be seen, at one point, take the hierarchy of boxes half a minute.
+        m * if share < 1e-3 { 0.0 } else { LENGTH * share }
+    });
+    let around = View {
+        eye: Vec3::new(3.9, -4.6, 2.1),
+        centre: Vec3::new(0.0, 0.0, 0.72),
+        value: &|p| p.length() / LENGTH,
+    };
+    Ok(raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
+}
+
+/// How a surface over the unit disk is seen and coloured.
+struct View<'a> {
+    eye: Vec3,
+    centre: Vec3,
+    /// The density at a point of the surface, over its peak.
+    value: &'a (dyn Fn(Vec3) -> f32 + Sync),
+}
+
+impl View<'_> {
+    fn draw(&self, context: &Context<'_>, mesh: Mesh) -> Result<Image, Failure> {
+        let mut sampling = square(context);
+        sampling.samples_per_pixel *= 4;
+        let camera = Camera::new(self.eye, self.centre, 0.39, sampling.width, sampling.height);
+        let shape = Shape::MeshOnDisk(TracedMesh::new(mesh));
+        let sun = direction(-122.0, 48.0);
+        let shade = |_: Vec3, hit: &Hit| {
+            let start = hit.position + hit.normal * 2e-3;
+            // The rim and its wall, a cell away, would shade themselves.
+            let shadow = shape.first_hit(start, sun).is_some_and(|other| other.t > 0.05);
+            let lit = if shadow { 0.0 } else { hit.normal.dot(sun).max(0.0) };
+            let sky = 0.5 + 0.5 * hit.normal.z;
+            self.colour(hit) * (0.95 * lit + 0.42 * sky)
+        };
+        let image = trace(sampling, &camera, &shape, context.progress, context.interrupted, shade)?;
+        Ok(image.exposed(1.0))
+    }
+
+    fn colour(&self, hit: &Hit) -> Vec3 {
+        if hit.position.z <= 0.0 {
+            return ground(hit.position);
+        }
+        let value = (self.value)(hit.position);
+        let base = ember(value.max(0.0).sqrt());
+        // Lines of equal density, of one width on the surface whatever its slope.
+        let steep = (1.0 - hit.normal.z * hit.normal.z).sqrt().max(0.05);
+        let off = (value * 10.0 - (value * 10.0).round()).abs() * 0.1 / steep;
+        if off < 0.0035 && value > 0.07 { base * 0.42 } else { base }
+    }
+}
+
+/// The disk of normals with circles every 30° of tilt and its two axes.
+fn ground(p: Vec3) -> Vec3 {
+    let r = p.x.hypot(p.y);
+    let circle = [0.5, 0.75_f32.sqrt(), 0.992].iter().any(|c| (r - c).abs() < 0.005);
+    let axis = p.x.abs().min(p.y.abs()) < 0.004;
+    if circle || axis { hex(0x8b_8d96) } else { hex(0x4a_4c54) }
+}

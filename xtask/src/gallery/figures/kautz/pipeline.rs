@@ -1,0 +1,102 @@
+//! The steps of the method: noise, look-up, shading.
+
+use asperity_ndf_sampling::{Ggx, NormalTable, phi};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::{common_parameters, fine, object_panel, raster},
+    },
+    image::{Image, hex},
+    scene::{
+        material::{Facets, sky},
+        request::{RenderRequest, Subject, trace},
+        shape::{Hit, Shape},
+    },
+};
+
+/// The figure.
+pub(crate) const PIPELINE: Figure = Figure {
+    name: "kautz-3-pipeline",
+    title: "Noise, look-up, shading",
+    source: "after Kautz, Heidrich, Seidel 2001, figure 3",
+    caption: "First two independent channels of Gaussian noise are laid through the object; the hue shows the pair. \
+              The pair is looked up in the table L, built from the density by inversion, whose entries are normals \
+              and tangents, here as colours. So the noise becomes a bump map whose normals follow the density, and \
+              the density shades each of them in its own frame.",
+    draw,
+};
+
+const ALPHA: [f32; 2] = [0.22, 0.44];
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
+    let table = NormalTable::standard(&ndf);
+    let shape = RenderRequest::shape(Subject::Teapot);
+    let mut request = RenderRequest::new(Subject::Teapot, &ndf, fine(context));
+    request.facets = Facets::Table(&table);
+    request.bumps.frequency = 4.0;
+    request.exposure *= 1.5;
+    let noise = steps(context, &request, &shape, |z, _| pair_colour(z))?;
+    let normals = steps(context, &request, &shape, |_, m| normal_colour(m))?;
+    let panels = vec![
+        raster("noise", "two channels of noise", "The teapot, mottled in four hues.", noise),
+        raster(
+            "table",
+            "the table L, over ±4.5 standard deviations",
+            "A square of smoothly changing normals; the flat normal in its centre.",
+            Image::from_fn(context.size, context.size, |x, y| {
+                let place = |k: u32| 9.0 * (k as f32 + 0.5) / context.size as f32 - 4.5;
+                normal_colour(table.bilinear(Vec2::new(place(x), -place(y))).normal)
+            }),
+        ),
+        raster("normals", "the normals that L gives", "The teapot, coloured by its bump normals.", normals),
+        object_panel(
+            context,
+            &request,
+            &shape,
+            ["shaded", "shaded with the density", "The teapot as embossed copper."],
+        )?,
+    ];
+    let mut parameters = common_parameters(&request);
+    parameters.insert(0, ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])));
+    Ok(Drawn { columns: 4, panels, parameters, table: None })
+}
+
+/// The object with each point in the colour of its noise pair or its normal in the surface's frame.
+fn steps(
+    context: &Context<'_>,
+    request: &RenderRequest<'_>,
+    shape: &Shape,
+    colour: impl Fn(Vec2, Vec3) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let camera = request.camera();
+    let bumps = request.bumps.field(context.seed)?;
+    let Facets::Table(table) = request.facets else {
+        return Err("the pipeline looks its normals up".into());
+    };
+    let shade = |direction: Vec3, hit: &Hit| {
+        let coordinates = bumps.coordinates(hit.position, camera.footprint(direction, hit));
+        let z = coordinates.z * coordinates.fade;
+        // Some light from the sky, so that the shape stays readable.
+        colour(z, table.bilinear(z).normal) * (0.35 + 0.65 * sky(hit.normal))
+    };
+    let image = trace(request.sampling, &camera, shape, context.progress, context.interrupted, shade)?;
+    Ok(image.exposed(1.0))
+}
+
+/// A pair of Gaussian numbers, made uniform, between four colours at the corners of the unit square.
+fn pair_colour(z: Vec2) -> Vec3 {
+    let (u, v) = (phi(f64::from(z.x)) as f32, phi(f64::from(z.y)) as f32);
+    let low = hex(0x1f_4e79).lerp(hex(0xe8_6a4a), u);
+    let high = hex(0x2f_9e8f).lerp(hex(0xf8_e3a1), u);
+    low.lerp(high, v)
+}
+
+/// A normal as the colour that normal maps have, in sRGB: (x, y, z) from ±1 to 0 … 255.
+fn normal_colour(m: Vec3) -> Vec3 {
+    let byte = |c: f32| crate::image::linear(0.5 + 0.5 * c);
+    Vec3::new(byte(m.x), byte(m.y), byte(m.z))
+}

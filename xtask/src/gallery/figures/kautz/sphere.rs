@@ -1,0 +1,75 @@
+//! A bump mapped sphere at four zooms beside its density, by both rules of level of detail.
+
+use asperity_ndf_sampling::Ggx;
+use asperity_shading::{LevelOfDetail, conditional_density};
+use glam::Vec2;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel},
+        panels::{common_parameters, density_panel, fine, object_panel, raster, rule_words, square},
+    },
+    scene::{
+        hemisphere::hemisphere,
+        material::Facets,
+        request::{RenderRequest, Subject, peak},
+    },
+};
+
+/// The figure.
+pub(crate) const SPHERE: Figure = Figure {
+    name: "kautz-1-sphere",
+    title: "One density, from afar and from within",
+    source: "after Kautz, Heidrich, Seidel 2001, figure 1",
+    caption: "A sphere whose bumps are drawn from the density on the left and shaded with it, from the whole object \
+              to 64 times closer. First row, the rule of the source: every facet that has come into sight is shaded \
+              with the whole density again, as if it were a fractal, and the surface turns rougher and duller \
+              than it was from afar. Second row, the exact rule: a facet keeps only the part of the density that \
+              is not yet resolved, drawn on the left for one facet. Bumps sharpen into glints, and the mean over \
+              the surface stays what was seen from afar.",
+    draw,
+};
+
+const ALPHA: [f32; 2] = [0.18, 0.5];
+const ZOOMS: [f32; 4] = [1.0, 4.0, 16.0, 64.0];
+
+/// A facet whose remaining density stands at the left of the second row, and the share of the variance resolved.
+const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
+    let shape = RenderRequest::shape(Subject::Sphere);
+    let mut request = RenderRequest::new(Subject::Sphere, &ndf, fine(context));
+    let mut panels = Vec::new();
+    for rule in [LevelOfDetail::Fractal, LevelOfDetail::Exact] {
+        panels.push(match rule {
+            LevelOfDetail::Fractal => density_panel(context, &ndf, "GGX 0.18, 0.5")?,
+            LevelOfDetail::Exact => remaining(context, &ndf)?,
+        });
+        request.facets = Facets::Consistent(rule);
+        let [name, stem] = rule_words(rule);
+        for zoom in ZOOMS {
+            request.zoom = zoom;
+            let label = format!("{name}, ×{zoom}");
+            let alt = format!("The sphere at zoom {zoom} by the rule {name}.");
+            let words = [&format!("{stem}-{zoom}") as &str, &label, &alt];
+            panels.push(object_panel(context, &request, &shape, words)?);
+        }
+    }
+    let mut parameters = common_parameters(&request);
+    parameters[0] = ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1]));
+    Ok(Drawn { columns: 5, panels, parameters, table: None })
+}
+
+/// What the exact rule leaves of the density below one resolved facet.
+fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel, Failure> {
+    let (z, share) = FACET;
+    // Its own peak is 1/(1 − s) times higher; on the scale of the whole density it would be a white spot.
+    let top = peak(ndf) / (1.0 - share);
+    let image = hemisphere(square(context), top, context.progress, context.interrupted, |h| {
+        conditional_density(ndf, h, z, share)
+    })?;
+    let alt = "A small part of the density, around the normal of one facet.";
+    Ok(raster("remaining", "what is left of it below one facet", alt, image))
+}

@@ -1,0 +1,54 @@
+//! The teapot with an anisotropic density at three distances, and with normals that do not follow it.
+
+use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::{common_parameters, density_panel, fine, object_panel},
+    },
+    scene::{
+        material::Facets,
+        request::{RenderRequest, Subject},
+    },
+};
+
+/// The figure.
+pub(crate) const TEAPOT: Figure = Figure {
+    name: "kautz-4-teapot",
+    title: "An anisotropic teapot",
+    source: "after Kautz, Heidrich, Seidel 2001, figure 4",
+    caption: "The normals of this density spread four times as far along the profile of the pot as around its \
+              axis, like metal that was turned on a lathe, so each highlight is drawn out along the profile, \
+              across the direction of turning. Coming closer, the smooth highlight dissolves into bumps that were \
+              in it all along (the exact rule). On the right the bumps come from normals spread evenly over the \
+              hemisphere, each still shaded with the density: highlight and material are gone.",
+    draw,
+};
+
+const ALPHA: [f32; 2] = [0.14, 0.56];
+const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0, "nine times closer")];
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
+    let shape = RenderRequest::shape(Subject::Teapot);
+    let mut request = RenderRequest::new(Subject::Teapot, &ndf, fine(context));
+    // So fine that the view of the whole pot resolves next to nothing.
+    request.bumps.frequency = 27.0;
+    let mut panels = vec![density_panel(context, &ndf, "GGX 0.14, 0.56")?];
+    for (zoom, label) in ZOOMS {
+        request.zoom = zoom;
+        let alt = format!("The teapot, {label}: a highlight along its profile that breaks up into bumps.");
+        panels.push(object_panel(context, &request, &shape, [&format!("zoom-{zoom}"), label, &alt])?);
+    }
+    let mut parameters = common_parameters(&request);
+    parameters.insert(0, ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])));
+    let uniform = NormalTable::standard(&BlinnPhong::new(0.0)?);
+    request.facets = Facets::Table(&uniform);
+    request.zoom = ZOOMS[1].0;
+    let alt = "The same view with bumps from uniform normals: a grainy surface without a highlight.";
+    let words = ["uniform", "three times closer, normals spread evenly", alt];
+    panels.push(object_panel(context, &request, &shape, words)?);
+    Ok(Drawn { columns: 5, panels, parameters, table: None })
+}

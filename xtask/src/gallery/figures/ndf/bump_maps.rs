@@ -1,0 +1,233 @@
+//! Existing normal maps: detail that keeps their density, and their density estimated and given back.
+
+use asperity_ndf_sampling::{
+    Frame, Ggx, Ndf, NdfEstimator, NdfMap, NormalMapFormat, detailed_normal, estimate_ndf,
+};
+use asperity_noise::{GaussianOctaves, Spectrum};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel, Table},
+        panels::{density_panel, fact, raster, square, vector},
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    },
+    image::{Image, hex, linear},
+    scene::{cobbles::cobbles, lights::direction, render::render},
+};
+
+/// Detail on an existing normal map.
+pub(crate) const DETAIL: Figure = Figure {
+    name: "ndf-map-detail",
+    title: "Detail on an existing normal map",
+    source: "after Kautz, Heidrich, Seidel 2001, section 7",
+    caption: "A normal map of 256 × 256 texels of 8 bits, closer and closer. Above, its texels are blended, and what is left \
+              at sixteenfold is a smear. Below, the normals are taken as indices into the map's own density, noise is added \
+              to them, and normals are looked up again: octaves below the texel appear as they are resolved, tilted as the \
+              map's own normals are, and the variance of the indices is kept, so that the whole grows no rougher.",
+    draw: draw_detail,
+};
+
+/// The density of a normal map, and a bump map made of it alone.
+pub(crate) const ESTIMATE: Figure = Figure {
+    name: "ndf-map-estimate",
+    title: "A density taken from a normal map, and given back",
+    source: "after Kautz, Heidrich, Seidel 2001, section 7",
+    caption: "The histogram of a normal map's normals, smoothed by a kernel, is a density like any other. \
+              Noise through its distribution functions is a new bump map with the same normals in the same proportions and \
+              nothing else of the first: same shares of flat tops and steep mortar, no cobbles.",
+    draw: draw_estimate,
+};
+
+/// Texels along a side of the normal map.
+const SIZE: usize = 256;
+/// How strong the noise is, once all octaves are resolved.
+const AMOUNT: f32 = 0.35;
+const ZOOMS: [f32; 3] = [1.0, 4.0, 16.0];
+/// Lattice cells of the first octave of detail for each texel.
+const CELLS_PER_TEXEL: f32 = 0.35;
+const LACUNARITY: f32 = 2.17;
+
+/// A normal map of 8 bits and its density.
+struct NormalMap {
+    normals: Vec<Vec3>,
+    ndf: NdfMap,
+}
+
+impl NormalMap {
+    fn cobbles() -> Result<Self, Failure> {
+        let format = NormalMapFormat::default();
+        let normals: Vec<_> =
+            cobbles(SIZE).into_iter().map(|n| format.decode_u8(format.encode_u8(n))).collect();
+        let ndf = estimate_ndf(&normals)?;
+        Ok(Self { normals, ndf })
+    }
+
+    /// The blended normal at a point of the unit square, periodic.
+    fn at(&self, p: Vec2) -> Vec3 {
+        let place = p * SIZE as f32 - Vec2::splat(0.5);
+        let (cell, t) = (place.floor(), place - place.floor());
+        let texel = |i: i32, j: i32| {
+            let wrap = |k: i32| k.rem_euclid(SIZE as i32) as usize;
+            self.normals[wrap(cell.y as i32 + j) * SIZE + wrap(cell.x as i32 + i)]
+        };
+        let across = |j: i32| texel(0, j).lerp(texel(1, j), t.x);
+        across(0).lerp(across(1), t.y).normalize_or(Vec3::Z)
+    }
+}
+
+fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let map = NormalMap::cobbles()?;
+    let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.8, 8)?, context.seed);
+    let mut panels = Vec::new();
+    for with_detail in [false, true] {
+        for zoom in ZOOMS {
+            let side = 1.0 / zoom;
+            let pixel = side / context.size as f32;
+            // An octave is resolved when its cells are two pixels wide.
+            let cells = CELLS_PER_TEXEL * SIZE as f32;
+            let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
+            let amount = AMOUNT * noise.share(octaves.max(0.0)).sqrt();
+            let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
+            let image = render(square(context), context.progress, context.interrupted, |x, y| {
+                let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
+                let n = map.at(p);
+                let n = if with_detail && octaves > 0.0 {
+                    let [a, b] = noise.pair(p * cells, octaves);
+                    detailed_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount)
+                } else {
+                    n
+                };
+                lit(n)
+            })?;
+            let (stem, word) = if with_detail { ("detail", "with detail") } else { ("plain", "as it is") };
+            panels.push(raster(
+                &format!("{stem}-{zoom}"),
+                &format!("\u{d7}{zoom}, {word}"),
+                &format!("Worn cobbles at a magnification of {zoom}, {word}."),
+                image,
+            ));
+        }
+    }
+    let parameters = vec![
+        fact("normal map", "256 \u{d7} 256, 8 bits, OpenGL"),
+        fact("amount ε", &format!("{AMOUNT}")),
+        fact("first octave", &format!("{CELLS_PER_TEXEL} cells per texel")),
+    ];
+    Ok(Drawn { columns: 3, panels, parameters, table: None })
+}
+
+/// A normal under one lamp and a sky: a matt surface with a faint gloss.
+fn lit(n: Vec3) -> Vec3 {
+    let lamp = direction(135.0, 42.0);
+    let h = (lamp + Vec3::Z).normalize();
+    let gloss = Ggx::clamped(0.3, 0.3).density(Frame::from_normal(n).to_local(h));
+    let lambert = n.dot(lamp).max(0.0);
+    hex(0xb0_9a84) * (0.16 + 0.95 * lambert) + Vec3::splat(0.035 * gloss * lambert)
+}
+
+fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let map = NormalMap::cobbles()?;
+    let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.6, 6)?, context.seed);
+    let cells = 24.0 / SIZE as f32;
+    let again: Vec<Vec3> = (0..SIZE * SIZE)
+        .into_par_iter()
+        .map(|k| Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells)
+        .map(|p| noise.pair(p, 6.0).map(|channel| channel.value))
+        .map(|z| map.ndf.from_gaussian(Vec2::from(z)))
+        .collect();
+    let ndf_again = estimate_ndf(&again)?;
+    let mut of_map = density_panel(context, &map.ndf, "of the map")?;
+    of_map.stem = "density-map".into();
+    let mut of_again = density_panel(context, &ndf_again, "of the new bump map")?;
+    of_again.stem = "density-again".into();
+    let panels = vec![
+        texels("map", "the normal map", &map.normals),
+        of_map,
+        texels("again", "a bump map from the density alone", &again),
+        of_again,
+        cuts(&map.ndf, &ndf_again)?,
+    ];
+    let kernel = NdfEstimator::suited(&map.normals);
+    let deviation = |normals: &[Vec3], axis: Vec3| {
+        let count = normals.len() as f32;
+        let mean = normals.iter().map(|n| n.dot(axis)).sum::<f32>() / count;
+        (normals.iter().map(|n| (n.dot(axis) - mean).powi(2)).sum::<f32>() / count).sqrt()
+    };
+    let row = |name: &str, normals: &[Vec3]| {
+        vec![
+            name.to_owned(),
+            format!("{:.3}", deviation(normals, Vec3::X)),
+            format!("{:.3}", deviation(normals, Vec3::Y)),
+            format!("{:.3}", normals.iter().map(|n| n.z).sum::<f32>() / normals.len() as f32),
+        ]
+    };
+    let head = ["", "deviation of n_x", "deviation of n_y", "mean of n_z"];
+    let table = Table {
+        head: head.map(str::to_owned).to_vec(),
+        rows: vec![row("the normal map", &map.normals), row("from the density alone", &again)],
+    };
+    let parameters = vec![
+        fact("estimate", &format!("{0} \u{d7} {0} texels", kernel.size())),
+        fact("kernel", &format!("quadratic B-spline, width {:.3}", kernel.width())),
+        fact("total variation", &format!("{:.3}", variation(&map.normals, &again))),
+    ];
+    Ok(Drawn { columns: 5, panels, parameters, table: Some(table) })
+}
+
+/// Normals as the colours of a normal map.
+fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
+    let format = NormalMapFormat::default();
+    let image = Image::from_fn(SIZE as u32, SIZE as u32, |x, y| {
+        // The first row of the map is the lowest of the image.
+        let n = normals[(SIZE - 1 - y as usize) * SIZE + x as usize];
+        Vec3::from(format.encode_u8(n).map(|byte| linear(f32::from(byte) / 255.0)))
+    });
+    raster(stem, label, "A normal map in its usual blue and violet colours.", image)
+}
+
+/// The densities of two bump maps along both axes.
+fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel, Failure> {
+    let top = f64::from(first.density(Vec3::Z).max(second.density(Vec3::Z)));
+    let curve = |ndf: &NdfMap, axis: Vec3, stroke: Stroke, name: &str| Mark::Line {
+        points: (-200..=200)
+            .map(|k| k as f32 / 200.0 * 0.99)
+            .map(|x| (x, axis * x + Vec3::Z * (1.0 - x * x).sqrt()))
+            .map(|(x, m)| [f64::from(x), f64::from(ndf.density(m))])
+            .collect(),
+        stroke,
+        name: name.to_owned(),
+    };
+    let title = "The densities of the normal map and of the new bump map along both axes";
+    let plot = Plot {
+        title: title.to_owned(),
+        size: [330.0, 330.0],
+        x: Axis::linear("n_x, n_y", [-1.0, 1.0], 0.5),
+        y: Axis::linear("sr\u{207b}¹", [0.0, (top * 1.1).ceil()], (top / 4.0).ceil()),
+        names: Names::Above,
+        marks: vec![
+            curve(first, Vec3::X, Stroke::solid(Ink::Series(1)).wide(2.0), "map, x"),
+            curve(second, Vec3::X, Stroke::dashed(Ink::Series(1)).wide(1.0), "new, x"),
+            curve(first, Vec3::Y, Stroke::solid(Ink::Series(2)).wide(2.0), "map, y"),
+            curve(second, Vec3::Y, Stroke::dashed(Ink::Series(2)).wide(1.0), "new, y"),
+        ],
+    };
+    vector("cuts", "both densities along x and y", title, &plot)
+}
+
+/// The total variation between two sets of normals in 32 × 32 bins.
+fn variation(first: &[Vec3], second: &[Vec3]) -> f64 {
+    const BINS: usize = 32;
+    let shares = |normals: &[Vec3]| {
+        let mut shares = vec![0.0; BINS * BINS];
+        let place = |n: f32| (((n * 0.5 + 0.5) * BINS as f32) as usize).min(BINS - 1);
+        for n in normals {
+            shares[place(n.y) * BINS + place(n.x)] += 1.0 / normals.len() as f64;
+        }
+        shares
+    };
+    let (first, second): (Vec<f64>, Vec<f64>) = (shares(first), shares(second));
+    0.5 * first.iter().zip(&second).map(|(a, b)| (a - b).abs()).sum::<f64>()
+}

@@ -1,0 +1,98 @@
+//! What a pixel sees of a density as it resolves more and more of the bump map.
+
+use asperity_ndf_sampling::{Ggx, conditional_density};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Table},
+        panels::{fact, raster, square},
+    },
+    input::density::painted,
+    scene::{hemisphere::hemisphere, material::SharedNdf},
+};
+
+/// The figure.
+pub(crate) const CONDITIONAL: Figure = Figure {
+    name: "ndf-conditional",
+    title: "From the whole density to one facet",
+    source: "Asperity",
+    caption: "The density of normals that a pixel still has before it, when it resolves a share s of the noise's variance \
+              and finds there the Gaussian coordinates of one certain facet. From afar it is the density itself; closer, it \
+              draws together around the facet, for GGX as for a painted density with two lobes. Each picture has its own \
+              scale. Averaged over all facets, every one of them gives the first picture back: the table has the mean over \
+              the surface, by quadrature, at one half-vector.",
+    draw,
+};
+
+const SHARES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
+/// The facet that is found.
+const FACET: Vec2 = Vec2::new(-0.9, 0.7);
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let (ggx, painted) = (Ggx::new(0.25, 0.5)?, painted()?);
+    let subjects: [(&str, &str, &SharedNdf); 2] =
+        [("ggx", "GGX 0.25, 0.5", &ggx), ("painted", "painted", &painted)];
+    let h = Vec3::new(0.15, -0.2, 0.968).normalize();
+    let mut panels = Vec::new();
+    let mut rows = Vec::new();
+    for (stem, name, ndf) in subjects {
+        let mut row = vec![name.to_owned()];
+        for s in SHARES {
+            let seen = |m: Vec3| conditional_density(ndf, m, FACET, s);
+            let image =
+                hemisphere(square(context), peak(&seen), context.progress, context.interrupted, seen)?;
+            panels.push(raster(
+                &format!("{stem}-{s}"),
+                &format!("{name}, s = {s}"),
+                &format!("The density {name} given a facet, with the share {s} of the variance resolved."),
+                image,
+            ));
+            row.push(format!("{:.5}", mean(ndf, h, s)));
+        }
+        row.push(format!("{:.5}", ndf.density(h)));
+        rows.push(row);
+    }
+    let mut head = vec!["mean over the surface".to_owned()];
+    head.extend(SHARES.map(|s| format!("s = {s}")));
+    head.push("D(h)".to_owned());
+    let parameters = vec![
+        fact("facet", &format!("z = ({}, {})", FACET.x, FACET.y).replace('-', "\u{2212}")),
+        fact("half-vector of the table", "(0.15, \u{2212}0.2, 0.968)"),
+    ];
+    Ok(Drawn { columns: 5, panels, parameters, table: Some(Table { head, rows }) })
+}
+
+/// The greatest value on a fine grid of the disk.
+fn peak(density: &impl Fn(Vec3) -> f32) -> f32 {
+    const SIDE: i32 = 160;
+    let mut peak = 0.0_f32;
+    for k in 0..(2 * SIDE + 1) * (2 * SIDE + 1) {
+        let place = |k: i32| (k - SIDE) as f32 / SIDE as f32;
+        let (x, y) = (place(k % (2 * SIDE + 1)), place(k / (2 * SIDE + 1)));
+        let z2 = 1.0 - x * x - y * y;
+        if z2 > 1e-3 {
+            peak = peak.max(density(Vec3::new(x, y, z2.sqrt())));
+        }
+    }
+    peak
+}
+
+/// `∫∫ p_s(h | z_b) N(z_b) dz_b` by the trapezoidal rule, whose error is far below the digits shown.
+fn mean(ndf: &SharedNdf, h: Vec3, s: f32) -> f64 {
+    const REACH: f64 = 7.0;
+    const POINTS: i32 = 420;
+    let step = 2.0 * REACH / f64::from(POINTS);
+    let gaussian = |z: f64| (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
+    let place = |k: i32| f64::from(k) * step - REACH;
+    (0..=POINTS)
+        .flat_map(|i| (0..=POINTS).map(move |j| (place(i), place(j))))
+        .map(|(x, y)| {
+            let z_b = Vec2::new(x as f32, y as f32);
+            f64::from(conditional_density(ndf, h, z_b, s)) * gaussian(x) * gaussian(y)
+        })
+        .sum::<f64>()
+        * step
+        * step
+}

@@ -1,0 +1,102 @@
+//! Smith's masking, and the normals that are seen from a direction.
+
+use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::{fact, raster, square, vector},
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+    },
+    scene::hemisphere::hemisphere,
+};
+
+/// The figure.
+pub(crate) const MASKING: Figure = Figure {
+    name: "ndf-masking",
+    title: "Masking and visible normals",
+    source: "after Heitz 2014 and Heitz and d'Eon 2014",
+    caption: "A rough surface from the side shows fewer of its facets, and rather those that face the eye. First, the visible \
+              share of the facets against the angle of view, all densities as narrow as one another: the longer the tails, the \
+              sooner it falls. Then the density of the normals that are seen, for GGX, as the eye sinks to the horizon at \
+              the right; the facets beyond the line are turned away. Brightness is per solid angle; the dots are normals drawn from it.",
+    draw,
+};
+
+const ALPHA: f32 = 0.45;
+const ANGLES: [f32; 4] = [0.0, 45.0, 70.0, 88.0];
+const DOTS: u32 = 400;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let ggx = Ggx::isotropic(ALPHA)?;
+    let mut panels = vec![shares()?];
+    for angle in ANGLES {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let v = Vec3::new(sin, 0.0, cos);
+        let dots: Vec<Vec2> = (0..DOTS)
+            .map(|k| Vec2::new(fraction(k, 0.754_877_7), fraction(k, 0.569_840_3)))
+            .map(|u| ggx.sample_visible(v, u).truncate())
+            .collect();
+        let seen = |m: Vec3| ggx.visible_density(v, m);
+        // Over the map, where a direction near the horizon takes less room: D_v/cos θ would be infinite there.
+        let peak = (0..=200)
+            .map(|k| k as f32 / 200.0)
+            .map(|x| seen(Vec3::new(x, 0.0, (1.0 - x * x).max(1e-4).sqrt())))
+            .fold(0.0, f32::max);
+        let radius = 2.2 / (0.43 * context.size as f32);
+        let image = hemisphere(square(context), 1.0, context.progress, context.interrupted, |m| {
+            let dot = dots.iter().any(|dot| dot.distance_squared(m.truncate()) < radius * radius);
+            let line = (m.dot(v) / sin.max(1e-3)).abs() < 0.006 && angle > 0.0;
+            if dot || line { 1.0 } else { 0.7 * seen(m) / peak }
+        })?;
+        panels.push(raster(
+            &format!("visible-{angle}"),
+            &format!("seen from {angle}°"),
+            &format!("Visible normals from {angle} degrees, with dots where normals were drawn."),
+            image,
+        ));
+    }
+    Ok(Drawn { columns: 5, panels, parameters: vec![fact("roughness", &format!("{ALPHA}"))], table: None })
+}
+
+/// The additive recurrence of Roberts 2018 in one coordinate.
+fn fraction(k: u32, step: f32) -> f32 {
+    (f64::from(k) * f64::from(step) + 0.5).fract() as f32
+}
+
+/// `G₁` against the angle of view.
+fn shares() -> Result<crate::gallery::figure::Panel, Failure> {
+    let (beckmann, ggx) = (Beckmann::isotropic(ALPHA)?, Ggx::isotropic(ALPHA)?);
+    let student = StudentT::new(ALPHA, ALPHA, 1.6)?;
+    let phong = BlinnPhong::from_roughness(ALPHA)?;
+    let ashikhmin = AshikhminShirley::new(2.0 / (ALPHA * ALPHA) - 2.0, 60.0)?;
+    let curve = |ndf: &dyn Microfacet, stroke: Stroke, name: &str| Mark::Line {
+        points: (0..=179)
+            .map(|k| f64::from(k) * 0.5)
+            .map(|degrees| {
+                let (sin, cos) = degrees.to_radians().sin_cos();
+                [degrees, f64::from(ndf.g1(Vec3::new(sin as f32, 0.0, cos as f32)))]
+            })
+            .collect(),
+        stroke,
+        name: name.to_owned(),
+    };
+    let title = "The visible share of facets against the angle of view";
+    let plot = Plot {
+        title: title.to_owned(),
+        size: [330.0, 330.0],
+        x: Axis::linear("angle of view, °", [0.0, 90.0], 30.0),
+        y: Axis::linear("G₁", [0.0, 1.0], 0.25),
+        names: Names::Above,
+        marks: vec![
+            curve(&student, Stroke::dashed(Ink::Series(1)), "Student-t 1.6"),
+            curve(&ggx, Stroke::solid(Ink::Series(1)).wide(2.0), "GGX"),
+            curve(&ashikhmin, Stroke::dashed(Ink::Series(3)), "A\u{2013}S"),
+            curve(&phong, Stroke::solid(Ink::Series(3)), "Blinn\u{2013}Phong"),
+            curve(&beckmann, Stroke::solid(Ink::Series(2)).wide(2.0), "Beckmann"),
+        ],
+    };
+    vector("masking", "G₁, against the angle of view", title, &plot)
+}

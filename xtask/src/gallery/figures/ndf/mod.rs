@@ -1,0 +1,7 @@
+//! Figures of the densities of normals.
+
+pub(super) mod bump_maps;
+pub(super) mod conditional;
+pub(super) mod densities;
+pub(super) mod masking;
+pub(super) mod table;

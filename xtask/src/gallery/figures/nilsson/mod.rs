@@ -1,0 +1,5 @@
+//! Figures of Nilsson 2008.
+
+pub(super) mod prng;
+pub(super) mod sliders;
+pub(super) mod zoom;

@@ -1,0 +1,61 @@
+//! Random numbers of the cells of a lattice: the thesis's texture, a permutation and a hash.
+
+use asperity_shading::noise::{ChainedTable, IntegerHash, Lattice, PermutationTable};
+use glam::Vec3;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        panels::raster,
+    },
+    image::{Image, hex},
+};
+
+pub(crate) const PRNG: Figure = Figure {
+    name: "nilsson-prng",
+    title: "Random numbers without a random number generator",
+    source: "Nilsson 2008, section 4.1.2",
+    caption: "Every point of a plane gets a number from what is around it. As printed, a texture of 256 numbers is looked up once \
+              for each axis, and what comes of one axis shifts the grid of the next by part of a cell: columns do not line \
+              up. A permutation of whole cells and an integer hash do; the hash alone has more than 256 results and no \
+              period.",
+    draw,
+};
+
+/// Cells along a side.
+const CELLS: u32 = 32;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    let table = PermutationTable::new(context.seed);
+    let printed = ChainedTable(table);
+    let side = context.size;
+    let place = |x: u32, y: u32| [x, y].map(|k| (f64::from(k) + 0.5) as f32 * CELLS as f32 / side as f32);
+    let cell = |x: u32, y: u32| place(x, y).map(|k| k as i32);
+    let word = |w: u32| w as f32 / 4_294_967_296.0;
+    let colour = |v: f32| hex(0x20_3a5c).lerp(hex(0xf4_dfb0), v);
+    let image = |number: &dyn Fn(u32, u32) -> f32| -> Image {
+        Image::from_fn(side, side, |x, y| -> Vec3 { colour(number(x, y)) })
+    };
+    let panels = vec![
+        raster(
+            "printed",
+            "The texture, once for each axis, as printed",
+            "Cells of random brightness in columns that are shifted against one another",
+            image(&|x, y| printed.prng(place(x, y), 1.0)),
+        ),
+        raster(
+            "permutation",
+            "A permutation of 256",
+            "Square cells of random brightness",
+            image(&|x, y| word(table.word(cell(x, y), 0))),
+        ),
+        raster(
+            "hash",
+            "An integer hash",
+            "Square cells of random brightness",
+            image(&|x, y| word(IntegerHash.word(cell(x, y), context.seed))),
+        ),
+    ];
+    Ok(Drawn { columns: 3, panels, parameters: vec![("cells".to_owned(), CELLS.to_string())], table: None })
+}

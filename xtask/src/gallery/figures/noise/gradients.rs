@@ -1,0 +1,178 @@
+//! Exact gradients: as arrows over the values, as colours, and as light on a relief.
+
+use asperity_noise::{Gaussian, Noise, Normalisation, Octaves, Sample, Spectrum};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        figures::noise::plane::{Window, grey},
+        panels::{fact, raster},
+    },
+    image::hex,
+};
+
+/// The figure.
+pub(crate) const GRADIENTS: Figure = Figure {
+    name: "noise-gradients",
+    title: "Values and gradients from one evaluation",
+    source: "Asperity",
+    caption: "Left, the noise in grey and its gradient as arrows, which point uphill and are as long as the slope is \
+              steep. Middle, the same gradient as colour: the hue is the direction, the strength the steepness; hues meet in \
+              the dark points, which are summits, pits and saddles. Right, six octaves of gain 0.38 lit from the upper left: the \
+              slopes come with the values, no neighbour is looked up.",
+    draw,
+};
+
+const CELLS: f32 = 5.0;
+/// Arrows along a side.
+const ARROWS: usize = 20;
+/// Length of the arrow of the mean square slope, in distances of arrows.
+const LENGTH: f32 = 0.62;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    context.progress.inc_length(3);
+    let window = Window::new(context, CELLS);
+    let samples = window.map(context, |p: Vec2| Gaussian::default().sample(p, context.seed))?;
+    let slope = steepness(&samples);
+
+    let spacing = window.side as f32 / ARROWS as f32;
+    let arrow = |column: usize, row: usize| {
+        let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * spacing;
+        let gradient = samples[centre.y as usize * window.side + centre.x as usize].gradient;
+        // Pixels count downwards.
+        let along = Vec2::new(gradient.x, -gradient.y) * (LENGTH * spacing / slope);
+        (centre, along.clamp_length_max(1.25 * spacing))
+    };
+    let arrows = window.picture(|i| {
+        let pixel = Vec2::new((i % window.side) as f32 + 0.5, (i / window.side) as f32 + 0.5);
+        let (column, row) = ((pixel.x / spacing) as usize, (pixel.y / spacing) as usize);
+        let mut ink = 0.0_f32;
+        for y in row.saturating_sub(1)..(row + 2).min(ARROWS) {
+            for x in column.saturating_sub(1)..(column + 2).min(ARROWS) {
+                let (centre, along) = arrow(x, y);
+                ink = ink.max(coverage(pixel - centre, along, context.size as f32 / 384.0));
+            }
+        }
+        grey(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
+    });
+    context.progress.inc(1);
+
+    let colours = window.picture(|i| hue(samples[i].gradient / (2.0 * slope)));
+    context.progress.inc(1);
+
+    let sum = Octaves::<_, 2>::new(
+        Gaussian::default(),
+        Spectrum::new(2.17, RELIEF_GAIN, 6)?,
+        Normalisation::Variance,
+        context.seed,
+    );
+    let relief = window.map(context, |p: Vec2| sum.sample(p, 6.0))?;
+    let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
+    let lit = window.picture(|i| {
+        let g = relief[i].gradient * RELIEF;
+        let normal = Vec3::new(-g.x, -g.y, 1.0).normalize();
+        hex(0xe8_dcc8) * (0.06 + 0.94 * normal.dot(light).max(0.0))
+    });
+    context.progress.inc(1);
+    let panels = vec![
+        raster(
+            "arrows",
+            "the value in grey, the gradient as arrows",
+            "Grey blobs with arrows that point to the bright ones.",
+            arrows,
+        ),
+        raster(
+            "colours",
+            "the gradient: direction as hue, length as strength",
+            "Coloured fans that meet in dark points.",
+            colours,
+        ),
+        raster(
+            "relief",
+            "six octaves, lit by their gradient",
+            "A rugged relief of hills lit from the upper left.",
+            lit,
+        ),
+    ];
+    let parameters = vec![
+        fact("noise", "Gaussian"),
+        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells")),
+        fact("root mean square slope", &format!("{slope:.2} per cell")),
+    ];
+    Ok(Drawn { columns: 3, panels, parameters, table: None })
+}
+
+/// Height of the relief over a cell's width.
+const RELIEF: f32 = 0.2;
+/// Its gain, smaller than the usual one: the slopes of an octave grow with its frequency.
+const RELIEF_GAIN: f32 = 0.38;
+
+/// The root mean square of the gradients' lengths.
+pub(super) fn steepness(samples: &[Sample<Vec2>]) -> f32 {
+    (samples.iter().map(|s| s.gradient.length_squared()).sum::<f32>() / samples.len() as f32).sqrt()
+}
+
+/// How much of an arrow lies over the pixel at `p` from its middle; `unit` is a pixel of the usual size.
+fn coverage(p: Vec2, along: Vec2, unit: f32) -> f32 {
+    let length = along.length();
+    if length < 0.5 * unit {
+        return 0.0;
+    }
+    let direction = along / length;
+    let (x, y) = (p.dot(direction), p.dot(Vec2::new(-direction.y, direction.x)).abs());
+    let (half, head) = (0.5 * length, (0.5 * length).min(5.0 * unit));
+    let shaft = (0.5 * unit - y).min(x + half).min(half - head - x);
+    // The head narrows from the width of its length to the tip.
+    let tip = (0.5 * (half - x) - y).min(x - (half - head));
+    (shaft.max(tip) + 0.5).clamp(0.0, 1.0)
+}
+
+/// A direction as hue and a length from 0 to 1 as strength, of one lightness for the eye at each length.
+///
+/// The circle lies in the plane of OKLab (Ottosson 2020, "A perceptual color space for image processing").
+pub(super) fn hue(v: Vec2) -> Vec3 {
+    let strength = v.length().min(1.0);
+    let (lightness, chroma) = (0.22 + 0.56 * strength.sqrt(), 0.11 * strength.sqrt());
+    let circle = v.normalize_or_zero() * chroma;
+    let l = lightness + 0.396_337_78 * circle.x + 0.215_803_76 * circle.y;
+    let m = lightness - 0.105_561_346 * circle.x - 0.063_854_17 * circle.y;
+    let s = lightness - 0.089_484_18 * circle.x - 1.291_485_5 * circle.y;
+    let [l, m, s] = [l, m, s].map(|x| x * x * x);
+    Vec3::new(
+        4.076_741_7 * l - 3.307_711_6 * m + 0.230_969_94 * s,
+        -1.268_438 * l + 2.609_757_4 * m - 0.341_319_38 * s,
+        -0.004_196_086_3 * l - 0.703_418_6 * m + 1.707_614_7 * s,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hues_are_in_gamut_and_grow_lighter_with_the_length() {
+        let lightness = |c: Vec3| c.dot(Vec3::new(0.2126, 0.7152, 0.0722));
+        for k in 0..24_u8 {
+            let direction = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 24.0);
+            let mut last = -1.0;
+            for length in [0.0, 0.25, 0.5, 1.0] {
+                let colour = hue(direction * length);
+                assert!(colour.min_element() > -0.01 && colour.max_element() < 1.01, "{k}: {colour}");
+                assert!(lightness(colour) > last);
+                last = lightness(colour);
+            }
+        }
+    }
+
+    #[test]
+    fn an_arrow_covers_its_shaft_and_narrows_to_its_tip() {
+        let along = Vec2::new(20.0, 0.0);
+        assert_eq!(coverage(Vec2::new(0.0, 0.0), along, 1.0), 1.0);
+        assert_eq!(coverage(Vec2::new(0.0, 3.0), along, 1.0), 0.0);
+        assert!(coverage(Vec2::new(6.0, 1.0), along, 1.0) > coverage(Vec2::new(9.0, 1.0), along, 1.0));
+        assert_eq!(coverage(Vec2::new(12.0, 0.0), along, 1.0), 0.0);
+        assert_eq!(coverage(Vec2::ZERO, Vec2::ZERO, 1.0), 0.0);
+    }
+}

@@ -1,0 +1,388 @@
+//! Every kind of noise in the plane: its look, its power spectrum and its distribution.
+
+use asperity_noise::{
+    Gaussian, Kernel, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum,
+    Statistics, Value, ValueCatmullRom, ValueGradient, White,
+};
+use glam::Vec2;
+use rayon::prelude::*;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Panel},
+        figures::noise::plane::{Window, grey},
+        panels::{fact, raster, vector},
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        power_spectrum::PowerSpectrum,
+    },
+    image::{Image, hex},
+    scene::hemisphere::ember,
+};
+
+/// One figure for each kind; a new kind is one entry here.
+pub(crate) const KINDS: &[Figure] = &[
+    kind(
+        ["noise-kind-white", "White noise", "Ebert (ed.) 1994, \"Texturing and Modeling\""],
+        "A random number for every cell, and leaps at the borders. Its spectrum is that of a square, a cross that falls \
+         by 6 dB per doubling along the axes and never ends.",
+        |context| draw(context, White::default()),
+    ),
+    kind(
+        ["noise-kind-value", "Value noise", "Ebert (ed.) 1994, \"Texturing and Modeling\""],
+        "Random numbers at the lattice points, blended by 6t⁵ − 15t⁴ + 10t³. The lattice shows as squares in the \
+         picture and as a cross in the spectrum, and most of the power lies below the lattice's frequency.",
+        |context| draw(context, Value::default()),
+    ),
+    kind(
+        [
+            "noise-kind-value-catmull-rom",
+            "Value noise through Catmull\u{2013}Rom splines",
+            "Cohen's lecture after Ebert (ed.) 1994, vnoise",
+        ],
+        "The same numbers, through 4 × 4 of which a spline is laid: less squarish, and with little power above the lattice's \
+         frequency, at four times the look-ups.",
+        |context| draw(context, ValueCatmullRom::default()),
+    ),
+    kind(
+        [
+            "noise-kind-perlin-1985",
+            "Perlin noise, 1985",
+            "Perlin 1985; Cohen's lecture after Ebert (ed.) 1994",
+        ],
+        "A unit gradient at every lattice point, blended by 3t² − 2t³. The noise is 0 at all lattice points and swings \
+         between them, so the spectrum has a hole at 0 and is strongest between a half and a whole cycle per cell. The \
+         curvature leaps at cell borders, which shows as the slow fall of the spectrum along the axes.",
+        |context| draw(context, Perlin1985::default()),
+    ),
+    kind(
+        ["noise-kind-perlin-2002", "Perlin noise, 2002", "Perlin 2002, \"Improving Noise\""],
+        "Gradients from a few fixed directions and the weights 6t⁵ − 15t⁴ + 10t³, twice differentiable: the spectrum \
+         falls faster than that of 1985, and what is left along the axes is fainter.",
+        |context| draw(context, Perlin2002::default()),
+    ),
+    kind(
+        [
+            "noise-kind-value-gradient",
+            "Value-gradient noise",
+            "Cohen's lecture after Ebert (ed.) 1994, vgnoise",
+        ],
+        "Half value noise and half gradient noise on one lattice: neither 0 nor flat at the lattice points, with a \
+         spectrum that is filled from 0 up to the ring.",
+        |context| draw(context, ValueGradient::default()),
+    ),
+    kind(
+        ["noise-kind-simplex", "Simplex noise, r² = 0.5", "Perlin 2001; Nilsson 2008, section 4.1.2"],
+        "A bump with a gradient at every corner of a triangular lattice, gone where the next triangles begin: twice \
+         differentiable. The bumps are round and their gradients point anywhere, so the spectrum is the same in all \
+         directions: neither cross nor hexagon.",
+        |context| draw(context, Simplex::CONTINUOUS),
+    ),
+    kind(
+        ["noise-kind-simplex-wide", "Simplex noise, r² = 0.6", "Nilsson 2008, section 4.1.2"],
+        "The same with the wider bumps that are customary. They reach beyond the triangles that count them, so \
+         the noise leaps at their borders, in the plane by too little to be seen here. Wider bumps make a narrower \
+         spectrum: the first dark ring lies further in.",
+        |context| draw(context, Simplex::WIDE),
+    ),
+    kind(
+        [
+            "noise-kind-sparse",
+            "Sparse convolution noise",
+            "Lewis 1989, \"Algorithms for Solid Noise Synthesis\"",
+        ],
+        "A round bump of random height at a random place in every cell. Nothing is aligned to the lattice: the spectrum \
+         is that of the bump, the same in all directions.",
+        |context| draw(context, Sparse::default()),
+    ),
+    kind(
+        ["noise-kind-gaussian", "Gaussian noise", "Asperity"],
+        "A Gaussian value and a Gaussian gradient at every lattice point, blended and divided by the standard \
+         deviation at the point: N(0, 1) at every point. The distribution is the normal one with one octave as with \
+         eight, where the other kinds only come near it. The spectrum reaches down to frequency 0.",
+        |context| draw(context, Gaussian::default()),
+    ),
+];
+
+const fn kind(
+    [name, title, source]: [&'static str; 3],
+    caption: &'static str,
+    draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
+) -> Figure {
+    Figure { name, title, source, caption, draw }
+}
+
+/// Cells along a side of the picture.
+const CELLS: f32 = 8.0;
+/// What is black and white, in standard deviations.
+const CONTRAST: f32 = 2.5;
+/// Octaves of the distribution, as many as G was measured for.
+const OCTAVES: f32 = 8.0;
+
+/// Samples of the spectrum along an axis, per cell, and how many pairs of them.
+const SAMPLES: usize = 512;
+const SAMPLES_PER_CELL: f64 = 8.0;
+const PAIRS: usize = 6;
+/// The picture of the spectrum: cycles per cell at its border, decibels from its darkest to its brightest.
+const BORDER: f64 = 2.5;
+const DECIBELS: f64 = 60.0;
+
+/// Seeds of the histogram, and points along a side of the grid that is laid out for each.
+const SEEDS: u32 = 64;
+const POINTS: usize = 128;
+
+fn draw<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn, Failure> {
+    let statistics = Kernel::<2>::statistics(&noise);
+    let sigma = statistics.standard_deviation;
+    context.progress.inc_length(4);
+    let window = Window::new(context, CELLS);
+    let values = window.map(context, |p: Vec2| noise.value(p, context.seed))?;
+    let look = window.picture(|i| grey(0.5 + 0.5 * values[i] / (CONTRAST * sigma)));
+    context.progress.inc(1);
+
+    let spectrum = spectrum(context, noise)?;
+    context.progress.inc(1);
+    let [octaves, one] = [OCTAVES, 1.0].map(|octaves| Histogram::measure(context, noise, octaves));
+    let (octaves, one) = (octaves?, one?);
+    context.progress.inc(1);
+    let panels = vec![
+        raster("value", "the noise", "The noise in grey, dark and bright blobs about a cell wide.", look),
+        raster(
+            "spectrum",
+            &format!("power, \u{b1}{BORDER} cycles per cell; the ring is 1"),
+            "The power spectrum in the plane of frequencies, brightest where the noise has its variance.",
+            spectrum_picture(context, &spectrum),
+        ),
+        radial(&spectrum, f64::from(sigma).powi(2))?,
+        distribution(&octaves, &one, statistics)?,
+    ];
+    context.progress.inc(1);
+    let parameters = vec![
+        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells, black to white \u{b1}{CONTRAST} σ₁")),
+        fact("σ₁", &format!("{sigma:.4}")),
+        fact("κ₁", &format!("{:+.3}", statistics.excess_kurtosis).replace('-', "\u{2212}")),
+        fact("range", &format!("\u{b1}{:.3}", statistics.range)),
+        fact("KS to G, 8 octaves", &format!("{:.4}", octaves.distance(statistics))),
+    ];
+    Ok(Drawn { columns: 4, panels, parameters, table: None })
+}
+
+fn spectrum<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<PowerSpectrum, Failure> {
+    let spacing = 1.0 / SAMPLES_PER_CELL;
+    let cells = (SAMPLES as f64 * spacing) as f32;
+    let window = Window { corner: Vec2::new(0.37, 0.61), cells, side: SAMPLES };
+    let sample = |k: usize| {
+        let seed = context.seed.wrapping_add(1 + k as u32);
+        // An interruption is reported after the sum.
+        window.map(context, |p: Vec2| noise.value(p, seed)).unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
+    };
+    let spectrum = PowerSpectrum::mean(SAMPLES, spacing, PAIRS, sample);
+    context.checkpoint()?;
+    Ok(spectrum)
+}
+
+/// The plane of frequencies in decibels, with a ring at the lattice's frequency.
+fn spectrum_picture(context: &Context<'_>, spectrum: &PowerSpectrum) -> Image {
+    let scale = 2.0 * BORDER / f64::from(context.size);
+    let place = |x: u32| (f64::from(x) + 0.5) * scale - BORDER;
+    let peak = (0..=400).fold(0.0_f64, |peak, i| {
+        let (x, y) = (f64::from(i % 21) * BORDER / 40.0, f64::from(i / 21) * BORDER / 40.0);
+        peak.max(spectrum.at(x, y))
+    });
+    Image::from_fn(context.size, context.size, |x, y| {
+        let (fx, fy) = (place(x), place(y));
+        let decibels = 10.0 * (spectrum.at(fx, fy) / peak).max(1e-30).log10();
+        let colour = ember((1.0 + decibels / DECIBELS) as f32);
+        let on_ring = (1.0 - (fx.hypot(fy) - 1.0).abs() / scale).clamp(0.0, 1.0) as f32;
+        colour.lerp(hex(0x9f_b4c8), 0.55 * on_ring)
+    })
+}
+
+/// The mean density over rings, and along the axes and the diagonals alone.
+fn radial(spectrum: &PowerSpectrum, variance: f64) -> Result<Panel, Failure> {
+    const RANGE: [f64; 2] = [1.0 / 16.0, 4.0];
+    const FLOOR: f64 = 80.0;
+    let curve = |wanted: fn(f64) -> bool, stroke: Stroke, name: &str| Mark::Line {
+        points: spectrum
+            .rings(RANGE, wanted)
+            .into_iter()
+            .map(|[f, s]| [f, 10.0 * (s / variance).max(1e-30).log10()])
+            .map(|[f, s]| [f, if s < -FLOOR { f64::NAN } else { s }])
+            .collect(),
+        stroke,
+        name: name.to_owned(),
+    };
+    let title = "Power against frequency: mean over all directions, along axes, along diagonals";
+    let plot = Plot {
+        title: title.to_owned(),
+        size: SIZE,
+        x: Axis::log2("cycles per cell", RANGE, 1),
+        y: Axis::linear("dB", [-FLOOR, 10.0], 20.0),
+        names: Names::Above,
+        marks: vec![
+            curve(|cos| cos > 0.87, Stroke::solid(Ink::Series(2)).wide(1.0), "axes"),
+            curve(|cos| cos < -0.87, Stroke::dashed(Ink::Series(3)).wide(1.0), "diagonals"),
+            curve(|_| true, Stroke::solid(Ink::Series(1)).wide(2.0), "mean"),
+        ],
+    };
+    vector("power", "power per σ₁², against frequency", title, &plot)
+}
+
+const SIZE: [f64; 2] = [330.0, 330.0];
+
+/// How often the sum of octaves over its standard deviation falls between knots of G.
+struct Histogram {
+    /// One for every gap between the fine knots, which include those of G.
+    bins: Vec<u64>,
+}
+
+/// Knots of the histogram from −4 to 4, as G has them.
+const GAPS: usize = 256;
+/// The outermost knots, in standard deviations.
+const REACH: f64 = 4.0;
+
+impl Histogram {
+    fn measure<K: Kernel<2> + Copy + Sync>(
+        context: &Context<'_>,
+        noise: K,
+        octaves: f32,
+    ) -> Result<Self, Failure> {
+        let spectrum = Spectrum::default();
+        // Wide enough that neighbours hardly know of one another.
+        let window = Window { corner: Vec2::new(-171.3, -209.2), cells: 2.618 * POINTS as f32, side: POINTS };
+        let counts: Result<Vec<Vec<u64>>, Failure> = (0..SEEDS)
+            .into_par_iter()
+            .map(|k| {
+                let seed = context.seed.wrapping_mul(1000).wrapping_add(k);
+                let sum = Octaves::<K, 2>::new(noise, spectrum, Normalisation::Variance, seed);
+                let values = window.map(context, |p: Vec2| sum.value(p, octaves))?;
+                let mut bins = vec![0; GAPS + 2];
+                for value in values {
+                    let place = (f64::from(value) / REACH + 1.0) * 0.5 * GAPS as f64;
+                    bins[(place.floor() + 1.0).clamp(0.0, (GAPS + 1) as f64) as usize] += 1;
+                }
+                Ok(bins)
+            })
+            .collect();
+        let mut bins = vec![0; GAPS + 2];
+        for count in counts? {
+            for (sum, n) in bins.iter_mut().zip(count) {
+                *sum += n;
+            }
+        }
+        Ok(Self { bins })
+    }
+
+    fn total(&self) -> f64 {
+        self.bins.iter().sum::<u64>() as f64
+    }
+
+    /// The greatest difference between the measured distribution and G, at the knots.
+    fn distance(&self, statistics: &Statistics) -> f64 {
+        let (mut below, mut greatest) = (0, 0.0_f64);
+        for k in 0..=GAPS {
+            below += self.bins[k];
+            greatest = greatest.max((below as f64 / self.total() - shipped(statistics, knot(k))).abs());
+        }
+        greatest
+    }
+
+    /// The measured density in steps of `gaps` knots, as a staircase.
+    fn stairs(&self, gaps: usize) -> Vec<[f64; 2]> {
+        let width = 2.0 * REACH * gaps as f64 / GAPS as f64;
+        let mut points = Vec::new();
+        for (k, bins) in self.bins[1..=GAPS].chunks(gaps).enumerate() {
+            let height = bins.iter().sum::<u64>() as f64 / self.total() / width;
+            points.extend([[knot(k * gaps), height], [knot((k + 1) * gaps), height]]);
+        }
+        points
+    }
+}
+
+fn knot(k: usize) -> f64 {
+    REACH * (2.0 * k as f64 / GAPS as f64 - 1.0)
+}
+
+/// G at a point, linear between its knots.
+fn shipped(statistics: &Statistics, r: f64) -> f64 {
+    let gaps = statistics.cdf.len().saturating_sub(1);
+    let place = ((r / REACH + 1.0) * 0.5 * gaps as f64).clamp(0.0, gaps as f64);
+    let at = |k: usize| f64::from(statistics.cdf[k.min(gaps)]);
+    let low = at(place as usize);
+    low + (at(place as usize + 1) - low) * place.fract()
+}
+
+/// The measured density of eight octaves under that of G, with the normal one and that of one octave.
+fn distribution(octaves: &Histogram, one: &Histogram, statistics: &Statistics) -> Result<Panel, Failure> {
+    const GAPS_PER_STEP: usize = 4;
+    const TOP: f64 = 0.6;
+    let cut = |points: Vec<[f64; 2]>| points.into_iter().map(|[r, y]| [r, y.min(TOP)]).collect::<Vec<_>>();
+    let steps = 0..=GAPS / GAPS_PER_STEP;
+    let step = 2.0 * REACH * GAPS_PER_STEP as f64 / GAPS as f64;
+    let slope = |r: f64| {
+        let (low, high) = ((r - 0.5 * step).max(-REACH), (r + 0.5 * step).min(REACH));
+        [r, (shipped(statistics, high) - shipped(statistics, low)) / (high - low)]
+    };
+    let normal = |r: f64| [r, (-0.5 * r * r).exp() / std::f64::consts::TAU.sqrt()];
+    let place = |k: usize| knot(k * GAPS_PER_STEP);
+    let title = "Histogram of eight octaves under the density of the shipped G, with one octave and the normal density";
+    let stairs = cut(octaves.stairs(GAPS_PER_STEP));
+    let plot = Plot {
+        title: title.to_owned(),
+        size: SIZE,
+        x: Axis::linear("r = n/σ", [-REACH, REACH], 2.0),
+        y: Axis::linear("", [0.0, TOP], 0.2),
+        names: Names::Above,
+        marks: vec![
+            Mark::Area { points: stairs.clone(), base: 0.0, ink: Ink::Series(1), opacity: 0.16 },
+            Mark::Line {
+                points: cut(one.stairs(GAPS_PER_STEP)),
+                stroke: Stroke::solid(Ink::Series(3)).wide(0.9),
+                name: "1 octave".to_owned(),
+            },
+            Mark::Line {
+                points: steps.clone().map(|k| normal(place(k))).collect(),
+                stroke: Stroke::dashed(Ink::Muted).wide(1.2),
+                name: "normal".to_owned(),
+            },
+            Mark::Line {
+                points: stairs,
+                stroke: Stroke::solid(Ink::Series(1)).wide(0.9),
+                name: "8 octaves".to_owned(),
+            },
+            Mark::Line {
+                points: cut(steps.map(|k| slope(place(k))).collect()),
+                stroke: Stroke::solid(Ink::Series(2)).wide(1.6),
+                name: "G\u{2032}".to_owned(),
+            },
+        ],
+    };
+    vector("distribution", "distribution, and the shipped G of eight octaves", title, &plot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn g_is_read_at_and_between_its_knots() {
+        let statistics = Noise::<Vec2>::statistics(&Gaussian::default());
+        assert_eq!(shipped(statistics, 0.0), 0.5);
+        assert_eq!(shipped(statistics, knot(GAPS)), f64::from(statistics.cdf[statistics.cdf.len() - 1]));
+        assert!((shipped(statistics, 1.01) - 0.843_75).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_histogram_of_the_right_kind_is_near_g_and_of_a_wrong_one_is_not() {
+        let statistics = Noise::<Vec2>::statistics(&Gaussian::default());
+        let mut histogram = Histogram { bins: vec![0; GAPS + 2] };
+        for (k, bin) in histogram.bins[1..=GAPS].iter_mut().enumerate() {
+            *bin = (1e6 * (shipped(statistics, knot(k + 1)) - shipped(statistics, knot(k)))) as u64;
+        }
+        assert!(histogram.distance(statistics) < 1e-3);
+        let area: f64 = histogram.stairs(4).chunks(2).map(|s| (s[1][0] - s[0][0]) * s[0][1]).sum();
+        assert!((area - 1.0).abs() < 1e-9, "{area}");
+        histogram.bins[GAPS / 2] += 100_000;
+        assert!(histogram.distance(statistics) > 0.02);
+    }
+}

@@ -1,0 +1,11 @@
+//! Figures of the noises.
+
+pub(super) mod curl;
+pub(super) mod footprint;
+pub(super) mod gradients;
+pub(super) mod kinds;
+pub(super) mod patterns;
+pub(super) mod plane;
+pub(super) mod slope;
+pub(super) mod tiled;
+pub(super) mod warp;

@@ -1,0 +1,103 @@
+//! What the figures of noises share: a window into the plane, and values as grey.
+
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::{
+    failure::{Failure, Interrupted},
+    gallery::figure::Context,
+    image::{Image, linear},
+};
+
+/// A square window into the plane, y upwards, and its pixels.
+#[derive(Clone, Copy)]
+pub(super) struct Window {
+    /// The lower left corner.
+    pub(super) corner: Vec2,
+    /// The side in cells of the first octave.
+    pub(super) cells: f32,
+    /// The side in pixels.
+    pub(super) side: usize,
+}
+
+impl Window {
+    /// A window of the figure's size, away from the origin.
+    pub(super) fn new(context: &Context<'_>, cells: f32) -> Self {
+        Self { corner: Vec2::new(13.4, -7.7), cells, side: context.size as usize }
+    }
+
+    /// The distance of neighbouring pixels.
+    pub(super) fn step(&self) -> f32 {
+        self.cells / self.side as f32
+    }
+
+    /// The centre of the pixel in column `x` and row `y`, counted from the top left.
+    pub(super) fn point(&self, x: usize, y: usize) -> Vec2 {
+        self.corner + self.step() * Vec2::new(x as f32 + 0.5, (self.side - y) as f32 - 0.5)
+    }
+
+    /// `f` at every pixel, row by row from the top; the same whatever the number of threads.
+    pub(super) fn map<T: Clone + Send>(
+        &self,
+        context: &Context<'_>,
+        f: impl Fn(Vec2) -> T + Sync,
+    ) -> Result<Vec<T>, Failure> {
+        let rows: Result<Vec<Vec<T>>, Interrupted> = (0..self.side)
+            .into_par_iter()
+            .map(|y| {
+                context.checkpoint().map_err(|_| Interrupted)?;
+                Ok((0..self.side).map(|x| f(self.point(x, y))).collect())
+            })
+            .collect();
+        Ok(rows?.concat())
+    }
+
+    /// A picture of the window, one colour per pixel.
+    pub(super) fn picture(&self, colour: impl Fn(usize) -> Vec3) -> Image {
+        let side = self.side as u32;
+        Image::from_fn(side, side, |x, y| colour(y as usize * self.side + x as usize))
+    }
+}
+
+/// A point of the plane on a slanted plane through space, which meets no plane of the lattice along a line.
+pub(super) fn slanted(p: Vec2) -> Vec3 {
+    Vec3::new(0.3, 5.2, -8.6) + Vec3::new(0.6, -0.48, 0.64) * p.x + Vec3::new(0.0, 0.8, 0.6) * p.y
+}
+
+/// The grey that looks `t` bright: 0 is black, 1 white.
+pub(super) fn grey(t: f32) -> Vec3 {
+    Vec3::splat(linear(t.clamp(0.0, 1.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    use indicatif::ProgressBar;
+
+    use super::*;
+
+    #[test]
+    fn rows_run_downwards_and_stop_when_interrupted() {
+        let (progress, interrupted) = (ProgressBar::hidden(), AtomicBool::new(false));
+        let context = Context {
+            size: 16,
+            samples_per_pixel: 1,
+            seed: 1,
+            progress: &progress,
+            interrupted: &interrupted,
+        };
+        let window = Window { corner: Vec2::new(1.0, 2.0), cells: 4.0, side: 16 };
+        let points = window.map(&context, |p| p).unwrap();
+        assert_eq!(points[0], Vec2::new(1.125, 5.875));
+        assert_eq!(points[255], Vec2::new(4.875, 2.125));
+        interrupted.store(true, Ordering::Relaxed);
+        assert!(window.map(&context, |p| p).is_err());
+    }
+
+    #[test]
+    fn the_slanted_plane_keeps_distances() {
+        let (a, b) = (Vec2::new(0.3, -1.0), Vec2::new(2.0, 4.5));
+        assert!(((slanted(a) - slanted(b)).length() - (a - b).length()).abs() < 1e-5);
+    }
+}

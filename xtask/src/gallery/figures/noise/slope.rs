@@ -1,0 +1,142 @@
+//! The slope of a fractal sum's spectrum against gain and lacunarity.
+
+use asperity_noise::{Normalisation, Octaves, Perlin2002, Spectrum};
+use glam::Vec2;
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure, Table},
+        figures::noise::plane::Window,
+        panels::{fact, vector},
+        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        power_spectrum::PowerSpectrum,
+    },
+};
+
+/// The figure.
+pub(crate) const SLOPE: Figure = Figure {
+    name: "noise-sum-slope",
+    title: "Gain and lacunarity set the slope of the spectrum",
+    source: "Asperity",
+    caption: "An octave of amplitude gⁱ at the frequency lⁱ puts its variance g²ⁱ on an area of the plane of \
+              frequencies that grows as l²ⁱ, so the power of the sum falls as the frequency to 2 log g/log l \u{2212} 2: \
+              fractional Brownian motion with the Hurst exponent H = \u{2212}log g/log l. Solid, the measured power; dashed, \
+              lines of that slope. The octaves show as waves when they lie further apart.",
+    draw,
+};
+
+/// Cells of the first octave along a sample, and numbers along it.
+const CELLS: f64 = 12.0;
+const SAMPLES: usize = 1024;
+const PAIRS: usize = 2;
+/// Where the slope is fitted, in cycles per cell of the first octave: within the octaves, short of the highest frequency.
+const FITTED: [f64; 2] = [1.0, 21.0];
+/// What the plots show.
+const SHOWN: [f64; 2] = [0.25, 32.0];
+
+const GAINS: [(f32, f32); 3] = [(2.17, 0.7), (2.17, 0.5), (2.17, 0.3)];
+const LACUNARITIES: [(f32, f32); 3] = [(1.6, 0.5), (2.17, 0.5), (3.2, 0.5)];
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    context.progress.inc_length(6);
+    let (gains, gain_rows) =
+        plot(context, &GAINS, "gain, at lacunarity 2.17", |(_, gain)| format!("{gain}"))?;
+    let (lacunarities, lacunarity_rows) =
+        plot(context, &LACUNARITIES, "lacunarity, at gain 0.5", |(lacunarity, _)| format!("{lacunarity}"))?;
+    let head = ["lacunarity", "gain", "H", "exponent in theory", "measured"].map(str::to_owned).to_vec();
+    let mut rows = gain_rows;
+    // The middle pair is in both plots.
+    rows.extend(lacunarity_rows.into_iter().enumerate().filter(|(k, _)| *k != 1).map(|(_, row)| row));
+    let panels = vec![
+        vector(
+            "gain",
+            "by gain",
+            "Three falling curves along dashed lines, the steeper the smaller the gain",
+            &gains,
+        )?,
+        vector(
+            "lacunarity",
+            "by lacunarity",
+            "Three falling curves along dashed lines, the steeper the smaller the lacunarity",
+            &lacunarities,
+        )?,
+    ];
+    let parameters = vec![
+        fact("noise", "Perlin 2002, octaves up to twice the highest frequency shown"),
+        fact("samples", &format!("{} of {SAMPLES}², {CELLS} cells a side, Hann window", 2 * PAIRS)),
+        fact("slope", &format!("least squares from {} to {} cycles per cell", FITTED[0], FITTED[1])),
+    ];
+    Ok(Drawn { columns: 2, panels, parameters, table: Some(Table { head, rows }) })
+}
+
+/// A plot of three spectra, and their rows of the table.
+fn plot(
+    context: &Context<'_>,
+    settings: &[(f32, f32); 3],
+    title: &str,
+    name: impl Fn((f32, f32)) -> String,
+) -> Result<(Plot, Vec<Vec<String>>), Failure> {
+    let (mut marks, mut rows) = (Vec::new(), Vec::new());
+    for (k, &(lacunarity, gain)) in settings.iter().enumerate() {
+        let rings = rings(context, lacunarity, gain)?;
+        context.progress.inc(1);
+        let hurst = -f64::from(gain).ln() / f64::from(lacunarity).ln();
+        let exponent = -2.0 * hurst - 2.0;
+        let fitted: Vec<_> = rings.iter().filter(|r| (FITTED[0]..FITTED[1]).contains(&r[0])).collect();
+        let mean = |f: &dyn Fn(&[f64; 2]) -> f64| {
+            fitted.iter().map(|r| f(r)).sum::<f64>() / fitted.len().max(1) as f64
+        };
+        let (x, y) = (mean(&|r| r[0].log2()), mean(&|r| r[1].log2()));
+        let slope = mean(&|r| (r[0].log2() - x) * (r[1].log2() - y)) / mean(&|r| (r[0].log2() - x).powi(2));
+        let decibels = |power: f64| 10.0 * power.log10();
+        let line = |f: f64| [f, decibels((y + exponent * (f.log2() - x)).exp2())];
+        let ink = Ink::Series(k as u8 + 1);
+        marks.push(Mark::Line {
+            points: FITTED.map(line).to_vec(),
+            stroke: Stroke::dashed(ink).wide(1.2),
+            name: String::new(),
+        });
+        marks.push(Mark::Line {
+            points: rings.iter().map(|r| [r[0], decibels(r[1])]).collect(),
+            stroke: Stroke::solid(ink),
+            name: name((lacunarity, gain)),
+        });
+        let minus = |value: f64| format!("{value:.2}").replace('-', "\u{2212}");
+        rows.push(vec![
+            format!("{lacunarity}"),
+            format!("{gain}"),
+            format!("{hurst:.2}"),
+            minus(exponent),
+            minus(slope),
+        ]);
+    }
+    let plot = Plot {
+        title: format!("Power of the sum against frequency, by {title}"),
+        size: [520.0, 380.0],
+        x: Axis::log2("cycles per cell of the first octave", SHOWN, 1),
+        y: Axis::linear(&format!("dB, by {title}"), [-95.0, 0.0], 20.0),
+        names: Names::AtEnds,
+        marks,
+    };
+    Ok((plot, rows))
+}
+
+fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 2]>, Failure> {
+    let spacing = CELLS / SAMPLES as f64;
+    let window = Window { corner: Vec2::new(0.2, 0.9), cells: CELLS as f32, side: SAMPLES };
+    // Enough octaves that the last one shown does not end the spectrum.
+    let octaves = ((2.0 * SHOWN[1]).log2() / f64::from(lacunarity).log2()).ceil().clamp(1.0, 16.0);
+    let spectrum = Spectrum::new(lacunarity, gain, 16)?;
+    let sample = |k: usize| {
+        let seed = context.seed.wrapping_mul(100).wrapping_add(k as u32);
+        let sum = Octaves::<_, 2>::new(Perlin2002::default(), spectrum, Normalisation::Variance, seed);
+        // An interruption is reported after the sum.
+        window
+            .map(context, |p: Vec2| sum.value(p, octaves as f32))
+            .unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
+    };
+    let power = PowerSpectrum::mean(SAMPLES, spacing, PAIRS, sample);
+    context.checkpoint()?;
+    Ok(power.rings(SHOWN, |_| true))
+}

@@ -1,0 +1,89 @@
+//! Domain warping: a sum of octaves seen through others.
+
+use asperity_noise::{Field, Normalisation, Octaves, Sample, Simplex, Spectrum, Warp};
+use glam::{Vec2, Vec3};
+
+use crate::{
+    failure::Failure,
+    gallery::{
+        figure::{Context, Drawn, Figure},
+        figures::noise::plane::{Window, grey},
+        panels::{fact, raster},
+    },
+    image::hex,
+};
+
+/// The figure.
+pub(crate) const WARP: Figure = Figure {
+    name: "noise-warp",
+    title: "Domain warping",
+    source: "after Ebert (ed.) 1994, \"Texturing and Modeling\"",
+    caption: "A sum of octaves is looked up where two others have moved the point to. Once, it flows and folds; warped \
+              again it marbles. On the right the twice warped field is lit by its gradient, which goes through both \
+              Jacobians and is exact; the tint says where the points came from.",
+    draw,
+};
+
+const CELLS: f32 = 3.0;
+const OCTAVES: f32 = 6.0;
+const STRENGTH: f32 = 0.22;
+/// Octaves of the fields that move the points.
+const MOVING: f32 = 3.0;
+/// Height of the relief over a cell's width.
+const RELIEF: f32 = 0.05;
+
+fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+    context.progress.inc_length(4);
+    let window = Window::new(context, CELLS);
+    let sum = |k: u32| {
+        let seed = context.seed.wrapping_mul(16).wrapping_add(k);
+        Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Variance, seed)
+    };
+    let sums: [_; 5] = std::array::from_fn(|k| sum(k as u32));
+    let first = |k: usize| sums[k].first(OCTAVES);
+    let moving = |k: usize| sums[k].first(MOVING);
+    let once = Warp::new(first(0), [moving(1), moving(2)], STRENGTH)?;
+    let by = Warp::new(moving(3), [moving(1), moving(2)], STRENGTH)?;
+    let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;
+    let twice = Warp::new(first(0), [by, other], STRENGTH)?;
+    let shade = |value: f32| grey(0.5 + 0.22 * value);
+    let mut panels = Vec::new();
+    let mut show = |values: Vec<f32>, stem: &str, label: &str, alt: &str| {
+        context.progress.inc(1);
+        panels.push(raster(stem, label, alt, window.picture(|i| shade(values[i]))));
+    };
+    show(window.map(context, |p: Vec2| first(0).value(p))?, "plain", "f(p)", "Soft clouds.");
+    show(
+        window.map(context, |p: Vec2| once.value(p))?,
+        "once",
+        "f(p + s w(p))",
+        "The clouds drawn out into streaks and folds.",
+    );
+    let samples = window.map(context, |p: Vec2| (twice.sample(p), twice.displacement(p).point - p))?;
+    show(
+        samples.iter().map(|(sample, _)| sample.value).collect(),
+        "twice",
+        "w warped too",
+        "Marbled streaks with eddies and sharp folds.",
+    );
+    let light = Vec3::new(-0.5, 0.6, 0.62).normalize();
+    let lit = window.picture(|i| {
+        let (Sample { value, gradient }, moved) = samples[i];
+        let moved = moved / STRENGTH;
+        let normal = Vec3::new(-gradient.x * RELIEF, -gradient.y * RELIEF, 1.0).normalize();
+        let tint = hex(0x3e_6a86).lerp(hex(0xd9_a066), (0.5 + 0.3 * moved.x).clamp(0.0, 1.0));
+        let tint = tint.lerp(hex(0xf2_e8d5), (0.28 + 0.2 * value).clamp(0.0, 1.0));
+        tint * (0.08 + 1.1 * normal.dot(light).max(0.0))
+    });
+    context.progress.inc(1);
+    panels.push(raster("lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks.", lit));
+    let parameters = vec![
+        fact(
+            "noise",
+            &format!("simplex, r² = 0.5, f of {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1"),
+        ),
+        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells")),
+        fact("w", &format!("{MOVING} octaves, s = {STRENGTH}")),
+    ];
+    Ok(Drawn { columns: 4, panels, parameters, table: None })
+}

@@ -1,0 +1,95 @@
+//! Colours and strokes of a plot, written as the page's custom properties.
+
+use plotters::style::{Color, RGBAColor, RGBColor, ShapeStyle};
+
+use crate::gallery::plot::place::units;
+
+/// A colour of the page.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Ink {
+    /// Of the page's text.
+    Text,
+    /// Text of the second rank, axes.
+    Muted,
+    /// Hairlines.
+    Rule,
+    /// The background of the picture.
+    Card,
+    /// Data, 1 to 4; a higher number starts again.
+    Series(u8),
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy)]
+pub(crate) struct Stroke {
+    pub(crate) ink: Ink,
+    /// In CSS pixels.
+    pub(crate) width: f64,
+    pub(crate) dash: Dash,
+}
+
+/// Unbroken or broken.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Dash {
+    Solid,
+    Dashed,
+}
+
+impl Stroke {
+    /// An unbroken line of the usual width.
+    pub(crate) const fn solid(ink: Ink) -> Self {
+        Self { ink, width: 1.6, dash: Dash::Solid }
+    }
+
+    /// A broken line of the usual width.
+    pub(crate) const fn dashed(ink: Ink) -> Self {
+        Self { dash: Dash::Dashed, ..Self::solid(ink) }
+    }
+
+    /// The same line in another width.
+    pub(crate) const fn wide(self, width: f64) -> Self {
+        Self { width, ..self }
+    }
+}
+
+/// The backend writes fixed colours: each ink and dash gets one of its own, exchanged in [`dress`].
+pub(super) fn colour(ink: Ink, dash: Dash) -> RGBAColor {
+    let index = match ink {
+        Ink::Text => 0,
+        Ink::Muted => 1,
+        Ink::Rule => 2,
+        Ink::Card => 3,
+        Ink::Series(n) => 4 + n.wrapping_sub(1) % 4,
+    };
+    RGBColor(0xA5, dash as u8, index).to_rgba()
+}
+
+pub(super) fn line(ink: Ink, width: f64) -> ShapeStyle {
+    line_of(Stroke { width, ..Stroke::solid(ink) })
+}
+
+pub(super) fn line_of(stroke: Stroke) -> ShapeStyle {
+    colour(stroke.ink, stroke.dash).stroke_width(units(stroke.width))
+}
+
+/// Exchanges the placeholders for the page's colours and makes the picture scale with its column.
+pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
+    const NAMES: [&str; 8] = ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"];
+    const DASHES: [&str; 2] = ["", " stroke-dasharray=\"55 45\""];
+    let body = svg.find('\n').map_or("", |end| &svg[end..]);
+    let mut text = body.to_owned();
+    for (index, name) in NAMES.iter().enumerate() {
+        for (dash, pattern) in DASHES.iter().enumerate() {
+            let placeholder = format!("\"#A5{dash:02X}{index:02X}\"");
+            text = text.replace(&placeholder, &format!("\"var(--{name})\"{pattern}"));
+        }
+    }
+    let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    let (width, height) = (units(size[0]), units(size[1]));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"100%\" role=\"img\" \
+         stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{title}</title>{}",
+        text.replace("opacity=\"1\" ", "")
+            .replace("font-family=\"system-ui\"", "font-family=\"system-ui, sans-serif\"")
+    )
+}

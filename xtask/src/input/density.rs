@@ -1,0 +1,322 @@
+//! Densities from the outside: `ggx:0.2,0.4` and its like, `painted`, an image file, or the density of a normal map.
+
+use std::{path::Path, sync::Arc};
+
+use asperity_ndf_sampling::{
+    AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, NormalMapFormat, Reconstruction, StudentT,
+    TangentSpace, Ward, estimate_ndf, glam::Vec3,
+};
+
+use crate::{
+    cli::{self, Images},
+    failure::Failure,
+    image_file::{ImageFile, ImageFileError},
+    output::sha256,
+    scene::material::SharedNdf,
+};
+
+/// Texels per side of the maps that are made from functions.
+pub(crate) const SIZE: usize = 256;
+
+/// What stands before the file of a normal map.
+pub(crate) const NORMAL_MAP: &str = "normal-map:";
+
+/// The formulas: the word before the colon, the name, and what the numbers are.
+const FORMULAS: [(&str, &str, &str); 6] = [
+    ("ggx", "GGX", "AX[,AY]"),
+    ("beckmann", "Beckmann", "AX[,AY]"),
+    ("ward", "Ward", "AX[,AY]"),
+    ("student-t", "Student-t", "AX,AY,GAMMA"),
+    ("blinn-phong", "Blinn\u{2013}Phong", "EXPONENT"),
+    ("ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "NU,NV"),
+];
+
+/// A density of normals with the words that asked for it.
+pub(crate) struct Density {
+    spec: String,
+    form: Form,
+}
+
+enum Form {
+    Formula(Arc<SharedNdf>),
+    Map(Arc<NdfMap>),
+}
+
+impl Density {
+    /// Reads a specification; an image is read from the file of that name.
+    pub(crate) fn parse(text: &str, reading: Images) -> Result<Self, Failure> {
+        let fail = |error: Failure| Failure::from(format!("density `{text}`: {error}"));
+        let form = match text.split_once(':') {
+            Some((word, numbers)) if FORMULAS.iter().any(|formula| formula.0 == word) => {
+                Form::Formula(formula(word, numbers).map_err(fail)?)
+            }
+            _ if text == "painted" => Form::Map(Arc::new(painted()?)),
+            _ => Form::Map(Arc::new(match text.strip_prefix(NORMAL_MAP) {
+                Some(file) => estimated(Path::new(file), reading.tangent_space).map_err(fail)?,
+                None => image_density(Path::new(text), reading).map_err(fail)?,
+            })),
+        };
+        Ok(Self { spec: text.into(), form })
+    }
+
+    /// The densities that the gallery shows.
+    pub(crate) fn of_the_gallery() -> Vec<Self> {
+        let specs = ["ggx:0.2,0.4", "beckmann:0.3", "painted"];
+        specs.iter().filter_map(|spec| Self::parse(spec, Images::default()).ok()).collect()
+    }
+
+    /// The density itself.
+    pub(crate) fn ndf(&self) -> &SharedNdf {
+        match &self.form {
+            Form::Formula(formula) => formula.as_ref(),
+            Form::Map(map) => map.as_ref(),
+        }
+    }
+
+    /// The density, to be kept.
+    pub(crate) fn shared(&self) -> Arc<SharedNdf> {
+        match &self.form {
+            Form::Formula(formula) => Arc::clone(formula),
+            Form::Map(map) => Arc::clone(map) as Arc<SharedNdf>,
+        }
+    }
+
+    /// The density on the (x, y) map: the image's own texels, or a function's at [`SIZE`]².
+    pub(crate) fn map(&self) -> Result<NdfMap, Failure> {
+        Ok(match &self.form {
+            Form::Map(map) => map.as_ref().clone(),
+            Form::Formula(formula) => {
+                NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, formula.as_ref())?
+            }
+        })
+    }
+
+    /// For people: `GGX 0.2, 0.4`.
+    pub(crate) fn name(&self) -> String {
+        let file = |path: &str| {
+            Path::new(path).file_name().map_or(path.to_owned(), |name| name.to_string_lossy().into())
+        };
+        let formula = self.spec.split_once(':').and_then(|(word, numbers)| {
+            let formula = FORMULAS.iter().find(|formula| formula.0 == word)?;
+            Some(format!("{} {}", formula.1, numbers.replace(',', ", ")))
+        });
+        match self.spec.strip_prefix(NORMAL_MAP) {
+            _ if self.spec == "painted" => "Painted, two lobes".into(),
+            Some(path) => format!("Normals of {}", file(path)),
+            None => formula.unwrap_or_else(|| file(&self.spec)),
+        }
+    }
+
+    /// The words that asked for it.
+    pub(crate) fn spec(&self) -> &str {
+        &self.spec
+    }
+
+    /// For folders: `ggx-0.2-0.4`; two images of one name in different folders get different ones.
+    pub(crate) fn slug(&self) -> String {
+        let (_, name) = self.spec.rsplit_once(['/', '\\']).unwrap_or(("", &self.spec));
+        let clean: String =
+            name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' }).collect();
+        let clean = clean.trim_start_matches('.').to_owned();
+        if name.len() == self.spec.len() {
+            clean
+        } else {
+            format!("{clean}-{}", &sha256(self.spec.as_bytes())[..8])
+        }
+    }
+}
+
+/// Two lobes and a diffuse floor, as a painter would have it: a density that no formula of the literature gives.
+///
+/// ```text
+/// D ∝ exp(−|n − (−0.38, 0.22)|²/0.020) + 0.6 exp(−|n − (0.35, −0.30)|²/0.045) + 0.02
+/// ```
+pub(crate) fn painted() -> Result<NdfMap, Failure> {
+    let lobe = |n: Vec3, x: f32, y: f32, width: f32| {
+        let (x, y) = (n.x - x, n.y - y);
+        (-(x * x + y * y) / width).exp()
+    };
+    let paint = |n: Vec3| lobe(n, -0.38, 0.22, 0.020) + 0.6 * lobe(n, 0.35, -0.30, 0.045) + 0.02;
+    Ok(NdfMap::from_fn(SIZE, SIZE, Measure::Normals, Reconstruction::Bilinear, paint)?)
+}
+
+/// The density of a formula's word and its numbers.
+fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
+    let parse = |text: &str| {
+        text.trim().parse::<f32>().map_err(|_| Failure::from(format!("`{}` is not a number", text.trim())))
+    };
+    let numbers = text.split(',').map(parse).collect::<Result<Vec<_>, _>>()?;
+    let form = FORMULAS.iter().find(|formula| formula.0 == word);
+    let form = form.map(|&(word, _, numbers)| format!("{word}:{numbers}")).unwrap_or_default();
+    let alpha_y = numbers.get(1).copied().or(numbers.first().copied());
+    Ok(match (word, numbers.as_slice(), alpha_y) {
+        ("ggx", &[x] | &[x, _], Some(y)) => Arc::new(Ggx::new(x, y)?),
+        ("beckmann", &[x] | &[x, _], Some(y)) => Arc::new(Beckmann::new(x, y)?),
+        ("ward", &[x] | &[x, _], Some(y)) => Arc::new(Ward::new(x, y)?),
+        ("student-t", &[x, y, gamma], _) => Arc::new(StudentT::new(x, y, gamma)?),
+        ("blinn-phong", &[exponent], _) => Arc::new(BlinnPhong::new(exponent)?),
+        ("ashikhmin-shirley", &[n_u, n_v], _) => Arc::new(AshikhminShirley::new(n_u, n_v)?),
+        _ => return Err(format!("got {} numbers, write `{form}`", numbers.len()).into()),
+    })
+}
+
+/// An image from a file; the error names the formulas, for a mistyped one is taken for a file.
+fn open(path: &Path) -> Result<ImageFile, Failure> {
+    ImageFile::open(path).map_err(|error| match error {
+        ImageFileError::Unreadable(error) => {
+            let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
+            format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
+                .into()
+        }
+        error => error.into(),
+    })
+}
+
+/// Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
+fn turned<T: Copy>(width: usize, values: &[T]) -> Vec<T> {
+    values.chunks(width.max(1)).rev().flatten().copied().collect()
+}
+
+fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
+    let image = open(path)?;
+    let measure = match reading.measure {
+        cli::Measure::Normals => Measure::Normals,
+        cli::Measure::SolidAngle => Measure::SolidAngle,
+    };
+    let reconstruction = match reading.reconstruction {
+        cli::Reconstruction::Constant => Reconstruction::Constant,
+        cli::Reconstruction::Bilinear => Reconstruction::Bilinear,
+    };
+    let texels = turned(image.width, &image.grey());
+    Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
+}
+
+/// The density of a normal map's normals: PNG unsigned, OpenEXR signed.
+fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Failure> {
+    let image = open(path)?;
+    let tangent_space = match tangent_space {
+        cli::TangentSpace::Opengl => TangentSpace::OpenGl,
+        cli::TangentSpace::Directx => TangentSpace::DirectX,
+    };
+    let format = NormalMapFormat { tangent_space, ..NormalMapFormat::default() };
+    let [x, y, z] = image
+        .components(&[["R", "G", "B"], ["n.X", "n.Y", "n.Z"], ["X", "Y", "Z"]])
+        .ok_or("a normal map needs the channels R, G, B or X, Y, Z")?;
+    let scale = if image.signed { 1.0 } else { 2.0 };
+    let signed = |c: f32| c * scale - (scale - 1.0);
+    let normals: Vec<Vec3> = (0..image.width * image.height)
+        .map(|i| [x, y, z].map(|plane| signed(plane.get(i).copied().unwrap_or(0.0))))
+        .map(|n| format.decode_signed(n))
+        .collect();
+    Ok(estimate_ndf(&normals)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn refused(text: &str) -> String {
+        let error = Density::parse(text, Images::default()).err().expect("must be refused").to_string();
+        assert!(!error.contains('\n'), "{error}");
+        error
+    }
+
+    fn file(folder: &tempfile::TempDir, name: &str, bytes: &[u8]) -> String {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        path.to_str().unwrap().into()
+    }
+
+    fn encode(width: u32, height: u32, depth: png::BitDepth, samples: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_depth(depth);
+        encoder.write_header().unwrap().write_image_data(samples).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn bad_roughness_is_named() {
+        for (text, word) in [
+            ("ggx:0", "alpha_x"),
+            ("ggx:0.2,-1", "alpha_y"),
+            ("ggx:nan", "alpha_x"),
+            ("beckmann:0.3,inf", "alpha_y"),
+            ("ggx:", "not a number"),
+            ("ggx:0.1,0.2,0.3", "got 3 numbers, write `ggx:AX[,AY]`"),
+            ("student-t:0.1,0.2", "write `student-t:AX,AY,GAMMA`"),
+            ("student-t:0.1,0.2,1.2", "gamma"),
+            ("blinn-phong:-1", "exponent"),
+            ("ashikhmin-shirley:1,nan", "n_v"),
+            ("normal-map:nowhere.png", "cannot be read"),
+            ("velvet", "cannot be read"),
+        ] {
+            let error = refused(text);
+            assert!(error.contains(word) && error.contains(text), "{error}");
+        }
+    }
+
+    #[test]
+    fn bad_images_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let good = encode(8, 8, png::BitDepth::Eight, &[200; 64]);
+        assert!(refused(&file(&folder, "empty.png", b"")).contains("empty"));
+        assert!(refused(&file(&folder, "text.png", b"not an image")).contains("neither PNG nor OpenEXR"));
+        let black = encode(8, 8, png::BitDepth::Eight, &[0; 64]);
+        assert!(refused(&file(&folder, "black.png", &black)).contains("black"));
+        for length in [8, 20, good.len() / 2, good.len() - 20] {
+            refused(&file(&folder, "cut.png", &good[..length]));
+        }
+        refused(&file(&folder, "cut.exr", &[0x76, 0x2f, 0x31, 0x01, 2, 0]));
+    }
+
+    #[test]
+    fn one_pixel_and_sixteen_bits_are_densities() {
+        let folder = tempfile::tempdir().unwrap();
+        let one = file(&folder, "one.png", &encode(1, 1, png::BitDepth::Eight, &[9]));
+        let density = Density::parse(&one, Images::default()).unwrap();
+        // Uniform over the disk: D = 1/π.
+        assert!((density.ndf().density(Vec3::Z) - std::f32::consts::FRAC_1_PI).abs() < 1e-6);
+        // The lower byte of a sample decides: 0x0100 above, 0x0101 below.
+        let deep = [[1_u8, 0], [1, 1]].concat();
+        let deep = file(&folder, "deep.png", &encode(1, 2, png::BitDepth::Sixteen, &deep));
+        let density = Density::parse(&deep, Images::default()).unwrap();
+        let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8))
+            / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
+        assert!((ratio - 257.0 / 256.0).abs() < 1e-5, "{ratio}");
+    }
+
+    #[test]
+    fn a_normal_map_is_read_in_both_tangent_spaces() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        // Both texels lean to the top of the image, where the green channel grows in OpenGL's sense.
+        encoder.write_header().unwrap().write_image_data(&[128, 204, 230, 128, 204, 230]).unwrap();
+        let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &bytes));
+        let up = Vec3::new(0.0, 0.6, 0.8);
+        let down = Vec3::new(0.0, -0.6, 0.8);
+        for (tangent_space, high, low) in
+            [(cli::TangentSpace::Opengl, up, down), (cli::TangentSpace::Directx, down, up)]
+        {
+            let reading = Images { tangent_space, ..Images::default() };
+            let density = Density::parse(&spec, reading).unwrap();
+            assert!(density.ndf().density(high) > 1.0 && density.ndf().density(low) == 0.0);
+            assert_eq!(density.name(), "Normals of leaning.png");
+        }
+        let grey = encode(1, 1, png::BitDepth::Eight, &[9]);
+        let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.png", &grey)));
+        assert!(grey.contains("R, G, B"), "{grey}");
+    }
+
+    #[test]
+    fn names_and_folders_follow_the_words() {
+        let density = Density::parse("ggx:0.2,0.4", Images::default()).unwrap();
+        assert_eq!((density.name(), density.slug()), ("GGX 0.2, 0.4".into(), "ggx-0.2-0.4".into()));
+        assert_eq!(Density::of_the_gallery().len(), 3);
+    }
+}
