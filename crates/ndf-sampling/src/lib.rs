@@ -81,149 +81,64 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
-mod ashikhmin_shirley;
-mod batch;
-mod beckmann;
-mod bernstein;
-mod blend;
-mod blinn_phong;
-mod chart;
-#[cfg(feature = "alloc")]
-mod columns;
-mod conditional;
-mod conditional_ndf;
-#[cfg(feature = "alloc")]
-mod conditional_table;
-mod conditional_table_ref;
-#[cfg(feature = "alloc")]
-mod cuts;
-mod detail;
-#[cfg(feature = "alloc")]
-mod disk;
-mod elementary;
-#[cfg(feature = "alloc")]
-mod estimate;
+mod density;
 mod frame;
-mod gaussian;
-mod gaussian_lanes;
-mod ggx;
-#[cfg(feature = "alloc")]
-mod guide;
-mod half;
-#[cfg(feature = "alloc")]
-mod integrals;
-mod isotropic;
-mod isotropic_cell;
-mod kernels;
-mod kronrod;
-mod kurtotic_noise;
-mod lanes;
-#[cfg(feature = "alloc")]
+mod level_of_detail;
 mod map;
-#[cfg(feature = "alloc")]
-mod marginal;
 mod math;
 mod microfacet;
-mod mixture;
 mod ndf;
 mod noise_distribution;
 mod normal_map;
-#[cfg(feature = "alloc")]
 mod normal_table;
-mod normal_table_ref;
-mod offset_beckmann;
-#[cfg(feature = "alloc")]
-mod pack;
-#[cfg(feature = "alloc")]
-mod pack_pieces;
-mod packed;
-mod packed_fill;
-mod packed_forward;
-mod packed_grid;
-mod packed_layout;
-mod packed_pick;
-mod packed_record;
-mod packed_sample;
-mod picking;
-#[cfg(feature = "alloc")]
-mod quantiles;
+mod numeric;
 mod radial;
-mod reconstruction;
-mod remap;
-mod rotated;
-mod roughness;
-#[cfg(feature = "alloc")]
-mod row_guide;
-#[cfg(feature = "alloc")]
-mod slab;
-#[cfg(feature = "alloc")]
-mod slabs;
-mod spacing;
-#[cfg(feature = "alloc")]
-mod spline_kernel;
-mod student;
-mod student_t;
-#[cfg(feature = "alloc")]
-mod sum;
-#[cfg(feature = "alloc")]
-mod table_accuracy;
-mod table_batch;
-mod table_layout;
-#[cfg(feature = "alloc")]
-mod texels;
-#[cfg(feature = "alloc")]
-mod turn;
-#[cfg(feature = "simd")]
-mod twice;
-mod visible_gaussian;
-mod ward;
-#[cfg(feature = "simd")]
-mod wide;
+mod simd;
 
-pub use ashikhmin_shirley::AshikhminShirley;
-pub use batch::{Batch, BatchError};
-pub use beckmann::Beckmann;
-pub use blend::{Blend, MixtureError};
-pub use blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
-pub use chart::Chart;
-pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
-pub use conditional_ndf::ConditionalNdf;
-#[cfg(feature = "alloc")]
-pub use conditional_table::{ConditionalAccuracy, ConditionalTable};
-pub use conditional_table_ref::ConditionalTableRef;
-pub use detail::{NoiseChain, detailed, detailed_normal};
-#[cfg(feature = "alloc")]
-pub use estimate::{EstimateError, NdfEstimator, estimate_ndf};
+pub use density::ashikhmin_shirley::AshikhminShirley;
+pub use density::batch::{Batch, BatchError};
+pub use density::beckmann::Beckmann;
+pub use density::blend::{Blend, MixtureError};
+pub use density::blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
+pub use density::closed_form::InLanes;
+pub use density::ggx::Ggx;
+pub use density::isotropic::{Isotropic, IsotropicError, MAX_NODES};
+pub use density::mixture::Mixture;
+pub use density::rotated::{AngleError, Rotated};
+pub use density::roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
+pub use density::student_t::{MAX_GAMMA, MIN_GAMMA, StudentT, StudentTError};
+pub use density::ward::Ward;
 pub use frame::Frame;
-pub use gaussian::{inverse_phi, phi};
-pub use ggx::Ggx;
 pub use glam;
-pub use half::{MAX_HALF, from_half, to_half};
-pub use isotropic::{Isotropic, IsotropicError, MAX_NODES};
-pub use kernels::InLanes;
-pub use kurtotic_noise::KurtoticNoise;
+pub use level_of_detail::conditional::{GaussianSplit, MAX_SHARE, conditional_density};
+pub use level_of_detail::conditional_ndf::ConditionalNdf;
+pub use level_of_detail::offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 #[cfg(feature = "alloc")]
-pub use map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
+pub use level_of_detail::table::{ConditionalAccuracy, ConditionalTable};
+pub use level_of_detail::table_ref::ConditionalTableRef;
 #[cfg(feature = "alloc")]
-pub use marginal::Cdf;
+pub use map::cdf::Cdf;
+#[cfg(feature = "alloc")]
+pub use map::ndf_map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
+pub use map::packed::packed_map::{PackedMap, PackedMapError};
+pub use map::reconstruction::Reconstruction;
 pub use microfacet::Microfacet;
-pub use mixture::Mixture;
 pub use ndf::Ndf;
-pub use noise_distribution::{DeviationError, GaussianNoise, NoiseDistribution};
-pub use normal_map::{Blue, NormalMapFormat, TangentSpace, Zero};
+pub use noise_distribution::distribution::{DeviationError, GaussianNoise, NoiseDistribution};
+pub use noise_distribution::kurtotic_noise::KurtoticNoise;
+pub use noise_distribution::noise_cdf::{NoiseCdf, NoiseCdfError};
+pub use normal_map::detail::{NoiseChain, detailed, detailed_normal};
 #[cfg(feature = "alloc")]
-pub use normal_table::NormalTable;
-pub use normal_table_ref::{NormalTableError, NormalTableRef};
-pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
-pub use packed::{PackedMap, PackedMapError};
+pub use normal_map::estimate::{EstimateError, NdfEstimator, estimate_ndf};
+pub use normal_map::format::{Blue, NormalMapFormat, TangentSpace, Zero};
+#[cfg(feature = "alloc")]
+pub use normal_table::accuracy::{Deviation, TableAccuracy};
+pub use normal_table::chart::Chart;
+pub use normal_table::layout::{TableEntry, TableLayout, unpack_frame};
+pub use normal_table::spacing::Spacing;
+#[cfg(feature = "alloc")]
+pub use normal_table::table::NormalTable;
+pub use normal_table::table_ref::{NormalTableError, NormalTableRef};
+pub use numeric::binary16::{MAX_HALF, from_half, to_half};
+pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
-pub use reconstruction::Reconstruction;
-pub use remap::{NoiseCdf, NoiseCdfError};
-pub use rotated::{AngleError, Rotated};
-pub use roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
-pub use spacing::Spacing;
-pub use student_t::{MAX_GAMMA, MIN_GAMMA, StudentT, StudentTError};
-#[cfg(feature = "alloc")]
-pub use table_accuracy::{Deviation, TableAccuracy};
-pub use table_layout::{TableEntry, TableLayout, unpack_frame};
-pub use ward::Ward;

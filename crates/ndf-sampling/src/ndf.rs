@@ -2,9 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::gaussian::inverse_phi;
 use crate::math;
 use crate::microfacet::unit_square;
+use crate::numeric::normal_distribution::inverse_phi;
 
 /// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
 ///

@@ -1,0 +1,183 @@
+//! The Blinn–Phong normal density: powers of the cosine.
+
+use core::fmt;
+
+use crate::density::roughness::MIN_ALPHA;
+use crate::density::student_t::StudentT;
+use crate::math;
+use crate::microfacet::same_facets;
+
+/// The largest exponent, of the roughness 1e-6.
+pub const MAX_EXPONENT: f32 = 2e12;
+
+/// The Blinn–Phong normal density with the exponent `n`.
+///
+/// ```text
+/// D(m) = (n + 2)/(2π) cosⁿ θ                                                       in sr⁻¹
+/// T(z): cos θ = exp(−ρ²/(2(n + 2))), direction of z, ρ² = z₁² + z₂²;      α² = 2/(n + 2)
+/// ```
+///
+/// Its slopes have the density `(n + 2)/(2π) (1 + |s|²)^(−n/2−2)`: it is [`StudentT`]'s with `γ = n/2 + 2` and the roughness
+/// `α` above, by which everything is computed, masking and visible normals included. The exponent 0 is the diffuse lobe
+/// `D = 1/π`: projected normals are uniform in the disk, and normals have the density `cos θ/π` over solid angle.
+///
+/// - **Domain:** `n` in `[0, `[`MAX_EXPONENT`]`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Accuracy:** as [`StudentT`].
+///
+/// ```
+/// use asperity_ndf_sampling::{BlinnPhong, Ndf, glam::Vec3};
+///
+/// let m = Vec3::new(0.6, 0.0, 0.8);
+/// assert!((BlinnPhong::new(3.0)?.density(m) - 5.0 * 0.512 / core::f32::consts::TAU).abs() < 1e-6);
+/// assert!((BlinnPhong::new(0.0)?.density(m) - core::f32::consts::FRAC_1_PI).abs() < 1e-6);
+/// assert!((BlinnPhong::from_roughness(0.1)?.exponent() - 198.0).abs() < 1e-4);
+/// # Ok::<(), asperity_ndf_sampling::ExponentError>(())
+/// ```
+///
+/// Blinn 1977; Walter et al. 2007, eq. 30 (`D`) and section 5.3 (`α`). That the slopes are Student's follows from
+/// `cos² θ = 1/(1 + |s|²)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlinnPhong {
+    exponent: f32,
+    facets: StudentT,
+}
+
+same_facets!(BlinnPhong);
+
+impl BlinnPhong {
+    /// The density with the exponent `exponent`.
+    ///
+    /// # Errors
+    /// An exponent that is NaN or out of range; the error names it and its value.
+    pub fn new(exponent: f32) -> Result<Self, ExponentError> {
+        check("exponent", exponent).map(Self::with)
+    }
+
+    /// The density as narrow as Beckmann's with the roughness `alpha`: `n = 2/α² − 2`.
+    ///
+    /// # Errors
+    /// A roughness that is NaN, below [`MIN_ALPHA`] or above 1, which would need a negative exponent.
+    pub fn from_roughness(alpha: f32) -> Result<Self, ExponentError> {
+        if (MIN_ALPHA..=1.0).contains(&alpha) {
+            Ok(Self::with((2.0 / (alpha * alpha) - 2.0).clamp(0.0, MAX_EXPONENT)))
+        } else {
+            Err(ExponentError::Roughness { value: alpha })
+        }
+    }
+
+    /// The density with the exponent moved to the nearest valid one; NaN becomes 0.
+    #[must_use]
+    pub fn clamped(exponent: f32) -> Self {
+        Self::with(if exponent.is_nan() { 0.0 } else { exponent.clamp(0.0, MAX_EXPONENT) })
+    }
+
+    fn with(exponent: f32) -> Self {
+        let alpha = roughness(exponent);
+        Self { exponent, facets: StudentT::clamped(alpha, alpha, 0.5 * exponent + 2.0) }
+    }
+
+    /// The exponent `n`.
+    #[inline]
+    #[must_use]
+    pub const fn exponent(self) -> f32 {
+        self.exponent
+    }
+
+    /// The roughness `α = √(2/(n + 2))`.
+    #[inline]
+    #[must_use]
+    pub fn roughness(self) -> f32 {
+        roughness(self.exponent)
+    }
+
+    const fn facets(&self) -> &StudentT {
+        &self.facets
+    }
+}
+
+/// Why an exponent of the cosine was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ExponentError {
+    /// The exponent is not between 0 and [`MAX_EXPONENT`].
+    OutOfRange {
+        /// Which exponent: `"exponent"`, `"n_u"` or `"n_v"`.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// The roughness is not one of a power of the cosine.
+    Roughness {
+        /// Its value.
+        value: f32,
+    },
+}
+
+impl fmt::Display for ExponentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { parameter, value } => {
+                write!(f, "{parameter} must be between 0 and {MAX_EXPONENT:e}, got {value}")
+            }
+            Self::Roughness { value } => {
+                write!(
+                    f,
+                    "roughness of a power of the cosine must be between {MIN_ALPHA:e} and 1, got {value}"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for ExponentError {}
+
+/// `value` if it is an exponent; the error names `parameter`.
+pub(crate) fn check(parameter: &'static str, value: f32) -> Result<f32, ExponentError> {
+    if (0.0..=MAX_EXPONENT).contains(&value) {
+        Ok(value)
+    } else {
+        Err(ExponentError::OutOfRange { parameter, value })
+    }
+}
+
+/// `√(2/(n + 2))`.
+pub(crate) fn roughness(exponent: f32) -> f32 {
+    math::sqrt(2.0 / (exponent + 2.0))
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use crate::{Ggx, Ndf};
+    use glam::{Vec2, Vec3};
+    use std::string::ToString;
+
+    #[test]
+    fn exponents_and_roughnesses_convert() {
+        for alpha in [1.0_f32, 0.5, 0.01, 1e-3, 2e-6] {
+            let back = BlinnPhong::from_roughness(alpha).unwrap().roughness();
+            assert!((back / alpha - 1.0).abs() < 1e-6, "{alpha}: {back}");
+        }
+        for exponent in [f32::NAN, -1.0, f32::INFINITY, 3e12] {
+            let text = BlinnPhong::new(exponent).unwrap_err().to_string();
+            assert_eq!(text, std::format!("exponent must be between 0 and 2e12, got {exponent}"));
+            assert!(BlinnPhong::new(BlinnPhong::clamped(exponent).exponent()).is_ok());
+        }
+        for alpha in [f32::NAN, 0.0, 1.1] {
+            let text = BlinnPhong::from_roughness(alpha).unwrap_err().to_string();
+            assert!(text.ends_with(&std::format!("between 1e-6 and 1, got {alpha}")), "{text}");
+        }
+    }
+
+    #[test]
+    fn zero_is_the_diffuse_lobe_and_ggx_of_roughness_one() {
+        let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
+        for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
+            let m = diffuse.from_gaussian(z);
+            assert!(m.abs_diff_eq(ggx.from_gaussian(z), 1e-6), "{m}");
+            assert!((diffuse.density(m) * core::f32::consts::PI - 1.0).abs() < 1e-6, "{m}");
+        }
+        assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);
+    }
+}

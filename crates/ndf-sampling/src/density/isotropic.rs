@@ -1,0 +1,392 @@
+//! A density that depends on the tilt alone, from a table over the cosine.
+
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+use core::f64::consts::PI;
+use core::fmt;
+
+use glam::{Vec2, Vec3};
+
+use crate::density::isotropic_cell::{Cell, invert};
+use crate::density::mixture::{tilted, untilted};
+use crate::math;
+use crate::ndf::{Ndf, bounded};
+use crate::radial::Radial;
+
+/// The most nodes of a table.
+pub const MAX_NODES: usize = 1 << 20;
+
+/// The numbers that a node takes: its density, and the distribution at it in two parts.
+const PER_NODE: usize = 3;
+
+/// A density of normals that is linear between the nodes of a table over `cos θ`.
+///
+/// ```text
+/// D(m) = d_i + (d_{i+1} − d_i) x   for  cos θ = (i + x)/n,  i in 0..n,  x in [0, 1]             in sr⁻¹
+/// C(c) = 2π ∫₀^c D t dt,   T(z): C(cos θ) = exp(−ρ²/2), direction of z,   ρ² = z₁² + z₂²
+/// ```
+///
+/// `C` is a cubic between nodes; it is evaluated and inverted exactly, by bisection over the nodes and Newton's method in the
+/// cell, so that a sample costs O(log n). The nodes are equally far apart in `cos θ`: near the zenith that is a tilt of
+/// `√(2/n)`, so lobes narrower than a few such tilts need another density or [`NdfMap`](crate::NdfMap).
+///
+/// - **Storage:** `S` holds three numbers for each node: `Vec<f32>` under `alloc`, or `&[f32]`, filled by
+///   [`pack`](Isotropic::pack) here or elsewhere and lying anywhere, as in flash.
+/// - **Domain:** unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
+///
+/// ```
+/// use asperity_ndf_sampling::{Isotropic, Ndf, glam::Vec2};
+///
+/// let mut storage = [0.0; 3 * 3];
+/// let table = Isotropic::pack(&[0.0, 0.5, 2.0], &mut storage)?;
+/// let z = Vec2::new(0.7, -1.2);
+/// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
+/// ```
+///
+/// The radial case of Kautz, Heidrich, Seidel 2001, section 4, by one table instead of two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic<S> {
+    packed: S,
+}
+
+#[cfg(feature = "alloc")]
+impl Isotropic<Vec<f32>> {
+    /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
+    /// zenith.
+    ///
+    /// # Errors
+    /// As [`pack`](Isotropic::pack).
+    pub fn new(values: &[f32]) -> Result<Self, IsotropicError> {
+        check(values)?;
+        let mut packed = alloc::vec![0.0; PER_NODE * values.len()];
+        Isotropic::pack(values, &mut packed)?;
+        Ok(Self { packed })
+    }
+
+    /// The density that is proportional to `density(cos θ)` at `nodes` cosines from 0 to 1, and linear between.
+    ///
+    /// # Errors
+    /// As [`pack`](Isotropic::pack).
+    pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, IsotropicError> {
+        if !(2..=MAX_NODES).contains(&nodes) {
+            return Err(IsotropicError::Nodes { nodes });
+        }
+        let values: Vec<f32> = (0..nodes).map(|k| density(k as f32 / (nodes - 1) as f32)).collect();
+        Self::new(&values)
+    }
+}
+
+impl<'a> Isotropic<&'a [f32]> {
+    /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
+    /// zenith, in a `storage` of three numbers for each.
+    ///
+    /// # Errors
+    /// Fewer than 2 or more than [`MAX_NODES`] values, one that is negative or not finite, all of them 0, and a storage of
+    /// another length; the error names the culprit.
+    pub fn pack(values: &[f32], storage: &'a mut [f32]) -> Result<Self, IsotropicError> {
+        check(values)?;
+        if storage.len() != PER_NODE * values.len() {
+            return Err(IsotropicError::Storage { expected: PER_NODE * values.len(), got: storage.len() });
+        }
+        let cells = (values.len() - 1) as f64;
+        let masses = || values.iter().zip(values.iter().skip(1)).enumerate();
+        let mass = |(k, (&low, &high)): (usize, (&f32, &f32))| {
+            Cell::new(k, low, high).below(1.0) * 2.0 * PI / (cells * cells)
+        };
+        let total: f64 = masses().map(mass).sum();
+        if total <= 0.0 {
+            return Err(IsotropicError::Black { nodes: values.len() });
+        }
+        let mut share = 0.0;
+        let mut rest = masses().map(mass);
+        for (node, &value) in storage.as_chunks_mut::<PER_NODE>().0.iter_mut().zip(values) {
+            let high = share as f32;
+            *node = [(f64::from(value) / total) as f32, high, (share - f64::from(high)) as f32];
+            share = (share + rest.next().unwrap_or(0.0) / total).min(1.0);
+        }
+        Ok(Self { packed: storage })
+    }
+}
+
+impl<S: AsRef<[f32]>> Isotropic<S> {
+    /// The density of a table that [`pack`](Isotropic::pack) filled.
+    ///
+    /// # Errors
+    /// A length that is no table's, a density that is negative or not finite, a distribution that does not rise from 0 to 1.
+    pub fn from_packed(packed: S) -> Result<Self, IsotropicError> {
+        let table = packed.as_ref();
+        let nodes = table.len() / PER_NODE;
+        if !(2..=MAX_NODES).contains(&nodes) {
+            return Err(IsotropicError::Nodes { nodes });
+        }
+        if table.len() % PER_NODE != 0 {
+            return Err(IsotropicError::Storage { expected: PER_NODE * nodes, got: table.len() });
+        }
+        let mut last = 0.0;
+        for (index, &[density, high, low]) in table.as_chunks::<PER_NODE>().0.iter().enumerate() {
+            check_value(index, density)?;
+            let share = f64::from(high) + f64::from(low);
+            let rises = share >= last && share <= 1.000_001 && (index > 0 || share == 0.0);
+            if !rises || (index + 1 == nodes && share < 0.999_999) {
+                return Err(IsotropicError::Distribution { index });
+            }
+            last = share;
+        }
+        Ok(Self { packed })
+    }
+
+    /// The packed table: for each node its density and the distribution `C` in two parts.
+    #[must_use]
+    pub fn packed(&self) -> &[f32] {
+        self.packed.as_ref()
+    }
+
+    fn nodes(&self) -> &[[f32; PER_NODE]] {
+        self.packed.as_ref().as_chunks::<PER_NODE>().0
+    }
+
+    /// The number of cells.
+    fn cells(&self) -> usize {
+        self.nodes().len().saturating_sub(1)
+    }
+
+    /// The density and `C` at a node.
+    fn node(&self, index: usize) -> (f32, f64) {
+        let [density, high, low] = self.nodes().get(index).copied().unwrap_or([0.0; PER_NODE]);
+        (density, f64::from(high) + f64::from(low))
+    }
+
+    /// A cell with `C` at its ends.
+    fn cell(&self, index: usize) -> (Cell, f64, f64) {
+        let ((low, from), (high, to)) = (self.node(index), self.node(index + 1));
+        (Cell::new(index, low, high), from, to)
+    }
+
+    /// The exponent at the cosine `1 − d`, for which both are given.
+    fn exponent_at(&self, cos: f64, d: f64) -> f64 {
+        let cells = self.cells() as f64;
+        let index = ((cos * cells) as usize).min(self.cells().saturating_sub(1));
+        let (cell, from, to) = self.cell(index);
+        let total = self.node(self.cells()).1;
+        let scale = 2.0 * PI / (cells * cells);
+        if 2.0 * from > total {
+            // From above, which keeps small tilts: what is missing to the upper end.
+            let y = (d * cells - (cells - 1.0 - index as f64)).clamp(0.0, 1.0);
+            -math::ln_1p_f64(-((total - to) + scale * cell.above(y)) / total)
+        } else {
+            let x = (cos * cells - index as f64).clamp(0.0, 1.0);
+            -math::ln_f64((from + scale * cell.below(x)) / total)
+        }
+    }
+}
+
+impl<S: AsRef<[f32]>> Ndf for Isotropic<S> {
+    fn density(&self, m: Vec3) -> f32 {
+        let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
+        let cos = z / math::sqrt_f64(x * x + y * y + z * z);
+        let at = cos * self.cells() as f64;
+        let index = (at as usize).min(self.cells().saturating_sub(1));
+        let (low, high) = (f64::from(self.node(index).0), f64::from(self.node(index + 1).0));
+        let density = low + (high - low) * (at - index as f64).clamp(0.0, 1.0);
+        if m.z > 0.0 && density >= 0.0 { density as f32 } else { 0.0 }
+    }
+
+    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        let z = bounded(z);
+        let (x, y) = (f64::from(z.x), f64::from(z.y));
+        let exponent = 0.5 * (x * x + y * y);
+        let total = self.node(self.cells()).1;
+        let (share, rest) = (total * math::exp_f64(-exponent), -total * math::exp_m1_f64(-exponent));
+        // The first cell at whose end the share is reached.
+        let last = self.cells().saturating_sub(1);
+        let reached =
+            self.nodes().partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < share);
+        let index = reached.saturating_sub(1).min(last);
+        let (cell, from, to) = self.cell(index);
+        let cells = self.cells() as f64;
+        let scale = 2.0 * PI / (cells * cells);
+        // 1 − cos θ, in cells.
+        let d = if 2.0 * from > total {
+            let y =
+                invert(((rest - (total - to)) / scale).max(0.0), |y| (cell.above(y), cell.weight(1.0 - y)));
+            (last - index) as f64 + y
+        } else {
+            let x = invert(((share - from) / scale).max(0.0), |x| (cell.below(x), cell.weight(x)));
+            (last - index) as f64 + (1.0 - x)
+        } / cells;
+        let (cos, sin2) = ((1.0 - d).max(f64::from(f32::MIN_POSITIVE)), d * (2.0 - d));
+        if exponent > 0.0 { tilted(z, math::sqrt_f64(sin2) / cos) } else { Vec3::Z }
+    }
+
+    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+        untilted(m, |slope| self.exponent(slope).unwrap_or(0.0))
+    }
+}
+
+impl<S: AsRef<[f32]>> Radial for Isotropic<S> {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        let cos = 1.0 / math::sqrt_f64(1.0 + slope * slope);
+        // 1 − cos θ = sin² θ/(1 + cos θ) without the difference.
+        let d = slope * cos * slope * cos / (1.0 + cos);
+        Some(if slope < 1e150 { self.exponent_at(cos, d).max(0.0) } else { f64::MAX })
+    }
+}
+
+/// Why a table was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum IsotropicError {
+    /// The table has fewer than 2 or more than [`MAX_NODES`] nodes.
+    Nodes {
+        /// How many.
+        nodes: usize,
+    },
+    /// The storage has another length than three numbers for each node.
+    Storage {
+        /// The length it needs.
+        expected: usize,
+        /// Its length.
+        got: usize,
+    },
+    /// A density is NaN or infinite.
+    NotFinite {
+        /// Which node.
+        index: usize,
+        /// Its density.
+        value: f32,
+    },
+    /// A density is negative.
+    Negative {
+        /// Which node.
+        index: usize,
+        /// Its density.
+        value: f32,
+    },
+    /// The density is 0 at every tilt below the horizon's.
+    Black {
+        /// The number of nodes.
+        nodes: usize,
+    },
+    /// The packed distribution does not rise from 0 to 1.
+    Distribution {
+        /// At which node.
+        index: usize,
+    },
+}
+
+impl fmt::Display for IsotropicError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nodes { nodes } => write!(f, "a table must have 2 to {MAX_NODES} nodes, got {nodes}"),
+            Self::Storage { expected, got } => write!(f, "storage must have {expected} numbers, got {got}"),
+            Self::NotFinite { index, value } => write!(f, "density {index} must be finite, got {value}"),
+            Self::Negative { index, value } => write!(f, "density {index} must not be negative, got {value}"),
+            Self::Black { nodes } => write!(f, "a density must not be 0 everywhere, got {nodes} such nodes"),
+            Self::Distribution { index } => {
+                write!(f, "distribution must rise from 0 to 1, fails at node {index}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for IsotropicError {}
+
+fn check_value(index: usize, value: f32) -> Result<(), IsotropicError> {
+    if !value.is_finite() {
+        Err(IsotropicError::NotFinite { index, value })
+    } else if value < 0.0 {
+        Err(IsotropicError::Negative { index, value })
+    } else {
+        Ok(())
+    }
+}
+
+/// Whether `values` can be the densities at the nodes of a table.
+fn check(values: &[f32]) -> Result<(), IsotropicError> {
+    if !(2..=MAX_NODES).contains(&values.len()) {
+        return Err(IsotropicError::Nodes { nodes: values.len() });
+    }
+    values.iter().enumerate().try_for_each(|(index, &value)| check_value(index, value))
+}
+
+#[cfg(all(test, feature = "alloc"))]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn constant_table_is_the_diffuse_lobe() {
+        let (table, diffuse) = (Isotropic::new(&[3.0; 5]).unwrap(), crate::BlinnPhong::new(0.0).unwrap());
+        for k in 0..=240 {
+            let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.05);
+            let m = diffuse.from_gaussian(z);
+            assert!(table.from_gaussian(z).abs_diff_eq(m, 1e-6), "{z}: {} {m}", table.from_gaussian(z));
+            assert!(table.to_gaussian(m).abs_diff_eq(z, 2e-5), "{z}: {}", table.to_gaussian(m));
+            assert!((table.density(m) * core::f32::consts::PI - 1.0).abs() < 1e-6, "{z}");
+        }
+        let m = table.from_gaussian(Vec2::new(1e-5, 0.0));
+        assert!((m.x / (1e-5 * 0.5_f32.sqrt()) - 1.0).abs() < 1e-5, "{m}");
+    }
+
+    #[test]
+    fn maps_are_inverse_with_gaps_and_peaks() {
+        let ring = Isotropic::new(&[0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0]).unwrap();
+        let peak = Isotropic::from_fn(1000, |cos| cos.powi(200) + 0.01).unwrap();
+        let spike = Isotropic::new(&[0.0, 0.0, 0.0, 1e-30]).unwrap();
+        for table in [&ring, &peak, &spike] {
+            let mut last = 1.0;
+            for k in 0..=150 {
+                let z = Vec2::new(0.6, -0.8) * (k as f32 * 0.03 + 1e-3);
+                let m = table.from_gaussian(z);
+                assert!((m.length() - 1.0).abs() < 1e-6 && m.z <= last, "{z}: {m}");
+                assert!(table.to_gaussian(m).abs_diff_eq(z, 2e-4), "{z}: {m} {}", table.to_gaussian(m));
+                last = m.z;
+            }
+        }
+    }
+
+    #[test]
+    fn packed_tables_are_borrowed_and_checked() {
+        let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
+        let borrowed = Isotropic::from_packed(table.packed()).unwrap();
+        assert_eq!(borrowed.packed(), table.packed());
+        let mut broken = table.packed().to_vec();
+        broken[4] = 2.0;
+        let packed = |values: &[f32]| Isotropic::from_packed(values.to_vec()).unwrap_err();
+        for (error, text) in [
+            (packed(&broken), "distribution must rise from 0 to 1, fails at node 1"),
+            (packed(&table.packed()[..8]), "storage must have 6 numbers, got 8"),
+            (packed(&[]), "a table must have 2 to 1048576 nodes, got 0"),
+            (Isotropic::new(&[1.0, -2.0]).unwrap_err(), "density 1 must not be negative, got -2"),
+            (Isotropic::new(&[f32::NAN, 1.0]).unwrap_err(), "density 0 must be finite, got NaN"),
+            (Isotropic::new(&[0.0; 4]).unwrap_err(), "a density must not be 0 everywhere, got 4 such nodes"),
+            (Isotropic::pack(&[1.0; 2], &mut [0.0; 5]).unwrap_err(), "storage must have 6 numbers, got 5"),
+            (
+                Isotropic::from_fn(usize::MAX, |_| 1.0).unwrap_err(),
+                "a table must have 2 to 1048576 nodes, got 18446744073709551615",
+            ),
+        ] {
+            assert_eq!(error.to_string(), text);
+        }
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        let table = Isotropic::new(&[0.0, 0.0, f32::MAX, 0.0]).unwrap();
+        for bad in [f32::NAN, f32::INFINITY, -1e38, 1e-40, 0.0, 13.0] {
+            let m = table.from_gaussian(Vec2::new(bad, 0.3));
+            assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{bad}: {m}");
+            for m in [
+                Vec3::splat(bad),
+                Vec3::new(0.1, bad, 0.2),
+                Vec3::new(bad, 0.1, 1e-40),
+                Vec3::new(0.1, 0.2, bad),
+            ] {
+                assert!(table.to_gaussian(m).is_finite() && table.density(m).is_finite(), "{m}");
+            }
+        }
+    }
+}

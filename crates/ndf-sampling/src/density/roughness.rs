@@ -1,0 +1,195 @@
+//! Roughness: which values of `alpha_x` and `alpha_y` a microfacet density accepts.
+
+use core::fmt;
+
+use glam::Vec3;
+
+use crate::math;
+
+/// The smallest roughness: below it `1/(π α²)` and its products leave the range of `f32`.
+pub const MIN_ALPHA: f32 = 1e-6;
+
+/// The largest roughness: above it normals at the horizon leave the range of `f32`.
+pub const MAX_ALPHA: f32 = 1e6;
+
+/// Why a pair of roughnesses was refused; `parameter` is `"alpha_x"` or `"alpha_y"`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RoughnessError {
+    /// The roughness is NaN or infinite.
+    NotFinite {
+        /// Which roughness.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// The roughness is zero or negative.
+    NotPositive {
+        /// Which roughness.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// The roughness is outside [`MIN_ALPHA`], [`MAX_ALPHA`].
+    OutOfRange {
+        /// Which roughness.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+    },
+}
+
+impl fmt::Display for RoughnessError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { parameter, value } => write!(f, "{parameter} must be finite, got {value}"),
+            Self::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, got {value}"),
+            Self::OutOfRange { parameter, value } => {
+                write!(f, "{parameter} must be between {MIN_ALPHA:e} and {MAX_ALPHA:e}, got {value:e}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for RoughnessError {}
+
+/// `value` if it is a roughness; the error names `parameter`.
+fn check(parameter: &'static str, value: f32) -> Result<f32, RoughnessError> {
+    if !value.is_finite() {
+        Err(RoughnessError::NotFinite { parameter, value })
+    } else if value <= 0.0 {
+        Err(RoughnessError::NotPositive { parameter, value })
+    } else if !(MIN_ALPHA..=MAX_ALPHA).contains(&value) {
+        Err(RoughnessError::OutOfRange { parameter, value })
+    } else {
+        Ok(value)
+    }
+}
+
+/// Both roughnesses of a density, checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Roughness {
+    /// Along x.
+    pub(crate) x: f32,
+    /// Along y.
+    pub(crate) y: f32,
+}
+
+impl Roughness {
+    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RoughnessError> {
+        Ok(Self { x: check("alpha_x", alpha_x)?, y: check("alpha_y", alpha_y)? })
+    }
+
+    pub(crate) fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
+        Self { x: clamp(alpha_x), y: clamp(alpha_y) }
+    }
+
+    /// `v` in the space where the roughnesses are 1.
+    #[inline]
+    pub(crate) fn stretch(self, v: Vec3) -> Vec3 {
+        Vec3::new(self.x * v.x, self.y * v.y, v.z)
+    }
+
+    /// The normal whose slope in the stretched space is `(x, y)/z`, for `z > 0`.
+    #[inline]
+    pub(crate) fn normal(self, x: f32, y: f32, z: f32) -> Vec3 {
+        let (x, y) = (self.x * x, self.y * y);
+        let length = math::sqrt(x * x + y * y + z * z);
+        Vec3::new(x / length, y / length, z / length)
+    }
+}
+
+/// The constructors and accessors of a density whose only parameters are `alpha: Roughness`.
+macro_rules! roughness_parameters {
+    ($density:ident) => {
+        impl $density {
+            /// The density with the roughnesses `alpha_x` and `alpha_y`.
+            ///
+            /// # Errors
+            /// A roughness that is not finite, not positive or out of range; the error names it and its value.
+            #[inline]
+            pub fn new(
+                alpha_x: f32,
+                alpha_y: f32,
+            ) -> Result<Self, $crate::density::roughness::RoughnessError> {
+                $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
+            }
+
+            /// The isotropic density with the roughness `alpha`.
+            ///
+            /// # Errors
+            /// As [`Self::new`]; the error names `alpha_x`.
+            #[inline]
+            pub fn isotropic(alpha: f32) -> Result<Self, $crate::density::roughness::RoughnessError> {
+                Self::new(alpha, alpha)
+            }
+
+            /// The density with each roughness moved to the nearest valid one; NaN becomes 1.
+            #[inline]
+            #[must_use]
+            pub fn clamped(alpha_x: f32, alpha_y: f32) -> Self {
+                Self { alpha: $crate::density::roughness::Roughness::clamped(alpha_x, alpha_y) }
+            }
+        }
+
+        $crate::density::roughness::roughness_accessors!($density);
+    };
+}
+pub(crate) use roughness_parameters;
+
+/// The accessors of a density with a field `alpha: Roughness`.
+macro_rules! roughness_accessors {
+    ($density:ident) => {
+        impl $density {
+            /// The roughness along x.
+            #[inline]
+            #[must_use]
+            pub const fn alpha_x(self) -> f32 {
+                self.alpha.x
+            }
+
+            /// The roughness along y.
+            #[inline]
+            #[must_use]
+            pub const fn alpha_y(self) -> f32 {
+                self.alpha.y
+            }
+        }
+    };
+}
+pub(crate) use roughness_accessors;
+
+/// The nearest valid roughness; NaN becomes 1, dull rather than a mirror.
+fn clamp(value: f32) -> f32 {
+    if value.is_nan() { 1.0 } else { value.clamp(MIN_ALPHA, MAX_ALPHA) }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn refusals_name_the_culprit_and_its_value() {
+        for (x, y, text) in [
+            (f32::NAN, 0.5, "alpha_x must be finite, got NaN"),
+            (0.5, f32::INFINITY, "alpha_y must be finite, got inf"),
+            (0.0, 0.5, "alpha_x must be positive, got 0"),
+            (0.5, -0.25, "alpha_y must be positive, got -0.25"),
+            (1e-7, 0.5, "alpha_x must be between 1e-6 and 1e6, got 1e-7"),
+        ] {
+            assert_eq!(Roughness::new(x, y).unwrap_err().to_string(), text);
+        }
+        assert_eq!(Roughness::new(MIN_ALPHA, MAX_ALPHA), Ok(Roughness { x: MIN_ALPHA, y: MAX_ALPHA }));
+    }
+
+    #[test]
+    fn clamp_repairs_every_value() {
+        for (dirty, clean) in
+            [(f32::NAN, 1.0), (f32::INFINITY, MAX_ALPHA), (-1.0, MIN_ALPHA), (0.0, MIN_ALPHA), (0.3, 0.3)]
+        {
+            assert_eq!(clamp(dirty), clean, "{dirty}");
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! The Student-t normal density, between GGX and Beckmann and with longer tails than either, isotropic and anisotropic.
+
+use core::f64::consts::SQRT_2;
+use core::fmt;
+
+use glam::{Vec2, Vec3};
+
+use crate::density::roughness::{Roughness, RoughnessError, roughness_accessors};
+use crate::density::student_distribution::Student;
+use crate::math;
+use crate::microfacet::{Microfacet, above, unit_square};
+use crate::ndf::{Ndf, bounded};
+use crate::radial::Radial;
+use crate::simd::elementary::cos_sin_turns;
+use crate::simd::lanes::Scalar;
+
+/// The smallest exponent; at 3/2 the facets' projected area diverges.
+pub const MIN_GAMMA: f32 = 1.51;
+/// The largest exponent; above 10⁷ the density is Beckmann's within the rounding of `f32`.
+pub const MAX_GAMMA: f32 = 1e12;
+
+/// The Student-t normal density with the roughnesses `alpha_x`, `alpha_y` and the exponent `gamma`.
+///
+/// ```text
+/// D(m) = (1 + q²/(γ − 1))^(−γ) / (π αx αy mz⁴),   q² = (mx²/αx² + my²/αy²)/mz²          in sr⁻¹
+/// T(z): q² = (γ − 1) expm1(ρ²/(2(γ − 1))),  s = (αx z₁, αy z₂) q/ρ,  m = (s_x, s_y, 1)/√(1 + |s|²),  ρ² = z₁² + z₂²
+/// Λ(v) = E(z)/z,   z = √2 v_z/√(αx²vx² + αy²vy²),   E(z) = E[max(0, t − z)] for Student's t with 2γ − 2 degrees of freedom
+/// ```
+///
+/// `γ = 2` is GGX, `γ → ∞` Beckmann, and `γ = n/2 + 2` with `α² = 2/(n + 2)` Blinn–Phong's `cosⁿ θ`.
+///
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA), `γ` in [`MIN_GAMMA`]`..=`
+///   [`MAX_GAMMA`]; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density grows
+///   without bound at the horizon, where it ends at `f32::MAX`; normals have `m.z ≥ 2⁻¹²⁶`.
+/// - **Visible normals:** the slope along the view by inversion of its distribution, to 1e-12 in `u`; the slope across it by
+///   the quantile of Student's t, to which it is distributed given the first. `u` below 2⁻³² is read as 2⁻³².
+/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a = γ ln(1 + q²/(γ − 1))`; Λ 1e-6 relative.
+///
+/// ```
+/// use asperity_ndf_sampling::{Ggx, Ndf, StudentT, glam::Vec3};
+///
+/// let (student, ggx) = (StudentT::new(0.2, 0.4, 2.0)?, Ggx::new(0.2, 0.4)?);
+/// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
+/// assert!((student.density(m) / ggx.density(m) - 1.0).abs() < 1e-5);
+/// assert!(StudentT::new(0.2, 0.4, 1.5).is_err());
+/// # Ok::<(), asperity_ndf_sampling::StudentTError>(())
+/// ```
+///
+/// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs", eq. 12 for `D`. Their Λ
+/// approximates the integral by a rational function; here it is exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StudentT {
+    alpha: Roughness,
+    gamma: f32,
+    /// The slopes along a direction, in units of α/√2.
+    along: Student,
+    /// The slopes across, given those along.
+    across: Student,
+}
+
+roughness_accessors!(StudentT);
+
+impl StudentT {
+    /// The density with the roughnesses `alpha_x` and `alpha_y` and the exponent `gamma`.
+    ///
+    /// # Errors
+    /// A roughness that [`Ggx::new`](crate::Ggx::new) refuses, an exponent that is not finite or out of range; the error names
+    /// the culprit and its value.
+    pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, StudentTError> {
+        let alpha = Roughness::new(alpha_x, alpha_y).map_err(StudentTError::Roughness)?;
+        if (MIN_GAMMA..=MAX_GAMMA).contains(&gamma) {
+            Ok(Self::with(alpha, gamma))
+        } else {
+            Err(StudentTError::Gamma { value: gamma })
+        }
+    }
+
+    /// The density with each parameter moved to the nearest valid one; a roughness NaN becomes 1, an exponent NaN 2.
+    #[must_use]
+    pub fn clamped(alpha_x: f32, alpha_y: f32, gamma: f32) -> Self {
+        let gamma = if gamma.is_nan() { 2.0 } else { gamma.clamp(MIN_GAMMA, MAX_GAMMA) };
+        Self::with(Roughness::clamped(alpha_x, alpha_y), gamma)
+    }
+
+    fn with(alpha: Roughness, gamma: f32) -> Self {
+        let freedom = 2.0 * f64::from(gamma) - 2.0;
+        Self { alpha, gamma, along: Student::new(freedom), across: Student::new(freedom + 1.0) }
+    }
+
+    /// The exponent γ.
+    #[inline]
+    #[must_use]
+    pub const fn gamma(self) -> f32 {
+        self.gamma
+    }
+
+    /// The normal with the direction of `z`, given in standard deviations, in the stretched space, beyond which the share
+    /// `exp(−|z|²/2)` of the normals is tilted.
+    fn tilted(self, z: Vec2) -> Vec3 {
+        let scale = self.gamma - 1.0;
+        let rho2 = z.x * z.x + z.y * z.y;
+        let t = 0.5 * rho2 / scale;
+        // √(expm1(t) (γ−1)/ρ²) times exp(−t/2), which does not overflow.
+        let per_rho = math::sqrt(if t < 1e-7 { 0.5 } else { -math::exp_m1(-t) * scale / rho2 });
+        let up = math::exp(-0.5 * t).max(f32::MIN_POSITIVE);
+        let m = self.alpha.normal(z.x * per_rho, z.y * per_rho, up);
+        Vec3::new(m.x, m.y, m.z.max(f32::MIN_POSITIVE))
+    }
+
+    /// The standard deviation of Beckmann's slopes along `v`, times the length of `v` in the plane.
+    fn spread(self, v: Vec3) -> f64 {
+        let (x, y) = (f64::from(self.alpha.x) * f64::from(v.x), f64::from(self.alpha.y) * f64::from(v.y));
+        math::sqrt_f64(0.5 * (x * x + y * y))
+    }
+}
+
+impl Ndf for StudentT {
+    fn density(&self, m: Vec3) -> f32 {
+        let [x, y, z] = m.to_array().map(f64::from);
+        let (ax, ay, gamma) = (f64::from(self.alpha.x), f64::from(self.alpha.y), f64::from(self.gamma));
+        let q2 = ((x / ax) * (x / ax) + (y / ay) * (y / ay)) / (z * z);
+        let exponent = gamma * math::ln_1p_f64(q2 / (gamma - 1.0)) + 4.0 * math::ln_f64(z);
+        let density = math::exp_f64(-exponent) / (core::f64::consts::PI * ax * ay);
+        if z > 0.0 && density >= 0.0 { density.min(f64::from(f32::MAX)) as f32 } else { 0.0 }
+    }
+
+    #[inline]
+    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        self.tilted(bounded(z))
+    }
+
+    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+        let up = m.z.max(f32::MIN_POSITIVE);
+        let q = Vec2::new(m.x / self.alpha.x / up, m.y / self.alpha.y / up);
+        let (x, y) = (f64::from(q.x), f64::from(q.y));
+        let (q2, scale) = (x * x + y * y, f64::from(self.gamma) - 1.0);
+        let per_length = if q2 < 1e-14 * scale {
+            SQRT_2
+        } else {
+            math::sqrt_f64(2.0 * scale * math::ln_1p_f64(q2 / scale) / q2)
+        };
+        bounded(Vec2::new((x * per_length) as f32, (y * per_length) as f32))
+    }
+
+    #[inline]
+    fn sample(&self, u: Vec2) -> Vec3 {
+        let u = unit_square(u);
+        self.tilted(Vec2::from(cos_sin_turns(Scalar, u.y)) * math::sqrt(-2.0 * math::ln_1p(-u.x)))
+    }
+}
+
+impl Microfacet for StudentT {
+    fn lambda(&self, v: Vec3) -> f32 {
+        let z = f64::from(v.z) / self.spread(v);
+        // At the zenith z is infinite and the excess 0.
+        if z > 0.0 { (self.along.excess(z) / z) as f32 } else { f32::INFINITY }
+    }
+
+    fn projected_area(&self, v: Vec3) -> f32 {
+        let v = above(v);
+        let (spread, up) = (self.spread(v), f64::from(v.z));
+        if spread > 0.0 { (up + spread * self.along.excess(up / spread)) as f32 } else { v.z }
+    }
+
+    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
+        let (u, w) = (unit_square(u), self.alpha.stretch(above(v)));
+        let (x, y) = (f64::from(w.x), f64::from(w.y));
+        let lateral = math::sqrt_f64(x * x + y * y);
+        // Along x if the view has no azimuth.
+        let (cos, sin) = if lateral > 0.0 { (x / lateral, y / lateral) } else { (1.0, 0.0) };
+        let view = if lateral > 0.0 { SQRT_2 * f64::from(w.z) / lateral } else { f64::INFINITY };
+        let along = self.along.visible_slope(view, f64::from(u.x));
+        let freedom = 2.0 * f64::from(self.gamma) - 2.0;
+        let spread = math::sqrt_f64((freedom + along * along) / (freedom + 1.0));
+        let across = self.across.quantile(f64::from(u.y)) * spread;
+        let (x, y) = (along * cos - across * sin, along * sin + across * cos);
+        let (x, y) = (x * f64::from(self.alpha.x), y * f64::from(self.alpha.y));
+        let up = 1.0 / math::sqrt_f64(0.5 * (x * x + y * y) + 1.0);
+        let (x, y) = (x * up / SQRT_2, y * up / SQRT_2);
+        Vec3::new(x as f32, y as f32, (up as f32).max(f32::MIN_POSITIVE))
+    }
+}
+
+/// Why a Student-t density was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StudentTError {
+    /// A roughness is none.
+    Roughness(RoughnessError),
+    /// The exponent is not between [`MIN_GAMMA`] and [`MAX_GAMMA`].
+    Gamma {
+        /// Its value.
+        value: f32,
+    },
+}
+
+impl From<RoughnessError> for StudentTError {
+    fn from(error: RoughnessError) -> Self {
+        Self::Roughness(error)
+    }
+}
+
+impl fmt::Display for StudentTError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Roughness(error) => error.fmt(f),
+            Self::Gamma { value } => {
+                write!(f, "gamma must be between {MIN_GAMMA} and {MAX_GAMMA:e}, got {value}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for StudentTError {}
+
+impl Radial for StudentT {
+    fn exponent(&self, slope: f64) -> Option<f64> {
+        let (t, scale) = (slope / f64::from(self.alpha.x), f64::from(self.gamma) - 1.0);
+        (self.alpha.x == self.alpha.y).then(|| scale * math::ln_1p_f64(t * t / scale))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use crate::density::roughness::{MAX_ALPHA, MIN_ALPHA};
+    use crate::{Beckmann, Ggx};
+    use std::string::ToString;
+
+    #[test]
+    fn members_are_ggx_and_beckmann() {
+        let (ggx, beckmann) = (Ggx::new(0.2, 0.4).unwrap(), Beckmann::new(0.2, 0.4).unwrap());
+        let near = |a: f32, b: f32, tolerance: f32| (a - b).abs() <= tolerance * b.abs();
+        for (gamma, other) in [(2.0, &ggx as &dyn Microfacet), (1e10, &beckmann)] {
+            let student = StudentT::new(0.2, 0.4, gamma).unwrap();
+            for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
+                let (m, v) = (other.from_gaussian(z), Vec3::new(z.y, z.x, 0.8).normalize());
+                assert!(
+                    student.from_gaussian(z).abs_diff_eq(m, 1e-6)
+                        && student.to_gaussian(m).abs_diff_eq(z, 4e-6)
+                );
+                assert!(near(student.density(m), other.density(m), 5e-6), "{gamma} {z}");
+                assert!(near(student.lambda(v), other.lambda(v), 2e-6), "{gamma} {z}");
+                assert!(near(student.projected_area(v), other.projected_area(v), 1e-6), "{gamma} {z}");
+                let u = Vec2::new(0.3, 0.8);
+                assert!(student.sample(u).abs_diff_eq(other.sample(u), 1e-6), "{gamma}");
+            }
+        }
+        let v = Vec3::new(-0.8, 0.3, 0.2);
+        let (a, b) = (
+            StudentT::new(0.2, 0.4, 1e10).unwrap().sample_visible(v, Vec2::new(0.3, 0.8)),
+            beckmann.sample_visible(v, Vec2::new(0.3, 0.8)),
+        );
+        assert!(a.abs_diff_eq(b, 1e-6), "{a} {b}");
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, 1e-40, 1e38, -1.0, 0.5];
+        for (alpha, gamma) in [(MIN_ALPHA, MIN_GAMMA), (1e-4, MAX_GAMMA), (1.0, 2.0), (MAX_ALPHA, MIN_GAMMA)]
+        {
+            let student = StudentT::new(alpha, alpha, gamma).unwrap();
+            for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+                let (z, v) = (Vec2::new(x, y), Vec3::new(x, 0.3, y));
+                for m in [student.from_gaussian(z), student.sample(z), student.sample_visible(v, z)] {
+                    assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{alpha} {gamma} {z}: {m}");
+                }
+                assert!(student.lambda(v) >= 0.0 && student.projected_area(v) >= 0.0, "{alpha} {gamma}: {v}");
+                for z in bad {
+                    let m = Vec3::new(x, y, z);
+                    assert!(student.density(m).is_finite() && student.density(m) >= 0.0, "{alpha}: {m}");
+                    assert!(student.visible_density(m, m).is_finite(), "{alpha}: {m}");
+                    assert!(student.to_gaussian(m).is_finite(), "{alpha}: {m}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn refusals_name_the_culprit_and_its_value() {
+        for (alpha, gamma, text) in [
+            (0.5, 1.5, "gamma must be between 1.51 and 1e12, got 1.5"),
+            (0.5, f32::NAN, "gamma must be between 1.51 and 1e12, got NaN"),
+            (0.0, 2.0, "alpha_x must be positive, got 0"),
+        ] {
+            assert_eq!(StudentT::new(alpha, 0.5, gamma).unwrap_err().to_string(), text);
+            let repaired = StudentT::clamped(alpha, 0.5, gamma);
+            assert!(StudentT::new(repaired.alpha_x(), repaired.alpha_y(), repaired.gamma()).is_ok());
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The density of facet normals that a pixel sees as a density of its own: evaluated, sampled, and resolved further.
+
+use glam::{Vec2, Vec3};
+
+use crate::level_of_detail::conditional::GaussianSplit;
+use crate::ndf::Ndf;
+
+/// The density `p_s(h | z_b)` of what a pixel does not resolve, with its own bijection from Gaussian numbers.
+///
+/// ```text
+/// D(h) = p_s(h | z_b),      T_s(ξ) = T(√s z_b + √(1 − s) ξ),      T_s⁻¹(m) = (T⁻¹(m) − √s z_b)/√(1 − s)
+/// ```
+///
+/// With `T` and `D` of any [`Ndf`]; see [`conditional_density`](crate::conditional_density) for the formula and its limits. As it
+/// is an [`Ndf`] itself, [`Ndf::sample`] draws the facets that are left, with the density [`Ndf::sample_density`]; and a
+/// `ConditionalNdf` of a `ConditionalNdf` resolves more of what was left.
+///
+/// - **Mean over the surface:** for `z_b` standard Gaussian the mean of `D` is the density of the whole, for every `s`.
+/// - **Domain:** as [`conditional_density`](crate::conditional_density) and [`Ndf`]; `T_s` at `s → 1` is `T(z_b)` but for
+///   10⁻³ ξ.
+/// - **Accuracy:** `T_s⁻¹(T_s(ξ)) = ξ` within that of `T⁻¹ ∘ T` over `√(1 − s)`.
+///
+/// ```
+/// use asperity_ndf_sampling::{ConditionalNdf, Ggx, Ndf, glam::{Vec2, Vec3}};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let seen = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.75);
+/// let facet = seen.sample(Vec2::new(0.3, 0.8));
+/// assert!(seen.density(facet) > 1.2 * ggx.density(facet) && seen.sample_density(facet) > 0.0);
+/// // Nothing resolved is the far field, exactly.
+/// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
+/// assert_eq!(far.density(facet), ggx.density(facet));
+/// assert_eq!(far.from_gaussian(Vec2::ONE), ggx.from_gaussian(Vec2::ONE));
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConditionalNdf<N> {
+    ndf: N,
+    split: GaussianSplit,
+}
+
+impl<N: Ndf> ConditionalNdf<N> {
+    /// What is left of `ndf` where the coordinates `z_b` are resolved with their share `s` of the variance; total.
+    #[inline]
+    #[must_use]
+    pub fn new(ndf: N, z_b: Vec2, s: f32) -> Self {
+        Self { ndf, split: GaussianSplit::new(z_b, s) }
+    }
+
+    /// The density of the whole.
+    #[inline]
+    #[must_use]
+    pub const fn whole(&self) -> &N {
+        &self.ndf
+    }
+
+    /// The resolved part.
+    #[inline]
+    #[must_use]
+    pub const fn split(&self) -> GaussianSplit {
+        self.split
+    }
+}
+
+impl<N: Ndf> Ndf for ConditionalNdf<N> {
+    #[inline]
+    fn density(&self, m: Vec3) -> f32 {
+        let density = self.ndf.density(m);
+        if density > 0.0 { self.split.weigh(density, self.ndf.to_gaussian(m)) } else { 0.0 }
+    }
+
+    #[inline]
+    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        self.ndf.from_gaussian(self.split.join(z))
+    }
+
+    #[inline]
+    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+        self.split.rest(self.ndf.to_gaussian(m))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beckmann, Ggx, MAX_SHARE, conditional_density};
+
+    #[test]
+    fn coordinates_come_back() {
+        let ggx = Ggx::new(0.2, 0.4).unwrap();
+        for s in [0.0, 0.1, 0.5, 0.9, 0.99] {
+            let seen = ConditionalNdf::new(ggx, Vec2::new(0.7, -1.4), s);
+            for k in -12..=12 {
+                let xi = Vec2::new(k as f32 * 0.25, 1.0 - k as f32 * 0.2);
+                let back = seen.to_gaussian(seen.from_gaussian(xi));
+                assert!(back.abs_diff_eq(xi, 4e-6 / (1.0 - s).sqrt()), "{s} {xi}: {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn everything_resolved_is_one_facet() {
+        let beckmann = Beckmann::isotropic(0.3).unwrap();
+        let z_b = Vec2::new(1.0, -0.5);
+        for s in [1.0, 7.0, f32::INFINITY] {
+            let seen = ConditionalNdf::new(beckmann, z_b, s);
+            assert_eq!(seen.split().share(), MAX_SHARE);
+            for xi in [Vec2::ZERO, Vec2::ONE, Vec2::new(-3.0, 2.0)] {
+                // 4 · 10⁻³ standard deviations of slope at most.
+                let facet = seen.from_gaussian(xi);
+                assert!(facet.abs_diff_eq(beckmann.from_gaussian(z_b), 1.5e-3), "{s} {xi}: {facet}");
+                assert!(seen.density(facet).is_finite());
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_resolved_twice_is_resolved_by_both_shares() {
+        // √s₁ z₁ + √(1 − s₁)(√s₂ z₂ + √(1 − s₂) ξ) has resolved 1 − (1 − s₁)(1 − s₂).
+        let ggx = Ggx::new(0.3, 0.6).unwrap();
+        let (z1, s1, z2, s2) = (Vec2::new(0.4, 1.0), 0.5_f32, Vec2::new(-1.1, 0.3), 0.6_f32);
+        let twice = ConditionalNdf::new(ConditionalNdf::new(ggx, z1, s1), z2, s2);
+        let s = 1.0 - (1.0 - s1) * (1.0 - s2);
+        let z = (z1 * s1.sqrt() + z2 * ((1.0 - s1) * s2).sqrt()) / s.sqrt();
+        for k in 0..20 {
+            let h = ggx.from_gaussian(Vec2::new(0.1 * k as f32 - 1.0, 0.5 - 0.07 * k as f32));
+            let (got, expected) = (twice.density(h), conditional_density(&ggx, h, z, s));
+            assert!((got / expected - 1.0).abs() < 1e-4, "{h}: {got} {expected}");
+        }
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
+        for (s, z) in bad.into_iter().flat_map(|s| bad.map(|z| (s, z))) {
+            let seen = ConditionalNdf::new(Ggx::isotropic(0.2).unwrap(), Vec2::new(z, 0.5), s);
+            for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+                let m = seen.from_gaussian(Vec2::new(x, y));
+                assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{s} {z} {x} {y}: {m}");
+                let density = seen.density(Vec3::new(x, y, z));
+                assert!(density.is_finite() && density >= 0.0, "{s} {z} {x} {y}: {density}");
+                assert!(seen.to_gaussian(Vec3::new(x, y, z)).is_finite(), "{s} {z} {x} {y}");
+            }
+        }
+    }
+}

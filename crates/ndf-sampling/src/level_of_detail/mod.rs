@@ -1,0 +1,8 @@
+//! Conditional densities of normals, given the part of a bump map that a pixel resolves.
+
+pub(crate) mod conditional;
+pub(crate) mod conditional_ndf;
+pub(crate) mod offset_beckmann;
+#[cfg(feature = "alloc")]
+pub(crate) mod table;
+pub(crate) mod table_ref;

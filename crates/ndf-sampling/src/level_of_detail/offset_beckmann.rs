@@ -1,0 +1,237 @@
+//! Gaussian slopes of any mean and covariance: what is left of a Beckmann density when a part of it is resolved.
+
+use core::f32::consts::{FRAC_1_SQRT_2, TAU};
+use core::fmt;
+
+use glam::{Vec2, Vec3};
+
+use crate::density::beckmann::Beckmann;
+use crate::level_of_detail::conditional::MAX_SHARE;
+use crate::math;
+use crate::ndf::{Ndf, bounded};
+
+/// A Beckmann density around another slope than 0, along any axes: the slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.
+///
+/// ```text
+/// D(m) = exp(−½ (s − μ)ᵀ Σ⁻¹ (s − μ)) / (2π √|Σ| m_z⁴)                              in sr⁻¹
+/// T(z): s = μ + L z,  Σ = L Lᵀ,  L lower triangular;      T⁻¹: z = L⁻¹ (s − μ)
+/// ```
+///
+/// [`OffsetBeckmann::conditional`] is the density that a pixel sees of a [`Beckmann`] surface, `p_s(h | z_b)`, in its own form:
+///
+/// ```text
+/// μ = √s (αx z_b,1, αy z_b,2)/√2,      Σ = (1 − s)/2 · diag(αx², αy²)
+/// ```
+///
+/// a Beckmann density of the roughness `α√(1 − s)` around the slope that is resolved. As `s → 1` nothing cancels: the
+/// exponent is a difference of slopes, where [`conditional_density`](crate::conditional_density) weighs `D(h)` by a ratio.
+///
+/// - **Domain:** unit `m`, used as given; `D = 0` for `m.z ≤ 0` and NaN. Coordinates as in [`Ndf`].
+/// - **Accuracy:** `D` 2e-6 relative plus the exponent's slope times the rounding of `m`: 1.2e-7 |s| |s − μ|/σ².
+///
+/// ```
+/// use asperity_ndf_sampling::{Beckmann, Ndf, OffsetBeckmann, conditional_density, glam::Vec2};
+///
+/// let beckmann = Beckmann::new(0.2, 0.4)?;
+/// let (z_b, s) = (Vec2::new(0.5, 1.5), 0.75);
+/// let seen = OffsetBeckmann::conditional(beckmann, z_b, s);
+/// let h = beckmann.from_gaussian(Vec2::new(0.3, 1.1));
+/// assert!((seen.density(h) / conditional_density(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+///
+/// Olano, Baker 2010, "LEAN Mapping", eq. 5, in the normalisation `∫ D cos θ dω = 1`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffsetBeckmann {
+    mean: Vec2,
+    /// `L`: its first column, and the last entry.
+    lower: [f32; 3],
+}
+
+/// The least and the largest standard deviation of slopes; the largest also bounds the mean.
+const DEVIATIONS: [f32; 2] = [1e-12, 1e9];
+
+impl OffsetBeckmann {
+    /// The density of slopes with this mean and the covariance `[xx, xy, yy]`.
+    ///
+    /// # Errors
+    /// A number that is not finite or beyond 10⁹ (variances: 10¹⁸); a covariance that is not positive definite, or with a
+    /// standard deviation below 10⁻¹² along y given x.
+    pub fn new(mean: Vec2, covariance: [f32; 3]) -> Result<Self, OffsetBeckmannError> {
+        let [least, largest] = DEVIATIONS;
+        if !(mean.x.abs() <= largest && mean.y.abs() <= largest) {
+            return Err(OffsetBeckmannError::Mean { value: mean });
+        }
+        let refused = OffsetBeckmannError::NotPositiveDefinite { covariance };
+        let in_range = covariance.iter().all(|c| c.abs() <= largest * largest);
+        // In f64: the difference of products would lose the smaller axis of a thin ellipse.
+        let [xx, xy, yy] = covariance.map(f64::from);
+        let rest = yy - xy * xy / xx;
+        let least = f64::from(least * least);
+        if in_range && xx >= least && rest >= least {
+            let first = math::sqrt_f64(xx);
+            Ok(Self { mean, lower: [first, xy / first, math::sqrt_f64(rest)].map(|l| l as f32) })
+        } else {
+            Err(refused)
+        }
+    }
+
+    /// What a pixel sees of a Beckmann surface that resolves the coordinates `z_b` with their share `s` of the variance; total,
+    /// as [`conditional_density`](crate::conditional_density), which it equals.
+    #[inline]
+    #[must_use]
+    pub fn conditional(beckmann: Beckmann, z_b: Vec2, s: f32) -> Self {
+        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, MAX_SHARE) };
+        let z_b = bounded(z_b) * math::sqrt(s);
+        let [x, y] = [beckmann.alpha_x(), beckmann.alpha_y()].map(|alpha| alpha * FRAC_1_SQRT_2);
+        let rest = math::sqrt(1.0 - s);
+        Self { mean: Vec2::new(x * z_b.x, y * z_b.y), lower: [x * rest, 0.0, y * rest] }
+    }
+
+    /// The mean of the slopes.
+    #[inline]
+    #[must_use]
+    pub const fn mean(self) -> Vec2 {
+        self.mean
+    }
+
+    /// The covariance of the slopes, `[xx, xy, yy]`.
+    #[inline]
+    #[must_use]
+    pub const fn covariance(self) -> [f32; 3] {
+        let [a, b, c] = self.lower;
+        [a * a, a * b, b * b + c * c]
+    }
+
+    /// `L⁻¹ (s − μ)`.
+    #[inline]
+    fn coordinates(self, slope: Vec2) -> Vec2 {
+        let [a, b, c] = self.lower;
+        let x = (slope.x - self.mean.x) / a;
+        Vec2::new(x, (slope.y - self.mean.y - b * x) / c)
+    }
+}
+
+impl Ndf for OffsetBeckmann {
+    #[inline]
+    fn density(&self, m: Vec3) -> f32 {
+        let z = self.coordinates(Vec2::new(m.x / m.z, m.y / m.z));
+        let falloff = math::exp(-0.5 * (z.x * z.x + z.y * z.y));
+        if m.z > 0.0 && falloff > 0.0 {
+            let [a, _, c] = self.lower;
+            let z2 = m.z * m.z;
+            // In two steps: the product of both deviations may leave the range of f32.
+            (falloff / (TAU * a * z2) / (c * z2)).min(f32::MAX)
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn from_gaussian(&self, z: Vec2) -> Vec3 {
+        let (z, [a, b, c]) = (bounded(z), self.lower);
+        let (x, y) = (self.mean.x + a * z.x, self.mean.y + b * z.x + c * z.y);
+        let up = 1.0 / math::sqrt(x * x + y * y + 1.0);
+        Vec3::new(x * up, y * up, up)
+    }
+
+    #[inline]
+    fn to_gaussian(&self, m: Vec3) -> Vec2 {
+        let up = m.z.max(f32::MIN_POSITIVE);
+        bounded(self.coordinates(Vec2::new(m.x / up, m.y / up)))
+    }
+}
+
+/// Why numbers are no mean and covariance of slopes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum OffsetBeckmannError {
+    /// The mean is not finite or beyond 10⁹.
+    Mean {
+        /// Its value.
+        value: Vec2,
+    },
+    /// The covariance is not finite, not positive definite or out of range.
+    NotPositiveDefinite {
+        /// Its entries `[xx, xy, yy]`.
+        covariance: [f32; 3],
+    },
+}
+
+impl fmt::Display for OffsetBeckmannError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mean { value } => write!(f, "mean slope must be at most 1e9 along each axis, got {value}"),
+            Self::NotPositiveDefinite { covariance: [xx, xy, yy] } => {
+                write!(f, "covariance must be positive definite and finite, got xx {xx}, xy {xy}, yy {yy}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for OffsetBeckmannError {}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn refusals_name_the_culprit() {
+        let refused =
+            |x, covariance| OffsetBeckmann::new(Vec2::new(x, 0.0), covariance).unwrap_err().to_string();
+        let text = "mean slope must be at most 1e9 along each axis, got [NaN, 0]";
+        assert_eq!(refused(f32::NAN, [1.0, 0.0, 1.0]), text);
+        let text = "covariance must be positive definite and finite, got xx 1, xy 2, yy 1";
+        assert_eq!(refused(0.0, [1.0, 2.0, 1.0]), text);
+        for bad in [[0.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, f32::NAN, 1.0], [f32::INFINITY, 0.0, 1.0]] {
+            assert!(OffsetBeckmann::new(Vec2::ZERO, bad).is_err(), "{bad:?}");
+        }
+    }
+
+    #[test]
+    fn without_offset_it_is_beckmann() {
+        let beckmann = Beckmann::new(0.2, 0.6).unwrap();
+        let same = OffsetBeckmann::new(Vec2::ZERO, [0.02, 0.0, 0.18]).unwrap();
+        for k in 0..60 {
+            let z = Vec2::new(0.2 * k as f32 - 6.0, 3.0 - 0.1 * k as f32);
+            let m = beckmann.from_gaussian(z);
+            assert!(same.from_gaussian(z).abs_diff_eq(m, 1e-6), "{z}");
+            assert!((same.density(m) / beckmann.density(m) - 1.0).abs() < 5e-5, "{z}");
+        }
+    }
+
+    #[test]
+    fn oblique_covariance_is_the_one_asked_for() {
+        let covariance = [0.09, -0.05, 0.04];
+        let ndf = OffsetBeckmann::new(Vec2::new(0.3, -0.8), covariance).unwrap();
+        let got = ndf.covariance();
+        assert!(got.iter().zip(covariance).all(|(a, b)| (a - b).abs() < 1e-7), "{got:?}");
+        for k in 0..40 {
+            let z = Vec2::new(0.2 * k as f32 - 4.0, 0.1 * k as f32 - 1.0);
+            assert!(ndf.to_gaussian(ndf.from_gaussian(z)).abs_diff_eq(z, 3e-5), "{z}");
+        }
+        // The peak over slopes is 1/(2π √|Σ|).
+        let peak = ndf.slope_density(ndf.mean()) * TAU * (0.09_f32 * 0.04 - 0.0025).sqrt();
+        assert!((peak - 1.0).abs() < 1e-5, "{peak}");
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
+        let wide = OffsetBeckmann::new(Vec2::splat(1e9), [1e18, 0.0, 1e18]).unwrap();
+        let narrow = OffsetBeckmann::conditional(Beckmann::isotropic(1e-6).unwrap(), Vec2::NAN, 1.0);
+        for ndf in [wide, narrow] {
+            for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
+                let m = ndf.from_gaussian(Vec2::new(x, y));
+                assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{x} {y}: {m}");
+                for z in bad {
+                    let m = Vec3::new(x, y, z);
+                    assert!(ndf.density(m).is_finite() && ndf.density(m) >= 0.0, "{m}");
+                    assert!(ndf.to_gaussian(m).is_finite(), "{m}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! A map of normals in one borrowed array of `f32`.
+
+pub(crate) mod batch;
+pub(crate) mod cdf;
+pub(crate) mod fetch;
+pub(crate) mod grid;
+pub(crate) mod inverse_cdf;
+pub(crate) mod layout;
+#[cfg(feature = "alloc")]
+pub(crate) mod pack;
+#[cfg(feature = "alloc")]
+pub(crate) mod pack_pieces;
+pub(crate) mod packed_map;
+pub(crate) mod record;

@@ -1,0 +1,321 @@
+//! The pieces of the marginal of a packed map: parts of columns where one cubic does, and slabs where none does.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use crate::map::cdf::{Cdf, place_in_column};
+use crate::map::disk::half_chord;
+use crate::map::packed::record::{
+    BEFORE, BEGIN, BELOW, CUBIC_OF, END, LEAF, MANY_STEPS, MARGINAL, ONE_STEP, Rows, WIDE,
+};
+use crate::map::piece::Slab;
+use crate::numeric::bernstein::{Cubic, cubic, inverse_share, kept_away, share};
+
+/// Columns are cut into more pieces while the map has fewer than this,
+const PIECES: usize = 1024;
+
+/// and more weight than this is in pieces where no cubic does.
+const IN_SLABS: f32 = 1.0 / 32.0;
+
+/// How far off, of the whole chord's weight, a cubic may be for the weight below and above the middle.
+const FIT: f64 = 5e-7;
+
+/// How far off, in u, the inverse of a piece's weight may be.
+const INVERSE: f64 = 3e-8;
+
+/// The pieces of all columns, in their order.
+pub(crate) struct Pieces {
+    /// Pieces of a column.
+    pub(crate) split: usize,
+    /// Pieces.
+    count: usize,
+    /// Those of pieces first, then those of slabs.
+    pub(crate) cubics: Vec<Rows>,
+    /// In the order of x.
+    pub(crate) leaves: Vec<[f32; LEAF]>,
+}
+
+/// A cubic with all that is needed of it.
+struct Piece {
+    marginal: Cubic,
+    below: Cubic,
+    /// Where it begins and ends, in pieces.
+    place: [f64; 2],
+    /// `M` there.
+    weights: [f64; 2],
+}
+
+impl Pieces {
+    pub(crate) fn new(cdf: &Cdf) -> Self {
+        let mut pieces = Self::split(cdf, 1);
+        while pieces.in_slabs() > IN_SLABS && 2 * pieces.split * cdf.width() <= PIECES {
+            pieces = Self::split(cdf, 2 * pieces.split);
+        }
+        pieces
+    }
+
+    /// The weight of pieces that have several slabs.
+    fn in_slabs(&self) -> f32 {
+        let slabs = self.leaves.iter().filter(|leaf| leaf[CUBIC_OF].to_bits() as usize >= self.count);
+        slabs.map(|leaf| leaf[END] - leaf[0]).sum()
+    }
+
+    fn split(cdf: &Cdf, split: usize) -> Self {
+        let (width, kind) = (cdf.width(), cdf.reconstruction());
+        let count = kind.cells(width) * split;
+        let line =
+            |piece: usize| ((piece as f64 / split as f64 - kind.offset()) / width as f64).clamp(0.0, 1.0);
+        let mut cubics = Vec::with_capacity(count);
+        let (mut slabs, mut leaves) = (Vec::new(), Vec::new());
+        let (mut first, mut before) = (0, 0.0);
+        for piece in 0..count {
+            let x = [line(piece), line(piece + 1)];
+            let range = overlapping(cdf.slabs(), first, x);
+            first = range.start;
+            let weights = [before, if piece + 1 < count { cdf.marginal_cdf(x[1]) } else { 1.0 }];
+            before = weights[1];
+            // The pieces at either end of the map may begin or end outside it.
+            let inside = piece >= split && piece + split < count;
+            if let Some(whole) = inside.then(|| fit(cdf, piece / split, x, weights)).flatten() {
+                if weights[1] > weights[0] {
+                    leaves.push(whole.leaf(piece, piece));
+                }
+                cubics.push(whole.rows());
+                continue;
+            }
+            let parts = range.filter_map(|k| Piece::of_slab(cdf, k, split, piece));
+            let before = slabs.len();
+            for part in parts {
+                if part.weights[1] > part.weights[0] {
+                    leaves.push(part.leaf(count + slabs.len(), piece));
+                }
+                slabs.push(part.rows_of_slab());
+            }
+            cubics.push(link(count + before, slabs.len() - before));
+        }
+        cubics.append(&mut slabs);
+        Self { split, count, cubics, leaves }
+    }
+}
+
+impl Piece {
+    /// What of a slab lies in a piece.
+    fn of_slab(cdf: &Cdf, slab: usize, split: usize, piece: usize) -> Option<Self> {
+        let (width, kind) = (cdf.width() as f64, cdf.reconstruction());
+        let weights: &[f64; 2] = cdf.cumulative().get(slab..slab + 2)?.as_array()?;
+        let slab = cdf.slabs().get(slab)?;
+        let place = slab.x.map(|x| (x * width + kind.offset()) * split as f64 - piece as f64);
+        let within = [0.0, 1.0].map(|end: f64| ((end - place[0]) / (place[1] - place[0])).clamp(0.0, 1.0));
+        let at = |s: f64| match s {
+            0.0 => (place[0], weights[0]),
+            1.0 => (place[1], weights[1]),
+            _ => (
+                place[0] + (place[1] - place[0]) * s,
+                weights[0] + (weights[1] - weights[0]) * share(slab.marginal, s),
+            ),
+        };
+        let (begin, end) = (at(within[0]), at(within[1]));
+        let [marginal, below] = [slab.marginal, slab.below].map(|b| part(b, within).map(|b| b * cdf.scale()));
+        Some(Self { marginal, below, place: [begin.0, end.0], weights: [begin.1, end.1] })
+    }
+
+    fn leaf(&self, cubic: usize, piece: usize) -> [f32; LEAF] {
+        let ([from, to], [begin, end]) = (self.weights, self.place);
+        let ([c0, c1, c2, c3], steps) = inverse(self.marginal, to - from);
+        let [cubic, piece] = [cubic, piece].map(|k| f32::from_bits(k as u32));
+        let per = (1.0 / (f64::from(to as f32) - f64::from(from as f32))).min(f64::from(f32::MAX));
+        let (begin, wide) = (begin as f32, (end - begin) as f32);
+        [from as f32, per as f32, c0, c1, c2, c3, begin, wide, cubic, piece, steps, to as f32]
+    }
+
+    fn rows(&self) -> Rows {
+        let mut rows = [[0.0; 4]; 4];
+        let ([m0, m1, m2, m3], [b0, b1, b2, b3]) = (self.marginal, self.below);
+        let sum = m0 + m1 + m2 + m3;
+        let per = if sum > 0.0 { (self.weights[1] - self.weights[0]) / sum } else { 0.0 };
+        let weight = [4.0 * m0, 6.0 * (m0 + m1), 4.0 * (m0 + m1 + m2), sum].map(|m| per * m);
+        let columns = [weight, [m0, 3.0 * m1, 3.0 * m2, m3], [b0, 3.0 * b1, 3.0 * b2, b3]];
+        for (column, numbers) in columns.iter().enumerate() {
+            for (row, number) in rows.iter_mut().zip(numbers) {
+                row[column] = *number as f32;
+            }
+        }
+        rows[0][BEFORE] = self.weights[0] as f32;
+        rows
+    }
+
+    fn rows_of_slab(&self) -> Rows {
+        let mut rows = self.rows();
+        rows[BEGIN][BEFORE] = self.place[0] as f32;
+        rows[WIDE][BEFORE] = (self.place[1] - self.place[0]) as f32;
+        rows
+    }
+}
+
+/// The cubic on a part of its piece.
+fn part([b0, b1, b2, b3]: Cubic, [from, to]: [f64; 2]) -> Cubic {
+    if [from, to] == [0.0, 1.0] {
+        return [b0, b1, b2, b3];
+    }
+    // Its blossom.
+    let mix = |a: f64, b: f64, t: f64| (1.0 - t) * a + t * b;
+    let blossom = |r: f64, s: f64, t: f64| {
+        let [c0, c1, c2] = [mix(b0, b1, r), mix(b1, b2, r), mix(b2, b3, r)];
+        mix(mix(c0, c1, s), mix(c1, c2, s), t)
+    };
+    [blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)]
+}
+
+/// The rows of a piece with several slabs.
+fn link(first: usize, count: usize) -> Rows {
+    let mut rows = [[0.0; 4]; 4];
+    rows[0][BEFORE] = -(count as f32);
+    // Two floats that hold it: one might round.
+    let rest = first % (1 << 12);
+    rows[0][MARGINAL] = (first - rest) as f32;
+    rows[0][BELOW] = rest as f32;
+    rows
+}
+
+/// The slabs that have a part between two places, looked for from `first` on; the nearest one if there is none.
+fn overlapping(slabs: &[Slab], first: usize, [begin, end]: [f64; 2]) -> Range<usize> {
+    let rest = slabs.get(first..).unwrap_or_default();
+    let last = slabs.len().saturating_sub(1);
+    let start = (first + rest.iter().take_while(|slab| slab.x[1] <= begin).count()).min(last);
+    let within = slabs.get(start..).unwrap_or_default().iter().take_while(|slab| slab.x[0] < end).count();
+    start..start + within.max(1)
+}
+
+/// A whole piece of a column as one cubic, if that is good enough.
+fn fit(cdf: &Cdf, column: usize, x: [f64; 2], weights: [f64; 2]) -> Option<Piece> {
+    let at = |s: f64| chord(cdf, column, x[0] + (x[1] - x[0]) * s);
+    let nodes = [0.0, 0.25, 0.75, 1.0].map(at);
+    let below = through(nodes.map(|[below, _]| below));
+    let above = through(nodes.map(|[_, above]| above));
+    let good = |s: f64| {
+        let exact = at(s);
+        let allowed = FIT * (exact[0] + exact[1]);
+        (cubic(below, s) - exact[0]).abs() <= allowed && (cubic(above, s) - exact[1]).abs() <= allowed
+    };
+    let marginal = [0, 1, 2, 3].map(|k| below[k] + above[k]);
+    let sound = below.iter().chain(&above).all(|&b| b >= 0.0) && (1..16).all(|k| good(f64::from(k) / 16.0));
+    sound.then_some(Piece { marginal, below, place: [0.0, 1.0], weights })
+}
+
+/// The integrals of `f` over the parts of the circle's chord at `x` below and above the middle of the map, as in the sums.
+fn chord(cdf: &Cdf, column: usize, x: f64) -> [f64; 2] {
+    let (columns, kind) = (cdf.columns(), cdf.reconstruction());
+    let (strip, height) = (columns.strip(column), columns.height() as f64);
+    let t = place_in_column(kind, x, columns.width(), column);
+    let c = half_chord(x) * height;
+    [-1.0, 1.0].map(|side| {
+        let y = 0.5 * height + kind.offset() + side * c;
+        let row = (y as usize).min(kind.cells(columns.height()) - 1);
+        let q = y - row as f64;
+        let [a, b] = strip.row(t, row);
+        (side * (strip.sum(t, row) + q * ((1.0 - 0.5 * q) * a + 0.5 * q * b)) * cdf.scale()).max(0.0)
+    })
+}
+
+/// The cubic with these values at 0, ¼, ¾ and 1.
+fn through([a, p, q, d]: [f64; 4]) -> Cubic {
+    // 64 times it is 27 b₀ + 27 b₁ + 9 b₂ + b₃ at ¼, and the same from behind at ¾.
+    let (p, q) = (64.0 * p - 27.0 * a - d, 64.0 * q - a - 27.0 * d);
+    [a, (3.0 * p - q) / 72.0, (3.0 * q - p) / 72.0, d]
+}
+
+/// The numbers of a leaf's inverse, and which steps it needs to be near enough for a weight of `mass`.
+fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], f32) {
+    let sum = marginal.iter().sum::<f64>();
+    if sum <= 0.0 {
+        return ([0.0; 4], 0.0);
+    }
+    // Chebyshev's nodes, and divided differences on them.
+    let nodes =
+        [0.038_060_233_744_356_62, 0.308_658_283_817_455_1, 0.691_341_716_182_544_9, 0.961_939_766_255_643_4];
+    let mut c = nodes.map(|r| (inverse_share(marginal, r) - r) / (r * (1.0 - r)));
+    for order in 1..4 {
+        for k in (order..4).rev() {
+            c[k] = (c[k] - c[k - 1]) / (nodes[k] - nodes[k - order]);
+        }
+    }
+    for from in (0..3).rev() {
+        for k in from..3 {
+            c[k] -= c[k + 1] * nodes[from];
+        }
+    }
+    let near = |steps: usize, r: f64| {
+        let mut s = r + r * (1.0 - r) * (c[0] + r * (c[1] + r * (c[2] + r * c[3])));
+        for _ in 0..steps {
+            s -= (share(marginal, s) - r) * 0.25 * sum / cubic(marginal, s);
+        }
+        (share(marginal, s.clamp(0.0, 1.0)) - r).abs() * mass < INVERSE
+    };
+    // Where the marginal vanishes samples are kept away from the end, whatever its weight.
+    let away = [0.0, 1.0].map(|share| kept_away(marginal, share, 0.5));
+    let all_near = |steps| away == [0.0, 1.0] && (0..=16).all(|k| near(steps, f64::from(k) / 16.0));
+    let steps = if all_near(0) {
+        0.0
+    } else if all_near(1) {
+        ONE_STEP
+    } else {
+        MANY_STEPS
+    };
+    (c.map(|c| c as f32), steps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ggx, NdfMap, Reconstruction};
+
+    #[test]
+    fn cubics_are_interpolated_and_cut() {
+        let b = [0.3, 1.7, 0.2, 2.5];
+        let through = through([0.0, 0.25, 0.75, 1.0].map(|s| cubic(b, s)));
+        let part = part(b, [0.2, 0.7]);
+        for k in 0..=10 {
+            let s = f64::from(k) / 10.0;
+            assert!((cubic(through, s) - cubic(b, s)).abs() < 1e-14, "{s}");
+            assert!((cubic(part, s) - cubic(b, 0.2 + 0.5 * s)).abs() < 1e-14, "{s}");
+        }
+    }
+
+    #[test]
+    fn inverses_say_which_steps_they_need() {
+        let (c, steps) = inverse([1.0, 1.03, 1.05, 1.06], 0.01);
+        assert_eq!(steps, 0.0);
+        for k in 0..=20 {
+            let r = f64::from(k) / 20.0;
+            let [c0, c1, c2, c3] = c.map(f64::from);
+            let s = r + r * (1.0 - r) * (c0 + r * (c1 + r * (c2 + r * c3)));
+            assert!((share([1.0, 1.03, 1.05, 1.06], s) - r).abs() < 3e-6, "{r}");
+        }
+        assert_eq!(inverse([1.0, 1.1, 1.3, 1.2], 0.1).1, ONE_STEP);
+        assert_eq!(inverse([0.0, 1.0, 1.0, 1.0], 0.1).1, MANY_STEPS);
+    }
+
+    #[test]
+    fn leaves_cover_all_weight_and_links_lead_to_slabs() {
+        for (width, kind) in
+            [(1, Reconstruction::Constant), (5, Reconstruction::Bilinear), (600, Reconstruction::Bilinear)]
+        {
+            let map = NdfMap::from_ndf(width, 40, kind, &Ggx::new(0.3, 0.5).unwrap()).unwrap();
+            let pieces = Pieces::new(map.cdf());
+            let (first, last) = (pieces.leaves[0], pieces.leaves[pieces.leaves.len() - 1]);
+            assert_eq!((first[0], last[END]), (0.0, 1.0));
+            for pair in pieces.leaves.windows(2) {
+                assert_eq!(pair[0][END], pair[1][0], "{width}");
+            }
+            assert_eq!(pieces.count, kind.cells(width) * pieces.split);
+            let mut next = pieces.count;
+            for piece in &pieces.cubics[..pieces.count] {
+                if piece[0][BEFORE] < 0.0 {
+                    assert_eq!((piece[0][MARGINAL] + piece[0][BELOW]) as usize, next, "{width}");
+                    next += -piece[0][BEFORE] as usize;
+                }
+            }
+            assert_eq!(next, pieces.cubics.len(), "{width}");
+        }
+    }
+}

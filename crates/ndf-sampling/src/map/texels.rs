@@ -1,0 +1,124 @@
+//! From the texels of an image to the columns of a map: checked, weighed and continued beyond the disk.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::map::columns::Columns;
+use crate::map::disk::{mean_secant, meets, to_normal};
+use crate::map::ndf_map::{Measure, NdfMapError};
+use crate::map::prefix_sums::{Image, Integrals};
+use crate::map::reconstruction::Reconstruction;
+
+/// The columns of an image's texels.
+///
+/// Texels without a part inside the disk do not count. Constant columns have 0 there; bilinear ones have the value of the
+/// column's nearest texel with a part inside, so that what is outside does not show within.
+pub(crate) fn columns_of_texels(
+    width: usize,
+    height: usize,
+    texels: &[f32],
+    measure: Measure,
+    kind: Reconstruction,
+) -> Result<Columns, NdfMapError> {
+    let inside = rows_inside(width, height);
+    let weighed = match measure {
+        Measure::Normals => Vec::new(),
+        Measure::SolidAngle => weighed(width, height, texels),
+    };
+    let counted = if measure == Measure::Normals { texels } else { &weighed };
+    let image = Image { width, height, texels: counted, inside: &inside };
+    match Integrals::new(image, kind) {
+        Some(integrals) => Ok(Columns::new(width, height, kind, integrals)),
+        None => Err(culprit(width, height, texels, &inside)),
+    }
+}
+
+/// Texels over solid angle as texels over projected normals; those that no density has are left as they are.
+fn weighed(width: usize, height: usize, texels: &[f32]) -> Vec<f32> {
+    let secant = |k: usize| mean_secant(texel_edges(k % width, width), texel_edges(k / width, height));
+    let weigh = |(k, &value): (usize, &f32)| {
+        if is_density(value) { ((f64::from(value) * secant(k)) as f32).min(f32::MAX) } else { value }
+    };
+    texels.iter().enumerate().map(weigh).collect()
+}
+
+fn is_density(value: f32) -> bool {
+    (0.0..f32::INFINITY).contains(&value)
+}
+
+/// The first texel inside the disk that is not finite or negative.
+fn culprit(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> NdfMapError {
+    let rows = texels.chunks_exact(width).enumerate();
+    let mut counted = rows.flat_map(|(j, row)| {
+        let counts = move |rows: &[u32; 2]| (rows[0]..rows[1]).contains(&(j as u32));
+        let places = row.iter().zip(inside).enumerate().filter(move |(_, (_, rows))| counts(rows));
+        places.map(move |(i, (&value, _))| (j * width + i, value))
+    });
+    match counted.find(|&(_, value)| !is_density(value)) {
+        Some((index, value)) if value.is_finite() => NdfMapError::Negative { index, value },
+        Some((index, value)) => NdfMapError::NotFinite { index, value },
+        None => NdfMapError::AllBlack { width, height },
+    }
+}
+
+/// For each column the first row that has a part inside the disk, and the one after the last.
+pub(crate) fn rows_inside(width: usize, height: usize) -> Vec<[u32; 2]> {
+    let mut inside = vec![[0, height as u32]; width];
+    let (left, right) = inside.split_at_mut(width / 2);
+    let middle = left.len();
+    narrow(right.iter_mut().enumerate().map(|(k, rows)| (texel_edges(middle + k, width), rows)), height);
+    narrow(left.iter_mut().enumerate().map(|(k, rows)| (texel_edges(k, width), rows)).rev(), height);
+    inside
+}
+
+/// Narrows the rows of columns from the middle outward: none has more than the one before it.
+fn narrow<'a>(columns: impl Iterator<Item = ([f64; 2], &'a mut [u32; 2])>, height: usize) {
+    let mut end = height;
+    for (column, rows) in columns {
+        // Half of them, the others mirror these.
+        while end > height / 2 + 1 && !meets(column, texel_edges(end - 1, height)) {
+            end -= 1;
+        }
+        *rows = [(height - end) as u32, end as u32];
+    }
+}
+
+/// Whether the texel has a part inside the disk.
+pub(crate) fn texel_meets(column: usize, width: usize, row: usize, height: usize) -> bool {
+    meets(texel_edges(column, width), texel_edges(row, height))
+}
+
+/// The normal coordinates of a texel's two edges along one axis.
+pub(crate) fn texel_edges(index: usize, count: usize) -> [f64; 2] {
+    [index, index + 1].map(|k| to_normal(k as f64 / count as f64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_a_column_are_those_that_meet() {
+        for (width, height) in [(1, 1), (2, 3), (10, 10), (7, 64), (33, 5), (20, 4), (5, 1)] {
+            for (i, rows) in rows_inside(width, height).into_iter().enumerate() {
+                for j in 0..height {
+                    let expected = texel_meets(i, width, j, height);
+                    let found = (rows[0]..rows[1]).contains(&(j as u32));
+                    assert_eq!(found, expected, "{j} in column {i} of {width} × {height}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_outside_does_not_show_within() {
+        let mut texels = [1.0; 100];
+        for corner in [0, 9, 90, 99] {
+            texels[corner] = f32::NAN;
+        }
+        let columns = columns_of_texels(10, 10, &texels, Measure::Normals, Reconstruction::Bilinear).unwrap();
+        for column in 0..10 {
+            assert!(columns.padded(column).all(|value| value == 1.0));
+        }
+    }
+}

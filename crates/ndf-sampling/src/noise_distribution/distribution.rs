@@ -1,0 +1,170 @@
+//! What the distribution of any noise offers: from its values to Gaussian and uniform numbers and back.
+
+use core::fmt;
+
+use crate::numeric::normal_distribution::{inverse_phi, phi};
+
+/// The distribution `G` of a noise, by which its values become Gaussian coordinates and back.
+///
+/// ```text
+/// gaussian(r) = Φ⁻¹(G(r)),   from_gaussian(z) = G⁻¹(Φ(z)),   uniform(r) = G(r),   inverse(u) = G⁻¹(u)
+/// ```
+///
+/// Both are nondecreasing, total and finite; NaN counts as the middle of the distribution. The trait is dyn-compatible.
+///
+/// ```
+/// use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdf, NoiseDistribution};
+///
+/// let (measured, gaussian) = (NoiseCdf::new(1.0, &[0.0, 0.2, 0.8, 1.0])?, GaussianNoise::new(0.4)?);
+/// let fitted = KurtoticNoise::new(0.4, -0.46)?;
+/// for g in [&measured as &dyn NoiseDistribution, &gaussian, &fitted] {
+///     assert!(g.gaussian(0.0).abs() < 1e-6 && g.gaussian(0.3) > 0.5);
+///     assert!((g.from_gaussian(g.gaussian(0.3)) - 0.3).abs() < 1e-6);
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[expect(
+    clippy::wrong_self_convention,
+    reason = "from_gaussian is a map of this distribution, not a constructor"
+)]
+pub trait NoiseDistribution {
+    /// `Φ⁻¹(G(r))`: the noise value as a standard Gaussian.
+    #[must_use]
+    fn gaussian(&self, r: f32) -> f32;
+
+    /// `G⁻¹(Φ(z))`: the noise value whose Gaussian coordinate is `z`.
+    #[must_use]
+    fn from_gaussian(&self, z: f32) -> f32;
+
+    /// `G(r)`, in [0, 1].
+    #[must_use]
+    fn uniform(&self, r: f32) -> f32 {
+        phi(f64::from(self.gaussian(r))) as f32
+    }
+
+    /// `G⁻¹(u)`; a `u` outside [0, 1] counts as the nearest end, NaN as ½.
+    #[must_use]
+    fn inverse(&self, u: f32) -> f32 {
+        let u = if u.is_nan() { 0.5 } else { f64::from(u).clamp(0.0, 1.0) };
+        self.from_gaussian(inverse_phi(u).clamp(-FARTHEST, FARTHEST) as f32)
+    }
+}
+
+impl<G: NoiseDistribution + ?Sized> NoiseDistribution for &G {
+    fn gaussian(&self, r: f32) -> f32 {
+        (**self).gaussian(r)
+    }
+
+    fn from_gaussian(&self, z: f32) -> f32 {
+        (**self).from_gaussian(z)
+    }
+
+    fn uniform(&self, r: f32) -> f32 {
+        (**self).uniform(r)
+    }
+
+    fn inverse(&self, u: f32) -> f32 {
+        (**self).inverse(u)
+    }
+}
+
+/// The farthest Gaussian coordinate, as for densities.
+const FARTHEST: f64 = 13.0;
+
+/// A noise that is Gaussian with the mean 0: `G(r) = Φ(r/σ)`, so that nothing is remapped but the scale.
+///
+/// Its `uniform` and `inverse` are [`phi`] and [`inverse_phi`]. Values beyond 13 σ count as that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussianNoise {
+    deviation: f32,
+}
+
+impl GaussianNoise {
+    /// The distribution with the standard deviation `σ`.
+    ///
+    /// # Errors
+    /// A deviation that is not positive and finite.
+    pub fn new(deviation: f32) -> Result<Self, DeviationError> {
+        check(deviation).map(|deviation| Self { deviation })
+    }
+}
+
+impl NoiseDistribution for GaussianNoise {
+    #[inline]
+    fn gaussian(&self, r: f32) -> f32 {
+        bounded(r / self.deviation)
+    }
+
+    #[inline]
+    fn from_gaussian(&self, z: f32) -> f32 {
+        bounded(z) * self.deviation
+    }
+}
+
+pub(crate) fn bounded(z: f32) -> f32 {
+    if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST as f32, FARTHEST as f32) }
+}
+
+pub(crate) fn check(deviation: f32) -> Result<f32, DeviationError> {
+    if deviation.is_finite() && deviation > 0.0 {
+        Ok(deviation)
+    } else {
+        Err(DeviationError::Deviation { value: deviation })
+    }
+}
+
+/// Why numbers describe no distribution of a noise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum DeviationError {
+    /// The standard deviation is not positive and finite.
+    Deviation {
+        /// Its value.
+        value: f32,
+    },
+    /// The excess kurtosis is outside [−2, 2].
+    Kurtosis {
+        /// Its value.
+        value: f32,
+    },
+}
+
+impl fmt::Display for DeviationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Deviation { value } => {
+                write!(f, "standard deviation must be positive and finite, got {value}")
+            }
+            Self::Kurtosis { value } => write!(f, "excess kurtosis must be in [-2, 2], got {value}"),
+        }
+    }
+}
+
+impl core::error::Error for DeviationError {}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use crate::KurtoticNoise;
+    use std::string::ToString;
+
+    #[test]
+    fn refusals_name_the_culprit() {
+        let text = "standard deviation must be positive and finite, got -1";
+        assert_eq!(GaussianNoise::new(-1.0).unwrap_err().to_string(), text);
+        assert!(KurtoticNoise::new(f32::NAN, 0.0).is_err() && GaussianNoise::new(f32::INFINITY).is_err());
+        let text = "excess kurtosis must be in [-2, 2], got 2.5";
+        assert_eq!(KurtoticNoise::new(1.0, 2.5).unwrap_err().to_string(), text);
+        assert!(KurtoticNoise::new(1.0, f32::NAN).is_err());
+    }
+
+    #[test]
+    fn without_kurtosis_it_is_gaussian() {
+        let (gaussian, kurtotic) = (GaussianNoise::new(0.7).unwrap(), KurtoticNoise::new(0.7, 0.0).unwrap());
+        for r in [-3.0, -0.1, 0.0, 0.5, 2.0] {
+            assert_eq!(gaussian.gaussian(r), kurtotic.gaussian(r));
+            assert!((gaussian.uniform(r) - phi(f64::from(r) / 0.7) as f32).abs() < 1e-7);
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The distribution of a noise by its excess kurtosis.
+
+use crate::noise_distribution::distribution::{DeviationError, NoiseDistribution, bounded, check};
+
+/// A noise that is nearly Gaussian, known by its standard deviation and its excess kurtosis `κ` alone.
+///
+/// ```text
+/// κ ≤ 0:  z = x + a (x³ − 3x),  a = −κ/24;        κ ≥ 0:  x = z + a (z³ − 3z),  a = κ/24;        x = r/σ
+/// ```
+///
+/// A sum of octaves of classic noise has `σ² = σ₁² Σ w²a²` and `κ = κ₁ Σ w⁴a⁴/(Σ w²a²)²`, which change as an octave fades in: one
+/// family serves every number of octaves and every blend, where a table measured at one of them errs by a Kolmogorov–Smirnov distance
+/// of up to 0.03 at the others.
+///
+/// - **Domain:** `κ` in [−2, 2], where both forms increase everywhere. Values beyond 13 Gaussian standard deviations count as that.
+/// - **Accuracy:** the inverse of each form to `f32` rounding. Kolmogorov–Smirnov distance to the measured distributions of
+///   classic noises in 3-D, eight octaves of gain ½, whose kurtosis is 0.6 of one octave's:
+///
+/// | noise | κ | a Gaussian | this |
+/// |---|---|---|---|
+/// | Perlin 1985 | −0.22 | 0.0058 | 0.0007 |
+/// | Perlin 2002 | −0.28 | 0.0076 | 0.0013 |
+/// | value | −0.39 | 0.0111 | 0.0021 |
+/// | value-gradient | −0.30 | 0.0080 | 0.0012 |
+/// | simplex, r² = 0.5; 0.6 | −0.20; −0.44 | 0.0038; 0.0132 | 0.0032; 0.0030 |
+/// | sparse convolution | 0.85 | 0.0272 | 0.0090 |
+///
+/// ```
+/// use asperity_ndf_sampling::{KurtoticNoise, NoiseDistribution};
+///
+/// // Perlin's noise of 2002 has thinner tails than a Gaussian: two deviations are rarer.
+/// let g = KurtoticNoise::new(1.0, -0.46)?;
+/// assert!(g.gaussian(2.5) > 2.6);
+/// assert!(KurtoticNoise::new(1.0, 3.0).is_err());
+/// # Ok::<(), asperity_ndf_sampling::DeviationError>(())
+/// ```
+///
+/// Cornish, Fisher 1938, "Moments and Cumulants in the Specification of Distributions", to the fourth cumulant; its normalising
+/// form for `κ ≤ 0` and the quantile form for `κ ≥ 0`, as each is monotone only there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KurtoticNoise {
+    deviation: f32,
+    /// `κ/24`.
+    bend: f32,
+}
+
+impl KurtoticNoise {
+    /// The largest magnitude of the excess kurtosis.
+    pub const MAX_KURTOSIS: f32 = 2.0;
+
+    /// The distribution with the standard deviation `σ` and the excess kurtosis `κ`.
+    ///
+    /// # Errors
+    /// A deviation that is not positive and finite; a kurtosis outside [−2, 2].
+    pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, DeviationError> {
+        if !(-Self::MAX_KURTOSIS..=Self::MAX_KURTOSIS).contains(&kurtosis) {
+            return Err(DeviationError::Kurtosis { value: kurtosis });
+        }
+        check(deviation).map(|deviation| Self { deviation, bend: kurtosis / 24.0 })
+    }
+}
+
+impl NoiseDistribution for KurtoticNoise {
+    fn gaussian(&self, r: f32) -> f32 {
+        let x = bounded(r / self.deviation);
+        let z = if self.bend <= 0.0 { cubic(x, -self.bend) } else { inverse_cubic(x, self.bend) };
+        bounded(z)
+    }
+
+    fn from_gaussian(&self, z: f32) -> f32 {
+        let z = bounded(z);
+        let x = if self.bend <= 0.0 { inverse_cubic(z, -self.bend) } else { cubic(z, self.bend) };
+        x * self.deviation
+    }
+}
+
+/// `t + a (t³ − 3t)`, increasing for `0 ≤ a < 1/3`.
+fn cubic(t: f32, a: f32) -> f32 {
+    t + a * t * (t * t - 3.0)
+}
+
+/// The `t` with `t + a (t³ − 3t) = y`.
+fn inverse_cubic(y: f32, a: f32) -> f32 {
+    let (a, y) = (f64::from(a), f64::from(y));
+    // Newton from above: right of its root the cubic of |y| is convex and increasing, so that every step stays there. The
+    // start solves it without the cube.
+    let (mut t, size) = (y.abs() / (1.0 - 3.0 * a), y.abs());
+    for _ in 0..STEPS {
+        t -= (t + a * t * (t * t - 3.0) - size) / (1.0 + 3.0 * a * (t * t - 1.0));
+    }
+    if y < 0.0 { -t as f32 } else { t as f32 }
+}
+
+/// Newton's steps: each takes a third off where the cube dominates, and doubles the digits at the end.
+const STEPS: usize = 10;
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+
+    #[test]
+    fn both_forms_increase_and_are_inverted() {
+        for kurtosis in [-2.0, -0.65, 0.0, 0.4, 2.0] {
+            let g = KurtoticNoise::new(0.3, kurtosis).unwrap();
+            let mut before = f32::NEG_INFINITY;
+            for k in -390..=390 {
+                let r = k as f32 * 0.01;
+                let z = g.gaussian(r);
+                // Farther out the bound of the Gaussian coordinates is met.
+                assert!(z > before || z.abs() == 13.0, "κ = {kurtosis}, r = {r}");
+                before = z;
+                if z.abs() < 13.0 {
+                    let back = g.from_gaussian(z);
+                    assert!((back - r).abs() < 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r = {r}: {back}");
+                }
+            }
+            assert!((g.inverse(g.uniform(0.2)) - 0.2).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn moments_are_those_asked_for() {
+        // To the first order in κ; the mean of x⁴ over the Gaussian, by a fine sum.
+        for kurtosis in [-0.3_f32, 0.3] {
+            let g = KurtoticNoise::new(1.0, kurtosis).unwrap();
+            let (mut second, mut fourth) = (0.0, 0.0);
+            for k in -800..=800 {
+                let z = f64::from(k) * 0.01;
+                let weight = (-0.5 * z * z).exp() * 0.01 / core::f64::consts::TAU.sqrt();
+                let x = f64::from(g.from_gaussian(z as f32));
+                second += weight * x * x;
+                fourth += weight * x.powi(4);
+            }
+            assert!((second - 1.0).abs() < 0.005, "{second}");
+            let excess = fourth / (second * second) - 3.0;
+            assert!((excess - f64::from(kurtosis)).abs() < 0.1, "{kurtosis}: {excess}");
+        }
+    }
+
+    #[test]
+    fn total_on_every_input() {
+        for kurtosis in [-2.0, 0.5] {
+            let g = KurtoticNoise::new(1e-30, kurtosis).unwrap();
+            for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 1e-40] {
+                assert!(g.gaussian(bad).is_finite() && g.from_gaussian(bad).is_finite(), "{bad}");
+                assert!((0.0..=1.0).contains(&g.uniform(bad)) && g.inverse(bad).is_finite(), "{bad}");
+            }
+        }
+    }
+}

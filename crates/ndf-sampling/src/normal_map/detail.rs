@@ -1,0 +1,151 @@
+//! Detail on an existing bump map: its normals as indices, to which noise is added, and back.
+
+use glam::{Vec2, Vec3};
+
+use crate::math;
+use crate::ndf::{Ndf, bounded};
+use crate::noise_distribution::distribution::NoiseDistribution;
+use crate::numeric::normal_distribution::phi;
+
+/// The Gaussian coordinates of a bump map with noise added, of the same variance.
+///
+/// ```text
+/// z = (z_b + ε z_n)/√(1 + ε²)
+/// ```
+///
+/// If `z_b` and `z_n` are independent standard Gaussians, `z` is one for every amount `ε`, so that `T(z)` has the density that
+/// the bump map had. Without the root the variance would grow.
+///
+/// - **Domain:** coordinates beyond ±13 count as ±13, NaN as 0; `ε` as its absolute value up to 10¹⁸, NaN as 0.
+/// - **Limits:** `ε = 0` gives `z_b`, bit for bit.
+///
+/// ```
+/// use asperity_ndf_sampling::{detailed, glam::Vec2};
+///
+/// assert_eq!(detailed(Vec2::new(1.0, -0.5), Vec2::new(9.0, 9.0), 0.0), Vec2::new(1.0, -0.5));
+/// assert!(detailed(Vec2::X, Vec2::Y, 1.0).abs_diff_eq(Vec2::splat(0.5_f32.sqrt()), 1e-7));
+/// ```
+///
+/// Kautz, Heidrich, Seidel 2001, section 7, adds noise to the indices without the root.
+#[inline]
+#[must_use]
+pub fn detailed(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
+    let amount = if amount.is_nan() { 0.0 } else { amount.abs().min(1e18) };
+    let root = math::sqrt(1.0 + amount * amount);
+    bounded((bounded(z_b) + bounded(z_n) * amount) / root)
+}
+
+/// The normal of a bump map with noise added: `T(detailed(T⁻¹(n), z_n, ε))`.
+///
+/// `ndf` is the density of the bump map, as by [`estimate_ndf`](crate::estimate_ndf). Without noise the normal comes
+/// back up to the accuracy of `T ∘ T⁻¹`; where a bump map is evaluated often, keep `T⁻¹(n)` as its texels and look up `T` in
+/// a [`NormalTable`](crate::NormalTable).
+///
+/// ```
+/// use asperity_ndf_sampling::{Ggx, detailed_normal, glam::{Vec2, Vec3}};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let n = Vec3::new(0.1, -0.3, 0.95).normalize();
+/// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.0).abs_diff_eq(n, 1e-6));
+/// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.3).dot(n) < 0.9999);
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+#[inline]
+#[must_use]
+pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32) -> Vec3 {
+    ndf.from_gaussian(detailed(ndf.to_gaussian(n), z_n, amount))
+}
+
+/// The chain from noise values through uniform numbers to normals, and back.
+///
+/// ```text
+/// r → u = G(r) → n = T(Φ⁻¹(u)),        n → u = Φ(T⁻¹(n)) → r = G⁻¹(u)
+/// ```
+///
+/// The second is what turns an existing bump map into noise values, to which more noise is added before the first. A sum of two
+/// noises has not the distribution of one, unless they are Gaussian: add them as [`detailed`] does, in Gaussian coordinates,
+/// where the density is to be kept.
+///
+/// ```
+/// use asperity_ndf_sampling::{Beckmann, NoiseCdf, NoiseChain, glam::Vec3};
+///
+/// // A noise that is uniform on ±1.
+/// let chain = NoiseChain { ndf: Beckmann::isotropic(0.3)?, noise: NoiseCdf::new(1.0, &[0.0, 1.0])? };
+/// assert_eq!(chain.normal([0.0, 0.0]), Vec3::Z);
+/// let n = chain.normal([0.5, -0.8]);
+/// let [r1, r2] = chain.noise_values(n);
+/// assert!((r1 - 0.5).abs() < 1e-6 && (r2 + 0.8).abs() < 1e-6);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// Kautz, Heidrich, Seidel 2001, sections 4 and 7.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoiseChain<N, G> {
+    /// The density of the normals.
+    pub ndf: N,
+    /// The distribution `G` of both noises.
+    pub noise: G,
+}
+
+impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
+    /// `r → n`; total.
+    #[inline]
+    #[must_use]
+    pub fn normal(&self, r: [f32; 2]) -> Vec3 {
+        self.ndf.from_gaussian(Vec2::from(r.map(|r| self.noise.gaussian(r))))
+    }
+
+    /// `n → u`, the uniform numbers of a normal, in `f64`: near 1 the upper tail needs its bits.
+    #[inline]
+    #[must_use]
+    pub fn uniform(&self, n: Vec3) -> [f64; 2] {
+        self.ndf.to_gaussian(n).to_array().map(|z| phi(f64::from(z)))
+    }
+
+    /// `n → r`, the noise values of a normal.
+    #[inline]
+    #[must_use]
+    pub fn noise_values(&self, n: Vec3) -> [f32; 2] {
+        self.ndf.to_gaussian(n).to_array().map(|z| self.noise.from_gaussian(z))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beckmann, Ggx, NoiseCdf};
+
+    #[test]
+    fn total_on_every_input() {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 0.0, 1e-40];
+        let ggx = Ggx::isotropic(0.3).unwrap();
+        for (a, b) in bad.into_iter().flat_map(|a| bad.map(|b| (a, b))) {
+            for amount in bad {
+                assert!(detailed(Vec2::new(a, b), Vec2::new(b, a), amount).is_finite(), "{a} {b} {amount}");
+                let n = detailed_normal(&ggx, Vec3::new(a, b, amount), Vec2::splat(a), b);
+                assert!((n.length() - 1.0).abs() < 1e-6, "{a} {b} {amount}: {n}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_but_noise_is_left_of_much_of_it() {
+        let z_n = Vec2::new(0.3, -1.2);
+        assert!(detailed(Vec2::new(5.0, -9.0), z_n, f32::INFINITY).abs_diff_eq(z_n, 1e-6));
+        assert!(detailed(Vec2::ZERO, z_n, -1.0).abs_diff_eq(z_n * 0.5_f32.sqrt(), 1e-7));
+    }
+
+    #[test]
+    fn chain_is_undone() {
+        let table: [f32; 9] = core::array::from_fn(|k| (k * k) as f32 / 64.0);
+        let noise = NoiseCdf::new(2.0, &table).unwrap();
+        let chain = NoiseChain { ndf: Beckmann::new(0.2, 0.6).unwrap(), noise };
+        for k in 1..40 {
+            let r = [k as f32 * 0.1 - 2.0, 1.95 - k as f32 * 0.07];
+            let back = chain.noise_values(chain.normal(r));
+            assert!((back[0] - r[0]).abs() < 1e-5 && (back[1] - r[1]).abs() < 1e-5, "{r:?}: {back:?}");
+            let u = chain.uniform(chain.normal(r));
+            assert!((u[0] - f64::from(noise.uniform(r[0]))).abs() < 1e-6, "{r:?}: {u:?}");
+        }
+    }
+}

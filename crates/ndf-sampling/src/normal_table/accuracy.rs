@@ -1,0 +1,177 @@
+//! What the look-ups of a table of normals lose against the density of which it is a table.
+
+use alloc::vec::Vec;
+
+use glam::{Vec2, Vec3};
+
+use crate::frame::Frame;
+use crate::math;
+use crate::normal_table::table::{NormalTable, entry_coordinate};
+use crate::normal_table::table_ref::NormalTableRef;
+use crate::numeric::normal_distribution::phi;
+
+/// The angle between looked-up and exact normals, in rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// The largest.
+    pub largest: f32,
+    /// The root of the mean square under the Gaussian.
+    pub rms: f32,
+}
+
+/// What a [`NormalTable`] loses, measured where it loses most: in the middle between each four neighbouring entries.
+///
+/// ```text
+/// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
+/// ```
+///
+/// Over all places of a cell the mean square is less: a third of that for a nearest entry, about a half for a bilinear one.
+///
+/// ```
+/// use asperity_ndf_sampling::{Beckmann, NormalTable};
+///
+/// let beckmann = Beckmann::isotropic(0.3)?;
+/// let accuracy = NormalTable::standard(&beckmann).accuracy(&beckmann);
+/// assert!(accuracy.bilinear.rms < 2e-5 && accuracy.nearest.rms > 100.0 * accuracy.bilinear.rms);
+/// assert!(accuracy.beyond < 2e-5);
+/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TableAccuracy {
+    /// Of the nearest entry.
+    pub nearest: Deviation,
+    /// Of bilinear interpolation.
+    pub bilinear: Deviation,
+    /// Of bilinear interpolation between half floats.
+    pub bilinear_half: Deviation,
+    /// The share of the normals whose coordinates are beyond the outermost entries, which stand for them.
+    pub beyond: f64,
+    /// The largest angle by which the frames of two neighbouring entries are turned against each other, in rad.
+    pub largest_step: f32,
+}
+
+impl TableAccuracy {
+    pub(crate) fn measure(table: &NormalTable, exact: impl Fn(Vec2) -> Vec3) -> Self {
+        let (size, spacing, halves) = (table.size(), table.layout().spacing, table.halves());
+        let halves = NormalTableRef::of(size, table.layout(), &halves);
+        let entries: Vec<f32> = (0..size).map(|k| entry_coordinate(spacing, k, size)).collect();
+        let cells: Vec<Cell> = entries
+            .iter()
+            .zip(entries.iter().skip(1))
+            .enumerate()
+            .map(|(k, (&from, &to))| Cell {
+                middle: spacing.coordinate((k + 1) as f32 / size as f32),
+                weight: phi(f64::from(to)) - phi(f64::from(from)),
+            })
+            .collect();
+        let (mut nearest, mut bilinear, mut half) = (Sum::default(), Sum::default(), Sum::default());
+        for row in &cells {
+            for column in &cells {
+                let z = Vec2::new(column.middle, row.middle);
+                let (n, weight) = (exact(z), column.weight * row.weight);
+                nearest.add(angle(table.view().nearest_normal(z), n), weight);
+                bilinear.add(angle(table.view().bilinear_normal(z), n), weight);
+                half.add(angle(halves.bilinear_normal(z), n), weight);
+            }
+        }
+        let outermost = entries.last().map_or(0.0, |&z| 2.0 * phi(-f64::from(z)));
+        Self {
+            nearest: nearest.deviation(),
+            bilinear: bilinear.deviation(),
+            bilinear_half: half.deviation(),
+            beyond: outermost * (2.0 - outermost),
+            largest_step: largest_step(table) as f32,
+        }
+    }
+}
+
+/// The interval between two neighbouring entries along one coordinate.
+struct Cell {
+    middle: f32,
+    weight: f64,
+}
+
+/// Of weighted angles, the largest and the sum of squares.
+#[derive(Default)]
+struct Sum {
+    largest: f64,
+    squares: f64,
+    weight: f64,
+}
+
+impl Sum {
+    fn add(&mut self, angle: f64, weight: f64) {
+        self.largest = self.largest.max(angle);
+        self.squares += angle * angle * weight;
+        self.weight += weight;
+    }
+
+    fn deviation(&self) -> Deviation {
+        let mean = if self.weight > 0.0 { self.squares / self.weight } else { 0.0 };
+        Deviation { largest: self.largest as f32, rms: math::sqrt_f64(mean) as f32 }
+    }
+}
+
+/// The angle between two unit vectors; their cosine would lose what is below 10⁻⁴.
+fn angle(a: Vec3, b: Vec3) -> f64 {
+    2.0 * math::asin_f64(math::sqrt_f64(0.25 * squared_distance(a, b)).min(1.0))
+}
+
+fn squared_distance(a: Vec3, b: Vec3) -> f64 {
+    let [x, y, z] = [a.x - b.x, a.y - b.y, a.z - b.z].map(f64::from);
+    x * x + y * y + z * z
+}
+
+/// The largest angle of the rotation between frames that are neighbours in a row or a column.
+///
+/// ```text
+/// |A − B|² = 8 sin²(angle/2),   the sum of the squares of all nine differences
+/// ```
+fn largest_step(table: &NormalTable) -> f64 {
+    let frames: Vec<Frame> = table.frames().collect();
+    let step = |a: &Frame, b: &Frame| {
+        squared_distance(a.tangent, b.tangent)
+            + squared_distance(a.bitangent, b.bitangent)
+            + squared_distance(a.normal, b.normal)
+    };
+    let rows = frames.chunks(table.size()).flat_map(|row| row.iter().zip(row.iter().skip(1)));
+    let columns = frames.iter().zip(frames.iter().skip(table.size()));
+    let largest = rows.chain(columns).fold(0.0_f64, |largest, (a, b)| largest.max(step(a, b)));
+    2.0 * math::asin_f64(math::sqrt_f64(0.125 * largest).min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Beckmann, Chart, Ggx, Ndf, Spacing, TableLayout};
+
+    #[test]
+    fn slopes_of_beckmann_are_interpolated_exactly() {
+        let beckmann = Beckmann::new(0.1, 0.4).unwrap();
+        let layout = TableLayout { chart: Chart::Slopes, spacing: Spacing::Coordinates };
+        let accuracy = NormalTable::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
+        assert!(accuracy.bilinear.largest < 5e-7, "{accuracy:?}");
+        // The nearest entry is half a texel off along both axes: 0.14 α/√2 each.
+        assert!((accuracy.nearest.rms / 0.041 - 1.0).abs() < 0.1, "{accuracy:?}");
+    }
+
+    #[test]
+    fn steps_are_at_most_a_diagonal_longer_than_those_of_the_normals() {
+        let table = NormalTable::new(&Ggx::isotropic(1.0).unwrap(), 64).unwrap();
+        let normals: Vec<Vec3> = table.frames().map(|frame| frame.normal).collect();
+        let rows = normals.chunks(64).flat_map(|row| row.windows(2).map(|pair| angle(pair[0], pair[1])));
+        let columns = normals.iter().zip(normals.iter().skip(64)).map(|(a, b)| angle(*a, *b));
+        let largest = rows.chain(columns).fold(0.0_f64, f64::max);
+        let step = largest_step(&table);
+        assert!(step >= largest && step <= largest * 2.0_f64.sqrt(), "{step} {largest}");
+    }
+
+    #[test]
+    fn one_entry_stands_for_everything() {
+        let ggx = Ggx::isotropic(0.3).unwrap();
+        let table = NormalTable::new(&ggx, 1).unwrap();
+        let accuracy = table.accuracy(&ggx);
+        assert_eq!(accuracy, TableAccuracy { beyond: 1.0, ..TableAccuracy::default() });
+        assert_eq!(table.bilinear(Vec2::ONE).normal, ggx.from_gaussian(Vec2::ZERO));
+    }
+}

@@ -1,0 +1,160 @@
+//! Look-ups of many normals at once: the work in passes over short pieces, which the compiler turns into vector code.
+
+use glam::{Vec2, Vec3};
+
+use crate::normal_table::chart::Chart;
+use crate::normal_table::layout::TableEntry;
+use crate::normal_table::spacing::Spacing;
+use crate::normal_table::table_ref::NormalTableRef;
+
+/// Normals per pass: their numbers fit the first cache beside the table.
+const PIECE: usize = 64;
+
+impl<E: TableEntry> NormalTableRef<'_, E> {
+    /// [`NormalTableRef::nearest_normal`] of many coordinates at once, with the same results.
+    ///
+    /// The shortest of the five slices ends the work.
+    pub fn nearest_normals(self, z: [&[f32]; 2], normals: [&mut [f32]; 3]) {
+        self.in_pieces(z, normals, |place| self.position(place), |x, y| self.nearest_point(x, y));
+    }
+
+    /// [`NormalTableRef::bilinear_normal`] of many coordinates at once, with the same results.
+    ///
+    /// The shortest of the five slices ends the work.
+    ///
+    /// ```
+    /// use asperity_ndf_sampling::{NormalTableRef, TableLayout, glam::{Vec2, Vec3}};
+    ///
+    /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.1], [0.5, 0.1]];
+    /// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
+    /// let (z1, z2) = ([0.3, -1.0, 2.0], [0.1, 0.7, -0.4]);
+    /// let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+    /// table.bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z]);
+    /// assert_eq!(Vec3::new(x[1], y[1], z[1]), table.bilinear_normal(Vec2::new(-1.0, 0.7)));
+    /// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+    /// ```
+    pub fn bilinear_normals(self, z: [&[f32]; 2], normals: [&mut [f32]; 3]) {
+        self.in_pieces(z, normals, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
+    }
+
+    /// Places among the entries, points and normals in turn, each for a whole piece.
+    #[inline]
+    fn in_pieces<P: Copy + Default>(
+        self,
+        [z1, z2]: [&[f32]; 2],
+        [x, y, z]: [&mut [f32]; 3],
+        position: impl Fn(f32) -> P,
+        point: impl Fn(P, P) -> Vec2,
+    ) {
+        let mut positions = [[P::default(); PIECE]; 2];
+        let mut points = [[0.0_f32; PIECE]; 2];
+        let inputs = z1.chunks(PIECE).zip(z2.chunks(PIECE));
+        let outputs = x.chunks_mut(PIECE).zip(y.chunks_mut(PIECE)).zip(z.chunks_mut(PIECE));
+        for ((z1, z2), ((x, y), z)) in inputs.zip(outputs) {
+            let [columns, rows] = &mut positions;
+            self.positions(z1, columns, &position);
+            self.positions(z2, rows, &position);
+            let [p, q] = &mut points;
+            for (((&column, &row), p), q) in
+                columns.iter().zip(&*rows).zip(&mut *p).zip(&mut *q).take(z1.len())
+            {
+                let point = point(column, row);
+                (*p, *q) = (point.x, point.y);
+            }
+            self.normals(p, q, [x, y, z]);
+        }
+    }
+
+    #[inline]
+    fn positions<P>(self, z: &[f32], positions: &mut [P; PIECE], position: impl Fn(f32) -> P) {
+        // One loop for each spacing, so that the choice is made once.
+        match self.layout().spacing {
+            Spacing::Coordinates => fill(z, positions, |z| position(Spacing::Coordinates.place(z))),
+            Spacing::Quantiles => fill(z, positions, |z| position(Spacing::Quantiles.place(z))),
+            Spacing::Warped => fill(z, positions, |z| position(Spacing::Warped.place(z))),
+        }
+    }
+
+    #[inline]
+    fn normals(self, p: &[f32; PIECE], q: &[f32; PIECE], normals: [&mut [f32]; 3]) {
+        let chart = self.layout().chart;
+        // Points that are not of the chart are rare and need a branch: one test for all of them.
+        if p.iter().zip(q).fold(true, |all, (&p, &q)| all & chart.holds(Vec2::new(p, q))) {
+            match chart {
+                Chart::Projected => normals_by(p, q, normals, |p| Chart::Projected.inside(p)),
+                Chart::Slopes => normals_by(p, q, normals, |p| Chart::Slopes.inside(p)),
+                Chart::Stereographic => normals_by(p, q, normals, |p| Chart::Stereographic.inside(p)),
+            }
+        } else {
+            normals_by(p, q, normals, |p| chart.to_normal(p));
+        }
+    }
+}
+
+#[inline]
+fn fill<P>(z: &[f32], positions: &mut [P; PIECE], position: impl Fn(f32) -> P) {
+    for (&z, place) in z.iter().zip(positions) {
+        *place = position(z);
+    }
+}
+
+#[inline]
+fn normals_by(p: &[f32; PIECE], q: &[f32; PIECE], [x, y, z]: [&mut [f32]; 3], normal: impl Fn(Vec2) -> Vec3) {
+    for ((((&p, &q), x), y), z) in p.iter().zip(q).zip(x).zip(y).zip(z) {
+        let n = normal(Vec2::new(p, q));
+        (*x, *y, *z) = (n.x, n.y, n.z);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use crate::TableLayout;
+    use std::vec::Vec;
+
+    /// A table of 8 × 8 points within and without the disk, some of them no numbers.
+    fn points() -> Vec<[f32; 2]> {
+        let wild = |k: u32| (k.wrapping_mul(0x9E37_79B9) >> 20) as f32 / 2048.0 - 1.0;
+        let mut points: Vec<[f32; 2]> = (0..64).map(|k| [wild(2 * k), wild(2 * k + 1)]).collect();
+        points[9] = [f32::NAN, 0.5];
+        points[40] = [f32::INFINITY, 1e30];
+        points
+    }
+
+    #[test]
+    fn many_are_as_one_by_one() {
+        let entries = points();
+        let z1: Vec<f32> = (0..333).map(|k| (k * 37 % 333) as f32 * 0.031 - 5.1).collect();
+        let mut z2: Vec<f32> = z1.iter().rev().map(|z| 0.7 * z).collect();
+        (z2[5], z2[70], z2[130]) = (f32::NAN, f32::INFINITY, -1e38);
+        for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
+            for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
+                let table = NormalTableRef::new(8, TableLayout { spacing, chart }, &entries).unwrap();
+                let mut n = [(); 3].map(|()| std::vec![0.0; 333]);
+                let [x, y, z] = &mut n;
+                table.bilinear_normals([&z1, &z2], [x, y, z]);
+                for k in 0..333 {
+                    let expected = table.bilinear_normal(Vec2::new(z1[k], z2[k]));
+                    assert_eq!(Vec3::new(n[0][k], n[1][k], n[2][k]), expected, "{spacing:?} {chart:?} {k}");
+                }
+                let [x, y, z] = &mut n;
+                table.nearest_normals([&z1, &z2], [x, y, z]);
+                for k in 0..333 {
+                    let expected = table.nearest_normal(Vec2::new(z1[k], z2[k]));
+                    assert_eq!(Vec3::new(n[0][k], n[1][k], n[2][k]), expected, "{spacing:?} {chart:?} {k}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn shortest_slice_ends_the_work() {
+        let table = NormalTableRef::new(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
+        let (mut x, mut y, mut z) = ([7.0; 100], [7.0; 100], [7.0; 100]);
+        table.bilinear_normals([&[0.0; 90], &[0.0; 80]], [&mut x, &mut y[..70], &mut z]);
+        // What the compiler sees as one piece may be cut short in the middle of one.
+        assert_eq!((x[69], y[69], z[69]), (0.8, 0.0, 0.6));
+        assert_eq!((x[70], y[70], z[70]), (7.0, 7.0, 7.0));
+    }
+}

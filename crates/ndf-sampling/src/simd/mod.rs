@@ -1,0 +1,11 @@
+//! Float registers of any number of lanes, and elementary functions in them.
+
+pub(crate) mod elementary;
+pub(crate) mod gather;
+pub(crate) mod lanes;
+#[cfg(feature = "simd")]
+pub(crate) mod register_pair;
+#[cfg(feature = "simd")]
+pub(crate) mod registers;
+#[cfg(feature = "alloc")]
+pub(crate) mod transpose;
