@@ -101,172 +101,74 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
-mod algorithm_two;
-mod area;
-mod axis;
-mod axis_cover;
-#[cfg(feature = "alloc")]
-mod axis_tables;
-mod batch;
-mod bounds;
-#[cfg(feature = "alloc")]
-mod cached;
-mod cell;
-mod chaos_game;
-mod chord;
-mod combine;
-mod composites;
-mod curvature;
-mod descent;
-mod dimension;
-mod estimate;
+mod analysis;
+mod calculus;
 mod evaluate;
-mod fast;
-#[cfg(feature = "alloc")]
-mod fast32;
 #[cfg(feature = "alloc")]
 pub mod fit;
-#[cfg(feature = "alloc")]
-mod fit_error;
-#[cfg(feature = "alloc")]
-mod fit_knots;
-#[cfg(feature = "alloc")]
-mod fit_refine;
-mod folded;
-mod folded_error;
-mod folded_evaluate;
-mod folded_limits;
-mod folded_node;
-mod folded_ranges;
-mod grid;
-mod height_field;
-mod hermite_patch;
-mod homogeneous;
-mod inner_product;
-mod integral;
-mod interval;
-#[cfg(feature = "alloc")]
-mod jet;
-#[cfg(all(feature = "alloc", feature = "simd"))]
-mod jet_lanes;
-#[cfg(feature = "alloc")]
-mod jet_orders;
-#[cfg(feature = "alloc")]
-mod jet_sums;
-#[cfg(feature = "alloc")]
-mod jet_table;
-#[cfg(feature = "alloc")]
-mod jets;
-#[cfg(all(feature = "alloc", feature = "simd"))]
-mod lanes;
-mod map;
 mod math;
-mod matrix;
-mod moment_basis;
-mod moments;
-#[cfg(feature = "alloc")]
-mod normal_distribution;
-mod orbit;
+mod numeric;
 pub mod paper;
-mod polynomial;
-#[cfg(feature = "alloc")]
-mod primitive;
-#[cfg(feature = "alloc")]
-mod pyramid;
-mod range_box;
-#[cfg(feature = "alloc")]
-mod range_table;
 mod ray;
 #[cfg(feature = "alloc")]
-mod ray_batch;
-#[cfg(feature = "alloc")]
 mod recurrent;
-#[cfg(feature = "alloc")]
-mod recurrent_error;
-#[cfg(feature = "alloc")]
-mod recurrent_evaluate;
-#[cfg(feature = "alloc")]
-mod recurrent_means;
-mod regularity;
-#[cfg(feature = "alloc")]
-mod root_search;
-mod search;
-#[cfg(feature = "serde")]
-mod serialise;
-mod series;
-mod storage;
-mod stretch;
 mod surface;
-mod surface_extrema;
-mod surface_ray;
 mod system;
-mod system_error;
-mod tiling;
-mod torus;
-mod torus_error;
-mod torus_evaluate;
-mod torus_limits;
-mod torus_node;
-mod torus_ranges;
-#[cfg(feature = "alloc")]
-mod tracer;
-mod turn;
-#[cfg(feature = "alloc")]
-mod uneven;
+mod table;
 
-pub use area::{AreaMeans, AxisMeans, LineMeans, SlopeMeans};
-pub use axis::{Axis, Smooth};
-pub use batch::BatchError;
-pub use bounds::Extrema;
-#[cfg(feature = "alloc")]
-pub use cached::Cached;
-pub use chaos_game::ChaosGame;
-pub use combine::CombineError;
-pub use composites::{Composite, TableError, TableStorage};
-pub use curvature::Curvature;
-pub use estimate::Estimate;
-pub use evaluate::MAX_DEPTH;
-#[cfg(feature = "alloc")]
-pub use fast::FastBuf;
-pub use fast::{Fast, FixedFast};
-#[cfg(feature = "alloc")]
-pub use fast32::Fast32;
-pub use folded::FoldedSurface;
-pub use folded_error::FoldedError;
-#[cfg(feature = "alloc")]
-pub use folded_node::FoldedBuf;
-pub use folded_node::{FixedFolded, FoldedNode, FoldedStorage, FoldedView};
+pub use analysis::extrema::Extrema;
+pub use analysis::modulus::Modulus;
+pub use calculus::linear_combination::CombineError;
+pub use calculus::moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
+pub use evaluate::batch_error::BatchError;
+pub use evaluate::grid::GridError;
+pub use evaluate::value::MAX_DEPTH;
 pub use glam;
-pub use grid::GridError;
-pub use height_field::HeightField;
-pub use interval::{Bounded, Interval};
+pub use numeric::estimate::Estimate;
+pub use numeric::interval::{Bounded, Interval};
+pub use paper::chaos_game::ChaosGame;
 #[cfg(feature = "alloc")]
-pub use jet::Jet;
+pub use ray::pyramid::Pyramid;
+pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
-pub use jets::FastJets;
-pub use map::{Map, Piece};
-pub use moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
+pub use recurrent::error::RecurrentError;
 #[cfg(feature = "alloc")]
-pub use normal_distribution::NormalDistributionError;
+pub use recurrent::recurrent::Recurrent;
+pub use surface::extrema::SurfaceExtrema;
+pub use surface::height_field::area::{AreaMeans, AxisMeans, LineMeans, SlopeMeans};
+pub use surface::height_field::axis::{Axis, Smooth};
+pub use surface::height_field::curvature::Curvature;
+pub use surface::height_field::height_field::HeightField;
 #[cfg(feature = "alloc")]
-pub use pyramid::Pyramid;
-pub use ray::{Hit, Ray};
+pub use surface::height_field::normal_distribution::NormalDistributionError;
 #[cfg(feature = "alloc")]
-pub use recurrent::Recurrent;
+pub use surface::height_field::tabulated::Cached;
+pub use surface::self_affine::folded::FoldedSurface;
+pub use surface::self_affine::folded_error::FoldedError;
 #[cfg(feature = "alloc")]
-pub use recurrent_error::RecurrentError;
-pub use regularity::Modulus;
+pub use surface::self_affine::folded_node::FoldedBuf;
+pub use surface::self_affine::folded_node::{FixedFolded, FoldedNode, FoldedStorage, FoldedView};
+pub use surface::self_affine::torus::TorusSurface;
+pub use surface::self_affine::torus_error::TorusError;
 #[cfg(feature = "alloc")]
-pub use storage::{FifBuf, SmoothBuf};
-pub use storage::{FifView, FixedFif, FixedSmooth, Storage};
-pub use surface::{Surface, SurfaceBounds};
-pub use surface_extrema::SurfaceExtrema;
-pub use system::{Fif, JOIN_TOLERANCE};
-pub use system_error::{End, List, SystemError};
-pub use torus::TorusSurface;
-pub use torus_error::TorusError;
+pub use surface::self_affine::torus_node::TorusBuf;
+pub use surface::self_affine::torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
+pub use surface::surface::{Surface, SurfaceBounds};
+pub use system::error::{End, List, SystemError};
+pub use system::fif::{Fif, JOIN_TOLERANCE};
+pub use system::map::{Map, Piece};
 #[cfg(feature = "alloc")]
-pub use torus_node::TorusBuf;
-pub use torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
+pub use system::storage::{FifBuf, SmoothBuf};
+pub use system::storage::{FifView, FixedFif, FixedSmooth, Storage};
+pub use table::composite::{Composite, TableError, TableStorage};
 #[cfg(feature = "alloc")]
-pub use uneven::Uneven;
+pub use table::jet::jet::Jet;
+#[cfg(feature = "alloc")]
+pub use table::jet::table::FastJets;
+#[cfg(feature = "alloc")]
+pub use table::nonuniform::Uneven;
+#[cfg(feature = "alloc")]
+pub use table::uniform::FastBuf;
+pub use table::uniform::{Fast, FixedFast};
+#[cfg(feature = "alloc")]
+pub use table::uniform_f32::Fast32;

@@ -1,0 +1,320 @@
+//! Branch and bound over the cells of a function, for the largest value of `±f` over an interval.
+//!
+//! A pass asks for a part of the gap between the attained value and the bound, and ends when no cell can be more than
+//! that above the value. Over the whole domain its result bounds `f` inside every cell of the next pass, so that each
+//! pass goes only as deep as a product of factors takes to reach the part asked for, however small the gap has become.
+
+use crate::math::sqrt;
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
+use crate::system::cell::Cell;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+
+/// Cells that one search visits at most, or [`PER_MAP`] for each map where that is more.
+const BUDGET: usize = 1 << 16;
+
+/// Cells that one pass visits at most, likewise.
+const PASS: usize = 1 << 12;
+
+/// See [`BUDGET`] and [`PASS`]; every map has to be seen.
+const PER_MAP: usize = 4;
+
+/// The part of the gap that the first pass asks for, and the largest part worth a pass.
+const PARTS: [f64; 2] = [1.0 / 16.0, 0.99];
+
+/// Maps that one search composes at most: the length of its stack.
+const DEPTH: usize = 200;
+
+/// Cells that each of the two searches for the outermost places visits at most.
+const PLACES: usize = 1 << 12;
+
+/// Cells this narrow, in units of the domain, are not split for the sake of the place alone.
+const NARROW: f64 = 1.0 / 1_073_741_824.0;
+
+/// What is searched, and how well.
+pub(crate) struct Goal {
+    over: Interval,
+    domain: Interval,
+    /// More than the rounding of the ends of the domain and of the interval.
+    margin: f64,
+    width: f64,
+}
+
+impl Goal {
+    /// The extremum over `over`, a part of `domain`, in a bracket of `width`.
+    pub(crate) fn new(over: Interval, domain: Interval, width: f64) -> Self {
+        Self { over, domain, margin: 8.0 * f64::EPSILON * domain.magnitude(), width }
+    }
+
+    fn meets<const C: usize>(&self, place: &Place<C>) -> bool {
+        let margin = self.margin + place.slip;
+        place.left - margin <= self.over.hi && place.left + place.width + margin >= self.over.lo
+    }
+
+    /// Whether a point within `slip` of `x` is surely inside, or at an end of the domain that belongs to the interval.
+    fn surely(&self, x: f64, slip: f64) -> bool {
+        let margin = self.margin + slip;
+        let left = self.over.lo == self.domain.lo || self.over.lo + margin <= x;
+        let right = self.over.hi == self.domain.hi || x <= self.over.hi - margin;
+        left && right
+    }
+
+    /// What of the interval lies within the margins of a cell.
+    fn part<const C: usize>(&self, place: &Place<C>) -> Interval {
+        let margin = self.margin + place.slip;
+        Interval::new(place.left - margin, place.left + place.width + margin).intersection(self.over)
+    }
+
+    /// A border of the interval within a cell that is narrower than the rounding of its place.
+    fn lost<const C: usize>(&self, place: &Place<C>) -> bool {
+        let ends = [place.left, place.left + place.width];
+        place.width < 0.25 * (self.margin + place.slip)
+            && !ends.into_iter().all(|x| self.surely(x, place.slip))
+    }
+}
+
+/// A cell and where it lies.
+#[derive(Clone, Copy)]
+struct Place<const C: usize> {
+    cell: Cell<C>,
+    left: f64,
+    width: f64,
+    /// Bound of the rounding errors of the two.
+    slip: f64,
+}
+
+impl<const C: usize> Place<C> {
+    fn root(domain: Interval) -> Self {
+        Self { cell: Cell::root(), left: domain.lo, width: domain.width(), slip: 0.0 }
+    }
+
+    fn child(&self, piece: &Piece<C>) -> Self {
+        let left = self.left + self.width * piece.s[0];
+        let width = self.width * (piece.s[1] - piece.s[0]);
+        // One unit of the sum, three of the knot; five of each width above, once in the width and once in the shift.
+        let slip = self.slip + UNIT * (left.abs() + 16.0 * self.width);
+        Self { cell: self.cell.child(piece), left, width, slip }
+    }
+}
+
+/// A cell whose children are being visited.
+#[derive(Clone, Copy)]
+struct Frame<const C: usize> {
+    place: Place<C>,
+    upper: f64,
+    next: usize,
+}
+
+/// One search.
+pub(crate) struct Search<'a, const C: usize> {
+    pieces: &'a [Piece<C>],
+    range: Interval,
+    end_values: [f64; 2],
+    goal: &'a Goal,
+    sign: f64,
+    /// A value that is attained, rounded down; −∞ while no knot is surely inside.
+    pub(crate) best: f64,
+    /// Where.
+    pub(crate) at: Interval,
+    /// An upper bound.
+    pub(crate) bound: f64,
+    /// The part of the gap that the next pass asks for.
+    part: f64,
+    /// An upper bound over the cells that this pass is done with.
+    top: f64,
+    /// How much `top` may be above `best`.
+    width: f64,
+    /// Cells that are left to this pass, and to all.
+    left: usize,
+    budget: usize,
+}
+
+impl<'a, const C: usize> Search<'a, C> {
+    /// For the maximum of `sign · f`.
+    pub(crate) fn new<S: AsRef<[Piece<C>]>>(fif: &'a Fif<S, C>, goal: &'a Goal, sign: f64) -> Self {
+        let pieces = fif.pieces();
+        let mut search = Self {
+            pieces,
+            range: fif.range(),
+            end_values: fif.end_values(),
+            goal,
+            sign,
+            best: f64::NEG_INFINITY,
+            at: goal.over,
+            bound: if sign > 0.0 { fif.range().hi } else { -fif.range().lo },
+            part: PARTS[0],
+            top: f64::INFINITY,
+            width: f64::INFINITY,
+            left: 0,
+            budget: BUDGET.max(pieces.len().saturating_mul(2 * PER_MAP)),
+        };
+        let root = Place::root(goal.domain);
+        search.note(&root);
+        search.roll_out(root);
+        search
+    }
+
+    /// One pass, with `range` to hold all values over the domain; whether another one may be worth while.
+    pub(crate) fn narrow(&mut self, range: Interval) -> bool {
+        let reached = self.bound - self.best <= self.goal.width;
+        if reached || self.budget == 0 || self.part > PARTS[1] {
+            return false;
+        }
+        self.range = range;
+        self.left = PASS.max(self.pieces.len().saturating_mul(PER_MAP)).min(self.budget);
+        let given = self.left;
+        self.width = self.goal.width.max(self.part * (self.bound - self.best));
+        self.pass();
+        let blind = !self.best.is_finite();
+        let done = self.left > 0;
+        self.budget -= given - self.left;
+        let gained = self.top < self.bound;
+        self.bound = if gained { self.top } else { self.bound };
+        if !done {
+            self.part = sqrt(self.part);
+        }
+        // Without an attained value every pass is the same, and so is one that ended in cells that cannot be split.
+        let stuck = done && !gained && self.top > self.best + self.width;
+        !(blind || stuck)
+    }
+
+    /// Sets the range that the places are searched with.
+    pub(crate) fn assume(&mut self, range: Interval) {
+        self.range = range;
+    }
+
+    /// The hull of the cells where a value of `best` or more may be: from the left, then from the right.
+    pub(crate) fn places(&self) -> Interval {
+        if !self.best.is_finite() {
+            return self.goal.over;
+        }
+        let leftmost = self.outermost(|next| next, |part, within| part.lo >= within.lo);
+        let last = self.pieces.len().saturating_sub(1);
+        leftmost.hull(self.outermost(|next| last.wrapping_sub(next), |part, within| part.hi <= within.hi))
+    }
+
+    /// Extends the place of `best` to one side, the children of a cell taken in an order from there; what lies on the
+    /// other side is known.
+    fn outermost(
+        &self,
+        order: impl Fn(usize) -> usize,
+        known: impl Fn(Interval, Interval) -> bool,
+    ) -> Interval {
+        let mut within = self.at;
+        let mut left = PLACES.max(self.pieces.len().saturating_mul(2));
+        let root = Place::root(self.goal.domain);
+        let mut stack = [Frame { place: root, upper: f64::INFINITY, next: 0 }; DEPTH];
+        let mut height = 1_usize;
+        while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
+            let parent = frame.place;
+            let Some(piece) = self.pieces.get(order(frame.next)).filter(|_| left > 0) else {
+                if left == 0 {
+                    within = within.hull(self.goal.part(&parent));
+                }
+                height -= 1;
+                continue;
+            };
+            frame.next += 1;
+            left -= 1;
+            let child = parent.child(piece);
+            let part = self.goal.part(&child);
+            if part.lo > part.hi || known(part, within) || self.upper(&child) < self.best {
+                continue;
+            }
+            match stack.get_mut(height) {
+                Some(free) if child.width > NARROW * self.goal.domain.width() && !self.goal.lost(&child) => {
+                    *free = Frame { place: child, upper: f64::INFINITY, next: 0 };
+                    height += 1;
+                }
+                _ => within = within.hull(part),
+            }
+        }
+        within
+    }
+
+    /// Follows the most promising child, to have a good value before the passes begin.
+    fn roll_out(&mut self, root: Place<C>) {
+        let mut place = root;
+        for _ in 0..DEPTH.min(BUDGET / self.pieces.len().max(1) + 1) {
+            let mut next = None;
+            let mut most = f64::NEG_INFINITY;
+            for piece in self.pieces {
+                let child = place.child(piece);
+                if !self.goal.meets(&child) {
+                    continue;
+                }
+                self.note(&child);
+                // Upper bounds tie often, so the middle counts too.
+                let promise = self.upper(&child) + self.sign * child.cell.range(self.range).middle();
+                if promise > most {
+                    (most, next) = (promise, Some(child));
+                }
+            }
+            match next {
+                Some(child) if self.upper(&child) > self.best + 0.125 * self.goal.width => place = child,
+                _ => break,
+            }
+        }
+    }
+
+    /// Depth first: the stack holds the cells whose children are not all visited, from the domain inward.
+    fn pass(&mut self) {
+        let root = Place::root(self.goal.domain);
+        self.top = self.best;
+        let start = Frame { place: root, upper: self.upper(&root), next: 0 };
+        let mut stack = [start; DEPTH];
+        let mut height = 1_usize;
+        while let Some(frame) = height.checked_sub(1).and_then(|last| stack.get_mut(last)) {
+            let (parent, upper) = (frame.place, frame.upper);
+            if self.left == 0 {
+                // What is not visited any more is bounded by the cell that it is a part of.
+                self.close(upper);
+                height -= 1;
+                continue;
+            }
+            let Some(piece) = self.pieces.get(frame.next) else {
+                height -= 1;
+                continue;
+            };
+            frame.next += 1;
+            let child = parent.child(piece);
+            if !self.goal.meets(&child) {
+                continue;
+            }
+            self.left -= 1;
+            self.note(&child);
+            let upper = self.upper(&child);
+            if upper <= self.best + self.width || self.goal.lost(&child) {
+                self.close(upper);
+            } else if let Some(free) = stack.get_mut(height) {
+                *free = Frame { place: child, upper, next: 0 };
+                height += 1;
+            } else {
+                self.close(upper);
+            }
+        }
+    }
+
+    /// Is done with a cell.
+    fn close(&mut self, upper: f64) {
+        self.top = if upper > self.top { upper } else { self.top };
+    }
+
+    fn upper(&self, place: &Place<C>) -> f64 {
+        let range = place.cell.range(self.range);
+        if self.sign > 0.0 { range.hi } else { -range.lo }
+    }
+
+    fn note(&mut self, place: &Place<C>) {
+        let ends = place.cell.ends(self.end_values);
+        for (value, x) in ends.into_iter().zip([place.left, place.left + place.width]) {
+            let attained = if self.sign > 0.0 { value.lo } else { -value.hi };
+            if attained > self.best && self.goal.surely(x, place.slip) {
+                self.best = attained;
+                let margin = place.slip + 2.0 * UNIT * self.goal.domain.magnitude();
+                self.at = Interval::new(x - margin, x + margin).intersection(self.goal.over);
+            }
+        }
+    }
+}

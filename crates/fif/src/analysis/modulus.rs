@@ -1,0 +1,264 @@
+//! How much a function moves when its argument does: Lipschitz and Hölder bounds, and the conditioning at a point.
+
+use crate::math::{ln, pow};
+use crate::numeric::interval::Interval;
+use crate::system::fif::{Fif, Spacing};
+use crate::system::map::Piece;
+
+/// A bound of `|f(x) − f(y)|` by `d = |x − y|`, over the whole domain.
+///
+/// ```
+/// use asperity_fif::{Modulus, paper};
+/// let g = paper::g()?.modulus();
+/// assert!((g.exponent() - 0.234).abs() < 1e-3);
+/// assert!(matches!(paper::f()?.modulus(), Modulus::LogLipschitz { .. }));
+/// assert!(matches!(paper::g_hat()?.modulus(), Modulus::Lipschitz { .. }));
+/// # Ok::<(), asperity_fif::SystemError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Modulus {
+    /// `constant · d`.
+    Lipschitz {
+        /// The largest slope.
+        constant: f64,
+    },
+    /// `constant · d · (1 + ln(width/d))`, for `d` up to the width of the domain.
+    LogLipschitz {
+        /// The factor.
+        constant: f64,
+        /// The width of the domain.
+        width: f64,
+    },
+    /// `constant · d^exponent`, with an exponent in `(0, 1)`.
+    Holder {
+        /// The Hölder exponent.
+        exponent: f64,
+        /// The factor.
+        constant: f64,
+    },
+}
+
+impl Modulus {
+    /// The bound of `|f(x) − f(y)|` for `|x − y| ≤ distance`; 0 for no distance, NaN for NaN.
+    #[must_use]
+    pub fn at(&self, distance: f64) -> f64 {
+        let d = distance.abs();
+        if d == 0.0 {
+            return 0.0;
+        }
+        match *self {
+            Self::Lipschitz { constant } => constant * d,
+            Self::LogLipschitz { constant, width } if d >= width => constant * width,
+            Self::LogLipschitz { constant, width } => constant * d * (1.0 + ln(width / d)),
+            Self::Holder { exponent, constant } => constant * pow(d, exponent),
+        }
+    }
+
+    /// The largest exponent `h` for which the bound is of order `d^h`, up to logarithms: 1, or the Hölder exponent.
+    #[must_use]
+    pub fn exponent(&self) -> f64 {
+        match *self {
+            Self::Lipschitz { .. } | Self::LogLipschitz { .. } => 1.0,
+            Self::Holder { exponent, .. } => exponent,
+        }
+    }
+}
+
+/// What the roundings of the constants, of powers and of logarithms are rounded up by.
+const UP: f64 = 1.0 + 1.0 / 1_073_741_824.0;
+
+/// How near a factor is to `a_j` to count as equal.
+const NEAR: f64 = 1.0 / 1_125_899_906_842_624.0;
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// A bound of `|f(x) − f(y)|` for any two points.
+    ///
+    /// With `Λ_j` the Lipschitz constant of `q_j` in units of the domain:
+    ///
+    /// ```text
+    /// |α_j| < a_j for all j:   Lipschitz, max Λ_j/(a_j − |α_j|)
+    /// |α_j| ≤ a_j:             d (1 + ln(1/d))
+    /// else:                    Hölder, h = min ln|α_j| / ln a_j
+    /// ```
+    ///
+    /// The exponent is the best one unless `f` is a polynomial: over the cells of the map that gives the minimum,
+    /// iterated, `f` moves by `|α_j|ⁿ = a_jⁿʰ` times a constant. It is rounded down by 2⁻⁴⁰. The constant follows two
+    /// points to the level where they part, and from there to the knots between them; it is up to ten times what
+    /// samples of random systems show, and large where cells are tiny. It is rounded up by 2⁻³⁰.
+    ///
+    /// Not in the sources; the exponent for equal cells is Bedford, *Hölder exponents and box dimension for self-affine
+    /// fractal functions*, 1989.
+    ///
+    /// ```
+    /// let g = asperity_fif::paper::g()?;
+    /// let (x, y) = (0.70, 0.71);
+    /// let moved = (g.evaluate(x, 1e-9).value - g.evaluate(y, 1e-9).value).abs();
+    /// assert!(moved <= g.modulus().at(y - x));
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn modulus(&self) -> Modulus {
+        let width = self.domain().width();
+        let (mut exponent, mut lipschitz, mut gentle, mut even) = (1.0_f64, 0.0_f64, true, true);
+        for piece in self.pieces() {
+            let (a, alpha, slope) = measures(piece);
+            gentle &= alpha < a * (1.0 - NEAR);
+            even &= alpha <= a * (1.0 + NEAR);
+            lipschitz = lipschitz.max(slope / (a - alpha));
+            if alpha > 0.0 {
+                exponent = exponent.min(ln(alpha) / ln(a));
+            }
+        }
+        if gentle {
+            return Modulus::Lipschitz { constant: UP * lipschitz / width };
+        }
+        if even {
+            let (ends, log) = self.parting(1.0);
+            return Modulus::LogLipschitz { constant: UP * (ends + log) / width, width };
+        }
+        let exponent = exponent * (1.0 - 1.0 / 1_099_511_627_776.0);
+        let (ends, inner) = self.parting(exponent);
+        Modulus::Holder { exponent, constant: UP * (ends + inner) / pow(width, exponent) }
+    }
+
+    /// How far `f(x)` and the value that [`Fif::evaluate`] is about may be apart: the conditioning at `x`.
+    ///
+    /// The width of an enclosure of `f` over the points that roundings of knots and of the orbit may confuse with `x`:
+    ///
+    /// ```text
+    /// equally spaced knots:   |x′ − x| ≤ 4 ulp
+    /// others:                 |x′ − x| ≤ 4 ulp + 8 u (x_N − x_0) min(4096, 1/(1 − max a_j)),   u = 2⁻⁵³
+    /// ```
+    ///
+    /// with the ulp of the larger end of the domain. So `|value − f(x)| ≤ bound + conditioning(x)` on any knots; for a
+    /// point that is known to be exact on equally spaced ones, `bound` alone holds. It is the error that no evaluation
+    /// in `f64` can do without: one ulp of `x` changes the source's `g` by 5·10⁻⁴.
+    ///
+    /// NaN for NaN; points outside the domain are clamped. Takes some microseconds to milliseconds.
+    ///
+    /// ```
+    /// use asperity_fif::paper;
+    /// assert!(paper::g_hat()?.conditioning(0.7) < 1e-13);
+    /// let rough = paper::g()?.conditioning(0.7);
+    /// assert!(rough > 1e-4 && rough < 1e-2);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn conditioning(&self, x: f64) -> f64 {
+        if x.is_nan() {
+            return f64::NAN;
+        }
+        let domain = self.domain();
+        let largest = self.pieces().iter().fold(0.0_f64, |a, piece| a.max(piece.s[1] - piece.s[0]));
+        let levels = (1.0 / (1.0 - largest)).min(crate::MAX_DEPTH as f64);
+        let orbit = match self.spacing() {
+            Spacing::Uniform => 0.0,
+            Spacing::Nonuniform => 4.0 * f64::EPSILON * domain.width() * levels,
+        };
+        let reach = 4.0 * f64::EPSILON * domain.magnitude() + orbit;
+        let x = x.clamp(domain.lo, domain.hi);
+        let taken = |width: f64| {
+            self.enclosure(x - reach, x + reach, width).map_or_else(|| self.range().width(), Interval::width)
+        };
+        // Ever narrower searches, while they pay.
+        let mut moved = taken(0.125 * self.range().width());
+        for _ in 0..64 {
+            let next = taken(0.125 * moved);
+            let paid = next < 0.5 * moved;
+            moved = if next < moved { next } else { moved };
+            if !paid {
+                break;
+            }
+        }
+        moved
+    }
+
+    /// Constants of the bound `|f(x) − f(y)| ≤ (first + second) d^h`, in units of the domain, for `|α_j| ≤ a_j^h`.
+    ///
+    /// The first is for two points in different cells, `δ^h` for their distance `δ`; the second for the polynomials of
+    /// the levels that they share, a geometric sum, or for `h = 1` one term a level and the factor `1 + ln(1/d)` in all.
+    fn parting(&self, h: f64) -> (f64, f64) {
+        let last = self.pieces().len().saturating_sub(1);
+        let [y0, y_end] = self.end_values();
+        let (mut steep, mut widest, mut narrowest, mut rise) = (0.0_f64, 0.0_f64, 1.0_f64, 0.0_f64);
+        // max |f − y_0| / t^h over the cells right of the first one, and the same from the right.
+        let mut away = [0.0_f64; 2];
+        let mut first = [(0.5, 0.0); 2];
+        for (j, piece) in self.pieces().iter().enumerate() {
+            let (a, _, slope) = measures(piece);
+            steep = steep.max(slope / pow(a, h));
+            widest = widest.max(a);
+            narrowest = narrowest.min(a);
+            rise = rise.max((piece.y()[1] - piece.y()[0]).abs() / a);
+            let range = crate::system::cell::Cell::root().child(piece).range(self.range());
+            if j > 0 {
+                away[0] = away[0].max(range.sum(Interval::new(-y0, -y0)).magnitude() / pow(piece.s[0], h));
+            } else {
+                first[0] = (a, slope);
+            }
+            if j < last {
+                away[1] = away[1]
+                    .max(range.sum(Interval::new(-y_end, -y_end)).magnitude() / pow(1.0 - piece.s[1], h));
+            } else {
+                first[1] = (a, slope);
+            }
+        }
+        // A sum over shared levels: Σ (a^{1−h})^i, or their number over ln(1/d).
+        let levels = |a: f64| if h < 1.0 { 1.0 / (1.0 - pow(a, 1.0 - h)) } else { -1.0 / ln(a) };
+        let ends: f64 = (0..2)
+            .map(|side| {
+                let (a, slope) = first[side];
+                away[side] + slope / pow(a, h) * levels(a) + steep
+            })
+            .sum();
+        let between =
+            (ends + rise).min(if h < 1.0 { self.range().width() / pow(narrowest, h) } else { f64::INFINITY });
+        (ends.max(between), steep * levels(widest))
+    }
+}
+
+/// `a_j`, `|α_j|`, and a Lipschitz constant of `q_j` over the domain scaled to `[0, 1]`.
+fn measures<const C: usize>(piece: &Piece<C>) -> (f64, f64, f64) {
+    let degree = C.saturating_sub(1) as f64;
+    let pairs = piece.bernstein.iter().zip(piece.bernstein.iter().skip(1));
+    let steepest = pairs.fold(0.0_f64, |m, (b, next)| m.max((next - b).abs()));
+    // Markov's inequality for the error of the coefficients.
+    (
+        piece.s[1] - piece.s[0],
+        piece.map().alpha.abs(),
+        degree * steepest + 2.0 * degree * degree * piece.slack,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FixedFif, paper};
+
+    #[test]
+    fn a_parabola_has_its_slope() {
+        // x² on halves, α = 1/4: Lipschitz constant 2.
+        let q = [[0.0, 0.0, 0.0], [0.25, 0.5, 0.0]];
+        let f = FixedFif::<2, 3>::new(&[0.0, 0.5, 1.0], &[0.25, 0.25], &q).unwrap();
+        let Modulus::Lipschitz { constant } = f.modulus() else { panic!("{:?}", f.modulus()) };
+        assert!((2.0..2.0 + 1e-6).contains(&constant), "{constant}");
+        assert_eq!(f.modulus().exponent(), 1.0);
+    }
+
+    #[test]
+    fn no_distance_is_no_movement() {
+        for modulus in [paper::f().unwrap().modulus(), paper::g().unwrap().modulus()] {
+            assert!(modulus.at(0.0) == 0.0 && modulus.at(f64::NAN).is_nan(), "{modulus:?}");
+            assert!(modulus.at(100.0) >= modulus.at(2.0) && modulus.at(2.0) >= modulus.at(1e-300));
+        }
+    }
+
+    #[test]
+    fn conditioning_is_total() {
+        let g = paper::g().unwrap();
+        assert!(g.conditioning(f64::NAN).is_nan());
+        for x in [f64::NEG_INFINITY, -1.0, 0.0, 1.0, 2.0, 3.0, f64::INFINITY] {
+            assert!(g.conditioning(x) > 0.0 && g.conditioning(x) < 0.02, "{x}: {}", g.conditioning(x));
+        }
+    }
+}

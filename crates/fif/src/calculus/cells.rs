@@ -1,0 +1,198 @@
+//! An interval as a union of cells, each of which is a small copy of the whole.
+
+use crate::evaluate::address::{LongFraction, Orbit, Position, Step};
+use crate::evaluate::value::MAX_DEPTH;
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
+use crate::system::cell::Cell;
+use crate::system::fif::{Fif, Spacing};
+use crate::system::map::Piece;
+
+/// A cell of the tiling; lengths are in units of the domain.
+#[derive(Clone, Copy)]
+pub(crate) struct Tile<const C: usize> {
+    pub(crate) cell: Cell<C>,
+    pub(crate) left: f64,
+    pub(crate) width: f64,
+}
+
+impl<const C: usize> Tile<C> {
+    fn child(&self, piece: &Piece<C>) -> Self {
+        let left = self.left + self.width * piece.s[0];
+        Self { cell: self.cell.child(piece), left, width: self.width * (piece.s[1] - piece.s[0]) }
+    }
+}
+
+/// An end of the interval: a border of the cell, or inside it with the local position of the last step.
+#[derive(Clone, Copy)]
+enum Cut<O> {
+    Border,
+    Inside { orbit: O, s: f64 },
+}
+
+/// How the ends and the tiling were rounded, in units of the domain.
+pub(crate) struct Tiling {
+    /// Distance that the ends may have moved.
+    pub(crate) drift: f64,
+    /// Largest number of maps in one cell.
+    pub(crate) steps: f64,
+}
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// Hands the cells that make up `[l, r]` to `visit`, where `x_0 ≤ l < r ≤ x_N`.
+    ///
+    /// The descent follows both ends together as long as one cell holds them, so that a short interval is as good as a
+    /// long one. Each end then splits off the cells between it and the middle. What is left where the function varies by
+    /// less than the rounding error becomes a cell of its own, over which the fractal part is a constant.
+    pub(crate) fn tile(&self, l: f64, r: f64, visit: &mut impl FnMut(&Tile<C>)) -> Tiling {
+        match self.spacing() {
+            Spacing::Uniform => self.tile_with(l, r, LongFraction::new, visit),
+            Spacing::Nonuniform => self.tile_with(l, r, Position::new, visit),
+        }
+    }
+
+    fn tile_with<O: Orbit + Copy>(
+        &self,
+        l: f64,
+        r: f64,
+        orbit: impl Fn(f64) -> O,
+        visit: &mut impl FnMut(&Tile<C>),
+    ) -> Tiling {
+        let domain = self.domain();
+        let cut = |x: f64| {
+            let s = (x - domain.lo) / domain.width();
+            if s <= 0.0 || s >= 1.0 { Cut::Border } else { Cut::Inside { orbit: orbit(s), s } }
+        };
+        let root = Tile { cell: Cell::root(), left: 0.0, width: 1.0 };
+        let mut walk = Walk { fif: self, visit, tiling: Tiling { drift: 0.0, steps: 0.0 }, least: 0.0 };
+        let (lower, upper) = (cut(l), cut(r));
+        // Nothing rounds when the domain begins at 0 and its width is a power of two.
+        let exact = domain.lo == 0.0 && domain.hi.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
+        for cut in [lower, upper] {
+            if let (Cut::Inside { s, .. }, false) = (cut, exact) {
+                // The difference and the quotient; the width rounds too.
+                walk.tiling.drift += 3.0 * UNIT * s;
+            }
+        }
+        walk.run(root, lower, upper, 0.0);
+        walk.tiling
+    }
+}
+
+struct Walk<'a, S, V, const C: usize> {
+    fif: &'a Fif<S, C>,
+    visit: &'a mut V,
+    tiling: Tiling,
+    /// Width times variation of a cell that is not divided any more; 0 until the ends have parted.
+    least: f64,
+}
+
+impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C> {
+    /// Recurs once, where the ends part.
+    fn run<O: Orbit + Copy>(
+        &mut self,
+        mut tile: Tile<C>,
+        mut lower: Cut<O>,
+        mut upper: Cut<O>,
+        mut steps: f64,
+    ) {
+        let pieces = self.fif.pieces();
+        let radius = 0.5 * self.fif.range().width();
+        while steps < MAX_DEPTH as f64 {
+            let (from, to) = match (&lower, &upper) {
+                (Cut::Border, Cut::Border) => break,
+                (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) if l >= r => break,
+                (Cut::Inside { s, .. }, Cut::Border) => (*s, 1.0),
+                (Cut::Border, Cut::Inside { s, .. }) => (0.0, *s),
+                (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) => (*l, *r),
+            };
+            if tile.width * tile.cell.product.abs() * radius <= self.least {
+                break;
+            }
+            steps += 1.0;
+            self.tiling.steps = if steps > self.tiling.steps { steps } else { self.tiling.steps };
+            let (first, below) = next(&mut lower, pieces, 0);
+            let (last, above) = next(&mut upper, pieces, pieces.len());
+            if self.fif.spacing() == Spacing::Nonuniform {
+                self.tiling.drift += 3.0 * UNIT * tile.width;
+            }
+            if first == last {
+                let (Some(piece), Cut::Inside { .. }) = (pieces.get(first), &above) else { return };
+                (tile, lower, upper) = (tile.child(piece), below, above);
+                continue;
+            }
+            if self.least == 0.0 {
+                let scale = tile.cell.range(self.fif.range()).magnitude();
+                self.least = 0.03125 * UNIT * tile.width * (to - from) * scale;
+            }
+            // The parts of the first and of the last cell, and everything between.
+            let start = match below {
+                Cut::Border => first,
+                Cut::Inside { .. } => first + 1,
+            };
+            for piece in pieces.iter().take(last).skip(start) {
+                (self.visit)(&tile.child(piece));
+            }
+            let mut left = None;
+            if let (Cut::Inside { .. }, Some(piece)) = (&below, pieces.get(first)) {
+                left = Some(tile.child(piece));
+            }
+            match (left, &above, pieces.get(last)) {
+                (Some(left), Cut::Inside { .. }, Some(piece)) => {
+                    self.run(left, below, Cut::Border, steps);
+                    (tile, lower, upper) = (tile.child(piece), Cut::Border, above);
+                }
+                (Some(left), _, _) => (tile, lower, upper) = (left, below, Cut::Border),
+                (None, Cut::Inside { .. }, Some(piece)) => {
+                    (tile, lower, upper) = (tile.child(piece), Cut::Border, above);
+                }
+                _ => return,
+            }
+        }
+        self.rest(&tile, &lower, &upper);
+    }
+
+    fn rest<O>(&mut self, tile: &Tile<C>, lower: &Cut<O>, upper: &Cut<O>) {
+        let (from, to) = match (lower, upper) {
+            (Cut::Border, Cut::Border) => {
+                (self.visit)(tile);
+                return;
+            }
+            (Cut::Inside { s, .. }, Cut::Border) => (*s, 1.0),
+            (Cut::Border, Cut::Inside { s, .. }) => (0.0, *s),
+            (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) => (*l, *r),
+        };
+        if from < to {
+            let cell = tile.cell.levelled(self.fif.range(), from, to);
+            (self.visit)(&Tile {
+                cell,
+                left: tile.left + tile.width * from,
+                width: tile.width * (to - from),
+            });
+        }
+    }
+}
+
+/// The cell that an end lies in, and where in it; the border when it is that cell's left knot.
+fn next<O: Orbit + Copy, const C: usize>(
+    cut: &mut Cut<O>,
+    pieces: &[Piece<C>],
+    border: usize,
+) -> (usize, Cut<O>) {
+    match cut {
+        Cut::Border => (border, Cut::Border),
+        Cut::Inside { orbit, .. } => {
+            let Step { index, s, at_knot } = orbit.step(pieces);
+            (index, if at_knot { Cut::Border } else { Cut::Inside { orbit: *orbit, s } })
+        }
+    }
+}
+
+/// An interval clipped to the domain in ascending order, and the sign of its direction; `None` for NaN.
+pub(crate) fn directed(l: f64, r: f64, domain: Interval) -> Option<(f64, f64, f64)> {
+    if l.is_nan() || r.is_nan() {
+        return None;
+    }
+    let (l, r) = (l.clamp(domain.lo, domain.hi), r.clamp(domain.lo, domain.hi));
+    Some(if l <= r { (l, r, 1.0) } else { (r, l, -1.0) })
+}

@@ -1,0 +1,96 @@
+//! Inner products of functions on the same knots, and norms.
+
+use crate::calculus::linear_combination::{CombineError, check_knots_equal};
+use crate::calculus::moment_basis::{MAX_MOMENT_DEGREE, MomentBasis};
+use crate::numeric::bernstein::{Form, rounding};
+use crate::numeric::estimate::Estimate;
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// `∫ f g` over the domain, for systems on the same knots; the factors and the degrees may differ.
+    ///
+    /// ```text
+    /// (1 − Σ a_j α_j β_j) ∫ f g = Σ a_j (α_j ∫ f r_j + β_j ∫ g q_j + ∫ q_j r_j)      f∘L_j = α_j f + q_j,  g∘L_j = β_j g + r_j
+    /// ```
+    ///
+    /// - **Accuracy:** measured against exact rationals, 19 pairs: within 1e-15 relative.
+    ///
+    /// ```
+    /// use asperity_fif::paper;
+    /// let (g, g_hat) = (paper::g()?, paper::g_hat()?);
+    /// let product = g.inner_product(&g_hat)?; // (ĝ(2)² − ĝ(0)²)/2
+    /// assert!((product.value - 0.5 * g_hat.end_values()[1].powi(2)).abs() <= product.bound + 1e-16);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CombineError`] when the knots differ or the degrees are too large.
+    pub fn inner_product<T: AsRef<[Piece<D>]>, const D: usize>(
+        &self,
+        other: &Fif<T, D>,
+    ) -> Result<Estimate, CombineError> {
+        check_knots_equal(self.pieces(), other.pieces())?;
+        let degrees = [C, D].map(|count| count.saturating_sub(1));
+        let degree = degrees[0].saturating_add(degrees[1]);
+        if degree > MAX_MOMENT_DEGREE {
+            return Err(CombineError::Degree { degree });
+        }
+        let too_high = |_| CombineError::Degree { degree };
+        // ∫ f against polynomials of the other's degree, and the reverse.
+        let of_f = MomentBasis::new(self, degrees[1], 1).map_err(too_high)?;
+        let of_g = MomentBasis::new(other, degrees[0], 1).map_err(too_high)?;
+        let ((f, f_error), (g, g_error)) = (of_f.power(1), of_g.power(1));
+        let (one, one_error) = of_f.power(0);
+        let [f_range, g_range] = [self.range().magnitude(), other.range().magnitude()];
+        let (mut sum, mut magnitude, mut bound, mut rest) = (0.0, 0.0, 0.0, 1.0);
+        for (p, r) in self.pieces().iter().zip(other.pieces()) {
+            let a = p.s[1] - p.s[0];
+            let (alpha, beta) = (p.map().alpha, r.map().alpha);
+            let (q_form, r_form) = (Form::from_bernstein(&p.bernstein), Form::from_bernstein(&r.bernstein));
+            let size = |b: &[f64]| b.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
+            let (q_size, r_size) = (size(&p.bernstein), size(&r.bernstein));
+            let parts = [
+                (alpha, r_form.against(f)),
+                (beta, q_form.against(g)),
+                (1.0, q_form.product(&r_form).against(one)),
+            ];
+            for (factor, [part, part_magnitude]) in parts {
+                sum += a * factor * part;
+                magnitude += (a * factor).abs() * part_magnitude;
+            }
+            let inherited =
+                alpha.abs() * r_size * f_error + beta.abs() * q_size * g_error + q_size * r_size * one_error;
+            let slack =
+                p.slack * (beta.abs() * g_range + r_size) + r.slack * (alpha.abs() * f_range + q_size);
+            bound += a * (inherited + slack);
+            rest -= a * alpha * beta;
+        }
+        let maps = self.pieces().len() as f64;
+        // Knots in units of the domain have two roundings each.
+        let knots = 8.0 * maps * UNIT * f_range * g_range;
+        bound += (rounding(degree) + maps * UNIT) * magnitude + 2.0 * knots;
+        let width = self.domain().width();
+        let value = sum / rest;
+        let error = bound / rest + (maps + 4.0) * UNIT * value.abs() / rest;
+        Ok(Estimate::new(width * value, width * magnitude / rest, 1.02 * width * error))
+    }
+
+    /// `max |f|` over the domain, the supremum norm, in a bracket that is `width` wide where [`Fif::extrema`] allows that.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// let norm = f.supremum_norm(1e-9);
+    /// assert!(norm.contains(4.0 / 3.0) && norm.width() <= 1e-9);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn supremum_norm(&self, width: f64) -> Interval {
+        let extrema = self.extrema(width);
+        let below = Interval::new(-extrema.minimum.hi, -extrema.minimum.lo);
+        let above = extrema.maximum;
+        Interval::new(below.lo.max(above.lo).max(0.0), below.hi.max(above.hi))
+    }
+}

@@ -1,0 +1,296 @@
+//! The integral of a fractal interpolation function, and its derivative where there is one.
+
+use core::cell::Cell as CoreCell;
+
+use crate::calculus::cells::{Tile, directed};
+use crate::numeric::estimate::Estimate;
+use crate::numeric::polynomial::UNIT;
+use crate::system::error::SystemError;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+use crate::system::storage::Storage;
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// `∫ f` over the whole domain.
+    ///
+    /// ```text
+    /// ∫ f = Σ a_n ∫ q_n / (1 − Σ a_n α_n),   over [x_0, x_N]
+    /// ```
+    ///
+    /// Cochran, Lewis, Hart 2000, eq. 30.
+    #[must_use]
+    pub fn total_integral(&self) -> f64 {
+        let width = self.domain().width();
+        let (mut sum, mut rest) = (0.0, 0.0);
+        for piece in self.pieces() {
+            let a = piece.s[1] - piece.s[0];
+            sum += a * width * mean(&piece.local);
+            // Σ a_n = 1, so the denominator is a sum of positive terms.
+            rest += a * (1.0 - piece.map().alpha);
+        }
+        sum / rest
+    }
+
+    /// `∫ f` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
+    ///
+    /// ```text
+    /// ∫_e f = |e| (A_e mean f + mean P_e)   over each cell e of a union that is [l, r],   f = A_e f(·) + P_e there
+    /// ```
+    ///
+    /// The cells follow from the addresses of both ends, `O(N log)` of them; a short interval loses no digits, as a
+    /// difference of two values of the integral would.
+    ///
+    /// - **Accuracy:** measured against exact rationals, ten systems: within 1e-14 relative times `condition`.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// let part = f.integral_over(0.5, 1.0);
+    /// assert!((part.value - 0.625).abs() <= part.bound && part.bound < 1e-14);
+    /// assert_eq!(f.integral_over(1.0, 0.5).value, -part.value);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn integral_over(&self, l: f64, r: f64) -> Estimate {
+        let Some((l, r, sign)) = directed(l, r, self.domain()) else { return Estimate::NAN };
+        if l >= r {
+            return Estimate::new(0.0, 0.0, 0.0);
+        }
+        let over = self.sums_over(l, r);
+        let width = self.domain().width();
+        Estimate::new(
+            width * over.sum,
+            width * over.magnitude,
+            width * over.bound + UNIT * width * over.sum.abs(),
+        )
+        .scaled(sign)
+    }
+
+    /// The mean of `f` over the interval between `l` and `r`, in either order; `f(l)` when they are equal.
+    ///
+    /// Numerator and denominator are added up over the same cells, so the value is a true mean, over an interval whose
+    /// ends have moved by the rounding of `(x − x_0)/(x_N − x_0)`; `bound` counts what that may do. On even knots from 0
+    /// over a width that is a power of two nothing rounds.
+    ///
+    /// ```
+    /// let g = asperity_fif::paper::g()?;
+    /// let (x, step) = (0.7, 1e-12);
+    /// let mean = g.mean(x, x + step);
+    /// let values = g.extrema_over(x, x + step, 1e-3).unwrap().enclosure();
+    /// assert!(values.inflated(mean.bound).contains(mean.value));
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn mean(&self, l: f64, r: f64) -> Estimate {
+        let Some((l, r, _)) = directed(l, r, self.domain()) else { return Estimate::NAN };
+        let over = if l < r { self.sums_over(l, r) } else { Sums::default() };
+        if over.length > 0.0 {
+            let mean = over.sum / over.length;
+            let bound = over.bound / over.length + 2.0 * UNIT * mean.abs();
+            return Estimate::new(mean, over.magnitude / over.length, 1.01 * bound);
+        }
+        let value = self.evaluate(l, 0.0);
+        Estimate { value: value.value, bound: value.bound, condition: 1.0 }
+    }
+
+    /// In units of the domain.
+    fn sums_over(&self, l: f64, r: f64) -> Sums {
+        let (whole, whole_error) = self.mean_value();
+        let range = self.range().magnitude();
+        let mut sums = Sums::default();
+        let mut tiles = 0.0;
+        let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
+            let bernstein = tile.cell.bernstein();
+            let polynomial = bernstein.iter().sum::<f64>() / C.max(1) as f64;
+            let size = tile.cell.polynomial_range().magnitude();
+            let fractal = tile.cell.product * whole;
+            sums.sum += tile.width * (polynomial + fractal);
+            sums.magnitude += tile.width * (polynomial.abs() + fractal.abs());
+            sums.length += tile.width;
+            let rounding = (C as f64 + 2.0) * UNIT * size + tile.cell.product_error() * fractal.abs();
+            sums.bound += tile.width * (tile.cell.error() + tile.cell.product.abs() * whole_error + rounding);
+            tiles += 1.0;
+        });
+        sums.bound += (tiles + 3.0 * tiling.steps) * UNIT * sums.magnitude + 2.0 * tiling.drift * range;
+        sums.bound *= 1.01;
+        sums
+    }
+
+    /// The mean of `f` over the domain with a bound of its error, by eq. 30.
+    fn mean_value(&self) -> (f64, f64) {
+        let (mut sum, mut rest, mut size, mut slack) = (0.0, 0.0, 0.0, 0.0);
+        for piece in self.pieces() {
+            let a = piece.s[1] - piece.s[0];
+            sum += a * mean(&piece.local);
+            rest += a * (1.0 - piece.map().alpha);
+            size += a * crate::numeric::polynomial::magnitude(&piece.local, 1.0);
+            slack += a * piece.slack;
+        }
+        let mean = sum / rest;
+        // Knots in units of the domain have two roundings each.
+        let maps = self.pieces().len();
+        let largest = self.range().magnitude();
+        let rounding =
+            (maps + C + 6) as f64 * UNIT * size + 8.0 * maps as f64 * UNIT * (size + 2.0 * largest);
+        (mean, 1.01 * (rounding + slack) / rest + 4.0 * UNIT * mean.abs())
+    }
+
+    /// The integral `f̂(x) = y0 + ∫ f` from `x_0` to `x`, again a fractal interpolation function, one degree higher.
+    ///
+    /// ```text
+    /// ŷ_j = ŷ_0 + Σ_{n ≤ j} a_n (α_n (ŷ_N − ŷ_0) + ∫ q_n over [x_0, x_N])
+    /// F̂_j(x, y) = a_j α_j y + q̂_j(x),   q̂_j(x) = ŷ_{j−1} − a_j α_j ŷ_0 + a_j ∫_{x_0}^x q_j
+    /// ```
+    ///
+    /// The caller chooses the storage `T` and its number of coefficients `K ≥ C + 1`. Integrate twice for the second
+    /// integral. Cochran, Lewis, Hart 2000, eq. 29–33; the upper limit of eq. 31 reads `x_N`.
+    ///
+    /// ```
+    /// use asperity_fif::{FixedFif, paper};
+    /// let f_hat: FixedFif<2, 3> = paper::f()?.integral(0.0)?;
+    /// assert_eq!(f_hat.pieces()[1].map().q, [1.0, 0.5, -0.125]); // eq. 38
+    /// assert_eq!(f_hat.end_values(), [0.0, 2.0]);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SystemError::Degree`] when `K < C + 1`; [`SystemError::Length`] when `T` holds another number of maps;
+    /// [`SystemError::OrdinateNotFinite`] for `y0`; [`SystemError::Unbounded`] when the numbers overflow.
+    pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<Fif<T, K>, SystemError> {
+        if K < C + 1 {
+            return Err(SystemError::Degree { expected: C + 1, found: K });
+        }
+        if !y0.is_finite() {
+            return Err(SystemError::OrdinateNotFinite { knot: 0, value: y0 });
+        }
+        let x0 = self.domain().lo;
+        let width = self.domain().width();
+        let rise = self.total_integral();
+        let maps = self.pieces().len();
+        // Partial sums, asked for in ascending order; the last one is kept.
+        let partial = CoreCell::new((0, 0.0));
+        let ordinate = |j: usize| {
+            if j == maps {
+                return y0 + rise;
+            }
+            let (from, start) = if partial.get().0 <= j { partial.get() } else { (0, 0.0) };
+            let parts = self.pieces().iter().take(j).skip(from).map(|piece| {
+                (piece.s[1] - piece.s[0]) * (piece.map().alpha * rise + width * mean(&piece.local))
+            });
+            let sum = parts.fold(start, |sum, part| sum + part);
+            partial.set((j, sum));
+            y0 + sum
+        };
+        let factor = |j: usize| self.pieces().get(j).map_or(0.0, |p| (p.s[1] - p.s[0]) * p.map().alpha);
+        let polynomial = |j: usize| {
+            let piece = self.pieces().get(j)?;
+            let a = piece.s[1] - piece.s[0];
+            let mut q = [0.0; K];
+            for ((power, out), c) in q.iter_mut().enumerate().skip(1).zip(piece.map().q) {
+                *out = a * c / power as f64;
+            }
+            let at_x0 = crate::numeric::polynomial::horner(&q, x0);
+            if let Some(first) = q.first_mut() {
+                *first = ordinate(j) - factor(j) * y0 - at_x0;
+            }
+            Some(q)
+        };
+        Fif::assemble(maps, |j| self.knot(j), ordinate, factor, polynomial)
+    }
+
+    /// The derivative system, when `f` is continuously differentiable.
+    ///
+    /// ```text
+    /// α′_j = α_j/a_j        q′_j(x) = (d/dx q_j)(x)/a_j
+    /// ```
+    ///
+    /// Cochran, Lewis, Hart 2000, eq. 34–36, which also need `|α_j| < a_j` and the join-up of the derivative's system.
+    ///
+    /// ```
+    /// use asperity_fif::{FixedFif, SystemError, paper};
+    /// let slope: FixedFif<2, 2> = paper::f_hat()?.derivative()?;
+    /// assert_eq!(slope.evaluate(0.7, 1e-12).value, paper::f()?.evaluate(0.7, 1e-12).value);
+    /// let none: Result<FixedFif<2, 1>, _> = paper::f()?.derivative();
+    /// assert!(matches!(none, Err(SystemError::SteepFactor { .. })));
+    /// # Ok::<(), SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SystemError::SteepFactor`] or [`SystemError::JoinUp`] when `f` has no continuous derivative of this form;
+    /// [`SystemError::Degree`] when `K + 1 < C`; [`SystemError::Length`] when `T` holds another number of maps.
+    pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<Fif<T, K>, SystemError> {
+        if K + 1 < C {
+            return Err(SystemError::Degree { expected: C - 1, found: K });
+        }
+        for (j, piece) in self.pieces().iter().enumerate() {
+            let (a, alpha) = (piece.s[1] - piece.s[0], piece.map().alpha);
+            if alpha.abs() >= a {
+                return Err(SystemError::SteepFactor { map: j + 1, alpha, a });
+            }
+        }
+        let domain = self.domain();
+        let last = self.pieces().len().saturating_sub(1);
+        let alpha = |j: usize| self.pieces().get(j).map_or(0.0, |p| p.map().alpha / (p.s[1] - p.s[0]));
+        let q = |j: usize| {
+            let piece = self.pieces().get(j)?;
+            let mut q = [0.0; K];
+            for (out, (power, c)) in q.iter_mut().zip(piece.map().q.iter().enumerate().skip(1)) {
+                *out = power as f64 * c / (piece.s[1] - piece.s[0]);
+            }
+            Some(q)
+        };
+        let at = |j: usize, x: f64| q(j).map_or(0.0, |q| crate::numeric::polynomial::horner(&q, x));
+        let d0 = at(0, domain.lo) / (1.0 - alpha(0));
+        let d_end = at(last, domain.hi) / (1.0 - alpha(last));
+        let ordinate = |j: usize| match j {
+            0 => d0,
+            j if j > last => d_end,
+            j => alpha(j - 1) * d_end + at(j - 1, domain.hi),
+        };
+        Fif::assemble(last + 1, |j| self.knot(j), ordinate, alpha, q)
+    }
+
+    fn knot(&self, j: usize) -> f64 {
+        self.pieces().get(j).map_or(self.domain().hi, |piece| piece.x()[0])
+    }
+}
+
+/// What the cells of an interval add up to, in units of the domain.
+#[derive(Default)]
+struct Sums {
+    sum: f64,
+    magnitude: f64,
+    bound: f64,
+    length: f64,
+}
+
+/// `∫ Σ c_i sⁱ` over `[0, 1]`.
+fn mean<const C: usize>(local: &[f64; C]) -> f64 {
+    local.iter().enumerate().rev().map(|(i, c)| c / (i + 1) as f64).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{FixedFif, SystemError, paper};
+
+    #[test]
+    fn a_rough_function_has_no_derivative() {
+        let steep: Result<FixedFif<2, 1>, _> = paper::f().unwrap().derivative();
+        assert_eq!(steep.unwrap_err(), SystemError::SteepFactor { map: 1, alpha: 0.5, a: 0.5 });
+        // Gentle factors, but a corner at the middle knot.
+        let corner = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.1, 0.1]).unwrap();
+        let none: Result<FixedFif<2, 1>, _> = corner.derivative();
+        assert!(matches!(none, Err(SystemError::JoinUp { map: 2, .. })), "{none:?}");
+    }
+
+    #[test]
+    fn the_derivative_of_the_integral_is_the_function() {
+        let g = paper::g().unwrap();
+        let back: FixedFif<2, 2> = paper::g_hat().unwrap().derivative().unwrap();
+        for (a, b) in back.pieces().iter().zip(g.pieces()) {
+            assert!(
+                (a.map().alpha - b.map().alpha).abs() < 1e-15 && a.map().q == b.map().q,
+                "{a:?} != {b:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! Systems made of maps and of other systems: sums, multiples, and a count of derivatives.
+
+use core::fmt;
+
+use crate::system::error::{List, SystemError};
+use crate::system::fif::Fif;
+use crate::system::map::{Map, Piece};
+use crate::system::storage::Storage;
+
+/// Why two systems cannot be combined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CombineError {
+    /// They have different numbers of maps.
+    Maps {
+        /// The number of the one.
+        left: usize,
+        /// The number of the other.
+        right: usize,
+    },
+    /// A knot differs.
+    Knot {
+        /// Which knot, from 0.
+        knot: usize,
+        /// That of the one.
+        left: f64,
+        /// That of the other.
+        right: f64,
+    },
+    /// A vertical factor differs; the sum is no function of this class then.
+    Factor {
+        /// Which map, from 1.
+        map: usize,
+        /// That of the one.
+        left: f64,
+        /// That of the other.
+        right: f64,
+    },
+    /// The polynomials are of too high a degree for an inner product.
+    Degree {
+        /// The sum of both degrees.
+        degree: usize,
+    },
+    /// The result is no valid system, for instance because its numbers overflow.
+    System(SystemError),
+}
+
+impl fmt::Display for CombineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Maps { left, right } => write!(f, "{left} maps do not go with {right}"),
+            Self::Knot { knot, left, right } => {
+                write!(f, "knot {knot} is {left} in one system, {right} in the other")
+            }
+            Self::Factor { map, left, right } => {
+                write!(f, "the vertical factor of map {map} is {left} in one system, {right} in the other")
+            }
+            Self::Degree { degree } => {
+                let most = crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
+                write!(f, "the product of the polynomials is of degree {degree}, above {most}")
+            }
+            Self::System(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for CombineError {}
+
+impl From<SystemError> for CombineError {
+    fn from(error: SystemError) -> Self {
+        Self::System(error)
+    }
+}
+
+/// Equal numbers of maps and the same knots.
+pub(crate) fn check_knots_equal<const C: usize, const D: usize>(
+    left: &[Piece<C>],
+    right: &[Piece<D>],
+) -> Result<(), CombineError> {
+    if left.len() != right.len() {
+        return Err(CombineError::Maps { left: left.len(), right: right.len() });
+    }
+    for (j, (l, r)) in left.iter().zip(right).enumerate() {
+        for (end, (l, r)) in l.x().into_iter().zip(r.x()).enumerate() {
+            if l != r {
+                return Err(CombineError::Knot { knot: j + end, left: l, right: r });
+            }
+        }
+    }
+    Ok(())
+}
+
+impl<S: Storage<C>, const C: usize> Fif<S, C> {
+    /// From maps `(a_j x + b_j, α_j y + q_j(x))` that tile `[x0, x_end]` from left to right.
+    ///
+    /// ```text
+    /// x_j = a_j x_N + b_j = a_{j+1} x_0 + b_{j+1}
+    /// ```
+    ///
+    /// ```
+    /// use asperity_fif::{FixedFif, SystemError, paper};
+    /// let f = FixedFif::<2, 2>::from_maps(0.0, 2.0, &paper::F_MAPS)?;
+    /// assert_eq!(f.end_values(), [0.0, 0.0]);
+    /// let [first, second] = paper::F_MAPS;
+    /// let gap = FixedFif::<2, 2>::from_maps(0.0, 2.0, &[second, first]);
+    /// assert!(matches!(gap, Err(SystemError::Tiling { map: 1, .. })));
+    /// # Ok::<(), SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SystemError::Tiling`] when the image of a map does not begin where the one before ends (or at `x0`), or the last
+    /// does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved; otherwise those of [`Fif::new`].
+    pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, SystemError> {
+        let count = maps.len();
+        if count < 2 {
+            return Err(SystemError::TooFewMaps { maps: count });
+        }
+        for (knot, value) in [(0, x0), (count, x_end)] {
+            if !value.is_finite() {
+                return Err(SystemError::KnotNotFinite { knot, value });
+            }
+        }
+        let mut expected = x0;
+        for (j, map) in maps.iter().enumerate() {
+            let [found, next] = [x0, x_end].map(|x| map.a * x + map.b);
+            let scale = (map.a * x0).abs() + map.b.abs() + expected.abs();
+            // Written so that NaN is refused.
+            let meets = |expected: f64, found: f64| (found - expected).abs() <= crate::JOIN_TOLERANCE * scale;
+            if !meets(expected, found) {
+                return Err(SystemError::Tiling { map: j + 1, expected, found });
+            }
+            if j + 1 == count && !meets(x_end, next) {
+                return Err(SystemError::Tiling { map: count, expected: x_end, found: next });
+            }
+            if next <= expected {
+                return Err(SystemError::KnotOrder { knot: j + 1, left: expected, right: next });
+            }
+            expected = next;
+        }
+        let knot = |j: usize| match (j, maps.get(j.wrapping_sub(1))) {
+            (0, _) => x0,
+            (_, Some(map)) if j < count => map.a * x_end + map.b,
+            _ => x_end,
+        };
+        Self::from_lists(count, knot, |j| maps.get(j).map(|map| (map.alpha, map.q)))
+    }
+
+    /// The function times `factor`.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// assert_eq!(f.scaled(3.0)?.evaluate(1.0, 0.0).value, 3.0);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SystemError::OrdinateNotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
+    pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
+        self.combined(|y, _| factor * y, |j| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c)))
+    }
+
+    /// `self + other` for systems with the same knots and vertical factors, again of the same class.
+    ///
+    /// ```
+    /// let (f, g) = (asperity_fif::paper::f()?, asperity_fif::paper::g()?);
+    /// assert_eq!(f.sum(&f)?.evaluate(1.0, 0.0).value, 2.0);
+    /// assert!(f.sum(&g).is_err()); // other vertical factors
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CombineError`], when a knot or a factor differs or the numbers overflow.
+    pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &Fif<T, C>) -> Result<Self, CombineError> {
+        check_knots_equal(self.pieces(), other.pieces())?;
+        for (j, (l, r)) in self.pieces().iter().zip(other.pieces()).enumerate() {
+            let (left, right) = (l.map().alpha, r.map().alpha);
+            if left != right {
+                return Err(CombineError::Factor { map: j + 1, left, right });
+            }
+        }
+        let ordinate = |y: f64, j: usize| y + ordinate(other.pieces(), j);
+        let q = |j: usize| {
+            let (l, r) = (self.pieces().get(j)?, other.pieces().get(j)?);
+            let mut q = l.map().q;
+            for (sum, c) in q.iter_mut().zip(r.map().q) {
+                *sum += c;
+            }
+            Some(q)
+        };
+        Ok(self.combined(ordinate, q)?)
+    }
+
+    /// How many continuous derivatives the system itself has: `m` when `m` derivative systems exist one after another, `C`
+    /// when every one exists (the function is a polynomial, or its pieces join that smoothly).
+    ///
+    /// ```text
+    /// |α_j| < a_jᵐ, and the join-up of each derivative
+    /// ```
+    ///
+    /// ```
+    /// use asperity_fif::paper;
+    /// assert_eq!(paper::f()?.differentiability(), 0);
+    /// assert_eq!(paper::f_hat()?.differentiability(), 1);
+    /// # Ok::<(), asperity_fif::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn differentiability(&self) -> usize {
+        let mut current: Option<Self> = self.derivative().ok();
+        let mut count = 0;
+        while let (Some(derivative), true) = (&current, count < C) {
+            count += 1;
+            current = derivative.derivative().ok();
+        }
+        count
+    }
+
+    /// The same knots and factors with other ordinates and polynomials.
+    fn combined(
+        &self,
+        y: impl Fn(f64, usize) -> f64,
+        q: impl Fn(usize) -> Option<[f64; C]>,
+    ) -> Result<Self, SystemError> {
+        let pieces = self.pieces();
+        for knot in 0..=pieces.len() {
+            let value = y(ordinate(pieces, knot), knot);
+            if !value.is_finite() {
+                return Err(SystemError::OrdinateNotFinite { knot, value });
+            }
+        }
+        let knot = |j: usize| pieces.get(j).map_or(self.domain().hi, |p| p.x()[0]);
+        let alpha = |j: usize| pieces.get(j).map_or(0.0, |p| p.map().alpha);
+        Self::assemble(pieces.len(), knot, |j| y(ordinate(pieces, j), j), alpha, q)
+    }
+
+    /// Knots from a function, factors and polynomials from another, then as [`Fif::new`].
+    fn from_lists(
+        maps: usize,
+        x: impl Fn(usize) -> f64,
+        map: impl Fn(usize) -> Option<(f64, [f64; C])>,
+    ) -> Result<Self, SystemError> {
+        let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
+        for j in 0..maps {
+            let Some((alpha, q)) = map(j) else {
+                return Err(SystemError::Length { list: List::Polynomials, expected: maps, found: j });
+            };
+            crate::system::error::check_factors(&[alpha])
+                .map_err(|_| SystemError::VerticalFactor { map: j + 1, alpha })?;
+            if let Some((power, &value)) = q.iter().enumerate().find(|(_, c)| !c.is_finite()) {
+                return Err(SystemError::CoefficientNotFinite { map: j + 1, power, value });
+            }
+        }
+        let at = |j: usize, x: f64| map(j).map_or(0.0, |(_, q)| crate::numeric::polynomial::horner(&q, x));
+        let (first, last) = (x(0), x(maps));
+        let y0 = at(0, first) / (1.0 - alpha(0));
+        let y_end = at(maps - 1, last) / (1.0 - alpha(maps - 1));
+        let y = |j: usize| match j {
+            0 => y0,
+            j if j >= maps => y_end,
+            j => alpha(j - 1) * y_end + at(j - 1, last),
+        };
+        Self::assemble(maps, &x, y, alpha, |j| map(j).map(|(_, q)| q))
+    }
+}
+
+/// `y_j`.
+fn ordinate<const C: usize>(pieces: &[Piece<C>], j: usize) -> f64 {
+    match pieces.get(j) {
+        Some(piece) => piece.y()[0],
+        None => pieces.last().map_or(0.0, |piece| piece.y()[1]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FixedFif, paper};
+    use alloc::string::ToString;
+
+    #[test]
+    fn maps_must_tile_the_domain() {
+        let [first, second] = paper::F_MAPS;
+        let build = |maps: &[Map<2>]| FixedFif::<2, 2>::from_maps(0.0, 2.0, maps).map(|f| f.end_values());
+        let overlap = Map { a: 0.75, ..first };
+        let says = |maps: &[Map<2>], message: &str| assert_eq!(build(maps).unwrap_err().to_string(), message);
+        says(&[overlap, second], "the image of map 2 begins or ends at 1, not at 1.5");
+        says(&[first, Map { a: 0.25, ..second }], "the image of map 2 begins or ends at 1.5, not at 2");
+        says(&[first, Map { b: f64::NAN, ..second }], "the image of map 2 begins or ends at NaN, not at 1");
+        says(&[first], "a system needs at least 2 maps, this one has 1");
+        says(&[first, Map { alpha: -1.0, ..second }], "the vertical factor of map 2 is -1, not in (-1, 1)");
+        let flat = Map { a: 0.0, ..first };
+        says(&[flat, Map { a: 1.0, b: 0.0, ..second }], "knot 1 at 0 is not right of the one before at 0");
+        let infinite = FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &paper::F_MAPS).unwrap_err();
+        assert_eq!(infinite.to_string(), "knot 0 is -inf, not finite");
+    }
+
+    #[test]
+    fn systems_that_differ_are_not_added() {
+        let f = paper::f().unwrap();
+        let says = |error: CombineError, message: &str| assert_eq!(error.to_string(), message);
+        says(
+            f.sum(&paper::g().unwrap()).unwrap_err(),
+            "the vertical factor of map 1 is 0.5 in one system, 0.85 in the other",
+        );
+        let shifted = FixedFif::<2, 2>::affine(&[0.0, 1.5, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
+        says(f.sum(&shifted).unwrap_err(), "knot 1 is 1 in one system, 1.5 in the other");
+        let three = FixedFif::<3, 2>::affine(&[0.0, 0.5, 1.5, 2.0], &[0.0; 4], &[0.5; 3]).unwrap();
+        says(f.sum(&three.view()).unwrap_err(), "2 maps do not go with 3");
+        for factor in [f64::NAN, f64::INFINITY] {
+            assert!(f.scaled(factor).is_err(), "{factor}");
+        }
+        assert!(f.scaled(0.0).unwrap().range().magnitude() < 1e-300);
+    }
+
+    #[test]
+    fn derivatives_are_counted() {
+        // f integrated three times is three times differentiable; a parabola's second derivative is not contracted.
+        let once = paper::f_hat().unwrap();
+        let twice: FixedFif<2, 4> = once.integral(0.0).unwrap();
+        let thrice: FixedFif<2, 5> = twice.integral(0.0).unwrap();
+        assert_eq!((twice.differentiability(), thrice.differentiability()), (2, 3));
+        let straight = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], &[0.0, 0.0]).unwrap();
+        assert_eq!(straight.differentiability(), 2);
+    }
+}

@@ -1,0 +1,208 @@
+//! Integrals of powers of a function times powers of `x`, over the domain and over any interval.
+
+use crate::calculus::cells::{Tile, directed};
+use crate::calculus::moment_basis::{MomentBasis, MomentError};
+use crate::numeric::bernstein::{Form, power, rounding};
+use crate::numeric::estimate::Estimate;
+use crate::numeric::polynomial::UNIT;
+use crate::system::cell::Cell;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// `∫ xᵏ fᵖ` over the whole domain.
+    ///
+    /// ```text
+    /// ∫ xᵏ fᵖ = Σ_j a_j Σ_m C(p, m) α_jᵐ ∫ (a_j x + b_j)ᵏ q_j(x)^(p−m) f(x)ᵐ dx
+    /// ```
+    ///
+    /// The integrals with lower powers of `f` are known, those with `fᵖ` follow from linear equations.
+    ///
+    /// - **Accuracy:** measured against exact rationals, `p ≤ 4`, `k ≤ 6`, ten systems: within 1e-14 relative times
+    ///   `condition`.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// assert!((f.moment(0, 2)?.value - 20.0 / 9.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// Barnsley 1986, for `p = 1`.
+    ///
+    /// # Errors
+    /// [`MomentError`], when `k` or `p` is too large.
+    pub fn moment(&self, k: usize, p: usize) -> Result<Estimate, MomentError> {
+        let domain = self.domain();
+        self.moment_over(k, p, domain.lo, domain.hi)
+    }
+
+    /// `∫ xᵏ fᵖ` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.
+    ///
+    /// The interval is a union of cells, `O(N log)` of them; each is a copy `A f + P` of the whole, so that no large
+    /// integrals are subtracted from one another. Cumulative moments are those with `l = x_0`.
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// let (left, right) = (f.moment_over(1, 1, 0.0, 0.7)?, f.moment_over(1, 1, 0.7, 2.0)?);
+    /// assert!((left.value + right.value - f.moment(1, 1)?.value).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MomentError`], when `k` or `p` is too large.
+    pub fn moment_over(&self, k: usize, p: usize, l: f64, r: f64) -> Result<Estimate, MomentError> {
+        let domain = self.domain();
+        let weight = |s: f64| if s >= 1.0 { domain.hi } else { domain.lo + domain.width() * s };
+        Ok(match directed(l, r, domain) {
+            Some((l, r, sign)) => self.weighted(k, p, l, r, weight)?.scaled(sign),
+            None => Estimate::NAN,
+        })
+    }
+
+    /// The `n`-th integral from `x_0` to `x`, each with initial value 0; `f(x)` itself for `n = 0`.
+    ///
+    /// ```text
+    /// ∫∫…∫ f = ∫_{x_0}^x (x − t)^(n−1)/(n−1)! f(t) dt        (Cauchy)
+    /// ```
+    ///
+    /// For many points build the system of the integral once, [`Fif::integral`].
+    ///
+    /// ```
+    /// let f = asperity_fif::paper::f()?;
+    /// assert!((f.nth_integral(2, 2.0)?.value - 2.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MomentError`], when `n` is too large.
+    pub fn nth_integral(&self, n: usize, x: f64) -> Result<Estimate, MomentError> {
+        let domain = self.domain();
+        let Some(k) = n.checked_sub(1) else {
+            let value = self.evaluate(x, 0.0);
+            return Ok(Estimate { value: value.value, bound: value.bound, condition: 1.0 });
+        };
+        let Some((l, r, _)) = directed(domain.lo, x, domain) else { return Ok(Estimate::NAN) };
+        let end = (r - domain.lo) / domain.width();
+        let weight = |s: f64| if end > s { domain.width() * (end - s) } else { 0.0 };
+        let factorial = (1..=k).fold(1.0, |product, i| product * i as f64);
+        Ok(self.weighted(k, 1, l, r, weight)?.scaled(1.0 / factorial))
+    }
+
+    /// `∫ f²` over the whole domain, the square of the L² norm.
+    ///
+    /// # Errors
+    /// [`MomentError`], when the polynomials' degree is too large.
+    pub fn norm_squared(&self) -> Result<Estimate, MomentError> {
+        self.moment(0, 2)
+    }
+
+    /// The mean of `f²` over the interval between `l` and `r`, in either order; `f(l)²` when they are equal.
+    ///
+    /// As [`Fif::mean`], also as accurate.
+    ///
+    /// # Errors
+    /// [`MomentError`], when the polynomials' degree is too large.
+    pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
+        let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
+        let (sum, length) = self.weighted_sum(0, 2, l, r, |_| 1.0)?;
+        if length > 0.0 {
+            return Ok(sum.scaled(1.0 / (self.domain().width() * length)));
+        }
+        let value = self.evaluate(l, 0.0);
+        let value = Estimate { value: value.value, bound: value.bound, condition: 1.0 };
+        Ok(value.product(value))
+    }
+
+    /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain.
+    fn weighted(
+        &self,
+        k: usize,
+        p: usize,
+        l: f64,
+        r: f64,
+        weight: impl Fn(f64) -> f64,
+    ) -> Result<Estimate, MomentError> {
+        Ok(self.weighted_sum(k, p, l, r, weight)?.0)
+    }
+
+    /// The same with the length of the cells that it was added over, in units of the domain.
+    fn weighted_sum(
+        &self,
+        k: usize,
+        p: usize,
+        l: f64,
+        r: f64,
+        weight: impl Fn(f64) -> f64,
+    ) -> Result<(Estimate, f64), MomentError> {
+        let basis = MomentBasis::new(self, k, p)?;
+        if l >= r {
+            return Ok((Estimate::new(0.0, 0.0, 0.0), 0.0));
+        }
+        let domain = self.domain();
+        let range = self.range().magnitude();
+        let (mut sum, mut magnitude, mut bound) = (0.0, 0.0, 0.0);
+        let (mut tiles, mut length, mut heaviest) = (0.0, 0.0, 0.0_f64);
+        let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
+            let ends = [weight(tile.left), weight(tile.left + tile.width)];
+            let part = Part::new(&basis, &tile.cell, ends, domain.magnitude(), [k, p], range);
+            sum += tile.width * part.value;
+            magnitude += tile.width * part.magnitude;
+            bound += tile.width * part.bound;
+            heaviest = heaviest.max(ends[0].abs()).max(ends[1].abs());
+            tiles += 1.0;
+            length += tile.width;
+        });
+        // Widths are products of one factor per map.
+        bound += (tiles + 3.0 * tiling.steps) * UNIT * magnitude;
+        bound += 2.0 * tiling.drift * power(heaviest, k) * power(range, p);
+        let width = domain.width();
+        let bound = 1.01 * width * bound + UNIT * (width * sum).abs();
+        Ok((Estimate::new(width * sum, width * magnitude, bound), length))
+    }
+}
+
+/// The mean of `wᵏ fᵖ` over one cell.
+struct Part {
+    value: f64,
+    magnitude: f64,
+    bound: f64,
+}
+
+impl Part {
+    fn new<const C: usize>(
+        basis: &MomentBasis,
+        cell: &Cell<C>,
+        ends: [f64; 2],
+        far: f64,
+        [k, p]: [usize; 2],
+        range: f64,
+    ) -> Self {
+        let polynomial = Form::from_bernstein(cell.bernstein());
+        let size = cell.polynomial_range().magnitude();
+        let heaviest = ends[0].abs().max(ends[1].abs());
+        let mut form = Form::power_of_linear(ends, k);
+        let (mut value, mut magnitude, mut bound) = (0.0, 0.0, 0.0);
+        let mut choose = 1.0;
+        for m in (0..=p).rev() {
+            let factor = choose * power(cell.product, m);
+            let (moments, error) = basis.power(m);
+            let [part, part_magnitude] = form.against(moments);
+            value += factor * part;
+            magnitude += (factor * part_magnitude).abs();
+            bound += factor.abs() * power(size, p - m) * power(heaviest, k) * error;
+            form = form.product(&polynomial);
+            choose = choose * m as f64 / (p - m + 1) as f64;
+        }
+        // The polynomial and the factor of the cell are rounded, and so are the values of the weight at its ends.
+        let whole = cell.product.abs() * range + size;
+        let cell_error = cell.error() + cell.product_error() * cell.product.abs() * range;
+        bound += (rounding(k + p * polynomial.degree) + p as f64 * UNIT) * magnitude;
+        bound += p as f64 * power(heaviest, k) * power(whole, p.saturating_sub(1)) * cell_error;
+        bound += k as f64
+            * (8.0 * UNIT + cell.product_error())
+            * far
+            * power(heaviest, k.saturating_sub(1))
+            * power(whole, p);
+        Self { value, magnitude, bound }
+    }
+}

@@ -1,0 +1,65 @@
+//! The choice of knots by Mazel and Hayes.
+
+use alloc::vec::Vec;
+
+use crate::fit::collage::Data;
+use crate::fit::error::{FitError, check_points};
+
+/// Chooses knots among the data, as few as a greedy search finds, so that the collage error at the data is at most
+/// `tolerance`.
+///
+/// From the first point on, each map goes to the farthest point, `longest` points on at most, for which the best factor
+/// misses no point between by more than `tolerance`; a map to the next point misses none. The farthest is tried first,
+/// because the error does not grow with the length: a part that repeats the whole fits, a part of it does not. Give the
+/// result to [`affine`](crate::fit::affine) or [`refined`](crate::fit::refined).
+///
+/// Time: for each map at most `longest²/2` terms, each with a binary search.
+///
+/// Mazel and Hayes, *Using iterated function systems to model discrete sequences*, 1992; the vertical factors are those
+/// of least squares, and the criterion is the largest error, not the mean square.
+///
+/// ```
+/// use asperity_fif::{fit, paper};
+/// let f = paper::f()?;
+/// let x: Vec<f64> = (0..=32).map(|k| f64::from(k) / 16.0).collect();
+/// let y: Vec<f64> = x.iter().map(|&x| f.evaluate(x, 1e-14).value).collect();
+/// assert_eq!(fit::knots(&x, &y, 1e-12, 32)?, [0, 16, 32]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`FitError`]: points that are too few, not finite or not in order; a tolerance that is NaN or negative.
+pub fn knots(x: &[f64], y: &[f64], tolerance: f64, longest: usize) -> Result<Vec<usize>, FitError> {
+    check_points(x, y)?;
+    if tolerance.is_nan() || tolerance < 0.0 {
+        return Err(FitError::Tolerance { value: tolerance });
+    }
+    let (data, last) = (Data { x, y }, x.len() - 1);
+    // A single map onto the whole would not contract.
+    let longest = longest.clamp(1, last - 1);
+    let (mut knots, mut from) = (alloc::vec![0], 0);
+    while from < last {
+        let farthest = last.min(from + longest);
+        let to =
+            (from + 2..=farthest).rev().find(|&to| data.misfit(from, to) <= tolerance).unwrap_or(from + 1);
+        knots.push(to);
+        from = to;
+    }
+    Ok(knots)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extreme_arguments_end() {
+        let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, -1.0, 3.0, 0.5]);
+        // Whatever fits, two maps are left; where nothing may fit, every point is a knot.
+        assert_eq!(knots(&x, &y, f64::INFINITY, usize::MAX).unwrap(), [0, 3, 4]);
+        assert_eq!(knots(&x, &y, f64::INFINITY, 0).unwrap(), [0, 1, 2, 3, 4]);
+        assert!(matches!(knots(&x, &y, -1.0, 4), Err(FitError::Tolerance { .. })));
+        assert!(matches!(knots(&x, &y, f64::NAN, 4), Err(FitError::Tolerance { .. })));
+        assert!(matches!(knots(&x[..2], &y[..2], 1.0, 4), Err(FitError::TooFewPoints { points: 2 })));
+    }
+}

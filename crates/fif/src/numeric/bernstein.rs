@@ -1,0 +1,117 @@
+//! Polynomials in `u` and `w = 1 − u`: the Bernstein form with its binomials multiplied in.
+//!
+//! A product is a convolution and a change of interval puts in two linear forms; where the numbers are positive, nothing
+//! cancels.
+
+use crate::numeric::polynomial::UNIT;
+
+/// The highest degree, plus one.
+pub(crate) const SIZE: usize = 33;
+
+/// `Σ c_l u^l w^(n−l)`.
+#[derive(Clone, Copy)]
+pub(crate) struct Form {
+    pub(crate) c: [f64; SIZE],
+    pub(crate) degree: usize,
+}
+
+impl Form {
+    pub(crate) const ONE: Self = {
+        let mut c = [0.0; SIZE];
+        c[0] = 1.0;
+        Self { c, degree: 0 }
+    };
+
+    /// From Bernstein coefficients; those beyond [`SIZE`] are left out.
+    pub(crate) fn from_bernstein<const C: usize>(b: &[f64; C]) -> Self {
+        let degree = C.saturating_sub(1).min(SIZE - 1);
+        let mut c = [0.0; SIZE];
+        for ((out, b), choose) in c.iter_mut().zip(b).zip(binomials(degree)) {
+            *out = choose * b;
+        }
+        Self { c, degree }
+    }
+
+    /// `(w0 w + w1 u)^power`, the power of the linear function with these values at the ends.
+    pub(crate) fn power_of_linear(ends: [f64; 2], power: usize) -> Self {
+        let degree = power.min(SIZE - 1);
+        let mut form = Self { c: [0.0; SIZE], degree };
+        let mut rising = 1.0;
+        for (out, choose) in form.c.iter_mut().zip(binomials(degree)) {
+            *out = choose * rising;
+            rising *= ends[1];
+        }
+        let mut falling = 1.0;
+        for out in form.c.iter_mut().take(degree + 1).rev() {
+            *out *= falling;
+            falling *= ends[0];
+        }
+        form
+    }
+
+    /// The product; a degree beyond [`SIZE`] is cut off.
+    pub(crate) fn product(&self, other: &Self) -> Self {
+        let mut out = Self { c: [0.0; SIZE], degree: (self.degree + other.degree).min(SIZE - 1) };
+        for (i, a) in self.c.iter().take(self.degree + 1).enumerate() {
+            for (sum, b) in out.c.iter_mut().skip(i).zip(other.c.iter().take(other.degree + 1)) {
+                *sum += a * b;
+            }
+        }
+        out
+    }
+
+    /// `Σ c_l m_l` and `Σ |c_l m_l|`: the integral against a measure with the moments `m_l = ∫ u^l w^(n−l)`.
+    pub(crate) fn against(&self, moments: &[f64]) -> [f64; 2] {
+        let (mut sum, mut magnitude) = (0.0, 0.0);
+        for (c, m) in self.c.iter().take(self.degree + 1).zip(moments) {
+            sum += c * m;
+            magnitude += (c * m).abs();
+        }
+        [sum, magnitude]
+    }
+}
+
+/// `C(n, 0), C(n, 1), …, C(n, n)`, exact up to n = 53.
+pub(crate) fn binomials(n: usize) -> impl Iterator<Item = f64> {
+    let mut choose = 1.0;
+    (0..=n).map(move |l| {
+        let now = choose;
+        choose = choose * (n - l) as f64 / (l + 1) as f64;
+        now
+    })
+}
+
+/// `x^n` by products; `powi` rounds differently on each platform.
+pub(crate) fn power(x: f64, n: usize) -> f64 {
+    (0..n).fold(1.0, |product, _| product * x)
+}
+
+/// Relative rounding error of sums and products of forms up to degree `degree`, in terms of the sum of magnitudes.
+pub(crate) fn rounding(degree: usize) -> f64 {
+    4.0 * (degree + 4) as f64 * UNIT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(form: &Form, u: f64) -> f64 {
+        let n = form.degree;
+        (0..=n).map(|l| form.c[l] * power(u, l) * power(1.0 - u, n - l)).sum()
+    }
+
+    #[test]
+    fn products_and_powers_are_those_of_the_values() {
+        let p = Form::from_bernstein(&[0.5, -1.0, 2.0]);
+        let line = Form::power_of_linear([0.25, -1.5], 3);
+        let product = p.product(&line).product(&Form::ONE);
+        assert_eq!(product.degree, 5);
+        for i in 0..=8 {
+            let u = f64::from(i) / 8.0;
+            let w = 1.0 - u;
+            let (p_at, line_at) = (0.5 * w * w - 2.0 * u * w + 2.0 * u * u, 0.25 * w - 1.5 * u);
+            let want = p_at * line_at * line_at * line_at;
+            assert!((at(&product, u) - want).abs() < 1e-15, "u = {u}: {} != {want}", at(&product, u));
+        }
+    }
+}

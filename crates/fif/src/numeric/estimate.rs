@@ -1,0 +1,61 @@
+//! A number of the calculus with a bound of its error and its conditioning.
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
+
+/// An integral, a moment or a mean, with what is known about its error.
+///
+/// The parts that it is the sum of are integrals over cells times powers of the cells' factors. Where they cancel, the
+/// sum has fewer digits than its parts: `condition` says how many.
+///
+/// ```
+/// let f = asperity_fif::paper::f()?;
+/// let whole = f.integral_over(0.0, 2.0);
+/// assert!((whole.value - 2.0).abs() <= whole.bound && whole.bound < 1e-13);
+/// # Ok::<(), asperity_fif::SystemError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The approximation; NaN when an argument was NaN.
+    pub value: f64,
+    /// Bound of the absolute error: truncation, rounding, and the rounding of the ends of the interval.
+    pub bound: f64,
+    /// `Σ |part| / |Σ part|`, 1 or more: the factor by which relative errors of the parts count in the sum. Infinite when
+    /// the value is 0 and a part is not.
+    pub condition: f64,
+}
+
+impl Estimate {
+    pub(crate) const NAN: Self = Self { value: f64::NAN, bound: f64::NAN, condition: f64::NAN };
+
+    /// From the sum, the sum of magnitudes and the bound.
+    pub(crate) fn new(value: f64, magnitude: f64, bound: f64) -> Self {
+        let condition = if magnitude > value.abs() { magnitude / value.abs() } else { 1.0 };
+        Self { value, bound, condition }
+    }
+
+    /// `[value − bound, value + bound]`, rounded outward.
+    #[inline]
+    #[must_use]
+    pub fn interval(self) -> Interval {
+        Interval { lo: self.value, hi: self.value }.inflated(self.bound)
+    }
+
+    /// The product of two estimates.
+    pub(crate) fn product(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        let bound =
+            self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
+        Self {
+            value,
+            bound: 1.0001 * bound + UNIT * value.abs(),
+            condition: self.condition * other.condition,
+        }
+    }
+
+    /// The estimate times a number.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        let value = self.value * factor;
+        Self { value, bound: 1.0001 * self.bound * factor.abs() + UNIT * value.abs(), ..self }
+    }
+}

@@ -1,0 +1,245 @@
+//! The first hit of a ray with any surface: ordered descent of boxes, and stretches between bounds of the rate.
+
+use glam::DVec3;
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::ray::box_descent::{BUDGET, CLOSE, slab};
+use crate::ray::interval_newton::{Aim, Stretches};
+use crate::ray::ray::{Hit, Ray};
+use crate::surface::height_field::height_field::upward_normal;
+use crate::surface::surface::{Surface, SurfaceBounds};
+
+/// A square of the quartered domain.
+#[derive(Clone, Copy)]
+pub(crate) struct Square {
+    pub(crate) level: u32,
+    pub(crate) at: [u32; 2],
+}
+
+impl Square {
+    pub(crate) const WHOLE: Self = Self { level: 0, at: [0; 2] };
+
+    /// Its side along an axis.
+    #[inline]
+    pub(crate) fn side(self, axis: usize, domain: Interval) -> Interval {
+        let step = domain.width() / f64::from(1_u32 << self.level);
+        let index = f64::from(if axis == 0 { self.at[0] } else { self.at[1] });
+        Interval::new(domain.lo + step * index, domain.lo + step * (index + 1.0))
+    }
+
+    #[inline]
+    fn quarter(self, right: u32, far: u32) -> Self {
+        Self { level: self.level + 1, at: [2 * self.at[0] + right, 2 * self.at[1] + far] }
+    }
+}
+
+/// Bounds over the squares of the quartered domain.
+pub(crate) trait Squares {
+    /// The level of the smallest squares.
+    fn finest(&self) -> u32;
+
+    /// Bounds over a square, whose sides are `x` and `y`.
+    fn heights(&self, square: Square, x: Interval, y: Interval) -> Interval;
+
+    /// The same, with slopes, over a smallest square.
+    fn leaf(&self, square: Square, x: Interval, y: Interval) -> SurfaceBounds;
+}
+
+/// A surface without a table: bounds are computed when asked for.
+pub(crate) struct Unbounded<'a, S: ?Sized>(pub(crate) &'a S);
+
+impl<S: Surface + ?Sized> Squares for Unbounded<'_, S> {
+    fn finest(&self) -> u32 {
+        5
+    }
+
+    fn heights(&self, square: Square, x: Interval, y: Interval) -> Interval {
+        if square.level < 2 { self.0.range() } else { self.0.bounds(x, y).height }
+    }
+
+    fn leaf(&self, _: Square, x: Interval, y: Interval) -> SurfaceBounds {
+        self.0.bounds(x, y)
+    }
+}
+
+/// One ray on its way.
+pub(crate) struct Way<'a, S: ?Sized> {
+    pub(crate) surface: &'a S,
+    pub(crate) ray: Ray,
+    /// More than the rounding of a coordinate on the ray within the domain.
+    pub(crate) pad: DVec3,
+    /// Length of a stretch that is decided by the signs at its ends.
+    pub(crate) close: f64,
+    /// Whether a root is wanted to the rounding error.
+    pub(crate) exact: bool,
+    /// Evaluations left.
+    pub(crate) budget: u32,
+}
+
+impl<'a, S: Surface + ?Sized> Way<'a, S> {
+    /// The ray ready to go, and the stretch of it over the domain; `None` for a ray that is none.
+    fn new(surface: &'a S, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Self, Interval)> {
+        let (o, d) = (ray.origin, ray.direction);
+        if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
+            return None;
+        }
+        let [x, y] = surface.domain();
+        let pad = |origin: f64, extent: f64| 16.0 * f64::EPSILON * (origin.abs() + extent);
+        let pad = DVec3::new(
+            pad(o.x, x.magnitude()),
+            pad(o.y, y.magnitude()),
+            pad(o.z, surface.range().magnitude()),
+        );
+        let longest = d.x.abs().max(d.y.abs()).max(d.z.abs());
+        let finest = CLOSE * x.width().max(y.width());
+        let exact = tolerance <= finest || tolerance.is_nan();
+        // The length of the direction is less than √3 times its longest component.
+        let close = if exact { finest } else { 0.5 * tolerance } / longest;
+        let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
+        let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
+        let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
+        let way = Self { surface, ray: *ray, pad, close, exact, budget: BUDGET };
+        (span.lo <= span.hi).then_some((way, span))
+    }
+
+    /// The height of the ray above the surface at `t`.
+    #[inline]
+    pub(crate) fn above(&self, t: f64, tolerance: f64) -> Bounded {
+        let at = self.ray.at(t);
+        let h = self.surface.evaluate(at.x, at.y, tolerance);
+        let rounding = f64::EPSILON * (self.ray.origin.z.abs() + at.z.abs());
+        Bounded { value: at.z - h.value, bound: h.bound + rounding }
+    }
+
+    /// The stretch in which the ray is as high as the surface may be.
+    #[inline]
+    pub(crate) fn within(&self, span: Interval, height: Interval) -> Interval {
+        span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
+    }
+
+    /// How fast the height above the surface changes where its slopes are in ranges.
+    pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
+        let d = self.ray.direction;
+        Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
+    }
+
+    /// The least root in the squares along the ray, or any.
+    fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
+        const PLACES: usize = 64;
+        let [x, y] = self.surface.domain();
+        let finest = squares.finest().min(12);
+        let (o, d) = (self.ray.origin, self.ray.direction);
+        let inverse = [1.0 / d.x, 1.0 / d.y];
+        let late = [self.pad.x * inverse[0].abs(), self.pad.y * inverse[1].abs()];
+        let mut stack = [(Square::WHOLE, span); PLACES];
+        let mut filled = 1_usize;
+        let mut stretches = Stretches::new();
+        while filled > 0 {
+            filled -= 1;
+            let Some(&(square, span)) = stack.get(filled) else { break };
+            let sides = [square.side(0, x), square.side(1, y)];
+            let around = [padded(sides[0], self.pad.x), padded(sides[1], self.pad.y)];
+            if square.level >= finest {
+                let SurfaceBounds { height, slopes } = squares.leaf(square, around[0], around[1]);
+                let span = self.within(span, height);
+                if span.lo <= span.hi
+                    && let Some(t) = stretches.first(self, span, self.rate(slopes), aim)
+                {
+                    return Some(t);
+                }
+                continue;
+            }
+            let span = self.within(span, squares.heights(square, around[0], around[1]));
+            if span.lo.is_nan() || span.hi.is_nan() || span.lo > span.hi {
+                continue;
+            }
+            // The stretch before and behind the middle of either side, whichever way the ray goes.
+            let halves = |axis: usize| {
+                let (origin, step) = if axis == 0 { (o.x, d.x) } else { (o.y, d.y) };
+                let (side, pad, inverse, late) = if axis == 0 {
+                    (sides[0], self.pad.x, inverse[0], late[0])
+                } else {
+                    (sides[1], self.pad.y, inverse[1], late[1])
+                };
+                let middle = side.middle();
+                let backward = u32::from(step < 0.0);
+                if step == 0.0 {
+                    let at = |near: bool| if near { span } else { Interval::EMPTY };
+                    return [(0, at(origin <= middle + pad)), (1, at(origin >= middle - pad))];
+                }
+                let t = (middle - origin) * inverse;
+                let slack = late + 4.0 * f64::EPSILON * t.abs();
+                [
+                    (backward, span.intersection(Interval::new(span.lo, t + slack))),
+                    (1 - backward, span.intersection(Interval::new(t - slack, span.hi))),
+                ]
+            };
+            let (across, along) = (halves(0), halves(1));
+            let quarter = |i: usize, j: usize| {
+                let ((right, s), (far, t)) = (across[i & 1], along[j & 1]);
+                (square.quarter(right, far), s.intersection(t))
+            };
+            let (mut second, mut third) = (quarter(0, 1), quarter(1, 0));
+            if third.1.lo < second.1.lo {
+                (second, third) = (third, second);
+            }
+            for part in [quarter(1, 1), third, second, quarter(0, 0)] {
+                if part.1.lo <= part.1.hi
+                    && let Some(place) = stack.get_mut(filled)
+                {
+                    *place = part;
+                    filled += 1;
+                }
+            }
+        }
+        None
+    }
+
+    /// A ray along z meets the surface at one height.
+    fn vertical(&self, span: Interval) -> Option<f64> {
+        let above = self.above(0.0, 0.0);
+        let t = -above.value / self.ray.direction.z;
+        let slack = above.bound / self.ray.direction.z.abs();
+        let near = span.lo - slack <= t && t <= span.hi + slack;
+        near.then(|| t.clamp(span.lo, span.hi))
+    }
+
+    fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
+        if self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0 {
+            return self.vertical(span);
+        }
+        self.descend(squares, span, aim)
+    }
+}
+
+/// The first hit of the ray with `t` in the interval.
+pub(crate) fn first<S: Surface + ?Sized>(
+    surface: &S,
+    squares: &impl Squares,
+    ray: &Ray,
+    t: Interval,
+    tolerance: f64,
+) -> Option<Hit> {
+    let (mut way, span) = Way::new(surface, ray, t, tolerance)?;
+    let t = way.meets(squares, span, Aim::First)?;
+    let at = ray.at(t);
+    if !t.is_finite() || !at.is_finite() {
+        return None;
+    }
+    let [x, y] = surface.domain();
+    let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
+    let (near, height) = if way.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
+    let gradient = surface.gradient_near(x, y, near);
+    let height = surface.evaluate(x, y, height).value;
+    Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal) })
+}
+
+/// Whether the ray meets the surface with `t` in the interval.
+pub(crate) fn any<S: Surface + ?Sized>(surface: &S, squares: &impl Squares, ray: &Ray, t: Interval) -> bool {
+    let Some((mut way, span)) = Way::new(surface, ray, t, 0.0) else { return false };
+    way.meets(squares, span, Aim::Any).is_some_and(|t| t.is_finite() && ray.at(t).is_finite())
+}
+
+fn padded(side: Interval, pad: f64) -> Interval {
+    Interval::new(side.lo - pad, side.hi + pad)
+}

@@ -1,0 +1,128 @@
+//! Means over the images of a recurrent system, and its integral.
+
+use alloc::vec::Vec;
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::polynomial::{UNIT, magnitude};
+use crate::recurrent::recurrent::{Link, Recurrent};
+
+/// Sweeps that solve for the means.
+const SWEEPS: usize = 65_536;
+
+/// Maps that one integral composes at most.
+const DEPTH: usize = 1024;
+
+/// Integrals from the left end to every knot.
+#[derive(Clone, Debug)]
+pub(crate) struct Means {
+    pub(crate) integrals: Vec<f64>,
+    /// Bound of the error of a mean over images.
+    error: f64,
+    /// The width of the domain over that of the narrowest source.
+    spread: f64,
+}
+
+impl Means {
+    /// Solves `m_j = α_j (mean over the source) + mean of q_j`, a contraction by `max|α|` in the largest error.
+    pub(crate) fn new<const C: usize>(links: &[Link<C>], range: Interval, gain: f64) -> Self {
+        let parts: Vec<f64> = links.iter().map(|link| primitive(&link.piece.local, 1.0)).collect();
+        let mut means: Vec<f64> = links.iter().map(|link| link.range.middle()).collect();
+        let mut integrals = sums(links, &means);
+        let (mut moved, mut left) = (f64::INFINITY, SWEEPS);
+        let scale = range.magnitude() + f64::MIN_POSITIVE;
+        while left > 0 && moved > 4.0 * UNIT * scale {
+            moved = 0.0_f64;
+            for ((mean, link), part) in means.iter_mut().zip(links).zip(&parts) {
+                let next = link.piece.map().alpha * mean_over(&integrals, link) + part;
+                moved = moved.max((next - *mean).abs());
+                *mean = next;
+            }
+            integrals = sums(links, &means);
+            left -= 1;
+        }
+        // One more sweep moves no mean by more; roundings of a mean and of the polynomial's integral.
+        let maps = links.len() as f64;
+        let slack = links.iter().fold(0.0_f64, |most, link| {
+            most.max(link.piece.slack + 4.0 * C as f64 * UNIT * magnitude(&link.piece.local, 1.0))
+        });
+        let whole: f64 = links.iter().map(Link::image).sum();
+        let spread = links.iter().fold(0.0_f64, |most, link| most.max(whole / link.width));
+        let rounding = UNIT * (4.0 * maps * spread + 16.0) * scale + slack;
+        Self { integrals, error: 1.01 * gain * (moved + rounding), spread }
+    }
+}
+
+/// Integrals up to each knot.
+fn sums<const C: usize>(links: &[Link<C>], means: &[f64]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mut all = Vec::with_capacity(links.len() + 1);
+    all.push(sum);
+    for (link, mean) in links.iter().zip(means) {
+        sum += link.image() * mean;
+        all.push(sum);
+    }
+    all
+}
+
+fn mean_over<const C: usize>(integrals: &[f64], link: &Link<C>) -> f64 {
+    let at = |knot: usize| integrals.get(knot).copied().unwrap_or(0.0);
+    (at(link.to) - at(link.from)) / link.width
+}
+
+/// `∫ Σ c_k uᵏ` over `[0, s]`.
+fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
+    let mut sum = 0.0;
+    for (k, c) in c.iter().enumerate().rev() {
+        sum = sum * s + c / (k + 1) as f64;
+    }
+    sum * s
+}
+
+impl<const C: usize> Recurrent<C> {
+    /// `∫ f` from `x_0` to `x`, with the bound of its error.
+    ///
+    /// ```text
+    /// ∫ over [x_{j−1}, x] of f = a_j (α_j ∫ over [x_from, u] of f + ∫ over [x_from, u] of q_j),   x = a_j u + b_j
+    /// ```
+    ///
+    /// The integrals up to the knots solve one linear system, which the constructor has done by repeated substitution.
+    /// Points outside the domain are clamped to it; NaN gives NaN.
+    #[must_use]
+    pub fn integral(&self, x: f64) -> Bounded {
+        let domain = self.domain();
+        if x.is_nan() {
+            return Bounded::NAN;
+        }
+        let x = x.max(domain.lo).min(domain.hi);
+        let (scale, width) = (self.range().magnitude(), domain.width());
+        let at = |knot: usize| self.means.integrals.get(knot).copied().unwrap_or(0.0);
+        let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
+        let Some(first) = self.links.get(index) else { return Bounded::NAN };
+        let (before, image) = (at(index), first.image());
+        let mut s = ((x - first.piece.x()[0]) / image).clamp(0.0, 1.0);
+        let (mut sum, mut weight, mut weights) = (0.0, 1.0_f64, 0.0);
+        for _ in 0..DEPTH {
+            let Some(link) = self.links.get(index) else { break };
+            let alpha = link.piece.map().alpha;
+            let (inner, place) = self.descend(link, s);
+            sum +=
+                weight * (primitive(&link.piece.local, s) + alpha * (at(inner) - at(link.from)) / link.width);
+            weights += weight.abs();
+            weight *= alpha * self.links.get(inner).map_or(0.0, Link::image) / link.width;
+            (index, s) = (inner, place);
+            if weight.abs() <= UNIT * UNIT {
+                break;
+            }
+        }
+        // Each term is off by a mean's error, twice, a polynomial's and roundings; the orbit by a few units of x.
+        let Means { error, spread, .. } = self.means;
+        let maps = self.links.len() as f64;
+        let terms = 2.0 * error + self.noise + 16.0 * UNIT * scale * maps * (1.0 + spread);
+        let knots = width * (error + UNIT * maps * scale);
+        let places = 8.0 * UNIT * scale * (domain.magnitude() + width * self.reach);
+        let value = before + image * sum;
+        let rest = image * weight.abs() * scale;
+        let bound = 1.01 * (knots + image * weights * terms + places + rest) + 4.0 * UNIT * value.abs();
+        Bounded { value, bound }
+    }
+}

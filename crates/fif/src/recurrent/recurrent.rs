@@ -1,0 +1,259 @@
+//! Recurrent systems: each map copies a part of the graph of its own.
+
+use alloc::vec::Vec;
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::{UNIT, bernstein, horner, magnitude, restrict, restriction_error};
+use crate::recurrent::error::RecurrentError;
+use crate::recurrent::mean::Means;
+use crate::system::error::{
+    End, List, SystemError, check_coefficients, check_data, check_knots, check_length,
+};
+use crate::system::fif::JOIN_TOLERANCE;
+use crate::system::map::Piece;
+
+/// Sweeps that tighten the ranges.
+const SWEEPS: usize = 64;
+
+/// A recurrent fractal interpolation function: every map has a source of its own, from knot to knot.
+///
+/// ```text
+/// f(a_j x + b_j) = α_j f(x) + q_j(x)   for x in [x_from, x_to], which a_j x + b_j sends onto [x_{j−1}, x_j]
+/// ```
+///
+/// With `|α_j| < 1` there is one bounded `f` like that; it is continuous, because both ends of every map meet the
+/// ordinates. With the whole domain as every source it is a [`Fif`](crate::Fif), which has much more to offer.
+///
+/// M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated function systems*, Constructive Approximation 5, 1989.
+///
+/// ```
+/// use asperity_fif::Recurrent;
+/// // A smooth left half and a rough right one: each is made of copies of itself.
+/// let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
+/// let f = Recurrent::affine(&x, &y, &[0.1, 0.1, 0.8, -0.8], &[[0, 2], [0, 2], [2, 4], [2, 4]])?;
+/// let (left, right) = (f.evaluate(0.7, 1e-12), f.evaluate(2.7, 1e-12));
+/// assert!((left.value - (0.1 * f.evaluate(1.4, 1e-12).value + 0.7)).abs() < 1e-12);
+/// assert!(right.bound <= 1e-12 && f.range().contains(right.value));
+/// // ∫ over the left half: I = (0.1 I + 1/2 · 2)/2 · 2.
+/// assert!((f.integral(2.0).value - 1.0 / 0.9).abs() <= f.integral(2.0).bound);
+/// # Ok::<(), asperity_fif::RecurrentError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Recurrent<const C: usize> {
+    pub(crate) links: Vec<Link<C>>,
+    range: Interval,
+    /// Error of one polynomial, at any point of its source.
+    pub(crate) noise: f64,
+    /// `1/(1 − max|α|)`, and the same of the horizontal factors.
+    pub(crate) gain: f64,
+    pub(crate) reach: f64,
+    pub(crate) means: Means,
+}
+
+/// A map with its source.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Link<const C: usize> {
+    pub(crate) piece: Piece<C>,
+    /// The knots of the source.
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    /// Where it begins, and its width.
+    pub(crate) start: f64,
+    pub(crate) width: f64,
+    /// An enclosure of `f` over the image.
+    pub(crate) range: Interval,
+}
+
+impl<const C: usize> Link<C> {
+    /// The width of the image.
+    pub(crate) fn image(&self) -> f64 {
+        self.piece.x()[1] - self.piece.x()[0]
+    }
+}
+
+impl Recurrent<2> {
+    /// Straight lines between `(x_j, y_j)` with vertical factors `alpha`, distorted by the parts over `sources`.
+    ///
+    /// A source `[from, to]` goes from knot `from` to knot `to`, counted from 0.
+    ///
+    /// # Errors
+    /// See [`RecurrentError`].
+    pub fn affine(
+        x: &[f64],
+        y: &[f64],
+        alpha: &[f64],
+        sources: &[[usize; 2]],
+    ) -> Result<Self, RecurrentError> {
+        let maps = check_sources(x, sources)?;
+        check_data(maps, y, alpha)?;
+        let lines = sources.iter().zip(alpha).zip(y.windows(2)).map(|((&[from, to], alpha), ends)| {
+            let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
+            let [left, right] = *ends else { return [0.0; 2] };
+            let rise = right - left - alpha * (at(y, to) - at(y, from));
+            let slope = rise / (at(x, to) - at(x, from));
+            [left - alpha * at(y, from) - slope * at(x, from), slope]
+        });
+        let q: Vec<[f64; 2]> = lines.collect();
+        Self::new(x, y, alpha, &q, sources)
+    }
+}
+
+impl<const C: usize> Recurrent<C> {
+    /// From knots, their ordinates, vertical factors, polynomials and sources.
+    ///
+    /// # Errors
+    /// See [`RecurrentError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`].
+    pub fn new(
+        x: &[f64],
+        y: &[f64],
+        alpha: &[f64],
+        q: &[[f64; C]],
+        sources: &[[usize; 2]],
+    ) -> Result<Self, RecurrentError> {
+        let maps = check_sources(x, sources)?;
+        check_data(maps, y, alpha)?;
+        check_length(List::Polynomials, maps, q.len())?;
+        check_coefficients(q)?;
+        let mut links = Vec::with_capacity(maps);
+        let (mut noise, mut steepest, mut widest) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for (j, ((&[from, to], &alpha), &q)) in sources.iter().zip(alpha).zip(q).enumerate() {
+            let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
+            let source = [at(x, from), at(x, to)];
+            let (image, width) = (at(x, j + 1) - at(x, j), source[1] - source[0]);
+            if image >= width {
+                return Err(RecurrentError::Expansion { map: j + 1, source: width, image });
+            }
+            let a = image / width;
+            let (ends, values) = ([at(x, j), at(x, j + 1)], [at(y, j), at(y, j + 1)]);
+            let mut piece = Piece::new(alpha, q, source, ends, values, [0.0, a]);
+            for (end, s, knot) in [(End::Left, 0.0, from), (End::Right, 1.0, to)] {
+                let (expected, of) = (values[end as usize], at(y, knot));
+                let found = alpha * of + horner(&piece.local, s);
+                let scale = (alpha * of).abs() + magnitude(&q, at(x, knot)) + expected.abs();
+                let defect = (found - expected).abs();
+                if defect > JOIN_TOLERANCE * scale {
+                    return Err(SystemError::JoinUp { map: j + 1, end, expected, found }.into());
+                }
+                piece.slack += defect;
+            }
+            (steepest, widest) = (steepest.max(alpha.abs()), widest.max(a));
+            links.push(Link { piece, from, to, start: source[0], width, range: Interval::ENTIRE });
+        }
+        let reach = (1.0 / (1.0 - widest)).next_up();
+        let gain = (1.0 / (1.0 - steepest)).next_up();
+        for link in &links {
+            // Horner's rule, at places in the sources that are off by five units for each map of the orbit.
+            let slope: f64 = link.piece.local.iter().enumerate().map(|(k, c)| k as f64 * c.abs()).sum();
+            let size = C as f64 * magnitude(&link.piece.local, 1.0);
+            noise = noise.max(link.piece.slack + 8.0 * UNIT * (size + reach * slope));
+        }
+        let range = ranges(&mut links, gain).ok_or(SystemError::Unbounded { alpha: steepest })?;
+        if !(noise.is_finite() && reach.is_finite() && gain.is_finite()) {
+            return Err(SystemError::Unbounded { alpha: steepest }.into());
+        }
+        let means = Means::new(&links, range, gain);
+        Ok(Self { links, range, noise, gain, reach, means })
+    }
+
+    /// The maps with the intervals that they fill, from left to right.
+    #[must_use]
+    pub fn pieces(&self) -> impl ExactSizeIterator<Item = &Piece<C>> {
+        self.links.iter().map(|link| &link.piece)
+    }
+
+    /// The knots, from 0, at the ends of each map's source.
+    #[must_use]
+    pub fn sources(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
+        self.links.iter().map(|link| [link.from, link.to])
+    }
+
+    /// `[x_0, x_N]`.
+    #[must_use]
+    pub fn domain(&self) -> Interval {
+        let ends = (self.links.first(), self.links.last());
+        let (Some(first), Some(last)) = ends else { return Interval::new(0.0, 0.0) };
+        Interval::new(first.piece.x()[0], last.piece.x()[1])
+    }
+
+    /// A rigorous enclosure of `f` over its domain.
+    ///
+    /// The ranges over the images, `B_j ← hull of α_j B_i + q_j(X_i)` for the images `i` in the source of `j`, from a box that
+    /// holds all, with outward rounding.
+    #[must_use]
+    pub fn range(&self) -> Interval {
+        self.range
+    }
+
+    /// Rigorous enclosures of `f` over the images of the maps, from left to right.
+    #[must_use]
+    pub fn ranges(&self) -> impl ExactSizeIterator<Item = Interval> {
+        self.links.iter().map(|link| link.range)
+    }
+}
+
+/// The number of maps.
+fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, RecurrentError> {
+    let maps = check_knots(x)?;
+    if sources.len() != maps {
+        return Err(RecurrentError::Sources { expected: maps, found: sources.len() });
+    }
+    let wrong = sources.iter().enumerate().find(|(_, [from, to])| from >= to || *to > maps);
+    match wrong {
+        Some((j, &[from, to])) => Err(RecurrentError::Source { map: j + 1, from, to, last: maps }),
+        None => Ok(maps),
+    }
+}
+
+/// Ranges over all images, and their hull.
+fn ranges<const C: usize>(links: &mut [Link<C>], gain: f64) -> Option<Interval> {
+    let largest = links
+        .iter()
+        .fold(0.0_f64, |most, link| most.max(magnitude(&link.piece.local, 1.0) + link.piece.slack));
+    let radius = 1.001 * largest * gain + f64::MIN_POSITIVE;
+    if !radius.is_finite() {
+        return None;
+    }
+    let mut boxes: Vec<Interval> = links.iter().map(|_| Interval::new(-radius, radius)).collect();
+    let parts: Vec<Vec<Interval>> = links.iter().map(|link| polynomial_ranges(link, links)).collect();
+    for _ in 0..SWEEPS {
+        let next: Vec<Interval> = links
+            .iter()
+            .zip(&parts)
+            .zip(&boxes)
+            .map(|((link, parts), &now)| {
+                let sources = boxes.iter().skip(link.from).zip(parts);
+                let hull = sources.fold(Interval::EMPTY, |hull, (&source, &part)| {
+                    hull.hull(source.scaled(link.piece.map().alpha).sum(part))
+                });
+                hull.intersection(now)
+            })
+            .collect();
+        let width = |all: &[Interval]| all.iter().map(|b| b.width()).sum::<f64>();
+        let gained = width(&next) < 0.999 * width(&boxes);
+        boxes = next;
+        if !gained {
+            break;
+        }
+    }
+    for (link, range) in links.iter_mut().zip(&boxes) {
+        link.range = *range;
+    }
+    Some(boxes.iter().fold(Interval::EMPTY, |hull, b| hull.hull(*b)))
+}
+
+/// Enclosures of a map's polynomial over the images in its source.
+fn polynomial_ranges<const C: usize>(link: &Link<C>, links: &[Link<C>]) -> Vec<Interval> {
+    let all = bernstein(&link.piece.local);
+    let largest = all.iter().fold(0.0_f64, |most, b| most.max(b.abs()));
+    let slope = 2.0 * C as f64 * largest;
+    let within = links.get(link.from..link.to).unwrap_or_default();
+    let part = |inner: &Link<C>| {
+        let [l, r] = inner.piece.x().map(|x| ((x - link.start) / link.width).clamp(0.0, 1.0));
+        let hull =
+            restrict(&all, l, r).iter().fold(Interval::EMPTY, |hull, &b| hull.hull(Interval::new(b, b)));
+        // The ends are off by four units.
+        let error = restriction_error::<C>(l, r) * largest + 8.0 * UNIT * slope;
+        if C == 0 { Interval::new(0.0, 0.0) } else { hull.inflated(error + link.piece.slack) }
+    };
+    within.iter().map(part).collect()
+}

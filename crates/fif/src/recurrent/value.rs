@@ -1,0 +1,71 @@
+//! Values of a recurrent system.
+
+use crate::evaluate::value::MAX_DEPTH;
+use crate::numeric::interval::Bounded;
+use crate::numeric::polynomial::{UNIT, horner};
+use crate::recurrent::recurrent::{Link, Recurrent};
+
+impl<const C: usize> Recurrent<C> {
+    /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
+    ///
+    /// As [`Fif::evaluate`](crate::Fif::evaluate), with the inverse of each map ending in its source; at most
+    /// [`MAX_DEPTH`] steps.
+    ///
+    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
+    ///   NaN or under the rounding error stands for the rounding error.
+    /// - **Accuracy:** knots are exact, with bound 0. Else `value ± bound` holds `f(x′)` for an `x′` within four units in the
+    ///   last place of the domain's larger end and `2⁻⁵⁰/(1 − max a_j)` of its width.
+    #[must_use]
+    pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
+        if x.is_nan() {
+            return Bounded::NAN;
+        }
+        let (domain, range) = (self.domain(), self.range());
+        let x = x.max(domain.lo).min(domain.hi);
+        let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
+        let Some(first) = self.links.get(index) else { return Bounded::NAN };
+        for (knot, value) in first.piece.x().into_iter().zip(first.piece.y()) {
+            if knot == x {
+                return Bounded { value, bound: 0.0 };
+            }
+        }
+        let mut s = ((x - first.piece.x()[0]) / first.image()).clamp(0.0, 1.0);
+        let scale = range.magnitude();
+        // Truncation under the rounding error is not worth a step. Written so that NaN asks for the most.
+        let floor = self.noise + 2.0 * UNIT * scale;
+        let enough = if tolerance > floor { 0.5 * tolerance } else { floor };
+        let (mut sum, mut product, mut tail, mut radius) =
+            (0.0, 1.0_f64, range.middle(), 0.5 * range.width());
+        let mut steps = 0;
+        while steps < MAX_DEPTH && product.abs() * radius > enough {
+            let Some(link) = self.links.get(index) else { break };
+            steps += 1;
+            sum += product * horner(&link.piece.local, s);
+            product *= link.piece.map().alpha;
+            (index, s) = self.descend(link, s);
+            let Some(inner) = self.links.get(index) else { break };
+            (tail, radius) = match s {
+                0.0 => (inner.piece.y()[0], 0.0),
+                1.0 => (inner.piece.y()[1], 0.0),
+                _ => (inner.range.middle(), 0.5 * inner.range.width()),
+            };
+        }
+        let steps = steps as f64;
+        let truncation = product.abs() * radius * (1.0 + 2.0 * steps * UNIT);
+        let weight = if steps < self.gain { steps } else { self.gain };
+        let rounding =
+            weight * self.noise + UNIT * (steps + 4.0) * 2.0 * scale + 4.0 * UNIT * weight * weight * scale;
+        Bounded { value: sum + product * tail, bound: 1.0001 * (truncation + rounding) }
+    }
+
+    /// The image that a place in a source lies in, and the place there.
+    pub(crate) fn descend(&self, link: &Link<C>, s: f64) -> (usize, f64) {
+        let offset = s * link.width;
+        let within = self.links.get(link.from..link.to).unwrap_or_default();
+        let right = within.partition_point(|inner| inner.piece.x()[0] - link.start <= offset);
+        let index = right.saturating_sub(1);
+        let Some(inner) = within.get(index) else { return (link.from, 0.0) };
+        let place = (offset - (inner.piece.x()[0] - link.start)) / inner.image();
+        (link.from + index, place.clamp(0.0, 1.0))
+    }
+}

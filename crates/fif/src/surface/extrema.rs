@@ -1,0 +1,102 @@
+//! Brackets of the extrema of a surface, by branch and bound.
+
+use glam::DVec2;
+
+use crate::numeric::interval::Interval;
+use crate::surface::surface::Surface;
+
+/// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceExtrema {
+    /// The least height lies in here.
+    pub minimum: Interval,
+    /// The greatest height lies in here.
+    pub maximum: Interval,
+    /// A point whose height lies in `minimum`.
+    pub lowest: DVec2,
+    /// A point whose height lies in `maximum`.
+    pub highest: DVec2,
+}
+
+/// Rectangles that one search for an extremum visits at most.
+const BUDGET: u32 = 1 << 16;
+
+/// Times that a search splits a rectangle at most.
+const DEPTH: usize = 64;
+
+/// Brackets at most `width` wide where the budget allows that.
+pub(crate) fn extrema<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64) -> SurfaceExtrema {
+    let (maximum, highest) = greatest(surface, rectangle, width, 1.0);
+    let (minimum, lowest) = greatest(surface, rectangle, width, -1.0);
+    SurfaceExtrema { minimum: Interval::new(-minimum.hi, -minimum.lo), maximum, lowest, highest }
+}
+
+/// A bracket of the greatest of `sign · f`, and where the value is that is its lower end.
+fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign: f64) -> (Interval, DVec2) {
+    let upper = |[x, y]: [Interval; 2]| {
+        let range = surface.bounds(x, y).height;
+        if sign < 0.0 { -range.lo } else { range.hi }
+    };
+    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * DEPTH + 4];
+    let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
+    let (mut best, mut highest) = (Interval::new(f64::NEG_INFINITY, f64::NEG_INFINITY), DVec2::ZERO);
+    while let Some(&([x, y], bound, depth)) = stack.get(..filled).and_then(<[_]>::last) {
+        filled -= 1;
+        let middle = DVec2::new(x.middle(), y.middle());
+        let centre = surface.evaluate(middle.x, middle.y, 0.0).interval().scaled(sign);
+        if centre.lo > best.lo {
+            (best, highest) = (centre, middle);
+        }
+        visited += 1;
+        if bound <= best.lo + width || visited > BUDGET || depth == DEPTH {
+            top = bound.max(top);
+            continue;
+        }
+        let mut parts = quarters([x, y]).map(|part| (part, upper(part).min(bound), depth + 1));
+        parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
+        for part in parts {
+            if let Some(place) = stack.get_mut(filled) {
+                *place = part;
+                filled += 1;
+            }
+        }
+    }
+    (Interval::new(best.lo, best.hi.max(top)), highest)
+}
+
+/// The greatest of `upper` over the squares that quartering `depth` times gives, where it is no greater than over what holds
+/// them; the greatest over larger squares where a budget ends before.
+pub(crate) fn ceiling(rectangle: [Interval; 2], depth: u32, upper: impl Fn([Interval; 2]) -> f64) -> f64 {
+    const LEVELS: usize = 24;
+    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * LEVELS + 4];
+    let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
+    while let Some(&(square, bound, level)) = stack.get(..filled).and_then(<[_]>::last) {
+        filled -= 1;
+        if bound <= top {
+            continue;
+        }
+        visited += 1;
+        if level >= depth.min(LEVELS as u32) || visited > BUDGET {
+            top = bound;
+            continue;
+        }
+        let mut parts = quarters(square).map(|part| (part, upper(part).min(bound), level + 1));
+        parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
+        for part in parts {
+            if let Some(place) = stack.get_mut(filled) {
+                *place = part;
+                filled += 1;
+            }
+        }
+    }
+    top
+}
+
+fn quarters([x, y]: [Interval; 2]) -> [[Interval; 2]; 4] {
+    let split = |range: Interval| {
+        let middle = range.middle();
+        [Interval::new(range.lo, middle), Interval::new(middle, range.hi)]
+    };
+    let ([west, east], [south, north]) = (split(x), split(y));
+    [[west, south], [east, south], [west, north], [east, north]]
+}

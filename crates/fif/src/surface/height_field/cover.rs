@@ -1,0 +1,63 @@
+//! Bounds of the function along an axis over any interval, from those of its cells.
+
+use crate::numeric::interval::Interval;
+use crate::surface::height_field::axis::Axis;
+
+/// Levels below the smallest cell that holds the interval, to which its ends are followed.
+const FINER: u32 = 6;
+
+/// Splits of the domain at most.
+const LEVELS: u32 = 96;
+
+/// A cell and where it lies.
+struct Place<Cell> {
+    cell: Cell,
+    left: f64,
+    width: f64,
+}
+
+/// Enclosures of the values and slopes over the part of an interval within the domain, or over all of it if there is none.
+pub(crate) fn covered<A: Axis>(axis: &A, over: Interval) -> [Interval; 2] {
+    let domain = axis.domain();
+    let cut = over.intersection(domain);
+    let mut place = Place { cell: axis.root(), left: domain.lo, width: domain.width() };
+    let pad = 16.0 * f64::EPSILON * (domain.magnitude() + domain.width());
+    let over = Interval::new(cut.lo - pad, cut.hi + pad);
+    if cut.lo > cut.hi || cut.lo.is_nan() || cut.hi.is_nan() {
+        return axis.bounds(&place.cell);
+    }
+    for _ in 0..LEVELS {
+        let mut meeting = (0..axis.count()).filter(|&j| meets(&child(axis, &place, j), over));
+        let (Some(j), None) = (meeting.next(), meeting.next()) else { break };
+        place = child(axis, &place, j);
+    }
+    let mut all = [Interval::EMPTY; 2];
+    gather(axis, &place, over, FINER, &mut all);
+    all
+}
+
+/// At most as deep as `FINER`.
+fn gather<A: Axis>(axis: &A, place: &Place<A::Cell>, over: Interval, finer: u32, all: &mut [Interval; 2]) {
+    let inside = over.lo <= place.left && place.left + place.width <= over.hi;
+    if inside || finer == 0 {
+        let bounds = axis.bounds(&place.cell);
+        *all = [0, 1].map(|k| all[k].hull(bounds[k]));
+        return;
+    }
+    for j in 0..axis.count() {
+        let part = child(axis, place, j);
+        if meets(&part, over) {
+            gather(axis, &part, over, finer - 1, all);
+        }
+    }
+}
+
+fn child<A: Axis>(axis: &A, place: &Place<A::Cell>, j: usize) -> Place<A::Cell> {
+    let [s0, s1] = axis.part(j);
+    let cell = axis.child(&place.cell, j);
+    Place { cell, left: place.left + place.width * s0, width: place.width * (s1 - s0) }
+}
+
+fn meets<Cell>(place: &Place<Cell>, over: Interval) -> bool {
+    place.left <= over.hi && over.lo <= place.left + place.width
+}

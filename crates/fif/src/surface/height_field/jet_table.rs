@@ -1,0 +1,396 @@
+//! Values and slopes of a smooth function by composed maps, several levels at a step.
+
+use alloc::vec::Vec;
+use core::fmt::Debug;
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::{UNIT, substitute};
+use crate::surface::height_field::range_table::RangeTable;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+use crate::table::composite::{Composite, Composites};
+
+/// Steps of one evaluation at most.
+pub(crate) const STEPS: usize = 64;
+
+/// The value and the slope at a point; what the descent of a ray asks of a table, whatever its degree.
+pub trait Jets: Clone + Debug {
+    /// `[f(x), f′(x)]` after so many steps, for an `x` within the rounding error of the ray, given as the part of the domain on its left.
+    fn jet(&self, part: f64, steps: usize) -> [f64; 2];
+
+    /// The part of the domain on the left of `x`.
+    fn part(&self, x: f64) -> f64;
+
+    /// Enclosures of values and slopes from one part of the domain to the next, from ranges over the cells of the whole; `None` for
+    /// parts over more than two cells of the first step.
+    fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]>;
+
+    /// Bounds of the errors of value and slope after 0, 1, … steps.
+    fn errors(&self) -> &[[f64; 2]; STEPS + 1];
+
+    /// Steps after which value and slope do not gain any more.
+    fn enough(&self) -> [usize; 2];
+
+    /// Bytes of the table.
+    fn bytes(&self) -> usize;
+
+    /// The steps after which cells are at most this part of the domain, unless the slope does not gain any more before.
+    fn cells_within(&self, part: f64) -> usize;
+
+    /// The steps for a value to the rounding error, and its bound.
+    #[inline]
+    fn finest(&self) -> (usize, f64) {
+        let steps = self.enough()[0];
+        (steps, self.errors().get(steps).map_or(f64::INFINITY, |e| e[0]))
+    }
+}
+
+/// No table.
+#[derive(Clone, Debug)]
+pub enum NoJets {}
+
+impl Jets for NoJets {
+    fn jet(&self, _part: f64, _steps: usize) -> [f64; 2] {
+        match *self {}
+    }
+
+    fn part(&self, _x: f64) -> f64 {
+        match *self {}
+    }
+
+    fn finer(&self, _ranges: &RangeTable, _parts: [f64; 2]) -> Option<[Interval; 2]> {
+        match *self {}
+    }
+
+    fn errors(&self) -> &[[f64; 2]; STEPS + 1] {
+        match *self {}
+    }
+
+    fn enough(&self) -> [usize; 2] {
+        match *self {}
+    }
+
+    fn cells_within(&self, _part: f64) -> usize {
+        match *self {}
+    }
+
+    fn bytes(&self) -> usize {
+        match *self {}
+    }
+}
+
+/// All composites of a few maps of a system on equal knots, and their derivatives, evaluated to any number of steps.
+///
+/// ```text
+/// f(x) = chord(x) + Σ_k W_k P_{e_{k+1}}(u_{k+1}) + W_K v       |error| ≤ max|A|^K sup|f − chord − v| + rounding
+/// ```
+///
+/// `e_k` are the digits of `(x − x_0)/(x_N − x_0)` in the table's radix, `u_k` what is left of it, `W_k` the product of the
+/// factors; the slope is the sum of the derivatives, and the middle of its range the tail. The fraction is an `f64`, so the value is
+/// that of a point within two units in the last place of the domain's width.
+#[derive(Clone, Debug)]
+pub struct JetTable<const C: usize> {
+    /// One to a cell of the first step, and one for the end of the domain.
+    entries: Vec<Composite<C>>,
+    radix: f64,
+    /// The left end of the domain and the reciprocal of its width.
+    origin: f64,
+    per_width: f64,
+    /// Value at the left end and rise over the domain.
+    chord: [f64; 2],
+    /// The middle of the range of deviations from the chord.
+    tail: f64,
+    /// That of their slopes over a cell of the first step.
+    tail_slope: f64,
+    errors: [[f64; 2]; STEPS + 1],
+    enough: [usize; 2],
+}
+
+impl<const C: usize> JetTable<C> {
+    /// `None` unless the knots are equally spaced and the sums of values and slopes converge.
+    pub(crate) fn new<S: AsRef<[Piece<C>]>, T: AsRef<[Piece<D>]>, const D: usize>(
+        value: &Fif<S, C>,
+        slope: &Fif<T, D>,
+    ) -> Option<Self> {
+        let Composites { table, radix, steepest, largest, error, deviation, .. } =
+            Composites::<Vec<Composite<C>>, C>::new(value).ok()?;
+        let wide = radix as f64;
+        let width = value.domain().width();
+        let (y0, rise) = (value.chord().start, value.chord().rise);
+        let slopes = slope.range().scaled(width).sum(Interval::new(-rise, -rise));
+        let steep = steepest * wide;
+        let converges = steepest < 1.0 && steep < 1.0;
+        // Horner's rule rounds twice a step; a derivative has each coefficient up to C times.
+        let noise = error + 4.0 * C as f64 * UNIT * largest;
+        let slope_noise = C as f64 * wide * noise;
+        if !(converges && noise.is_finite() && slope_noise.is_finite() && slopes.width().is_finite()) {
+            return None;
+        }
+        let scale = y0.abs() + rise.abs() + 2.0 * deviation.magnitude() + largest;
+        let slope_scale = rise.abs() + 2.0 * slopes.magnitude() + C as f64 * wide * largest;
+        let mut errors = [[f64::INFINITY; 2]; STEPS + 1];
+        let mut left = [0.5 * deviation.width(), 0.5 * slopes.width()];
+        let (mut weight, mut weights) = ([1.0; 2], [0.0; 2]);
+        for (k, entry) in errors.iter_mut().enumerate() {
+            let rounding = UNIT * (2 * k + 8) as f64;
+            let value = left[0] + weights[0] * noise + rounding * (weights[0] + 1.0) * scale;
+            let slope = left[1] + weights[1] * slope_noise + rounding * (weights[1] + 1.0) * slope_scale;
+            *entry = [1.0001 * value, 1.0001 * slope / width];
+            for (i, factor) in [steepest, steep].into_iter().enumerate() {
+                left[i] *= factor;
+                weights[i] += weight[i];
+                weight[i] *= factor;
+            }
+        }
+        let enough = [0, 1].map(|i| {
+            let last = errors.last().map_or(f64::INFINITY, |e| e[i]);
+            errors.iter().position(|e| e[i] <= 1.05 * last).unwrap_or(STEPS)
+        });
+        // Near-critical systems: better none than one that is worse than the plain evaluation.
+        let rounding = |i: usize, scale: f64| errors.get(enough[i]).is_some_and(|e| e[i] <= 1e-8 * scale);
+        if !(rounding(0, scale) && rounding(1, slopes.magnitude() / width)) {
+            return None;
+        }
+        // One more at the end of the domain, for the place that begins there: the last polynomial moved by a cell.
+        let mut table = table;
+        let end = table.last().map(|last| Composite { a: last.a, c: substitute(&last.c, 1.0, 1.0) })?;
+        table.push(end);
+        Some(Self {
+            entries: table,
+            radix: wide,
+            origin: value.domain().lo,
+            per_width: 1.0 / width,
+            chord: [y0, rise],
+            tail: deviation.middle(),
+            tail_slope: slopes.middle() / wide,
+            errors,
+            enough,
+        })
+    }
+}
+
+impl<const C: usize> Jets for JetTable<C> {
+    #[inline(always)]
+    fn jet(&self, part: f64, steps: usize) -> [f64; 2] {
+        let t = if part > 0.0 { part } else { 0.0 };
+        let t = if t < 1.0 { t } else { 1.0 };
+        let mut rest = t;
+        let (mut value, mut slope) = (self.chord[0] + self.chord[1] * t, self.chord[1]);
+        let (mut weight, mut steep) = (1.0, self.radix);
+        for _ in 0..steps {
+            let place = rest * self.radix;
+            let (whole, number) = floor(place);
+            rest = place - whole;
+            let Some(entry) = self.entries.get(number) else { break };
+            let Some((&last, lower)) = entry.c.split_last() else { break };
+            let (mut p, mut rise) = (last, 0.0);
+            for (k, &c) in lower.iter().rev().enumerate() {
+                rise = if k == 0 { p } else { rise * rest + p };
+                p = p * rest + c;
+            }
+            value += weight * p;
+            slope += steep * rise;
+            weight *= entry.a;
+            steep *= entry.a * self.radix;
+        }
+        value += weight * self.tail;
+        slope += steep * self.tail_slope;
+        [value, slope * self.per_width]
+    }
+
+    #[inline]
+    fn part(&self, x: f64) -> f64 {
+        (x - self.origin) * self.per_width
+    }
+
+    fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
+        let places = parts.map(|part| part.clamp(0.0, 1.0) * self.radix);
+        let most = self.entries.len().checked_sub(2)?;
+        let [first, last] = places.map(|place| floor(place).1.min(most));
+        let entries = self.entries.get(first..=last).filter(|entries| entries.len() <= 2)?;
+        let number = |x: f64| Interval::new(x, x);
+        let (mut values, mut slopes) = (Interval::EMPTY, Interval::EMPTY);
+        for (i, entry) in entries.iter().enumerate() {
+            let ends = places.map(|place| (place - (first + i) as f64).clamp(0.0, 1.0));
+            let [f, s] = ranges.between(ends);
+            // Deviations from the chord over the domain's image, and over the cell.
+            let over = |start: f64, rise: f64, t: [f64; 2]| {
+                let [a, b] = t.map(|t| start + rise * t);
+                if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
+            };
+            let [start, rise] = self.chord;
+            let chord = over(start, rise, ends);
+            let v = f.sum(Interval::new(-chord.hi, -chord.lo)).scaled(entry.a);
+            let v_slope = s.scaled(1.0 / self.per_width).sum(number(-rise)).scaled(entry.a);
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            let (mut p, mut p_slope, mut bend) = (0.0, 0.0, 0.0);
+            for (k, &c) in entry.c.iter().enumerate().rev() {
+                p_slope = p_slope * middle + p;
+                p = p * middle + c;
+                bend += (k * k.saturating_sub(1)) as f64 * c.abs();
+            }
+            let p_slope = number(p_slope).inflated(bend * half);
+            let p = number(p).inflated(half * p_slope.magnitude());
+            let own = over(start, rise, parts.map(|part| part.clamp(0.0, 1.0)));
+            values = values.hull(own.sum(p).sum(v));
+            slopes =
+                slopes.hull(number(rise).sum(p_slope.sum(v_slope).scaled(self.radix)).scaled(self.per_width));
+        }
+        let [value_error, slope_error] = *self.errors.last()?;
+        Some([values.inflated(2.0 * value_error), slopes.inflated(2.0 * slope_error)])
+    }
+
+    #[inline]
+    fn errors(&self) -> &[[f64; 2]; STEPS + 1] {
+        &self.errors
+    }
+
+    #[inline]
+    fn enough(&self) -> [usize; 2] {
+        self.enough
+    }
+
+    fn bytes(&self) -> usize {
+        self.entries.len() * size_of::<Composite<C>>() + size_of::<Self>()
+    }
+
+    #[inline]
+    fn cells_within(&self, part: f64) -> usize {
+        let (mut steps, mut finer) = (0, part);
+        while finer < 1.0 && steps < self.enough[1] {
+            finer *= self.radix;
+            steps += 1;
+        }
+        steps
+    }
+}
+
+/// The whole number below, as both types; at a whole number that one or the one before. For `0 ≤ x < 2³¹`.
+#[inline(always)]
+pub(crate) fn floor(x: f64) -> (f64, usize) {
+    // 1.5 · 2⁵²: sums from here on are whole numbers, the nearest ones, and so are the last bits of their mantissas.
+    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    let sum = (x - 0.5) + WHOLE;
+    (sum - WHOLE, sum.to_bits() as u32 as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::height_field::axis::sealed::Descend;
+    use crate::{Cached, FifBuf, SmoothBuf, paper};
+
+    fn check<const C: usize, const D: usize>(axis: &SmoothBuf<C, D>) -> [f64; 2] {
+        let (value, slope) = (axis.value(), axis.derivative());
+        let table = JetTable::new(value, slope).unwrap();
+        let (domain, mut finest) = (value.domain(), [0.0_f64; 2]);
+        for i in 0..=2000 {
+            // Also the ends, points outside and some knots.
+            let x = domain.lo + domain.width() * (f64::from(i) * 0.618_033_988_749_895).fract();
+            let x = if i % 50 == 0 { domain.lo + domain.width() * f64::from(i - 100) / 1800.0 } else { x };
+            let near = 4.0 * f64::EPSILON * domain.magnitude();
+            let (f, d) = (value.evaluate(x, 0.0), slope.evaluate(x, 0.0));
+            // A slope is one of a point near by.
+            let moved = slope.extrema_over(
+                domain.lo.max(domain.hi.min(x)) - near,
+                domain.lo.max(domain.hi.min(x)) + near,
+                1e-9,
+            );
+            let moved = moved.unwrap().enclosure().width() + 1e-9;
+            for steps in (0..=8).chain([STEPS / 2, STEPS]) {
+                let (got, error) = (table.jet(table.part(x), steps), table.errors[steps]);
+                let off = [(got[0] - f.value).abs(), (got[1] - d.value).abs()];
+                let slack = [f.bound + near * slope.range().magnitude(), d.bound + moved];
+                assert!(off[0] <= error[0] + slack[0], "{x} after {steps}: {off:?}, {error:?}");
+                assert!(off[1] <= error[1] + slack[1], "{x} after {steps}: {off:?}, {error:?}");
+                if steps == table.enough[0] {
+                    finest = [finest[0].max(off[0]), error[0]];
+                }
+            }
+        }
+        finest
+    }
+
+    #[test]
+    fn values_and_slopes_keep_their_bounds_after_any_number_of_steps() {
+        let integral = |maps: [crate::Map<2>; 2]| {
+            let f = FifBuf::new(&paper::KNOTS, &maps.map(|w| w.alpha), &maps.map(|w| w.q)).unwrap();
+            SmoothBuf::<3, 2>::integral(f, 0.0).unwrap()
+        };
+        let hermite = FifBuf::hermite(
+            &[-1.0, 0.0, 1.0, 2.0],
+            &[0.3, 1.0, -0.5, 2.0],
+            &[1.0, 0.0, -1.0, 0.5],
+            &[0.3, -0.2, 0.1],
+        );
+        let worst = [
+            check(&integral(paper::F_MAPS)),
+            check(&integral(paper::G_MAPS)),
+            check::<4, 3>(&SmoothBuf::of(hermite.unwrap()).unwrap()),
+        ];
+        for [off, bound] in worst {
+            // Measured: 1.5e-14, 9.6e-15 and 2.2e-13, bounds 6.6e-14 to 7.4e-13.
+            assert!(off < 5e-13 && bound < 2e-12, "{worst:?}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers_below_are_found() {
+        for x in [0.0, 1e-300, 0.3, 0.5, 0.999, 1.5, 1_023.0, 1_023.999_999, 2_147_483_646.5] {
+            let (whole, number) = floor(x);
+            assert_eq!(whole, number as f64);
+            assert!(whole <= x && x <= whole + 1.0, "{x}: {whole}");
+        }
+    }
+
+    #[test]
+    fn finer_ranges_hold_samples_and_are_narrow() {
+        for maps in [paper::F_MAPS, paper::G_MAPS] {
+            let f = FifBuf::new(&paper::KNOTS, &maps.map(|w| w.alpha), &maps.map(|w| w.q)).unwrap();
+            let axis = SmoothBuf::<3, 2>::integral(f, 0.0).unwrap();
+            let cached = Cached::new(&axis);
+            let top = cached.top().unwrap();
+            let most = maps[0].alpha.abs();
+            for i in 0..400 {
+                // Within cells, over the border of two, at both ends of the domain.
+                let width = [1e-3, 1e-4, 1e-6][i % 3];
+                let from = match i {
+                    0..3 => 0.0,
+                    3..6 => 1.0 - width,
+                    6..9 => 0.375 - 0.3 * width,
+                    _ => (i as f64 * 0.618_033_988_749_895).fract() * (1.0 - width),
+                };
+                let Some([values, slopes]) = top.finer([from, from + width]) else {
+                    assert!(
+                        (1024.0 * (from + width)).floor() > (1024.0 * from).floor() + 1.0,
+                        "{from} {width}"
+                    );
+                    continue;
+                };
+                for k in 0..=20 {
+                    let [f, s] = top.jets.jet(from + width * f64::from(k) / 20.0, STEPS);
+                    assert!(
+                        values.contains(f) && slopes.contains(s),
+                        "{from} {width}: {f} {values:?}, {s} {slopes:?}"
+                    );
+                }
+                // Some times what the function takes over a cell of this width, and not less than over one of the second step.
+                let finest = [f64::from(1 << 20).recip(), width][usize::from(width > 1e-6)];
+                let depth = -finest.log2();
+                assert!(slopes.width() < 64.0 * most.powf(depth - 2.0), "{from} {width}: {slopes:?}");
+                assert!(
+                    values.width() < 4.2 * width * (slopes.magnitude() + 2.0),
+                    "{from} {width}: {values:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn uneven_knots_have_no_table() {
+        let hermite =
+            FifBuf::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
+        let axis = SmoothBuf::<4, 3>::of(hermite).unwrap();
+        assert!(JetTable::new(axis.value(), axis.derivative()).is_none());
+    }
+}

@@ -1,0 +1,136 @@
+//! The distribution of the normals of a height field over a rectangle, as an image.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use glam::DVec2;
+
+use crate::numeric::interval::Interval;
+use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::height_field::{HeightField, upward_normal};
+
+/// Why a distribution of normals was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NormalDistributionError {
+    /// An axis is not differentiable, so there are no normals.
+    Rough,
+    /// The image has no texel, or the slice has another length.
+    Size {
+        /// Columns.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The length of the slice.
+        len: usize,
+    },
+    /// No sample along an axis, or more than 4096.
+    Samples {
+        /// Their number.
+        samples: usize,
+    },
+    /// The rectangle does not meet the domain, or has NaN for a bound.
+    Empty,
+}
+
+impl fmt::Display for NormalDistributionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Rough => write!(f, "an axis has no slope"),
+            Self::Size { width, height, len } => {
+                write!(f, "an image of {width} by {height} texels does not fill {len} places")
+            }
+            Self::Samples { samples } => write!(f, "{samples} samples per axis, not 1 to {MOST}"),
+            Self::Empty => write!(f, "the rectangle does not meet the domain"),
+        }
+    }
+}
+
+impl core::error::Error for NormalDistributionError {}
+
+/// A texel that counts every normal is still exact in `f32`: 2²⁴.
+const MOST: usize = 4096;
+
+impl<X: Axis, Y: Axis> HeightField<X, Y> {
+    /// The density of the unit normals over the rectangle `x × y`, per `dn_x dn_y`, in rows of an image of `width` columns.
+    ///
+    /// ```text
+    /// texel j·width + i covers [i, i+1]/width × [j, j+1]/height of ((n_x + 1)/2, (n_y + 1)/2);   Σ texels · 4/(width·height) = 1
+    /// ```
+    ///
+    /// The first row has `n_y = −1`. That is the layout of a map of normals that are counted over the macro surface, so an
+    /// importance sampler of densities given as images takes the texels as they are.
+    ///
+    /// The normals are those at `samples × samples` points, one in each cell of an equal division of the rectangle. A texel
+    /// is exact to the share of the cells that its border cuts. Along an axis whose slope is rough, such as the integral of
+    /// the source's `g`, it is as good as `samples` independent ones: 512 give the mean slope within 0.03.
+    ///
+    /// ```
+    /// use asperity_fif::{FixedSmooth, HeightField, Interval, paper};
+    /// let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
+    /// let whole = Interval::new(0.0, 2.0);
+    /// let mut texels = [0.0; 32 * 32];
+    /// HeightField::new(axis, axis).normal_distribution([whole, whole], 64, [32, 32], &mut texels)?;
+    /// let total: f32 = texels.iter().sum();
+    /// assert!((total * 4.0 / 1024.0 - 1.0).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NormalDistributionError`]: an axis without slopes, a wrong length, no samples, no rectangle.
+    pub fn normal_distribution(
+        &self,
+        [x, y]: [Interval; 2],
+        samples: usize,
+        [width, height]: [usize; 2],
+        texels: &mut [f32],
+    ) -> Result<(), NormalDistributionError> {
+        let len = texels.len();
+        if len == 0 || width.checked_mul(height) != Some(len) {
+            return Err(NormalDistributionError::Size { width, height, len });
+        }
+        if !(1..=MOST).contains(&samples) {
+            return Err(NormalDistributionError::Samples { samples });
+        }
+        let (f, g) = (points(&self.x, x, samples)?, points(&self.y, y, samples)?);
+        texels.fill(0.0);
+        let column = |n: f64, count: usize| ((0.5 * (n + 1.0) * count as f64) as usize).min(count - 1);
+        for &[g, g_slope] in &g {
+            for &[f, f_slope] in &f {
+                let normal = upward_normal(DVec2::new(f_slope * g, f * g_slope));
+                let (i, j) = (column(normal.x, width), column(normal.y, height));
+                if let Some(texel) = texels.get_mut(j * width + i) {
+                    *texel += 1.0;
+                }
+            }
+        }
+        let density = 0.25 * len as f64 / (samples * samples) as f64;
+        for texel in texels {
+            *texel = (f64::from(*texel) * density) as f32;
+        }
+        Ok(())
+    }
+}
+
+/// Value and slope at one point of each of `samples` equal cells.
+fn points<A: Axis>(
+    axis: &A,
+    over: Interval,
+    samples: usize,
+) -> Result<Vec<[f64; 2]>, NormalDistributionError> {
+    // Not the centres: on even knots those are knots of some level, where all finer levels of the function vanish.
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let over = over.intersection(axis.domain());
+    // NaN meets nothing.
+    let meets = over.lo <= over.hi;
+    if !meets {
+        return Err(NormalDistributionError::Empty);
+    }
+    (0..samples)
+        .map(|i| {
+            let x = over.lo + over.width() * ((i as f64 + GOLDEN) / samples as f64);
+            let slope = axis.slope(x).ok_or(NormalDistributionError::Rough)?;
+            Ok([axis.evaluate(x, 0.0).value, slope])
+        })
+        .collect()
+}

@@ -1,0 +1,106 @@
+//! A cell of the domain, the image of a composite of maps, with what bounds `f` over it.
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::{UNIT, restrict, restriction_error};
+use crate::system::map::Piece;
+
+/// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
+///
+/// Children are made from the outside in, `p_child = p|_j + A q_j` and `A_child = A α_j` (eq. 26, 27 in Bernstein form).
+#[derive(Clone, Copy, Debug)]
+pub struct Cell<const C: usize> {
+    /// Product of the vertical factors.
+    pub(crate) product: f64,
+    polynomial: [f64; C],
+    error: f64,
+    /// Roundings in `product`.
+    steps: f64,
+}
+
+impl<const C: usize> Cell<C> {
+    /// The whole domain.
+    #[inline]
+    pub(crate) fn root() -> Self {
+        Self { product: 1.0, polynomial: [0.0; C], error: 0.0, steps: 0.0 }
+    }
+
+    /// The part of the cell that `piece` maps to.
+    #[inline]
+    pub(crate) fn child(&self, piece: &Piece<C>) -> Self {
+        let mut polynomial = restrict(&self.polynomial, piece.s[0], piece.s[1]);
+        let (mut old, mut new) = (0.0_f64, 0.0_f64);
+        for ((p, q), before) in polynomial.iter_mut().zip(piece.bernstein).zip(self.polynomial) {
+            let added = self.product * q;
+            *p += added;
+            old = if before.abs() > old { before.abs() } else { old };
+            new = if added.abs() > new { added.abs() } else { new };
+        }
+        // Restriction, product (with the roundings in its factor) and sum.
+        let rounding = piece.rounding * old + UNIT * (old + (self.steps + 2.0) * new);
+        let error = self.error + self.product.abs() * piece.slack + rounding;
+        Self { product: self.product * piece.map().alpha, polynomial, error, steps: self.steps + 1.0 }
+    }
+
+    /// An enclosure of `f` over the cell, from one over the domain.
+    #[inline]
+    pub(crate) fn range(&self, domain: Interval) -> Interval {
+        let p = self.polynomial_range();
+        let f = domain.scaled(self.product);
+        p.sum(f).inflated(1.01 * self.error + (self.steps + 4.0) * UNIT * f.magnitude())
+    }
+
+    /// The part `[from, to]` of the cell, in units of its width, with the middle of the range for the fractal part.
+    pub(crate) fn levelled(&self, domain: Interval, from: f64, to: f64) -> Self {
+        let middle = self.product * domain.middle();
+        let radius = self.product.abs() * 0.5 * domain.width();
+        let largest = self.polynomial_range().magnitude();
+        let polynomial = restrict(&self.polynomial, from, to).map(|b| b + middle);
+        let rounding = restriction_error::<C>(from, to) * largest
+            + UNIT * (largest + (self.steps + 3.0) * (middle.abs() + radius));
+        Self { product: 0.0, polynomial, error: self.error + 1.0001 * radius + rounding, steps: self.steps }
+    }
+
+    /// Bernstein coefficients of the polynomial.
+    #[inline]
+    pub(crate) fn bernstein(&self) -> &[f64; C] {
+        &self.polynomial
+    }
+
+    /// Bound of the relative error of `product`.
+    #[inline]
+    pub(crate) fn product_error(&self) -> f64 {
+        self.steps * UNIT
+    }
+
+    /// The polynomial's part of the range, without its error.
+    #[inline]
+    pub(crate) fn polynomial_range(&self) -> Interval {
+        let mut p = match self.polynomial.first() {
+            Some(&first) => Interval::new(first, first),
+            None => return Interval::new(0.0, 0.0),
+        };
+        for &b in self.polynomial.iter().skip(1) {
+            p = Interval::new(if b < p.lo { b } else { p.lo }, if b > p.hi { b } else { p.hi });
+        }
+        p
+    }
+
+    /// Values of `f` at the two ends of the cell, from those at the ends of the domain.
+    #[inline]
+    pub(crate) fn ends(&self, domain: [f64; 2]) -> [Interval; 2] {
+        let first = self.polynomial.first().copied().unwrap_or(0.0);
+        let last = self.polynomial.last().copied().unwrap_or(0.0);
+        [(first, domain[0]), (last, domain[1])].map(|(p, y)| {
+            let value = p + self.product * y;
+            Interval::new(value, value).inflated(
+                1.01 * self.error + (self.steps + 4.0) * UNIT * (p.abs() + (self.product * y).abs()),
+            )
+        })
+    }
+
+    /// Bound of the rounding errors in the polynomial.
+    #[inline]
+    pub(crate) fn error(&self) -> f64 {
+        self.error
+    }
+}

@@ -1,0 +1,94 @@
+//! The deviation of a function from its chord, again a fractal interpolation function, but zero at both ends.
+
+use crate::numeric::polynomial::{UNIT, magnitude};
+use crate::system::fif::{Fif, Spacing};
+use crate::system::map::Piece;
+
+/// The line through both ends of the graph, over the domain scaled to `[0, 1]`; constant when `C < 2`, so that the
+/// polynomials of the deviation need no coefficient more than those of `f`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Chord {
+    pub(crate) start: f64,
+    pub(crate) rise: f64,
+}
+
+impl Chord {
+    #[inline(always)]
+    pub(crate) fn at(&self, t: f64) -> f64 {
+        self.start + self.rise * t
+    }
+}
+
+/// One map of `v = f − chord` over `[0, 1]`:
+///
+/// ```text
+/// v(s + a u) = α v(u) + p(u)        p(u) = q(u) + α chord(u) − chord(s + a u)
+/// ```
+///
+/// `v(0) = 0`, so what is left of a sum at a knot is an exact zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Deviation<const C: usize> {
+    pub(crate) alpha: f64,
+    pub(crate) s: f64,
+    pub(crate) a: f64,
+    pub(crate) p: [f64; C],
+    /// Bound of the error of `p` over `[0, 1]`.
+    pub(crate) slack: f64,
+}
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    pub(crate) fn chord(&self) -> Chord {
+        let [start, end] = self.end_values();
+        Chord { start, rise: if C < 2 { 0.0 } else { end - start } }
+    }
+
+    pub(crate) fn deviation(&self, piece: &Piece<C>) -> Deviation<C> {
+        let chord = self.chord();
+        let (s, alpha) = (piece.s[0], piece.map().alpha);
+        let a = match self.spacing() {
+            Spacing::Uniform => 1.0 / self.pieces().len() as f64,
+            Spacing::Nonuniform => piece.s[1] - s,
+        };
+        let mut p = piece.local;
+        if let Some(linear) = p.get_mut(1) {
+            *linear += alpha * chord.rise - chord.rise * a;
+        }
+        // The left knot itself, which the polynomial meets within the defect of the join-up.
+        let left = piece.y()[0];
+        if let Some(constant) = p.first_mut() {
+            *constant = left - chord.at(s);
+        }
+        let scale = magnitude(&piece.local, 1.0) + 2.0 * (chord.start.abs() + chord.rise.abs()) + left.abs();
+        Deviation { alpha, s, a, p, slack: 2.0 * piece.slack + 16.0 * UNIT * scale }
+    }
+}
+
+#[cfg(all(test, feature = "alloc"))]
+mod tests {
+    use crate::numeric::polynomial::horner;
+    use crate::{FifBuf, paper};
+
+    #[test]
+    fn the_deviation_obeys_its_functional_equation_and_ends_in_zeros() {
+        let uneven =
+            FifBuf::affine(&[1.0, 1.4, 2.4, 3.0], &[0.3, 1.0, -0.5, 2.25], &[0.4, -0.6, 0.5]).unwrap();
+        let chord = uneven.chord();
+        let v = |t: f64| uneven.evaluate(1.0 + 2.0 * t, 1e-14).value - chord.at(t);
+        for piece in uneven.pieces() {
+            let d = uneven.deviation(piece);
+            for u in [0.0, 0.2, 0.5, 0.7, 1.0] {
+                let (got, want) = (d.alpha * v(u) + horner(&d.p, u), v(d.s + d.a * u));
+                // One unit in the last place of x is worth 1e-9 here.
+                assert!((got - want).abs() < 1e-8, "u = {u}: {got} != {want}");
+            }
+        }
+        assert!(v(1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn constants_keep_their_number_of_coefficients() {
+        let steps = FifBuf::<1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.0], [0.5]]).unwrap();
+        assert_eq!((steps.chord().start, steps.chord().rise), (0.0, 0.0));
+        assert_eq!(paper::g_hat().unwrap().chord().rise, paper::g_hat().unwrap().end_values()[1]);
+    }
+}

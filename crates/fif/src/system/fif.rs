@@ -1,0 +1,323 @@
+//! The validated system of maps and its constructors.
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
+use crate::system::cell::Cell;
+use crate::system::error::{
+    End, List, SystemError, check_coefficients, check_data, check_factors, check_knots, check_length,
+};
+use crate::system::map::Piece;
+use crate::system::range::box_of_range;
+use crate::system::storage::Storage;
+
+/// Largest defect of the join-up that a constructor accepts, relative to the sum of the magnitudes of its terms.
+///
+/// ```text
+/// |F_j(x, y) − y'| ≤ 2⁻⁴⁰ (|α_j y| + Σ_i |q_ji xⁱ| + |y'|)
+/// ```
+pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
+
+/// A fractal interpolation function: the only bounded `f` with `f(a_j x + b_j) = α_j f(x) + q_j(x)` for every map `j`.
+///
+/// ```text
+/// knots x_0 < … < x_N, N ≥ 2        L_j(x) = a_j x + b_j,   a_j = (x_j − x_{j−1})/(x_N − x_0),   b_j = x_{j−1} − a_j x_0
+/// |α_j| < 1                         F_j(x, y) = α_j y + q_j(x),   F_j(x_0, y_0) = y_{j−1},   F_j(x_N, y_N) = y_j
+/// ```
+///
+/// `S` holds the pieces: `[Piece<C>; N]` ([`FixedFif`](crate::FixedFif)), `Vec<Piece<C>>`
+/// ([`FifBuf`](crate::FifBuf), feature `alloc`) or `&[Piece<C>]` ([`Fif::view`]). `C` is the number of coefficients of
+/// each `q_j`, its degree plus one.
+///
+/// Knots that lie within two units in the last place of equal spacing are taken as exactly equally spaced.
+///
+/// Cochran, Lewis, Hart 2000, eq. 3–17; the lower limit of eq. 2 is `x_0`, and `a_j > 0` strictly.
+///
+/// ```
+/// use asperity_fif::FixedFif;
+/// // Figure 1, left, of the source: through (0, 0), (1, 1), (2, 0) with vertical factors 1/2.
+/// let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
+/// let top = f.evaluate(2.0 / 3.0, 1e-12);
+/// assert!((top.value - 4.0 / 3.0).abs() <= 1e-12);
+/// # Ok::<(), asperity_fif::SystemError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Fif<S, const C: usize> {
+    pieces: S,
+    spacing: Spacing,
+    range: Interval,
+    /// Error of one polynomial, at any point of the domain.
+    pub(crate) noise: f64,
+    /// `1/(1 − max|α|)`, rounded up.
+    pub(crate) gain: f64,
+}
+
+/// How the knots lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spacing {
+    Uniform,
+    Nonuniform,
+}
+
+impl<S: Storage<C>, const C: usize> Fif<S, C> {
+    /// From knots, vertical factors and polynomials; the ordinates follow from them.
+    ///
+    /// ```text
+    /// y_0 = q_1(x_0)/(1 − α_1)        y_j = F_j(x_N, y_N)        y_N = q_N(x_N)/(1 − α_N)
+    /// ```
+    ///
+    /// # Errors
+    /// See [`SystemError`]; the join-up is violated when `F_{j+1}(x_0, y_0) ≠ y_j` beyond [`JOIN_TOLERANCE`].
+    pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
+        let maps = check_knots(x)?;
+        check_length(List::Factors, maps, alpha.len())?;
+        check_length(List::Polynomials, maps, q.len())?;
+        check_factors(alpha)?;
+        check_coefficients(q)?;
+        let too_few = SystemError::TooFewMaps { maps };
+        let ((Some(&first), Some(&last)), (Some(q_first), Some(q_last))) =
+            ((x.first(), x.last()), (q.first(), q.last()))
+        else {
+            return Err(too_few);
+        };
+        let (Some(&alpha_first), Some(&alpha_last)) = (alpha.first(), alpha.last()) else {
+            return Err(too_few);
+        };
+        let y0 = horner(q_first, first) / (1.0 - alpha_first);
+        let y_end = horner(q_last, last) / (1.0 - alpha_last);
+        let ordinate = |j: usize| match (j, alpha.get(j.wrapping_sub(1)), q.get(j.wrapping_sub(1))) {
+            (0, _, _) => y0,
+            (_, Some(alpha), Some(q)) if j < maps => alpha * y_end + horner(q, last),
+            _ => y_end,
+        };
+        Self::assemble(maps, |j| value(x, j), ordinate, |j| value(alpha, j), |j| q.get(j).copied())
+    }
+
+    /// From knots, their ordinates, vertical factors and polynomials.
+    ///
+    /// # Errors
+    /// See [`SystemError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`].
+    pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
+        let maps = check_knots(x)?;
+        check_length(List::Polynomials, maps, q.len())?;
+        check_data(maps, y, alpha)?;
+        check_coefficients(q)?;
+        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), |j| q.get(j).copied())
+    }
+
+    /// Everything but the join-up and the range has been checked.
+    pub(crate) fn assemble(
+        maps: usize,
+        x: impl Fn(usize) -> f64,
+        y: impl Fn(usize) -> f64,
+        alpha: impl Fn(usize) -> f64,
+        q: impl Fn(usize) -> Option<[f64; C]>,
+    ) -> Result<Self, SystemError> {
+        let mut pieces = S::with_len(maps).ok_or(SystemError::Length {
+            list: List::Storage,
+            expected: maps,
+            found: S::capacity(),
+        })?;
+        let domain = [x(0), x(maps)];
+        let width = domain[1] - domain[0];
+        let spacing = spacing(maps, &x);
+        let position = |j: usize| match spacing {
+            _ if j == maps => 1.0,
+            Spacing::Uniform => j as f64 / maps as f64,
+            Spacing::Nonuniform => (x(j) - domain[0]) / width,
+        };
+        let mut noise = 0.0_f64;
+        let mut steepest = 0.0_f64;
+        let (y0, y_end) = (y(0), y(maps));
+        for (j, piece) in pieces.as_mut().iter_mut().enumerate() {
+            let alpha = alpha(j);
+            let q = q(j).unwrap_or([0.0; C]);
+            let ends = [x(j), x(j + 1)];
+            let mut built =
+                Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], [position(j), position(j + 1)]);
+            for (end, at, from) in [(End::Left, 0.0, y0), (End::Right, 1.0, y_end)] {
+                let (wanted, found) = (built.y()[end as usize], alpha * from + horner(&built.local, at));
+                let scale = (alpha * from).abs() + magnitude(&q, domain[end as usize]) + wanted.abs();
+                let defect = (found - wanted).abs();
+                if defect > JOIN_TOLERANCE * scale {
+                    return Err(SystemError::JoinUp { map: j + 1, end, expected: wanted, found });
+                }
+                built.slack += defect;
+            }
+            noise = noise.max(built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0));
+            steepest = steepest.max(alpha.abs());
+            *piece = built;
+        }
+        let gain = (1.0 / (1.0 - steepest)).next_up();
+        let unbounded = SystemError::Unbounded { alpha: steepest };
+        let range = box_of_range(pieces.as_ref()).ok_or(unbounded)?;
+        if !(noise.is_finite() && width.is_finite() && gain.is_finite()) {
+            return Err(unbounded);
+        }
+        let mut fif = Self { pieces, spacing, range, noise, gain };
+        fif.tighten();
+        Ok(fif)
+    }
+
+    /// Replaces the box by the hull of its images under all composites of a few maps, while that pays.
+    fn tighten(&mut self) {
+        const CELLS: usize = 1024;
+        const ROUNDS: usize = 8;
+        let maps = self.pieces().len();
+        let mut depth = 1;
+        while maps.saturating_pow(depth + 1) <= CELLS {
+            depth += 1;
+        }
+        for _ in 0..if depth > 1 { ROUNDS } else { 0 } {
+            let hull = self.hull_of_cells(&Cell::root(), depth).intersection(self.range);
+            let gained = hull.width() < 0.99 * self.range.width();
+            self.range = hull;
+            if !gained {
+                break;
+            }
+        }
+    }
+}
+
+impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+    /// The maps with their intervals, from left to right.
+    #[inline]
+    #[must_use]
+    pub fn pieces(&self) -> &[Piece<C>] {
+        self.pieces.as_ref()
+    }
+
+    /// The same function over borrowed pieces: a small copyable handle.
+    #[inline]
+    #[must_use]
+    pub fn view(&self) -> Fif<&[Piece<C>], C> {
+        Fif {
+            pieces: self.pieces.as_ref(),
+            spacing: self.spacing,
+            range: self.range,
+            noise: self.noise,
+            gain: self.gain,
+        }
+    }
+
+    /// `[x_0, x_N]`.
+    #[inline]
+    #[must_use]
+    pub fn domain(&self) -> Interval {
+        let pieces = self.pieces();
+        Interval::new(pieces.first().map_or(0.0, |p| p.x()[0]), pieces.last().map_or(0.0, |p| p.x()[1]))
+    }
+
+    /// The ordinates `y_0` and `y_N` at the ends of the domain.
+    #[inline]
+    #[must_use]
+    pub fn end_values(&self) -> [f64; 2] {
+        let pieces = self.pieces();
+        [pieces.first().map_or(0.0, |p| p.y()[0]), pieces.last().map_or(0.0, |p| p.y()[1])]
+    }
+
+    /// A rigorous enclosure of `f` over its domain; for a tighter one see [`Fif::extrema`].
+    ///
+    /// The least box `B` with `α_j B + q_j(X) ⊂ B` for all maps, by policy iteration, inflated until the inclusion holds
+    /// with outward rounding, then intersected with the hull of its images under composites of a few maps. The source's
+    /// eq. 47 and 48 take the minimum from one and the maximum from the other polynomial; for `α < 0` they swap.
+    #[inline]
+    #[must_use]
+    pub fn range(&self) -> Interval {
+        self.range
+    }
+
+    #[inline]
+    pub(crate) fn spacing(&self) -> Spacing {
+        self.spacing
+    }
+
+    fn hull_of_cells(&self, cell: &Cell<C>, depth: u32) -> Interval {
+        if depth == 0 {
+            return cell.range(self.range);
+        }
+        self.pieces()
+            .iter()
+            .fold(Interval::EMPTY, |hull, piece| hull.hull(self.hull_of_cells(&cell.child(piece), depth - 1)))
+    }
+}
+
+impl<S: Storage<2>> Fif<S, 2> {
+    /// Barnsley's affine interpolation through `(x_j, y_j)` with vertical factors `alpha`.
+    ///
+    /// ```text
+    /// q_j(x) = y_{j−1} − α_j y_0 + (y_j − y_{j−1} − α_j (y_N − y_0)) (x − x_0)/(x_N − x_0)
+    /// ```
+    ///
+    /// # Errors
+    /// See [`SystemError`].
+    pub fn affine(x: &[f64], y: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
+        let maps = check_knots(x)?;
+        check_data(maps, y, alpha)?;
+        let (x0, width) = (value(x, 0), value(x, maps) - value(x, 0));
+        let (y0, rise) = (value(y, 0), value(y, maps) - value(y, 0));
+        let line = |j: usize| {
+            let alpha = value(alpha, j);
+            let slope = (value(y, j + 1) - value(y, j) - alpha * rise) / width;
+            Some([value(y, j) - alpha * y0 - slope * x0, slope])
+        };
+        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), line)
+    }
+}
+
+impl<S: Storage<4>> Fif<S, 4> {
+    /// A continuously differentiable interpolation of ordinates `y` and slopes `slope`, for `|α_j| < a_j`.
+    ///
+    /// `q_j` is the cubic with
+    ///
+    /// ```text
+    /// q_j(x_0) = y_{j−1} − α_j y_0        q_j′(x_0) = a_j d_{j−1} − α_j d_0
+    /// q_j(x_N) = y_j − α_j y_N            q_j′(x_N) = a_j d_j − α_j d_N
+    /// ```
+    ///
+    /// # Errors
+    /// See [`SystemError`]; [`SystemError::SteepFactor`] when `|α_j| ≥ a_j`.
+    pub fn hermite(x: &[f64], y: &[f64], slope: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
+        let maps = check_knots(x)?;
+        check_data(maps, y, alpha)?;
+        check_length(List::Slopes, maps + 1, slope.len())?;
+        if let Some((knot, &value)) = slope.iter().enumerate().find(|(_, d)| !d.is_finite()) {
+            return Err(SystemError::SlopeNotFinite { knot, value });
+        }
+        let (x0, width) = (value(x, 0), value(x, maps) - value(x, 0));
+        for (j, &alpha) in alpha.iter().enumerate() {
+            let a = (value(x, j + 1) - value(x, j)) / width;
+            if alpha.abs() >= a {
+                return Err(SystemError::SteepFactor { map: j + 1, alpha, a });
+            }
+        }
+        let end = |values: &[f64], j: usize, k: usize| {
+            value(values, j) - value(alpha, k) * value(values, if j == k { 0 } else { maps })
+        };
+        let cubic = |j: usize| {
+            let a = (value(x, j + 1) - value(x, j)) / width;
+            let alpha = value(alpha, j);
+            let (p0, p1) = (end(y, j, j), end(y, j + 1, j));
+            let m0 = width * (a * value(slope, j) - alpha * value(slope, 0));
+            let m1 = width * (a * value(slope, j + 1) - alpha * value(slope, maps));
+            let local = [p0, m0, 3.0 * (p1 - p0) - 2.0 * m0 - m1, 2.0 * (p0 - p1) + m0 + m1];
+            Some(substitute(&local, 1.0 / width, -x0 / width))
+        };
+        Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), cubic)
+    }
+}
+
+/// Whether every knot is within two units in the last place (of the larger end) of equal spacing.
+fn spacing(maps: usize, x: impl Fn(usize) -> f64) -> Spacing {
+    let (x0, x_end) = (x(0), x(maps));
+    let tolerance = 2.0 * f64::EPSILON * x0.abs().max(x_end.abs());
+    let equal = (0..=maps).all(|j| {
+        let part = j as f64 / maps as f64;
+        (x(j) - (x0 + (x_end - x0) * part)).abs() <= tolerance
+    });
+    if equal { Spacing::Uniform } else { Spacing::Nonuniform }
+}
+
+/// `values[j]`; the lists' lengths have been checked, so the 0 is never seen.
+fn value(values: &[f64], j: usize) -> f64 {
+    values.get(j).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,11 @@
+//! Systems of maps: the validated type, its storage, its range, its file form.
+
+pub(crate) mod cell;
+pub(crate) mod chord;
+pub(crate) mod error;
+pub(crate) mod fif;
+pub(crate) mod map;
+pub(crate) mod range;
+#[cfg(feature = "serde")]
+pub(crate) mod serde;
+pub(crate) mod storage;

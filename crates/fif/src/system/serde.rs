@@ -1,0 +1,65 @@
+//! Systems in files: their data are written, and read through the constructor that checks them.
+
+use alloc::vec::Vec;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::system::error::SystemError;
+use crate::system::fif::Fif;
+use crate::system::map::Piece;
+use crate::system::storage::Storage;
+
+/// What [`Fif::with_ordinates`] takes.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Fif", deny_unknown_fields)]
+struct Data {
+    /// Knots.
+    x: Vec<f64>,
+    /// Ordinates.
+    y: Vec<f64>,
+    /// Vertical factors.
+    alpha: Vec<f64>,
+    /// Coefficients of the polynomials in ascending powers of x, at most as many as the type holds.
+    q: Vec<Vec<f64>>,
+}
+
+/// Written as the record `{ x, y, alpha, q }` of the lists that [`Fif::with_ordinates`] takes.
+///
+/// What is read back has the same bits, in formats that keep those of numbers: mind that JSON readers may round.
+impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for Fif<S, C> {
+    fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
+        let pieces = self.pieces();
+        let (x_end, y_end) = (self.domain().hi, self.end_values()[1]);
+        let data = Data {
+            x: pieces.iter().map(|p| p.x()[0]).chain([x_end]).collect(),
+            y: pieces.iter().map(|p| p.y()[0]).chain([y_end]).collect(),
+            alpha: pieces.iter().map(|p| p.map().alpha).collect(),
+            q: pieces.iter().map(|p| p.map().q.to_vec()).collect(),
+        };
+        data.serialize(serializer)
+    }
+}
+
+/// Read through [`Fif::with_ordinates`]: a record that is no valid system is refused with the message of its
+/// [`SystemError`]. Polynomials may be shorter than the type's, not longer.
+impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for Fif<S, C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let data = Data::deserialize(deserializer)?;
+        let q = data
+            .q
+            .iter()
+            .map(|given| padded(given))
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(D::Error::custom)?;
+        Self::with_ordinates(&data.x, &data.y, &data.alpha, &q).map_err(D::Error::custom)
+    }
+}
+
+/// As many coefficients as the type holds.
+fn padded<const C: usize>(given: &[f64]) -> Result<[f64; C], SystemError> {
+    let mut all = [0.0; C];
+    let places = all.get_mut(..given.len());
+    places.ok_or(SystemError::Degree { expected: given.len(), found: C })?.copy_from_slice(given);
+    Ok(all)
+}
