@@ -5,7 +5,7 @@ use std::fmt::Write;
 /// Half as many levels as a 12-bit index has values; the other half are their negatives.
 const HALF: usize = 2048;
 
-/// The Rust source of `crates/noise/src/gaussian_levels.rs`.
+/// The Rust source of `crates/noise/src/lattice/gaussian_levels.rs`.
 ///
 /// Level k stands at c·Φ⁻¹(½ + (k + ½)/4096). The outermost level t and the scale c are set so that the second and
 /// the fourth moment are 1 and 3: medians alone cut the tails (excess kurtosis −0.005).

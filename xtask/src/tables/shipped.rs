@@ -13,9 +13,9 @@ use crate::{failure::Failure, output::Output, progress};
 type Shipped = (&'static str, &'static str, fn() -> String);
 
 const SHIPPED: [Shipped; 3] = [
-    ("crates/noise/src", "absolute_moments.rs", absolute_moments_source),
-    ("crates/noise/src", "gaussian_levels.rs", noise_levels_source),
-    ("crates/noise/src", "statistics_tables.rs", noise_statistics_source),
+    ("crates/noise/src/statistics", "absolute_moments.rs", absolute_moments_source),
+    ("crates/noise/src/lattice", "gaussian_levels.rs", noise_levels_source),
+    ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
 ];
 
 /// Where the pictures of the noise crate's pages lie.

@@ -1,0 +1,214 @@
+//! Blends along the first two axes of a cell: columns into edges, edges into the value.
+
+use crate::{
+    contract::kernel::LaneSample,
+    kinds::cell::corner::CellNoise,
+    simd::lanes::{Lanes, Scalar},
+};
+
+#[inline(always)]
+pub(crate) fn lerp<S: Lanes>(a: S::F, b: S::F, w: S::F) -> S::F {
+    a + w * (b - a)
+}
+
+#[inline(always)]
+pub(crate) fn splat<S: Lanes, const N: usize>(s: S, x: [f32; N]) -> [S::F; N] {
+    let mut lanes = [s.float(0.0); N];
+    for axis in 0..N {
+        lanes[axis] = s.float(x[axis]);
+    }
+    lanes
+}
+
+/// c + a x + b y.
+#[derive(Clone, Copy)]
+pub(crate) struct Plane<S: Lanes> {
+    pub(crate) value: S::F,
+    pub(crate) slopes: [S::F; 2],
+}
+
+/// The blend of a cell's corners along all axes but the first two, and its derivatives along those it was blended along.
+#[derive(Clone, Copy)]
+pub(crate) struct Column<S: Lanes, const N: usize> {
+    pub(crate) plane: Plane<S>,
+    /// Those along the first two axes are of no meaning.
+    pub(crate) derivatives: [Plane<S>; N],
+}
+
+impl<S: Lanes, const N: usize> Column<S, N> {
+    #[inline(always)]
+    pub(crate) fn empty(s: S) -> Self {
+        let zero = s.float(0.0);
+        let plane = Plane { value: zero, slopes: [zero; 2] };
+        Self { plane, derivatives: [plane; N] }
+    }
+}
+
+/// e + f y.
+#[derive(Clone, Copy)]
+pub(crate) struct Line<S: Lanes> {
+    pub(crate) value: S::F,
+    pub(crate) slope: S::F,
+}
+
+/// The blend of two columns along the first axis, and its derivatives.
+#[derive(Clone, Copy)]
+pub(crate) struct Edge<S: Lanes, const N: usize> {
+    pub(crate) line: Line<S>,
+    /// That along the second axis is of no meaning.
+    pub(crate) derivatives: [Line<S>; N],
+}
+
+impl<S: Lanes, const N: usize> Edge<S, N> {
+    #[inline(always)]
+    pub(crate) fn empty(s: S) -> Self {
+        let line = Line { value: s.float(0.0), slope: s.float(0.0) };
+        Self { line, derivatives: [line; N] }
+    }
+}
+
+/// A place along an axis of the cell: t, w(t) and w′(t).
+#[derive(Clone, Copy)]
+pub(crate) struct Along<S: Lanes> {
+    pub(crate) place: S::F,
+    pub(crate) weight: S::F,
+    pub(crate) slope: S::F,
+}
+
+impl<S: Lanes> Along<S> {
+    #[inline(always)]
+    pub(crate) fn new<K: CellNoise<N>, const N: usize>(s: S, t: S::F) -> Self {
+        Self { place: t, weight: K::FADE.weight(s, t), slope: K::FADE.slope(s, t) }
+    }
+}
+
+impl Along<Scalar> {
+    /// The same in every lane.
+    #[inline(always)]
+    pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
+        Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }
+    }
+}
+
+/// The ends of the second axis: one if there is no such axis.
+pub(crate) const fn ends<const N: usize>() -> usize {
+    if N == 1 { 1 } else { 2 }
+}
+
+/// The ends of an edge's function at their distances from t.
+#[inline(always)]
+fn heights<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    low: &Plane<S>,
+    high: &Plane<S>,
+    t: S::F,
+) -> [S::F; 2] {
+    if !K::HAS_GRADIENT {
+        return [low.value, high.value];
+    }
+    let (a, b) = (low.slopes[0] * t, high.slopes[0] * (t - s.float(1.0)));
+    if K::HAS_VALUE || N > 2 { [low.value + a, high.value + b] } else { [a, b] }
+}
+
+/// The blend of two columns' functions.
+#[inline(always)]
+fn line<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    low: &Plane<S>,
+    high: &Plane<S>,
+    along: Along<S>,
+) -> Line<S> {
+    let [a, b] = heights::<K, S, N>(s, low, high, along.place);
+    let mut line = Line { value: lerp::<S>(a, b, along.weight), slope: s.float(0.0) };
+    if K::HAS_GRADIENT && N > 1 {
+        line.slope = lerp::<S>(low.slopes[1], high.slopes[1], along.weight);
+    }
+    line
+}
+
+/// The blend of two columns along the first axis.
+#[inline(always)]
+pub(crate) fn edge<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    low: &Column<S, N>,
+    high: &Column<S, N>,
+    along: Along<S>,
+) -> Edge<S, N> {
+    let mut edge = Edge::empty(s);
+    edge.line = line::<K, S, N>(s, &low.plane, &high.plane, along);
+    for axis in 2..N {
+        edge.derivatives[axis] = line::<K, S, N>(s, &low.derivatives[axis], &high.derivatives[axis], along);
+    }
+    let [a, b] = heights::<K, S, N>(s, &low.plane, &high.plane, along.place);
+    let rise = along.slope * (b - a);
+    edge.derivatives[0].value = rise;
+    if K::HAS_GRADIENT {
+        let ([a, c], [b, d]) = (low.plane.slopes, high.plane.slopes);
+        edge.derivatives[0].value = lerp::<S>(a, b, along.weight) + rise;
+        if N > 1 {
+            edge.derivatives[0].slope = along.slope * (d - c);
+        }
+    }
+    edge
+}
+
+/// The blend of two edges' functions.
+#[inline(always)]
+fn across<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    [low, high]: [Line<S>; 2],
+    along: Along<S>,
+) -> S::F {
+    if N == 1 {
+        return low.value;
+    }
+    let [a, b] = offsets::<K, S, N>(s, [low, high], along.place);
+    lerp::<S>(a, b, along.weight)
+}
+
+/// Two edges' functions at their distances from u.
+#[inline(always)]
+fn offsets<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, [low, high]: [Line<S>; 2], u: S::F) -> [S::F; 2] {
+    if K::HAS_GRADIENT {
+        [low.value + u * low.slope, high.value + (u - s.float(1.0)) * high.slope]
+    } else {
+        [low.value, high.value]
+    }
+}
+
+/// The value of two edges' blend.
+#[inline(always)]
+pub(crate) fn blend_values<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    [low, high]: &[Edge<S, N>; 2],
+    along: Along<S>,
+) -> S::F {
+    across::<K, S, N>(s, [low.line, high.line], along)
+}
+
+/// Value and gradient of two edges' blend along the second axis.
+#[inline(always)]
+pub(crate) fn blend_edges<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    [low, high]: &[Edge<S, N>; 2],
+    along: Along<S>,
+) -> LaneSample<S, N> {
+    let lines = [low.line, high.line];
+    let value = across::<K, S, N>(s, lines, along);
+    let mut gradient = [value; N];
+    for axis in 0..N {
+        if axis == 1 {
+            let [a, b] = offsets::<K, S, N>(s, lines, along.place);
+            let rise = along.slope * (b - a);
+            gradient[axis] = if K::HAS_GRADIENT {
+                lerp::<S>(low.line.slope, high.line.slope, along.weight) + rise
+            } else {
+                rise
+            };
+        } else {
+            let lines = [low.derivatives[axis], high.derivatives[axis]];
+            gradient[axis] = across::<K, S, N>(s, lines, along);
+        }
+    }
+    (value, gradient)
+}

@@ -1,0 +1,229 @@
+//! A point's cell: what the lattice draws at its corners, and their blend into columns and edges.
+
+use core::num::Wrapping;
+
+use crate::{
+    contract::kernel::LaneSample,
+    kinds::cell::blend::{Along, Column, Edge, blend_edges, edge, ends, lerp},
+    kinds::cell::corner::{CellNoise, Corner},
+    kinds::cell::variance::{Variance, axis_variance},
+    lattice::lattice::{Lattice, cell},
+    simd::lanes::{Lanes, Scalar},
+};
+
+/// The corners at one end of the first two axes, by the number of dimensions.
+pub(crate) const CORNERS: [usize; 5] = [0, 1, 1, 2, 4];
+
+/// A point's cell, and its place there.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<S: Lanes, const N: usize> {
+    /// The lattice's terms of the lower and the upper ends.
+    pub(crate) terms: [[S::U; 2]; N],
+    pub(crate) along: [Along<S>; N],
+}
+
+impl<const N: usize> Place<Scalar, N> {
+    pub(crate) const NOWHERE: Self =
+        Self { terms: [[Wrapping(0); 2]; N], along: [Along { place: 0.0, weight: 0.0, slope: 0.0 }; N] };
+
+    /// The same in every lane.
+    #[inline(always)]
+    pub(crate) fn splat<S: Lanes>(&self, s: S) -> Place<S, N> {
+        let mut place = Place { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
+        for axis in 0..N {
+            let [low, high] = self.terms[axis];
+            place.terms[axis] = [s.word(low.0), s.word(high.0)];
+            place.along[axis] = self.along[axis].splat(s);
+        }
+        place
+    }
+}
+
+/// The corners of a cell, by the ends along the first axis and the second, and by the others' in the bits of an index.
+pub(crate) type Corners<S, const N: usize> = [[[Corner<S, N>; 4]; 2]; 2];
+
+impl<S: Lanes, const N: usize> Place<S, N> {
+    /// Where a point lies, from axis `first` on; nowhere along those before.
+    #[inline(always)]
+    pub(crate) fn new<K: CellNoise<N>>(s: S, noise: &K, p: &[S::F; N], first: usize) -> Self {
+        let zero = s.float(0.0);
+        let nowhere = Along { place: zero, weight: zero, slope: zero };
+        let mut place = Self { terms: [[s.word(0); 2]; N], along: [nowhere; N] };
+        for axis in first..N {
+            let (cell, t) = cell(s, p[axis]);
+            place.terms[axis] = noise.lattice().terms(s, axis, cell);
+            place.along[axis] = Along::new::<K, N>(s, t);
+        }
+        place
+    }
+
+    /// What the lattice draws at corner `k` of the column whose terms of the first axes are `first` and `second`.
+    ///
+    /// Bit i of k tells the end along axis i + 2.
+    #[inline(always)]
+    pub(crate) fn corner<K: CellNoise<N>>(
+        &self,
+        s: S,
+        noise: &K,
+        [first, second]: [S::U; 2],
+        k: usize,
+        seed: u32,
+    ) -> Corner<S, N> {
+        let mut terms = [first; N];
+        for axis in 1..N {
+            terms[axis] = if axis == 1 { second } else { self.terms[axis][k >> (axis - 2) & 1] };
+        }
+        noise.corner(s, noise.lattice().words(s, terms, seed))
+    }
+
+    /// What the lattice draws at the corners of the cell.
+    #[inline(always)]
+    pub(crate) fn corners<K: CellNoise<N>>(&self, s: S, noise: &K, seed: u32) -> Corners<S, N> {
+        let nothing = Corner { value: s.float(0.0), gradient: [s.float(0.0); N] };
+        let mut corners = [[[nothing; 4]; 2]; 2];
+        for i in 0..2 {
+            for j in 0..ends::<N>() {
+                for k in 0..CORNERS[N] {
+                    let terms = [self.terms[0][i], self.terms[1 % N][j]];
+                    corners[i][j][k] = self.corner(s, noise, terms, k, seed);
+                }
+            }
+        }
+        corners
+    }
+
+    /// The column whose terms of the first axes are given.
+    #[inline(always)]
+    pub(crate) fn drawn_column<K: CellNoise<N>>(
+        &self,
+        s: S,
+        noise: &K,
+        terms: [S::U; 2],
+        seed: u32,
+    ) -> Column<S, N> {
+        let mut corners = [Corner { value: s.float(0.0), gradient: [s.float(0.0); N] }; 4];
+        for k in 0..CORNERS[N] {
+            corners[k] = self.corner(s, noise, terms, k, seed);
+        }
+        self.column::<K>(s, &corners)
+    }
+
+    /// The blend of the corners at one end of the first two axes.
+    #[inline(always)]
+    fn column<K: CellNoise<N>>(&self, s: S, corners: &[Corner<S, N>; 4]) -> Column<S, N> {
+        let mut columns = [Column::empty(s); 4];
+        for k in 0..CORNERS[N] {
+            columns[k] = self.leaf::<K>(s, &corners[k], k);
+        }
+        for axis in 2..N {
+            for i in 0..CORNERS[N] >> (axis - 1) {
+                columns[i] = self.blend::<K>(columns[2 * i], columns[2 * i + 1], axis);
+            }
+        }
+        columns[0]
+    }
+
+    /// The function of corner `k` over the first two axes.
+    #[inline(always)]
+    fn leaf<K: CellNoise<N>>(&self, s: S, corner: &Corner<S, N>, k: usize) -> Column<S, N> {
+        let mut column = Column::empty(s);
+        column.plane.value = corner.value;
+        if K::HAS_GRADIENT {
+            for axis in 0..N {
+                let slope = corner.gradient[axis];
+                if axis < 2 {
+                    column.plane.slopes[axis] = slope;
+                    continue;
+                }
+                let d = match k >> (axis - 2) & 1 {
+                    0 => self.along[axis].place,
+                    _ => self.along[axis].place - s.float(1.0),
+                };
+                let value = column.plane.value;
+                column.plane.value = if axis == 2 && !K::HAS_VALUE { slope * d } else { value + slope * d };
+                column.derivatives[axis].value = slope;
+            }
+        }
+        column
+    }
+
+    /// The blend of two ends along `axis`; those before it have been blended.
+    #[inline(always)]
+    fn blend<K: CellNoise<N>>(&self, low: Column<S, N>, high: Column<S, N>, axis: usize) -> Column<S, N> {
+        let Along { weight: w, slope, .. } = self.along[axis];
+        let mut blend = low;
+        let (from, to) = (low.plane, high.plane);
+        blend.plane.value = lerp::<S>(from.value, to.value, w);
+        for i in 2..N {
+            let (from, to) = (low.derivatives[i], high.derivatives[i]);
+            if K::HAS_GRADIENT || i < axis {
+                blend.derivatives[i].value = lerp::<S>(from.value, to.value, w);
+            }
+            if K::HAS_GRADIENT && i < axis {
+                for k in 0..2 {
+                    blend.derivatives[i].slopes[k] = lerp::<S>(from.slopes[k], to.slopes[k], w);
+                }
+            }
+        }
+        let rise = slope * (to.value - from.value);
+        let derivative = &mut blend.derivatives[axis];
+        derivative.value = if K::HAS_GRADIENT { derivative.value + rise } else { rise };
+        if K::HAS_GRADIENT {
+            for k in 0..2 {
+                blend.plane.slopes[k] = lerp::<S>(from.slopes[k], to.slopes[k], w);
+                blend.derivatives[axis].slopes[k] = slope * (to.slopes[k] - from.slopes[k]);
+            }
+        }
+        blend
+    }
+
+    /// The edge at end j of the second axis.
+    #[inline(always)]
+    fn drawn_edge<K: CellNoise<N>>(&self, s: S, noise: &K, j: usize, seed: u32) -> Edge<S, N> {
+        let ([first, next], second) = (self.terms[0], self.terms[1 % N][j]);
+        let low = self.drawn_column(s, noise, [first, second], seed);
+        let high = self.drawn_column(s, noise, [next, second], seed);
+        edge::<K, S, N>(s, &low, &high, self.along[0])
+    }
+
+    /// The edges of the cell, of which there is one only in 1-D.
+    #[inline(always)]
+    pub(crate) fn drawn_edges<K: CellNoise<N>>(&self, s: S, noise: &K, seed: u32) -> [Edge<S, N>; 2] {
+        let low = self.drawn_edge(s, noise, 0, seed);
+        [low, if N == 1 { low } else { self.drawn_edge(s, noise, 1, seed) }]
+    }
+
+    /// n and its gradient, and v and its gradient where the noise is normalised, from the corners.
+    #[inline(always)]
+    pub(crate) fn parts_of<K: CellNoise<N>>(
+        &self,
+        s: S,
+        corners: &Corners<S, N>,
+    ) -> (LaneSample<S, N>, LaneSample<S, N>) {
+        let mut edges = [Edge::empty(s); 2];
+        for j in 0..ends::<N>() {
+            let [low, high] = [self.column::<K>(s, &corners[0][j]), self.column::<K>(s, &corners[1][j])];
+            edges[j] = edge::<K, S, N>(s, &low, &high, self.along[0]);
+        }
+        self.parts::<K>(s, &edges)
+    }
+
+    /// n and its gradient, and v and its gradient where the noise is normalised.
+    #[inline(always)]
+    pub(crate) fn parts<K: CellNoise<N>>(
+        &self,
+        s: S,
+        edges: &[Edge<S, N>; 2],
+    ) -> (LaneSample<S, N>, LaneSample<S, N>) {
+        let sample = blend_edges::<K, S, N>(s, edges, self.along[1 % N]);
+        let variance = self.variance(s);
+        let axis = axis_variance(s, &self.along[0]);
+        (sample, (variance.value(axis), variance.gradient(axis)))
+    }
+
+    /// The variance of all axes but the first.
+    #[inline(always)]
+    pub(crate) fn variance(&self, s: S) -> Variance<S, N> {
+        Variance::new(s, &self.along)
+    }
+}

@@ -1,0 +1,9 @@
+//! Noises that blend the corners of a cubic cell.
+
+pub(crate) mod blend;
+pub(crate) mod corner;
+pub(crate) mod corners;
+pub(crate) mod hessian;
+pub(crate) mod row_edges;
+pub(crate) mod rows;
+pub(crate) mod variance;

@@ -1,0 +1,316 @@
+//! Rows of cell noises: what does not change along a row, or from row to row of a grid, is computed once.
+//!
+//! Places and weights along the first axis are the same in all rows, and the edges that cells are blended from in all rows
+//! that cross the same cells. Two edges are kept, so that the next row of cells finds one of its own there.
+
+use crate::{
+    contract::kernel::{Row, by_lanes},
+    kinds::cell::blend::{Along, blend_edges, blend_values, edge, ends},
+    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corners::Place,
+    kinds::cell::row_edges::{Columns, Edges},
+    kinds::cell::variance::axis_variance,
+    kinds::simplex::rows::{Corners, Sums},
+    lattice::lattice::{Lattice, cell},
+    row::cells::{POINTS, Plan, Run},
+    simd::lanes::{LANES, Lanes, Scalar},
+};
+
+/// Values, and gradients if there is room for them, along a row.
+#[inline(always)]
+pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    stretch: &mut Stretch<N>,
+    values: &mut [f32],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
+) {
+    if !pays(row) {
+        by_lanes::<K, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        return;
+    }
+    for start in (0..values.len()).step_by(POINTS) {
+        let end = values.len().min(start + POINTS);
+        stretch.plan(s, noise, &row.after(start), end - start, seed, GRADIENTS);
+        stretch.fill_edges::<K, S, GRADIENTS>(s, noise, seed);
+        let values = values.get_mut(start..end).unwrap_or_default();
+        match &mut gradients {
+            Some(gradients) if GRADIENTS => {
+                let mut slopes = gradients.each_mut().map(|g| g.get_mut(start..end).unwrap_or_default());
+                stretch.blend_samples::<K, S>(s, values, &mut slopes);
+            }
+            _ => stretch.blend_values::<K, S>(s, values),
+        }
+    }
+}
+
+/// Whether rows of a grid of such steps share edges.
+#[inline(always)]
+fn pays<const N: usize, const SCALED: bool>(row: &Row<N, SCALED>) -> bool {
+    row.stride().abs() < 1.0
+}
+
+/// Where the edge at a place along the second axis is kept.
+#[inline(always)]
+fn slot(second: i32) -> usize {
+    second as usize % 2
+}
+
+/// What the edges of a stretch depend on beside the plan and their place along the second axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Key<const N: usize> {
+    /// The bits of the coordinates from the third on.
+    others: [u32; N],
+    seed: u32,
+    gradients: bool,
+}
+
+/// Two edges of the cells that a stretch of a row crosses, and what they are made of.
+#[derive(Clone)]
+pub struct Stretch<const N: usize> {
+    plan: Plan,
+    key: Option<Key<N>>,
+    /// Where the row lies along all axes but the first, and its cell along the second.
+    place: Place<Scalar, N>,
+    second: i32,
+    columns: Columns<N>,
+    edges: [Edges<N>; 2],
+    corners: Corners<N>,
+}
+
+impl<const N: usize> Stretch<N> {
+    #[inline(always)]
+    pub(crate) fn empty() -> Self {
+        Self {
+            plan: Plan::empty(),
+            key: None,
+            place: Place::NOWHERE,
+            second: 0,
+            columns: Columns::empty(),
+            edges: [Edges::empty(), Edges::empty()],
+            corners: Corners::empty(),
+        }
+    }
+
+    /// Room for sums along a row, and its points' first coordinates.
+    #[inline(always)]
+    pub(crate) fn sums<S: Lanes, const SCALED: bool>(
+        &mut self,
+        s: S,
+        row: &Row<N, SCALED>,
+        points: usize,
+    ) -> Sums<'_, N> {
+        let x = self.plan.coordinates(s, row, points);
+        let [even, odd] = &mut self.edges;
+        Sums {
+            x,
+            values: &mut even.lines[0],
+            gradients: odd.derivatives.each_mut().map(|[numbers, _]| numbers),
+            corners: &mut self.corners,
+        }
+    }
+
+    /// Plans the first `points` points of a row and forgets the edges of others.
+    #[inline(always)]
+    fn plan<K: CellNoise<N>, S: Lanes, const SCALED: bool>(
+        &mut self,
+        s: S,
+        noise: &K,
+        row: &Row<N, SCALED>,
+        points: usize,
+        seed: u32,
+        gradients: bool,
+    ) {
+        let origin = row.origin();
+        let mut others = [0; N];
+        for axis in 2..N {
+            others[axis] = origin[axis].to_bits();
+        }
+        let key = Some(Key { others, seed, gradients });
+        if self.plan.make(s, K::FADE, row, points) || self.key != key {
+            self.move_to(noise, &origin, key);
+        }
+        if N > 1 {
+            let (cell, t) = cell(Scalar, origin[1 % N]);
+            self.second = cell.0 as i32;
+            self.place.terms[1 % N] = noise.lattice().terms(Scalar, 1, cell);
+            self.place.along[1 % N] = Along::new::<K, N>(Scalar, t);
+        }
+    }
+
+    /// Forgets the edges of another place along the axes from the third on.
+    ///
+    /// A call of its own, because what it does would otherwise be begun for every row.
+    #[inline(never)]
+    fn move_to<K: CellNoise<N>>(&mut self, noise: &K, origin: &[f32; N], key: Option<Key<N>>) {
+        self.key = key;
+        self.edges[0].second = None;
+        self.edges[1].second = None;
+        self.place = Place::new(Scalar, noise, origin, 2);
+    }
+
+    /// The edges below and above the row, if they are not there.
+    #[inline(always)]
+    fn fill_edges<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(&mut self, s: S, noise: &K, seed: u32) {
+        for j in 0..ends::<N>() {
+            let second = self.second.wrapping_add(j as i32);
+            if self.edges[slot(second)].second != Some(second) {
+                self.fill::<K, S, GRADIENTS>(s, noise, j, second, seed);
+            }
+        }
+    }
+
+    /// The edges of the planned points at the lower or the upper end j of the second axis.
+    ///
+    /// Whole vectors are written for every cell; the next cell overwrites what lies beyond the cell's end.
+    #[inline(always)]
+    fn fill<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
+        &mut self,
+        s: S,
+        noise: &K,
+        j: usize,
+        second: i32,
+        seed: u32,
+    ) {
+        let Self { plan, place, columns, edges, .. } = self;
+        let edges = &mut edges[slot(second)];
+        edges.second = Some(second);
+        let term = s.word(place.terms[1 % N][j].0);
+        let place = place.splat(s);
+        if plan.sparse {
+            for i in (0..plan.points()).step_by(S::LEN) {
+                let [first, next] = noise.lattice().terms(s, 0, plan.cells(s, i));
+                let low = place.drawn_column(s, noise, [first, term], seed);
+                let high = place.drawn_column(s, noise, [next, term], seed);
+                let edge = edge::<K, S, N>(s, &low, &high, plan.along_from(s, i));
+                edges.store::<K, S, GRADIENTS>(s, &edge, i);
+            }
+            return;
+        }
+        let (mut run, mut i) = (plan.run(0), 0);
+        loop {
+            draw::<K, S, N, GRADIENTS>(s, noise, &place, term, &run, seed, columns);
+            for j in 0..run.cells {
+                let (below, end) = plan.cell(&run, j);
+                let low = columns.splat::<K, S, GRADIENTS>(s, below);
+                let high = columns.splat::<K, S, GRADIENTS>(s, below + 1);
+                while i < end {
+                    let edge = edge::<K, S, N>(s, &low, &high, plan.along_from(s, i));
+                    edges.store::<K, S, GRADIENTS>(s, &edge, i);
+                    i += S::LEN;
+                }
+                i = end;
+            }
+            match plan.next(&run) {
+                Some(next) => run = next,
+                None => return,
+            }
+        }
+    }
+
+    /// The edges below and above the row.
+    #[inline(always)]
+    fn edges(&self) -> [&Edges<N>; 2] {
+        let [even, odd] = &self.edges;
+        if slot(self.second) == 0 { [even, odd] } else { [odd, even] }
+    }
+
+    /// The values of the planned points from the edges below and above them.
+    #[inline(always)]
+    fn blend_values<K: CellNoise<N>, S: Lanes>(&self, s: S, values: &mut [f32]) {
+        let [below, above] = self.edges();
+        let along = self.place.along[1 % N].splat(s);
+        let rest = self.place.variance(Scalar).splat(s);
+        let whole = values.len() / LANES;
+        // The points after the last whole block are written by way of another block.
+        let mut tail = [[0.0; LANES]; 1];
+        for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
+            let (first, values) =
+                if part == 0 { (0, values.as_chunks_mut().0) } else { (whole, &mut tail[..]) };
+            for (b, block) in (first..=POINTS / LANES).zip(values) {
+                for k in (0..LANES).step_by(S::LEN) {
+                    let edges = [below.load::<K, S, false>(s, b, k), above.load::<K, S, false>(s, b, k)];
+                    let mut value = blend_values::<K, S, N>(s, &edges, along);
+                    if K::NORMALISED {
+                        let axis = axis_variance(s, &self.plan.along(s, b, k));
+                        value = value * (s.float(1.0) / s.sqrt(rest.value(axis)));
+                    }
+                    s.store(value, &mut block[k..]);
+                }
+            }
+        }
+        copy(&tail[0], values, whole * LANES);
+    }
+
+    /// Values and gradients of the planned points from the edges below and above them.
+    #[inline(always)]
+    fn blend_samples<K: CellNoise<N>, S: Lanes>(
+        &self,
+        s: S,
+        values: &mut [f32],
+        gradients: &mut [&mut [f32]; N],
+    ) {
+        let [below, above] = self.edges();
+        let along = self.place.along[1 % N].splat(s);
+        let rest = self.place.variance(Scalar).splat(s);
+        let whole = values.len() / LANES;
+        let (mut tail, mut slopes) = ([[0.0; LANES]; 1], [[[0.0; LANES]; 1]; N]);
+        for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
+            let (first, values, gradients) = if part == 0 {
+                (0, values.as_chunks_mut().0, gradients.each_mut().map(|g| g.as_chunks_mut().0))
+            } else {
+                (whole, &mut tail[..], slopes.each_mut().map(|g| &mut g[..]))
+            };
+            for (b, block) in (first..=POINTS / LANES).zip(values) {
+                for k in (0..LANES).step_by(S::LEN) {
+                    let edges = [below.load::<K, S, true>(s, b, k), above.load::<K, S, true>(s, b, k)];
+                    let mut sample = blend_edges::<K, S, N>(s, &edges, along);
+                    if K::NORMALISED {
+                        let axis = axis_variance(s, &self.plan.along(s, b, k));
+                        sample = normalised(s, sample, (rest.value(axis), rest.gradient(axis)));
+                    }
+                    s.store(sample.0, &mut block[k..]);
+                    for axis in 0..N {
+                        if let Some(block) = gradients[axis].get_mut(b - first) {
+                            s.store(sample.1[axis], &mut block[k..]);
+                        }
+                    }
+                }
+            }
+        }
+        copy(&tail[0], values, whole * LANES);
+        for axis in 0..N {
+            copy(&slopes[axis][0], gradients[axis], whole * LANES);
+        }
+    }
+}
+
+/// Copies as much as there is room for from `start` on.
+#[inline(always)]
+fn copy(from: &[f32; LANES], to: &mut [f32], start: usize) {
+    for (to, from) in to.iter_mut().skip(start).zip(from) {
+        *to = *from;
+    }
+}
+
+/// The columns of a run at one end of the second axis, `term` being that end's.
+#[inline(always)]
+fn draw<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    place: &Place<S, N>,
+    term: S::U,
+    run: &Run,
+    seed: u32,
+    columns: &mut Columns<N>,
+) {
+    let mut i = 0;
+    while i <= run.cells {
+        let cells = s.word(run.leftmost.wrapping_add(i as i32) as u32) + s.iota();
+        let first = noise.lattice().term(s, 0, cells);
+        columns.store::<K, S, GRADIENTS>(s, &place.drawn_column(s, noise, [first, term], seed), i);
+        i += S::LEN;
+    }
+}

@@ -1,0 +1,134 @@
+//! Gradient noise on the integer lattice, in Perlin's two forms.
+
+use crate::{
+    kinds::cell::corner::{CellNoise, Corner},
+    lattice::fade::Fade,
+    lattice::integer_hash::IntegerHash,
+    lattice::lattice::Lattice,
+    lattice::variates::{edge_direction, unit_direction},
+    simd::lanes::Lanes,
+    statistics::absolute_moments,
+    statistics::statistics::Statistics,
+    statistics::tables,
+};
+
+/// Perlin's noise of 1985: unit gradients uniform on the circle or sphere, cubic weights; C¹.
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_1985.md"))]
+///
+/// ```text
+/// n(p) = A Σ_c W_c(p) g_c·(p − c),   W = Π w or 1 − w,   w(t) = 3t² − 2t³
+/// ```
+///
+/// In 1 to 4 dimensions; in 1-D a unit gradient is ±1.
+///
+/// - **Range:** [−1, 1]. A = 1/max Σ W_c |p − c| = 2/√n in n dimensions, attained in cell centres within 2e-6.
+/// - **Zero** at every lattice point; the variance depends on the place in the cell.
+///
+/// Perlin 1985, "An Image Synthesizer"; Ebert (ed.) 1994, "Texturing and Modeling".
+///
+/// ```
+/// use asperity_noise::{Noise, Perlin1985, glam::Vec2};
+///
+/// let noise = Perlin1985::default();
+/// assert_eq!(noise.sample(Vec2::new(3.0, -2.0), 9).value, 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Perlin1985<L = IntegerHash>(
+    /// The lattice that the gradients are drawn from.
+    pub L,
+);
+
+/// Perlin's noise of 2002: gradients to the edges of a cube, quintic weights; C².
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
+///
+/// As [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0) and its rotations.
+/// In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane (±√2, 0), (0, ±√2) and (±1, ±1), and in 1-D ±⅛ … ±1.
+///
+/// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
+///
+/// Perlin 2002, "Improving Noise". Two deviations: all twelve gradients are equally likely, where Perlin repeats four
+/// to fill a table of sixteen; and the range is made tight.
+///
+/// ```
+/// use asperity_noise::{Noise, Perlin2002, glam::Vec3};
+///
+/// let sample = Perlin2002::default().sample(Vec3::new(0.5, 0.5, 0.5), 2);
+/// assert!(sample.value.abs() <= 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Perlin2002<L = IntegerHash>(
+    /// The lattice that the gradients are drawn from.
+    pub L,
+);
+
+impl Default for Perlin1985 {
+    fn default() -> Self {
+        Self(IntegerHash)
+    }
+}
+
+impl Default for Perlin2002 {
+    fn default() -> Self {
+        Self(IntegerHash)
+    }
+}
+
+/// Keeps rounding from crossing 1.
+const MARGIN: f32 = 1.0 - 2e-6;
+/// 2/√n.
+const SCALE_1985: [f32; 4] = [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
+
+/// The inverse of the searched max Σ W_c max_g g·(p − c).
+const SCALE_2002: [f32; 4] = [MARGIN * 2.0, MARGIN, MARGIN / 1.036_353_8, MARGIN / 1.536_582_3];
+
+impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
+    type Lattice = L;
+    const HAS_VALUE: bool = false;
+    const HAS_GRADIENT: bool = true;
+    const FADE: Fade = Fade::Cubic;
+
+    #[inline(always)]
+    fn lattice(&self) -> &L {
+        &self.0
+    }
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
+        Corner { value: s.float(0.0), gradient: unit_direction(s, word, SCALE_1985[N - 1]) }
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        &tables::PERLIN_1985[N - 1]
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::PERLIN_1985[N - 1]
+    }
+}
+
+impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
+    type Lattice = L;
+    const HAS_VALUE: bool = false;
+    const HAS_GRADIENT: bool = true;
+    const FADE: Fade = Fade::Quintic;
+
+    #[inline(always)]
+    fn lattice(&self) -> &L {
+        &self.0
+    }
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
+        Corner { value: s.float(0.0), gradient: edge_direction(s, word, SCALE_2002[N - 1]) }
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        &tables::PERLIN_2002[N - 1]
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        absolute_moments::PERLIN_2002[N - 1]
+    }
+}

@@ -1,0 +1,255 @@
+//! Rows of simplex noise: every corner near the row adds its kernel to all points that it reaches.
+//!
+//! Corners are taken by the sum of their skewed coordinates. The corners of a simplex have sums that follow one another, in the
+//! order in which a single point adds them up, so that a row's sums have the bits of the points'.
+
+use crate::{
+    contract::kernel::{Row, by_lanes},
+    kinds::cell::rows::Stretch,
+    kinds::simplex::simplex::{GAP, Simplex, UNSKEW, along, beside, kernel, pull},
+    lattice::lattice::Lattice,
+    row::cells::{Numbers, POINTS, has_columns},
+    simd::lanes::{LANES, Lanes},
+};
+
+/// Steps from here on leave too few points in a kernel.
+const LONG_STEP: f32 = 0.22;
+/// Points whose coordinates add up to more may be moved across the gap of a kernel by rounding: corners are rounded by up to 2⁻²² of it.
+const REACH: f32 = 1024.0;
+/// √(n + 1), the steps of the sum per unit length.
+const SUMS: [f32; 4] = [core::f32::consts::SQRT_2, 1.732_050_8, 2.0, 2.236_068];
+
+/// Values, and gradients if there is room for them, along a row.
+#[inline(always)]
+pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+    s: S,
+    noise: &Simplex<L>,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    stretch: &mut Stretch<N>,
+    values: &mut [f32],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
+) {
+    let count = values.len();
+    if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
+        by_lanes::<Simplex<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        return;
+    }
+    for start in (0..count).step_by(POINTS) {
+        let end = count.min(start + POINTS);
+        let part = row.after(start);
+        let mut sums = stretch.sums(s, &part, end - start);
+        splat::<L, S, N, SCALED, GRADIENTS>(s, noise, &part, seed, &mut sums, end - start);
+        copy(sums.values, &mut values[start..end]);
+        if let (true, Some(gradients)) = (GRADIENTS, &mut gradients) {
+            for axis in 0..N {
+                copy(sums.gradients[axis], &mut gradients[axis][start..end]);
+            }
+        }
+    }
+}
+
+/// Whether all corners, and all points by their index, are placed well enough.
+#[inline(always)]
+fn is_near<const N: usize, const SCALED: bool>(row: &Row<N, SCALED>, count: usize) -> bool {
+    if row.index(count) >= 1 << 22 {
+        return false;
+    }
+    let mut reach = row.x(0).abs().max(row.x(count).abs());
+    for axis in 1..N {
+        reach += row.origin()[axis].abs();
+    }
+    reach < REACH
+}
+
+#[inline(always)]
+fn copy(from: &Numbers, to: &mut [f32]) {
+    for (to, from) in to.iter_mut().zip(from.as_flattened()) {
+        *to = *from;
+    }
+}
+
+/// The first coordinates of a row's points, and room for the sums there.
+pub(crate) struct Sums<'a, const N: usize> {
+    pub(crate) x: &'a Numbers,
+    pub(crate) values: &'a mut Numbers,
+    pub(crate) gradients: [&'a mut Numbers; N],
+    pub(crate) corners: &'a mut Corners<N>,
+}
+
+/// One number per corner.
+type OfCorners = [[f32; LANES]; 8];
+
+const NONE: OfCorners = [[0.0; LANES]; 8];
+
+/// Corners of as many sums as there are lanes, as the row sees them.
+#[derive(Clone)]
+pub(crate) struct Corners<const N: usize> {
+    x: OfCorners,
+    rest: OfCorners,
+    side: OfCorners,
+    /// The first point that a kernel may reach and the one after the last, as the bits of integers; none if they are the same.
+    ends: [OfCorners; 2],
+    g: [OfCorners; N],
+    d: [OfCorners; N],
+}
+
+#[inline(always)]
+fn splat<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+    s: S,
+    noise: &Simplex<L>,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    sums: &mut Sums<'_, N>,
+    count: usize,
+) {
+    let blocks = count.div_ceil(LANES).min(POINTS / LANES);
+    for b in 0..blocks {
+        sums.values[b] = [0.0; LANES];
+        if GRADIENTS {
+            for axis in 0..N {
+                sums.gradients[axis][b] = [0.0; LANES];
+            }
+        }
+    }
+    let [first, last] = span(row, noise.radius_squared(), count);
+    let mut sum = first;
+    while sum <= last {
+        sums.corners.draw::<L, S, SCALED, GRADIENTS>(s, noise, row, seed, sum, blocks * LANES);
+        for lane in 0..S::LEN {
+            for c in 0..1 << (N - 1) {
+                sums.add::<S, GRADIENTS>(s, lane % LANES, c % 8);
+            }
+        }
+        sum += S::LEN as i32;
+    }
+}
+
+/// The sums of the corners that may reach the row.
+///
+/// Corner c lies at c − u Σc, so Σc = √(n + 1) Σ of its coordinates; those beside the row differ from it by up to r √(n − 1).
+#[inline(always)]
+fn span<const N: usize, const SCALED: bool>(
+    row: &Row<N, SCALED>,
+    radius_squared: f32,
+    count: usize,
+) -> [i32; 2] {
+    let radius = crate::math::sqrt(radius_squared);
+    let (a, b) = (row.x(0), row.x(count));
+    let mut others = 0.0;
+    for axis in 1..N {
+        others += row.origin()[axis];
+    }
+    // Farthest are corners that all coordinates lead away: |Σ| ≤ r √n.
+    let reach = radius * SUMS[N - 1];
+    let (low, high) = (a.min(b) + others - reach, a.max(b) + others + reach);
+    [(low * SUMS[N - 1]) as i32 - 1, (high * SUMS[N - 1]) as i32 + 1]
+}
+
+impl<const N: usize> Corners<N> {
+    #[inline(always)]
+    pub(crate) fn empty() -> Self {
+        Self { x: NONE, rest: NONE, side: NONE, ends: [NONE; 2], g: [NONE; N], d: [NONE; N] }
+    }
+
+    /// The corners of the sums from `sum` on.
+    ///
+    /// Along every axis but the first, two lattice points at most lie within the radius.
+    #[inline(always)]
+    fn draw<L: Lattice, S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+        &mut self,
+        s: S,
+        noise: &Simplex<L>,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        sum: i32,
+        points: usize,
+    ) {
+        let (one, radius) = (s.float(1.0), s.float(crate::math::sqrt(noise.radius_squared())));
+        let (origin, inverse) = (s.float(row.x(0)), s.float(1.0 / row.stride()));
+        let total = s.word(sum as u32) + s.iota();
+        let back = s.real(total) * s.float(UNSKEW[N - 1]);
+        let (mut lows, mut terms) = ([back; N], [[total; 2]; N]);
+        for axis in 1..N {
+            lows[axis] = s.floor(s.float(row.origin()[axis]) + back - radius) + one;
+            terms[axis] = noise.lattice().terms(s, axis, s.integer(lows[axis]));
+        }
+        for c in 0..1 << (N - 1) {
+            let (mut first, mut words, mut d) = (s.real(total), [total; N], [back; N]);
+            for axis in 1..N {
+                let up = c >> (axis - 1) & 1;
+                let skewed = if up == 0 { lows[axis] } else { lows[axis] + one };
+                first = first - skewed;
+                words[axis] = terms[axis][up];
+                d[axis] = s.float(row.origin()[axis]) - (skewed - back);
+            }
+            words[0] = noise.lattice().term(s, 0, s.integer(first));
+            let g: [S::F; N] = noise.direction(s, noise.lattice().words(s, words, seed));
+            let [rest, side] = beside(s, noise.radius_squared(), &d, &g);
+            let x = first - back;
+            // A little farther than to the gap, by more than what t is rounded by.
+            let half = s.sqrt(s.above(rest - s.float(GAP - 1.0 / 1_048_576.0), 0.0));
+            let (from, to) = ((x - half - origin) * inverse, (x + half - origin) * inverse);
+            let ahead = s.less(from, to);
+            let (from, to) = (s.select(ahead, from, to), s.select(ahead, to, from));
+            // Places are rounded by less than one.
+            let reached = s.less(s.float(GAP), rest);
+            let ends = [from - one, s.select(reached, to + one + one, s.float(0.0))];
+            let c = c % 8;
+            for (end, ends) in [0, 1].into_iter().zip(ends) {
+                let positive = s.above(ends, 0.0);
+                let last = s.float(points as f32);
+                let inside = s.select(s.less(positive, last), positive, last);
+                s.store(s.float_of_bits(s.integer(s.floor(inside))), &mut self.ends[end][c]);
+            }
+            s.store(x, &mut self.x[c]);
+            s.store(rest, &mut self.rest[c]);
+            s.store(side, &mut self.side[c]);
+            s.store(g[0], &mut self.g[0][c]);
+            if GRADIENTS {
+                for axis in 1..N {
+                    s.store(g[axis], &mut self.g[axis][c]);
+                    s.store(d[axis], &mut self.d[axis][c]);
+                }
+            }
+        }
+    }
+}
+
+impl<const N: usize> Sums<'_, N> {
+    /// Adds a corner's kernel to the points that it reaches.
+    #[inline(always)]
+    fn add<S: Lanes, const GRADIENTS: bool>(&mut self, s: S, lane: usize, c: usize) {
+        let corners = &*self.corners;
+        let to = corners.ends[1][c][lane].to_bits() as usize;
+        if to == 0 {
+            return;
+        }
+        let from = corners.ends[0][c][lane].to_bits() as usize;
+        let (from, to) = (from / S::LEN * S::LEN, to.next_multiple_of(S::LEN));
+        let (x, rest, side) =
+            (s.float(corners.x[c][lane]), s.float(corners.rest[c][lane]), s.float(corners.side[c][lane]));
+        let mut g = [s.float(corners.g[0][c][lane]); N];
+        let mut d = [s.float(0.0); N];
+        for axis in 1..N {
+            g[axis] = s.float(corners.g[axis][c][lane]);
+            d[axis] = s.float(corners.d[axis][c][lane]);
+        }
+        let xs = self.x.as_flattened().get(from..to).unwrap_or_default().chunks_exact(S::LEN);
+        let values = self.values.as_flattened_mut().get_mut(from..to).unwrap_or_default();
+        for (i, (xs, values)) in xs.zip(values.chunks_exact_mut(S::LEN)).enumerate() {
+            d[0] = s.load(xs) - x;
+            let [t, slope] = along::<S, N>(s, [rest, side], d[0], g[0]);
+            let t4 = kernel(t);
+            s.store(s.load(values) + t4 * slope, values);
+            if GRADIENTS {
+                let pull = pull(s, t, slope);
+                let i = from + i * S::LEN;
+                for axis in 0..N {
+                    let sums = &mut self.gradients[axis].as_flattened_mut()[i..];
+                    s.store(s.load(sums) + (g[axis] * t4 - d[axis] * pull), sums);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! Simplex noise in space that repeats along the axes.
+
+use crate::{
+    contract::kernel::{Kernel, LaneSample},
+    kinds::simplex::simplex::Simplex,
+    lattice::integer_hash::IntegerHash,
+    lattice::lattice::Lattice,
+    lattice::tiled::{Tiled, TiledError, remainder},
+    simd::lanes::Lanes,
+    statistics::statistics::Statistics,
+};
+
+/// [`Simplex`] noise in space with a period along each axis, multiples of 3.
+///
+/// A corner of the simplicial lattice with the skewed coordinates (i, j, k) lies at x = i − (i + j + k)/6, and so on. The step
+/// (4, 1, 1) leads 3 along the x axis, so the lattice maps onto itself; corners whose 6x, 6y and 6z, integers, agree modulo
+/// six periods get the same word.
+///
+/// In the plane and in 4-D no step along an axis maps the lattice onto itself: x = i − (i + j)(3 − √3)/6 is irrational unless
+/// i + j = 0. On the line [`Simplex`] takes a [`Tiled`] lattice.
+///
+/// - **Range, continuity:** those of the [`Simplex`] noise. Where p and p + period are exact in `f32` and under 2²², values and
+///   gradients have the same bits; corners wrap from 2²⁸ on.
+///
+/// ```
+/// use asperity_noise::{Noise, Simplex, TiledSimplex, glam::Vec3};
+///
+/// let noise = TiledSimplex::new(Simplex::CONTINUOUS, [6, 3, 9])?;
+/// let p = Vec3::new(1.25, -0.5, 2.0);
+/// assert_eq!(noise.sample(p, 1), noise.sample(p + Vec3::new(6.0, -3.0, 9.0), 1));
+/// # Ok::<(), asperity_noise::TiledError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TiledSimplex<L = IntegerHash> {
+    noise: Simplex<Corners<L>>,
+    periods: [u32; 3],
+}
+
+impl TiledSimplex {
+    /// The noise, repeated with the periods.
+    ///
+    /// # Errors
+    ///
+    /// If a period is 0, longer than [`Tiled::MAX_PERIOD`] or not a multiple of 3.
+    pub fn new(noise: Simplex, periods: [u32; 3]) -> Result<Self, TiledError> {
+        Tiled::new(IntegerHash, periods)?;
+        for (axis, period) in periods.into_iter().enumerate() {
+            if period % 3 != 0 {
+                return Err(TiledError::NoMultiple { axis, period, factor: 3 });
+            }
+        }
+        let noise = noise.with_lattice(Corners { lattice: IntegerHash, periods });
+        Ok(Self { noise, periods })
+    }
+}
+
+impl<L> TiledSimplex<L> {
+    /// The same noise on another lattice.
+    #[must_use]
+    pub fn with_lattice<M>(self, lattice: M) -> TiledSimplex<M> {
+        let Self { noise, periods } = self;
+        TiledSimplex { noise: noise.with_lattice(Corners { lattice, periods }), periods }
+    }
+
+    /// The period along each axis.
+    #[must_use]
+    pub const fn periods(&self) -> &[u32; 3] {
+        &self.periods
+    }
+}
+
+/// The simplicial lattice in space, its corners named by six times their coordinates modulo the periods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Corners<L> {
+    lattice: L,
+    periods: [u32; 3],
+}
+
+impl<L: Lattice> Lattice for Corners<L> {
+    #[inline]
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        let sum = cell.iter().fold(0_i32, |sum, &c| sum.wrapping_add(c));
+        let mut corner = cell;
+        for (c, &period) in corner.iter_mut().zip(&self.periods) {
+            *c = c.wrapping_mul(6).wrapping_sub(sum).rem_euclid(6 * period as i32);
+        }
+        self.lattice.word(corner, seed)
+    }
+
+    #[inline(always)]
+    fn words<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N], seed: u32) -> S::U {
+        let mut sum = cell[0];
+        for axis in 1..N {
+            sum = sum + cell[axis];
+        }
+        let mut terms = cell;
+        for axis in 0..N {
+            let corner = cell[axis] * s.word(6) - sum;
+            let corner = remainder(s, corner, 6 * self.periods[axis % 3]);
+            terms[axis] = self.lattice.term(s, axis, corner);
+        }
+        self.lattice.words(s, terms, seed)
+    }
+}
+
+impl<L> TiledSimplex<L> {
+    /// Points moved by whole periods into the first tile, so that all tiles have the same bits.
+    #[inline(always)]
+    fn in_first_tile<S: Lanes>(&self, s: S, p: [S::F; 3]) -> [S::F; 3] {
+        let mut q = p;
+        for axis in 0..3 {
+            let period = s.float(self.periods[axis] as f32);
+            q[axis] = p[axis] - period * s.floor(p[axis] / period);
+        }
+        q
+    }
+}
+
+impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
+        self.noise.lane_values(s, self.in_first_tile(s, p), seed)
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
+        self.noise.lane_samples(s, self.in_first_tile(s, p), seed)
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        Kernel::<3>::statistics(&self.noise)
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        Kernel::<3>::absolute_moments(&self.noise)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{contract::noise::Noise, lattice::lattice::word_by_terms};
+    use glam::Vec3;
+
+    #[test]
+    fn only_multiples_of_three_are_accepted() {
+        assert_eq!(TiledSimplex::new(Simplex::WIDE, [3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
+        let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
+        assert_eq!(TiledSimplex::new(Simplex::WIDE, [3, 4, 6]), Err(error));
+        assert!(TiledSimplex::new(Simplex::WIDE, [0, 3, 6]).is_err());
+    }
+
+    #[test]
+    fn corners_get_the_same_words_in_both_ways() {
+        let corners = Corners { lattice: IntegerHash, periods: [3, 6, 9] };
+        for i in -50..50 {
+            let cell = [3 * i, 7 - i, i % 5];
+            assert_eq!(word_by_terms(&corners, cell, 3), corners.word(cell, 3));
+            // Three along x, six along y, nine along z.
+            for step in [[4, 1, 1], [2, 8, 2], [3, 3, 12], [-4, -1, -1]] {
+                let there = [cell[0] + step[0], cell[1] + step[1], cell[2] + step[2]];
+                assert_eq!(corners.word(cell, 3), corners.word(there, 3), "{cell:?} and {there:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_noise_repeats_along_every_axis_and_not_before() {
+        let periods = Vec3::new(3.0, 6.0, 9.0);
+        for kernel in [Simplex::CONTINUOUS, Simplex::WIDE] {
+            let noise = TiledSimplex::new(kernel, [3, 6, 9]).unwrap();
+            let mut others = 0;
+            for i in 0..400_i16 {
+                let p =
+                    Vec3::new(0.375 * f32::from(i), 11.25 - 0.625 * f32::from(i), -0.875 * f32::from(i % 37));
+                let here = noise.sample(p, 4);
+                for axis in 0..3 {
+                    for turns in [1.0, -3.0, 1000.0] {
+                        let there = noise.sample(p + turns * periods * Vec3::AXES[axis], 4);
+                        assert_eq!(here.value.to_bits(), there.value.to_bits(), "{p}, axis {axis}");
+                        assert_eq!(here.gradient, there.gradient, "{p}, axis {axis}");
+                    }
+                }
+                let half = [Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
+                others += half.iter().filter(|&&step| noise.value(p + step, 4) == here.value).count();
+            }
+            assert!(others < 20, "{others}");
+        }
+    }
+
+    #[test]
+    fn the_shape_is_that_of_simplex_noise() {
+        // Away from the lattice's words both have the same kernels: 0 at corners.
+        let noise = TiledSimplex::new(Simplex::CONTINUOUS, [3, 3, 3]).unwrap();
+        assert_eq!(noise.value(Vec3::ZERO, 3), 0.0);
+        assert_eq!(noise.value(Vec3::new(5.0, -1.0, -1.0), 3), 0.0);
+        let range = (0..2000_u16).map(|i| noise.value(Vec3::new(0.37, 0.61, 0.23) * f32::from(i), 3).abs());
+        let greatest = range.fold(0.0, f32::max);
+        assert!(greatest > 0.3 && greatest <= 1.0, "{greatest}");
+    }
+}

@@ -1,0 +1,502 @@
+//! Sparse convolution noise: randomly placed impulses, each spread by a radial kernel.
+
+use core::{error::Error, fmt};
+
+use crate::{
+    contract::kernel::{Kernel, LaneSample, Row, by_lanes, put, put_sample},
+    kinds::cell::blend::splat,
+    kinds::cell::rows::Stretch,
+    lattice::integer_hash::{IntegerHash, further},
+    lattice::lattice::{Lattice, cell},
+    lattice::variates::uniform,
+    row::cells::{end_of_cell, has_columns},
+    simd::lanes::Lanes,
+    statistics::absolute_moments,
+    statistics::statistics::Statistics,
+    statistics::tables,
+};
+
+/// The sum of radial kernels around impulses of random weight, K at random places of every cell; C².
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/sparse.md"))]
+///
+/// ```text
+/// n(p) = A Σ_k w_k h(|p − x_k|),   h(r) = (1 − r²)³ for r < 1, else 0,   A = √(3/(K ∫h²))
+/// ∫h² = 0.682, π/7, 0.2857, π²/56 in 1 to 4 dimensions
+/// ```
+///
+/// In 1 to 4 dimensions; places are uniform in the cell, weights in (−1, 1). Nothing is aligned to the lattice but the count:
+/// no direction is preferred, no place is flat or 0. The 3ⁿ cells around a point are visited.
+///
+/// - **Mean 0, variance 1** at every point exactly, as weights are independent of one another and of places.
+/// - **Range:** |n| ≤ 2ⁿ K A, the supremum, reached if all impulses around a lattice point meet there. Values beyond 5 are rare.
+/// - **Places:** 2⁻¹⁶ apart.
+///
+/// Lewis 1989, "Algorithms for Solid Noise Synthesis". A deviation: the count per cell is fixed and not Poisson-distributed,
+/// which spares empty regions.
+///
+/// ```
+/// use asperity_noise::{Noise, Sparse, glam::Vec3};
+///
+/// let noise = Sparse::new(1)?;
+/// let mean_square = (0..4000).map(|seed| noise.value(Vec3::splat(0.3), seed).powi(2)).sum::<f32>() / 4000.0;
+/// assert!((mean_square - 1.0).abs() < 0.1);
+/// assert!(Sparse::new(0).is_err());
+/// # Ok::<(), asperity_noise::SparseError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sparse<L = IntegerHash> {
+    impulses: u8,
+    lattice: L,
+}
+
+impl Sparse {
+    /// The most impulses per cell.
+    pub const MAX_IMPULSES: u32 = 4;
+
+    /// The noise of so many impulses per cell; the more, the closer to Gaussian, and the slower.
+    ///
+    /// # Errors
+    ///
+    /// If the count is not from 1 to [`MAX_IMPULSES`](Self::MAX_IMPULSES).
+    pub const fn new(impulses: u32) -> Result<Self, SparseError> {
+        if impulses >= 1 && impulses <= Self::MAX_IMPULSES {
+            Ok(Self { impulses: impulses as u8, lattice: IntegerHash })
+        } else {
+            Err(SparseError::ImpulsesOutOfRange(impulses))
+        }
+    }
+}
+
+impl Default for Sparse {
+    /// One impulse per cell.
+    fn default() -> Self {
+        Self { impulses: 1, lattice: IntegerHash }
+    }
+}
+
+impl<L> Sparse<L> {
+    /// The same noise on another lattice.
+    #[must_use]
+    pub fn with_lattice<M>(self, lattice: M) -> Sparse<M> {
+        Sparse { impulses: self.impulses, lattice }
+    }
+
+    /// K, the number of impulses per cell.
+    #[must_use]
+    pub const fn impulses(&self) -> u32 {
+        self.impulses as u32
+    }
+}
+
+/// √(3/(K ∫h²)) by dimension and count.
+const AMPLITUDE: [[f32; 4]; 4] = [
+    [2.097_361_6, 1.483_058_6, 1.210_912_3, 1.048_680_8],
+    [2.585_441_5, 1.828_183_2, 1.492_705_3, 1.292_720_8],
+    [3.240_626_8, 2.291_469, 1.870_976_7, 1.620_313_4],
+    [4.125_767_7, 2.917_358_3, 2.382_013, 2.062_883_8],
+];
+
+/// The number of cells around a cell and in it, all axes but the first.
+const SECTION: [usize; 5] = [1, 1, 3, 9, 27];
+/// 3^(axis − 1).
+const POWERS: [usize; 4] = [1, 1, 3, 9];
+
+/// Everything about a point's cell but the first axis.
+struct Section<S: Lanes, const N: usize> {
+    /// The terms of the cell before, the cell and the cell behind along each axis.
+    terms: [[S::U; 3]; N],
+    place: [S::F; N],
+}
+
+/// The terms of a cell and its neighbours along an axis.
+#[inline(always)]
+fn terms<S: Lanes, L: Lattice>(s: S, lattice: &L, axis: usize, cell: S::U) -> [S::U; 3] {
+    let mut terms = [cell; 3];
+    for k in 0..3 {
+        terms[k] = lattice.term(s, axis, cell + s.word((k as u32).wrapping_sub(1)));
+    }
+    terms
+}
+
+/// An impulse as points see it: its place along the first axis in its own cell, the ways to it along the other axes and
+/// the sum of their squares, and its weight times A.
+struct Impulse<S: Lanes, const N: usize> {
+    x: S::F,
+    d: [S::F; N],
+    rest: S::F,
+    weight: S::F,
+}
+
+impl<S: Lanes, const N: usize> Section<S, N> {
+    #[inline(always)]
+    fn new<L: Lattice>(s: S, lattice: &L, p: &[S::F; N]) -> Self {
+        let mut section = Self { terms: [[s.word(0); 3]; N], place: [s.float(0.0); N] };
+        for axis in 1..N {
+            let (cell, t) = cell(s, p[axis]);
+            section.terms[axis] = terms(s, lattice, axis, cell);
+            section.place[axis] = t;
+        }
+        section
+    }
+
+    /// The word of cell j of the section.
+    #[inline(always)]
+    fn word<L: Lattice>(&self, s: S, lattice: &L, term: S::U, j: usize, seed: u32) -> S::U {
+        let mut words = [term; N];
+        for axis in 1..N {
+            words[axis] = self.terms[axis][j / POWERS[axis] % 3];
+        }
+        lattice.words(s, words, seed)
+    }
+
+    /// The impulse of a word of cell j.
+    #[inline(always)]
+    fn impulse(&self, s: S, word: S::U, j: usize, amplitude: f32) -> Impulse<S, N> {
+        let low = s.word(0xffff);
+        let second = further::<S, 1>(s, word);
+        let fields = [s.shr::<16>(word), word & low, s.shr::<16>(second), second & low];
+        let mut place = [s.float(0.0); N];
+        for axis in 0..N {
+            place[axis] = (s.real(fields[axis]) + s.float(0.5)) * s.float(1.0 / 65_536.0);
+        }
+        let weight = match N {
+            1 | 2 => uniform(s, second),
+            _ => uniform(s, further::<S, 2>(s, word)),
+        };
+        let (mut d, mut rest) = (place, s.float(0.0));
+        for axis in 1..N {
+            let offset = (j / POWERS[axis] % 3) as f32 - 1.0;
+            d[axis] = self.place[axis] - (s.float(offset) + place[axis]);
+            let square = d[axis] * d[axis];
+            rest = if axis == 1 { square } else { rest + square };
+        }
+        Impulse { x: place[0], d, rest, weight: weight * s.float(amplitude) }
+    }
+}
+
+/// Adds an impulse's part, its first way given.
+#[inline(always)]
+fn add<S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    (value, gradient): &mut LaneSample<S, N>,
+    impulse: &Impulse<S, N>,
+    x: S::F,
+) {
+    let t = s.above(s.float(1.0) - (impulse.rest + x * x), 0.0);
+    let pull = impulse.weight * (t * t);
+    *value = *value + pull * t;
+    if GRADIENTS {
+        let pull = s.float(-6.0) * pull;
+        gradient[0] = gradient[0] + pull * x;
+        for axis in 1..N {
+            gradient[axis] = gradient[axis] + pull * impulse.d[axis];
+        }
+    }
+}
+
+impl<L: Lattice> Sparse<L> {
+    #[inline(always)]
+    fn amplitude<const N: usize>(&self) -> f32 {
+        AMPLITUDE[N - 1][usize::from(self.impulses - 1) & 3]
+    }
+
+    #[inline(always)]
+    fn sum<S: Lanes, const N: usize, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        p: [S::F; N],
+        seed: u32,
+    ) -> LaneSample<S, N> {
+        let section = Section::new(s, &self.lattice, &p);
+        let (cell, t) = cell(s, p[0]);
+        let terms = terms(s, &self.lattice, 0, cell);
+        let mut sum = (s.float(0.0), [s.float(0.0); N]);
+        for i in 0..3 {
+            for j in 0..SECTION[N] {
+                let mut word = section.word(s, &self.lattice, terms[i], j, seed);
+                for _ in 0..self.impulses {
+                    let impulse = section.impulse(s, word, j, self.amplitude::<N>());
+                    let x = t - (s.float(i as f32 - 1.0) + impulse.x);
+                    add::<S, N, GRADIENTS>(s, &mut sum, &impulse, x);
+                    word = further::<S, 3>(s, word);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Steps from here on leave too few points in a cell for columns to pay.
+const LONG_STEP: f32 = 0.95;
+/// Columns that are computed at once along a row.
+const COLUMNS: usize = 16;
+/// The most impulses of a column that rows keep; with more, points are computed one by one.
+const KEPT: usize = 36;
+
+type Numbers = [[f32; COLUMNS]; KEPT];
+
+/// The impulses of the columns that a stretch of a row crosses.
+struct Columns<const N: usize> {
+    x: Numbers,
+    rest: Numbers,
+    weight: Numbers,
+    d: [Numbers; N],
+}
+
+impl<const N: usize> Columns<N> {
+    const EMPTY: Self = Self {
+        x: [[0.0; COLUMNS]; KEPT],
+        rest: [[0.0; COLUMNS]; KEPT],
+        weight: [[0.0; COLUMNS]; KEPT],
+        d: [[[0.0; COLUMNS]; KEPT]; N],
+    };
+
+    /// The impulses of `count` columns from the cell `leftmost` on.
+    #[inline(always)]
+    fn fill<L: Lattice, S: Lanes>(
+        &mut self,
+        s: S,
+        noise: &Sparse<L>,
+        section: &Section<S, N>,
+        leftmost: i32,
+        count: usize,
+        seed: u32,
+    ) {
+        let mut i = 0;
+        while i < count {
+            let cells = s.word(leftmost.wrapping_add(i as i32) as u32) + s.iota();
+            let term = noise.lattice.term(s, 0, cells);
+            let mut kept = 0;
+            for j in 0..SECTION[N] {
+                let mut word = section.word(s, &noise.lattice, term, j, seed);
+                for _ in 0..noise.impulses {
+                    let impulse = section.impulse(s, word, j, noise.amplitude::<N>());
+                    s.store(impulse.x, &mut self.x[kept % KEPT][i..]);
+                    s.store(impulse.rest, &mut self.rest[kept % KEPT][i..]);
+                    s.store(impulse.weight, &mut self.weight[kept % KEPT][i..]);
+                    for axis in 1..N {
+                        s.store(impulse.d[axis], &mut self.d[axis][kept % KEPT][i..]);
+                    }
+                    word = further::<S, 3>(s, word);
+                    kept += 1;
+                }
+            }
+            i += S::LEN;
+        }
+    }
+
+    /// The impulses that points of cell k can see, in the order of the sum; the count.
+    #[inline(always)]
+    fn seen(&self, count: usize, k: usize, seen: &mut [[f32; 6]; 3 * KEPT]) -> usize {
+        let mut n = 0;
+        for i in 0..3 {
+            let column = (k + i) % COLUMNS;
+            for j in 0..count.min(KEPT) {
+                // Others have no part in the sum but ±0.
+                if self.rest[j][column] < 1.0 {
+                    let impulse = &mut seen[n];
+                    impulse[0] = (i as f32 - 1.0) + self.x[j][column];
+                    impulse[1] = self.rest[j][column];
+                    impulse[2] = self.weight[j][column];
+                    for axis in 1..N {
+                        impulse[2 + axis] = self.d[axis][j][column];
+                    }
+                    n += 1;
+                }
+            }
+        }
+        n
+    }
+}
+
+/// The values along a row, and the gradients if `GRADIENTS`.
+#[inline(always)]
+fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+    s: S,
+    noise: &Sparse<L>,
+    row: &Row<N, SCALED>,
+    seed: u32,
+    values: &mut [f32],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
+) {
+    let count = values.len();
+    let kept = SECTION[N] * usize::from(noise.impulses);
+    let mut i = 0;
+    if kept <= KEPT && has_columns(row, count, LONG_STEP) {
+        let section = Section::<S, N>::new(s, &noise.lattice, &splat(s, row.origin()));
+        let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
+        let mut columns = Columns::<N>::EMPTY;
+        let mut seen = [[0.0; 6]; 3 * KEPT];
+        while i < count {
+            let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
+            let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
+            let cells = crossed.min(COLUMNS - 2);
+            let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
+            columns.fill(s, noise, &section, leftmost.wrapping_sub(1), cells + 2, seed);
+            for j in 0..cells {
+                let k = if descending { cells - 1 - j } else { j };
+                let floor = leftmost.wrapping_add(k as i32) as f32;
+                let end = end_of_cell(row, floor, inverse, i, count);
+                if i == end {
+                    continue;
+                }
+                let n = columns.seen(kept, k, &mut seen);
+                while i < end {
+                    let t = row.xs(s, i) - s.float(floor);
+                    let mut sum = (s.float(0.0), [s.float(0.0); N]);
+                    for seen in &seen[..n] {
+                        let mut d = [t; N];
+                        for axis in 1..N {
+                            d[axis] = s.float(seen[2 + axis]);
+                        }
+                        let impulse = Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
+                        add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
+                    }
+                    match &mut gradients {
+                        Some(gradients) if GRADIENTS => put_sample(s, sum, values, gradients, i),
+                        _ => put(s, sum.0, values, i, count),
+                    }
+                    i += S::LEN;
+                }
+                i = end;
+            }
+        }
+        return;
+    }
+    by_lanes::<Sparse<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+}
+
+impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
+        self.sum::<S, N, false>(s, p, seed).0
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        self.sum::<S, N, true>(s, p, seed)
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        row: &Row<N, SCALED>,
+        seed: u32,
+        _stretch: &mut Stretch<N>,
+        values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; N]>,
+    ) {
+        rows::<L, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        let tables = [&tables::SPARSE_1, &tables::SPARSE_2, &tables::SPARSE_3, &tables::SPARSE_4];
+        &tables[usize::from(self.impulses - 1) & 3][N - 1]
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        let tables = [
+            &absolute_moments::SPARSE_1,
+            &absolute_moments::SPARSE_2,
+            &absolute_moments::SPARSE_3,
+            &absolute_moments::SPARSE_4,
+        ];
+        tables[usize::from(self.impulses - 1) & 3][N - 1]
+    }
+}
+
+/// Why a sparse convolution noise was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SparseError {
+    /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
+    ImpulsesOutOfRange(u32),
+}
+
+impl fmt::Display for SparseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ImpulsesOutOfRange(impulses) => {
+                write!(f, "{impulses} impulses per cell are not from 1 to {}", Sparse::MAX_IMPULSES)
+            }
+        }
+    }
+}
+
+impl Error for SparseError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contract::noise::Noise;
+    use glam::{Vec2, Vec3, Vec4};
+
+    #[test]
+    fn only_counts_in_range_are_accepted() {
+        for impulses in 1..=4 {
+            assert_eq!(Sparse::new(impulses).unwrap().impulses(), impulses);
+        }
+        for impulses in [0, 5, 256, 257, u32::MAX] {
+            assert_eq!(Sparse::new(impulses), Err(SparseError::ImpulsesOutOfRange(impulses)));
+        }
+    }
+
+    #[test]
+    fn the_variance_is_one_at_every_place_of_the_cell() {
+        for impulses in [1, 3] {
+            let noise = Sparse::new(impulses).unwrap();
+            let square =
+                |f: &dyn Fn(u32) -> f32| (0..4000).map(|seed| f(seed) * f(seed)).sum::<f32>() / 4000.0;
+            let squares = [
+                square(&|seed| noise.value(0.0, seed)),
+                square(&|seed| noise.value(Vec2::ZERO, seed)),
+                square(&|seed| noise.value(Vec2::splat(0.5), seed)),
+                square(&|seed| noise.value(Vec3::new(0.0, 0.5, 0.0), seed)),
+                square(&|seed| noise.value(Vec4::new(0.9, 0.5, 0.0, 0.3), seed)),
+            ];
+            // The kurtosis is at most 6: 4.5 standard errors of the mean square.
+            let tolerance = 4.5 * (5.0_f32 / 4000.0).sqrt();
+            assert!(squares.iter().all(|s| (s - 1.0).abs() < tolerance), "{impulses}: {squares:?}");
+        }
+    }
+
+    #[test]
+    fn gradients_are_differences() {
+        let noise = Sparse::new(2).unwrap();
+        let h = 1.0 / 256.0;
+        for i in 0..60_i16 {
+            let p = Vec4::new(0.37 * f32::from(i), 11.3 - 0.61 * f32::from(i), 0.23, -0.83 * f32::from(i));
+            let gradient = noise.sample(p, 1).gradient;
+            for axis in 0..4 {
+                let step = h * Vec4::AXES[axis];
+                let difference = (noise.value(p + step, 1) - noise.value(p - step, 1)) / (2.0 * h);
+                // h² max |n‴|/6, n‴ of an impulse at most 25, and rounding 2⁻²³ · 5/h; worst seen 7e-4.
+                assert!((gradient[axis] - difference).abs() < 2e-3, "{p}, axis {axis}: {difference}");
+            }
+        }
+    }
+
+    /// A lattice whose impulses all lie next to the origin, with the greatest weight.
+    struct Heap;
+
+    impl Lattice for Heap {
+        fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
+            if cell[0] < 0 { 0xffff_0000 } else { 0 }
+        }
+    }
+
+    #[test]
+    fn a_kernel_reaches_as_far_as_its_radius() {
+        // One impulse lies at −2⁻¹⁷, one at 2⁻¹⁷, and so on at ±1.
+        let noise = Sparse { impulses: 1, lattice: Heap };
+        let (here, there) = (noise.value(0.0, 0), noise.value(1.0, 0));
+        let weight = |word: u32| {
+            let word = crate::Scalar.word(word);
+            uniform(crate::Scalar, further::<_, 1>(crate::Scalar, word)) * AMPLITUDE[0][0]
+        };
+        assert!((here - (weight(0xffff_0000) + weight(0))).abs() < 1e-4, "{here}");
+        assert!((there - weight(0)).abs() < 1e-4, "{there}");
+    }
+}

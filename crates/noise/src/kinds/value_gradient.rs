@@ -1,0 +1,223 @@
+//! Value-gradient noise: value noise and gradient noise on one lattice, in a chosen proportion.
+
+use core::{error::Error, fmt};
+
+use crate::{
+    kinds::cell::corner::{CellNoise, Corner},
+    lattice::fade::Fade,
+    lattice::integer_hash::{IntegerHash, further},
+    lattice::lattice::Lattice,
+    lattice::variates::{uniform, unit_direction},
+    math,
+    simd::lanes::Lanes,
+    statistics::absolute_moments,
+    statistics::statistics::Statistics,
+    statistics::tables,
+};
+
+/// The weighted sum of value noise and gradient noise: neither flat nor 0 at lattice points; C².
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/value_gradient.md"))]
+///
+/// ```text
+/// n(p) = Σ_c W_c(p) ((1 − μ) v_c + μ (2/√n) g_c·(p − c)),   W = Π w or 1 − w,   w(t) = 6t⁵ − 15t⁴ + 10t³
+/// ```
+///
+/// In 1 to 4 dimensions, v uniform in (−1, 1), g uniform on the circle or sphere and ±1 in 1-D, independent of v. The weight
+/// μ is that of gradient noise: at 0 this is [`Value`](crate::Value) noise with other numbers.
+///
+/// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres.
+/// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
+///
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::Vgnoise) is the
+/// original.
+///
+/// ```
+/// use asperity_noise::{Noise, ValueGradient, glam::Vec3};
+///
+/// let noise = ValueGradient::new(0.6)?;
+/// let sample = noise.sample(Vec3::new(4.0, -1.0, 7.0), 2);
+/// assert!(sample.value != 0.0 && sample.gradient != Vec3::ZERO);
+/// assert!(ValueGradient::new(1.5).is_err());
+/// # Ok::<(), asperity_noise::ValueGradientError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ValueGradient<L = IntegerHash> {
+    weight: f32,
+    lattice: L,
+}
+
+impl ValueGradient {
+    /// The noise with the weight `weight` of gradient noise, and the rest of value noise.
+    ///
+    /// # Errors
+    ///
+    /// If the weight is not in [0, 1].
+    pub const fn new(weight: f32) -> Result<Self, ValueGradientError> {
+        if weight >= 0.0 && weight <= 1.0 {
+            Ok(Self { weight, lattice: IntegerHash })
+        } else {
+            Err(ValueGradientError::WeightOutOfRange(weight))
+        }
+    }
+}
+
+impl Default for ValueGradient {
+    /// Equal weights.
+    fn default() -> Self {
+        Self { weight: 0.5, lattice: IntegerHash }
+    }
+}
+
+impl<L> ValueGradient<L> {
+    /// The same noise on another lattice.
+    #[must_use]
+    pub fn with_lattice<M>(self, lattice: M) -> ValueGradient<M> {
+        ValueGradient { weight: self.weight, lattice }
+    }
+
+    /// μ, the weight of gradient noise.
+    #[must_use]
+    pub const fn weight(&self) -> f32 {
+        self.weight
+    }
+}
+
+/// Keeps rounding from crossing 1.
+const MARGIN: f32 = 1.0 - 2e-6;
+/// 2/√n.
+const SCALE: [f32; 4] = [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
+
+impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
+    type Lattice = L;
+    const HAS_VALUE: bool = true;
+    const HAS_GRADIENT: bool = true;
+    const FADE: Fade = Fade::Quintic;
+
+    #[inline(always)]
+    fn lattice(&self) -> &L {
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
+        Corner {
+            value: uniform(s, further::<S, 6>(s, word)) * s.float(MARGIN * (1.0 - self.weight)),
+            gradient: unit_direction(s, word, SCALE[N - 1] * self.weight),
+        }
+    }
+
+    /// The statistics at equal weights.
+    fn statistics(&self) -> &'static Statistics {
+        &tables::VALUE_GRADIENT[N - 1]
+    }
+
+    /// From σ_v and from σ at equal weights, σ_½² = (σ_v² + σ_g²)/4.
+    fn standard_deviation(&self) -> f32 {
+        let (v, half) = (&tables::VALUE[N - 1], &tables::VALUE_GRADIENT[N - 1]);
+        let square = |statistics: &Statistics| statistics.standard_deviation * statistics.standard_deviation;
+        let (value, gradient) = (square(v), 4.0 * square(half) - square(v));
+        let (low, high) = (1.0 - self.weight, self.weight);
+        math::sqrt(low * low * value + high * high * gradient)
+    }
+
+    /// σᵏ times E|n|ᵏ/σᵏ, which is measured at μ = 0, ¼, ½, ¾ and 1; between these by the polynomial through all five.
+    fn absolute_moments(&self) -> [f32; 4] {
+        let tables = [
+            &absolute_moments::VALUE_GRADIENT_0,
+            &absolute_moments::VALUE_GRADIENT_1,
+            &absolute_moments::VALUE_GRADIENT_2,
+            &absolute_moments::VALUE_GRADIENT_3,
+            &absolute_moments::VALUE_GRADIENT_4,
+        ];
+        let mut ratios = [0.0; 3];
+        for (i, table) in tables.into_iter().enumerate() {
+            let basis = (0..tables.len())
+                .filter(|&j| j != i)
+                .fold(1.0, |product, j| product * (4.0 * self.weight - j as f32) / (i as f32 - j as f32));
+            let [first, square, third, fourth] = table[N - 1];
+            let root = math::sqrt(square);
+            ratios[0] += basis * (first / root);
+            ratios[1] += basis * (third / (square * root));
+            ratios[2] += basis * (fourth / (square * square));
+        }
+        let sigma = CellNoise::<N>::standard_deviation(self);
+        let square = sigma * sigma;
+        [ratios[0] * sigma, square, ratios[1] * (square * sigma), ratios[2] * (square * square)]
+    }
+}
+
+/// Why a value-gradient noise was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ValueGradientError {
+    /// The weight is not in [0, 1].
+    WeightOutOfRange(f32),
+}
+
+impl fmt::Display for ValueGradientError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::WeightOutOfRange(weight) => {
+                write!(f, "the weight {weight} of gradient noise is not in [0, 1]")
+            }
+        }
+    }
+}
+
+impl Error for ValueGradientError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contract::noise::Noise;
+    use glam::{Vec2, Vec3};
+
+    #[test]
+    fn only_weights_are_accepted() {
+        for weight in [-0.0, 0.0, 0.3, 1.0] {
+            assert_eq!(ValueGradient::new(weight).unwrap().weight(), weight);
+        }
+        for weight in [-1e-9, 1.000_001, f32::INFINITY] {
+            assert_eq!(ValueGradient::new(weight), Err(ValueGradientError::WeightOutOfRange(weight)));
+        }
+        assert!(ValueGradient::new(f32::NAN).is_err());
+    }
+
+    #[test]
+    fn the_sum_is_linear_in_the_weight() {
+        let noise = |weight| ValueGradient::new(weight).unwrap();
+        for i in 0..100_i16 {
+            let p = Vec3::new(0.37 * f32::from(i), 3.0 - 0.61 * f32::from(i), 0.23 * f32::from(i));
+            let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).sample(p, 4));
+            assert!((0.75 * value.value + 0.25 * gradient.value - both.value).abs() < 1e-6, "{p}");
+            let sum = 0.75 * value.gradient + 0.25 * gradient.gradient;
+            assert!((sum - both.gradient).length() < 5e-6, "{p}");
+        }
+    }
+
+    #[test]
+    fn parts_alone_are_0_or_flat_at_lattice_points() {
+        let p = Vec2::new(3.0, -2.0);
+        assert_eq!(ValueGradient::new(1.0).unwrap().value(p, 1), 0.0);
+        assert_eq!(ValueGradient::new(0.0).unwrap().sample(p, 1).gradient, Vec2::ZERO);
+    }
+
+    /// The corners of cell 0 on the line have gradients toward each other.
+    struct Facing;
+
+    impl Lattice for Facing {
+        fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
+            if cell[0] == 0 { 0 } else { 0x8000_0000 }
+        }
+    }
+
+    #[test]
+    fn the_bound_of_the_gradient_part_is_attained_in_the_centre() {
+        let noise = ValueGradient::new(1.0).unwrap().with_lattice(Facing);
+        assert!((noise.value(0.5, 0) - MARGIN).abs() < 1e-7);
+        for i in 0..=100_u8 {
+            assert!(noise.value(f32::from(i) / 100.0, 0) <= MARGIN);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The weights that a noise blends the ends of a cell with, and their derivatives.
+
+use crate::simd::lanes::Lanes;
+
+/// A weight w(t) that rises from 0 to 1 over a cell, with w′ and w″.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fade {
+    /// w = 3t² − 2t³, C¹ across cells.
+    Cubic,
+    /// w = 6t⁵ − 15t⁴ + 10t³, C² across cells.
+    Quintic,
+}
+
+impl Fade {
+    /// w(t).
+    #[inline(always)]
+    pub(crate) fn weight<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => t * t * (s.float(3.0) - s.float(2.0) * t),
+            Self::Quintic => t * t * t * (t * (t * s.float(6.0) - s.float(15.0)) + s.float(10.0)),
+        }
+    }
+
+    /// w′(t).
+    #[inline(always)]
+    pub(crate) fn slope<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => s.float(6.0) * t * (s.float(1.0) - t),
+            Self::Quintic => {
+                let rest = t - s.float(1.0);
+                s.float(30.0) * (t * t) * (rest * rest)
+            }
+        }
+    }
+
+    /// w″(t).
+    #[inline(always)]
+    pub(crate) fn curvature<S: Lanes>(self, s: S, t: S::F) -> S::F {
+        match self {
+            Self::Cubic => s.float(6.0) - s.float(12.0) * t,
+            Self::Quintic => s.float(60.0) * t * (s.float(1.0) - t) * (s.float(1.0) - s.float(2.0) * t),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::lanes::Scalar;
+
+    #[test]
+    fn derivatives_are_derivatives() {
+        let h = 1.0 / 256.0;
+        for fade in [Fade::Cubic, Fade::Quintic] {
+            let [w, dw] = [Fade::weight, Fade::slope].map(|f| move |t: f32| f(fade, Scalar, t));
+            assert_eq!([w(0.0), w(0.5), w(1.0), dw(0.0), dw(1.0)], [0.0, 0.5, 1.0, 0.0, 0.0]);
+            for i in 1..16_u8 {
+                let t = f32::from(i) / 16.0;
+                // A central difference errs by h² max |w‴|/6 ≤ 10 h², and by rounding.
+                let slope = (w(t + h) - w(t - h)) / (2.0 * h);
+                assert!((dw(t) - slope).abs() < 2e-4, "{fade:?} at {t}: {slope}");
+                let curvature = (dw(t + h) - dw(t - h)) / (2.0 * h);
+                assert!((fade.curvature(Scalar, t) - curvature).abs() < 2e-3, "{fade:?} at {t}: {curvature}");
+            }
+        }
+    }
+}

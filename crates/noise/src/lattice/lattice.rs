@@ -1,0 +1,147 @@
+//! The source of a lattice's random words, and the cell that a point lies in.
+
+use crate::simd::lanes::Lanes;
+#[cfg(test)]
+use crate::simd::lanes::Scalar;
+
+/// A hash of lattice points, the only randomness of every noise of this crate.
+///
+/// All 32 bits of a word must look independent of one another, of the words of other points and of other seeds.
+/// [`IntegerHash`](crate::IntegerHash) is the default; [`PermutationTable`](crate::PermutationTable) and
+/// [`ChainedTable`](crate::ChainedTable) reproduce the sources; [`Tiled`](crate::Tiled) repeats any of them.
+///
+/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`] follow from it.
+///
+/// ```
+/// use asperity_noise::{IntegerHash, Lattice, Noise, Perlin2002, glam::Vec2};
+///
+/// /// Only one row of cells matters.
+/// struct Stripes;
+///
+/// impl Lattice for Stripes {
+///     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+///         IntegerHash.word([cell[0]], seed)
+///     }
+/// }
+///
+/// let noise = Perlin2002(Stripes);
+/// assert_eq!(noise.value(Vec2::new(0.4, 0.25), 1), noise.value(Vec2::new(0.4, 7.25), 1));
+/// ```
+pub trait Lattice {
+    /// The random word of a lattice point in N dimensions.
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32;
+
+    /// What the coordinate of a cell along an axis contributes to its word.
+    #[inline(always)]
+    fn term<S: Lanes>(&self, _: S, _axis: usize, cell: S::U) -> S::U {
+        cell
+    }
+
+    /// The terms of a cell and of the next one.
+    #[inline(always)]
+    fn terms<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> [S::U; 2] {
+        [self.term(s, axis, cell), self.term(s, axis, cell + s.word(1))]
+    }
+
+    /// The words of the points that terms were made of.
+    #[inline(always)]
+    fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        s.words(|lane| self.word(terms.map(|term| s.lane_word(term, lane) as i32), seed))
+    }
+}
+
+/// From here on cells do not fit an `i32`.
+const LIMIT: f32 = 2_147_483_648.0;
+
+/// Where a kind of noise evaluates points: Σ |xᵢ| < 2³⁰, so that every coordinate has a cell.
+pub(crate) const REACH: f32 = LIMIT / 2.0;
+
+/// Whether Σ |xᵢ| < `reach` in every lane.
+#[inline(always)]
+pub(crate) fn is_within<S: Lanes, const N: usize>(s: S, p: &[S::F; N], reach: f32) -> bool {
+    let mut sum = s.abs(p[0]);
+    for &x in &p[1..] {
+        sum = sum + s.abs(x);
+    }
+    s.all(s.less(sum, s.float(reach)))
+}
+
+/// The cell of each coordinate and the place in it, in [0, 1], for |x| ≤ 2³¹.
+///
+/// The place reaches 1 when x lies closer under an integer than `f32` can resolve; noises are continuous there.
+#[inline(always)]
+pub(crate) fn cell<S: Lanes>(s: S, x: S::F) -> (S::U, S::F) {
+    // −0 + 0 = 0: floors of −0 differ in sign between levels.
+    s.cell(x + s.float(0.0))
+}
+
+/// A point with the same cell modulo 2³² whose coordinates all fit an `i32`; nothing if one is not finite.
+///
+/// From |x| = 2²³ on `f32` holds integers only, so nothing but the cell is lost.
+#[inline]
+pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
+    // From 2⁵⁵ on every `f32` is a multiple of 2³².
+    const FAR: f32 = 36_028_797_018_963_968.0;
+    p.iter().all(|x| x.is_finite()).then(|| {
+        p.map(|x| match x.abs() {
+            near if near < LIMIT => x,
+            far if far < FAR => x as i64 as i32 as f32,
+            _ => 0.0,
+        })
+    })
+}
+
+/// The word of one lattice point through the path that lanes take.
+#[cfg(test)]
+pub(crate) fn word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
+    let mut axis = 0;
+    let terms = cell.map(|c| {
+        axis += 1;
+        lattice.term(Scalar, axis - 1, Scalar.word(c as u32))
+    });
+    lattice.words(Scalar, terms, seed).0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_floors() {
+        fn cell(x: f32) -> (i32, f32) {
+            let (cell, place) = super::cell(Scalar, x);
+            (cell.0 as i32, place)
+        }
+        assert_eq!(cell(2.25), (2, 0.25));
+        assert_eq!(cell(-0.25), (-1, 0.75));
+        assert_eq!(cell(-3.0), (-3, 0.0));
+        assert_eq!(cell(-0.0), (0, 0.0));
+        assert_eq!(cell(-1e-20), (-1, 1.0));
+        assert_eq!(cell(8_388_607.5), (8_388_607, 0.5));
+        assert_eq!(cell(-8_388_607.5), (-8_388_608, 0.5));
+        assert_eq!(cell(2_147_483_520.0), (2_147_483_520, 0.0));
+    }
+
+    #[test]
+    fn points_are_within_reach_or_not() {
+        assert!(is_within(Scalar, &[5e8, -5e8], REACH));
+        assert!(!is_within(Scalar, &[6e8, -6e8], REACH));
+        assert!(!is_within(Scalar, &[f32::NAN, 0.0], REACH));
+        assert!(!is_within(Scalar, &[f32::NEG_INFINITY], REACH));
+    }
+
+    #[test]
+    fn huge_coordinates_wrap() {
+        assert_eq!(wrapped([5.5, -7.25]), Some([5.5, -7.25]));
+        assert_eq!(wrapped([f32::MAX, f32::MIN]), Some([0.0, 0.0]));
+        assert_eq!(wrapped([4_294_967_296.0 + 1024.0]), Some([1024.0]));
+        assert_eq!(wrapped([2_147_483_648.0, -2_147_483_904.0]), Some([-2_147_483_648.0, 2_147_483_392.0]));
+        assert_eq!(wrapped([f32::INFINITY, 0.0]), None);
+        assert_eq!(wrapped([0.0, f32::NAN]), None);
+        for exponent in 29..=127 {
+            let p = [2.0_f32.powi(exponent), -2.0_f32.powi(exponent) * 1.75, 0.5, f32::MAX];
+            let wrapped = wrapped(p).unwrap();
+            assert!(wrapped.iter().all(|x| x.abs() <= LIMIT), "2^{exponent}: {wrapped:?}");
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! Lattices that repeat with a period along each axis, so that noises tile.
+
+use core::{error::Error, fmt};
+
+use crate::{lattice::lattice::Lattice, simd::lanes::Lanes};
+
+/// A lattice that repeats along the first N axes with a period of its own along each.
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/tiled.md"))]
+///
+/// ```text
+/// word(c) = L.word(c mod period)
+/// ```
+///
+/// Every noise on the integer lattice tiles with it: white, value, gradient, value-gradient, sparse and Gaussian noise, in
+/// any dimension; axes beyond the N-th do not repeat. Where p and p + period are both exact in `f32`, values and gradients
+/// have the same bits. From |x| = 2³¹ on cells wrap modulo 2³², and only periods that are powers of two go on.
+///
+/// [`Simplex`](crate::Simplex) noise tiles with it in 1-D alone. In space it has [`TiledSimplex`](crate::TiledSimplex); in the
+/// plane and in 4-D no step along an axis maps the simplicial lattice onto itself, since its shear is irrational.
+///
+/// ```
+/// use asperity_noise::{IntegerHash, Noise, Perlin2002, Tiled, glam::Vec2};
+///
+/// let noise = Perlin2002(Tiled::new(IntegerHash, [8, 3])?);
+/// let p = Vec2::new(1.25, -0.5);
+/// assert_eq!(noise.sample(p, 1), noise.sample(p + Vec2::new(8.0, -3.0), 1));
+/// # Ok::<(), asperity_noise::TiledError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiled<L, const N: usize> {
+    lattice: L,
+    periods: [u32; N],
+}
+
+impl<L, const N: usize> Tiled<L, N> {
+    /// The longest period, a quarter of the cells that `f32` can find a place in.
+    pub const MAX_PERIOD: u32 = 1 << 21;
+
+    /// The lattice, repeated with the periods.
+    ///
+    /// # Errors
+    ///
+    /// If a period is 0 or longer than [`MAX_PERIOD`](Self::MAX_PERIOD).
+    pub fn new(lattice: L, periods: [u32; N]) -> Result<Self, TiledError> {
+        for (axis, period) in periods.into_iter().enumerate() {
+            if period == 0 || period > Self::MAX_PERIOD {
+                return Err(TiledError::PeriodOutOfRange { axis, period });
+            }
+        }
+        Ok(Self { lattice, periods })
+    }
+
+    /// The period along each axis.
+    #[must_use]
+    pub const fn periods(&self) -> &[u32; N] {
+        &self.periods
+    }
+}
+
+/// A cell modulo a period of at most 6 · 2²¹, the remainder not negative.
+///
+/// Exact: the first quotient times the period errs by less than 2³¹ · 2⁻²², which leaves a rest from −2⁹ to the period + 2⁹. That is
+/// a float, and so close to 0 or so small a multiple of the period that its quotient does not round to the next integer.
+#[inline(always)]
+pub(crate) fn remainder<S: Lanes>(s: S, cell: S::U, period: u32) -> S::U {
+    let (real, bits) = (s.float(period as f32), s.word(period));
+    let near = cell - s.integer(s.floor(s.real(cell) / real)) * bits;
+    near - s.integer(s.floor(s.real(near) / real)) * bits
+}
+
+impl<L: Lattice, const M: usize> Lattice for Tiled<L, M> {
+    #[inline]
+    fn word<const N: usize>(&self, mut cell: [i32; N], seed: u32) -> u32 {
+        for (c, &period) in cell.iter_mut().zip(&self.periods) {
+            *c = c.rem_euclid(period as i32);
+        }
+        self.lattice.word(cell, seed)
+    }
+
+    #[inline(always)]
+    fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
+        let cell = match self.periods.get(axis) {
+            Some(&period) => remainder(s, cell, period),
+            None => cell,
+        };
+        self.lattice.term(s, axis, cell)
+    }
+
+    #[inline(always)]
+    fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        self.lattice.words(s, terms, seed)
+    }
+}
+
+/// Why a lattice was not repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TiledError {
+    /// A period is 0 or too long.
+    PeriodOutOfRange {
+        /// The axis, from 0.
+        axis: usize,
+        /// The period.
+        period: u32,
+    },
+    /// The lattice repeats only with multiples of a number.
+    NoMultiple {
+        /// The axis, from 0.
+        axis: usize,
+        /// The period.
+        period: u32,
+        /// The number.
+        factor: u32,
+    },
+}
+
+impl fmt::Display for TiledError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::PeriodOutOfRange { axis, period } => {
+                write!(f, "the period {period} along axis {axis} is not from 1 to the longest period")
+            }
+            Self::NoMultiple { axis, period, factor } => {
+                write!(f, "the period {period} along axis {axis} is not a multiple of {factor}")
+            }
+        }
+    }
+}
+
+impl Error for TiledError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        ChainedTable, Gaussian, IntegerHash, Kernel, Noise, Perlin1985, Perlin2002, PermutationTable,
+        Simplex, Sparse, Value, ValueCatmullRom, ValueGradient, White, contract::point::Point,
+        lattice::lattice::word_by_terms, simd::lanes::Scalar,
+    };
+    use glam::{Vec2, Vec3, Vec4};
+
+    const LONG: u32 = Tiled::<IntegerHash, 1>::MAX_PERIOD;
+
+    #[test]
+    fn remainders_are_euclid_s() {
+        for period in [1, 2, 3, 5, 7, 12, 255, 256, 1000, 65_537, LONG - 1, LONG, 6 * LONG - 6, 6 * LONG] {
+            let signed = period as i32;
+            let near = (-300..300_i32).flat_map(|i| {
+                let multiple = i.wrapping_mul(signed);
+                [i, multiple, multiple.wrapping_sub(1), multiple.wrapping_add(1)]
+            });
+            let far =
+                (0..300_i32).flat_map(|i| [i32::MAX - i * 77, i32::MIN + i * 991, i.wrapping_mul(7_654_321)]);
+            for cell in near.chain(far).chain([i32::MAX / signed * signed, i32::MIN / signed * signed]) {
+                let rest = remainder(Scalar, Scalar.word(cell as u32), period);
+                assert_eq!(rest.0 as i32, cell.rem_euclid(signed), "{cell} mod {period}");
+            }
+        }
+    }
+
+    #[test]
+    fn only_periods_in_range_are_accepted() {
+        assert_eq!(Tiled::new(IntegerHash, [1, LONG]).unwrap().periods(), &[1, LONG]);
+        assert_eq!(Tiled::new(IntegerHash, [1, 0]), Err(TiledError::PeriodOutOfRange { axis: 1, period: 0 }));
+        assert!(Tiled::new(IntegerHash, [LONG + 1]).is_err());
+    }
+
+    #[test]
+    fn words_and_terms_agree_and_later_axes_do_not_repeat() {
+        let tiled = Tiled::new(IntegerHash, [5, 12]).unwrap();
+        for i in -50..50 {
+            let cell = [3 * i, -i, i];
+            assert_eq!(word_by_terms(&tiled, cell, 3), tiled.word(cell, 3));
+            assert_eq!(tiled.word(cell, 3), tiled.word([3 * i + 10, -i - 12, i], 3));
+            assert_ne!(tiled.word(cell, 3), tiled.word([3 * i, -i, i + 12], 3));
+        }
+        let table = Tiled::new(PermutationTable::new(1), [5, 12]).unwrap();
+        assert_eq!(word_by_terms(&table, [77, -8, 3], 3), table.word([2, 4, 3], 3));
+    }
+
+    fn tiles<K: Kernel<N> + Noise<V>, V: Point<N>, const N: usize>(noise: &K, periods: [u32; N]) {
+        for i in 0..60_u8 {
+            let mut axis = 0;
+            let p = periods.map(|period| {
+                axis += 1;
+                // Eighths, so that sums are exact; across the border of a period and on it.
+                (f32::from(i) * [0.625, -0.375, 1.125, -0.875][axis - 1]) % (2.0 * period as f32)
+            });
+            let here = noise.sample(V::from_coordinates(p), 4);
+            for axis in 0..N {
+                for turns in [1.0, -2.0, 1000.0] {
+                    let mut q = p;
+                    q[axis] += turns * periods[axis] as f32;
+                    let there = noise.sample(V::from_coordinates(q), 4);
+                    let bits = |x: V| x.coordinates().map(f32::to_bits);
+                    assert_eq!(here.value.to_bits(), there.value.to_bits(), "{p:?} and {q:?}");
+                    assert_eq!(bits(here.gradient), bits(there.gradient), "{p:?} and {q:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_kind_on_the_integer_lattice_tiles_bit_for_bit() {
+        fn kind<K>(noise: &K)
+        where
+            K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+        {
+            tiles::<_, f32, 1>(noise, [7]);
+            tiles::<_, Vec2, 2>(noise, [7, 1]);
+            tiles::<_, Vec3, 3>(noise, [7, 1, 12]);
+            tiles::<_, Vec4, 4>(noise, [7, 1, 12, 2]);
+        }
+        let lattice = Tiled::new(IntegerHash, [7, 1, 12, 2]).unwrap();
+        kind(&White(lattice));
+        kind(&Value(lattice));
+        kind(&ValueCatmullRom(lattice));
+        kind(&ValueGradient::default().with_lattice(lattice));
+        kind(&Perlin1985(lattice));
+        kind(&Perlin2002(lattice));
+        kind(&Gaussian(lattice));
+        kind(&Sparse::default().with_lattice(lattice));
+        kind(&Perlin2002(Tiled::new(PermutationTable::new(1), [7, 1, 12, 2]).unwrap()));
+        kind(&Perlin2002(Tiled::new(ChainedTable(PermutationTable::new(1)), [7, 1, 12, 2]).unwrap()));
+    }
+
+    #[test]
+    fn simplex_noise_tiles_on_the_line() {
+        let lattice = Tiled::new(IntegerHash, [7]).unwrap();
+        tiles::<_, f32, 1>(&Simplex::CONTINUOUS.with_lattice(lattice), [7]);
+        tiles::<_, f32, 1>(&Simplex::WIDE.with_lattice(lattice), [7]);
+    }
+}

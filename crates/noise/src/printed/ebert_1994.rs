@@ -1,0 +1,458 @@
+//! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
+
+use glam::Vec3;
+
+use crate::{
+    contract::field::{Field, row_samples, row_values},
+    contract::kernel::{Kernel, LaneSample, Row, samples, values},
+    contract::sample::Sample,
+    kinds::catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
+    kinds::cell::corner::{CellNoise, Corner},
+    kinds::cell::rows::Stretch,
+    kinds::value_gradient::ValueGradientError,
+    lattice::fade::Fade,
+    lattice::lattice::Lattice,
+    lattice::permutation_table::PermutationTable,
+    math,
+    row::scratch::Scratch,
+    simd::lanes::{Lanes, Scalar},
+    statistics::statistics::Statistics,
+    statistics::tables,
+};
+
+/// The three tables of 256 entries: a permutation, numbers in [−1, 1] and unit gradients.
+///
+/// ```text
+/// value = 1 − 2u;   z = 1 − 2u, r = √(1 − z²), θ = 2πv, gradient = (r cos θ, r sin θ, z)
+/// ```
+///
+/// The originals fill them from a generator of the system, uniform in [0, 1], started anew for either table; any stream of
+/// such numbers does here, and the permutation is the caller's. Everything is rounded to `f32` where the originals round;
+/// sine and cosine are within an ulp of the exact ones, and the same bits everywhere.
+///
+/// Ebert (ed.) 1994, "Texturing and Modeling", noise by D. Peachey; Cohen's lecture "Procedural Bump Mapping and Noise".
+///
+/// ```
+/// use asperity_noise::{LectureTables, PermutationTable};
+///
+/// let stream = || {
+///     let mut state = 665_u32;
+///     move || {
+///         state = state.wrapping_mul(1_103_515_245).wrapping_add(12_345);
+///         f64::from(state >> 1) / f64::from(u32::MAX >> 1)
+///     }
+/// };
+/// let tables = LectureTables::new(PermutationTable::new(0), stream(), stream());
+/// assert!(tables.gradients().iter().all(|[x, y, z]| (x * x + y * y + z * z - 1.0).abs() < 1e-6));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LectureTables {
+    permutation: Bytes,
+    values: [f32; 256],
+    gradients: [[f32; 3]; 256],
+}
+
+impl LectureTables {
+    /// Tables from a permutation, 256 uniform numbers for the values and 512 for the gradients, z before θ.
+    ///
+    /// Numbers are clamped to [0, 1], NaN to 0.
+    #[must_use]
+    pub fn new(
+        permutation: PermutationTable,
+        mut value_numbers: impl FnMut() -> f64,
+        mut gradient_numbers: impl FnMut() -> f64,
+    ) -> Self {
+        let mut tables =
+            Self { permutation: Bytes(permutation), values: [0.0; 256], gradients: [[0.0; 3]; 256] };
+        for value in &mut tables.values {
+            *value = (1.0 - 2.0 * clamped(value_numbers())) as f32;
+        }
+        for gradient in &mut tables.gradients {
+            let z = (1.0 - 2.0 * clamped(gradient_numbers())) as f32;
+            let r = math::sqrt(1.0 - z * z);
+            let theta = (2.0 * core::f64::consts::PI * clamped(gradient_numbers())) as f32;
+            let [cosine, sine] = cos_sin(theta);
+            *gradient = [r * cosine, r * sine, z];
+        }
+        tables
+    }
+
+    /// The permutation.
+    #[must_use]
+    pub const fn permutation(&self) -> &PermutationTable {
+        &self.permutation.0
+    }
+
+    /// The numbers of `vnoise`.
+    #[must_use]
+    pub const fn values(&self) -> &[f32; 256] {
+        &self.values
+    }
+
+    /// The gradients of `gnoise`.
+    #[must_use]
+    pub const fn gradients(&self) -> &[[f32; 3]; 256] {
+        &self.gradients
+    }
+}
+
+fn clamped(u: f64) -> f64 {
+    if u > 0.0 { if u < 1.0 { u } else { 1.0 } } else { 0.0 }
+}
+
+/// cos θ and sin θ, 0 ≤ θ ≤ 2π, by series around the nearest quarter turn.
+fn cos_sin(theta: f32) -> [f32; 2] {
+    const COSINE: [f64; 8] = [
+        1.0,
+        -1.0 / 2.0,
+        1.0 / 24.0,
+        -1.0 / 720.0,
+        1.0 / 40_320.0,
+        -1.0 / 3_628_800.0,
+        1.0 / 479_001_600.0,
+        0.0,
+    ];
+    const SINE: [f64; 8] = [
+        1.0,
+        -1.0 / 6.0,
+        1.0 / 120.0,
+        -1.0 / 5040.0,
+        1.0 / 362_880.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 6_227_020_800.0,
+        0.0,
+    ];
+    let theta = f64::from(theta);
+    let quarter = (theta * core::f64::consts::FRAC_2_PI + 0.5) as u32;
+    let x = theta - f64::from(quarter) * core::f64::consts::FRAC_PI_2;
+    let series = |coefficients: [f64; 8]| coefficients.iter().rev().fold(0.0, |sum, c| sum * (x * x) + c);
+    let (c, s) = (series(COSINE) as f32, (x * series(SINE)) as f32);
+    match quarter & 3 {
+        0 => [c, s],
+        1 => [-s, c],
+        2 => [-c, -s],
+        _ => [s, -c],
+    }
+}
+
+/// The lattice whose words are the bytes of the permutation themselves.
+#[derive(Clone, Debug, PartialEq)]
+struct Bytes(PermutationTable);
+
+impl Lattice for Bytes {
+    #[inline]
+    fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
+        let at = |axis: usize| cell.get(axis).copied().unwrap_or(0);
+        u32::from(self.0.index(at(0), at(1), at(2)))
+    }
+}
+
+/// `vnoise`: the table's values at lattice points, interpolated by Catmull–Rom splines in space; C¹.
+///
+/// [`ValueCatmullRom`](crate::ValueCatmullRom) before its division by (5/4)³, on the table.
+///
+/// - **Range:** ±125/64, though the splines rarely leave [−1, 1].
+/// - **Period:** 256 along each axis.
+///
+/// ```
+/// use asperity_noise::{LectureTables, PermutationTable, Vnoise, glam::Vec3};
+///
+/// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
+/// assert_eq!(Vnoise(&tables).value(Vec3::new(3.0, -1.0, 2.0)), 0.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vnoise<'a>(
+    /// The tables.
+    pub &'a LectureTables,
+);
+
+/// `gnoise`: gradient noise in space with the table's gradients and the weights 3t² − 2t³; C¹, 0 at lattice points.
+///
+/// [`Perlin1985`](crate::Perlin1985) before its division by √3/2, on the table.
+///
+/// - **Range:** ±√3/2.
+/// - **Period:** 256 along each axis.
+///
+/// ```
+/// use asperity_noise::{Gnoise, LectureTables, PermutationTable, glam::Vec3};
+///
+/// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.5);
+/// let gradient = Gnoise(&tables).sample(Vec3::new(3.0, -1.0, 2.0)).gradient;
+/// assert_eq!(gradient, Vec3::from(tables.gradients()[0]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gnoise<'a>(
+    /// The tables.
+    pub &'a LectureTables,
+);
+
+/// `vgnoise`: (1 − μ) `vnoise` + μ `gnoise`, on the same lattice; C¹.
+///
+/// ```
+/// use asperity_noise::{LectureTables, PermutationTable, Vgnoise, glam::Vec3};
+///
+/// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
+/// assert_eq!(Vgnoise::new(&tables, 0.5)?.value(Vec3::new(3.0, -1.0, 2.0)), 0.25);
+/// # Ok::<(), asperity_noise::ValueGradientError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vgnoise<'a> {
+    tables: &'a LectureTables,
+    weight: f32,
+}
+
+impl<'a> Vgnoise<'a> {
+    /// The sum with the weight μ of gradient noise.
+    ///
+    /// # Errors
+    ///
+    /// If the weight is not in [0, 1].
+    pub const fn new(tables: &'a LectureTables, weight: f32) -> Result<Self, ValueGradientError> {
+        if weight >= 0.0 && weight <= 1.0 {
+            Ok(Self { tables, weight })
+        } else {
+            Err(ValueGradientError::WeightOutOfRange(weight))
+        }
+    }
+
+    /// μ, the weight of gradient noise.
+    #[must_use]
+    pub const fn weight(&self) -> f32 {
+        self.weight
+    }
+}
+
+macro_rules! at_a_point {
+    ($noise:ty) => {
+        impl $noise {
+            /// Value and gradient at `p`; both 0 where it is not finite.
+            #[must_use]
+            pub fn sample(&self, p: Vec3) -> Sample<Vec3> {
+                let (value, gradient) = self.lane_samples(Scalar, p.to_array());
+                Sample { value, gradient: Vec3::from_array(gradient) }
+            }
+
+            /// The value alone, the same bits as [`sample`](Self::sample)'s.
+            #[must_use]
+            pub fn value(&self, p: Vec3) -> f32 {
+                self.lane_values(Scalar, p.to_array())
+            }
+        }
+    };
+}
+
+at_a_point!(Vnoise<'_>);
+at_a_point!(Gnoise<'_>);
+at_a_point!(Vgnoise<'_>);
+
+macro_rules! field_of_kernel {
+    ($noise:ty, $kernel:ident) => {
+        impl Field<3> for $noise {
+            #[inline(always)]
+            fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3]) -> S::F {
+                values(&$kernel(self.0), s, p, 0)
+            }
+
+            #[inline(always)]
+            fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3]) -> LaneSample<S, 3> {
+                samples(&$kernel(self.0), s, p, 0)
+            }
+
+            #[inline(always)]
+            fn row_values<S: Lanes>(
+                &self,
+                s: S,
+                row: &Row<3, false>,
+                scratch: &mut Scratch<3>,
+                out: &mut [f32],
+            ) {
+                row_values(&$kernel(self.0), s, row, 0, &mut scratch.columns, out);
+            }
+
+            #[inline(always)]
+            fn row_samples<S: Lanes>(
+                &self,
+                s: S,
+                row: &Row<3, false>,
+                scratch: &mut Scratch<3>,
+                out: &mut [f32],
+                gradients: &mut [&mut [f32]; 3],
+            ) {
+                row_samples(&$kernel(self.0), s, row, 0, &mut scratch.columns, out, gradients);
+            }
+        }
+    };
+}
+
+field_of_kernel!(Vnoise<'_>, Splines);
+field_of_kernel!(Gnoise<'_>, Gradients);
+
+impl Field<3> for Vgnoise<'_> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3]) -> S::F {
+        let value = values(&Splines(self.tables), s, p, 0);
+        let gradient = values(&Gradients(self.tables), s, p, 0);
+        s.float(1.0 - self.weight) * value + s.float(self.weight) * gradient
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3]) -> LaneSample<S, 3> {
+        let (rest, weight) = (s.float(1.0 - self.weight), s.float(self.weight));
+        let (value, mut slope) = samples(&Splines(self.tables), s, p, 0);
+        let (gradient, steep) = samples(&Gradients(self.tables), s, p, 0);
+        for axis in 0..3 {
+            slope[axis] = rest * slope[axis] + weight * steep[axis];
+        }
+        (rest * value + weight * gradient, slope)
+    }
+}
+
+/// `vnoise` as a kind of noise without seed.
+struct Splines<'a>(&'a LectureTables);
+
+impl SplineNoise<3> for Splines<'_> {
+    type Lattice = Bytes;
+
+    #[inline(always)]
+    fn lattice(&self) -> &Bytes {
+        &self.0.permutation
+    }
+
+    #[inline(always)]
+    fn number<S: Lanes>(&self, s: S, word: S::U) -> S::F {
+        s.floats(|lane| self.0.values[(s.lane_word(word, lane) & 255) as usize])
+    }
+}
+
+impl Kernel<3> for Splines<'_> {
+    #[inline(always)]
+    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
+        spline_values(s, self, p, seed)
+    }
+
+    #[inline(always)]
+    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
+        spline_samples(s, self, p, seed)
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        row: &Row<3, SCALED>,
+        seed: u32,
+        _stretch: &mut Stretch<3>,
+        values: &mut [f32],
+        gradients: Option<&mut [&mut [f32]; 3]>,
+    ) {
+        spline_rows::<Self, S, 3, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        &tables::VALUE_CATMULL_ROM[2]
+    }
+}
+
+/// `gnoise` as a kind of noise without seed.
+struct Gradients<'a>(&'a LectureTables);
+
+impl CellNoise<3> for Gradients<'_> {
+    type Lattice = Bytes;
+    const HAS_VALUE: bool = false;
+    const HAS_GRADIENT: bool = true;
+    const FADE: Fade = Fade::Cubic;
+
+    #[inline(always)]
+    fn lattice(&self) -> &Bytes {
+        &self.0.permutation
+    }
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, 3> {
+        let mut gradient = [s.float(0.0); 3];
+        for axis in 0..3 {
+            gradient[axis] =
+                s.floats(|lane| self.0.gradients[(s.lane_word(word, lane) & 255) as usize][axis]);
+        }
+        Corner { value: s.float(0.0), gradient }
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        &tables::PERLIN_1985[2]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lattice::integer_hash::mix;
+
+    fn tables() -> LectureTables {
+        let stream = |start: u64| {
+            let mut counter = start;
+            move || {
+                counter += 1;
+                (mix(counter) >> 11) as f64 / 9_007_199_254_740_992.0
+            }
+        };
+        LectureTables::new(PermutationTable::new(4), stream(0), stream(1000))
+    }
+
+    #[test]
+    fn sine_and_cosine_are_those_of_the_library() {
+        for i in 0..=4096_u16 {
+            let theta = f32::from(i) / 4096.0 * core::f32::consts::TAU;
+            let [c, s] = cos_sin(theta).map(f64::from);
+            assert!((c * c + s * s - 1.0).abs() < 2e-7, "{theta}");
+            // The turn by θ and the turn back.
+            let [d, t] = cos_sin(core::f32::consts::TAU - theta).map(f64::from);
+            assert!((c - d).abs() < 7e-7 && (s + t).abs() < 7e-7, "{theta}");
+        }
+        assert_eq!(cos_sin(0.0), [1.0, 0.0]);
+        for (theta, [c, s]) in [(0.5, [0.877_582_56, 0.479_425_54]), (2.0, [-0.416_146_84, 0.909_297_4])] {
+            assert_eq!(cos_sin(theta), [c, s]);
+        }
+        assert_eq!(cos_sin(5.0), [0.283_662_2, -0.958_924_3]);
+    }
+
+    #[test]
+    fn numbers_outside_the_interval_are_clamped() {
+        let tables = LectureTables::new(PermutationTable::new(4), || f64::NAN, || 7.0);
+        assert_eq!(tables.values()[9], 1.0);
+        assert_eq!(tables.gradients()[9][2], -1.0);
+    }
+
+    #[test]
+    fn lattice_points_have_the_tables_entries() {
+        let tables = tables();
+        for i in -50..50_i16 {
+            let (x, y, z) = (i, 7 - 2 * i, 3 * i);
+            let p = Vec3::new(f32::from(x), f32::from(y), f32::from(z));
+            let index = usize::from(tables.permutation().index(x.into(), y.into(), z.into()));
+            assert_eq!(Vnoise(&tables).value(p), tables.values()[index]);
+            let gnoise = Gnoise(&tables).sample(p);
+            assert_eq!(gnoise.value, 0.0);
+            assert_eq!(gnoise.gradient.to_array(), tables.gradients()[index]);
+        }
+    }
+
+    #[test]
+    fn the_sum_is_weighted() {
+        let tables = tables();
+        let noise = Vgnoise::new(&tables, 0.25).unwrap();
+        let p = Vec3::new(0.3, -7.7, 2.1);
+        let expected = 0.75 * Vnoise(&tables).value(p) + 0.25 * Gnoise(&tables).value(p);
+        assert_eq!(noise.value(p), expected);
+        assert_eq!(noise.sample(p).value, expected);
+        assert!(Vgnoise::new(&tables, f32::NAN).is_err());
+    }
+
+    #[test]
+    fn points_that_are_none_are_defined() {
+        let tables = tables();
+        let nowhere = Vec3::new(f32::NAN, 0.0, 0.0);
+        assert_eq!(Vnoise(&tables).sample(nowhere), Sample::default());
+        assert_eq!(Gnoise(&tables).sample(nowhere), Sample::default());
+        assert_eq!(Vnoise(&tables).value(Vec3::splat(3e9)), Vnoise(&tables).value(Vec3::ZERO));
+    }
+}

@@ -1,0 +1,3 @@
+//! Algorithms as their sources print them.
+
+pub(crate) mod ebert_1994;

@@ -1,0 +1,4 @@
+//! Rows of points: the cells that they cross, and the memory that rows of a grid share.
+
+pub(crate) mod cells;
+pub(crate) mod scratch;

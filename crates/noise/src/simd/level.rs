@@ -1,0 +1,117 @@
+//! The SIMD levels that a batch can run at.
+
+use core::fmt;
+
+use crate::{batch::batch::Task, simd::lanes::Scalar};
+
+/// A set of SIMD instructions.
+///
+/// ```
+/// use asperity_noise::Level;
+///
+/// assert_eq!(Level::available().next(), Some(Level::Scalar));
+/// assert_eq!(Level::available().last(), Some(Level::best()));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Level {
+    /// One point at a time.
+    Scalar,
+    /// Four lanes, the least of x86-64.
+    Sse2,
+    /// Four lanes, x86-64-v2.
+    Sse4_2,
+    /// Eight lanes, x86-64-v3.
+    Avx2,
+    /// Sixteen lanes, from Ice Lake on.
+    Avx512,
+    /// Four lanes on 64-bit Arm.
+    Neon,
+    /// Four lanes on WebAssembly.
+    Wasm128,
+}
+
+impl Level {
+    const ALL: [Self; 7] =
+        [Self::Scalar, Self::Sse2, Self::Sse4_2, Self::Avx2, Self::Avx512, Self::Neon, Self::Wasm128];
+
+    /// The best level of this machine; without `std`, the best that the program was built for; without `simd`, [`Level::Scalar`].
+    #[must_use]
+    pub fn best() -> Self {
+        Self::available().last().unwrap_or(Self::Scalar)
+    }
+
+    /// All levels of this machine, in ascending order.
+    pub fn available() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|level| level.is_available())
+    }
+
+    /// Whether this machine has the level.
+    #[must_use]
+    pub fn is_available(self) -> bool {
+        #[cfg(feature = "simd")]
+        return self == Self::Scalar || self.token().is_some();
+        #[cfg(not(feature = "simd"))]
+        return self == Self::Scalar;
+    }
+
+    /// The level's name in lower case, `sse4.2` or `avx2` for instance.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scalar => "scalar",
+            Self::Sse2 => "sse2",
+            Self::Sse4_2 => "sse4.2",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+            Self::Neon => "neon",
+            Self::Wasm128 => "wasm128",
+        }
+    }
+
+    /// The proof that the machine has the level.
+    #[cfg(feature = "simd")]
+    #[inline]
+    fn token(self) -> Option<fearless_simd::Level> {
+        #[cfg(feature = "std")]
+        let best = fearless_simd::Level::new();
+        #[cfg(not(feature = "std"))]
+        let best = fearless_simd::Level::baseline();
+        match self {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Sse2 => best.as_sse2().map(fearless_simd::Level::Sse2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Sse4_2 => best.as_sse4_2().map(fearless_simd::Level::Sse4_2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Avx2 => best.as_avx2().map(fearless_simd::Level::Avx2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Self::Avx512 => best.as_avx512().map(fearless_simd::Level::Avx512),
+            #[cfg(target_arch = "aarch64")]
+            Self::Neon => best.as_neon().map(fearless_simd::Level::Neon),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Self::Wasm128 => best.as_wasm_simd128().map(fearless_simd::Level::WasmSimd128),
+            _ => {
+                // Only read on some architectures.
+                let _ = best;
+                None
+            }
+        }
+    }
+
+    /// Runs a task at the level, in single lanes if the machine does not have it.
+    #[inline(always)]
+    pub(crate) fn run(self, task: impl Task) {
+        #[cfg(feature = "simd")]
+        if let Some(level) = self.token() {
+            fearless_simd::dispatch!(level, simd => task.run(crate::simd::registers::Wide(simd)));
+            return;
+        }
+        task.run(Scalar);
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,6 @@
+//! SIMD lanes that kinds are written over, and the levels that a machine has.
+
+pub(crate) mod lanes;
+pub(crate) mod level;
+#[cfg(feature = "simd")]
+pub(crate) mod registers;

@@ -1,0 +1,124 @@
+//! The lanes of a SIMD register, at every level that `fearless_simd` knows.
+
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
+
+use crate::simd::lanes::Lanes;
+
+/// As many lanes as a register of the SIMD level has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wide<S>(pub(crate) S);
+
+impl<S: Simd> Lanes for Wide<S> {
+    const LEN: usize = S::f32s::LEN;
+    const TABLES: bool = false;
+    type F = S::f32s;
+    type U = S::u32s;
+    type M = S::mask32s;
+
+    #[inline(always)]
+    fn float(self, x: f32) -> Self::F {
+        S::f32s::splat(self.0, x)
+    }
+    #[inline(always)]
+    fn word(self, x: u32) -> Self::U {
+        S::u32s::splat(self.0, x)
+    }
+    #[inline(always)]
+    fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F {
+        S::f32s::from_fn(self.0, f)
+    }
+    #[inline(always)]
+    fn words(self, f: impl FnMut(usize) -> u32) -> Self::U {
+        S::u32s::from_fn(self.0, f)
+    }
+    #[inline(always)]
+    fn iota(self) -> Self::U {
+        let numbers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+        S::u32s::from_slice(self.0, &numbers[..Self::LEN])
+    }
+    #[inline(always)]
+    fn load(self, slice: &[f32]) -> Self::F {
+        match slice.get(..Self::LEN) {
+            Some(slice) => S::f32s::from_slice(self.0, slice),
+            None => self.float(0.0),
+        }
+    }
+    #[inline(always)]
+    fn store(self, x: Self::F, slice: &mut [f32]) {
+        if let Some(slice) = slice.get_mut(..Self::LEN) {
+            x.store_slice(slice);
+        } else {
+            for (to, from) in slice.iter_mut().zip(x.as_slice()) {
+                *to = *from;
+            }
+        }
+    }
+    #[inline(always)]
+    fn lane(self, x: Self::F, lane: usize) -> f32 {
+        x.as_slice().get(lane).copied().unwrap_or(x.as_slice()[0])
+    }
+    #[inline(always)]
+    fn lane_word(self, x: Self::U, lane: usize) -> u32 {
+        x.as_slice().get(lane).copied().unwrap_or(x.as_slice()[0])
+    }
+    #[inline(always)]
+    fn shl<const N: u32>(self, x: Self::U) -> Self::U {
+        x << N
+    }
+    #[inline(always)]
+    fn shr<const N: u32>(self, x: Self::U) -> Self::U {
+        x >> N
+    }
+    #[inline(always)]
+    fn floor(self, x: Self::F) -> Self::F {
+        x.floor()
+    }
+    #[inline(always)]
+    fn integer(self, x: Self::F) -> Self::U {
+        use fearless_simd::Bytes;
+        x.to_int::<S::i32s>().bitcast()
+    }
+    #[inline(always)]
+    fn real(self, x: Self::U) -> Self::F {
+        use fearless_simd::Bytes;
+        x.bitcast::<S::i32s>().to_float()
+    }
+    #[inline(always)]
+    fn bits(self, x: Self::F) -> Self::U {
+        use fearless_simd::Bytes;
+        x.bitcast()
+    }
+    #[inline(always)]
+    fn float_of_bits(self, x: Self::U) -> Self::F {
+        use fearless_simd::Bytes;
+        x.bitcast()
+    }
+    #[inline(always)]
+    fn abs(self, x: Self::F) -> Self::F {
+        x.abs()
+    }
+    #[inline(always)]
+    fn sqrt(self, x: Self::F) -> Self::F {
+        x.sqrt()
+    }
+    #[inline(always)]
+    fn less(self, a: Self::F, b: Self::F) -> Self::M {
+        a.simd_lt(b)
+    }
+    #[inline(always)]
+    fn equal(self, a: Self::U, b: Self::U) -> Self::M {
+        a.simd_eq(b)
+    }
+    #[inline(always)]
+    fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F {
+        mask.select(yes, no)
+    }
+    #[inline(always)]
+    fn select_word(self, mask: Self::M, yes: Self::U, no: Self::U) -> Self::U {
+        mask.select(yes, no)
+    }
+    #[inline(always)]
+    fn all(self, mask: Self::M) -> bool {
+        mask.all_true()
+    }
+}

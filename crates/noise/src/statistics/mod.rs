@@ -1,0 +1,5 @@
+//! Measured statistics of the kinds.
+
+pub(crate) mod absolute_moments;
+pub(crate) mod statistics;
+pub(crate) mod tables;

@@ -1,0 +1,81 @@
+//! Frequency clamping: octaves that a pixel cannot resolve give way to their mean.
+
+use crate::contract::point::Point;
+
+/// The share of an octave that is removed for a footprint: 0 up to a fifth of a period, 1 from three fifths on.
+///
+/// ```text
+/// k = smoothstep(0.2, 0.6, footprint · frequency),   smoothstep(a, b, x) = t² (3 − 2t),   t = clamp((x − a)/(b − a), 0, 1)
+/// ```
+///
+/// - **Domain:** any; what is negative or not a number is taken for 0 and removes nothing.   - **Range:** [0, 1].
+///
+/// Nilsson 2008, section 4.1.6, `fadeout` with the item size 1/frequency.
+///
+/// ```
+/// use asperity_noise::removed_share;
+///
+/// assert_eq!([0.2, 0.6].map(|footprint| removed_share(footprint, 1.0)), [0.0, 1.0]);
+/// assert!((removed_share(0.1, 4.0) - 0.5).abs() < 1e-6);
+/// ```
+#[must_use]
+pub fn removed_share(footprint: f32, frequency: f32) -> f32 {
+    const LOW: f32 = 0.2;
+    const HIGH: f32 = 0.6;
+    let x = footprint * frequency;
+    if x >= HIGH {
+        1.0
+    } else if x > LOW {
+        let t = (x - LOW) / (HIGH - LOW);
+        t * t * (3.0 - 2.0 * t)
+    } else {
+        0.0
+    }
+}
+
+/// The footprint of a pixel: the largest change of any coordinate from the pixel to the next in x or in y.
+///
+/// ```text
+/// footprint = max over i of max(|∂pᵢ/∂x|, |∂pᵢ/∂y|)
+/// ```
+///
+/// `ddx` and `ddy` are the changes of the noise's input from one pixel to the next. Parts that are not numbers are left out.
+///
+/// - **Range:** [0, ∞].
+///
+/// Nilsson 2008, section 4.1.6.
+///
+/// ```
+/// use asperity_noise::{glam::Vec2, pixel_footprint};
+///
+/// assert_eq!(pixel_footprint(Vec2::new(0.1, -0.5), Vec2::new(0.25, 0.0)), 0.5);
+/// ```
+#[must_use]
+pub fn pixel_footprint<V: Point<N>, const N: usize>(ddx: V, ddy: V) -> f32 {
+    let (dx, dy) = (ddx.coordinates(), ddy.coordinates());
+    dx.iter().chain(&dy).fold(0.0, |greatest: f32, x| greatest.max(x.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn the_share_rises_from_nothing_to_all() {
+        let shares = core::array::from_fn::<f32, 101, _>(|i| removed_share(i as f32 / 100.0, 1.0));
+        assert!(shares.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] < 0.04));
+        assert_eq!((shares[20], shares[60], shares[100]), (0.0, 1.0, 1.0));
+        assert_eq!(removed_share(0.05, 8.0), removed_share(0.4, 1.0));
+    }
+
+    #[test]
+    fn footprints_that_are_none_remove_nothing() {
+        for footprint in [0.0, -0.0, -3.0, f32::NEG_INFINITY, f32::NAN] {
+            assert_eq!(removed_share(footprint, 2.0), 0.0, "{footprint}");
+        }
+        assert_eq!(removed_share(f32::INFINITY, 2.0), 1.0);
+        assert_eq!(pixel_footprint(Vec3::NAN, Vec3::new(0.0, -2.0, 1.0)), 2.0);
+        assert_eq!(pixel_footprint(0.25_f32, -0.5_f32), 0.5);
+    }
+}

@@ -1,0 +1,232 @@
+//! The place of one octave: its own seed and offset, and its rotation, times its frequency.
+
+use crate::{
+    contract::kernel::LaneSample,
+    lattice::integer_hash::mix,
+    lattice::variates::{gaussian_corner, unit_direction},
+    simd::lanes::{Lanes, Scalar},
+    sums::spectrum::{MAX_OCTAVES, Spectrum},
+};
+
+/// Whether octaves are turned against one another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rotation {
+    /// Every octave has an own random rotation, so that lattices meet nowhere and look alike in no direction.
+    #[default]
+    Random,
+    /// No octave is rotated. Lattices are parallel, which lets a grid share work along its rows.
+    ///
+    /// The axes of the lattice show in the sum, and two sums of different seeds peak more often along the same planes.
+    Aligned,
+}
+
+/// The seed of an octave's lattice and the affine map into it.
+///
+/// A lattice shared between octaves or channels makes them dependent, other seeds or not: their variances peak at the
+/// same points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Layer<const N: usize> {
+    pub(crate) seed: u32,
+    /// Rotation times frequency, by rows.
+    pub(crate) matrix: [[f32; N]; N],
+    pub(crate) offset: [f32; N],
+}
+
+impl<const N: usize> Layer<N> {
+    /// All layers of a spectrum; those beyond its maximum are there and unused.
+    pub(crate) fn all(spectrum: &Spectrum, rotation: Rotation, seed: u32) -> [Self; MAX_OCTAVES as usize] {
+        let mut i = 0;
+        [(); MAX_OCTAVES as usize].map(|()| {
+            let word = |k: u64| mix((u64::from(seed) << 32) | u64::from(i) << 3 | k);
+            let frequency = if i < spectrum.max_octaves() { spectrum.frequency(i) } else { 0.0 };
+            let matrix = match rotation {
+                Rotation::Random => random_rotation([word(1), word(2)].map(|word| (word >> 32) as u32)),
+                Rotation::Aligned => identity(),
+            };
+            let (low, high) = (word(3), word(4));
+            let mut shift = 0;
+            let layer = Self {
+                seed: (word(0) >> 32) as u32,
+                matrix: matrix.map(|row: [f32; N]| row.map(|x| x * frequency)),
+                offset: [(); N].map(|()| {
+                    shift += 20;
+                    if shift <= 60 { fraction(low >> (shift - 20)) } else { fraction(high) }
+                }),
+            };
+            i += 1;
+            layer
+        })
+    }
+
+    /// The octave's own coordinates of points.
+    #[inline(always)]
+    pub(crate) fn points<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
+        let mut q = p;
+        for row in 0..N {
+            let mut sum = s.float(self.matrix[row][0]) * p[0];
+            for k in 1..N {
+                sum = sum + s.float(self.matrix[row][k]) * p[k];
+            }
+            q[row] = sum + s.float(self.offset[row]);
+        }
+        q
+    }
+
+    /// The same for an aligned layer, where all off the diagonal is 0.
+    #[inline(always)]
+    pub(crate) fn aligned<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
+        let mut q = p;
+        for row in 0..N {
+            q[row] = s.float(self.matrix[row][row]) * p[row] + s.float(self.offset[row]);
+        }
+        q
+    }
+
+    /// Mᵀ g: a gradient turned back to the coordinates of the sum.
+    #[inline(always)]
+    pub(crate) fn pull_back<S: Lanes>(&self, s: S, g: [S::F; N]) -> [S::F; N] {
+        let mut pulled = g;
+        for column in 0..N {
+            let mut sum = s.float(self.matrix[0][column]) * g[0];
+            for k in 1..N {
+                sum = sum + s.float(self.matrix[k][column]) * g[k];
+            }
+            pulled[column] = sum;
+        }
+        pulled
+    }
+
+    /// The frequency along each axis of an aligned layer.
+    #[inline(always)]
+    pub(crate) fn frequencies(&self) -> [f32; N] {
+        let mut frequencies = self.offset;
+        for axis in 0..N {
+            frequencies[axis] = self.matrix[axis][axis];
+        }
+        frequencies
+    }
+
+    /// sum + factor · sample in an aligned layer.
+    #[inline(always)]
+    pub(crate) fn accumulate_aligned<S: Lanes>(
+        &self,
+        s: S,
+        sum: &mut LaneSample<S, N>,
+        factor: S::F,
+        (value, gradient): LaneSample<S, N>,
+    ) {
+        sum.0 = sum.0 + factor * value;
+        for axis in 0..N {
+            sum.1[axis] = sum.1[axis] + factor * (s.float(self.matrix[axis][axis]) * gradient[axis]);
+        }
+    }
+
+    /// sum + factor · sample, with the gradient turned back.
+    #[inline(always)]
+    pub(crate) fn accumulate<S: Lanes>(
+        &self,
+        s: S,
+        sum: &mut LaneSample<S, N>,
+        factor: S::F,
+        (value, gradient): LaneSample<S, N>,
+    ) {
+        sum.0 = sum.0 + factor * value;
+        let gradient = self.pull_back(s, gradient);
+        for axis in 0..N {
+            sum.1[axis] = sum.1[axis] + factor * gradient[axis];
+        }
+    }
+}
+
+/// Twenty bits of a word as a multiple of 2⁻²⁰ in [0, 1).
+fn fraction(word: u64) -> f32 {
+    (word & 0xf_ffff) as f32 / 1_048_576.0
+}
+
+fn identity<const N: usize>() -> [[f32; N]; N] {
+    let mut i = 0;
+    [[0.0; N]; N].map(|mut row| {
+        row[i] = 1.0;
+        i += 1;
+        row
+    })
+}
+
+/// A rotation uniform over all rotations in N dimensions, N ≤ 4.
+///
+/// In space a unit quaternion q acts by v ↦ q v q̄, in 4-D two act by v ↦ p v q̄.
+fn random_rotation<const N: usize>([first, second]: [u32; 2]) -> [[f32; N]; N] {
+    let unit = |word: u32| unit_direction::<Scalar, 4>(Scalar, Scalar.word(word), 1.0);
+    let mut matrix = identity::<N>();
+    match N {
+        1 => {}
+        2 => {
+            let [c, s] = unit_direction::<Scalar, 2>(Scalar, Scalar.word(first), 1.0);
+            copy(&mut matrix, &[[c, -s], [s, c]]);
+        }
+        3 => {
+            let [(x, [y, z, w]), _] = gaussian_corner::<3>(first);
+            let s = 2.0 / (x * x + y * y + z * z + w * w);
+            copy(
+                &mut matrix,
+                &[
+                    [1.0 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)],
+                    [s * (x * y + z * w), 1.0 - s * (x * x + z * z), s * (y * z - x * w)],
+                    [s * (x * z - y * w), s * (y * z + x * w), 1.0 - s * (x * x + y * y)],
+                ],
+            );
+        }
+        _ => {
+            let [[a, b, c, d], [p, q, r, t]] = [unit(first), unit(second)];
+            let left = [[a, -b, -c, -d], [b, a, -d, c], [c, d, a, -b], [d, -c, b, a]];
+            let right = [[p, -q, -r, -t], [q, p, t, -r], [r, -t, p, q], [t, r, -q, p]];
+            let entry = |i: usize, j: usize| (0..4).fold(0.0, |sum, k| sum + left[i][k] * right[k][j]);
+            copy(&mut matrix, &[0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| entry(i, j))));
+        }
+    }
+    matrix
+}
+
+fn copy<const N: usize, const M: usize>(to: &mut [[f32; N]; N], from: &[[f32; M]; M]) {
+    for (to, from) in to.iter_mut().flatten().zip(from.iter().flatten()) {
+        *to = *from;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_rotation<const N: usize>() {
+        for seed in 0..32 {
+            for layer in Layer::<N>::all(&Spectrum::default(), Rotation::Random, seed).iter().take(3) {
+                let (m, square) = (layer.matrix, layer.matrix[0].iter().map(|x| x * x).sum::<f32>());
+                for i in 0..N {
+                    for j in 0..N {
+                        let dot: f32 = (0..N).map(|k| m[i][k] * m[j][k]).sum();
+                        let expected = if i == j { square } else { 0.0 };
+                        assert!((dot - expected).abs() < 3e-6 * square, "{N}-D, seed {seed}: {dot}");
+                    }
+                }
+                assert!(layer.offset.iter().all(|x| (0.0..1.0).contains(x)));
+            }
+        }
+    }
+
+    #[test]
+    fn layers_are_rotated() {
+        is_rotation::<1>();
+        is_rotation::<2>();
+        is_rotation::<3>();
+        is_rotation::<4>();
+    }
+
+    #[test]
+    fn aligned_layers_are_scaled() {
+        let [first, second, ..] = Layer::<3>::all(&Spectrum::default(), Rotation::Aligned, 1);
+        assert_eq!(first.matrix, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        assert_eq!(second.matrix[1], [0.0, 2.17, 0.0]);
+        assert_ne!((first.seed, first.offset), (second.seed, second.offset));
+        assert_eq!(first.aligned(Scalar, [1.5, 2.0, -3.0]), first.points(Scalar, [1.5, 2.0, -3.0]));
+    }
+}

@@ -1,0 +1,231 @@
+//! The shapes of octaves with creases: turbulence, plasma, billow and ridged.
+//!
+//! All are functions of |n|, whose gradient is sign(n) ∇n: the sum has a crease where an octave passes through 0. On the
+//! crease itself sign(0) = 0, the mean of the slopes of both sides.
+
+use crate::{contract::kernel::LaneSample, math, simd::lanes::Lanes, sums::shape::Shape};
+
+/// φ(n) = |n|: turbulence, with dark veins where an octave is 0.
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/turbulence.md"))]
+///
+/// ```text
+/// t(p) = Σ wᵢ aᵢ |nᵢ| / Σ wᵢ aᵢ,   ∇|n| = sign(n) ∇n,   sign(0) = 0
+/// ```
+///
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+///
+/// Perlin 1985; Nilsson 2008, section 4.1.5.
+///
+/// ```
+/// use asperity_noise::{Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec3};
+///
+/// let noise = Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, 5).with_shape(Turbulence);
+/// let sample = noise.sample(Vec3::new(0.4, 0.1, -3.0), 4.5);
+/// assert!((0.0..=1.0).contains(&sample.value));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Turbulence;
+
+/// φ(n) = 1 − |n|: plasma, with bright veins where an octave is 0.
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/plasma.md"))]
+///
+/// ```text
+/// Σ wᵢ aᵢ (1 − |nᵢ|) / Σ wᵢ aᵢ = 1 − turbulence
+/// ```
+///
+/// With [`Spectrum::THREADS`](crate::Spectrum::THREADS) and to the seventh [`Power`](crate::Power) it is the thread pattern of
+/// Nilsson 2008, section 4.2.2.
+///
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+///
+/// Nilsson 2008, section 4.1.5.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Plasma;
+
+/// φ(n) = 2|n| − 1: billow, turbulence over the whole of [−1, 1].
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/billow.md"))]
+///
+/// - **Range:** [−1, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Billow;
+
+/// φ(n) = (1 − |n|)²: ridges where an octave is 0, sharper than those of [`Plasma`].
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/pictures/ridged.md"))]
+///
+/// Octaves add without regard to one another; in a [`RidgedMultifractal`](crate::RidgedMultifractal) ridges bear ridges.
+///
+/// - **Range:** [0, 1] under [`Normalisation::Range`](crate::Normalisation::Range), for kinds of range 1.
+///
+/// Musgrave in Ebert (ed.) 1994.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ridged;
+
+/// φ and φ′/sign(n) as functions of |n|, and what that makes of the moments.
+trait Crease: Copy {
+    fn value<S: Lanes>(s: S, size: S::F) -> S::F;
+    fn slope<S: Lanes>(s: S, size: S::F) -> S::F;
+    fn mean_and_variance(moments: [f32; 4]) -> [f32; 2];
+}
+
+/// x with the sign of n, 0 where n is ±0.
+#[inline(always)]
+fn with_sign_of<S: Lanes>(s: S, n: S::F, x: S::F) -> S::F {
+    let zero = s.float(0.0);
+    let positive = s.select(s.less(zero, n), x, zero);
+    s.select(s.less(n, zero), -x, positive)
+}
+
+macro_rules! shape {
+    ($name:ident) => {
+        impl Shape for $name {
+            #[inline(always)]
+            fn value<S: Lanes>(self, s: S, n: S::F) -> S::F {
+                <Self as Crease>::value(s, s.abs(n))
+            }
+
+            #[inline(always)]
+            fn sample<S: Lanes, const N: usize>(
+                self,
+                s: S,
+                (n, mut g): LaneSample<S, N>,
+            ) -> LaneSample<S, N> {
+                let size = s.abs(n);
+                let slope = with_sign_of(s, n, <Self as Crease>::slope(s, size));
+                for axis in 0..N {
+                    g[axis] = slope * g[axis];
+                }
+                (<Self as Crease>::value(s, size), g)
+            }
+
+            fn mean_and_deviation(self, _: f32, moments: [f32; 4]) -> [f32; 2] {
+                let [mean, variance] = Self::mean_and_variance(moments);
+                [mean, math::sqrt(variance.max(0.0))]
+            }
+        }
+    };
+}
+
+shape!(Turbulence);
+shape!(Plasma);
+shape!(Billow);
+shape!(Ridged);
+
+impl Crease for Turbulence {
+    #[inline(always)]
+    fn value<S: Lanes>(_: S, size: S::F) -> S::F {
+        size
+    }
+    #[inline(always)]
+    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
+        s.float(1.0)
+    }
+    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
+        [first, second - first * first]
+    }
+}
+
+impl Crease for Plasma {
+    #[inline(always)]
+    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
+        s.float(1.0) - size
+    }
+    #[inline(always)]
+    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
+        s.float(-1.0)
+    }
+    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
+        [1.0 - first, second - first * first]
+    }
+}
+
+impl Crease for Billow {
+    #[inline(always)]
+    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
+        (size + size) - s.float(1.0)
+    }
+    #[inline(always)]
+    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
+        s.float(2.0)
+    }
+    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
+        [2.0 * first - 1.0, 4.0 * (second - first * first)]
+    }
+}
+
+impl Crease for Ridged {
+    #[inline(always)]
+    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
+        let rest = s.float(1.0) - size;
+        rest * rest
+    }
+    #[inline(always)]
+    fn slope<S: Lanes>(s: S, size: S::F) -> S::F {
+        let rest = size - s.float(1.0);
+        rest + rest
+    }
+    fn mean_and_variance([first, second, third, fourth]: [f32; 4]) -> [f32; 2] {
+        let mean = 1.0 - 2.0 * first + second;
+        let square = 1.0 - 4.0 * first + 6.0 * second - 4.0 * third + fourth;
+        [mean, square - mean * mean]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::lanes::Scalar;
+
+    fn check<T: Shape>(shape: T, phi: impl Fn(f32) -> f32) {
+        let h = 1.0 / 1024.0;
+        for i in -31..=31_i8 {
+            let n = f32::from(i) / 32.0;
+            let (value, [slope]) = shape.sample(Scalar, (n, [1.0]));
+            assert_eq!(value, phi(n), "{shape:?} at {n}");
+            assert_eq!(value, shape.value(Scalar, n));
+            // All are polynomials of degree 2 on either side, on multiples of 2⁻¹⁰: the difference is exact, and at
+            // the crease it is the mean of both sides.
+            let difference = (phi(n + h) - phi(n - h)) / (2.0 * h);
+            assert_eq!(slope, difference, "{shape:?} at {n}");
+        }
+    }
+
+    #[test]
+    fn shapes_and_slopes_are_as_stated() {
+        check(crate::sums::shape::Signed, |n| n);
+        check(Turbulence, f32::abs);
+        check(Plasma, |n| 1.0 - n.abs());
+        check(Billow, |n| 2.0 * n.abs() - 1.0);
+        check(Ridged, |n| (1.0 - n.abs()) * (1.0 - n.abs()));
+        let (_, [slope]) = Ridged.sample(Scalar, (-0.0, [3.0]));
+        assert_eq!(slope, 0.0);
+    }
+
+    /// Eight equally likely n.
+    const NUMBERS: [f32; 8] = [-1.0, -0.625, -0.25, 0.0, 0.25, 0.5, 0.875, 1.0];
+
+    fn mean(f: impl Fn(f32) -> f32) -> f32 {
+        NUMBERS.iter().map(|&n| f(n)).sum::<f32>() / 8.0
+    }
+
+    fn moments_follow<T: Shape>(shape: T) {
+        let moments = [1, 2, 3, 4].map(|k| mean(|n| (0..k).fold(1.0, |x, _| x * n.abs())));
+        let phi = |n| shape.value(Scalar, n);
+        let [m, d] = shape.mean_and_deviation(0.0, moments);
+        let expected = mean(phi);
+        assert!((m - expected).abs() < 1e-6, "{shape:?}: {m}, not {expected}");
+        let variance = mean(|n| (phi(n) - expected) * (phi(n) - expected));
+        assert!((d * d - variance).abs() < 1e-6, "{shape:?}: {d}² is not {variance}");
+    }
+
+    #[test]
+    fn moments_of_shapes_follow_from_absolute_moments() {
+        moments_follow(Turbulence);
+        moments_follow(Plasma);
+        moments_follow(Billow);
+        moments_follow(Ridged);
+    }
+}

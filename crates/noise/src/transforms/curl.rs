@@ -1,0 +1,202 @@
+//! Curl noise: velocities without divergence, from the gradients of fields.
+
+use glam::{Vec2, Vec3};
+
+use crate::{contract::field::Field, contract::hessian::CurvedField};
+
+/// A velocity and how it changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Velocity<V, const N: usize> {
+    /// The velocity v.
+    pub velocity: V,
+    /// ∂v/∂p by rows: row i holds the gradient of component i. Its trace is the divergence of v.
+    pub jacobian: [[f32; N]; N],
+}
+
+/// The flow along the level lines of a field ψ in the plane.
+///
+/// ```text
+/// v = (∂ψ/∂y, −∂ψ/∂x),   ∂v/∂p = [[ψxy, ψyy], [−ψxx, −ψxy]],   div v = ψxy − ψxy = 0, bit for bit
+/// ```
+///
+/// Batches need nothing new: fill gradients and swap them.
+///
+/// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
+///
+/// ```
+/// use asperity_noise::{Curl2, Perlin2002, Seeded, glam::Vec2};
+///
+/// let flow = Curl2(Seeded(Perlin2002::default(), 1)).velocity_and_jacobian(Vec2::new(0.3, 1.4));
+/// assert_eq!(flow.jacobian[0][0] + flow.jacobian[1][1], 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Curl2<F>(
+    /// ψ, the stream function.
+    pub F,
+);
+
+impl<F: Field<2>> Curl2<F> {
+    /// The velocity at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity(&self, p: Vec2) -> Vec2 {
+        let gradient = self.0.sample(p).gradient;
+        Vec2::new(gradient.y, -gradient.x)
+    }
+}
+
+impl<F: CurvedField<2>> Curl2<F> {
+    /// Velocity and Jacobian at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity_and_jacobian(&self, p: Vec2) -> Velocity<Vec2, 2> {
+        let jet = self.0.jet(p);
+        let [[xx, xy], [_, yy]] = jet.hessian;
+        Velocity { velocity: Vec2::new(jet.gradient.y, -jet.gradient.x), jacobian: [[xy, yy], [-xx, -xy]] }
+    }
+}
+
+/// The flow along the lines where the level surfaces of two fields a and b meet.
+///
+/// ```text
+/// v = ∇a × ∇b,   ∂v/∂pⱼ = (Hₐ eⱼ) × ∇b + ∇a × (H_b eⱼ),   div v = ∇b·curl ∇a − ∇a·curl ∇b = 0
+/// ```
+///
+/// Two fields instead of the three of a potential, [`CurlPotential`]; a and b stay constant along the flow. The Jacobian's trace
+/// is 0 but for rounding: products cancel in pairs, and only their sums are rounded.
+///
+/// DeWolf 2005, "Divergence-Free Noise".
+///
+/// ```
+/// use asperity_noise::{Curl3, Octaves, Simplex, Spectrum, glam::Vec3};
+///
+/// let [a, b] = [1, 2].map(|seed| Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
+/// let flow = Curl3(a.first(2.0), b.first(2.0)).velocity_and_jacobian(Vec3::new(0.3, 1.4, -0.2));
+/// let divergence = flow.jacobian[0][0] + flow.jacobian[1][1] + flow.jacobian[2][2];
+/// assert!(divergence.abs() < 1e-4);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Curl3<A, B>(
+    /// a.
+    pub A,
+    /// b.
+    pub B,
+);
+
+impl<A: Field<3>, B: Field<3>> Curl3<A, B> {
+    /// The velocity at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity(&self, p: Vec3) -> Vec3 {
+        cross(self.0.sample(p).gradient.to_array(), self.1.sample(p).gradient.to_array()).into()
+    }
+}
+
+impl<A: CurvedField<3>, B: CurvedField<3>> Curl3<A, B> {
+    /// Velocity and Jacobian at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3, 3> {
+        let (a, b) = (self.0.jet(p), self.1.jet(p));
+        let (da, db) = (a.gradient.to_array(), b.gradient.to_array());
+        let mut jacobian = [[0.0; 3]; 3];
+        for j in 0..3 {
+            let (first, second) = (cross(a.hessian[j], db), cross(da, b.hessian[j]));
+            for i in 0..3 {
+                jacobian[i][j] = first[i] + second[i];
+            }
+        }
+        Velocity { velocity: cross(da, db).into(), jacobian }
+    }
+}
+
+/// The curl of a vector potential of three fields.
+///
+/// ```text
+/// v = (∂A₃/∂y − ∂A₂/∂z, ∂A₁/∂z − ∂A₃/∂x, ∂A₂/∂x − ∂A₁/∂y),   div v = 0
+/// ```
+///
+/// A potential times a factor that falls to 0 at a wall gives a flow along the wall. The Jacobian's trace is 0 but for rounding.
+///
+/// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
+///
+/// ```
+/// use asperity_noise::{CurlPotential, Octaves, Simplex, Spectrum, glam::Vec3};
+///
+/// let potential = [1, 2, 3].map(|seed| Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
+/// let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(2.0)));
+/// assert!(flow.velocity(Vec3::new(0.3, 1.4, -0.2)).is_finite());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CurlPotential<F>(
+    /// A₁, A₂ and A₃.
+    pub [F; 3],
+);
+
+impl<F: Field<3>> CurlPotential<F> {
+    /// The velocity at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity(&self, p: Vec3) -> Vec3 {
+        let [a, b, c] = self.0.each_ref().map(|field| field.sample(p).gradient);
+        Vec3::new(c.y - b.z, a.z - c.x, b.x - a.y)
+    }
+}
+
+impl<F: CurvedField<3>> CurlPotential<F> {
+    /// Velocity and Jacobian at a point.
+    #[must_use]
+    #[inline]
+    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3, 3> {
+        let [a, b, c] = self.0.each_ref().map(|field| field.jet(p));
+        let velocity =
+            Vec3::new(c.gradient.y - b.gradient.z, a.gradient.z - c.gradient.x, b.gradient.x - a.gradient.y);
+        let [a, b, c] = [a.hessian, b.hessian, c.hessian];
+        let mut jacobian = [[0.0; 3]; 3];
+        for j in 0..3 {
+            jacobian[0][j] = c[1][j] - b[2][j];
+            jacobian[1][j] = a[2][j] - c[0][j];
+            jacobian[2][j] = b[0][j] - a[1][j];
+        }
+        Velocity { velocity, jacobian }
+    }
+}
+
+/// u × v, every operation rounded, so that bits are the same everywhere.
+fn cross(u: [f32; 3], v: [f32; 3]) -> [f32; 3] {
+    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{contract::field::Seeded, kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
+
+    #[test]
+    fn velocities_stand_on_the_gradients() {
+        let fields = [1, 2, 3].map(|seed| Seeded(Perlin2002::default(), seed));
+        for i in 0..20_u8 {
+            let p = Vec3::new(0.31 * f32::from(i), 1.7, -0.4 * f32::from(i));
+            let [a, b, _] = fields.map(|field| field.sample(p).gradient);
+            let v = Curl3(fields[0], fields[1]).velocity(p);
+            // Each component of v is rounded by 3 half ulps of a product of gradients under 4.
+            assert!(v.dot(a).abs() < 2e-5 && v.dot(b).abs() < 2e-5, "{p}: {v}");
+            let flat = Curl2(fields[0]).velocity(p.truncate());
+            let gradient: Vec2 = fields[0].sample(p.truncate()).gradient;
+            assert_eq!(flat.x * gradient.x + flat.y * gradient.y, 0.0);
+        }
+    }
+
+    #[test]
+    fn both_ways_give_one_velocity() {
+        let fields = [1, 2, 3].map(|seed| Seeded(Simplex::CONTINUOUS, seed));
+        let p = Vec3::new(0.2, -1.3, 5.5);
+        let pair = Curl3(fields[0], fields[1]);
+        assert_eq!(pair.velocity(p), pair.velocity_and_jacobian(p).velocity);
+        let potential = CurlPotential(fields);
+        assert_eq!(potential.velocity(p), potential.velocity_and_jacobian(p).velocity);
+        let flat = Curl2(fields[0]);
+        assert_eq!(flat.velocity(p.truncate()), flat.velocity_and_jacobian(p.truncate()).velocity);
+    }
+}
