@@ -4,7 +4,6 @@ pub mod chi_square;
 pub mod disk_bins;
 pub mod facets;
 pub mod fif_systems;
-pub mod low_discrepancy;
 pub mod noise_any;
 pub mod noise_errors;
 pub mod noise_kinds;
@@ -15,5 +14,4 @@ pub mod random;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;
-pub mod shaded;
 pub mod surface_patches;

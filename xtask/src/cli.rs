@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity_render::geometry::mesh_file;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// The builder of Asperity: tables, gallery, single pictures and every check.
@@ -318,6 +319,15 @@ pub(crate) enum Up {
     Y,
     /// As in files of buildings and maps.
     Z,
+}
+
+impl From<Up> for mesh_file::Up {
+    fn from(up: Up) -> Self {
+        match up {
+            Up::Y => Self::Y,
+            Up::Z => Self::Z,
+        }
+    }
 }
 
 /// The level-of-detail rules.

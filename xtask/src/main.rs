@@ -6,23 +6,11 @@ mod ci;
 mod cli;
 mod failure;
 mod gallery;
-mod image;
-mod image_file;
 mod input;
-/// The points by which they are sampled.
-#[expect(unreachable_pub, reason = "the tests' library exports it")]
-#[path = "../../tests/src/low_discrepancy.rs"]
-mod low_discrepancy;
 mod no_std;
 mod output;
 mod progress;
-mod random;
 mod render_command;
-mod scene;
-/// The surfaces of the tests and the renderer that measures them, so that the gallery shows what is measured.
-#[expect(unreachable_pub, reason = "the tests' library exports it")]
-#[path = "../../tests/src/shaded/mod.rs"]
-mod shaded;
 mod tables;
 mod tidy;
 

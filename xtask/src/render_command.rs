@@ -2,6 +2,23 @@
 
 use std::{path::Path, sync::atomic::AtomicBool};
 
+use asperity_render::{
+    geometry::{mesh::TracedMesh, mesh_file, shape::Shape},
+    image::{
+        Image,
+        read::ImageFile,
+        tone::{hex, linear},
+    },
+    integrator::{
+        direct::Facets,
+        path_tracer::{Finish, Object, Shadow, Stage},
+        pixels::Sampling,
+        request::{Bumps, RenderRequest, Subject},
+    },
+    light::environments::Studio,
+    materials::{self, field::NoiseKind},
+    scenes::{Set, backdrop, ground},
+};
 use asperity_shading::{
     Brick, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaintParameters,
     ScratchesParameters, StarWallpaper, TemperedGlassParameters, VariationsParameters,
@@ -13,23 +30,8 @@ use crate::{
     cli::{Material, Noise, Render, Rule, Scene, Tone},
     densities::{Density, NORMAL_MAP},
     figure::Failure,
-    image::{Image, hex, linear},
-    image_file::ImageFile,
     output::Output,
     progress,
-    scene::{
-        field::NoiseKind,
-        finish,
-        material::Facets,
-        mesh::TracedMesh,
-        mesh_file,
-        render::Sampling,
-        request::{Bumps, RenderRequest, Subject},
-        set::{Set, backdrop, ground},
-        shape::Shape,
-        stage::{Finish, Object, Shadow, Stage},
-        surroundings::Studio,
-    },
 };
 
 /// Draws what was asked for and tells where it lies.
@@ -47,7 +49,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     let mesh = match &wanted.mesh {
         Some(file) => {
             let named = |error| Failure::from(format!("mesh `{}`: {error}", file.display()));
-            Some(TracedMesh::new(mesh_file::open(file, wanted.up).map_err(named)?))
+            Some(TracedMesh::new(mesh_file::open(file, wanted.up.into()).map_err(named)?))
         }
         None => None,
     };
@@ -227,40 +229,40 @@ fn finish_of(
         Material::Bumps => {
             let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
             let field = bumps(wanted, usual).field(seed)?;
-            Box::new(finish::bumped(density.shared(), rule(wanted), field, hex(wanted.tint)))
+            Box::new(materials::bumped(density.shared(), rule(wanted), field, hex(wanted.tint)))
         }
-        Material::Carpet => Box::new(finish::carpet(
+        Material::Carpet => Box::new(materials::carpet(
             CarpetParameters { diffuse: Vec3::new(0.24, 0.21, 0.19), seed, ..Default::default() },
             metres,
             Vec3::splat(0.5),
         )?),
         Material::Paint => {
             let parameters = MetallicPaintParameters { seed, ..Default::default() };
-            Box::new(finish::paint(parameters, metres, Vec3::new(0.02, 0.05, 0.14))?)
+            Box::new(materials::paint(parameters, metres, Vec3::new(0.02, 0.05, 0.14))?)
         }
         Material::Flakes => {
             let parameters = MetallicPaintParameters { seed, ..Default::default() };
-            Box::new(finish::glinting(parameters, metres, Vec3::new(0.02, 0.05, 0.14), 2e-4)?)
+            Box::new(materials::glinting(parameters, metres, Vec3::new(0.02, 0.05, 0.14), 2e-4)?)
         }
         Material::Glass => {
             let parameters = TemperedGlassParameters { seed, ..Default::default() };
-            Box::new(finish::glass(parameters, metres, Vec3::new(0.86, 0.95, 0.92))?)
+            Box::new(materials::glass(parameters, metres, Vec3::new(0.86, 0.95, 0.92))?)
         }
         Material::Plastic => {
             let parameters =
                 VariationsParameters { diffuse: Vec3::new(0.34, 0.12, 0.06), seed, ..Default::default() };
-            Box::new(finish::panel(parameters, metres, 0.2)?)
+            Box::new(materials::panel(parameters, metres, 0.2)?)
         }
         Material::Scratched => {
             let parameters = ScratchesParameters { seed, ..Default::default() };
-            Box::new(finish::scratched(parameters, metres, hex(0xc8_ccd2), 0.2)?)
+            Box::new(materials::scratched(parameters, metres, hex(0xc8_ccd2), 0.2)?)
         }
-        Material::Chrome => Box::new(finish::chrome(hex(0xe4_e6ea))?),
-        Material::Brick => Box::new(finish::bricks(Brick::default(), metres)),
-        Material::Marble => Box::new(finish::marble(Marble::default(), metres / 0.2, 2.6)?),
+        Material::Chrome => Box::new(materials::chrome(hex(0xe4_e6ea))?),
+        Material::Brick => Box::new(materials::bricks(Brick::default(), metres)),
+        Material::Marble => Box::new(materials::marble(Marble::default(), metres / 0.2, 2.6)?),
         Material::Wallpaper => {
             let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, seed)?;
-            Box::new(finish::wallpaper(stars, metres / 0.1, [hex(0x2c_3a5e), hex(0xe8_d9a8)]))
+            Box::new(materials::wallpaper(stars, metres / 0.1, [hex(0x2c_3a5e), hex(0xe8_d9a8)]))
         }
     })
 }

@@ -21,6 +21,9 @@ const EDGES: &[(&str, &[&str], &[&str])] = &[
 /// The members that may use everything and that nothing may use.
 const TOPS: &[&str] = &["xtask", "asperity-tests"];
 
+/// The member that may use everything and that only the tops may use.
+const RENDER: &str = "asperity-render";
+
 /// One dependency as its manifest states it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Edge {
@@ -69,7 +72,11 @@ pub(crate) fn forbidden_edges(edges: &BTreeSet<Edge>) -> Vec<String> {
         if TOPS.contains(&to.as_str()) {
             found.push(format!("{from} -> {to}: nothing uses {to}"));
         }
-        if TOPS.contains(&from.as_str()) {
+        if TOPS.contains(&from.as_str()) || from == RENDER {
+            continue;
+        }
+        if to == RENDER {
+            found.push(format!("{from} -> {to}: only the builder and the tests use {to}"));
             continue;
         }
         let Some((_, normal, dev)) = EDGES.iter().find(|(name, ..)| name == from) else {

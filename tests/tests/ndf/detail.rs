@@ -5,8 +5,8 @@ use asperity_ndf_sampling::{
     Reconstruction, TableLayout, TangentSpace, detailed_normal, estimate_ndf,
 };
 use asperity_noise::{Gaussian, Kernel, Perlin2002, Simplex};
+use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::disk_bins::DiskBins;
-use asperity_tests::low_discrepancy::r2;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{
     Beckmann, Chart, Frame, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableLayout, inverse_phi,
     unpack_frame,
 };
-use asperity_tests::low_discrepancy::r2;
+use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 
 const SPACINGS: [Spacing; 3] = [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped];

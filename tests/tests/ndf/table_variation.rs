@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use asperity_ndf_sampling::{
     Beckmann, Chart, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableEntry, TableLayout, inverse_phi,
 };
-use asperity_tests::low_discrepancy::r2;
+use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 

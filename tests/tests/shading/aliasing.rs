@@ -1,7 +1,7 @@
 //! A plane to the horizon: one filtered sample a pixel against a thousand plain ones.
 
+use asperity_render::shaded::{Horizon, Sky, Subject, errors, materials, textures};
 use asperity_shading::glam::Vec3;
-use asperity_tests::shaded::{Horizon, Sky, Subject, errors, materials, textures};
 use rayon::prelude::*;
 
 const PICTURE: Horizon = Horizon { width: 120, height: 60 };

@@ -1,7 +1,7 @@
 //! Zooming in on materials: what is seen of a patch keeps its mean radiance, and no pixel pops.
 
+use asperity_render::shaded::{Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials};
 use asperity_shading::glam::Vec3;
-use asperity_tests::shaded::{Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials};
 
 /// From straight above, and at 60°.
 fn views() -> [Vec3; 2] {

@@ -2,12 +2,10 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use asperity_render::image::Image;
 use indicatif::ProgressBar;
 
-use crate::{
-    failure::{Failure, Interrupted},
-    image::Image,
-};
+use crate::failure::{Failure, Interrupted};
 
 /// One figure of the gallery.
 #[derive(Clone, Copy)]

@@ -1,5 +1,15 @@
 //! What the figures of rendered objects share: densities as pictures, and pictures as panels.
 
+use asperity_render::{
+    geometry::shape::Shape,
+    image::Image,
+    integrator::{
+        direct::{Facets, SharedNdf},
+        hemisphere::hemisphere,
+        pixels::Sampling,
+        request::{RenderRequest, peak},
+    },
+};
 use asperity_shading::LevelOfDetail;
 
 use crate::{
@@ -7,14 +17,6 @@ use crate::{
     gallery::{
         figure::{Context, Panel, Picture},
         plot::Plot,
-    },
-    image::Image,
-    scene::{
-        hemisphere::hemisphere,
-        material::{Facets, SharedNdf},
-        render::Sampling,
-        request::{RenderRequest, peak},
-        shape::Shape,
     },
 };
 

@@ -6,13 +6,15 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, NormalMapFormat, Reconstruction, StudentT,
     TangentSpace, Ward, estimate_ndf, glam::Vec3,
 };
+use asperity_render::{
+    image::read::{ImageFile, ImageFileError},
+    integrator::direct::SharedNdf,
+};
 
 use crate::{
     cli::{self, Images},
     failure::Failure,
-    image_file::{ImageFile, ImageFileError},
     output::sha256,
-    scene::material::SharedNdf,
 };
 
 /// Texels per side of the maps that are made from functions.

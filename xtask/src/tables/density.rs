@@ -4,17 +4,14 @@ use asperity_ndf_sampling::{
     Chart, ConditionalTable, Deviation, Frame, Ndf, NormalTable, Spacing, TableAccuracy, TableLayout,
     glam::Vec3,
 };
+use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};
 
-use super::{
-    Made,
-    formats::{exr, npy},
-};
-use crate::{
-    failure::Failure,
+use super::Made;
+use crate::{failure::Failure, input::density::Density};
+use asperity_render::{
     image::Image,
-    input::density::Density,
-    scene::{hemisphere::ember, material::SharedNdf},
+    integrator::{direct::SharedNdf, hemisphere::ember},
 };
 
 /// Side of the table L.

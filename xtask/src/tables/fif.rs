@@ -1,15 +1,15 @@
 //! The tables of a fractal interpolation function: its system, its integrals, their bounds and values.
 
 use asperity_fif::{Fif, FifBuf, Piece};
+use asperity_render::image::formats::npy;
 use serde_json::{Value, json};
 
-use super::{Made, formats::npy};
+use super::Made;
 use crate::{
     failure::Failure,
-    image::Image,
     input::fif_system::{COEFFICIENTS, System},
-    scene::hemisphere::ember,
 };
+use asperity_render::{image::Image, integrator::hemisphere::ember};
 
 /// Values of a function from end to end.
 const POINTS: usize = 4097;

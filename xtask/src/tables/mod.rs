@@ -2,7 +2,6 @@
 
 mod density;
 mod fif;
-pub(crate) mod formats;
 mod noise;
 mod noise_cdf;
 mod noise_levels;
@@ -15,13 +14,13 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
+use asperity_render::image::Image;
 use serde_json::{Value, json};
 
 use crate::{
     cli::Tables,
     failure::{Failure, Interrupted},
     gallery::page,
-    image::Image,
     input::{
         density::{Density, NORMAL_MAP},
         fif_system::System,

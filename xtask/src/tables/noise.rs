@@ -4,10 +4,12 @@ use asperity_noise::{
     Gaussian, IntegerHash, Kernel, Lattice, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics,
     gaussian_corner,
 };
+use asperity_render::image::formats::npy;
 use serde_json::{Map, json};
 
-use super::{Made, formats::npy};
-use crate::{failure::Failure, image::Image, scene::hemisphere::ember};
+use super::Made;
+use crate::failure::Failure;
+use asperity_render::{image::Image, integrator::hemisphere::ember};
 
 /// Lattice points per side.
 const SIDE: i32 = 128;

@@ -6,10 +6,10 @@ use asperity_noise::{
     Batch, Field, Kernel, Normalisation, Octaves, Perlin1985, Perlin2002, Seeded, Simplex, Sparse, Spectrum,
     Value, ValueCatmullRom, ValueGradient, White,
 };
+use asperity_render::sampling::random::Random;
 use rayon::prelude::*;
 
 use super::noise_levels::phi;
-use crate::random::Random;
 
 /// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 3e-5.
 const KNOTS: usize = 257;

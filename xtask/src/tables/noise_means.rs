@@ -5,9 +5,8 @@ use std::fmt::Write;
 use asperity_noise::{
     Batch, Kernel, Perlin1985, Perlin2002, Seeded, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
 };
+use asperity_render::sampling::random::Random;
 use rayon::prelude::*;
-
-use crate::random::Random;
 
 /// Points per seed.
 const POINTS: usize = 1024;

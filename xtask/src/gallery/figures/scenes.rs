@@ -2,6 +2,17 @@
 
 use std::sync::Arc;
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::{
+        path_tracer::{Finish, Shadow, Stage},
+        pixels::Sampling,
+        request::Bumps,
+    },
+    light::environments::Studio,
+    materials::{self, field::NoiseKind},
+    scenes::{Set, View, backdrop},
+};
 use asperity_shading::{
     Brick, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaintParameters, ScratchesParameters,
     SeamPattern, StarWallpaper, TemperedGlassParameters, VariationsParameters,
@@ -13,16 +24,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         panels::raster,
-    },
-    image::hex,
-    scene::{
-        field::NoiseKind,
-        finish,
-        render::Sampling,
-        request::Bumps,
-        set::{Set, View, backdrop},
-        stage::{Finish, Shadow, Stage},
-        surroundings::Studio,
     },
 };
 
@@ -78,7 +79,7 @@ fn picture(
     sampling: Sampling,
     subject: Box<Finish<'static>>,
     shadow: Shadow,
-) -> Result<crate::image::Image, Failure> {
+) -> Result<asperity_render::image::Image, Failure> {
     let studio = Studio::new(1.0);
     let mut objects = set.objects(subject)?;
     objects[0].shadow = shadow;
@@ -106,7 +107,7 @@ fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
     let door =
         View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
     let mut panels = Vec::new();
-    let whole = Box::new(finish::paint(paint, 1.0, PIGMENT)?);
+    let whole = Box::new(materials::paint(paint, 1.0, PIGMENT)?);
     let sampling = panel_sampling(context, [24, 11], 5);
     let view = View { field: 21.0, ..Set::Car.view() };
     let image = picture(context, Set::Car, view, sampling, whole, Shadow::Cast)?;
@@ -118,12 +119,12 @@ fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
         (
             "sparkles",
             "Its door: sparkles of two pixels",
-            Box::new(finish::paint(paint, 1.0, PIGMENT)?) as Box<Finish<'static>>,
+            Box::new(materials::paint(paint, 1.0, PIGMENT)?) as Box<Finish<'static>>,
         ),
         (
             "flakes",
             "The same with counted flakes, 0.3 mm apart",
-            Box::new(finish::glinting(paint, 1.0, PIGMENT, 3e-4)?),
+            Box::new(materials::glinting(paint, 1.0, PIGMENT, 3e-4)?),
         ),
     ] {
         let image = picture(context, Set::Car, door, sampling, subject, Shadow::Cast)?;
@@ -183,7 +184,7 @@ fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
             rim,
         ),
     ] {
-        let subject = Box::new(finish::carpet(carpet, set.metres(), Vec3::splat(0.5))?);
+        let subject = Box::new(materials::carpet(carpet, set.metres(), Vec3::splat(0.5))?);
         let image = picture(context, set, view, sampling, subject, Shadow::Cast)?;
         panels.push(raster(stem, label, alt, image));
     }
@@ -211,13 +212,13 @@ fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
             "bricks",
             "Bricks of 25 by 8 cm",
             "A brick wall that runs away to the right",
-            Box::new(finish::bricks(Brick::default(), 1.0)) as Box<Finish<'static>>,
+            Box::new(materials::bricks(Brick::default(), 1.0)) as Box<Finish<'static>>,
         ),
         (
             "stars",
             "Stars in cells of 10 cm",
             "Dark blue wallpaper with pale stars",
-            Box::new(finish::wallpaper(stars, 10.0, [hex(0x2c_3a5e), hex(0xe8_d9a8)])),
+            Box::new(materials::wallpaper(stars, 10.0, [hex(0x2c_3a5e), hex(0xe8_d9a8)])),
         ),
     ] {
         let image = picture(context, Set::Wall, Set::Wall.view(), sampling, subject, Shadow::Cast)?;
@@ -247,16 +248,29 @@ fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
         (
             "bumps",
             "Bumps of a density",
-            Box::new(finish::bumped(ndf, LevelOfDetail::Exact, bumps.field(context.seed)?, hex(0xf2_b184))),
+            Box::new(materials::bumped(
+                ndf,
+                LevelOfDetail::Exact,
+                bumps.field(context.seed)?,
+                hex(0xf2_b184),
+            )),
         ),
-        ("paint", "Metallic paint", Box::new(finish::paint(paint, metres, Vec3::new(0.10, 0.01, 0.008))?)),
-        ("plastic", "Plastic with dents", Box::new(finish::panel(plastic, metres, 0.15)?)),
-        ("scratched", "Scratched metal", Box::new(finish::scratched(scratches, 1.0, hex(0xc8_ccd2), 0.2)?)),
-        ("marble", "Blue marble", Box::new(finish::marble(Marble::default(), 0.8, 2.6)?)),
+        ("paint", "Metallic paint", Box::new(materials::paint(paint, metres, Vec3::new(0.10, 0.01, 0.008))?)),
+        ("plastic", "Plastic with dents", Box::new(materials::panel(plastic, metres, 0.15)?)),
+        (
+            "scratched",
+            "Scratched metal",
+            Box::new(materials::scratched(scratches, 1.0, hex(0xc8_ccd2), 0.2)?),
+        ),
+        ("marble", "Blue marble", Box::new(materials::marble(Marble::default(), 0.8, 2.6)?)),
         (
             "glass",
             "Glass",
-            Box::new(finish::glass(TemperedGlassParameters::default(), metres, Vec3::new(0.80, 0.93, 0.89))?),
+            Box::new(materials::glass(
+                TemperedGlassParameters::default(),
+                metres,
+                Vec3::new(0.80, 0.93, 0.89),
+            )?),
         ),
     ];
     let view = View { field: 21.5, ..Set::Teapot.view() };

@@ -1,13 +1,15 @@
 //! Every texture and material on a plane to the horizon: one sample a pixel, plain and filtered, against 1024.
 
+use asperity_render::{
+    image::Image,
+    shaded::{Horizon, Seen, Sky, Subject, errors, materials, textures},
+};
 use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::{
     failure::{Failure, Interrupted},
     gallery::figure::{Context, Drawn, Figure, Panel, Picture, Table},
-    image::Image,
-    shaded::{Horizon, Seen, Sky, Subject, errors, materials, textures},
 };
 
 /// The figure.

@@ -1,6 +1,15 @@
 //! The mean radiance of a patch against zoom, for both rules of level of detail.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
+use asperity_render::{
+    geometry::shape::Hit,
+    integrator::{
+        direct::{Facets, Material, SharedNdf},
+        pixels::jitter,
+    },
+    light::lamps::Light,
+    materials::field::{Field, NoiseKind},
+};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 use glam::{Mat3, Vec2, Vec3};
 use rayon::prelude::*;
@@ -13,13 +22,6 @@ use crate::{
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
     },
     input::density::painted,
-    scene::{
-        field::{Field, NoiseKind},
-        lights::Light,
-        material::{Facets, Material, SharedNdf},
-        render::jitter,
-        shape::Hit,
-    },
 };
 
 /// The figure.

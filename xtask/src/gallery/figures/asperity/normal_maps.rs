@@ -1,5 +1,11 @@
 //! A wet street of cobbles to the horizon: a normal map made by hand, filtered by the slopes within each pixel.
 
+use asperity_render::{
+    image::{Image, tone::hex},
+    integrator::pixels::{Sampling, render},
+    light::lamps::{Light, direction},
+    materials::cobbles::cobbles,
+};
 use asperity_shading::{
     Beckmann, Coordinates, Fresnel, Ndf, PixelEllipse, Schlick, SlopeLobes, SlopeMoments, SlopePyramid,
     half_vector,
@@ -11,12 +17,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Table},
         panels::raster,
-    },
-    image::{Image, hex},
-    scene::{
-        cobbles::cobbles,
-        lights::{Light, direction},
-        render::{Sampling, render},
     },
 };
 

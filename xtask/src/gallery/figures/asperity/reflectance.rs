@@ -1,5 +1,14 @@
 //! The reflectances on spheres.
 
+use asperity_render::{
+    geometry::{camera::Camera, shape::Shape},
+    image::tone::hex,
+    integrator::{
+        direct::sky,
+        pixels::{jitter, render},
+    },
+    light::{background::background, lamps::studio},
+};
 use asperity_shading::{
     BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Frame, Ggx,
     Lambert, OrenNayar, OrenNayarForm, Phong, TorranceSparrow, WardForm, WardReflection,
@@ -12,15 +21,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
-    },
-    image::hex,
-    scene::{
-        background::background,
-        camera::Camera,
-        lights::studio,
-        material::sky,
-        render::{jitter, render},
-        shape::Shape,
     },
 };
 

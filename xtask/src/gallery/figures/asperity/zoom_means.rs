@@ -1,5 +1,8 @@
 //! The mean radiance of every material from afar to very near, from renders, and the pops of slow zooms.
 
+use asperity_render::shaded::{
+    Frame, Mean, Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials,
+};
 use glam::Vec3;
 
 use crate::{
@@ -8,7 +11,6 @@ use crate::{
         figure::{Context, Drawn, Figure, Panel, Picture, Table},
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
     },
-    shaded::{Frame, Mean, Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials},
 };
 
 /// The figure.

@@ -1,6 +1,7 @@
 //! Area means of a fractal surface in closed form: what a pixel sees of its slopes.
 
 use asperity_fif::{AreaMeans, FixedSmooth, HeightField, Interval, SlopeMeans, paper};
+use asperity_render::image::{Image, tone::hex};
 use glam::Vec3;
 
 use crate::{
@@ -9,7 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::raster,
     },
-    image::{Image, hex},
 };
 
 pub(crate) const AREA: Figure = Figure {

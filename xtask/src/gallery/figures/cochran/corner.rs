@@ -4,6 +4,16 @@ use asperity_fif::{
     glam::{DVec2, DVec3},
     paper,
 };
+use asperity_render::{
+    geometry::{
+        camera::Camera,
+        fractal::{Fractal, Meeting},
+    },
+    image::tone::hex,
+    integrator::pixels::{Sampling, render},
+    materials::pattern::{brick, checker, line, mix},
+    sampling::sampler::hash,
+};
 use asperity_shading::{Schlick, reflect};
 use glam::Vec3;
 
@@ -12,13 +22,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{half_page, raster},
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        fractal::{Fractal, Meeting},
-        pattern::{brick, checker, line, mix},
-        render::{Sampling, hash, render},
     },
 };
 

@@ -4,6 +4,10 @@ use asperity_fif::{
     Cached, FifBuf, HeightField, Interval, Pyramid, Ray, SmoothBuf, Surface, TorusBuf,
     glam::{DVec2, DVec3},
 };
+use asperity_render::{
+    geometry::camera::Camera, image::tone::hex, integrator::pixels::render, materials::pattern::mix,
+    sampling::sampler::hash,
+};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -13,12 +17,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::{fact, half_page, raster},
         power_spectrum::PowerSpectrum,
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        pattern::mix,
-        render::{hash, render},
     },
 };
 

@@ -1,6 +1,12 @@
 //! Figure 6 of Cochran, Lewis and Hart: two fractal mirrors in a ruled room.
 
 use asperity_fif::{glam::DVec3, paper};
+use asperity_render::{
+    geometry::{camera::Camera, fractal::Fractal},
+    image::tone::hex,
+    integrator::pixels::{Sampling, render},
+    materials::pattern::{line, mix},
+};
 use asperity_shading::{Conductor, reflect};
 use glam::Vec3;
 
@@ -9,13 +15,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{half_page, raster},
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        fractal::Fractal,
-        pattern::{line, mix},
-        render::{Sampling, render},
     },
 };
 

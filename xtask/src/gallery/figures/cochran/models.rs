@@ -4,6 +4,16 @@ use std::f32::consts::{PI, TAU};
 
 use asperity_fif::{FixedFif, SystemError, glam::DVec3};
 use asperity_ndf_sampling::{Microfacet, Ndf};
+use asperity_render::{
+    geometry::{
+        camera::Camera,
+        fractal::{Fractal, Meeting},
+    },
+    image::tone::hex,
+    integrator::pixels::render,
+    light::lamps::{Light, direction, studio},
+    materials::pattern::{checker, line, mix},
+};
 use asperity_shading::{Beckmann, Conductor, Dielectric, Frame, half_vector, reflect};
 use glam::Vec3;
 
@@ -12,14 +22,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        fractal::{Fractal, Meeting},
-        lights::{Light, direction, studio},
-        pattern::{checker, line, mix},
-        render::render,
     },
 };
 

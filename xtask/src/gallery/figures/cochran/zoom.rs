@@ -5,6 +5,13 @@ use asperity_fif::{
     glam::{DVec2, DVec3},
     paper,
 };
+use asperity_render::{
+    geometry::camera::Camera,
+    image::tone::hex,
+    integrator::pixels::{Sampling, render},
+    light::lamps::direction,
+    materials::pattern::mix,
+};
 use glam::Vec3;
 
 use crate::{
@@ -12,13 +19,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        lights::direction,
-        pattern::mix,
-        render::{Sampling, render},
     },
 };
 

@@ -1,5 +1,10 @@
 //! Bevels along the edges of a plate.
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::{direct::sky, pixels::render},
+    light::lamps::studio,
+};
 use asperity_shading::{
     Bevel, Brdf, CookTorrance, Edge, Frame, Ggx, SchlickF82, bumped_normal, surface_gradient,
 };
@@ -11,8 +16,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
     },
-    image::hex,
-    scene::{lights::studio, material::sky, render::render},
 };
 
 pub(crate) const BEVEL: Figure = Figure {

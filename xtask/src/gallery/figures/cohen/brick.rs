@@ -1,5 +1,12 @@
 //! Bump-mapped brick, close by and to the horizon.
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::pixels::{Sampling, render},
+    light::lamps::direction,
+    materials::pattern::mix,
+    sampling::sampler::hash,
+};
 use asperity_shading::{Brick, bumped_normal, surface_gradient};
 use glam::{Vec2, Vec3};
 
@@ -8,12 +15,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::raster,
-    },
-    image::hex,
-    scene::{
-        lights::direction,
-        pattern::mix,
-        render::{Sampling, hash, render},
     },
 };
 

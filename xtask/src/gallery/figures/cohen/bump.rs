@@ -1,5 +1,18 @@
 //! Bump mapping three ways, beside the surface that is really displaced.
 
+use asperity_render::{
+    geometry::{
+        camera::Camera,
+        mesh::TracedMesh,
+        relief::relief,
+        shape::{Hit, Shape},
+    },
+    integrator::{
+        direct::sky,
+        pixels::{Sampling, render},
+    },
+    light::{background::background, lamps::direction},
+};
 use asperity_shading::{
     bumped_normal, differences, displace,
     noise::{Normalisation, Octaves, Perlin2002, Sample, Spectrum},
@@ -12,16 +25,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
-    },
-    scene::{
-        background::background,
-        camera::Camera,
-        lights::direction,
-        material::sky,
-        mesh::TracedMesh,
-        relief::relief,
-        render::{Sampling, render},
-        shape::{Hit, Shape},
     },
 };
 

@@ -1,5 +1,6 @@
 //! Star wallpaper, and images that run.
 
+use asperity_render::{image::tone::hex, integrator::pixels::render, materials::pattern::mix};
 use asperity_shading::{Marble, PerturbedTexture, StarWallpaper};
 use glam::{Vec2, Vec3};
 
@@ -9,8 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
     },
-    image::hex,
-    scene::{pattern::mix, render::render},
 };
 
 pub(crate) const PATTERNS: Figure = Figure {

@@ -1,5 +1,21 @@
 //! The marble vase and the steaming tea cup.
 
+use asperity_render::{
+    geometry::{
+        camera::Camera,
+        mesh::TracedMesh,
+        revolution::{revolved, ring},
+        shape::Shape,
+    },
+    image::tone::hex,
+    integrator::{
+        path_tracer::{Object, Stage},
+        pixels::{Sampling, render_paths},
+    },
+    light::environments::Studio,
+    materials::{glazed, marble},
+    scenes::{Set, backdrop, ground},
+};
 use asperity_shading::{
     Gas, Marble, Steam, march,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
@@ -11,18 +27,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{raster, square},
-    },
-    image::hex,
-    scene::{
-        camera::Camera,
-        finish::{glazed, marble},
-        mesh::TracedMesh,
-        render::{Sampling, render_paths},
-        revolution::{revolved, ring},
-        set::{Set, backdrop, ground},
-        shape::Shape,
-        stage::{Object, Stage},
-        surroundings::Studio,
     },
 };
 

@@ -1,19 +1,21 @@
 //! Two isotropic densities on the teapot.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
+use asperity_render::{
+    geometry::shape::Shape,
+    image::tone::hex,
+    integrator::{
+        direct::SharedNdf,
+        pixels::Sampling,
+        request::{RenderRequest, Subject},
+    },
+};
 
 use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         panels::{common_parameters, density_panel, fine, object_panel},
-    },
-    image::hex,
-    scene::{
-        material::SharedNdf,
-        render::Sampling,
-        request::{RenderRequest, Subject},
-        shape::Shape,
     },
 };
 

@@ -3,6 +3,21 @@
 use std::f32::consts::FRAC_PI_2;
 
 use asperity_ndf_sampling::{Ggx, Ndf};
+use asperity_render::{
+    geometry::{
+        camera::Camera,
+        mesh::{Mesh, TracedMesh},
+        relief::relief,
+        shape::{Hit, Shape},
+    },
+    image::{Image, tone::hex},
+    integrator::{
+        direct::SharedNdf,
+        hemisphere::ember,
+        request::{peak, trace},
+    },
+    light::lamps::direction,
+};
 use glam::Vec3;
 
 use crate::{
@@ -10,17 +25,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         panels::{density_panel, raster, square},
-    },
-    image::{Image, hex},
-    scene::{
-        camera::Camera,
-        hemisphere::ember,
-        lights::direction,
-        material::SharedNdf,
-        mesh::{Mesh, TracedMesh},
-        relief::relief,
-        request::{peak, trace},
-        shape::{Hit, Shape},
     },
 };
 

@@ -1,6 +1,14 @@
 //! The steps of the method: noise, look-up, shading.
 
 use asperity_ndf_sampling::{Ggx, NormalTable, phi};
+use asperity_render::{
+    geometry::shape::{Hit, Shape},
+    image::{Image, tone::hex},
+    integrator::{
+        direct::{Facets, sky},
+        request::{RenderRequest, Subject, trace},
+    },
+};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -8,12 +16,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{common_parameters, fine, object_panel, raster},
-    },
-    image::{Image, hex},
-    scene::{
-        material::{Facets, sky},
-        request::{RenderRequest, Subject, trace},
-        shape::{Hit, Shape},
     },
 };
 
@@ -97,6 +99,6 @@ fn pair_colour(z: Vec2) -> Vec3 {
 
 /// A normal as the colour that normal maps have, in sRGB: (x, y, z) from ±1 to 0 … 255.
 fn normal_colour(m: Vec3) -> Vec3 {
-    let byte = |c: f32| crate::image::linear(0.5 + 0.5 * c);
+    let byte = |c: f32| asperity_render::image::tone::linear(0.5 + 0.5 * c);
     Vec3::new(byte(m.x), byte(m.y), byte(m.z))
 }

@@ -1,6 +1,11 @@
 //! A bump mapped sphere at four zooms beside its density, by both rules of level of detail.
 
 use asperity_ndf_sampling::Ggx;
+use asperity_render::integrator::{
+    direct::Facets,
+    hemisphere::hemisphere,
+    request::{RenderRequest, Subject, peak},
+};
 use asperity_shading::{LevelOfDetail, conditional_density};
 use glam::Vec2;
 
@@ -9,11 +14,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         panels::{common_parameters, density_panel, fine, object_panel, raster, rule_words, square},
-    },
-    scene::{
-        hemisphere::hemisphere,
-        material::Facets,
-        request::{RenderRequest, Subject, peak},
     },
 };
 

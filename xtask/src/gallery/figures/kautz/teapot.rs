@@ -1,16 +1,16 @@
 //! The teapot with an anisotropic density at three distances, and with normals that do not follow it.
 
 use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
+use asperity_render::integrator::{
+    direct::Facets,
+    request::{RenderRequest, Subject},
+};
 
 use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure},
         panels::{common_parameters, density_panel, fine, object_panel},
-    },
-    scene::{
-        material::Facets,
-        request::{RenderRequest, Subject},
     },
 };
 

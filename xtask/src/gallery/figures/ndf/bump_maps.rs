@@ -4,6 +4,15 @@ use asperity_ndf_sampling::{
     Frame, Ggx, Ndf, NdfEstimator, NdfMap, NormalMapFormat, detailed_normal, estimate_ndf,
 };
 use asperity_noise::{GaussianOctaves, Spectrum};
+use asperity_render::{
+    image::{
+        Image,
+        tone::{hex, linear},
+    },
+    integrator::pixels::render,
+    light::lamps::direction,
+    materials::cobbles::cobbles,
+};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -14,8 +23,6 @@ use crate::{
         panels::{density_panel, fact, raster, square, vector},
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
     },
-    image::{Image, hex, linear},
-    scene::{cobbles::cobbles, lights::direction, render::render},
 };
 
 /// Detail on an existing normal map.

@@ -1,6 +1,7 @@
 //! What a pixel sees of a density as it resolves more and more of the bump map.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
+use asperity_render::integrator::{direct::SharedNdf, hemisphere::hemisphere};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -10,7 +11,6 @@ use crate::{
         panels::{fact, raster, square},
     },
     input::density::painted,
-    scene::{hemisphere::hemisphere, material::SharedNdf},
 };
 
 /// The figure.

@@ -3,6 +3,12 @@
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Mixture, StudentT, Ward,
 };
+use asperity_render::{
+    image::tone::hex,
+    integrator::{direct::SharedNdf, pixels::render},
+    light::background::background,
+    sampling::random::Random,
+};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -14,10 +20,7 @@ use crate::{
         panels::{density_panel, fact, raster, square, vector},
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
     },
-    image::hex,
     input::density::painted,
-    random::Random,
-    scene::{background::background, material::SharedNdf, render::render},
 };
 
 /// One figure for each density; a new one is one entry here.

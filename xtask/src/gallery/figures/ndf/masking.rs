@@ -1,6 +1,7 @@
 //! Smith's masking, and the normals that are seen from a direction.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
+use asperity_render::integrator::hemisphere::hemisphere;
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -10,7 +11,6 @@ use crate::{
         panels::{fact, raster, square, vector},
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
     },
-    scene::hemisphere::hemisphere,
 };
 
 /// The figure.

@@ -1,6 +1,7 @@
 //! Table L: what its look-ups lose, by spacing, chart and interpolation.
 
 use asperity_ndf_sampling::{Chart, Ggx, Ndf, NormalTable, Spacing, TableLayout};
+use asperity_render::integrator::{hemisphere::ember, pixels::render};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -9,7 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure, Table},
         panels::{fact, raster, square},
     },
-    scene::{hemisphere::ember, render::render},
 };
 
 /// The figure.

@@ -1,5 +1,6 @@
 //! Random numbers of the cells of a lattice: the thesis's texture, a permutation and a hash.
 
+use asperity_render::image::{Image, tone::hex};
 use asperity_shading::noise::{ChainedTable, IntegerHash, Lattice, PermutationTable};
 use glam::Vec3;
 
@@ -9,7 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::raster,
     },
-    image::{Image, hex},
 };
 
 pub(crate) const PRNG: Figure = Figure {

@@ -2,6 +2,10 @@
 
 use std::f32::consts::PI;
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::pixels::{Sampling, render},
+};
 use asperity_shading::{
     Beckmann, Brdf, BumpField, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Footprint,
     Frame, Ggx, GlintField, LevelOfDetail, Ndf, Scratches, ScratchesParameters, SurfacePoint, TemperedGlass,
@@ -17,8 +21,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         panels::raster,
     },
-    image::hex,
-    scene::render::{Sampling, render},
 };
 
 pub(crate) const ZOOM: Figure = Figure {

@@ -1,6 +1,7 @@
 //! Curl noise: streamlines, and dye that is carried along and keeps its area.
 
 use asperity_noise::{Curl2, CurvedField, Field, Noise, Normalisation, Octaves, Simplex, Spectrum, White};
+use asperity_render::image::{Image, tone::hex};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -13,7 +14,6 @@ use crate::{
         },
         panels::{fact, raster},
     },
-    image::{Image, hex},
 };
 
 /// The figure.

@@ -4,6 +4,7 @@ use asperity_noise::{
     Field, FirstOctaves, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint,
     removed_share,
 };
+use asperity_render::image::{Image, tone::hex};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -14,7 +15,6 @@ use crate::{
         figures::noise::plane::grey,
         panels::{fact, raster},
     },
-    image::{Image, hex},
 };
 
 /// The figure.

@@ -1,6 +1,7 @@
 //! Exact gradients: as arrows over the values, as colours, and as light on a relief.
 
 use asperity_noise::{Gaussian, Noise, Normalisation, Octaves, Sample, Spectrum};
+use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -10,7 +11,6 @@ use crate::{
         figures::noise::plane::{Window, grey},
         panels::{fact, raster},
     },
-    image::hex,
 };
 
 /// The figure.

@@ -4,6 +4,10 @@ use asperity_noise::{
     Gaussian, Kernel, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum,
     Statistics, Value, ValueCatmullRom, ValueGradient, White,
 };
+use asperity_render::{
+    image::{Image, tone::hex},
+    integrator::hemisphere::ember,
+};
 use glam::Vec2;
 use rayon::prelude::*;
 
@@ -16,8 +20,6 @@ use crate::{
         plot::{Axis, Ink, Mark, Names, Plot, Stroke},
         power_spectrum::PowerSpectrum,
     },
-    image::{Image, hex},
-    scene::hemisphere::ember,
 };
 
 /// One figure for each kind; a new kind is one entry here.

@@ -1,12 +1,12 @@
 //! What the figures of noises share: a window into the plane, and values as grey.
 
+use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 use crate::{
     failure::{Failure, Interrupted},
     gallery::figure::Context,
-    image::{Image, linear},
 };
 
 /// A square window into the plane, y upwards, and its pixels.

@@ -1,6 +1,7 @@
 //! Domain warping: a sum of octaves seen through others.
 
 use asperity_noise::{Field, Normalisation, Octaves, Sample, Simplex, Spectrum, Warp};
+use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -10,7 +11,6 @@ use crate::{
         figures::noise::plane::{Window, grey},
         panels::{fact, raster},
     },
-    image::hex,
 };
 
 /// The figure.

@@ -1,5 +1,6 @@
 //! The carpet's parameters.
 
+use asperity_render::{image::tone::hex, materials};
 use asperity_shading::{CarpetParameters, FibresParameters, SeamPattern};
 use glam::{Vec2, Vec3};
 
@@ -9,8 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         figures::nilsson::sliders::{Strip, View, boxed, draw, strip},
     },
-    image::hex,
-    scene::finish,
 };
 
 pub(crate) const CARPET: Figure = Figure {
@@ -22,7 +21,7 @@ pub(crate) const CARPET: Figure = Figure {
               above the defaults look like rock and not like threads, as the thesis found. Fibres are not in the \
               thesis; their own parameters have a figure of their own.",
     draw: |context: &Context<'_>| -> Result<Drawn, Failure> {
-        draw(context, &strips(), |parameters| boxed(finish::carpet(parameters, 1.0, hex(0xd8_dce6) * 0.5)))
+        draw(context, &strips(), |parameters| boxed(materials::carpet(parameters, 1.0, hex(0xd8_dce6) * 0.5)))
     },
 };
 

@@ -1,5 +1,10 @@
 //! The tempered glass's parameters.
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::swatch::Form,
+    materials::{self, pattern::line},
+};
 use asperity_shading::{GlassWaves, TemperedGlassParameters};
 use glam::{Vec2, Vec3};
 
@@ -9,8 +14,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         figures::nilsson::sliders::{Strip, View, boxed, draw, strip},
     },
-    image::hex,
-    scene::{finish, pattern::line, swatch::Form},
 };
 
 pub(crate) const GLASS: Figure = Figure {
@@ -22,7 +25,7 @@ pub(crate) const GLASS: Figure = Figure {
               is the curvature, the amplitude times the square of the frequency; a propagation vector that leans out \
               of the pane has longer and lower waves. The last two strips are the thesis's other try, noise.",
     draw: |context: &Context<'_>| -> Result<Drawn, Failure> {
-        draw(context, &strips(), |parameters| boxed(finish::pane(parameters, 1.0, Vec3::ZERO)))
+        draw(context, &strips(), |parameters| boxed(materials::pane(parameters, 1.0, Vec3::ZERO)))
     },
 };
 

@@ -1,5 +1,6 @@
 //! The parameters of scratches and of fibres: hashed segments in the cells of a texture.
 
+use asperity_render::{image::tone::hex, light::lamps::Light, materials};
 use asperity_shading::{CarpetParameters, FibresParameters, ScratchesParameters, SeamPattern};
 use glam::{Vec2, Vec3};
 
@@ -9,8 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         figures::nilsson::sliders::{Strip, View, boxed, draw, strip},
     },
-    image::hex,
-    scene::{finish, lights::Light},
 };
 
 pub(crate) const SCRATCHES: Figure = Figure {
@@ -23,7 +22,7 @@ pub(crate) const SCRATCHES: Figure = Figure {
               wider and shallower.",
     draw: |context: &Context<'_>| -> Result<Drawn, Failure> {
         draw(context, &scratch_strips(), |parameters| {
-            boxed(finish::scratched(parameters, 1.0, hex(0xc8_ccd2), 0.2))
+            boxed(materials::scratched(parameters, 1.0, hex(0xc8_ccd2), 0.2))
         })
     },
 };
@@ -49,7 +48,7 @@ pub(crate) const FIBRES: Figure = Figure {
                 fibres,
                 ..Default::default()
             };
-            boxed(finish::carpet(carpet, 1.0, Vec3::ZERO))
+            boxed(materials::carpet(carpet, 1.0, Vec3::ZERO))
         })
     },
 };

@@ -9,6 +9,15 @@ mod variations;
 
 use std::fmt::Debug;
 
+use asperity_render::{
+    image::{Image, tone::hex},
+    integrator::{
+        path_tracer::{Appearance, Finish, Seen},
+        pixels::{Sampling, render},
+        swatch::{Form, Swatch},
+    },
+    light::lamps::{Light, direction},
+};
 use glam::Vec3;
 
 pub(crate) use carpet::CARPET;
@@ -23,13 +32,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Panel},
         panels::raster,
-    },
-    image::{Image, hex},
-    scene::{
-        lights::{Light, direction},
-        render::{Sampling, render},
-        stage::{Appearance, Finish, Seen},
-        swatch::{Form, Swatch},
     },
 };
 

@@ -1,5 +1,6 @@
 //! The metallic paint's parameters.
 
+use asperity_render::{image::tone::hex, light::environments::Studio, materials};
 use asperity_shading::{Elimination, Environment, MetallicPaintParameters};
 use glam::Vec3;
 
@@ -9,8 +10,6 @@ use crate::{
         figure::{Context, Drawn, Figure},
         figures::nilsson::sliders::{Strip, View, boxed, draw, strip},
     },
-    image::hex,
-    scene::{finish, surroundings::Studio},
 };
 
 pub(crate) const PAINT: Figure = Figure {
@@ -23,7 +22,7 @@ pub(crate) const PAINT: Figure = Figure {
               out the wider sparkles are over its unit. Octaves of passive flakes have growing strengths: the finest \
               shows most, until it is too fine for the pixels.",
     draw: |context: &Context<'_>| -> Result<Drawn, Failure> {
-        draw(context, &strips(), |parameters| boxed(finish::paint(parameters, 1.0, hex(0x06_1226))))
+        draw(context, &strips(), |parameters| boxed(materials::paint(parameters, 1.0, hex(0x06_1226))))
     },
 };
 

@@ -1,5 +1,11 @@
 //! The parameters of the variations for any material.
 
+use asperity_render::{
+    image::tone::hex,
+    integrator::swatch::Form,
+    light::lamps::{Light, direction},
+    materials,
+};
 use asperity_shading::VariationsParameters;
 use glam::Vec3;
 
@@ -8,12 +14,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         figures::nilsson::sliders::{Strip, View, boxed, draw, strip},
-    },
-    image::hex,
-    scene::{
-        finish,
-        lights::{Light, direction},
-        swatch::Form,
     },
 };
 
@@ -26,7 +26,7 @@ pub(crate) const VARIATIONS: Figure = Figure {
               of the noise's gradients that is kept, and at 0.1 few dents lie on flat ground. Roughness is that of the \
               diffuse facets, flat and chalky at 1.",
     draw: |context: &Context<'_>| -> Result<Drawn, Failure> {
-        draw(context, &strips(), |parameters| boxed(finish::panel(parameters, 1.0, 0.2)))
+        draw(context, &strips(), |parameters| boxed(materials::panel(parameters, 1.0, 0.2)))
     },
 };
 

@@ -1,0 +1,95 @@
+//! A pinhole camera that knows how much of the surface a pixel covers.
+
+use asperity_shading::Footprint;
+use glam::Vec3;
+
+use crate::geometry::{ray::Ray, shape::Hit};
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug)]
+pub struct Camera {
+    eye: Vec3,
+    right: Vec3,
+    up: Vec3,
+    forward: Vec3,
+    /// Side of a pixel at distance 1.
+    pixel: f32,
+    centre: [f32; 2],
+}
+
+impl Camera {
+    /// From `eye` towards `target`, z up, `height` pixels over the full angle `field` in radians.
+    pub fn new(eye: Vec3, target: Vec3, field: f32, width: u32, height: u32) -> Self {
+        let forward = (target - eye).normalize_or(Vec3::NEG_Z);
+        // Straight down there is no "up" along z: y is up in the picture.
+        let right = forward.cross(Vec3::Z).try_normalize().unwrap_or(Vec3::X);
+        Self {
+            eye,
+            right,
+            up: right.cross(forward),
+            forward,
+            pixel: 2.0 * (0.5 * field).tan() / height as f32,
+            centre: [0.5 * width as f32, 0.5 * height as f32],
+        }
+    }
+
+    /// The eye.
+    pub fn eye(&self) -> Vec3 {
+        self.eye
+    }
+
+    /// Unit direction through the picture's point `(x, y)`, in pixels from the top left.
+    pub fn direction(&self, x: f32, y: f32) -> Vec3 {
+        let across = (x - self.centre[0]) * self.pixel;
+        let above = (self.centre[1] - y) * self.pixel;
+        (self.forward + self.right * across + self.up * above).normalize()
+    }
+
+    /// The ray through the picture's point `(x, y)` with its derivatives by the pixel.
+    pub fn ray(&self, x: f32, y: f32) -> Ray {
+        let direction = self.direction(x, y);
+        // The direction is a vector of depth 1 made unit.
+        let scale = self.pixel * direction.dot(self.forward);
+        let by = |axis: Vec3| scale * (axis - direction * direction.dot(axis));
+        Ray {
+            origin: self.eye,
+            direction,
+            origin_by: [Vec3::ZERO; 2],
+            direction_by: [by(self.right), by(-self.up)],
+        }
+    }
+
+    /// What a pixel around `direction` covers of the surface at `hit`.
+    pub fn footprint(&self, direction: Vec3, hit: &Hit) -> Footprint {
+        let depth = hit.t * direction.dot(self.forward);
+        Footprint::from_distance(depth, self.pixel, direction.dot(hit.normal))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::shape::Shape;
+
+    #[test]
+    fn the_footprint_is_the_distance_between_hits_of_neighbouring_pixels() {
+        let camera = Camera::new(Vec3::new(3.0, 0.0, 2.0), Vec3::ZERO, 0.6, 300, 200);
+        let at = |x: f32, y: f32| {
+            let direction = camera.direction(x, y);
+            (direction, Shape::Plane.first_hit(camera.eye(), direction).unwrap())
+        };
+        let (direction, hit) = at(150.0, 100.0);
+        let up = at(150.0, 99.5).1.position.distance(at(150.0, 100.5).1.position);
+        // The hyperbola of perspective over half a pixel: measured 1e-5 relative.
+        assert!((camera.footprint(direction, &hit).width() / up - 1.0).abs() < 1e-4);
+        let across = at(149.5, 100.0).1.position.distance(at(150.5, 100.0).1.position);
+        assert!(across < up);
+    }
+
+    #[test]
+    fn straight_down_the_picture_has_x_to_the_right() {
+        let camera = Camera::new(Vec3::Z, Vec3::ZERO, 0.6, 100, 100);
+        assert!(camera.direction(100.0, 50.0).x > 0.1);
+        assert!(camera.direction(50.0, 0.0).y > 0.1);
+    }
+}

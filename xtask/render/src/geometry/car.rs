@@ -1,0 +1,157 @@
+//! A car-like body: one smooth surface, its wheels, and where its windows are.
+
+use std::f32::consts::{PI, TAU};
+
+use glam::{Vec2, Vec3};
+
+use crate::geometry::{
+    mesh::{Mesh, Vertex},
+    revolution::revolved,
+};
+
+/// Half of the length in metres; the nose is at +x.
+const LENGTH: f32 = 2.15;
+/// Height of the line under the windows.
+const BELT: f32 = 0.86;
+/// Columns along the car and rows around it.
+const CELLS: [usize; 2] = [360, 220];
+
+/// Wide enough for differences in `f32`, narrow against a cell.
+const STEP: f32 = 1.5e-3;
+
+/// Smooth step from `a` to `b`.
+fn step(a: f32, b: f32, x: f32) -> f32 {
+    let t = ((x - a) / (b - a)).clamp(0.0, 1.0);
+    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
+}
+
+/// The height of the roof line.
+fn top(x: f32) -> f32 {
+    let body = 0.72 + 0.15 * step(2.3, 0.6, x) + 0.06 * step(-0.9, -1.8, x);
+    let cabin = step(1.15, 0.10, x) * step(-2.0, -0.80, x);
+    body + 0.54 * cabin
+}
+
+/// How much of its breadth and height the car has towards its ends.
+fn end(x: f32) -> f32 {
+    (1.0 - (x.abs() / LENGTH).powf(6.0)).max(0.0).powf(1.0 / 4.4)
+}
+
+/// The body at a place along it and an angle around it, 0 … 1 each.
+fn body(along: f32, around: f32) -> Vec3 {
+    // Dense at the ends, where the surface turns.
+    let x = LENGTH * (PI * (along - 0.5)).sin();
+    let closing = end(x);
+    let (sin, cos) = (TAU * around).sin_cos();
+    let round = |s: f32, power: f32| s.signum() * s.abs().powf(power);
+    let (upper, lower) = (top(x), 0.24 + 0.05 * step(1.2, 2.1, x) + 0.07 * step(-1.3, -2.1, x));
+    let middle = 0.5 * (BELT - 0.30) + 0.26;
+    let z = if sin >= 0.0 {
+        middle + closing * (upper - middle) * round(sin, 0.62)
+    } else {
+        middle + closing * (middle - lower) * round(sin, 0.42)
+    };
+    // The cabin leans inwards.
+    let lean = 1.0 - 0.34 * step(BELT - 0.14, 1.38, z) - 0.05 * step(0.55, 0.2, z);
+    let breadth = 0.84 - 0.09 * step(0.8, 2.2, x) - 0.05 * step(-0.9, -2.2, x);
+    Vec3::new(x, closing.sqrt() * breadth * lean * round(cos, 0.5), z)
+}
+
+/// The body; its texture coordinates are metres along and about metres around.
+pub fn car_body() -> Mesh {
+    let mut mesh = Mesh::default();
+    let [columns, rows] = CELLS;
+    let place = |i: usize, j: usize| [i as f32 / columns as f32, j as f32 / rows as f32];
+    for i in 0..=columns {
+        for j in 0..=rows {
+            let [along, around] = place(i, j);
+            let (low, high) = ((along - STEP).max(0.0), (along + STEP).min(1.0));
+            let forward = body(high, around) - body(low, around);
+            let upward = body(along, around + STEP) - body(along, around - STEP);
+            let out = Vec3::new(body(along, around).x.signum(), 0.0, 0.0);
+            let normal = forward.cross(-upward).try_normalize().unwrap_or(out);
+            let position = body(along, around);
+            let tangent =
+                (forward - normal * normal.dot(forward)).normalize_or(normal.any_orthonormal_vector());
+            mesh.vertices.push(Vertex { position, normal, tangent, uv: Vec2::new(position.x, 3.6 * around) });
+        }
+    }
+    let index = |i: usize, j: usize| (i * (rows + 1) + j) as u32;
+    for i in 0..columns {
+        for j in 0..rows {
+            let [a, b] = [index(i, j), index(i + 1, j)];
+            let [c, d] = [index(i, j + 1), index(i + 1, j + 1)];
+            mesh.push_unless_degenerate([a, d, b]);
+            mesh.push_unless_degenerate([a, c, d]);
+        }
+    }
+    mesh
+}
+
+/// How deep a point of the body is within a window, in metres; negative outside of them.
+pub fn window(position: Vec3, normal: Vec3) -> f32 {
+    let Vec3 { x, z, .. } = position;
+    let above = (z - BELT - 0.02).min(1.335 - z);
+    if normal.y.abs() > 0.55 {
+        // Two side windows with a pillar between them; their ends lean with the screens.
+        let front = 0.62 - 0.95 * (z - BELT) - x;
+        let rear = x + 1.32 - 0.85 * (z - BELT);
+        let pillar = (x + 0.42).abs() - 0.035;
+        above.min(front).min(rear).min(pillar)
+    } else {
+        let screens = (x - 0.12).max(-1.02 - x);
+        above.min(screens).min(0.60 - position.y.abs())
+    }
+}
+
+/// Where the wheels are, along the car and above the ground, and their radius.
+pub const WHEELS: [[f32; 2]; 2] = [[-1.28, 0.325], [1.32, 0.325]];
+
+/// Whether a point of the body is in the dark around a wheel.
+pub fn arch(position: Vec3) -> bool {
+    WHEELS.iter().any(|[x, z]| (position.x - x).hypot(position.z - z) < 0.375 && position.y.abs() > 0.4)
+}
+
+/// A tyre about the y axis, upright, with its outer side towards −y, and the disc inside it.
+pub fn wheel(centre: Vec3) -> [Mesh; 2] {
+    let turn = |mut mesh: Mesh| {
+        let upright = |p: Vec3| Vec3::new(p.x, -p.z, p.y);
+        for vertex in &mut mesh.vertices {
+            vertex.position = centre + upright(vertex.position);
+            vertex.normal = upright(vertex.normal);
+            vertex.tangent = upright(vertex.tangent);
+        }
+        mesh
+    };
+    let tyre = [[0.21, -0.10], [0.30, -0.105], [0.325, -0.06], [0.325, 0.06], [0.30, 0.105], [0.21, 0.09]];
+    let disc = [[0.215, 0.08], [0.19, 0.075], [0.15, 0.045], [0.08, 0.055], [0.03, 0.07], [0.0, 0.07]];
+    [turn(revolved(&tyre)), turn(revolved(&disc))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_body_is_closed_and_its_normals_point_outwards() {
+        let mesh = car_body();
+        for triangle in mesh.triangles.iter().step_by(7) {
+            let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
+            let across = (b.position - a.position).cross(c.position - a.position);
+            if across.length() > 1e-7 {
+                let normal = (a.normal + b.normal + c.normal).normalize_or_zero();
+                assert!(across.normalize().dot(normal) > 0.3, "{a:?} {across}");
+            }
+            let outward = a.position - Vec3::new(a.position.x * 0.9, 0.0, 0.55);
+            assert!(a.normal.dot(outward) > -0.02, "{a:?}");
+        }
+    }
+
+    #[test]
+    fn windows_are_above_the_belt_and_not_in_the_roof() {
+        assert!(window(Vec3::new(0.0, 0.7, 1.1), Vec3::Y) > 0.0);
+        assert!(window(Vec3::new(0.0, 0.7, 0.8), Vec3::Y) < 0.0);
+        assert!(window(Vec3::new(0.4, 0.0, 1.1), Vec3::new(0.8, 0.0, 0.6)) > 0.0);
+        assert!(window(Vec3::new(-0.4, 0.0, 1.3), Vec3::Z) < 0.0);
+    }
+}

@@ -1,0 +1,67 @@
+//! Meshes from files: Wavefront OBJ, PLY and binary glTF, each centred on the origin and scaled into the unit ball.
+
+mod error;
+mod glb;
+mod obj;
+mod ply;
+mod polygon;
+#[cfg(test)]
+mod tests;
+mod triangle_soup;
+
+use std::{fs::File, io::Read, path::Path};
+
+pub use self::error::MeshFileError;
+use self::triangle_soup::TriangleSoup;
+use crate::geometry::mesh::Mesh;
+
+/// A mesh of this size takes about 2 GB, and as much again for its hierarchy.
+const MOST_TRIANGLES: usize = 1 << 24;
+const MOST_BYTES: u64 = 1 << 31;
+
+/// The axis that points up in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// As glTF has it, and most of the others.
+    Y,
+    /// As in files of buildings and maps.
+    Z,
+}
+
+/// Reads the mesh of a file by its extension, and turns its `up` to z.
+///
+/// What the file does not give is computed: normals by the angles of the triangles around a point, tangents along
+/// ∂P/∂u. Triangles without area are left out.
+pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
+    let parse = parser(path)?;
+    let file = File::open(path).map_err(MeshFileError::Unreadable)?;
+    let metadata = file.metadata().map_err(MeshFileError::Unreadable)?;
+    if !metadata.is_file() {
+        return Err(MeshFileError::NotAFile);
+    }
+    let mut bytes = Vec::new();
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(MeshFileError::Unreadable)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(MeshFileError::TooLong { bytes: metadata.len() });
+    }
+    mesh(parse, &bytes, up)
+}
+
+type Parser = fn(&[u8]) -> Result<TriangleSoup, MeshFileError>;
+
+fn parser(path: &Path) -> Result<Parser, MeshFileError> {
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("obj") => Ok(obj::parse),
+        Some("ply") => Ok(ply::parse),
+        Some("glb") => Ok(glb::parse),
+        _ => Err(MeshFileError::UnknownExtension),
+    }
+}
+
+fn mesh(parse: Parser, bytes: &[u8], up: Up) -> Result<Mesh, MeshFileError> {
+    if bytes.is_empty() {
+        return Err(MeshFileError::Empty);
+    }
+    parse(bytes)?.into_mesh(up)
+}

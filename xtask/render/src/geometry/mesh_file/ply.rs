@@ -1,0 +1,127 @@
+//! PLY, by `ply-rs-bw`: text and both binary kinds.
+
+use std::io::Cursor;
+
+use glam::{DVec3, Vec2, Vec3};
+use ply_rs_bw::{
+    parser::{Parser, Reader},
+    ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
+};
+
+use crate::geometry::mesh_file::{MeshFileError, triangle_soup::TriangleSoup};
+
+/// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
+/// names, and the element `face` with a list of corners. All others are passed over.
+pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
+    let mut reader = Reader::new(Cursor::new(bytes));
+    let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(MeshFileError::Ply)?;
+    let vertex = header.elements.get("vertex").ok_or(MeshFileError::PlyLacks("element `vertex`"))?;
+    let face = header.elements.get("face").ok_or(MeshFileError::PlyLacks("element `face`"))?;
+    for (name, lack) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
+        vertex.properties.get(name).ok_or(MeshFileError::PlyLacks(lack))?;
+    }
+    if !CORNERS.iter().any(|&name| face.properties.contains_key(name)) {
+        return Err(MeshFileError::PlyLacks("property `vertex_indices`"));
+    }
+    let mut soup = TriangleSoup::default();
+    let mut faces: Vec<Face> = Vec::new();
+    for (name, element) in &header.elements {
+        let left = bytes.len().saturating_sub(reader.get_ref().position() as usize);
+        // Each property takes a byte at least, and an element without any would never come to an end.
+        if element.count.saturating_mul(element.properties.len().max(1)) > left {
+            let (element, count) = (name.chars().take(40).collect(), element.count);
+            return Err(MeshFileError::PlyTruncated { element, count, bytes: left });
+        }
+        match name.as_str() {
+            "vertex" => {
+                let corners: Vec<Corner> = Parser::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(MeshFileError::Ply)?;
+                soup.positions = corners.iter().map(|c| c.position).collect();
+                soup.normals = corners.iter().map(|c| c.normal).collect();
+                soup.uv = corners.iter().map(|c| c.uv).collect();
+            }
+            "face" => {
+                faces = Parser::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(MeshFileError::Ply)?;
+            }
+            _ => {
+                Parser::<Passed>::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(MeshFileError::Ply)?;
+            }
+        }
+    }
+    for Face(corners) in &faces {
+        soup.push_polygon(corners)?;
+    }
+    Ok(soup)
+}
+
+const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+struct Corner {
+    position: DVec3,
+    normal: Vec3,
+    uv: Vec2,
+}
+
+impl PropertyAccess for Corner {
+    fn new() -> Self {
+        Self { position: DVec3::ZERO, normal: Vec3::ZERO, uv: Vec2::ZERO }
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let value = match property {
+            Property::Double(value) => value,
+            other => match other.to_f32_lossy() {
+                Some(value) => value.into(),
+                None => return PropertyAccessResult::Ignored,
+            },
+        };
+        match name {
+            "x" => self.position.x = value,
+            "y" => self.position.y = value,
+            "z" => self.position.z = value,
+            "nx" => self.normal.x = value as f32,
+            "ny" => self.normal.y = value as f32,
+            "nz" => self.normal.z = value as f32,
+            "u" | "s" | "texture_u" => self.uv.x = value as f32,
+            "v" | "t" | "texture_v" => self.uv.y = value as f32,
+            _ => return PropertyAccessResult::Ignored,
+        }
+        PropertyAccessResult::Set
+    }
+}
+
+struct Face(Vec<u32>);
+
+impl PropertyAccess for Face {
+    fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        if !CORNERS.contains(&name) {
+            return PropertyAccessResult::Ignored;
+        }
+        match property.to_u32_list() {
+            Some(corners) => {
+                self.0 = corners;
+                PropertyAccessResult::Set
+            }
+            // Numbers with a fraction, or below 0.
+            None => PropertyAccessResult::UnsupportedType,
+        }
+    }
+}
+
+/// An element that nothing is taken from.
+struct Passed;
+
+impl PropertyAccess for Passed {
+    fn new() -> Self {
+        Self
+    }
+}

@@ -1,0 +1,152 @@
+//! Polygons in space, cut into triangles.
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::mesh_file::MeshFileError;
+
+/// The most corners of a polygon that is not convex: finding ears takes the square of it, or worse.
+pub(super) const MOST_CORNERS: usize = 512;
+
+/// Hands out triangles, as places in the list of corners, in the polygon's own sense: two fewer than corners that differ
+/// from the one before.
+///
+/// Convex polygons become a fan about the first corner; others lose one ear after the other (Meisters 1975, "Polygons
+/// have ears"), in the plane that the polygon is nearest to. Of one that crosses itself, there is always something to
+/// cut off, though not always an ear.
+pub(super) fn triangulate(corners: &[DVec3], mut emit: impl FnMut([usize; 3])) -> Result<(), MeshFileError> {
+    if corners.len() < 3 {
+        return Ok(());
+    }
+    let flat = flattened(corners);
+    let turn = |[a, b, c]: [usize; 3]| (flat[b] - flat[a]).perp_dot(flat[c] - flat[b]);
+    // A corner given twice would hide which way the polygon turns there.
+    let last = corners.len() - 1;
+    let mut left: Vec<usize> =
+        (0..=last).filter(|&i| flat[i] != flat[i.checked_sub(1).unwrap_or(last)]).collect();
+    let n = left.len();
+    if n < 3 {
+        return Ok(());
+    }
+    if (0..n).all(|i| turn([left[i], left[(i + 1) % n], left[(i + 2) % n]]) >= 0.0) {
+        (2..n).for_each(|i| emit([left[0], left[i - 1], left[i]]));
+        return Ok(());
+    }
+    if n > MOST_CORNERS {
+        return Err(MeshFileError::PolygonTooLarge { corners: n });
+    }
+    while left.len() > 3 {
+        let m = left.len();
+        let around = |i: usize| [left[(i + m - 1) % m], left[i], left[(i + 1) % m]];
+        let ear = (0..m).find(|&i| {
+            let [a, b, c] = around(i);
+            turn([a, b, c]) >= 0.0
+                && left.iter().all(|&p| {
+                    [a, b, c].iter().any(|&own| flat[own] == flat[p])
+                        || [[a, b, p], [b, c, p], [c, a, p]].into_iter().any(|side| turn(side) < 0.0)
+                })
+        });
+        let i = ear.unwrap_or(0);
+        emit(around(i));
+        left.remove(i);
+    }
+    emit([left[0], left[1], left[2]]);
+    Ok(())
+}
+
+/// The corners along the axis that Newell's normal is longest on, turning to the left.
+fn flattened(corners: &[DVec3]) -> Vec<DVec2> {
+    let next = corners.iter().cycle().skip(1);
+    let normal = corners.iter().zip(next).fold(DVec3::ZERO, |sum, (&a, &b)| {
+        // Differences first: far from the origin the products would swamp the area.
+        sum + (a - corners[0]).cross(b - corners[0])
+    });
+    let axis = normal.abs().max_position();
+    let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+    corners
+        .iter()
+        .map(|p| if normal[axis] < 0.0 { DVec2::new(p[y], p[x]) } else { DVec2::new(p[x], p[y]) })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(corners: &[DVec3]) -> DVec3 {
+        let mut sum = DVec3::ZERO;
+        triangulate(corners, |[a, b, c]| {
+            let cross = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
+            // In the sense of the whole.
+            assert!(cross.dot(DVec3::new(1.0, -2.0, 3.0)) >= -1e-12, "{a} {b} {c}");
+            sum += 0.5 * cross;
+        })
+        .unwrap();
+        sum
+    }
+
+    /// Points of a plane with normal (1, −2, 3) and area factor √14.
+    fn lifted(points: &[[f64; 2]]) -> Vec<DVec3> {
+        let (u, v) = (DVec3::new(2.0, 1.0, 0.0), DVec3::new(-3.0, 6.0, 5.0));
+        let n = DVec3::new(1.0, -2.0, 3.0);
+        assert_eq!((u.dot(n), v.dot(n)), (0.0, 0.0));
+        let points = points.iter().map(|p| u * p[0] + v * p[1] + DVec3::splat(1000.0));
+        if u.cross(v).dot(n) > 0.0 { points.collect() } else { points.rev().collect() }
+    }
+
+    #[test]
+    fn triangles_of_a_polygon_cover_it_once() {
+        let scale = DVec3::new(2.0, 1.0, 0.0).cross(DVec3::new(-3.0, 6.0, 5.0)).length();
+        let cases: [(&[[f64; 2]], f64); 4] = [
+            (&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], 2.0),
+            // An arrow's head: a fan about the first corner would leave it.
+            (&[[0.0, 0.0], [2.0, -1.0], [0.5, 0.0], [2.0, 1.0]], 0.5),
+            (
+                &[
+                    [0.0, 0.0],
+                    [3.0, 0.0],
+                    [3.0, 3.0],
+                    [2.0, 3.0],
+                    [2.0, 1.0],
+                    [1.0, 1.0],
+                    [1.0, 3.0],
+                    [0.0, 3.0],
+                ],
+                7.0,
+            ),
+            // A corner twice, and one on a straight edge.
+            (&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.5], [1.0, 0.5], [0.0, 2.0]], 2.5),
+        ];
+        for (points, expected) in cases {
+            let mut corners = lifted(points);
+            for _ in points {
+                let got = area(&corners).length() / scale;
+                assert!((got - expected).abs() < 1e-9, "{points:?}: {got} for {expected}");
+                corners.rotate_left(1);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_simple_polygon_ends_too() {
+        let bow = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::Y];
+        let mut count = 0;
+        triangulate(&bow, |_| count += 1).unwrap();
+        triangulate(&[DVec3::ONE; 7], |_| count += 1).unwrap();
+        triangulate(&[DVec3::ONE; 2], |_| count += 1).unwrap();
+        triangulate(&[], |_| count += 1).unwrap();
+        assert_eq!(count, 2);
+        let star = |n: usize| -> Vec<DVec3> {
+            (0..n)
+                .map(|k| {
+                    let (sin, cos) = (k as f64 / n as f64 * std::f64::consts::TAU).sin_cos();
+                    DVec3::new(cos, sin, 0.0) * if k % 2 == 0 { 1.0 } else { 0.4 }
+                })
+                .collect()
+        };
+        assert!(triangulate(&star(MOST_CORNERS), |_| ()).is_ok());
+        assert!(matches!(
+            triangulate(&star(MOST_CORNERS + 2), |_| ()),
+            Err(MeshFileError::PolygonTooLarge { .. })
+        ));
+    }
+}

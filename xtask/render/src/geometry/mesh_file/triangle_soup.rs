@@ -1,0 +1,184 @@
+//! Triangles as a file has them, and the mesh that they make.
+
+use std::collections::HashMap;
+
+use asperity_shading::Frame;
+use glam::{DVec3, Vec2, Vec3};
+
+use crate::geometry::mesh_file::{MOST_TRIANGLES, MeshFileError, polygon::triangulate};
+use crate::{
+    geometry::mesh::{Mesh, Vertex},
+    geometry::mesh_file::Up,
+};
+
+/// Triangles over vertices, as read.
+#[derive(Debug, Default)]
+pub(super) struct TriangleSoup {
+    pub(super) positions: Vec<DVec3>,
+    /// Of the first vertices, or of all; zero stands for one that is not given.
+    pub(super) normals: Vec<Vec3>,
+    /// Of the first vertices, or of all.
+    pub(super) uv: Vec<Vec2>,
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+impl TriangleSoup {
+    /// Appends a triangle of vertices that exist.
+    pub(super) fn push(&mut self, triangle: [u32; 3]) -> Result<(), MeshFileError> {
+        if let Some(&index) = triangle.iter().find(|&&i| i as usize >= self.positions.len()) {
+            return Err(MeshFileError::NoSuchVertex { index: index.into(), count: self.positions.len() });
+        }
+        if self.triangles.len() >= MOST_TRIANGLES {
+            return Err(MeshFileError::TooLarge);
+        }
+        self.triangles.push(triangle);
+        Ok(())
+    }
+
+    /// Appends the triangles of a polygon.
+    pub(super) fn push_polygon(&mut self, corners: &[u32]) -> Result<(), MeshFileError> {
+        if let &[a, b, c] = corners {
+            return self.push([a, b, c]);
+        }
+        let mut places = Vec::with_capacity(corners.len());
+        for &index in corners {
+            let count = self.positions.len();
+            let place = self.positions.get(index as usize);
+            places.push(*place.ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })?);
+        }
+        let mut result = Ok(());
+        triangulate(&places, |triangle| {
+            if result.is_ok() {
+                result = self.push(triangle.map(|k| corners[k]));
+            }
+        })?;
+        result
+    }
+
+    /// The mesh, turned so that `up` is z, and into the unit ball.
+    pub(super) fn into_mesh(self, up: Up) -> Result<Mesh, MeshFileError> {
+        self.check_numbers()?;
+        let (centre, radius) = self.ball().ok_or(MeshFileError::NoTriangles)?;
+        let turned = |v: DVec3| match up {
+            Up::Y => DVec3::new(v.x, -v.z, v.y),
+            Up::Z => v,
+        };
+        let place = |i: u32| turned((self.positions[i as usize] - centre) / radius).as_vec3();
+        let mut mesh = Mesh::default();
+        let mut own = vec![u32::MAX; self.positions.len()];
+        for &triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|i| place(i).as_dvec3());
+            if (b - a).cross(c - a) == DVec3::ZERO {
+                continue;
+            }
+            mesh.triangles.push(triangle.map(|i| {
+                let k = i as usize;
+                if own[k] == u32::MAX {
+                    own[k] = mesh.vertices.len() as u32;
+                    let given = self.normals.get(k).map_or(DVec3::ZERO, |n| n.as_dvec3());
+                    mesh.vertices.push(Vertex {
+                        position: place(i),
+                        normal: turned(given).normalize_or_zero().as_vec3(),
+                        tangent: Vec3::ZERO,
+                        uv: self.uv.get(k).copied().unwrap_or_default(),
+                    });
+                }
+                own[k]
+            }));
+        }
+        if mesh.triangles.is_empty() {
+            return Err(MeshFileError::NoTriangles);
+        }
+        complete_normals(&mut mesh);
+        lay_tangents(&mut mesh);
+        Ok(mesh)
+    }
+
+    fn check_numbers(&self) -> Result<(), MeshFileError> {
+        let first = |what, place: Option<usize>| match place {
+            Some(index) => Err(MeshFileError::NotFinite { what, index }),
+            None => Ok(()),
+        };
+        first("vertex", self.positions.iter().position(|p| !p.as_vec3().is_finite()))?;
+        first("normal", self.normals.iter().position(|n| !n.is_finite()))?;
+        first("texture coordinate", self.uv.iter().position(|t| !t.is_finite()))
+    }
+
+    /// Centre of the box around all corners, and the distance of the farthest.
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        let corners = || self.triangles.iter().flatten().map(|&i| self.positions[i as usize]);
+        let low = corners().reduce(DVec3::min)?;
+        let high = corners().reduce(DVec3::max)?;
+        let centre = 0.5 * (low + high);
+        let radius = corners().map(|p| p.distance(centre)).fold(0.0, f64::max);
+        (radius > 0.0).then_some((centre, radius))
+    }
+}
+
+/// The angle of a triangle at its first corner.
+fn angle([a, b, c]: [DVec3; 3]) -> f64 {
+    (b - a).cross(c - a).length().atan2((b - a).dot(c - a))
+}
+
+/// Corners of a triangle, each first in its turn, with its vertex.
+fn turns(mesh: &Mesh, triangle: [u32; 3]) -> [(usize, [DVec3; 3]); 3] {
+    let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize].position.as_dvec3());
+    let [i, j, k] = triangle.map(|i| i as usize);
+    [(i, [a, b, c]), (j, [b, c, a]), (k, [c, a, b])]
+}
+
+/// Gives each vertex without a normal the mean of the triangles around its point, weighted by their angles there
+/// (Thürmer and Wüthrich 1998, "Computing Vertex Normals from Polygonal Facets"); vertices at one point share it.
+fn complete_normals(mesh: &mut Mesh) {
+    if mesh.vertices.iter().all(|v| v.normal != Vec3::ZERO) {
+        return;
+    }
+    // Plus zero: −0 is where 0 is.
+    let point = |v: &Vertex| (v.position + Vec3::ZERO).to_array().map(f32::to_bits);
+    let mut sums: HashMap<[u32; 3], (DVec3, DVec3)> = HashMap::new();
+    for &triangle in &mesh.triangles {
+        for (i, corners) in turns(mesh, triangle) {
+            let [a, b, c] = corners;
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            let (sum, first) = sums.entry(point(&mesh.vertices[i])).or_default();
+            *sum += normal * angle(corners);
+            if *first == DVec3::ZERO {
+                *first = normal;
+            }
+        }
+    }
+    for v in mesh.vertices.iter_mut().filter(|v| v.normal == Vec3::ZERO) {
+        let (sum, first) = sums.get(&point(v)).copied().unwrap_or_default();
+        // Two faces of one sheet, back to back, cancel; then one of them it is.
+        let normal = if sum.length() > 1e-6 { sum.normalize() } else { first };
+        v.normal = normal.as_vec3();
+    }
+}
+
+/// Tangents along ∂P/∂u of the triangles around each vertex, weighted by their angles; where texture coordinates do
+/// not vary, those of the minimal rotation.
+fn lay_tangents(mesh: &mut Mesh) {
+    let mut sums = vec![DVec3::ZERO; mesh.vertices.len()];
+    for &triangle in &mesh.triangles {
+        let [s, t, r] = triangle.map(|i| mesh.vertices[i as usize].uv.as_dvec2());
+        let (b, c) = (t - s, r - s);
+        let [(_, [p, q, o]), ..] = turns(mesh, triangle);
+        // ∂P/∂u times the determinant of the coordinates' differences.
+        let along = ((q - p) * c.y - (o - p) * b.y) * b.perp_dot(c).signum();
+        if b.perp_dot(c) != 0.0 {
+            for (i, corners) in turns(mesh, triangle) {
+                sums[i] += along.normalize_or_zero() * angle(corners);
+            }
+        }
+    }
+    for (v, sum) in mesh.vertices.iter_mut().zip(sums) {
+        // Unit to the last bit of f64, for the sum may be nearly along it.
+        let normal = v.normal.as_dvec3().normalize();
+        let across = sum - normal * normal.dot(sum);
+        v.tangent = if across.length() > 1e-6 {
+            across.normalize().as_vec3()
+        } else {
+            Frame::from_normal(v.normal).tangent
+        };
+    }
+}

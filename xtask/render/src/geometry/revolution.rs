@@ -1,0 +1,128 @@
+//! Meshes of things made on a wheel: profiles turned about the z axis, and rings for handles.
+
+use std::f32::consts::TAU;
+
+use glam::{Vec2, Vec3};
+
+use crate::geometry::mesh::{Mesh, Vertex};
+
+/// Steps of a profile from one of its points to the next.
+const STEPS: usize = 16;
+
+/// Steps around the axis.
+const AROUND: usize = 192;
+
+/// The smooth profile through points `(radius, height)`, turned about the z axis; its outside is to the right of the way along it.
+///
+/// Texture coordinates are the angle and the length along the profile.
+pub fn revolved(points: &[[f32; 2]]) -> Mesh {
+    let profile = smooth(points);
+    let rows = profile.len();
+    let mut length = 0.0;
+    let lengths: Vec<f32> = std::iter::once(0.0)
+        .chain(profile.windows(2).map(|pair| {
+            length += (pair[1].0 - pair[0].0).length();
+            length
+        }))
+        .collect();
+    grid(rows, AROUND, |row, column| {
+        let angle = TAU * column as f32 / AROUND as f32;
+        let (sin, cos) = angle.sin_cos();
+        let (p, along) = profile[row];
+        let out = Vec2::new(along.y, -along.x);
+        Vertex {
+            position: Vec3::new(p.x * cos, p.x * sin, p.y),
+            normal: Vec3::new(out.x * cos, out.x * sin, out.y),
+            tangent: Vec3::new(-sin, cos, 0.0),
+            uv: Vec2::new(angle, lengths[row]),
+        }
+    })
+}
+
+/// A ring of radius `ring` about `centre`, upright in the x–z plane, of a tube of radius `tube`.
+pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
+    grid(AROUND / 4 + 1, AROUND / 2, |row, column| {
+        let (sa, ca) = (TAU * column as f32 / (AROUND / 2) as f32).sin_cos();
+        let (sb, cb) = (TAU * row as f32 / (AROUND / 4) as f32).sin_cos();
+        let out = Vec3::new(cb * ca, sb, cb * sa);
+        Vertex {
+            position: centre + ring * Vec3::new(ca, 0.0, sa) + tube * out,
+            normal: out,
+            tangent: Vec3::new(-sa, 0.0, ca),
+            uv: Vec2::new(
+                ring * TAU * column as f32 / (AROUND / 2) as f32,
+                tube * TAU * row as f32 / (AROUND / 4) as f32,
+            ),
+        }
+    })
+}
+
+/// Triangles over rows of vertices; the last column lies where the first does, with texture coordinates of its own.
+fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Mesh {
+    let mut mesh = Mesh::default();
+    for row in 0..rows {
+        for column in 0..=columns {
+            mesh.vertices.push(vertex(row, column));
+        }
+    }
+    let index = |row: usize, column: usize| (row * (columns + 1) + column) as u32;
+    for row in 1..rows {
+        for column in 0..columns {
+            let (a, b) = (index(row - 1, column), index(row - 1, column + 1));
+            let (c, d) = (index(row, column), index(row, column + 1));
+            mesh.push_unless_degenerate([a, b, c]);
+            mesh.push_unless_degenerate([b, d, c]);
+        }
+    }
+    mesh
+}
+
+/// Points of the Catmull–Rom spline through the given ones, with its unit directions.
+fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2)> {
+    let point = |k: isize| Vec2::from(points[k.clamp(0, points.len() as isize - 1) as usize]);
+    let mut out = Vec::new();
+    for k in 0..points.len() as isize - 1 {
+        let [a, b, c, d] = [-1, 0, 1, 2].map(|by| point(k + by));
+        let last = usize::from(k == points.len() as isize - 2);
+        for step in 0..STEPS + last {
+            let t = step as f32 / STEPS as f32;
+            let (linear, square, cube) =
+                (0.5 * (c - a), a - 2.5 * b + 2.0 * c - 0.5 * d, 1.5 * (b - c) + 0.5 * (d - a));
+            let place = b + t * (linear + t * (square + t * cube));
+            let along = linear + t * (2.0 * square + t * 3.0 * cube);
+            out.push((place, along.normalize_or(Vec2::Y)));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turned_quarter_circle_is_a_hemisphere() {
+        let points: Vec<[f32; 2]> =
+            (0..=16).map(|k| (k as f32 / 16.0 * TAU / 4.0).sin_cos()).map(|(s, c)| [c, s]).collect();
+        for vertex in revolved(&points).vertices {
+            assert!((vertex.position.length() - 1.0).abs() < 1e-3, "{}", vertex.position);
+            // The spline's ends are a little flatter.
+            assert!(vertex.normal.dot(vertex.position) > 0.99, "{} {}", vertex.position, vertex.normal);
+        }
+    }
+
+    #[test]
+    fn a_ring_has_no_open_edge() {
+        let mesh = ring(Vec3::X, 0.3, 0.1);
+        let mut edges = std::collections::HashMap::new();
+        for t in &mesh.triangles {
+            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+                let place =
+                    |i: u32| mesh.vertices[i as usize].position.to_array().map(|c| (c * 1e4).round() as i32);
+                let (a, b) = (place(a), place(b));
+                *edges.entry(if a < b { (a, b) } else { (b, a) }).or_insert(0) += 1;
+            }
+        }
+        assert!(edges.values().all(|count| *count == 2));
+    }
+}

@@ -1,0 +1,129 @@
+//! What a ray can meet: a sphere, a plane or a mesh.
+
+use asperity_shading::{Footprint, SurfacePoint};
+use glam::{Mat3, Vec2, Vec3};
+
+use crate::geometry::mesh::TracedMesh;
+
+/// Where a ray meets a shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Ray parameter, the distance for a unit direction.
+    pub t: f32,
+    pub position: Vec3,
+    /// Unit, outwards.
+    pub normal: Vec3,
+    /// Unit, orthogonal to the normal; the local x axis of an anisotropic density.
+    pub tangent: Vec3,
+    /// Texture coordinates.
+    pub uv: Vec2,
+    /// ∂P/∂u and ∂P/∂v.
+    pub tangents: [Vec3; 2],
+    /// How the normal turns along the surface: dn = bend · dP, before it is made unit.
+    pub bend: Mat3,
+}
+
+impl Hit {
+    /// The same point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
+    /// shaded like the outside.
+    pub fn facing(mut self, direction: Vec3) -> Self {
+        if self.normal.dot(direction) > 0.0 {
+            self.normal = -self.normal;
+            self.bend = -self.bend;
+        }
+        self
+    }
+
+    /// Where a material is evaluated, of which a pixel sees so much.
+    pub fn point(&self, footprint: Footprint) -> SurfacePoint {
+        SurfacePoint::new(self.position, self.normal, footprint).with_uv(self.uv, self.tangents)
+    }
+}
+
+/// A shape in its own space, z up.
+pub enum Shape {
+    /// Radius 1 about the origin; tangents go east around the z axis, texture coordinates are longitude and latitude.
+    Sphere,
+    /// z = 0, seen from above; tangents along x, texture coordinates are x and y.
+    Plane,
+    /// Triangles.
+    Mesh(TracedMesh),
+    /// Triangles on the unit disk of the plane z = 0.
+    MeshOnDisk(TracedMesh),
+}
+
+impl Shape {
+    /// The first meeting in front of `origin`; `direction` is unit.
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        match self {
+            Self::Sphere => sphere(origin, direction),
+            Self::Plane => plane(origin, direction),
+            Self::Mesh(mesh) => mesh.first_hit(origin, direction),
+            Self::MeshOnDisk(mesh) => mesh
+                .first_hit(origin, direction)
+                .filter(|hit| hit.position.z > 0.0)
+                .or_else(|| plane(origin, direction).filter(|hit| hit.position.length_squared() < 1.0)),
+        }
+    }
+}
+
+/// `f64`, because close to the surface the two roots nearly cancel.
+fn sphere(origin: Vec3, direction: Vec3) -> Option<Hit> {
+    let (o, d) = (origin.as_dvec3(), direction.as_dvec3().normalize());
+    let half = o.dot(d);
+    let discriminant = half * half - (o.length_squared() - 1.0);
+    if discriminant < 0.0 {
+        return None;
+    }
+    let t = [-half - discriminant.sqrt(), -half + discriminant.sqrt()].into_iter().find(|&t| t > 1e-9)?;
+    let p = (o + d * t).normalize().as_vec3();
+    let east = Vec3::new(-p.y, p.x, 0.0);
+    let tangent = if east.length_squared() > 0.0 { east.normalize() } else { Vec3::Y };
+    let north = p.cross(tangent);
+    Some(Hit {
+        t: t as f32,
+        position: p,
+        normal: p,
+        tangent,
+        uv: Vec2::new(p.y.atan2(p.x), p.z.clamp(-1.0, 1.0).asin()),
+        tangents: [east, north],
+        bend: Mat3::IDENTITY,
+    })
+}
+
+fn plane(origin: Vec3, direction: Vec3) -> Option<Hit> {
+    let t = -origin.z / direction.z;
+    let position = origin + direction * t;
+    (t > 0.0 && t.is_finite()).then_some(Hit {
+        t,
+        position: Vec3::new(position.x, position.y, 0.0),
+        normal: Vec3::Z,
+        tangent: Vec3::X,
+        uv: position.truncate(),
+        tangents: [Vec3::X, Vec3::Y],
+        bend: Mat3::ZERO,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sphere_is_met_on_its_near_side() {
+        let hit = Shape::Sphere.first_hit(Vec3::new(4.0, 0.1, 0.2), Vec3::NEG_X).unwrap();
+        assert!((hit.position.length() - 1.0).abs() < 1e-6 && hit.position.x > 0.9, "{hit:?}");
+        assert!((hit.t - (4.0 - (1.0_f32 - 0.05).sqrt())).abs() < 1e-5, "{hit:?}");
+        assert!(hit.normal.dot(hit.tangent).abs() < 1e-6);
+        assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 0.0, 0.0), Vec3::X).is_none());
+        assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 1.1, 0.0), Vec3::NEG_X).is_none());
+    }
+
+    #[test]
+    fn the_plane_is_met_from_above_and_not_along_it() {
+        let hit = Shape::Plane.first_hit(Vec3::new(1.0, 2.0, 3.0), Vec3::NEG_Z).unwrap();
+        assert_eq!((hit.t, hit.position), (3.0, Vec3::new(1.0, 2.0, 0.0)));
+        assert!(Shape::Plane.first_hit(Vec3::Z, Vec3::X).is_none());
+        assert!(Shape::Plane.first_hit(Vec3::Z, Vec3::Z).is_none());
+    }
+}

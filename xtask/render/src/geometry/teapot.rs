@@ -1,0 +1,209 @@
+//! The Utah teapot, tessellated from its 32 bicubic Bézier patches.
+//!
+//! The control points are M. Newell's of 1975, with F. Crow's bottom, in the form of the Standard Procedural
+//! Databases; the numbers are those of three.js' `TeapotGeometry` (MIT). The lid is widened by 14/13, so that its
+//! border at radius 1.3 meets the rim's at 1.4: with the original numbers one looks through the gap into the pot.
+
+use glam::{DVec2, DVec3};
+use serde::Deserialize;
+
+use crate::geometry::mesh::{Mesh, Vertex};
+
+/// Cells per patch around the axis (or around the tube of handle and spout) and along the profile.
+///
+/// 32 patches of 16 × 17 cells of two triangles, less one of each pair at the poles of lid and bottom:
+/// 17,280 triangles.
+const CELLS: (usize, usize) = (16, 17);
+
+/// The patches of the handle and of the spout, whose tangents follow the tube; all others go around the axis.
+const TUBES: std::ops::Range<usize> = 12..20;
+
+const LID: std::ops::Range<usize> = 20..28;
+
+#[derive(Deserialize)]
+struct Data {
+    patches_16_indices: Vec<Vec<usize>>,
+    vertices_xyz_z_up: Vec<[f64; 3]>,
+}
+
+/// The triangles of the teapot: z up, the axis of the body is the z axis, spout towards +x, the bottom at z = 0,
+/// the knob's top at z = 3.15.
+///
+/// Handle, spout and body interpenetrate, and the only open borders are the two ends of the handle and the spout's
+/// ends (its base inside the body, its mouth); everywhere else each edge has two triangles.
+pub fn teapot() -> Mesh {
+    let Ok(data) = serde_json::from_str::<Data>(include_str!("../../data/teapot.json")) else {
+        return Mesh::default();
+    };
+    let mut mesh = Mesh::default();
+    for (index, patch) in data.patches_16_indices.iter().enumerate() {
+        let widen = if LID.contains(&index) { DVec3::new(14.0 / 13.0, 14.0 / 13.0, 1.0) } else { DVec3::ONE };
+        let mut control = [DVec3::ZERO; 16];
+        for (point, &i) in control.iter_mut().zip(patch) {
+            *point = data.vertices_xyz_z_up.get(i).map_or(DVec3::ZERO, |&p| DVec3::from(p) * widen);
+        }
+        append(&mut mesh, &control, TUBES.contains(&index));
+    }
+    mesh
+}
+
+/// Appends one patch. Control points come by rows; `u` runs along a row, `v` across them.
+fn append(mesh: &mut Mesh, control: &[DVec3; 16], tube: bool) {
+    let first = mesh.vertices.len() as u32;
+    for j in 0..=CELLS.1 {
+        for i in 0..=CELLS.0 {
+            let (u, v) = (i as f64 / CELLS.0 as f64, j as f64 / CELLS.1 as f64);
+            mesh.vertices.push(vertex(control, u, v, tube));
+        }
+    }
+    let stride = CELLS.0 as u32 + 1;
+    for j in 0..CELLS.1 as u32 {
+        for i in 0..CELLS.0 as u32 {
+            let [a, b] = [first + j * stride + i, first + j * stride + i + 1];
+            let [c, d] = [a + stride, b + stride];
+            mesh.push_unless_degenerate([a, b, d]);
+            mesh.push_unless_degenerate([a, d, c]);
+        }
+    }
+}
+
+/// Position, normal and tangent from the analytic derivatives.
+///
+/// At a pole `∂P/∂u = 0`; there its direction is the limit, that of `∂²P/∂u∂v`.
+fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
+    let (bu, bv) = (bernstein(u), bernstein(v));
+    let (du, dv) = (bernstein_slope(u), bernstein_slope(v));
+    let p = tensor(control, bu, bv);
+    let p_v = tensor(control, bu, dv);
+    let mut p_u = tensor(control, du, bv);
+    if p_u.length() < 1e-9 {
+        p_u = tensor(control, du, dv);
+    }
+    let tangent = if tube {
+        p_v
+    } else {
+        // All around the axis in the same sense, although the bottom's patches turn the other way.
+        p_u * DVec3::new(-p.y - p_v.y, p.x + p_v.x, 0.0).dot(p_u).signum()
+    };
+    Vertex {
+        // The two patches at an edge evaluate it in opposite senses; what differs in the last bits of f64 is one f32.
+        position: p.as_vec3(),
+        normal: p_u.cross(p_v).normalize_or_zero().as_vec3(),
+        tangent: tangent.normalize_or_zero().as_vec3(),
+        uv: DVec2::new(u, v).as_vec2(),
+    }
+}
+
+fn tensor(control: &[DVec3; 16], u: [f64; 4], v: [f64; 4]) -> DVec3 {
+    control.iter().enumerate().fold(DVec3::ZERO, |sum, (k, &c)| sum + c * (u[k % 4] * v[k / 4]))
+}
+
+fn bernstein(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
+}
+
+fn bernstein_slope(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use glam::Vec3;
+
+    use super::*;
+
+    /// How many triangles share each edge, by the bits of its end points.
+    fn edges(mesh: &Mesh) -> HashMap<[[u32; 3]; 2], u32> {
+        let mut count = HashMap::new();
+        for triangle in &mesh.triangles {
+            let p = triangle.map(|i| mesh.vertices[i as usize].position.to_array().map(f32::to_bits));
+            for k in 0..3 {
+                let mut edge = [p[k], p[(k + 1) % 3]];
+                edge.sort_unstable();
+                *count.entry(edge).or_insert(0) += 1;
+            }
+        }
+        count
+    }
+
+    #[test]
+    fn it_has_about_seventeen_thousand_triangles() {
+        assert_eq!(teapot().triangles.len(), 32 * 2 * 16 * 17 - 8 * 16);
+    }
+
+    #[test]
+    fn every_edge_has_two_triangles_but_the_open_ends_of_handle_and_spout() {
+        let edges = edges(&teapot());
+        assert!(edges.values().all(|&n| n <= 2), "an edge has more than two triangles");
+        let open: Vec<_> =
+            edges.iter().filter(|(_, n)| **n == 1).map(|(e, _)| e.map(|p| p.map(f32::from_bits))).collect();
+        // Two tubes with two ends of two patch edges each.
+        assert_eq!(open.len(), 2 * 2 * 2 * CELLS.0);
+        for edge in open {
+            for [x, y, z] in edge {
+                let handle = x < -1.49 && x > -2.01 && y.abs() < 0.31;
+                let spout = (x - 1.7).abs() < 1e-4 && y.abs() < 0.67 || (z - 2.4).abs() < 1e-4 && x > 2.79;
+                assert!(handle || spout, "open at ({x}, {y}, {z})");
+            }
+        }
+    }
+
+    #[test]
+    fn normals_and_tangents_are_unit_orthogonal_and_agree_with_the_triangles() {
+        let mesh = teapot();
+        for v in &mesh.vertices {
+            assert!((v.normal.length() - 1.0).abs() < 1e-6, "{v:?}");
+            assert!((v.tangent.length() - 1.0).abs() < 1e-6, "{v:?}");
+            assert!(v.normal.dot(v.tangent).abs() < 1e-6, "{v:?}");
+        }
+        for triangle in &mesh.triangles {
+            let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
+            let flat = (b.position - a.position).cross(c.position - a.position).normalize();
+            for v in [a, b, c] {
+                // Measured least cosine 0.75, where the spout's lip turns.
+                assert!(flat.dot(v.normal) > 0.7, "{flat} against {v:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn normals_point_outwards() {
+        let mesh = teapot();
+        for v in &mesh.vertices {
+            let radial = Vec3::new(v.position.x, v.position.y, 0.0);
+            let belly = radial.length() > 1.75 && radial.length() < 2.01 && v.position.y.abs() > 0.7;
+            assert!(!belly || v.normal.dot(radial) > 0.0, "{v:?}");
+            assert!(v.position.z > 0.0 || v.normal.z < -0.99, "{v:?}");
+        }
+        // Six times the signed volume of the tetrahedra over the origin; the pot with its tubes is a little over 30.
+        let six: f32 = mesh
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| mesh.vertices[i as usize].position);
+                a.dot(b.cross(c))
+            })
+            .sum();
+        assert!((25.0..35.0).contains(&(six / 6.0)), "volume {}", six / 6.0);
+    }
+
+    #[test]
+    fn tangents_agree_across_patches() {
+        let mesh = teapot();
+        let mut at: HashMap<[u32; 3], Vec<Vertex>> = HashMap::new();
+        for v in &mesh.vertices {
+            at.entry(v.position.to_array().map(f32::to_bits)).or_default().push(*v);
+        }
+        let poles = |p: Vec3| p.x.abs() + p.y.abs() < 1e-3;
+        for group in at.values().filter(|g| !poles(g[0].position)) {
+            // Where the handle's end touches the belly, normals differ; a crease between lid and rim is the same case.
+            for v in group.iter().filter(|v| v.normal.dot(group[0].normal) > 0.5) {
+                assert!(v.tangent.dot(group[0].tangent) > 0.95, "{v:?} against {:?}", group[0]);
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The files that others read: OpenEXR for textures, `.npy` for arrays.
+
+use std::io::Cursor;
+
+use exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec, WritableImage,
+};
+
+use crate::failure::Failure;
+
+/// Named channels of 32-bit floats, row by row from the top, as an uncompressed OpenEXR file.
+pub fn exr(width: usize, height: usize, channels: &[(&str, Vec<f32>)]) -> Result<Vec<u8>, Failure> {
+    let list: SmallVec<[_; 4]> = channels
+        .iter()
+        .map(|(name, samples)| AnyChannel::new(*name, FlatSamples::F32(samples.clone())))
+        .collect();
+    let encoding = Encoding::UNCOMPRESSED;
+    let layer = Layer::new((width, height), LayerAttributes::default(), encoding, AnyChannels::sort(list));
+    let mut bytes = Cursor::new(Vec::new());
+    Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
+    Ok(bytes.into_inner())
+}
+
+/// A number that NumPy knows.
+pub trait Element: Copy {
+    /// NumPy's name of the little-endian type.
+    const DESCR: &'static str;
+    /// Appends the little-endian bytes.
+    fn append(self, bytes: &mut Vec<u8>);
+}
+
+macro_rules! element {
+    ($($type:ty => $descr:literal),*) => {$(
+        impl Element for $type {
+            const DESCR: &'static str = $descr;
+            fn append(self, bytes: &mut Vec<u8>) {
+                bytes.extend_from_slice(&self.to_le_bytes());
+            }
+        }
+    )*};
+}
+element!(u8 => "|u1", f32 => "<f4", f64 => "<f8");
+
+/// A C-ordered array in NumPy's format 1.0.
+pub fn npy<T: Element>(shape: &[usize], values: &[T]) -> Vec<u8> {
+    let dimensions: String = shape.iter().map(|n| format!("{n}, ")).collect();
+    let mut header =
+        format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({dimensions}), }}", T::DESCR);
+    // Magic, version and length take 10 bytes; the header ends in a line feed on a multiple of 64.
+    header += &" ".repeat(63 - (header.len() + 10) % 64);
+    header.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend_from_slice(&(header.len() as u16).to_le_bytes());
+    bytes.extend_from_slice(header.as_bytes());
+    values.iter().for_each(|value| value.append(&mut bytes));
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_array_has_numpy_s_header() {
+        let bytes = npy(&[2, 3], &[0.5_f32; 6]);
+        assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
+        let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        assert_eq!((10 + length) % 64, 0);
+        let header = std::str::from_utf8(&bytes[10..10 + length]).unwrap();
+        assert!(
+            header.starts_with("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, ), }"),
+            "{header}"
+        );
+        assert!(header.ends_with('\n'));
+        assert_eq!(bytes.len(), 10 + length + 24);
+    }
+
+    #[test]
+    fn a_texture_reads_back() {
+        use exr::prelude::{ReadChannels, ReadLayers, read};
+        let bytes = exr(2, 1, &[("Y", vec![0.25, f32::MAX]), ("A", vec![1.0, 2.0])]).unwrap();
+        let image = read()
+            .no_deep_data()
+            .largest_resolution_level()
+            .all_channels()
+            .first_valid_layer()
+            .all_attributes()
+            .non_parallel()
+            .from_buffered(Cursor::new(bytes))
+            .unwrap();
+        let channels = &image.layer_data.channel_data.list;
+        assert_eq!(channels[0].name.to_string(), "A");
+        assert_eq!(channels[1].sample_data.values_as_f32().collect::<Vec<_>>(), [0.25, f32::MAX]);
+    }
+}

@@ -1,0 +1,104 @@
+//! An image of linear radiance, row by row from the top left, and its way to an sRGB PNG.
+
+pub mod formats;
+pub mod read;
+pub mod tone;
+
+use glam::Vec3;
+use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
+
+use crate::{
+    failure::Failure,
+    image::{
+        formats::exr,
+        tone::{filmic, shoulder, srgb_byte},
+    },
+};
+
+/// Linear RGB pixels.
+#[derive(Clone)]
+pub struct Image {
+    pub width: u32,
+    pub height: u32,
+    /// `width · height` pixels from the top left.
+    pub pixels: Vec<Vec3>,
+}
+
+impl Image {
+    /// The image whose pixel in column `x` and row `y` is `f(x, y)`.
+    pub fn from_fn(width: u32, height: u32, mut f: impl FnMut(u32, u32) -> Vec3) -> Self {
+        let pixels =
+            (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
+        Self { width, height, pixels }
+    }
+
+    /// The pixel in column `x` and row `y`; black outside the image.
+    #[must_use]
+    pub fn at(&self, x: u32, y: u32) -> Vec3 {
+        let inside = x < self.width && y < self.height;
+        let index = y as usize * self.width as usize + x as usize;
+        if inside { self.pixels.get(index).copied().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO }
+    }
+
+    /// Every pixel times `exposure`, then through [`shoulder`].
+    pub fn exposed(mut self, exposure: f32) -> Self {
+        for pixel in &mut self.pixels {
+            let p = *pixel * exposure;
+            *pixel = Vec3::new(shoulder(p.x), shoulder(p.y), shoulder(p.z));
+        }
+        self
+    }
+
+    /// Every pixel times `exposure`, then through [`filmic`].
+    pub fn filmic(mut self, exposure: f32) -> Self {
+        for pixel in &mut self.pixels {
+            let p = *pixel * exposure;
+            *pixel = Vec3::new(filmic(p.x), filmic(p.y), filmic(p.z));
+        }
+        self
+    }
+
+    /// Every pixel times `exposure`.
+    pub fn scaled(mut self, exposure: f32) -> Self {
+        for pixel in &mut self.pixels {
+            *pixel *= exposure;
+        }
+        self
+    }
+
+    /// The bytes of an OpenEXR file of 32-bit floats, as they are.
+    pub fn exr(&self) -> Result<Vec<u8>, Failure> {
+        let plane = |axis: usize| self.pixels.iter().map(|p| p[axis]).collect::<Vec<f32>>();
+        exr(self.width as usize, self.height as usize, &[("R", plane(0)), ("G", plane(1)), ("B", plane(2))])
+    }
+
+    /// The bytes of an 8-bit sRGB PNG; values outside `[0, 1]` and NaN are clamped.
+    pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, self.width, self.height);
+        encoder.set_color(ColorType::Rgb);
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        let samples: Vec<u8> =
+            self.pixels.iter().flat_map(|p| [srgb_byte(p.x), srgb_byte(p.y), srgb_byte(p.z)]).collect();
+        encoder.write_header()?.write_image_data(&samples)?;
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_written_png_reads_back() {
+        let image = Image::from_fn(3, 2, |x, y| Vec3::new(x as f32 / 2.0, y as f32, f32::NAN));
+        let bytes = image.png().unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut buffer).unwrap();
+        assert_eq!(&buffer[..9], [0, 0, 0, 188, 0, 0, 255, 0, 0]);
+        assert_eq!(&buffer[9..], [0, 255, 0, 188, 255, 0, 255, 255, 0]);
+        assert_eq!(image.at(1, 1).y, 1.0);
+    }
+}

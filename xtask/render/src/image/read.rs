@@ -1,0 +1,261 @@
+//! Images from files, PNG of 8 and 16 bits and OpenEXR, as data: no transfer curve, alpha left out.
+
+use std::{error::Error, fmt, fs, io::Cursor, path::Path};
+
+use asperity_ndf_sampling::MAX_TEXELS;
+use exr::{
+    meta::MetaData,
+    prelude::{ReadChannels, ReadLayers},
+};
+
+/// No deflated data grows by more than this: a header that claims more than its file could hold is wrong.
+const MOST_INFLATED: usize = 1032;
+
+/// An image by planes, each row by row from the top left.
+#[derive(Debug, PartialEq)]
+pub struct ImageFile {
+    pub width: usize,
+    pub height: usize,
+    /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; PNG samples in [0, 1], OpenEXR's as they are.
+    pub planes: Vec<(String, Vec<f32>)>,
+    /// Whether samples below 0 can be meant, as in OpenEXR.
+    pub signed: bool,
+}
+
+impl ImageFile {
+    /// Reads a file.
+    pub fn open(path: &Path) -> Result<Self, ImageFileError> {
+        Self::decode(fs::read(path).map_err(ImageFileError::Unreadable)?)
+    }
+
+    /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
+    pub fn decode(bytes: Vec<u8>) -> Result<Self, ImageFileError> {
+        if bytes.is_empty() {
+            Err(ImageFileError::Empty)
+        } else if bytes.starts_with(b"\x89PNG") {
+            decode_png(&bytes)
+        } else if bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
+            decode_exr(bytes)
+        } else {
+            Err(ImageFileError::UnknownFormat)
+        }
+    }
+
+    /// The mean of all planes.
+    pub fn grey(&self) -> Vec<f32> {
+        let count = self.planes.len().max(1) as f32;
+        (0..self.width * self.height)
+            .map(|i| self.planes.iter().filter_map(|(_, plane)| plane.get(i)).sum::<f32>() / count)
+            .collect()
+    }
+
+    /// The planes of three components, by the first set of names that the file has.
+    pub fn components(&self, names: &[[&str; 3]]) -> Option<[&[f32]; 3]> {
+        let plane = |name: &str| {
+            self.planes
+                .iter()
+                .find(|(own, _)| own.eq_ignore_ascii_case(name))
+                .map(|(_, plane)| plane.as_slice())
+        };
+        names.iter().find_map(|&[x, y, z]| Some([plane(x)?, plane(y)?, plane(z)?]))
+    }
+}
+
+/// Refuses sizes that no density has, before anything is allocated.
+fn check_size(width: usize, height: usize) -> Result<usize, ImageFileError> {
+    match width.checked_mul(height) {
+        Some(pixels) if (1..=MAX_TEXELS).contains(&pixels) => Ok(pixels),
+        _ => Err(ImageFileError::Size { width, height }),
+    }
+}
+
+fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(ImageFileError::Png)?;
+    let (width, height) = (reader.info().width as usize, reader.info().height as usize);
+    let pixels = check_size(width, height)?;
+    let length = reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?;
+    if length > bytes.len().saturating_mul(MOST_INFLATED) {
+        return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
+    }
+    let mut samples = vec![0; length];
+    let info = reader.next_frame(&mut samples).map_err(ImageFileError::Png)?;
+    let channels = info.color_type.samples();
+    let wide = info.bit_depth == png::BitDepth::Sixteen;
+    let (step, top) = if wide { (2, 65_535.0) } else { (1, 255.0) };
+    let names: &[&str] = if channels > 2 { &["R", "G", "B"] } else { &["Y"] };
+    let plane = |channel: usize| {
+        let value = |pixel: &[u8]| {
+            let sample = pixel.chunks_exact(step).nth(channel).unwrap_or_default();
+            sample.iter().fold(0_u32, |value, &byte| value << 8 | u32::from(byte)) as f32 / top
+        };
+        samples.chunks_exact(channels * step).take(pixels).map(value).collect()
+    };
+    let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
+    Ok(ImageFile { width, height, planes, signed: false })
+}
+
+fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
+    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(ImageFileError::Exr)?;
+    for header in &meta.headers {
+        let (width, height) = (header.layer_size.0, header.layer_size.1);
+        check_size(width, height)?;
+        // Every chunk has its place in a table of eight bytes each.
+        if header.chunk_count.saturating_mul(8) > bytes.len() {
+            return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
+        }
+    }
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(ImageFileError::Exr)?;
+    let layer = image.layer_data;
+    let planes: Vec<(String, Vec<f32>)> = layer
+        .channel_data
+        .list
+        .iter()
+        .filter(|channel| !channel.name.eq_case_insensitive("a"))
+        .map(|channel| (channel.name.to_string(), channel.sample_data.values_as_f32().collect()))
+        .collect();
+    if planes.is_empty() {
+        return Err(ImageFileError::OnlyAlpha);
+    }
+    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes, signed: true })
+}
+
+/// Why a file is not an image of data.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ImageFileError {
+    /// The file cannot be read.
+    Unreadable(std::io::Error),
+    /// The file has no bytes.
+    Empty,
+    /// The file is neither PNG nor OpenEXR.
+    UnknownFormat,
+    /// The image has no pixels, or more than a map may have.
+    Size { width: usize, height: usize },
+    /// The file is far too short for what its header claims.
+    Truncated { width: usize, height: usize, bytes: usize },
+    /// The file has no channel but alpha.
+    OnlyAlpha,
+    /// What the PNG decoder says.
+    Png(png::DecodingError),
+    /// What the OpenEXR decoder says.
+    Exr(exr::error::Error),
+}
+
+impl fmt::Display for ImageFileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable(error) => write!(f, "the file cannot be read: {error}"),
+            Self::Empty => f.write_str("the file is empty"),
+            Self::UnknownFormat => f.write_str("the file is neither PNG nor OpenEXR"),
+            Self::Size { width, height } => {
+                write!(f, "an image must have 1 to {MAX_TEXELS} pixels, got {width} × {height}")
+            }
+            Self::Truncated { width, height, bytes } => {
+                write!(f, "{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")
+            }
+            Self::OnlyAlpha => f.write_str("the image has no channel but alpha"),
+            Self::Png(error) => write!(f, "the PNG cannot be decoded: {error}"),
+            Self::Exr(error) => write!(f, "the OpenEXR file cannot be decoded: {error}"),
+        }
+    }
+}
+
+impl Error for ImageFileError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Unreadable(error) => Some(error),
+            Self::Png(error) => Some(error),
+            Self::Exr(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use png::{BitDepth, ColorType};
+
+    fn encode(size: [u32; 2], color: ColorType, depth: BitDepth, samples: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        encoder.write_header().unwrap().write_image_data(samples).unwrap();
+        bytes
+    }
+
+    /// The bytes of a PNG whose header claims another size; its checksum is right.
+    fn claiming(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
+        bytes[16..20].copy_from_slice(&width.to_be_bytes());
+        bytes[20..24].copy_from_slice(&height.to_be_bytes());
+        let mut crc = u32::MAX;
+        for &byte in &bytes[12..29] {
+            crc ^= u32::from(byte);
+            for _ in 0..8 {
+                crc = (crc >> 1) ^ (0xEDB8_8320 & 0_u32.wrapping_sub(crc & 1));
+            }
+        }
+        bytes[29..33].copy_from_slice(&(!crc).to_be_bytes());
+        bytes
+    }
+
+    #[test]
+    fn grey_with_alpha_keeps_its_grey_and_colours_their_planes() {
+        let image =
+            ImageFile::decode(encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]))
+                .unwrap();
+        assert_eq!(image.planes, [("Y".to_owned(), vec![1.0, 0.2])]);
+        let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
+        let image = ImageFile::decode(encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba)).unwrap();
+        let [r, g, b] = image.components(&[["n.X", "n.Y", "n.Z"], ["R", "G", "B"]]).unwrap();
+        assert_eq!((r[0], g[0], b[0]), (65_280.0 / 65_535.0, 0.0, 51.0 / 65_535.0));
+        assert_eq!(image.grey(), [(r[0] + b[0]) / 3.0]);
+    }
+
+    #[test]
+    fn headers_without_data_are_refused_before_anything_is_allocated() {
+        let small = encode([8, 8], ColorType::Grayscale, BitDepth::Eight, &[200; 64]);
+        let refused = |width, height| {
+            ImageFile::decode(claiming(small.clone(), width, height)).unwrap_err().to_string()
+        };
+        assert_eq!(refused(10_000, 10_000), "an image must have 1 to 16777216 pixels, got 10000 × 10000");
+        assert!(
+            refused(4096, 4096).contains("cannot hold the 4096 × 4096 pixels"),
+            "{}",
+            refused(4096, 4096)
+        );
+        assert!(refused(8, 9).contains("PNG cannot be decoded"), "{}", refused(8, 9));
+    }
+
+    #[test]
+    fn textures_without_data_are_refused_too() {
+        let good = crate::image::formats::exr(4, 2, &[("Y", vec![0.5; 8]), ("A", vec![1.0; 8])]).unwrap();
+        let image = ImageFile::decode(good.clone()).unwrap();
+        assert_eq!((image.width, image.height, image.planes), (4, 2, vec![("Y".to_owned(), vec![0.5; 8])]));
+        let claiming = |width: i32, height: i32| {
+            let mut bytes = good.clone();
+            for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {
+                let at = bytes.windows(name.len()).position(|w| w == name).unwrap() + name.len() + 12;
+                bytes[at..at + 4].copy_from_slice(&(width - 1).to_le_bytes());
+                bytes[at + 4..at + 8].copy_from_slice(&(height - 1).to_le_bytes());
+            }
+            ImageFile::decode(bytes).unwrap_err()
+        };
+        assert!(matches!(claiming(10_000, 10_000), ImageFileError::Size { .. }));
+        assert!(matches!(claiming(4, 4_000_000), ImageFileError::Truncated { .. }));
+        assert!(matches!(ImageFile::decode(good[..20].to_vec()), Err(ImageFileError::Exr(_))));
+        let alpha = crate::image::formats::exr(1, 1, &[("A", vec![1.0])]).unwrap();
+        assert!(matches!(ImageFile::decode(alpha), Err(ImageFileError::OnlyAlpha)));
+    }
+}

@@ -1,0 +1,82 @@
+//! From linear radiance to what a screen shows, and back: tone curves and the sRGB transfer curve.
+
+use glam::Vec3;
+
+/// A soft shoulder: the identity up to 0.7, then an exponential approach to 1 with the same slope.
+///
+/// ```text
+/// x ≤ k: x        x > k: k + (1 − k)(1 − exp(−(x − k)/(1 − k))),  k = 0.7
+/// ```
+pub fn shoulder(x: f32) -> f32 {
+    const KNEE: f32 = 0.7;
+    if x <= KNEE { x.max(0.0) } else { KNEE - (1.0 - KNEE) * (-(x - KNEE) / (1.0 - KNEE)).exp_m1() }
+}
+
+/// A curve with a toe and a shoulder, as film has: dark parts a little darker, lights rolled off towards 1.
+///
+/// ```text
+/// x (a x + b)/(x (c x + d) + e),   a = 2.51, b = 0.03, c = 2.43, d = 0.59, e = 0.14,   of 0.6 times the radiance
+/// ```
+///
+/// Narkowicz 2016, "ACES Filmic Tone Mapping Curve".
+pub fn filmic(radiance: f32) -> f32 {
+    let x = (0.6 * radiance).clamp(0.0, 1e6);
+    (x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)).min(1.0)
+}
+
+/// Linear `[0, 1]` to the sRGB transfer curve, IEC 61966-2-1.
+pub fn srgb(linear: f32) -> f32 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The inverse of [`srgb`].
+pub fn linear(srgb: f32) -> f32 {
+    if srgb <= 0.040_45 { srgb / 12.92 } else { ((srgb + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The linear colour of an sRGB hexadecimal, `0xRRGGBB`.
+pub fn hex(rgb: u32) -> Vec3 {
+    let [_, r, g, b] = rgb.to_be_bytes();
+    Vec3::new(linear(f32::from(r) / 255.0), linear(f32::from(g) / 255.0), linear(f32::from(b) / 255.0))
+}
+
+pub(super) fn srgb_byte(value: f32) -> u8 {
+    let clamped = if value > 0.0 { value.min(1.0) } else { 0.0 };
+    (srgb(clamped) * 255.0 + 0.5) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_film_s_curve_increases_from_black_to_white() {
+        assert_eq!([filmic(0.0), filmic(-1.0), filmic(f32::INFINITY)], [0.0, 0.0, 1.0]);
+        let mut last = 0.0;
+        for i in 1..200 {
+            let y = filmic(i as f32 * 0.05);
+            assert!(y >= last && y <= 1.0, "filmic({}) = {y}", i as f32 * 0.05);
+            last = y;
+        }
+        // The middle grey of photographers stays about where it is.
+        assert!((filmic(0.18) - 0.18).abs() < 0.05, "{}", filmic(0.18));
+    }
+
+    #[test]
+    fn every_srgb_byte_survives_the_way_to_linear_and_back() {
+        for byte in 0..=255_u8 {
+            assert_eq!(srgb_byte(linear(f32::from(byte) / 255.0)), byte);
+        }
+    }
+
+    #[test]
+    fn the_shoulder_is_continuous_increasing_and_below_one() {
+        assert!((shoulder(0.700_01) - shoulder(0.699_99) - 0.000_02).abs() < 1e-6);
+        let mut last = 0.0;
+        for i in 1..100 {
+            let y = shoulder(i as f32 * 0.02);
+            assert!(y > last && y < 1.0, "shoulder({}) = {y}", i as f32 * 0.02);
+            last = y;
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Pixels in parallel rows, with samples that depend on the pixel alone.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use glam::{Vec2, Vec3};
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+
+use crate::sampling::sampler::{Sampler, hash};
+use crate::{
+    failure::{Failure, Interrupted},
+    image::Image,
+};
+
+/// How a picture is sampled.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampling {
+    pub width: u32,
+    pub height: u32,
+    pub samples_per_pixel: u32,
+    pub seed: u32,
+}
+
+/// The mean of `radiance` over each pixel, at points given in pixels from the top left.
+///
+/// The same image whatever the number of threads: a pixel's samples come from a hash of its place, and are summed in
+/// order.
+pub fn render(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let count = sampling.samples_per_pixel.max(1);
+    pixels(sampling, progress, interrupted, |x, y| {
+        let shift = jitter(x, y, sampling.seed);
+        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+            let place = sample(k, shift);
+            sum + radiance(x as f32 + place.x, y as f32 + place.y)
+        });
+        sum / count as f32
+    })
+}
+
+/// The mean of `radiance` over the samples of each pixel, each with random points of its own; the first is its place in the pixel.
+pub fn render_paths(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let count = sampling.samples_per_pixel.max(1);
+    pixels(sampling, progress, interrupted, |x, y| {
+        let seed = hash(x ^ hash(y ^ hash(sampling.seed)));
+        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+            let mut sampler = Sampler::new(k, seed);
+            let place = sampler.point();
+            sum + radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler)
+        });
+        sum / count as f32
+    })
+}
+
+fn pixels(
+    sampling: Sampling,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    pixel: impl Fn(u32, u32) -> Vec3 + Sync,
+) -> Result<Image, Failure> {
+    let Sampling { width, height, .. } = sampling;
+    progress.inc_length(u64::from(height));
+    let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
+        .into_par_iter()
+        .map(|y| {
+            if interrupted.load(Ordering::Relaxed) {
+                return Err(Interrupted);
+            }
+            let row = (0..width).map(|x| pixel(x, y)).collect();
+            progress.inc(1);
+            Ok(row)
+        })
+        .collect();
+    Ok(Image { width, height, pixels: rows?.concat() })
+}
+
+/// The `k`-th point of the R₂ sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"),
+/// shifted on the torus.
+fn sample(k: u32, shift: Vec2) -> Vec2 {
+    const PLASTIC: f64 = 1.324_717_957_244_746;
+    let (x, y) = (f64::from(k) / PLASTIC, f64::from(k) / (PLASTIC * PLASTIC));
+    Vec2::new((x.fract() as f32 + shift.x).fract(), (y.fract() as f32 + shift.y).fract())
+}
+
+/// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
+pub fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
+    let first = hash(x ^ hash(y ^ hash(seed)));
+    let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
+    Vec2::new(unit(first), unit(hash(first ^ 0x9e37_79b9)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn draw(threads: usize) -> Vec<Vec3> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let sampling = Sampling { width: 40, height: 30, samples_per_pixel: 5, seed: 7 };
+        pool.install(|| {
+            let radiance = |x: f32, y: f32| Vec3::new((x * y).sin(), x, y);
+            render(sampling, &ProgressBar::hidden(), &AtomicBool::new(false), radiance).unwrap().pixels
+        })
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit() {
+        assert_eq!(draw(1), draw(3));
+    }
+
+    #[test]
+    fn samples_stay_in_their_pixel_and_differ_between_pixels() {
+        for k in 0..1000 {
+            let place = sample(k, jitter(k, 3, 1));
+            assert!((0.0..1.0).contains(&place.x) && (0.0..1.0).contains(&place.y), "{k}: {place}");
+        }
+        assert_ne!(jitter(0, 1, 0), jitter(1, 0, 0));
+    }
+
+    #[test]
+    fn an_interruption_stops_it() {
+        let sampling = Sampling { width: 4, height: 4, samples_per_pixel: 1, seed: 0 };
+        let stopped = render(sampling, &ProgressBar::hidden(), &AtomicBool::new(true), |_, _| Vec3::ZERO);
+        assert!(stopped.is_err_and(|e| e.is::<Interrupted>()));
+    }
+}

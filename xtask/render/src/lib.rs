@@ -1,0 +1,19 @@
+//! The renderer behind the builder's pictures and the tests of whole materials: shapes, light, materials, integrators.
+
+#![allow(
+    missing_docs,
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    clippy::must_use_candidate,
+    reason = "a library of the builder and the tests alone"
+)]
+
+pub mod failure;
+pub mod geometry;
+pub mod image;
+pub mod integrator;
+pub mod light;
+pub mod materials;
+pub mod sampling;
+pub mod scenes;
+pub mod shaded;

@@ -1,0 +1,90 @@
+//! Light from far away: single directions, and soft boxes made of them.
+
+use glam::Vec3;
+
+use crate::image::tone::hex;
+
+/// A light that is far away.
+#[derive(Clone, Copy, Debug)]
+pub struct Light {
+    /// Unit, towards the light.
+    pub direction: Vec3,
+    pub colour: Vec3,
+}
+
+/// A rectangle in the sky.
+struct SoftBox {
+    /// Of its centre, in degrees: about the z axis, and above the horizon.
+    azimuth: f32,
+    elevation: f32,
+    /// Full angles in degrees.
+    size: [f32; 2],
+    /// Lights along and across, near enough to each other that a lobe of the widths in the figures spans several.
+    count: [u32; 2],
+    colour: Vec3,
+}
+
+impl SoftBox {
+    fn lights(&self) -> impl Iterator<Item = Light> {
+        let [columns, rows] = self.count;
+        let centre = direction(self.azimuth, self.elevation);
+        let right = Vec3::Z.cross(centre).normalize();
+        let up = centre.cross(right);
+        let half = self.size.map(|angle| (0.5 * angle.to_radians()).tan());
+        let colour = self.colour / (columns * rows) as f32;
+        (0..columns * rows).map(move |k| {
+            let place = |i: u32, n: u32| 2.0 * (i as f32 + 0.5) / n as f32 - 1.0;
+            let (x, y) = (place(k % columns, columns) * half[0], place(k / columns, rows) * half[1]);
+            Light { direction: (centre + right * x + up * y).normalize(), colour }
+        })
+    }
+}
+
+/// A warm key from the upper left, a cool fill from the right and a rim from behind, all times `scale`.
+pub fn studio(scale: Vec3) -> Vec<Light> {
+    let boxes = [
+        SoftBox {
+            azimuth: -132.0,
+            elevation: 46.0,
+            size: [26.0, 26.0],
+            count: [4, 4],
+            colour: scale * hex(0xff_f2e2),
+        },
+        SoftBox {
+            azimuth: -18.0,
+            elevation: 16.0,
+            size: [16.0, 40.0],
+            count: [2, 4],
+            colour: scale * hex(0xb9_d0ff) * 0.5,
+        },
+        SoftBox {
+            azimuth: 100.0,
+            elevation: 34.0,
+            size: [40.0, 16.0],
+            count: [4, 2],
+            colour: scale * hex(0xff_d6a8) * 0.6,
+        },
+    ];
+    boxes.iter().flat_map(SoftBox::lights).collect()
+}
+
+/// The unit vector at an azimuth about the z axis and an elevation, both in degrees.
+pub fn direction(azimuth: f32, elevation: f32) -> Vec3 {
+    let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
+    let (sin_e, cos_e) = elevation.to_radians().sin_cos();
+    Vec3::new(cos_e * cos_a, cos_e * sin_a, sin_e)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_soft_box_sends_the_light_of_its_colour_from_around_its_centre() {
+        let (sum, middle) = studio(Vec3::ONE)[..16]
+            .iter()
+            .fold((Vec3::ZERO, Vec3::ZERO), |(c, d), light| (c + light.colour, d + light.direction));
+        assert!(sum.abs_diff_eq(hex(0xff_f2e2), 1e-5), "{sum}");
+        assert!(middle.normalize().abs_diff_eq(direction(-132.0, 46.0), 1e-3), "{middle}");
+    }
+}

@@ -1,0 +1,96 @@
+//! The noises that bumps are made of, by name.
+
+use asperity_noise::{GaussianOctaves, Perlin2002, Simplex, Spectrum};
+use asperity_shading::{Coordinates, GaussianField, RemappedOctaves};
+use glam::Vec3;
+
+use crate::failure::Failure;
+
+/// The kind of a noise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoiseKind {
+    /// Exactly Gaussian at every point, for every number of octaves.
+    Gaussian,
+    /// Gradient noise of 2002, made Gaussian through its measured distribution.
+    Perlin2002,
+    /// Simplex noise, made Gaussian through its measured distribution.
+    Simplex,
+}
+
+/// Two independent channels of octaves of noise over space.
+pub enum Field {
+    /// No octave at all: the surface is seen from afar at every distance.
+    Flat,
+    Gaussian(GaussianOctaves<3>),
+    Perlin2002(RemappedOctaves<Perlin2002>),
+    Simplex(RemappedOctaves<Simplex>),
+}
+
+impl Field {
+    /// The field of a kind with at most `octaves` octaves, each with `gain` times the amplitude of the last.
+    pub fn new(kind: NoiseKind, octaves: u32, gain: f32, seed: u32) -> Result<Self, Failure> {
+        /// No round number, so that the lattices of neighbouring octaves do not meet.
+        const LACUNARITY: f32 = 2.17;
+        if octaves == 0 {
+            return Ok(Self::Flat);
+        }
+        let spectrum = Spectrum::new(LACUNARITY, gain, octaves)?;
+        Ok(match kind {
+            NoiseKind::Gaussian => Self::Gaussian(GaussianOctaves::new(spectrum, seed)),
+            NoiseKind::Perlin2002 => {
+                Self::Perlin2002(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?)
+            }
+            NoiseKind::Simplex => Self::Simplex(RemappedOctaves::new(Simplex::CONTINUOUS, spectrum, seed)?),
+        })
+    }
+}
+
+impl GaussianField for Field {
+    fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
+        match self {
+            Self::Flat => Coordinates::FAR,
+            Self::Gaussian(field) => field.coordinates(p, octaves),
+            Self::Perlin2002(field) => field.coordinates(p, octaves),
+            Self::Simplex(field) => field.coordinates(p, octaves),
+        }
+    }
+
+    fn lacunarity(&self) -> f32 {
+        match self {
+            Self::Flat => 2.0,
+            Self::Gaussian(field) => field.lacunarity(),
+            Self::Perlin2002(field) => field.lacunarity(),
+            Self::Simplex(field) => field.lacunarity(),
+        }
+    }
+
+    fn max_octaves(&self) -> f32 {
+        match self {
+            Self::Flat => 0.0,
+            Self::Gaussian(field) => field.max_octaves(),
+            Self::Perlin2002(field) => field.max_octaves(),
+            Self::Simplex(field) => field.max_octaves(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_differ_and_no_octaves_are_flat() {
+        let p = Vec3::new(0.3, 0.7, -1.9);
+        let at = |kind, octaves| Field::new(kind, octaves, 0.8, 3).unwrap().coordinates(p, 2.5).z;
+        let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin2002, NoiseKind::Simplex];
+        for (i, &kind) in kinds.iter().enumerate() {
+            assert_eq!(at(kind, 0), glam::Vec2::ZERO);
+            assert!(kinds[..i].iter().all(|&other| at(other, 16) != at(kind, 16)), "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn more_octaves_than_there_are_is_refused() {
+        assert!(Field::new(NoiseKind::Gaussian, 17, 0.8, 1).is_err());
+    }
+}

@@ -1,0 +1,235 @@
+//! The builder's scenes: what stands where, and from where it is seen.
+
+use glam::{Vec2, Vec3};
+
+use crate::{failure::Failure, image::tone::hex};
+use crate::{
+    geometry::{
+        camera::Camera,
+        car::{WHEELS, arch, car_body, wheel, window},
+        mesh::{Mesh, TracedMesh},
+        revolution::revolved,
+        shape::Shape,
+        teapot::teapot,
+    },
+    integrator::{
+        path_tracer::{Appearance, Finish, Layer, Object, Seen},
+        pixels::Sampling,
+    },
+    materials,
+};
+
+/// What is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Set {
+    /// A ball of radius 1 on the ground.
+    Sphere,
+    /// The Utah teapot on the ground.
+    Teapot,
+    /// A plane to the horizon.
+    Plane,
+    /// A car-like body on its wheels, in metres.
+    Car,
+    /// The corner of a room: the floor, a panel on the wall, a ball.
+    Room,
+    /// A wall, seen along it.
+    Wall,
+    /// A turned vase on a table.
+    Vase,
+}
+
+/// Where the camera is.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    pub eye: Vec3,
+    pub target: Vec3,
+    /// Full angle in degrees.
+    pub field: f32,
+}
+
+impl View {
+    const fn new(eye: [f32; 3], target: [f32; 3], field: f32) -> Self {
+        Self { eye: Vec3::from_array(eye), target: Vec3::from_array(target), field }
+    }
+
+    /// The camera, so many times closer to the target.
+    pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
+        let eye = self.target + (self.eye - self.target) / zoom;
+        Camera::new(eye, self.target, self.field.to_radians(), sampling.width, sampling.height)
+    }
+}
+
+/// Points of the vase's profile, radius and height.
+pub const VASE_PROFILE: [[f32; 2]; 12] = [
+    [0.0, 0.0],
+    [0.44, 0.0],
+    [0.50, 0.06],
+    [0.62, 0.35],
+    [0.86, 0.85],
+    [0.84, 1.25],
+    [0.58, 1.62],
+    [0.38, 1.95],
+    [0.40, 2.2],
+    [0.52, 2.34],
+    [0.48, 2.36],
+    [0.34, 2.12],
+];
+
+/// What the camera sees behind everything.
+pub fn backdrop() -> Vec3 {
+    hex(0x2a_2d33)
+}
+
+impl Set {
+    /// How many metres a unit of the scene is.
+    pub const fn metres(self) -> f32 {
+        match self {
+            Self::Sphere => 0.15,
+            Self::Teapot => 0.05,
+            Self::Vase => 0.2,
+            Self::Plane | Self::Car | Self::Room | Self::Wall => 1.0,
+        }
+    }
+
+    /// From where it is seen as a whole.
+    pub const fn view(self) -> View {
+        match self {
+            Self::Sphere => View::new([0.0, -5.2, 1.9], [0.0, 0.0, 0.93], 25.0),
+            Self::Teapot => View::new([4.4, -12.6, 5.6], [0.25, 0.0, 1.42], 29.0),
+            Self::Plane => View::new([0.0, -2.0, 0.7], [0.0, 0.0, 0.28], 40.0),
+            Self::Car => View::new([4.4, -5.6, 1.9], [0.12, 0.0, 0.55], 32.0),
+            Self::Room => View::new([0.75, -1.15, 0.95], [-0.25, 0.6, 0.22], 46.0),
+            Self::Wall => View::new([-1.1, -1.5, 1.25], [0.3, 0.0, 1.1], 42.0),
+            Self::Vase => View::new([0.0, -7.2, 2.6], [0.0, 0.0, 1.12], 25.0),
+        }
+    }
+
+    /// The objects, of which the first has the subject's material.
+    pub fn objects(self, subject: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+        let mesh = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
+        let with = |shape: Shape, finish: Box<Finish<'static>>| Object::new(shape, move |seen| finish(seen));
+        Ok(match self {
+            Self::Sphere => {
+                let ball = mesh(ball(Vec3::Z, 1.0));
+                vec![with(ball, subject), ground(0.0)?]
+            }
+            Self::Teapot => {
+                vec![with(mesh(teapot()), subject), ground(0.0)?]
+            }
+            Self::Vase => {
+                let vase = mesh(revolved(&VASE_PROFILE));
+                vec![with(vase, subject), ground(0.0)?]
+            }
+            Self::Plane => vec![with(Shape::Plane, subject)],
+            Self::Car => car(subject)?,
+            Self::Room => {
+                let floor = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::X * 3.0, Vec3::Y * 2.9]);
+                let back = Mesh::parallelogram(Vec3::new(-1.0, 1.3, 0.0), [Vec3::X * 3.0, Vec3::Z * 1.6]);
+                let left = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::Y * 2.9, Vec3::Z * 1.6]);
+                vec![
+                    with(mesh(floor), subject),
+                    Object::new(mesh(back), materials::matte(hex(0xb9_b2a6))?),
+                    Object::new(mesh(left), materials::matte(hex(0xa9_a49c))?),
+                    Object::new(
+                        mesh(ball(Vec3::new(-0.42, 0.72, 0.2), 0.2)),
+                        materials::glazed(0.08, |_| hex(0xc9_4a2c))?,
+                    ),
+                ]
+            }
+            Self::Wall => {
+                let wall = Mesh::parallelogram(Vec3::new(-2.0, 0.0, 0.0), [Vec3::X * 60.0, Vec3::Z * 4.0]);
+                let floor = Mesh::parallelogram(Vec3::new(-2.0, -9.0, 0.0), [Vec3::X * 60.0, Vec3::Y * 9.0]);
+                vec![with(mesh(wall), subject), Object::new(mesh(floor), materials::cloth(hex(0x6b_665e))?)]
+            }
+        })
+    }
+}
+
+/// A disc of cloth at this height that fades into the backdrop.
+pub fn ground(height: f32) -> Result<Object<'static>, Failure> {
+    faded_disc(height, hex(0x8d_8377), [2.5, 6.0])
+}
+
+/// A disc of cloth that fades into the backdrop from one radius on, over another.
+fn faded_disc(height: f32, colour: Vec3, [from, over]: [f32; 2]) -> Result<Object<'static>, Failure> {
+    let cloth = materials::cloth(colour)?;
+    let disc = revolved(&[[60.0, height], [9.0, height], [0.0, height]]);
+    Ok(Object::new(Shape::Mesh(TracedMesh::new(disc)), move |seen: &Seen| {
+        let distance = seen.point.position.truncate().length();
+        faded(cloth(seen), (-((distance - from).max(0.0) / over).powi(2)).exp())
+    }))
+}
+
+/// An appearance of which so much is left before the backdrop.
+fn faded(appearance: Appearance, kept: f32) -> Appearance {
+    let share = |Layer { normal, brdf }: Layer| Layer { normal, brdf: Box::new(Share { brdf, kept }) };
+    Appearance {
+        layers: appearance.layers.into_iter().map(share).collect(),
+        glow: appearance.glow + (1.0 - kept) * backdrop(),
+        ..appearance
+    }
+}
+
+/// A part of a reflectance.
+struct Share {
+    brdf: Box<dyn asperity_shading::Brdf>,
+    kept: f32,
+}
+
+impl asperity_shading::Brdf for Share {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        self.kept * self.brdf.value(wi, wo)
+    }
+}
+
+/// A ball.
+fn ball(centre: Vec3, radius: f32) -> Mesh {
+    let points: Vec<[f32; 2]> = (0..=12)
+        .map(|k| ((k as f32 / 12.0 - 0.5) * std::f32::consts::PI).sin_cos())
+        .map(|(sin, cos)| [radius * cos.max(0.0), radius * sin])
+        .collect();
+    let mut mesh = revolved(&points);
+    for vertex in &mut mesh.vertices {
+        // The spline is a little off the circle.
+        vertex.normal = vertex.position.normalize_or(vertex.normal);
+        vertex.position = centre + radius * vertex.normal;
+        vertex.uv *= Vec2::new(radius, 1.0);
+    }
+    mesh
+}
+
+/// The car: paint, windows and tyres.
+fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+    let pane = materials::pane(asperity_shading::TemperedGlassParameters::default(), 1.0, Vec3::ZERO)?;
+    let seal = materials::matte(hex(0x16_1618))?;
+    let body = move |seen: &Seen| {
+        let depth = window(seen.point.position, seen.point.normal);
+        if depth > 0.012 {
+            // Dark within.
+            let mut glass = pane(seen);
+            if let Some(coat) = &mut glass.coat {
+                coat.behind = crate::integrator::path_tracer::Behind::Layers;
+            }
+            glass.layers = seal(seen).layers;
+            glass
+        } else if depth > 0.0 || arch(seen.point.position) {
+            seal(seen)
+        } else {
+            paint(seen)
+        }
+    };
+    let mut objects = vec![Object::new(Shape::Mesh(TracedMesh::new(car_body())), body)];
+    objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
+    let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
+    for [x, z] in WHEELS {
+        for side in [-1.0, 1.0] {
+            let [tyre, disc] = wheel(Vec3::new(x, 0.77 * side, z));
+            tyres.append(tyre);
+            discs.append(disc);
+        }
+    }
+    let shape = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
+    objects.push(Object::new(shape(tyres), materials::cloth(hex(0x2a_2a2c))?));
+    objects.push(Object::new(shape(discs), materials::chrome(Vec3::new(0.62, 0.63, 0.65))?));
+    Ok(objects)
+}

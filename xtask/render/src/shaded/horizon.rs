@@ -1,0 +1,68 @@
+//! A plane to the horizon.
+
+use asperity_shading::glam::{Vec2, Vec3};
+
+use crate::sampling::low_discrepancy::r2;
+use crate::shaded::{Eye, Pixel, Sky, Subject};
+
+/// A picture of the plane z = 0 from a height of 1, in the direction of y; its horizon is its upper edge.
+#[derive(Clone, Copy, Debug)]
+pub struct Horizon {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+}
+
+/// A pixel by one sample without a filter, by one with, and by 1024 without.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// One sample in the middle.
+    pub plain: Vec3,
+    /// One sample in the middle that knows its pixel.
+    pub filtered: Vec3,
+    /// The mean of 1024 samples.
+    pub mean: Vec3,
+}
+
+impl Horizon {
+    /// The point of the plane at this place of the picture.
+    fn point(&self, x: f32, y: f32) -> Vec2 {
+        let height = 0.6 * self.height as f32;
+        let distance = height / (y + 0.02).max(0.02);
+        Vec2::new((x - 0.5 * self.width as f32) / height * distance, distance)
+    }
+
+    /// A pixel, in this row from above, of the plane; eight units of it are the width of [`Subject`].
+    #[must_use]
+    pub fn seen(&self, [x, y]: [u32; 2], subject: &Subject, sky: &Sky) -> Seen {
+        let (x, y) = (x as f32, y as f32);
+        let (middle_x, middle_y) = (x + 0.5, y + 0.5);
+        let middle = self.point(middle_x, middle_y);
+        // The derivatives of the point by the pixel.
+        let height = 0.6 * self.height as f32;
+        let derivatives = [Vec2::new(middle.y / height, 0.0), -middle * (middle.y / height)];
+        let radiance = |at: Vec2, derivatives| {
+            let eye = Eye::At(Vec3::Z);
+            subject.radiance(&Pixel { at, derivatives, taps: 32, eye }.magnified(8.0 / subject.width), sky)
+        };
+        let sum = (0..1024).map(r2).fold(Vec3::ZERO, |sum, [i, j]| {
+            sum + radiance(self.point(x + i as f32, y + j as f32), [Vec2::ZERO; 2])
+        });
+        Seen {
+            plain: radiance(middle, [Vec2::ZERO; 2]),
+            filtered: radiance(middle, derivatives),
+            mean: sum / 1024.0,
+        }
+    }
+}
+
+/// The root mean square errors of one sample a pixel: without a filter, and with.
+#[must_use]
+pub fn errors(pixels: &[Seen]) -> [f64; 2] {
+    let rms = |error: fn(&Seen) -> Vec3| {
+        let sum: f64 = pixels.iter().map(|seen| f64::from(error(seen).length_squared())).sum();
+        (sum / pixels.len() as f64).sqrt()
+    };
+    [rms(|seen| seen.plain - seen.mean), rms(|seen| seen.filtered - seen.mean)]
+}

@@ -1,0 +1,125 @@
+//! A patch of a plane through a telephoto lens, nearer and nearer.
+
+use asperity_shading::glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::sampling::low_discrepancy::r2;
+use crate::shaded::{Eye, Pixel, Sky, Subject};
+
+/// Pixels along a side of the patch, as it is seen first.
+const SIDE: f32 = 16.0;
+
+/// A square patch of a plane, seen from far away in parallel rays, and how it is sampled.
+///
+/// At a zoom of 1 it is covered by 16² pixels. At a zoom of z it would be by z² times as many: a picture of the whole patch at ×10⁴
+/// would have 2.6·10¹⁰. A number of them is rendered, at hashed places of equal squares of the patch, so that the mean over them is a
+/// stratified estimate of the mean over the patch.
+#[derive(Clone, Copy, Debug)]
+pub struct Patch {
+    /// The square root of the number of pixels that are rendered at most.
+    pub pixels: u32,
+    /// Samples of a pixel, jittered.
+    pub samples: u32,
+    /// The unit direction to the eye, with no component along x.
+    pub view: Vec3,
+}
+
+/// A mean over pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean {
+    /// The mean of the three channels.
+    pub value: f64,
+    /// Its standard error, by the spread of the pixels.
+    pub error: f64,
+}
+
+/// A pixel's mean, and the range of its samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The mean of the three channels.
+    pub mean: f64,
+    /// The least and the greatest sample.
+    pub range: [f64; 2],
+}
+
+impl Patch {
+    /// The derivatives of the plane by a pixel of this width.
+    fn derivatives(&self, width: f32) -> [Vec2; 2] {
+        [Vec2::new(width, 0.0), Vec2::new(0.0, width / self.view.z)]
+    }
+
+    /// A pixel of this width.
+    fn pixel(&self, subject: &Subject, sky: &Sky, centre: Vec2, width: f32) -> Frame {
+        let derivatives = self.derivatives(width);
+        let (mut sum, mut range) = (0.0, [f64::INFINITY, f64::NEG_INFINITY]);
+        for k in 0..self.samples {
+            let [x, y] = r2(k).map(|x| x as f32 - 0.5);
+            let at = centre + derivatives[0] * x + derivatives[1] * y;
+            let radiance =
+                subject.radiance(&Pixel { at, derivatives, taps: 2, eye: Eye::Towards(self.view) }, sky);
+            let radiance = f64::from(radiance.dot(Vec3::ONE)) / 3.0;
+            sum += radiance;
+            range = [range[0].min(radiance), range[1].max(radiance)];
+        }
+        Frame { mean: sum / f64::from(self.samples), range }
+    }
+
+    /// The mean radiance of the patch at a zoom.
+    #[must_use]
+    pub fn mean(&self, subject: &Subject, sky: &Sky, zoom: f32) -> Mean {
+        // Pixels do not overlap.
+        let side = (self.pixels as f32).min(SIDE * zoom);
+        let stratum = self.derivatives(subject.width * SIDE / side);
+        let share = side / (SIDE * zoom);
+        let side = side as u32;
+        let row = |y: u32| -> Vec<f64> {
+            (0..side)
+                .map(|x| {
+                    let [i, j] = r2(y * side + x).map(|u| 0.5 + (1.0 - share) * (u as f32 - 0.5));
+                    let centre = stratum[0] * (x as f32 + i) + stratum[1] * (y as f32 + j);
+                    self.pixel(subject, sky, centre, subject.width / zoom).mean
+                })
+                .collect()
+        };
+        let pixels: Vec<f64> = (0..side).into_par_iter().flat_map_iter(row).collect();
+        let count = pixels.len() as f64;
+        let value = pixels.iter().sum::<f64>() / count;
+        let variance = pixels.iter().map(|x| (x - value).powi(2)).sum::<f64>() / (count - 1.0);
+        Mean { value, error: (variance / count).sqrt() }
+    }
+
+    /// Five slow zooms by 1 % a frame, of 200 frames each, into pixels of the patch: from ×1 to ×20,000 altogether.
+    #[must_use]
+    pub fn slow_zooms(&self, subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
+        let zoom = |start: u8| {
+            let centre = (Vec2::new(3.37, 5.71) + 0.83 * f32::from(start)) * subject.width;
+            let first = 1.01_f32.powf(200.0 * f32::from(start));
+            let frame = |k: u8| {
+                let width = subject.width / (first * 1.01_f32.powf(f32::from(k)));
+                self.pixel(subject, sky, centre, width)
+            };
+            (0..200_u8).into_par_iter().map(frame).collect()
+        };
+        (0..5).map(zoom).collect()
+    }
+}
+
+/// The largest frame-to-frame change beside the trend, the median of the changes about it, over the range of all samples of all
+/// zooms.
+#[must_use]
+pub fn largest_pop(zooms: &[Vec<Frame>]) -> f64 {
+    let frames = zooms.iter().flatten();
+    let [low, high] = frames.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], frame| {
+        [low.min(frame.range[0]), high.max(frame.range[1])]
+    });
+    let pops = zooms.iter().flat_map(|frames| {
+        let changes: Vec<f64> = frames.windows(2).map(|pair| pair[1].mean - pair[0].mean).collect();
+        let beside = |about: &[f64]| {
+            let mut sorted = about.to_vec();
+            sorted.sort_by(f64::total_cmp);
+            (about[3] - sorted[3]).abs()
+        };
+        changes.windows(7).map(beside).collect::<Vec<_>>()
+    });
+    pops.fold(0.0, f64::max) / (high - low)
+}
