@@ -103,40 +103,25 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
-mod brdf;
 mod bump;
-mod bump_field;
-mod diffuse;
 mod direction;
-mod displacement;
 mod environment;
-mod footprint;
-mod frequency_clamp;
-mod fresnel;
-mod gaussian_field;
 mod level_of_detail;
 mod material;
 mod math;
-mod microfacet;
 mod normal_map;
-mod phong;
-mod pixel_ellipse;
-mod remapped_octaves;
-mod slope_facets;
+mod pixel;
+mod reflectance;
 mod texture;
-mod ward;
 
 pub use asperity_ndf_sampling as ndf_sampling;
 pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Ndf, conditional_density};
 pub use asperity_noise as noise;
-pub use brdf::Brdf;
 pub use bump::{
-    bumped_normal, differences, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
+    Displaced, bumped_normal, differences, displace, facing, gradient_of_normal, lecture_normal,
+    slope_facets, surface_gradient, tangential,
 };
-pub use bump_field::BumpField;
-pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use direction::{half_vector, reflect};
-pub use displacement::{Displaced, displace};
 pub use environment::{
     Environment, EnvironmentError, EnvironmentRef, Irradiance, LatitudeLongitude, LightSample,
     PrefilteredError, PrefilteredLevel, PrefilteredRef, SplitSum, even_points, light_samples,
@@ -144,15 +129,11 @@ pub use environment::{
 };
 #[cfg(feature = "alloc")]
 pub use environment::{EnvironmentMap, PrefilteredMap};
-pub use footprint::Footprint;
-pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
-pub use fresnel::{
-    Conductor, ConductorError, Dielectric, DielectricError, Fresnel, Schlick, SchlickError, SchlickF82,
-    SchlickF82Error,
-};
-pub use gaussian_field::{Coordinates, GaussianField};
 pub use glam;
-pub use level_of_detail::{LevelOfDetail, facet_coordinates, far_field, shade_facet};
+pub use level_of_detail::{
+    BumpField, Coordinates, GaussianField, LevelOfDetail, RemappedOctaves, facet_coordinates, far_field,
+    shade_facet,
+};
 pub use material::{
     Blemishes, Carpet, CarpetParameters, CarpetSurface, DarkAreas, Dents, DiffuseThreads, Elimination, Facet,
     Fibre, Fibres, FibresParameters, FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake,
@@ -162,16 +143,17 @@ pub use material::{
     VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch, flake_patch_printed,
     flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient, wave_height,
 };
-pub use microfacet::{CookTorrance, Masking, TorranceSparrow};
 #[cfg(feature = "alloc")]
 pub use normal_map::SlopePyramid;
 pub use normal_map::{SlopeLobe, SlopeLobes, SlopeMoments, SlopePyramidError, SlopePyramidRef};
-pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
-pub use pixel_ellipse::PixelEllipse;
-pub use remapped_octaves::RemappedOctaves;
-pub use slope_facets::slope_facets;
+pub use pixel::{Footprint, FrequencyClamp, FrequencyClampError, PixelEllipse};
+pub use reflectance::{
+    AlbedoError, BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, ConductorError, CookTorrance, Dielectric,
+    DielectricError, DiffuseError, EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar,
+    OrenNayarForm, Phong, PhongError, Schlick, SchlickError, SchlickF82, SchlickF82Error, TorranceSparrow,
+    WardError, WardForm, WardReflection,
+};
 pub use texture::{
     Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,
     PerturbedTexture, Seen, StarWallpaper, StarWallpaperError, Steam, march,
 };
-pub use ward::{WardError, WardForm, WardReflection};

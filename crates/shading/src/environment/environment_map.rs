@@ -5,11 +5,11 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
-use super::environment_ref::EnvironmentRef;
-use super::error::{EnvironmentError, texel_count};
-use super::importance::{fill, table_len};
-use super::latitude_longitude::LatitudeLongitude;
-use super::light::Environment;
+use crate::environment::distribution_2d::{fill, table_len};
+use crate::environment::environment::Environment;
+use crate::environment::environment_ref::EnvironmentRef;
+use crate::environment::error::{EnvironmentError, texel_count};
+use crate::environment::latitude_longitude::LatitudeLongitude;
 
 /// An [`EnvironmentRef`] that owns its texels and its table.
 ///

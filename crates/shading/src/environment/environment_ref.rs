@@ -2,10 +2,10 @@
 
 use glam::{Vec2, Vec3};
 
-use super::error::EnvironmentError;
-use super::importance::{Tables, fill, table_len};
-use super::latitude_longitude::LatitudeLongitude;
-use super::light::{Environment, uniform_sphere};
+use crate::environment::distribution_2d::{Tables, fill, table_len};
+use crate::environment::environment::{Environment, uniform_sphere};
+use crate::environment::error::EnvironmentError;
+use crate::environment::latitude_longitude::LatitudeLongitude;
 
 /// An image by latitude and longitude with the table from which its samples are drawn, both borrowed.
 ///

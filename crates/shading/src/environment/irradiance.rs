@@ -4,7 +4,8 @@ use core::f32::consts::{FRAC_1_PI, PI};
 
 use glam::{Vec2, Vec3};
 
-use super::light::{Environment, is_direction, uniform_sphere};
+use crate::environment::environment::{Environment, is_direction, uniform_sphere};
+use crate::math::sqrt;
 
 /// What a surface receives from an environment, by its normal: spherical harmonics up to order 2.
 ///
@@ -79,8 +80,7 @@ impl Irradiance {
 /// The real spherical harmonics `Y₀₀, Y₁₋₁ … Y₂₂`, orthonormal on the sphere.
 fn harmonics(Vec3 { x, y, z }: Vec3) -> [f32; 9] {
     // ½√(1/π) and its multiples: ½√(3/π), ½√(15/π), ¼√(5/π), ¼√(15/π).
-    let [one, three, five, fifteen] =
-        [1.0, 3.0, 5.0, 15.0].map(|k: f32| 0.5 * crate::math::sqrt(k * FRAC_1_PI));
+    let [one, three, five, fifteen] = [1.0, 3.0, 5.0, 15.0].map(|k: f32| 0.5 * sqrt(k * FRAC_1_PI));
     [
         one,
         three * y,

@@ -4,8 +4,8 @@ use core::f32::consts::{PI, TAU};
 
 use glam::Vec3;
 
-use super::error::{EnvironmentError, check_texel, texel_count};
-use super::light::{Environment, is_direction};
+use crate::environment::environment::{Environment, is_direction};
+use crate::environment::error::{EnvironmentError, check_texel, texel_count};
 use crate::math::{atan2, cos, floor, sin, sqrt};
 
 /// A borrowed image of linear radiance by latitude and longitude.

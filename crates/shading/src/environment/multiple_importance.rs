@@ -3,8 +3,8 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use super::light::Environment;
-use crate::Brdf;
+use crate::environment::environment::Environment;
+use crate::reflectance::Brdf;
 
 /// A direction of light with what it adds to the radiance towards the eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -116,7 +116,9 @@ pub fn reflected_radiance<B: Brdf + ?Sized, E: Environment + ?Sized>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CookTorrance, Ggx, Lambert};
+    use crate::reflectance::CookTorrance;
+    use crate::reflectance::Lambert;
+    use asperity_ndf_sampling::Ggx;
 
     #[test]
     fn what_is_no_direction_brings_nothing() {

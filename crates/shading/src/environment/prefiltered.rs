@@ -5,14 +5,15 @@ use core::fmt;
 use asperity_ndf_sampling::{Frame, Ggx, Ndf};
 use glam::{Vec2, Vec3};
 
-use super::even_points::even_points;
-use super::latitude_longitude::LatitudeLongitude;
-use super::light::{Environment, is_direction};
-use super::multiple_importance::light_samples;
-use super::split_sum::SplitSum;
+use crate::direction::{half_vector, reflect};
+use crate::environment::environment::{Environment, is_direction};
+use crate::environment::latitude_longitude::LatitudeLongitude;
+use crate::environment::low_discrepancy::even_points;
+use crate::environment::multiple_importance::light_samples;
+use crate::environment::split_sum::SplitSum;
 use crate::math::clamp_to;
-use crate::microfacet::mirrored_density;
-use crate::{Brdf, half_vector, reflect};
+use crate::reflectance::Brdf;
+use crate::reflectance::brdf::mirrored_density;
 
 /// The roughness below which a mirror is smooth: its lobe is a tenth of a degree wide.
 const SMOOTH: f32 = 1e-3;

@@ -4,12 +4,13 @@ use alloc::vec::Vec;
 
 use glam::Vec3;
 
-use super::latitude_longitude::LatitudeLongitude;
-use super::light::Environment;
-use super::prefiltered::{
+use crate::direction::reflect;
+use crate::environment::environment::Environment;
+use crate::environment::latitude_longitude::LatitudeLongitude;
+use crate::environment::prefiltered::{
     PrefilteredError, PrefilteredLevel, blend, check_alphas, prefiltered_radiance, split,
 };
-use super::split_sum::SplitSum;
+use crate::environment::split_sum::SplitSum;
 
 /// The most rows of a level.
 const MAX_ROWS: usize = 8192;
@@ -88,14 +89,15 @@ impl PrefilteredMap {
     /// As [`PrefilteredRef::reflected`](super::PrefilteredRef::reflected).
     #[must_use]
     pub fn reflected(&self, table: &SplitSum, f0: Vec3, alpha: f32, normal: Vec3, view: Vec3) -> Vec3 {
-        self.radiance(crate::reflect(view, normal), alpha) * split(table, f0, alpha, normal.dot(view))
+        self.radiance(reflect(view, normal), alpha) * split(table, f0, alpha, normal.dot(view))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{EnvironmentMap, PrefilteredRef};
+    use crate::environment::environment_map::EnvironmentMap;
+    use crate::environment::prefiltered::PrefilteredRef;
 
     #[test]
     fn it_is_what_it_borrows() {

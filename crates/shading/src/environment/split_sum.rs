@@ -3,8 +3,8 @@
 use asperity_ndf_sampling::{Ggx, Microfacet};
 use glam::{Vec2, Vec3};
 
+use crate::direction::{half_vector, reflect};
 use crate::math::{clamp_to, sqrt};
-use crate::{half_vector, reflect};
 
 /// The entries along each side of the table.
 const SIDE: usize = 32;

@@ -1,12 +1,34 @@
 //! Octaves of simplex noise by position, as a pixel sees them.
 
-use asperity_noise::{Field, Kernel, Normalisation, Octaves, Sample, Simplex, Spectrum, removed_share};
+use asperity_noise::{
+    Field, Kernel, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
+};
 use glam::Vec3;
 
-use crate::Footprint;
+use crate::material::parameter::{ParameterError, within};
+use crate::pixel::Footprint;
 
 /// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷ points.
 pub(crate) const SLOPE_VARIANCE: f32 = 3.08;
+
+/// The most octaves that flakes or dents have.
+pub(crate) const DETAIL: [f32; 2] = [1.0, 8.0];
+
+/// A spectrum of `detail` octaves.
+pub(crate) fn spectrum(
+    parameter: &'static str,
+    [lacunarity, gain]: [f32; 2],
+    detail: u32,
+) -> Result<Spectrum, ParameterError> {
+    // Octaves are few: the cast is exact, and what is not few is refused all the same.
+    let value = within(parameter, detail as f32, DETAIL)?;
+    Spectrum::new(lacunarity, gain, detail).map_err(|_: SpectrumError| ParameterError::Outside {
+        parameter,
+        value,
+        least: DETAIL[0],
+        most: DETAIL[1],
+    })
+}
 
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,12 +2,12 @@
 
 use glam::Vec3;
 
-use super::fbm::{Fbm, SLOPE_VARIANCE};
-use super::form::Form;
-use super::parameter::{ParameterError, SIZES, direction, within};
-use super::surface_point::SurfacePoint;
+use crate::bump::{bumped_normal, slope_facets, tangential};
+use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::material::form::Form;
+use crate::material::parameter::{ParameterError, SIZES, direction, within};
+use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
-use crate::{bumped_normal, slope_facets, tangential};
 
 /// The shape of the waves of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -201,7 +201,7 @@ impl TemperedGlass {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Footprint;
+    use crate::pixel::Footprint;
 
     fn glass(waves: GlassWaves) -> TemperedGlass {
         TemperedGlass::new(TemperedGlassParameters { waves, wave_amplitude: 0.01, ..Default::default() })

@@ -3,7 +3,7 @@
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
-use super::flake_patch::unit;
+use crate::material::hash::unit;
 use crate::math::{cos, floor, sin};
 
 /// The most segments that begin in a cell.

@@ -3,7 +3,8 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use crate::{Footprint, surface_gradient};
+use crate::bump::surface_gradient;
+use crate::pixel::Footprint;
 
 /// Where a pixel meets a surface: what every material needs to know.
 ///

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::slope_lobes::SlopeLobes;
+use crate::normal_map::slope_lobes::SlopeLobes;
 
 /// The size of a level; 1 × 1 at the last.
 pub(super) const fn level_size(width: usize, height: usize, level: u32) -> [usize; 2] {
@@ -86,8 +86,8 @@ fn over_texel<const K: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::slope_moments::SlopeMoments;
     use super::*;
+    use crate::normal_map::slope_moments::SlopeMoments;
 
     #[test]
     fn texels_have_the_moments_of_the_field_in_them() {

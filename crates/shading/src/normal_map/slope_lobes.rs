@@ -3,8 +3,8 @@
 use asperity_ndf_sampling::{Beckmann, Ndf as _};
 use glam::{Vec2, Vec3};
 
-use super::slope_moments::SlopeMoments;
-use crate::Coordinates;
+use crate::level_of_detail::Coordinates;
+use crate::normal_map::slope_moments::SlopeMoments;
 
 /// A part of the slopes within a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

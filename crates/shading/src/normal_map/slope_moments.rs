@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{Beckmann, OffsetBeckmann};
 use glam::{Vec2, Vec3};
 
-use crate::Coordinates;
+use crate::level_of_detail::Coordinates;
 use crate::math::{clamp_to, sqrt};
 
 /// The mean and the covariance of slopes `s = (n_x, n_y)/n_z` within a pixel.

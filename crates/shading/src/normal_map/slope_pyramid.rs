@@ -5,12 +5,12 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
-use super::error::{SlopePyramidError, check_values};
-use super::levels::fill;
-use super::slope_lobes::{SlopeLobes, centres};
-use super::slope_pyramid_ref::SlopePyramidRef;
 use crate::math::sqrt;
-use crate::{Footprint, PixelEllipse};
+use crate::normal_map::error::{SlopePyramidError, check_values};
+use crate::normal_map::levels::fill;
+use crate::normal_map::slope_lobes::{SlopeLobes, centres};
+use crate::normal_map::slope_pyramid_ref::SlopePyramidRef;
+use crate::pixel::{Footprint, PixelEllipse};
 
 /// The steepest slope of a normal map: 88°. One texel on the horizon would leave no other a share of the variance.
 const STEEPEST: f32 = 32.0;

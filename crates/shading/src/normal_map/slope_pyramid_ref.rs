@@ -2,11 +2,11 @@
 
 use glam::{Vec2, Vec3};
 
-use super::error::{SlopePyramidError, check_values, texel_count};
-use super::levels::{fill, last_level, level_size, level_start};
-use super::slope_lobes::{SlopeLobes, centres};
 use crate::math::{floor, log2};
-use crate::{Footprint, PixelEllipse};
+use crate::normal_map::error::{SlopePyramidError, check_values, texel_count};
+use crate::normal_map::levels::{fill, last_level, level_size, level_start};
+use crate::normal_map::slope_lobes::{SlopeLobes, centres};
+use crate::pixel::{Footprint, PixelEllipse};
 
 /// A periodic map of slopes with levels, each of whose texels has the moments of its slopes in `K` groups; all borrowed.
 ///
@@ -202,8 +202,8 @@ fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::slope_moments::SlopeMoments;
     use super::*;
+    use crate::normal_map::slope_moments::SlopeMoments;
 
     const SIZE: usize = 16;
 

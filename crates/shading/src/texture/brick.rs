@@ -321,6 +321,7 @@ impl core::error::Error for BrickError {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bump::differences;
 
     const WALLS: [(f32, f32, f32); 4] =
         [(0.25, 0.08, 0.01), (1.0, 1.0, 0.5), (0.3, 0.2, 0.0), (2.0, 0.5, 0.3)];
@@ -368,7 +369,7 @@ mod tests {
             let uv = Vec2::new(0.037 * i as f32, 0.071 * i as f32 + 0.013);
             for widths in [Vec2::ZERO, Vec2::new(0.3, 0.2), Vec2::new(2.7, 1.9)] {
                 let at = |by: Vec2| wall.filtered(uv + by, widths).height;
-                let by = crate::differences(at, Vec2::ZERO, h);
+                let by = differences(at, Vec2::ZERO, h);
                 let got = wall.filtered(uv, widths).slope;
                 // Third derivatives are 12/0.2³ at most, and the flanks begin with a leap of the second, 6/0.2².
                 assert!((got - by).length() < 0.2, "{uv}, {widths}: {got}, {by}");

@@ -2,9 +2,8 @@
 
 use glam::Vec2;
 
-use super::Brick;
-use super::brick::{LEAST, Pulse, Rows, shift};
 use crate::math::floor;
+use crate::texture::brick::{Brick, LEAST, Pulse, Rows, shift};
 
 /// A part of a pulse within an interval: how much of it, its height and its slope.
 #[derive(Clone, Copy, Debug)]

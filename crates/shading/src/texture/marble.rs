@@ -5,8 +5,8 @@ use core::fmt;
 use asperity_noise::{Noise, Perlin2002, removed_share};
 use glam::Vec3;
 
-use crate::Footprint;
 use crate::math::sqrt;
+use crate::pixel::Footprint;
 
 /// Marble: the sum of a few octaves of noise picks a colour from a spline.
 ///

@@ -3,8 +3,8 @@
 use asperity_noise::{Noise, Perlin2002, removed_share};
 use glam::{Vec2, Vec3};
 
-use crate::Footprint;
 use crate::math::sqrt;
+use crate::pixel::Footprint;
 
 /// Moves the texture coordinates of a surface by noise at its points, so that any image on it runs.
 ///

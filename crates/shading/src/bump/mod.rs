@@ -1,0 +1,11 @@
+//! Bump mapping: surface gradients, displaced surfaces, and facets for slopes that a pixel does not resolve.
+
+mod displacement;
+pub(crate) mod slope_facets;
+mod surface_gradient;
+
+pub use displacement::{Displaced, displace};
+pub use slope_facets::slope_facets;
+pub use surface_gradient::{
+    bumped_normal, differences, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
+};

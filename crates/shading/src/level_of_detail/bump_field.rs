@@ -1,0 +1,83 @@
+//! A bump map in space: a Gaussian field, its scale, and what a pixel resolves of it.
+
+use glam::Vec3;
+
+use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
+use crate::pixel::{Footprint, FrequencyClamp, FrequencyClampError};
+
+/// A Gaussian field laid into space with a given size of bumps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BumpField<F> {
+    field: F,
+    clamp: FrequencyClamp,
+}
+
+impl<F: GaussianField> BumpField<F> {
+    /// The field whose first octave has `frequency` lattice cells per unit of the surface's positions.
+    ///
+    /// Lacunarity and greatest count of octaves are the field's own.
+    ///
+    /// # Errors
+    /// [`FrequencyClampError::Frequency`] unless `frequency` is finite and positive; the other two where the field
+    /// breaks its promise.
+    pub fn new(field: F, frequency: f32) -> Result<Self, FrequencyClampError> {
+        let clamp = FrequencyClamp::new(frequency, field.lacunarity(), field.max_octaves())?;
+        Ok(Self { field, clamp })
+    }
+
+    /// The field.
+    #[must_use]
+    pub const fn field(&self) -> &F {
+        &self.field
+    }
+
+    /// How many octaves each footprint resolves.
+    #[must_use]
+    pub const fn clamp(&self) -> &FrequencyClamp {
+        &self.clamp
+    }
+
+    /// The real number of octaves that a pixel of this footprint resolves; see [`FrequencyClamp`].
+    #[must_use]
+    pub fn octaves(&self, footprint: Footprint) -> f32 {
+        self.clamp.octaves(footprint)
+    }
+
+    /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves them.
+    ///
+    /// Continuous in `p` and in the footprint, and [`Coordinates::FAR`] as soon as the pixel is wider than half a
+    /// cell of the first octave.
+    ///
+    /// That is as many octaves as show no alias. The mean over a pixel still shows a bit of the next one: half of a pixel's
+    /// width for its footprint gives the least error against it.
+    #[must_use]
+    pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> Coordinates {
+        self.field.coordinates(p * self.clamp.frequency(), self.octaves(footprint))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_noise::{GaussianOctaves, Spectrum};
+
+    #[test]
+    fn field_is_seen_at_its_scale_with_its_own_octaves() {
+        let field = GaussianOctaves::new(Spectrum::new(3.0, 0.6, 5).unwrap(), 4);
+        let bumps = BumpField::new(field, 8.0).unwrap();
+        let p = Vec3::new(0.21, -1.3, 0.77);
+        // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
+        let pixel = Footprint::from_width(0.5 / 72.0);
+        assert!((bumps.octaves(pixel) - 2.0).abs() < 1e-6);
+        assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.octaves(pixel)));
+        assert_eq!(bumps.octaves(Footprint::from_width(0.0)), 5.0);
+    }
+
+    #[test]
+    fn refuses_what_is_no_frequency() {
+        for bad in [f32::NAN, f32::INFINITY, 0.0, -2.0] {
+            let refused = BumpField::new(GaussianOctaves::new(Spectrum::default(), 0), bad);
+            assert!(matches!(refused, Err(FrequencyClampError::Frequency(_))), "{bad}");
+        }
+    }
+}

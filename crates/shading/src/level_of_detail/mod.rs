@@ -1,0 +1,11 @@
+//! Level of detail of bump maps from Gaussian noise: what a pixel resolves, and shading by what it does not.
+
+mod bump_field;
+mod gaussian_field;
+mod remapped_octaves;
+mod rule;
+
+pub use bump_field::BumpField;
+pub use gaussian_field::{Coordinates, GaussianField};
+pub use remapped_octaves::RemappedOctaves;
+pub use rule::{LevelOfDetail, facet_coordinates, far_field, shade_facet};

@@ -1,0 +1,15 @@
+//! The carpet of a car, after Nilsson 2008, §4.2: threads, fibres, seams, dark areas and light along its rim.
+
+mod carpet;
+mod dark_area;
+mod fibre;
+mod rim_light;
+mod seam;
+mod thread;
+
+pub use carpet::{Carpet, CarpetParameters, CarpetSurface};
+pub use dark_area::DarkAreas;
+pub use fibre::{Fibre, Fibres, FibresParameters};
+pub use rim_light::rim_light;
+pub use seam::{Seam, SeamPattern, Seams, linear_seam};
+pub use thread::{DiffuseThreads, SpecularThreads};

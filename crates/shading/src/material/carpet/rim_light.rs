@@ -1,0 +1,52 @@
+//! Light along the rim of soft things, whether or not there is a lamp behind them.
+
+use glam::Vec3;
+
+use crate::material::fbm::smoothstep;
+
+/// The share of the rim light that a point gets.
+///
+/// ```text
+/// rim = smoothstep(1 − width, 1, 1 − |n·v|)
+/// ```
+///
+/// - **Domain:** the unit normal `n` *without* bumps, which would be lit all over the surface; unit view vector `v`; `width` in
+///   `[0, 1]`. A width of 0 or less lights nothing but the silhouette itself, where the formula has 0/0; NaN lights nothing.
+/// - **Range:** [0, 1]; 1 on the silhouette.
+///
+/// Nilsson 2008, §4.2.6, after Kesson 2005. It is no reflectance: a renderer adds it times a colour.
+///
+/// ```
+/// use asperity_shading::{rim_light, glam::Vec3};
+///
+/// assert_eq!(rim_light(Vec3::Z, Vec3::Z, 0.5), 0.0);
+/// assert_eq!(rim_light(Vec3::Z, Vec3::X, 0.5), 1.0);
+/// ```
+#[must_use]
+pub fn rim_light(normal: Vec3, view: Vec3, width: f32) -> f32 {
+    smoothstep(1.0 - width, 1.0, 1.0 - normal.dot(view).abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_width_lights_the_silhouette_alone() {
+        let nearly = Vec3::new(1.0, 0.0, 1e-3);
+        assert_eq!([Vec3::X, nearly, Vec3::Z].map(|v| rim_light(Vec3::Z, v, 0.0)), [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn rim_is_a_share_for_whatever_comes() {
+        let odd = [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 0.5, 1.0, 1e30, f32::INFINITY];
+        for x in odd {
+            for width in odd {
+                for v in [Vec3::new(0.0, 0.0, x), Vec3::splat(x)] {
+                    let rim = rim_light(Vec3::Z, v, width);
+                    assert!((0.0..=1.0).contains(&rim), "{v}, {width}: {rim}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,466 @@
+//! Seams of a carpet: lines or a grid where there are fewer threads.
+
+use core::f32::consts::{FRAC_PI_2, PI};
+
+use glam::Vec2;
+
+use crate::material::form::Form;
+use crate::material::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
+use crate::math::{cos, floor, sin, sqrt};
+
+/// Where the seams are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SeamPattern {
+    /// Nowhere: 0 in the thesis.
+    None,
+    /// Along parallel lines: 1.
+    #[default]
+    Lines,
+    /// Along two sets of lines at right angles: 2.
+    Grid,
+}
+
+/// The seams of a carpet: how many threads there are, and the height that goes with it.
+///
+/// ```text
+/// amount = 1 − A (1 − |sin p|),   p = f a·uv,   |a| = 1
+/// grid:    the smaller of the amounts along a and along a⊥ = (−a_y, a_x)
+/// ```
+///
+/// Seams are π/f apart in texture coordinates. |sin p| has a crease at each seam; [`rounded`](Self::rounded) takes
+/// √(sin² p + ε²) for it, and [`filtered`](Self::filtered) its mean over the width of a pixel.
+///
+/// Nilsson 2008, §4.2.3.
+///
+/// ```
+/// use asperity_shading::{Form, SeamPattern, Seams, glam::Vec2};
+///
+/// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 0.2)?;
+/// assert_eq!(seams.sample(Vec2::ZERO, Form::Corrected).amount, 0.8);
+/// assert!((seams.sample(Vec2::new(0.25, 3.0), Form::Corrected).amount - 1.0).abs() < 1e-6);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seams {
+    direction: Vec2,
+    pattern: SeamPattern,
+    frequency: f32,
+    amplitude: f32,
+}
+
+/// How many threads there are at a point, and how that changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seam {
+    /// The amount of threads: 1 between seams, 1 − A on them.
+    pub amount: f32,
+    /// Its derivatives in texture coordinates.
+    pub slope: Vec2,
+}
+
+/// |sin p| and its derivatives by the phases along a and along a⊥, as a pixel sees them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Crease {
+    pub(crate) height: f32,
+    pub(crate) slope: Vec2,
+}
+
+/// The width, in phase, over which creases are averaged at least: a twentieth of the way between two seams.
+const LEAST: f32 = PI / 20.0;
+
+impl Seams {
+    /// Seams at right angles to `propagation`, `distance` apart in texture coordinates, of this amplitude.
+    ///
+    /// # Errors
+    /// [`ParameterError`] unless the direction `seams_propagation` is finite and not zero (of `SeamPattern::None` it does not
+    /// matter), `seam_distance` is within `[10⁻⁶, 10⁶]`, and `seams_amplitude` within `[0, 1]`.
+    pub fn new(
+        propagation: Vec2,
+        pattern: SeamPattern,
+        distance: f32,
+        amplitude: f32,
+    ) -> Result<Self, ParameterError> {
+        let direction = match (direction_in_plane("seams_propagation", propagation), pattern) {
+            // The thesis normalises (0, 0) here, which is NaN on every point of a carpet without seams.
+            (Err(_), SeamPattern::None) => Vec2::X,
+            (direction, _) => direction?,
+        };
+        let frequency = PI / within("seam_distance", distance, SIZES)?;
+        let amplitude = within("seams_amplitude", amplitude, SHARES)?;
+        Ok(Self { direction, pattern, frequency, amplitude })
+    }
+
+    /// The unit direction across the seams.
+    #[must_use]
+    pub const fn direction(&self) -> Vec2 {
+        self.direction
+    }
+
+    /// f = π/distance.
+    #[must_use]
+    pub const fn frequency(&self) -> f32 {
+        self.frequency
+    }
+
+    /// The amount of threads at a point, without any filter.
+    ///
+    /// - **Printed:** the derivatives lack the factor f; in the grid those of the second set of seams point along the first; and
+    ///   without seams they are those of a seam at phase 0, so that a plain carpet has bumps.
+    /// - **Corrected:** none of these.
+    ///
+    /// Where a coordinate is not finite there is no seam.
+    #[must_use]
+    pub fn sample(&self, uv: Vec2, form: Form) -> Seam {
+        let phases = self.phases(uv);
+        let waves = phases.to_array().map(sin);
+        let along = usize::from(self.pattern == SeamPattern::Grid && waves[0].abs() > waves[1].abs());
+        let (wave, phase) = if along == 1 { (waves[1], phases.y) } else { (waves[0], phases.x) };
+        let amount = match self.pattern {
+            SeamPattern::None => 1.0,
+            _ => 1.0 - self.amplitude * (1.0 - wave.abs()),
+        };
+        let slope = match (form, self.pattern, along) {
+            (Form::Printed, SeamPattern::None, _) => self.direction,
+            (Form::Corrected, SeamPattern::None, _) => Vec2::ZERO,
+            (Form::Printed, ..) => self.direction * folded_cosine(phase),
+            (Form::Corrected, _, 0) => self.direction * (self.frequency * folded_cosine(phase)),
+            (Form::Corrected, ..) => self.direction.perp() * (self.frequency * folded_cosine(phase)),
+        };
+        Seam { amount, slope: slope * self.amplitude }
+    }
+
+    /// The amount with rounded creases.
+    ///
+    /// ```text
+    /// |sin p| becomes √((sin² p + ε²)/(1 + ε²)),   ε = edge
+    /// ```
+    ///
+    /// The floor of a seam is raised by ε and its top stays at 1. An edge that is NaN or not positive is 0.
+    #[must_use]
+    pub fn rounded(&self, uv: Vec2, edge: f32) -> Seam {
+        let e2 = if edge > 0.0 { edge.min(1e6) * edge.min(1e6) } else { 0.0 };
+        let phases = self.phases(uv).to_array();
+        let [x, y] = phases.map(|p| sqrt((sin(p) * sin(p) + e2) / (1.0 + e2)));
+        let second = self.pattern == SeamPattern::Grid && x > y;
+        let (height, phase, across) =
+            if second { (y, phases[1], self.direction.perp()) } else { (x, phases[0], self.direction) };
+        let slope = if height > 0.0 { sin(phase) * cos(phase) / (height * (1.0 + e2)) } else { 0.0 };
+        match self.pattern {
+            SeamPattern::None => Seam { amount: 1.0, slope: Vec2::ZERO },
+            _ => Seam {
+                amount: 1.0 - self.amplitude * (1.0 - height),
+                slope: across * (self.amplitude * self.frequency * slope),
+            },
+        }
+    }
+
+    /// The mean amount over a pixel that is `widths` wide in texture coordinates, across the first and the second set of seams.
+    ///
+    /// ```text
+    /// lines:  (S(p + W/2) − S(p − W/2))/W,   S = ∫|sin|,   W² = (f width)² + (π/20)²
+    /// grid:   ∫₀^{π/2} m₁(θ) m₂(θ) cos θ dθ,   m(θ) the share of [p − W/2, p + W/2] that is farther than θ from every seam
+    /// ```
+    ///
+    /// A grid's amount goes with the smaller of two, which is above a level where both are: so its mean over a rectangle is an integral over
+    /// levels of products. Shares are linear in θ between four places, and Gauss's rule of four points there is within 2e-6.
+    ///
+    /// A mean over a width keeps the mean amount, at every width: 1 − A (1 − 2/π) of lines, 1 − A (1 − 8/π² (π/2 − 1)) of grids. The
+    /// least width rounds the creases.
+    ///
+    /// ```
+    /// use asperity_shading::{SeamPattern, Seams, glam::Vec2};
+    ///
+    /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 1.0)?;
+    /// let far = seams.filtered(Vec2::new(0.1, 0.0), Vec2::splat(5.0)).amount;
+    /// assert!((far - 2.0 / core::f32::consts::PI).abs() < 1e-3);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn filtered(&self, uv: Vec2, widths: Vec2) -> Seam {
+        let crease = self.crease(uv, widths.abs() * self.frequency);
+        let slope = self.direction * crease.slope.x + self.direction.perp() * crease.slope.y;
+        Seam { amount: self.amount(crease.height), slope: slope * (self.amplitude * self.frequency) }
+    }
+
+    /// 1 − A (1 − height).
+    pub(crate) fn amount(&self, height: f32) -> f32 {
+        1.0 - self.amplitude * (1.0 - height)
+    }
+
+    /// |sin p| over a pixel of these widths in phase; 1 without seams.
+    pub(crate) fn crease(&self, uv: Vec2, widths: Vec2) -> Crease {
+        let phases = self.phases(uv);
+        match self.pattern {
+            SeamPattern::None => Crease { height: 1.0, slope: Vec2::ZERO },
+            SeamPattern::Lines => {
+                let [height, slope] = mean_crease(phases.x, sqrt(widths.x * widths.x + LEAST * LEAST));
+                Crease { height, slope: Vec2::new(slope, 0.0) }
+            }
+            SeamPattern::Grid => {
+                let [x, y] = [(phases.x, widths.x), (phases.y, widths.y)].map(|(p, w)| Stretch::new(p, w));
+                mean_of_smaller(&x, &y)
+            }
+        }
+    }
+
+    /// p along a and along a⊥; 1/4 of a turn where it is not finite.
+    fn phases(&self, uv: Vec2) -> Vec2 {
+        let uv = uv * self.frequency;
+        let phase = |a: Vec2| {
+            let p = a.dot(uv);
+            if p.is_finite() { p } else { FRAC_PI_2 }
+        };
+        Vec2::new(phase(self.direction), phase(self.direction.perp()))
+    }
+}
+
+/// The thesis's first seams, with straight sides: good enough where they are close together and there is no bump mapping.
+///
+/// ```text
+/// printed     |frac(2p)|, a saw that leaps from 1 to 0 at every half
+/// corrected   1 − |2 frac(2p) − 1|, from 0 at every half to 1 between: four times the distance to the nearest
+/// ```
+///
+/// The text speaks of twice the distance, and of values up to 1; the distance is at most ¼. Coordinates that are not finite have 1.
+///
+/// Nilsson 2008, §4.2.3.
+///
+/// ```
+/// use asperity_shading::{Form, linear_seam};
+///
+/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Corrected)), [0.0, 0.5, 1.0, 0.5]);
+/// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Printed)), [0.0, 0.25, 0.5, 0.75]);
+/// ```
+#[must_use]
+pub fn linear_seam(p: f32, form: Form) -> f32 {
+    let fraction = 2.0 * p - floor(2.0 * p);
+    match form {
+        _ if !fraction.is_finite() => 1.0,
+        Form::Printed => fraction,
+        Form::Corrected => 1.0 - (2.0 * fraction - 1.0).abs(),
+    }
+}
+
+/// d|sin p|/dp from the right: the cosine of the phase folded into [0, π).
+fn folded_cosine(p: f32) -> f32 {
+    cos(p - floor(p / PI) * PI)
+}
+
+/// The mean of |sin| over [p − w/2, p + w/2], and its derivative by p.
+fn mean_crease(p: f32, w: f32) -> [f32; 2] {
+    if w > 1e4 || w.is_nan() {
+        return [2.0 / PI, 0.0];
+    }
+    // |sin| has period π: only the place in it matters, and small phases keep their digits.
+    let p = p - floor(p / PI) * PI;
+    let [low, high] = [p - 0.5 * w, p + 0.5 * w];
+    [(area(high) - area(low)) / w, (sin(high).abs() - sin(low).abs()) / w]
+}
+
+/// ∫₀ᵖ |sin| = 2⌊p/π⌋ + 1 − cos(p − π⌊p/π⌋).
+fn area(p: f32) -> f32 {
+    let whole = floor(p / PI);
+    2.0 * whole + 1.0 - cos(p - whole * PI)
+}
+
+/// The stretch of phases that a pixel covers.
+struct Stretch {
+    /// Its ends, where the first is in (−π, π); nothing if it is many seams long.
+    ends: Option<[f32; 2]>,
+}
+
+impl Stretch {
+    fn new(p: f32, width: f32) -> Self {
+        let w = sqrt(width * width + LEAST * LEAST);
+        let p = p - floor(p / PI) * PI;
+        // Of a wider one the shares are those of all phases to 3e-4, and a comparison with NaN is false.
+        Self { ends: (w < 1e4).then_some([p - 0.5 * w, p + 0.5 * w]) }
+    }
+
+    /// The distances of the ends to the nearest seam: where the share bends.
+    fn bends(&self) -> [f32; 2] {
+        self.ends.map_or([0.0; 2], |ends| {
+            ends.map(|p| {
+                let place = p - floor(p / PI) * PI;
+                place.min(PI - place)
+            })
+        })
+    }
+
+    /// The share of the stretch that is farther than θ from every seam.
+    fn share(&self, theta: f32) -> f32 {
+        let between = PI - 2.0 * theta;
+        self.ends.map_or(between / PI, |[a, b]| {
+            let until = |p: f32| {
+                let whole = floor(p / PI);
+                whole * between + (p - whole * PI - theta).clamp(0.0, between.max(0.0))
+            };
+            (until(b) - until(a)) / (b - a)
+        })
+    }
+
+    /// Its derivative as the stretch moves.
+    fn moved(&self, theta: f32) -> f32 {
+        self.ends.map_or(0.0, |[a, b]| {
+            let [low, high] = self.bends().map(|bend| if theta < bend { 1.0 } else { 0.0 });
+            (high - low) / (b - a)
+        })
+    }
+}
+
+/// The mean of the smaller of |sin| along both axes over a rectangle of phases, and its derivatives.
+///
+/// ```text
+/// min(s, t) = ∫₀¹ [s > l] [t > l] dl,   l = sin θ
+/// ```
+fn mean_of_smaller(x: &Stretch, y: &Stretch) -> Crease {
+    /// Gauss's points and weights on [0, 1].
+    const RULE: [[f32; 2]; 4] = [
+        [0.069_431_84, 0.173_927_42],
+        [0.330_009_5, 0.326_072_58],
+        [0.669_990_5, 0.326_072_58],
+        [0.930_568_16, 0.173_927_42],
+    ];
+    let [[a, b], [c, d]] = [x.bends(), y.bends()];
+    let mut bends = [a, b, c, d, FRAC_PI_2];
+    bends.sort_unstable_by(f32::total_cmp);
+    let mut crease = Crease { height: 0.0, slope: Vec2::ZERO };
+    let mut start = 0.0;
+    for end in bends {
+        let length = end - start;
+        if length > 0.0 {
+            for [place, weight] in RULE {
+                let theta = start + place * length;
+                let weight = weight * length * cos(theta);
+                let shares = [x.share(theta), y.share(theta)];
+                crease.height += weight * shares[0] * shares[1];
+                crease.slope += weight * Vec2::new(x.moved(theta) * shares[1], shares[0] * y.moved(theta));
+            }
+            start = end;
+        }
+    }
+    crease
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PATTERNS: [SeamPattern; 3] = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid];
+
+    fn seams(pattern: SeamPattern) -> Seams {
+        Seams::new(Vec2::new(0.6, 0.8), pattern, 0.7, 0.8).unwrap()
+    }
+
+    #[test]
+    fn slopes_are_differences() {
+        // Steps of 2⁻¹⁰: truncation f³ h²/6 ~ 1.5e-5, rounding 6e-8 f/h ~ 3e-4; creases are left out.
+        let h = 1.0 / 1024.0;
+        for pattern in PATTERNS {
+            let seams = seams(pattern);
+            let forms: [&dyn Fn(Vec2) -> Seam; 3] =
+                [&|uv| seams.sample(uv, Form::Corrected), &|uv| seams.rounded(uv, 0.3), &|uv| {
+                    seams.filtered(uv, Vec2::splat(0.05))
+                }];
+            for (k, form) in forms.into_iter().enumerate() {
+                for i in 0..200_u8 {
+                    let uv = Vec2::new(f32::from(i) * 0.037 - 3.0, f32::from(i % 17) * 0.11);
+                    let at = |du, dv| form(uv + Vec2::new(du, dv));
+                    let slopes = [at(h, 0.0), at(-h, 0.0), at(0.0, h), at(0.0, -h)].map(|s| s.slope);
+                    if slopes.iter().any(|s| (*s - form(uv).slope).length() > 0.1) {
+                        continue;
+                    }
+                    let along = |a: Seam, b: Seam| (a.amount - b.amount) / (2.0 * h);
+                    let slope = Vec2::new(along(at(h, 0.0), at(-h, 0.0)), along(at(0.0, h), at(0.0, -h)));
+                    let got = form(uv).slope;
+                    assert!((got - slope).length() < 5e-3, "{pattern:?}, {k}, {uv}: {got} for {slope}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn filters_keep_the_mean_at_every_width() {
+        for (pattern, mean) in
+            [(SeamPattern::Lines, 2.0 / PI), (SeamPattern::Grid, 8.0 / (PI * PI) * (FRAC_PI_2 - 1.0))]
+        {
+            let seams = Seams::new(Vec2::X, pattern, PI, 1.0).unwrap();
+            for width in [0.0, 0.01, 0.3, 1.0, 2.0, 4.0, 20.0, f32::INFINITY] {
+                let mut sum = 0.0;
+                for i in 0..64_u8 {
+                    for j in 0..64_u8 {
+                        let uv = Vec2::new(f32::from(i) + 0.5, f32::from(j) + 0.5) * (PI / 64.0);
+                        sum += seams.filtered(uv, Vec2::splat(width)).amount;
+                    }
+                }
+                // Of the least width the rule's own error is 1e-4.
+                assert!((sum / 4096.0 - mean).abs() < 3e-4, "{pattern:?}, {width}: {}", sum / 4096.0);
+            }
+        }
+    }
+
+    #[test]
+    fn grids_are_filtered_by_their_mean_over_the_pixel() {
+        let seams = Seams::new(Vec2::X, SeamPattern::Grid, PI, 1.0).unwrap();
+        for k in 0..60_u16 {
+            let uv = Vec2::new(0.31 * f32::from(k), 0.17 * f32::from(k % 23));
+            let widths = Vec2::new(0.05 + 0.09 * f32::from(k % 40), 0.07 * f32::from(k % 31));
+            let wide = (widths * widths + LEAST * LEAST).map(sqrt);
+            let mut sum = 0.0_f64;
+            for i in 0..10_000_u16 {
+                let place = Vec2::new(f32::from(i % 100), f32::from(i / 100)) / 100.0 - 0.495;
+                sum += f64::from(seams.sample(uv + place * wide, Form::Corrected).amount) / 1e4;
+            }
+            let got = seams.filtered(uv, widths).amount;
+            // The rule of 100² points errs by 1e-4.
+            assert!((f64::from(got) - sum).abs() < 3e-4, "{uv}, {widths}: {got} for {sum}");
+        }
+    }
+
+    #[test]
+    fn edges_are_rounded_from_the_crease_to_the_top() {
+        let seams = Seams::new(Vec2::X, SeamPattern::Lines, PI, 1.0).unwrap();
+        let at = |p: f32| seams.rounded(Vec2::new(p, 0.0), 0.1);
+        assert!((at(0.0).amount - 0.1 / 1.01_f32.sqrt()).abs() < 1e-6 && at(0.0).slope == Vec2::ZERO);
+        assert!((at(FRAC_PI_2).amount - 1.0).abs() < 1e-6);
+        let sharp = seams.rounded(Vec2::new(1.0, 0.0), f32::NAN);
+        assert!((sharp.amount - seams.sample(Vec2::new(1.0, 0.0), Form::Corrected).amount).abs() < 1e-6);
+    }
+
+    #[test]
+    fn every_coordinate_has_an_amount() {
+        let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e30, f32::INFINITY];
+        for pattern in PATTERNS {
+            for x in odd {
+                for y in odd {
+                    let (uv, seams) = (Vec2::new(x, y), seams(pattern));
+                    for seam in [
+                        seams.sample(uv, Form::Printed),
+                        seams.sample(uv, Form::Corrected),
+                        seams.rounded(uv, y),
+                        seams.filtered(uv, Vec2::new(y, x)),
+                    ] {
+                        assert!((-1e-5..=1.00001).contains(&seam.amount), "{pattern:?}, {uv}: {seam:?}");
+                        assert!(seam.slope.is_finite(), "{pattern:?}, {uv}: {seam:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn linear_seams_are_continuous_as_corrected_only() {
+        let leap = |form| (linear_seam(0.499_999, form) - linear_seam(0.500_001, form)).abs();
+        assert!(leap(Form::Corrected) < 1e-5 && leap(Form::Printed) > 0.99);
+        for p in [f32::NAN, f32::INFINITY, f32::MAX] {
+            assert_eq!(linear_seam(p, Form::Corrected), 1.0, "{p}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_are_no_seams() {
+        assert!(Seams::new(Vec2::ZERO, SeamPattern::None, 1.0, 0.2).is_ok());
+        assert!(Seams::new(Vec2::ZERO, SeamPattern::Grid, 1.0, 0.2).is_err());
+        assert!(Seams::new(Vec2::X, SeamPattern::Grid, 0.0, 0.2).is_err());
+        assert!(Seams::new(Vec2::X, SeamPattern::Grid, 1.0, f32::NAN).is_err());
+    }
+}

@@ -1,0 +1,17 @@
+//! Metallic paint, after Nilsson 2008, §4.3: orange peel, passive flakes, sparkles, and flakes that are counted.
+
+mod flake_patch;
+mod glint;
+mod orange_peel;
+mod paint;
+mod passive_flakes;
+mod sparkle;
+
+pub use flake_patch::{FlakePatch, flake_patch, flake_patch_printed, flake_tilt_printed};
+pub use glint::{GlintField, GlintFlake};
+pub use orange_peel::OrangePeel;
+pub use paint::{Facet, MetallicPaint, MetallicPaintParameters, PaintSurface};
+pub use passive_flakes::PassiveFlakes;
+pub use sparkle::{
+    Elimination, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection, sparkle_width,
+};

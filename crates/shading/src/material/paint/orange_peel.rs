@@ -1,0 +1,97 @@
+//! Orange peel: the bumps of paint that has dried.
+
+use glam::Vec3;
+
+use crate::bump::{bumped_normal, tangential};
+use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::pixel::Footprint;
+
+/// Orange peel: one octave of noise that tilts the normal of a clear coat.
+///
+/// ```text
+/// n′ = normalize(n − k (∇N − n (n·∇N))),   ∇N = (∇N)(p/size)
+/// ```
+///
+/// The height is `k · size · N(p/size)`, whose slope does not depend on the size: k = 0.1 tilts by about 10°. A single octave, so
+/// that mirrored images are distorted and not blurred. Tilts that a pixel cannot resolve fade to none, and
+/// [`removed_slope`](Self::removed_slope) says how much rougher the coat gets by it.
+///
+/// Nilsson 2008, §4.3.2, whose formula is the first of these without the part along n taken out.
+///
+/// ```
+/// use asperity_shading::{Footprint, OrangePeel, glam::Vec3};
+///
+/// let peel = OrangePeel::new(0.002, 0.02, 1)?;
+/// let n = peel.normal(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, Footprint::from_width(1e-4));
+/// assert!(n.z > 0.9 && n != Vec3::Z);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrangePeel {
+    noise: Fbm,
+    strength: f32,
+}
+
+impl OrangePeel {
+    /// Bumps of this size, in units of the positions, and strength k.
+    ///
+    /// # Errors
+    /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and `orange_peel_strength` within `[0, 1]`.
+    pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
+        let noise = Fbm::single(within("orange_peel_size", size, SIZES)?, seed);
+        Ok(Self { noise, strength: within("orange_peel_strength", strength, SHARES)? })
+    }
+
+    /// The gradient of the height along the surface of unit normal `n`.
+    #[must_use]
+    pub fn gradient(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
+        tangential(n, self.noise.sample(position, footprint).gradient) * self.strength
+    }
+
+    /// The normal of the coat; `n` itself where a coordinate is not finite.
+    #[must_use]
+    pub fn normal(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {
+        bumped_normal(n, self.gradient(position, n, footprint))
+    }
+
+    /// The variance of the slope along each axis that a pixel does not resolve: Beckmann's α² grows by twice that.
+    #[must_use]
+    pub fn removed_slope(&self, footprint: Footprint) -> f32 {
+        self.strength * self.strength * self.noise.removed_slope(footprint, SLOPE_VARIANCE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_have_the_stated_variance_near_and_far() {
+        let peel = OrangePeel::new(0.5, 0.1, 4).unwrap();
+        let n = Vec3::new(0.36, 0.48, 0.8);
+        let total = peel.removed_slope(Footprint::from_width(1e3));
+        for width in [0.0, 0.2] {
+            let footprint = Footprint::from_width(width);
+            let mut sum = 0.0;
+            for i in 0..4000_u16 {
+                let p = Vec3::new(f32::from(i % 20), f32::from(i / 20 % 20), f32::from(i / 400)) * 1.37;
+                sum += peel.gradient(p, n, footprint).length_squared() / 2.0;
+            }
+            let variance = sum / 4000.0 + peel.removed_slope(footprint);
+            // Four standard errors; the squares have about their mean for deviation.
+            assert!((variance / total - 1.0).abs() < 0.063, "{width}: {variance} of {total}");
+        }
+        assert_eq!(peel.removed_slope(Footprint::from_width(0.0)), 0.0);
+    }
+
+    #[test]
+    fn every_point_has_a_normal() {
+        let peel = OrangePeel::new(0.5, 1.0, 4).unwrap();
+        for x in [f32::NAN, f32::INFINITY, -1e30, 0.0, 1e30] {
+            let normal = peel.normal(Vec3::new(x, 1.0, 0.0), Vec3::Z, Footprint::from_width(x));
+            assert!((normal.length() - 1.0).abs() < 1e-5 && normal.z > 0.0, "{x}: {normal}");
+        }
+        assert!(OrangePeel::new(0.5, 1.5, 4).is_err() && OrangePeel::new(0.0, 0.5, 4).is_err());
+    }
+}

@@ -1,0 +1,293 @@
+//! Metallic paint: a bumpy clear coat over flakes that sparkle and flakes that vary the colour.
+
+use glam::Vec3;
+
+use crate::bump::bumped_normal;
+use crate::material::paint::orange_peel::OrangePeel;
+use crate::material::paint::passive_flakes::PassiveFlakes;
+use crate::material::paint::sparkle::{Elimination, Sparkles, boosted, brighter_normal, brighter_reflection};
+use crate::material::parameter::{ParameterError, SHARES, colour, within};
+use crate::material::surface_point::SurfacePoint;
+
+/// The parameters of a [`MetallicPaint`], by the names of Nilsson 2008, Appendix B.
+///
+/// Sizes are in units of the surface's positions, within `[10⁻⁶, 10⁶]`; strengths and colours are within `[0, 1]`. The
+/// defaults are those of a car's blue paint in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MetallicPaintParameters {
+    /// The specular colour of the flakes. Default (0.25, 0.35, 0.6).
+    pub specular: Vec3,
+    /// How much orange peel tilts the normal of the clear coat: its height over its size. Default 0.01; from 0.1 it is rocky.
+    pub orange_peel_strength: f32,
+    /// The size of orange peel. Default 0.006.
+    pub orange_peel_size: f32,
+    /// The width of a sparkle in pixels, within `[0, 1000]`. Default 2.
+    pub flake_sparkle_pixel_size: f32,
+    /// The greatest width of a sparkle, and the distance between them. Default 0.001.
+    pub flake_sparkle_physical_size: f32,
+    /// How much a flake tilts the normal. Default 0.5.
+    pub flake_sparkle_variation: f32,
+    /// How far the colour of a sparkle is moved to the target. Default 0.3.
+    pub flake_sparkle_boost: f32,
+    /// The target: the strongest signal of a sparkle. Default white.
+    pub flake_sparkle_boost_target: Vec3,
+    /// The share of flakes that is left out. Default 0.4.
+    pub flake_sparkle_elimination: f32,
+    /// Whether fewer are left out from afar. Default adaptive, by 0.002.
+    pub smart_flake_sparkle: Elimination,
+    /// The size of the coarsest passive flakes. Default 0.004.
+    pub passive_flake_size: f32,
+    /// How much they alter the specular colour. Default 0.3.
+    pub passive_flake_strength: f32,
+    /// The number of their octaves, from 1 to 8. Default 4.
+    pub passive_flake_detail: u32,
+    /// Which paint: any number.
+    pub seed: u32,
+}
+
+impl Default for MetallicPaintParameters {
+    fn default() -> Self {
+        Self {
+            specular: Vec3::new(0.25, 0.35, 0.6),
+            orange_peel_strength: 0.01,
+            orange_peel_size: 0.006,
+            flake_sparkle_pixel_size: 2.0,
+            flake_sparkle_physical_size: 0.001,
+            flake_sparkle_variation: 0.5,
+            flake_sparkle_boost: 0.3,
+            flake_sparkle_boost_target: Vec3::ONE,
+            flake_sparkle_elimination: 0.4,
+            smart_flake_sparkle: Elimination::Adaptive { unit: 0.002 },
+            passive_flake_size: 0.004,
+            passive_flake_strength: 0.3,
+            passive_flake_detail: 4,
+            seed: 1,
+        }
+    }
+}
+
+/// Metallic paint.
+///
+/// Orange peel tilts the normal of the clear coat; sparkling flakes tilt that of the layer under it, where they make a highlight
+/// stronger; passive flakes vary the specular colour. What a pixel sees is a [`PaintSurface`]; it is lit by
+/// [`PaintSurface::towards`] or [`PaintSurface::mirroring`]. Mirrored surroundings are to be looked up by the coat's normal:
+/// flakes would make them diffuse.
+///
+/// Nilsson 2008, §4.3 and Appendix B. For a base layer that keeps its energy at every distance take a
+/// [`GlintField`](crate::GlintField) for the sparkles.
+///
+/// ```
+/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{Footprint, MetallicPaint, MetallicPaintParameters, SurfacePoint, half_vector};
+///
+/// let paint = MetallicPaint::new(MetallicPaintParameters::default())?;
+/// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4));
+/// let surface = paint.surface(&point);
+/// let h = half_vector(Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
+/// assert!(surface.towards(h).normal.dot(h) >= surface.base_normal.dot(h));
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MetallicPaint {
+    parameters: MetallicPaintParameters,
+    orange_peel: OrangePeel,
+    sparkles: Sparkles,
+    passive: PassiveFlakes,
+}
+
+/// What of a metallic paint a pixel sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PaintSurface {
+    /// The unit normal of the clear coat, with orange peel.
+    pub coat_normal: Vec3,
+    /// The variance of the coat's slope along each axis that the footprint took: its α² grows by twice that.
+    pub coat_slope_variance: f32,
+    /// The unit normal of the base layer.
+    pub base_normal: Vec3,
+    /// The specular colour of the base layer, with passive flakes; in [0, 1]³.
+    pub specular: Vec3,
+    /// The flake that may sparkle here, with its boosted colour.
+    pub sparkle: Option<Facet>,
+}
+
+/// A normal with the specular colour that goes with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// The unit normal.
+    pub normal: Vec3,
+    /// The specular colour.
+    pub specular: Vec3,
+}
+
+impl PaintSurface {
+    const fn base(&self) -> Facet {
+        Facet { normal: self.base_normal, specular: self.specular }
+    }
+
+    /// The normal that a lamp lights, by the half vector: the flake's where its highlight is stronger.
+    #[must_use]
+    pub fn towards(&self, h: Vec3) -> Facet {
+        match self.sparkle {
+            Some(flake) if brighter_normal(self.base_normal, flake.normal, h) == flake.normal => flake,
+            _ => self.base(),
+        }
+    }
+
+    /// The normal that surroundings light: the flake's where a look-up by its mirrored view has a greater channel.
+    #[must_use]
+    pub fn mirroring(&self, view: Vec3, light: impl Fn(Vec3) -> Vec3) -> Facet {
+        match self.sparkle {
+            Some(flake)
+                if brighter_reflection(self.base_normal, flake.normal, view, light) == flake.normal =>
+            {
+                flake
+            }
+            _ => self.base(),
+        }
+    }
+}
+
+impl MetallicPaint {
+    /// The paint of these parameters.
+    ///
+    /// # Errors
+    /// [`ParameterError`] with the first parameter that is out of its range.
+    pub fn new(parameters: MetallicPaintParameters) -> Result<Self, ParameterError> {
+        let p = &parameters;
+        colour("specular", p.specular)?;
+        colour("flake_sparkle_boost_target", p.flake_sparkle_boost_target)?;
+        within("flake_sparkle_boost", p.flake_sparkle_boost, SHARES)?;
+        let seed = |i| p.seed.wrapping_mul(4).wrapping_add(i);
+        Ok(Self {
+            orange_peel: OrangePeel::new(p.orange_peel_size, p.orange_peel_strength, seed(0))?,
+            sparkles: Sparkles::new(
+                p.flake_sparkle_pixel_size,
+                p.flake_sparkle_physical_size,
+                p.flake_sparkle_variation,
+                p.flake_sparkle_elimination,
+                p.smart_flake_sparkle,
+                seed(1),
+            )?,
+            passive: PassiveFlakes::with_seed(
+                p.passive_flake_size,
+                p.passive_flake_strength,
+                p.passive_flake_detail,
+                seed(2),
+            )?,
+            parameters,
+        })
+    }
+
+    /// The parameters.
+    #[must_use]
+    pub const fn parameters(&self) -> &MetallicPaintParameters {
+        &self.parameters
+    }
+
+    /// What a pixel sees of the paint; total: where the position is not finite it has neither bumps nor flakes.
+    #[must_use]
+    pub fn surface(&self, point: &SurfacePoint) -> PaintSurface {
+        let (p, n) = (&self.parameters, point.normal);
+        let factor = self.passive.factor(point.position, point.footprint);
+        let specular = (p.specular * factor).min(Vec3::ONE);
+        PaintSurface {
+            coat_normal: bumped_normal(n, self.orange_peel.gradient(point.position, n, point.footprint)),
+            coat_slope_variance: self.orange_peel.removed_slope(point.footprint),
+            base_normal: n,
+            specular,
+            sparkle: self.sparkles.flake(point.position, n, point.footprint).map(|flake| Facet {
+                normal: flake.normal(n),
+                specular: boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost),
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::direction::reflect;
+    use crate::pixel::Footprint;
+
+    fn flaky() -> MetallicPaintParameters {
+        MetallicPaintParameters {
+            flake_sparkle_elimination: 0.0,
+            flake_sparkle_boost: 0.5,
+            ..Default::default()
+        }
+    }
+
+    #[test]
+    fn sparkles_are_boosted_and_seen_where_they_are_brighter() {
+        let paint = MetallicPaint::new(flaky()).unwrap();
+        // The middle of a cell of 0.001, in a flake of more than half its width.
+        let point = SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(2.5e-4));
+        let surface = paint.surface(&point);
+        let flake = surface.sparkle.unwrap();
+        let boosted = (surface.specular + Vec3::ONE) / 2.0;
+        assert!((flake.specular - boosted).length() < 1e-6);
+        assert_eq!(surface.towards(flake.normal), flake);
+        assert_eq!(surface.towards(Vec3::Z).normal, Vec3::Z);
+        let lamp = reflect(Vec3::Z, flake.normal);
+        let light = |w: Vec3| Vec3::splat(w.dot(lamp).max(0.0));
+        assert_eq!(surface.mirroring(Vec3::Z, light), flake);
+        assert_eq!(surface.mirroring(Vec3::Z, |_| Vec3::NAN).specular, surface.specular);
+    }
+
+    #[test]
+    fn from_afar_it_is_even_and_the_coat_rougher() {
+        let paint = MetallicPaint::new(flaky()).unwrap();
+        let surface =
+            paint.surface(&SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(1.0)));
+        assert_eq!((surface.sparkle, surface.coat_normal), (None, Vec3::Z));
+        assert_eq!(surface.specular, paint.parameters().specular);
+        assert!(surface.coat_slope_variance > 1e-4);
+    }
+
+    #[test]
+    fn every_point_has_a_surface() {
+        let paint = MetallicPaint::new(flaky()).unwrap();
+        for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e30] {
+            for width in [0.0, 1e-4, f32::INFINITY] {
+                let point = SurfacePoint::new(
+                    Vec3::new(x, 0.1, 0.3),
+                    Vec3::new(0.6, 0.0, 0.8),
+                    Footprint::from_width(width),
+                );
+                let s = paint.surface(&point);
+                assert!((s.coat_normal.length() - 1.0).abs() < 1e-5, "{x}, {width}: {s:?}");
+                assert!(
+                    s.specular.cmpge(Vec3::ZERO).all() && s.specular.cmple(Vec3::ONE).all(),
+                    "{x}, {width}: {s:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_by_name() {
+        let named = |parameters| match MetallicPaint::new(parameters) {
+            Err(ParameterError::Outside { parameter, .. } | ParameterError::Direction { parameter, .. }) => {
+                parameter
+            }
+            Ok(_) => "none",
+        };
+        assert_eq!(
+            named(MetallicPaintParameters { orange_peel_strength: 2.0, ..flaky() }),
+            "orange_peel_strength"
+        );
+        assert_eq!(
+            named(MetallicPaintParameters { flake_sparkle_boost: -1.0, ..flaky() }),
+            "flake_sparkle_boost"
+        );
+        assert_eq!(
+            named(MetallicPaintParameters { passive_flake_detail: 0, ..flaky() }),
+            "passive_flake_detail"
+        );
+        let smart = Elimination::Adaptive { unit: f32::NAN };
+        assert_eq!(
+            named(MetallicPaintParameters { smart_flake_sparkle: smart, ..flaky() }),
+            "smart_flake_sparkle"
+        );
+    }
+}

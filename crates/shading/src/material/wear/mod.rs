@@ -1,0 +1,11 @@
+//! Wear of any material: spots of colour, dents and scratches.
+
+mod blemish;
+mod dent;
+mod scratch;
+mod variations;
+
+pub use blemish::{Blemishes, varied};
+pub use dent::Dents;
+pub use scratch::{ScratchedSurface, Scratches, ScratchesParameters};
+pub use variations::{Variations, VariationsParameters, VariedSurface};

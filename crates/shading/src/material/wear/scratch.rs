@@ -1,0 +1,356 @@
+//! Scratches: hashed grooves in the cells of a texture.
+
+use asperity_noise::removed_share;
+use glam::{Vec2, Vec3};
+
+use crate::bump::bumped_normal;
+use crate::bump::slope_facets::facets_along;
+use crate::material::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
+use crate::material::segment::Segments;
+use crate::material::surface_point::SurfacePoint;
+use crate::math::sqrt;
+
+/// The parameters of [`Scratches`]. Lengths are in texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScratchesParameters {
+    /// The side of a cell, within `[10⁻⁶, 10⁶]`: scratches are at most so long. Default 0.05.
+    pub scratch_size: f32,
+    /// The length of a scratch over that of a cell, within `[0.01, 1]`. Default 1.
+    pub scratch_length: f32,
+    /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.01.
+    pub scratch_width: f32,
+    /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.5.
+    pub scratch_strength: f32,
+    /// The mean number of scratches of a cell, within `[0, 4]`. Default 2.
+    pub scratch_cover: f32,
+    /// The direction that they are spread about. Default (1, 0).
+    pub scratch_direction: Vec2,
+    /// How far: 0 is parallel, 1 all directions. Default 1.
+    pub scratch_spread: f32,
+    /// Which scratches: any number.
+    pub seed: u32,
+}
+
+impl Default for ScratchesParameters {
+    fn default() -> Self {
+        Self {
+            scratch_size: 0.05,
+            scratch_length: 1.0,
+            scratch_width: 0.01,
+            scratch_strength: 0.5,
+            scratch_cover: 2.0,
+            scratch_direction: Vec2::X,
+            scratch_spread: 1.0,
+            seed: 1,
+        }
+    }
+}
+
+/// Scratches of wear and tear: grooves with midpoints, directions and presence by hashes of the cell.
+///
+/// ```text
+/// amount = Σ (1 − (d/W)²)² (1 − t²) w/W,   |d| < W, |t| < 1,   W² = w² + (footprint/2)²
+/// height = −strength · w · amount
+/// ```
+///
+/// with d across a scratch, t along it from −1 to 1, and w half its width. The steepest slope is 1.54 times the strength.
+///
+/// # Level of detail
+///
+/// A pixel wider than a scratch sees it wider and shallower by as much, so that the mean amount is the same at every footprint,
+/// and in closed form: [`mean`](Self::mean). Where a pixel gets as wide as a cell the amount fades to it. The mean square slope is
+/// in closed form as well: [`ScratchedSurface::slope_variance`] is what the footprint took of it.
+///
+/// Nilsson 2008, §6.2 names the problem and leaves it open.
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::{Footprint, Scratches, ScratchesParameters, SurfacePoint};
+///
+/// let scratches = Scratches::new(ScratchesParameters::default())?;
+/// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1.0))
+///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
+/// assert_eq!(scratches.surface(&point).amount, scratches.mean());
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scratches {
+    parameters: ScratchesParameters,
+    segments: Segments,
+    /// Half the width of a scratch.
+    half: f32,
+}
+
+/// What of scratches a pixel sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScratchedSurface {
+    /// How much of a scratch there is: 1 on its floor, the sum where several cross.
+    pub amount: f32,
+    /// The unit normal.
+    pub normal: Vec3,
+    /// The variance of the slope along each axis that the footprint took, the mean of both axes: α² grows by twice that.
+    pub slope_variance: f32,
+    /// The share of the pixel that is scratched, which has all of that variance.
+    pub covered: f32,
+    /// The deviations of its slope along their two principal directions.
+    pub axes: [Vec3; 2],
+}
+
+/// The share of the facet in the middle of a groove: slopes across it have a kurtosis of 1.5 to 2.1, where a Gaussian has 3.
+const FLOOR: f32 = 0.2;
+
+impl ScratchedSurface {
+    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of
+    /// each.
+    ///
+    /// Most of a scratched surface is smooth, and has one facet; the share that is scratched has seven, across its grooves.
+    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+        let Self { normal, covered, axes, .. } = *self;
+        let smooth = (covered < 1.0).then_some((1.0 - covered, normal));
+        let grooves = facets_along(n, normal, axes, FLOOR).map(move |(part, m)| (covered * part, m));
+        smooth.into_iter().chain(grooves)
+    }
+}
+
+/// Scratches at a point of the texture.
+struct Grooves {
+    amount: f32,
+    slope: Vec2,
+    /// The share of the pixel.
+    covered: f32,
+    /// The second moments of the slopes that the pixel does not resolve: along u, along both, along v.
+    removed: Vec3,
+}
+
+impl Scratches {
+    /// The scratches of these parameters.
+    ///
+    /// # Errors
+    /// [`ParameterError`] with the first parameter that is out of its range, or for a `scratch_direction` that is zero or not
+    /// finite.
+    pub fn new(parameters: ScratchesParameters) -> Result<Self, ParameterError> {
+        let p = &parameters;
+        let cell = within("scratch_size", p.scratch_size, SIZES)?;
+        let half = 0.5 * cell * within("scratch_width", p.scratch_width, [1e-4, 0.5])?;
+        within("scratch_strength", p.scratch_strength, SHARES)?;
+        let segments = Segments {
+            cell,
+            length: cell * within("scratch_length", p.scratch_length, [0.01, 1.0])?,
+            cover: within("scratch_cover", p.scratch_cover, [0.0, 4.0])?,
+            direction: direction_in_plane("scratch_direction", p.scratch_direction)?,
+            spread: within("scratch_spread", p.scratch_spread, SHARES)?,
+            seed: p.seed,
+        };
+        Ok(Self { segments, half, parameters })
+    }
+
+    /// The parameters.
+    #[must_use]
+    pub const fn parameters(&self) -> &ScratchesParameters {
+        &self.parameters
+    }
+
+    /// The mean amount over the surface, at every footprint.
+    ///
+    /// ```text
+    /// density · 16/15 w · 2/3 length
+    /// ```
+    #[must_use]
+    pub fn mean(&self) -> f32 {
+        self.segments.density() * (16.0 / 15.0) * self.half * (2.0 / 3.0) * self.segments.length
+    }
+
+    /// The mean square slope of grooves that are so wide: density · strength² w⁴/W³ · 256/105 · 8/15 length.
+    fn mean_square_slope(&self, wide: f32) -> f32 {
+        let (strength, ratio) = (self.parameters.scratch_strength, self.half / wide);
+        let across = strength * strength * self.half * ratio * ratio * ratio * (256.0 / 105.0);
+        self.segments.density() * across * (8.0 / 15.0) * self.segments.length
+    }
+
+    /// The amount at a point of the texture, and the slope of the height, over a pixel of this width in texture coordinates.
+    ///
+    /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
+    #[must_use]
+    pub fn sample(&self, uv: Vec2, width: f32) -> (f32, Vec2) {
+        let Grooves { amount, slope, .. } = self.grooves(uv, width);
+        (amount, slope)
+    }
+
+    fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
+        let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
+        let far = Grooves {
+            amount: self.mean(),
+            slope: Vec2::ZERO,
+            covered: self.segments.density() * 2.0 * self.half * self.segments.length,
+            removed: self.mean_square_slope(self.half) * self.segments.mean_square_across(),
+        };
+        if kept <= 0.0 || !uv.is_finite() {
+            return far;
+        }
+        let wide = self.wide(width);
+        let shallow = self.half / wide;
+        let mut near = Grooves { amount: 0.0, slope: Vec2::ZERO, covered: 0.0, removed: Vec3::ZERO };
+        // Of all squares of slopes across, what a groove so wide does not have; so much as far as this pixel is concerned.
+        let strength = self.parameters.scratch_strength;
+        let lost = (1.0 - kept * shallow * shallow * shallow) * strength * strength * (128.0 / 105.0);
+        self.segments.visit(uv, |groove| {
+            let (s, t) = (groove.across / wide, groove.along);
+            let (side, taper) = (1.0 - s * s, 1.0 - t * t);
+            if side > 0.0 && taper > 0.0 {
+                near.amount += side * side * taper * shallow;
+                // d/ds and d/dt, over the width and half the length.
+                let across = groove.direction.perp();
+                let by_across = -4.0 * s * side * taper / wide;
+                let by_along = side * side * -2.0 * t / (0.5 * self.segments.length);
+                near.slope += (across * by_across + groove.direction * by_along) * shallow;
+                // The groove's width, spread out as it is.
+                let covered = side * side * shallow * (15.0 / 8.0);
+                near.covered += covered;
+                near.removed += Vec3::new(across.x * across.x, across.x * across.y, across.y * across.y)
+                    * (lost * covered * taper * taper);
+            }
+        });
+        let depth = strength * self.half;
+        Grooves {
+            amount: far.amount + kept * (near.amount - far.amount),
+            slope: near.slope * (-depth * kept),
+            covered: far.covered + kept * (near.covered - far.covered),
+            removed: far.removed + kept * (near.removed - far.removed),
+        }
+    }
+
+    fn wide(&self, width: f32) -> f32 {
+        sqrt(self.half * self.half + 0.25 * width * width)
+    }
+
+    /// What a pixel sees of the scratches; total.
+    #[must_use]
+    pub fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
+        let Grooves { amount, slope, covered, removed } = self.grooves(point.uv, point.uv_width());
+        // A slope in the texture is one on the surface, whatever the texture's scale.
+        let on_surface = |slope: Vec2| point.gradient(slope).normalize_or_zero() * slope.length();
+        let covered = covered.min(1.0);
+        let axes = if covered > 0.0 { principal(removed / covered) } else { [Vec2::ZERO; 2] };
+        ScratchedSurface {
+            amount,
+            normal: bumped_normal(point.normal, on_surface(slope)),
+            slope_variance: 0.5 * (removed.x + removed.z),
+            covered,
+            axes: axes.map(on_surface),
+        }
+    }
+}
+
+/// The principal axes of second moments (xx, xy, yy), as long as their deviations.
+fn principal(moments: Vec3) -> [Vec2; 2] {
+    let (middle, half) = (0.5 * (moments.x + moments.z), 0.5 * (moments.x - moments.z));
+    let apart = sqrt(half * half + moments.y * moments.y);
+    // The eigenvector by its larger component.
+    let first =
+        if half > 0.0 { Vec2::new(half + apart, moments.y) } else { Vec2::new(moments.y, apart - half) };
+    let first = first.normalize_or(Vec2::X);
+    [first * sqrt(middle + apart), first.perp() * sqrt((middle - apart).max(0.0))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pixel::Footprint;
+
+    fn wide() -> Scratches {
+        Scratches::new(ScratchesParameters { scratch_width: 0.1, scratch_cover: 1.5, ..Default::default() })
+            .unwrap()
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_height() {
+        let scratches = wide();
+        let h = 1e-5;
+        let depth = scratches.parameters.scratch_strength * scratches.half;
+        let mut steep = 0;
+        for i in 0..2000_u16 {
+            let uv = Vec2::new(f32::from(i % 50) * 0.0107, f32::from(i / 50) * 0.0131);
+            let (_, slope) = scratches.sample(uv, 0.004);
+            let height = |du, dv| -depth * scratches.sample(uv + Vec2::new(du, dv), 0.004).0;
+            let difference =
+                Vec2::new(height(h, 0.0) - height(-h, 0.0), height(0.0, h) - height(0.0, -h)) / (2.0 * h);
+            // Ends of scratches have a crease along; rounding of places 0.5 · 6e-8 · slope/h.
+            assert!((slope - difference).length() < 0.03, "{uv}: {slope} for {difference}");
+            steep += u16::from(slope.length() > 0.1);
+        }
+        assert!(steep > 100, "{steep}");
+    }
+
+    #[test]
+    fn amount_and_slope_have_the_stated_means() {
+        let scratches = wide();
+        let cell = scratches.segments.cell;
+        let mut random = 1_u32;
+        let mut uniform = || {
+            random = random.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (random >> 8) as f32 / 16_777_216.0
+        };
+        for width in [0.0, 0.05 * cell, 0.15 * cell, 0.4 * cell] {
+            let (mut amount, mut squares, mut removed, mut covered) = (0.0, 0.0, 0.0, 0.0);
+            for _ in 0..20_000 {
+                let at = Vec2::new(uniform(), uniform()) * 1000.0 * cell;
+                let grooves = scratches.grooves(at, width);
+                amount += grooves.amount;
+                squares += grooves.slope.length_squared();
+                removed += grooves.removed.x + grooves.removed.z;
+                covered += grooves.covered;
+            }
+            let kept = 1.0 - removed_share(width, 1.0 / cell);
+            // Deviations are about twice and four times the means: five standard errors, and the tapers' own slopes.
+            assert!((amount / 20_000.0 / scratches.mean() - 1.0).abs() < 0.07, "{width}: {amount}");
+            let expected = scratches.mean_square_slope(scratches.wide(width)) * kept * kept;
+            assert!((squares / 20_000.0 / expected - 1.0).abs() < 0.15, "{width}: {squares} for {expected}");
+            // What is not resolved is all the rest, and as much of the surface is scratched from afar.
+            let whole = scratches.mean_square_slope(scratches.half);
+            let rest = (removed / 20_000.0 + expected) / whole;
+            assert!((rest - 1.0).abs() < 0.1, "{width}: {rest}");
+            let far = scratches.grooves(Vec2::ZERO, 10.0 * cell).covered;
+            assert!((covered / 20_000.0 / far - 1.0).abs() < 0.07, "{width}: {covered} for {far}");
+        }
+    }
+
+    #[test]
+    fn facets_have_the_variance_of_the_pixel() {
+        let scratches = wide();
+        for (x, width) in [(0.3, 0.004), (0.31, 0.02), (0.37, 0.05), (0.4, 1.0)] {
+            let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))
+                .with_uv(Vec2::new(x, 0.2), [Vec3::X, Vec3::Y]);
+            let surface = scratches.surface(&point);
+            let slope = |m: Vec3| Vec3::Z - m / m.z;
+            let (mut shares, mut squares) = (0.0, 0.0);
+            for (share, m) in surface.facets(Vec3::Z) {
+                shares += share;
+                squares += share * (slope(m) - slope(surface.normal)).length_squared();
+            }
+            assert!((shares - 1.0).abs() < 1e-5, "{x}, {width}: {shares}");
+            let expected = 2.0 * surface.slope_variance;
+            assert!(
+                (squares - expected).abs() < 1e-5 + 1e-3 * expected,
+                "{x}, {width}: {squares}, {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn every_point_has_a_normal() {
+        let scratches = wide();
+        for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 0.01, 1e30] {
+            for width in [0.0, 1e-3, f32::INFINITY] {
+                let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width));
+                for tangents in [[Vec3::X, Vec3::Y], [Vec3::X, Vec3::X], [Vec3::splat(x), Vec3::Y]] {
+                    let s = scratches.surface(&point.with_uv(Vec2::new(0.2, x), tangents));
+                    assert!((s.normal.length() - 1.0).abs() < 1e-5, "{x}, {width}: {s:?}");
+                    assert!(s.amount >= 0.0 && s.slope_variance >= 0.0, "{x}, {width}: {s:?}");
+                }
+            }
+        }
+        let base = ScratchesParameters::default();
+        assert!(Scratches::new(ScratchesParameters { scratch_width: 0.9, ..base }).is_err());
+        assert!(Scratches::new(ScratchesParameters { scratch_direction: Vec2::NAN, ..base }).is_err());
+    }
+}

@@ -1,0 +1,178 @@
+//! The footprint of a pixel as an ellipse, and the round footprints that cover it.
+
+use glam::Vec3;
+
+use crate::math::sqrt;
+use crate::pixel::footprint::Footprint;
+
+/// What a pixel covers of a surface that is seen at an angle: longer than wide.
+///
+/// A texture that knows only round footprints is filtered far too much along the short axis where it takes the long one, and
+/// aliases where it takes the short one. A few of them along the long axis do justice to both, as anisotropic look-ups of images do.
+///
+/// ```
+/// use asperity_shading::{PixelEllipse, glam::Vec3};
+///
+/// // A pixel twelve times as long as it is wide, in taps of a quarter of that.
+/// let pixel = PixelEllipse::from_derivatives(Vec3::new(0.01, 0.0, 0.0), Vec3::new(0.0, 0.12, 0.0));
+/// let taps: Vec<Vec3> = pixel.taps(4).map(|(offset, _)| offset).collect();
+/// assert_eq!(taps.len(), 4);
+/// assert!((taps[3] - taps[0]).length() - 0.09 < 1e-6);
+/// assert!(pixel.taps(4).all(|(_, tap)| (tap.width() - 0.03).abs() < 1e-6));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelEllipse {
+    /// The long axis, as long as the pixel.
+    major: Vec3,
+    /// The short axis, as long as the pixel is wide.
+    minor: Vec3,
+    /// Widths along the long and the short axis.
+    widths: [Footprint; 2],
+}
+
+impl PixelEllipse {
+    /// The ellipse spanned by the derivatives of the surface position by one pixel to the right and one down.
+    ///
+    /// ```text
+    /// [dx dy] = U diag(σ₁, σ₂) Vᵀ,   major axis σ₁ u₁, minor width σ₂
+    /// ```
+    ///
+    /// Derivatives that are not finite give a pixel that resolves nothing.
+    #[must_use]
+    pub fn from_derivatives(dx: Vec3, dy: Vec3) -> Self {
+        let scale = dx.abs().max_element().max(dy.abs().max_element());
+        let round =
+            Self { major: Vec3::ZERO, minor: Vec3::ZERO, widths: [Footprint::from_derivatives(dx, dy); 2] };
+        if !(scale > 0.0 && dx.is_finite() && dy.is_finite()) {
+            return round;
+        }
+        let (dx, dy) = (dx / scale, dy / scale);
+        let (e, f, g) = (dx.dot(dx), dx.dot(dy), dy.dot(dy));
+        let root = sqrt((e - g) * (e - g) + 4.0 * f * f);
+        let long = 0.5 * (e + g + root);
+        // The eigenvector by its larger component; the smaller eigenvalue by the determinant, which keeps its digits.
+        let (x, y) = if e > g { (0.5 * (e - g + root), f) } else { (f, 0.5 * (g - e + root)) };
+        // All axes of a circle are the same.
+        let (x, y) = if x == 0.0 && y == 0.0 { (1.0, 0.0) } else { (x, y) };
+        let major = (x * dx + y * dy).normalize_or_zero() * sqrt(long);
+        let cross = dx.cross(dy);
+        let short = sqrt(cross.dot(cross)) / sqrt(long);
+        let minor = cross.cross(major).normalize_or_zero() * short;
+        Self {
+            major: scale * major,
+            minor: scale * minor,
+            widths: [sqrt(long), short].map(|w| Footprint::from_width(scale * w)),
+        }
+    }
+
+    /// The width along the long axis.
+    #[must_use]
+    pub const fn long(&self) -> Footprint {
+        self.widths[0]
+    }
+
+    /// The width along the short axis.
+    #[must_use]
+    pub const fn short(&self) -> Footprint {
+        self.widths[1]
+    }
+
+    /// Equal round footprints along the long axis that cover the pixel: where each lies, from the middle, and its width.
+    ///
+    /// As many as the axes have to one another, at least 1 and at most `most` (and 64), evenly spaced; each as wide as the short axis, or as
+    /// their distance where that is more. A texture's mean over them is what the pixel sees of it.
+    pub fn taps(&self, most: u32) -> impl Iterator<Item = (Vec3, Footprint)> + use<> {
+        let [long, short] = self.widths.map(|width| width.width());
+        let ratio = long / short;
+        let most = most.clamp(1, 64);
+        // A pixel without an axis, or without bounds, is one tap.
+        let count = if self.major == Vec3::ZERO {
+            1
+        } else if ratio < most as f32 {
+            // The cast of NaN is 0.
+            (ratio + 0.999) as u32
+        } else {
+            most
+        };
+        let count = count.max(1);
+        let width = Footprint::from_width(if count == 1 { long } else { short.max(long / count as f32) });
+        let major = self.major;
+        (0..count).map(move |k| (major * ((k as f32 + 0.5) / count as f32 - 0.5), width))
+    }
+
+    /// Twice as many along either axis, half as wide, where there are enough of them: for textures whose mean over a pixel is
+    /// nearer to the mean of four of its quarters than to what one wide footprint sees.
+    ///
+    /// Up to `most` (and 64) on one or two lines along the long axis. Two of them for pixels whose axes have at most a quarter of
+    /// `most` to one another; otherwise as [`taps`](Self::taps).
+    ///
+    /// ```
+    /// use asperity_shading::{PixelEllipse, glam::Vec3};
+    ///
+    /// let pixel = PixelEllipse::from_derivatives(Vec3::new(0.01, 0.0, 0.0), Vec3::new(0.0, 0.01, 0.0));
+    /// assert_eq!(pixel.fine_taps(32).count(), 4);
+    /// assert!(pixel.fine_taps(32).all(|(_, tap)| (tap.width() - 0.005).abs() < 1e-6));
+    /// ```
+    pub fn fine_taps(&self, most: u32) -> impl Iterator<Item = (Vec3, Footprint)> + use<> {
+        let [long, short] = self.widths.map(|width| width.width());
+        let most = most.clamp(1, 64);
+        // Written so that NaN, of a pixel without an axis, has one line.
+        let two = 4.0 * long <= most as f32 * short && self.minor != Vec3::ZERO;
+        let (lines, across) = if two { (2, Footprint::from_width(0.5 * short)) } else { (1, self.widths[1]) };
+        let line = Self { widths: [self.widths[0], across], ..*self };
+        let minor = self.minor;
+        (0..lines).flat_map(move |k| {
+            let aside = minor * ((k as f32 + 0.5) / lines as f32 - 0.5);
+            line.taps(most / lines).map(move |(along, tap)| (aside + along, tap))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_the_singular_values() {
+        // A circle turned and stretched: P = U diag(3, 0.5) Vᵀ.
+        for k in 0..40 {
+            let (a, b) = (0.3 * k as f32, 0.71 * k as f32);
+            let (u1, u2) = (Vec3::new(a.cos(), a.sin(), 0.0), Vec3::new(-a.sin(), a.cos(), 0.0));
+            let (dx, dy) = (3.0 * b.cos() * u1 - 0.5 * b.sin() * u2, 3.0 * b.sin() * u1 + 0.5 * b.cos() * u2);
+            let pixel = PixelEllipse::from_derivatives(dx, dy);
+            assert!((pixel.long().width() - 3.0).abs() < 1e-5, "{k}: {pixel:?}");
+            assert!((pixel.short().width() - 0.5).abs() < 1e-5, "{k}: {pixel:?}");
+            assert!(pixel.major.cross(3.0 * u1).length() < 1e-4, "{k}: {pixel:?}");
+            assert_eq!(pixel.long(), Footprint::from_derivatives(dx, dy));
+        }
+    }
+
+    #[test]
+    fn taps_cover_the_long_axis() {
+        let pixel = PixelEllipse::from_derivatives(Vec3::new(0.2, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+        for (most, count) in [(1, 1), (3, 3), (5, 5), (16, 5), (0, 1)] {
+            assert_eq!(pixel.taps(most).count(), count, "{most}");
+            let sum: Vec3 = pixel.taps(most).map(|tap| tap.0).sum();
+            assert!(sum.length() < 1e-6);
+            let width = 1.0 / count as f32;
+            assert!(pixel.taps(most).all(|tap| (tap.1.width() - width).abs() < 1e-6), "{most}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_pixel_resolves_nothing() {
+        for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.0)] {
+            let pixel = PixelEllipse::from_derivatives(bad, Vec3::X);
+            assert_eq!(pixel.long().width(), f32::INFINITY, "{bad}");
+            assert_eq!(pixel.taps(8).count(), 1);
+        }
+        let point = PixelEllipse::from_derivatives(Vec3::ZERO, Vec3::ZERO);
+        assert!(point.taps(8).eq([(Vec3::ZERO, Footprint::from_width(0.0))]));
+        let line = PixelEllipse::from_derivatives(Vec3::X, Vec3::ZERO);
+        assert_eq!((line.short().width(), line.taps(8).count()), (0.0, 8));
+        for scale in [1e-30, 1e30] {
+            let pixel = PixelEllipse::from_derivatives(scale * Vec3::X, 2.0 * scale * Vec3::Y);
+            assert!((pixel.short().width() / scale - 1.0).abs() < 1e-5);
+        }
+    }
+}

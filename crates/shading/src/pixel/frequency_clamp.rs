@@ -1,0 +1,211 @@
+//! Frequency clamping: how many octaves a pixel resolves.
+
+use core::fmt;
+
+use crate::math::{clamp_to, exp2, log2};
+use crate::pixel::footprint::Footprint;
+
+/// The real number of octaves that a pixel resolves, none of them above the pixel's Nyquist frequency.
+///
+/// Octave `i` of a noise has the frequency `f λⁱ` (its lattice cells per unit of length), a pixel of width `d`
+/// resolves frequencies up to `1/(2d)`. An octave starts to fade in where its frequency **is** that limit, and is
+/// whole when the next octave reaches it:
+///
+/// ```text
+/// octaves(d) = clamp(log_λ(1 / (2 d f)), 0, max),   weight of octave i = clamp(octaves − i, 0, 1)
+/// ```
+///
+/// With `λ = 2.17` octave `i` is whole up to `d f λⁱ = 0.23` and gone from 0.5 on; Nilsson 2008, §4.1.6,
+/// fades smoothly from 0.2 to 0.6. The count is continuous in `d`, falls as `d` grows, is linear in `log d`
+/// between its ends, 0 as soon as the first octave is below the pixel, and `max` for a pixel of no width.
+///
+/// ```
+/// use asperity_shading::{Footprint, FrequencyClamp};
+///
+/// let clamp = FrequencyClamp::new(10.0, 2.0, 8.0)?;
+/// assert_eq!(clamp.octaves(Footprint::from_width(0.05)), 0.0);
+/// assert_eq!(clamp.octaves(Footprint::from_width(0.05 / 8.0)), 3.0);
+/// assert_eq!(clamp.octaves(Footprint::from_width(0.0)), 8.0);
+/// # Ok::<(), asperity_shading::FrequencyClampError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrequencyClamp {
+    frequency: f32,
+    lacunarity: f32,
+    max_octaves: f32,
+    log2_lacunarity: f32,
+}
+
+impl FrequencyClamp {
+    /// Octaves from `frequency` upward, each `lacunarity` times the last, at most `max_octaves` of them.
+    ///
+    /// `frequency` is in lattice cells per unit of the surface's positions.
+    ///
+    /// # Errors
+    /// [`FrequencyClampError::Frequency`] unless `frequency` is finite and positive,
+    /// [`FrequencyClampError::Lacunarity`] unless `lacunarity` is finite and more than 1,
+    /// [`FrequencyClampError::MaxOctaves`] unless `max_octaves` is finite and not negative.
+    pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, FrequencyClampError> {
+        if !(frequency.is_finite() && frequency > 0.0) {
+            return Err(FrequencyClampError::Frequency(frequency));
+        }
+        if !(lacunarity.is_finite() && lacunarity > 1.0) {
+            return Err(FrequencyClampError::Lacunarity(lacunarity));
+        }
+        if !(max_octaves.is_finite() && max_octaves >= 0.0) {
+            return Err(FrequencyClampError::MaxOctaves(max_octaves));
+        }
+        Ok(Self { frequency, lacunarity, max_octaves, log2_lacunarity: log2(lacunarity) })
+    }
+
+    /// The first octave's frequency, in cells per unit of length.
+    #[must_use]
+    pub const fn frequency(&self) -> f32 {
+        self.frequency
+    }
+
+    /// The ratio of each octave's frequency to the last one's.
+    #[must_use]
+    pub const fn lacunarity(&self) -> f32 {
+        self.lacunarity
+    }
+
+    /// The most octaves that any pixel gets.
+    #[must_use]
+    pub const fn max_octaves(&self) -> f32 {
+        self.max_octaves
+    }
+
+    /// The real number of octaves that a pixel of this footprint resolves, in `[0, max_octaves]`.
+    #[must_use]
+    pub fn octaves(&self, footprint: Footprint) -> f32 {
+        // A footprint is never NaN and both of its ends are defined: log2(0) = −∞ and log2(∞) = ∞.
+        let octaves = -log2(2.0 * footprint.width() * self.frequency) / self.log2_lacunarity;
+        clamp_to(octaves, self.max_octaves)
+    }
+
+    /// The widest footprint that resolves so many octaves: the inverse of [`FrequencyClamp::octaves`].
+    ///
+    /// ```text
+    /// d = λ^(−octaves) / (2 f)
+    /// ```
+    ///
+    /// `octaves` is clamped to `[0, max_octaves]`, NaN counts as 0.
+    #[must_use]
+    pub fn footprint(&self, octaves: f32) -> Footprint {
+        let octaves = clamp_to(octaves, self.max_octaves);
+        Footprint::from_width(0.5 / self.frequency * exp2(-octaves * self.log2_lacunarity))
+    }
+}
+
+/// Why a [`FrequencyClamp`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FrequencyClampError {
+    /// The first octave's frequency is not finite and positive.
+    Frequency(f32),
+    /// The lacunarity is not finite, or not more than 1.
+    Lacunarity(f32),
+    /// The greatest count of octaves is not finite, or is negative.
+    MaxOctaves(f32),
+}
+
+impl fmt::Display for FrequencyClampError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Frequency(frequency) => {
+                write!(f, "frequency {frequency} of the first octave is not finite and positive")
+            }
+            Self::Lacunarity(lacunarity) => {
+                write!(f, "lacunarity {lacunarity} is not finite, or not more than 1")
+            }
+            Self::MaxOctaves(max) => {
+                write!(f, "greatest count of octaves {max} is not finite, or is negative")
+            }
+        }
+    }
+}
+
+impl core::error::Error for FrequencyClampError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clamp() -> FrequencyClamp {
+        FrequencyClamp::new(16.0, 2.17, 6.0).unwrap()
+    }
+
+    #[test]
+    fn no_octave_with_weight_exceeds_the_nyquist_frequency() {
+        for i in 0..2000 {
+            let width = 10.0_f32.powf(-6.0 + i as f32 / 250.0);
+            let octaves = clamp().octaves(Footprint::from_width(width));
+            let mut octave = 0;
+            while (octave as f32) < octaves {
+                let frequency = 16.0 * 2.17_f32.powi(octave);
+                assert!(
+                    frequency * width <= 0.5 * (1.0 + 1e-5),
+                    "width = {width}, octave {octave} of {octaves}"
+                );
+                octave += 1;
+            }
+        }
+    }
+
+    #[test]
+    fn count_is_continuous_and_falls_with_the_footprint() {
+        let mut last = 6.0;
+        for i in 0..=20_000 {
+            let width = 2.0_f32.powf(-16.0 + i as f32 / 1000.0);
+            let octaves = clamp().octaves(Footprint::from_width(width));
+            assert!(octaves <= last + 1e-6, "width = {width}: {octaves} after {last}");
+            // A thousandth of an octave of width at ratio 2 is 0.000895 octaves at ratio 2.17.
+            assert!(last - octaves < 9.1e-4, "width = {width}: {octaves} after {last}");
+            last = octaves;
+        }
+        assert_eq!(last, 0.0);
+    }
+
+    #[test]
+    fn footprint_undoes_octaves() {
+        for i in 0..=60 {
+            let octaves = i as f32 / 10.0;
+            let got = clamp().octaves(clamp().footprint(octaves));
+            assert!((got - octaves).abs() < 2e-6, "{got} != {octaves}");
+        }
+        assert_eq!(clamp().footprint(f32::NAN), clamp().footprint(0.0));
+        assert_eq!(clamp().footprint(f32::INFINITY), clamp().footprint(6.0));
+    }
+
+    #[test]
+    fn both_ends_are_reached() {
+        assert_eq!(clamp().octaves(Footprint::from_width(0.0)), 6.0);
+        assert_eq!(clamp().octaves(Footprint::from_width(f32::INFINITY)), 0.0);
+        assert_eq!(clamp().octaves(Footprint::from_width(f32::NAN)), 0.0);
+        assert_eq!(clamp().octaves(Footprint::from_width(f32::MAX)), 0.0);
+        assert_eq!(clamp().octaves(Footprint::from_width(f32::MIN_POSITIVE)), 6.0);
+    }
+
+    #[test]
+    fn refuses_what_is_no_sequence_of_octaves() {
+        for bad in [f32::NAN, f32::INFINITY, 0.0, -1.0] {
+            assert!(
+                matches!(FrequencyClamp::new(bad, 2.0, 8.0), Err(FrequencyClampError::Frequency(_))),
+                "{bad}"
+            );
+        }
+        for bad in [f32::NAN, f32::INFINITY, 1.0, 0.5, -2.0] {
+            assert!(
+                matches!(FrequencyClamp::new(1.0, bad, 8.0), Err(FrequencyClampError::Lacunarity(_))),
+                "{bad}"
+            );
+        }
+        for bad in [f32::NAN, f32::INFINITY, -1.0] {
+            assert!(
+                matches!(FrequencyClamp::new(1.0, 2.0, bad), Err(FrequencyClampError::MaxOctaves(_))),
+                "{bad}"
+            );
+        }
+    }
+}

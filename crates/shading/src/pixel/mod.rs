@@ -1,0 +1,9 @@
+//! Pixels on a surface: their width, their two axes, and the octaves that they resolve.
+
+mod ellipse;
+mod footprint;
+mod frequency_clamp;
+
+pub use ellipse::PixelEllipse;
+pub use footprint::Footprint;
+pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};

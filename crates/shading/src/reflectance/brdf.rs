@@ -1,0 +1,162 @@
+//! What a surface does to light: the bidirectional reflectance distribution function as a trait.
+
+use core::f32::consts::{FRAC_1_PI, TAU};
+
+use glam::{Vec2, Vec3};
+
+use crate::direction::half_vector;
+use crate::math::{clamp_to, cos, sin, sqrt};
+
+/// A reflectance: how much of the light from one direction a surface sends into another.
+///
+/// ```text
+/// L_o(ωo) = ∫ f_r(ωi, ωo) L_i(ωi) cos θ_i dω_i
+/// ```
+///
+/// Directions are unit vectors in the frame of the surface, whose z axis is the normal, and point away from it. Colours
+/// are linear RGB. The trait is dyn-compatible.
+///
+/// Every implementation in this crate is total: 0 where either direction is not above the horizon or not finite, never
+/// negative, never NaN. Each states whether it is reciprocal, `f_r(ωi, ωo) = f_r(ωo, ωi)`, and its albedo, the share
+/// of light that it sends anywhere:
+///
+/// ```text
+/// albedo(ωo) = ∫ f_r(ωi, ωo) cos θ_i dω_i
+/// ```
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::{Brdf, Lambert};
+///
+/// let chalk = Lambert::new(Vec3::splat(0.8))?;
+/// let wo = Vec3::new(0.6, 0.0, 0.8);
+/// // One sample of the light that arrives: f_r cos θ / density is the albedo at every one.
+/// let wi = chalk.sample(wo, Vec2::new(0.3, 0.7));
+/// let weight = chalk.value(wi, wo) * wi.z / chalk.density(wi, wo);
+/// assert!((weight - Vec3::splat(0.8)).length() < 1e-6);
+/// # Ok::<(), asperity_shading::AlbedoError>(())
+/// ```
+pub trait Brdf {
+    /// `f_r(ωi, ωo)` in sr⁻¹, linear RGB; without the cosine.
+    #[must_use]
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3;
+
+    /// A direction `ωi` for light that leaves along `wo`, from a uniform point of the unit square.
+    ///
+    /// It may lie below the horizon, where `value` is 0: such a sample counts as one that brought nothing. The provided
+    /// one does not: its density is `cos θ / π` (Malley's method).
+    #[must_use]
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        let _ = wo;
+        cosine_hemisphere(u)
+    }
+
+    /// The density of [`sample`](Brdf::sample) over solid angle, in sr⁻¹; 0 where either direction is not above the
+    /// horizon.
+    #[must_use]
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        if are_above(wi, wo) { wi.z * FRAC_1_PI } else { 0.0 }
+    }
+}
+
+impl<B: Brdf + ?Sized> Brdf for &B {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        (**self).value(wi, wo)
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        (**self).sample(wo, u)
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        (**self).density(wi, wo)
+    }
+}
+
+/// Whether both directions are finite and above the horizon.
+#[inline]
+pub(crate) fn are_above(wi: Vec3, wo: Vec3) -> bool {
+    wi.z > 0.0 && wo.z > 0.0 && wi.is_finite() && wo.is_finite()
+}
+
+/// A direction with density `cos θ / π`: a uniform point of the disk, lifted to the hemisphere.
+#[inline]
+pub(crate) fn cosine_hemisphere(u: Vec2) -> Vec3 {
+    let (r2, turn) = (clamp_to(u.x, 1.0), clamp_to(u.y, 1.0));
+    let r = sqrt(r2);
+    // Never the horizon itself, where the density would be 0.
+    let z = sqrt(1.0 - r2).max(1e-4);
+    Vec3::new(r * cos(TAU * turn), r * sin(TAU * turn), z)
+}
+
+/// The density over `ωi` of mirroring `ωo` in facets that are drawn with a density over h; 0 unless both are above the horizon.
+///
+/// ```text
+/// p(ωi) = p(h) / (4 ωo·h)
+/// ```
+///
+/// Walter, Marschner, Li, Torrance 2007, eq. 14.
+#[inline]
+pub(crate) fn mirrored_density(wi: Vec3, wo: Vec3, density: impl FnOnce(Vec3) -> f32) -> f32 {
+    if !are_above(wi, wo) {
+        return 0.0;
+    }
+    let h = half_vector(wi, wo);
+    finite(density(h) / (4.0 * wo.dot(h)))
+}
+
+/// What is no number is none of the light, and what overflows is the greatest finite one.
+#[inline]
+pub(crate) fn finite(x: f32) -> f32 {
+    if x > 0.0 { x.min(f32::MAX) } else { 0.0 }
+}
+
+/// A colour within `[0, 1]³`, or the first component that is not.
+pub(crate) fn share(colour: Vec3) -> Result<Vec3, f32> {
+    for c in colour.to_array() {
+        if !(0.0..=1.0).contains(&c) {
+            return Err(c);
+        }
+    }
+    Ok(colour)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Grey;
+
+    impl Brdf for Grey {
+        fn value(&self, _: Vec3, _: Vec3) -> Vec3 {
+            Vec3::splat(FRAC_1_PI)
+        }
+    }
+
+    #[test]
+    fn provided_samples_are_unit_and_above() {
+        let brdf: &dyn Brdf = &Grey;
+        for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 0.999_999_9, 1.0, 7.0] {
+            for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
+                let wi = brdf.sample(Vec3::Z, Vec2::new(x, y));
+                assert!((wi.length() - 1.0).abs() < 1e-6 && wi.z > 0.0, "{x}, {y}: {wi}");
+                assert!(brdf.density(wi, Vec3::Z) > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn density_is_zero_below_and_for_what_is_no_direction() {
+        for bad in [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(f32::INFINITY, 0.0, 1.0)] {
+            assert_eq!(Grey.density(bad, Vec3::Z), 0.0, "{bad}");
+            assert_eq!(Grey.density(Vec3::Z, bad), 0.0, "{bad}");
+        }
+    }
+
+    #[test]
+    fn shares_are_checked_in_every_component() {
+        assert_eq!(share(Vec3::new(0.0, 0.5, 1.0)), Ok(Vec3::new(0.0, 0.5, 1.0)));
+        assert_eq!(share(Vec3::new(0.0, 1.5, 1.0)), Err(1.5));
+        assert!(share(Vec3::new(0.0, 0.5, f32::NAN)).is_err());
+    }
+}

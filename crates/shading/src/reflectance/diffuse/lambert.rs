@@ -1,0 +1,82 @@
+//! Lambert's reflectance: the same in every direction.
+
+use core::f32::consts::FRAC_1_PI;
+use core::fmt;
+
+use glam::Vec3;
+
+use crate::reflectance::brdf::{Brdf, are_above, share};
+
+/// Lambert's reflectance.
+///
+/// ```text
+/// f_r = ρ / π
+/// ```
+///
+/// - **Range:** `[0, 1/π]` sr⁻¹ in each channel. Reciprocal; the albedo is ρ from every direction.
+/// - **Sampling:** by the cosine, so that every sample has the weight ρ.
+///
+/// Lambert 1760, *Photometria*.
+///
+/// ```
+/// use asperity_shading::{Brdf, Lambert, glam::Vec3};
+///
+/// let paper = Lambert::new(Vec3::new(0.9, 0.88, 0.8))?;
+/// assert_eq!(paper.value(Vec3::Z, Vec3::Z).x, 0.9 * core::f32::consts::FRAC_1_PI);
+/// assert_eq!(paper.value(Vec3::Z, Vec3::NEG_Z), Vec3::ZERO);
+/// # Ok::<(), asperity_shading::AlbedoError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lambert {
+    albedo: Vec3,
+}
+
+impl Lambert {
+    /// The reflectance with this albedo ρ, linear RGB.
+    ///
+    /// # Errors
+    /// [`AlbedoError`] unless every component is within `[0, 1]`.
+    pub fn new(albedo: Vec3) -> Result<Self, AlbedoError> {
+        share(albedo).map(|albedo| Self { albedo }).map_err(AlbedoError)
+    }
+
+    /// The albedo ρ.
+    #[must_use]
+    pub const fn albedo(&self) -> Vec3 {
+        self.albedo
+    }
+}
+
+impl Brdf for Lambert {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if are_above(wi, wo) { self.albedo * FRAC_1_PI } else { Vec3::ZERO }
+    }
+}
+
+/// A component of an albedo is outside `[0, 1]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AlbedoError(
+    /// The component.
+    pub f32,
+);
+
+impl fmt::Display for AlbedoError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a component of the albedo is {}, outside [0, 1]", self.0)
+    }
+}
+
+impl core::error::Error for AlbedoError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_what_is_no_share() {
+        for bad in [-0.1, 1.01, f32::NAN, f32::INFINITY] {
+            assert!(Lambert::new(Vec3::new(0.5, bad, 0.5)).is_err(), "{bad}");
+        }
+        assert_eq!(Lambert::new(Vec3::ONE).unwrap().albedo(), Vec3::ONE);
+    }
+}

@@ -1,0 +1,170 @@
+//! Oren and Nayar's rough diffuse surface: full, qualitative, and Fujii's form.
+
+use core::f32::consts::{FRAC_1_PI, PI};
+
+use glam::Vec3;
+
+use crate::math::atan2;
+use crate::reflectance::brdf::{Brdf, are_above};
+use crate::reflectance::diffuse::rough::{DiffuseError, checked, flat, sine, stretched};
+
+/// Which formula an [`OrenNayar`] has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum OrenNayarForm {
+    /// Direct light and one interreflection between the facets of a cavity:
+    ///
+    /// ```text
+    /// f_r = ρ/π (C₁ + cos Δφ C₂ tan β + (1 − |cos Δφ|) C₃ tan((α+β)/2))
+    ///     + 0.17 ρ²/π · σ²/(σ²+0.13) (1 − cos Δφ (2β/π)²)
+    /// C₁ = 1 − 0.5 σ²/(σ²+0.33)
+    /// C₂ = 0.45 σ²/(σ²+0.09) (sin α,  or for cos Δφ < 0  sin α − (2β/π)³)
+    /// C₃ = 0.125 σ²/(σ²+0.09) (4αβ/π²)²
+    /// ```
+    ///
+    /// α and β are the greater and the lesser angle from the normal. Oren, Nayar 1994, *Generalization of Lambert's
+    /// Reflectance Model*, eq. 30 and 31.
+    #[default]
+    Full,
+    /// The two largest terms: dark rims where the azimuths differ, and no colour shift.
+    ///
+    /// ```text
+    /// f_r = ρ/π (A + B max(0, cos Δφ) sin α tan β),   A = C₁,   B = 0.45 σ²/(σ²+0.09)
+    /// ```
+    ///
+    /// Oren, Nayar 1994, §4.4.
+    Qualitative,
+    /// Without the qualitative form's crease and its dark ring, with a σ that is a weight:
+    ///
+    /// ```text
+    /// f_r = ρ (1 + σ s/t) / (π + (π/2 − 2/3) σ),   s = ωi·ωo − cos θ_i cos θ_o,
+    /// t = max(cos θ_i, cos θ_o) for s > 0, else 1
+    /// ```
+    ///
+    /// Fujii 2012, *A tiny improvement of Oren-Nayar reflectance model*.
+    Fujii,
+}
+
+/// A rough diffuse surface: facets that are Lambert's, tilted with the standard deviation σ.
+///
+/// - **Domain:** σ in radians for the first two forms, up to π/2; up to 1 for Fujii's.
+/// - **Range:** at least 0. The full form goes slightly below 0 for opposite azimuths near the horizon, and is 0 there.
+///   Reciprocal. The first two are unbounded where both directions graze the surface in one azimuth, as `tan β` is.
+/// - **Energy:** none of the three keeps it. With ρ = 1 they lose up to a quarter (full and Fujii's form, σ = 1) or a third of
+///   it straight down. Towards the horizon the full form's albedo passes 1 by up to 5 % (σ = 0.3), the qualitative one's by
+///   up to 1.5 % (σ = 0.2); Fujii's stays below. [`EnergyPreservingOrenNayar`] keeps it.
+/// - **Accuracy:** 8·10⁻⁶ relative to the formulas in directions up to 1.5 rad from the normal.
+///
+/// [`EnergyPreservingOrenNayar`]: crate::EnergyPreservingOrenNayar
+///
+/// ```
+/// use asperity_shading::{Brdf, OrenNayar, OrenNayarForm, glam::Vec3};
+///
+/// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarForm::Full)?;
+/// // Seen from where the light is, a rough surface is brighter towards its edge than Lambert's, which it is not across.
+/// let w = Vec3::new(0.8, 0.0, 0.6);
+/// assert!(clay.value(w, w).x > clay.value(w, Vec3::new(-0.8, 0.0, 0.6)).x);
+/// # Ok::<(), asperity_shading::DiffuseError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrenNayar {
+    albedo: Vec3,
+    sigma: f32,
+    form: OrenNayarForm,
+}
+
+impl OrenNayar {
+    /// The surface of albedo ρ and roughness σ.
+    ///
+    /// # Errors
+    /// [`DiffuseError::Albedo`] unless every component is within `[0, 1]`; [`DiffuseError::Roughness`] unless σ is
+    /// within `[0, π/2]`, for Fujii's form `[0, 1]`.
+    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarForm) -> Result<Self, DiffuseError> {
+        let most = if form == OrenNayarForm::Fujii { 1.0 } else { 0.5 * PI };
+        checked(albedo, sigma, most).map(|(albedo, sigma)| Self { albedo, sigma, form })
+    }
+
+    /// The albedo ρ of the facets.
+    #[must_use]
+    pub const fn albedo(&self) -> Vec3 {
+        self.albedo
+    }
+
+    /// The roughness σ.
+    #[must_use]
+    pub const fn sigma(&self) -> f32 {
+        self.sigma
+    }
+
+    fn full(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let (low, high) = if wi.z < wo.z { (wi, wo) } else { (wo, wi) };
+        let (sin_alpha, sin_beta) = (sine(low), sine(high));
+        let (alpha, beta) = (atan2(sin_alpha, low.z), atan2(sin_beta, high.z));
+        let product = sin_alpha * sin_beta;
+        let cos_phi = if product > 0.0 { (flat(wi).dot(flat(wo)) / product).clamp(-1.0, 1.0) } else { 0.0 };
+
+        let s2 = self.sigma * self.sigma;
+        let rough = s2 / (s2 + 0.09);
+        let turned = 2.0 * beta * FRAC_1_PI;
+        let c1 = 1.0 - 0.5 * s2 / (s2 + 0.33);
+        let c2 =
+            0.45 * rough * (if cos_phi >= 0.0 { sin_alpha } else { sin_alpha - turned * turned * turned });
+        let both = 4.0 * alpha * beta * (FRAC_1_PI * FRAC_1_PI);
+        let c3 = 0.125 * rough * (both * both);
+        let mean_tangent = (sin_alpha + sin_beta) / (low.z + high.z);
+        let direct = c1 + cos_phi * c2 * (sin_beta / high.z) + (1.0 - cos_phi.abs()) * c3 * mean_tangent;
+        let again = 0.17 * s2 / (s2 + 0.13) * (1.0 - cos_phi * turned * turned);
+        self.albedo * FRAC_1_PI * (Vec3::splat(direct) + self.albedo * again).max(Vec3::ZERO)
+    }
+
+    fn qualitative(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let s2 = self.sigma * self.sigma;
+        let a = 1.0 - 0.5 * s2 / (s2 + 0.33);
+        let b = 0.45 * s2 / (s2 + 0.09);
+        // sin α tan β cos Δφ = s / max(cos θ_i, cos θ_o).
+        self.albedo * (FRAC_1_PI * (a + b * stretched(wi, wo).max(0.0)))
+    }
+
+    fn fujii(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let scale = 1.0 / (PI + (0.5 * PI - 2.0 / 3.0) * self.sigma);
+        self.albedo * (scale * (1.0 + self.sigma * stretched(wi, wo)))
+    }
+}
+
+impl Brdf for OrenNayar {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if !are_above(wi, wo) {
+            return Vec3::ZERO;
+        }
+        match self.form {
+            OrenNayarForm::Full => self.full(wi, wo),
+            OrenNayarForm::Qualitative => self.qualitative(wi, wo),
+            OrenNayarForm::Fujii => self.fujii(wi, wo),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FORMS: [OrenNayarForm; 3] = [OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii];
+
+    #[test]
+    fn smooth_surfaces_are_lamberts() {
+        for form in FORMS {
+            let smooth = OrenNayar::new(Vec3::new(0.2, 0.5, 1.0), 0.0, form).unwrap();
+            let value = smooth.value(Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.8, 0.6));
+            assert!((value - smooth.albedo() * FRAC_1_PI).length() < 1e-7, "{form:?}: {value}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_roughness() {
+        for (form, bad) in [(OrenNayarForm::Full, 1.6), (OrenNayarForm::Fujii, 1.1)] {
+            for bad in [bad, -0.1, f32::NAN] {
+                let refused = OrenNayar::new(Vec3::ONE, bad, form);
+                assert!(matches!(refused, Err(DiffuseError::Roughness { .. })), "{form:?}, {bad}");
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Exact Fresnel reflectance of a conductor, unpolarised.
+
+use core::fmt;
+
+use glam::Vec3;
+
+use crate::math::{clamp_to, sqrt};
+use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
+
+/// A smooth metal surface, by its complex refractive index `η + i k` relative to the incident side.
+///
+/// The index depends on the wavelength: a coloured metal is three of these, one for each channel.
+///
+/// ```
+/// use asperity_shading::Conductor;
+///
+/// let silver = Conductor::new(0.2, 3.0)?;
+/// assert!(silver.reflectance(1.0) > 0.9);
+/// // Without absorption it is the dielectric.
+/// assert!((Conductor::new(1.5, 0.0)?.reflectance(1.0) - 0.04).abs() < 1e-7);
+/// # Ok::<(), asperity_shading::ConductorError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conductor {
+    eta: f32,
+    k: f32,
+}
+
+impl Conductor {
+    /// The metal of index `eta` and extinction coefficient `k`, both relative to the incident side's index.
+    ///
+    /// # Errors
+    /// [`ConductorError::Index`] unless `eta` is finite and positive,
+    /// [`ConductorError::Extinction`] unless `k` is finite and not negative.
+    pub fn new(eta: f32, k: f32) -> Result<Self, ConductorError> {
+        if !(eta.is_finite() && eta > 0.0) {
+            return Err(ConductorError::Index(eta));
+        }
+        if !(k.is_finite() && k >= 0.0) {
+            return Err(ConductorError::Extinction(k));
+        }
+        Ok(Self { eta, k })
+    }
+
+    /// The index `η`, dimensionless.
+    #[must_use]
+    pub const fn eta(&self) -> f32 {
+        self.eta
+    }
+
+    /// The extinction coefficient `k`, dimensionless.
+    #[must_use]
+    pub const fn k(&self) -> f32 {
+        self.k
+    }
+
+    /// The share of unpolarised light that is reflected.
+    ///
+    /// ```text
+    /// a + i b = √((η + i k)² − sin² θ),   c = cos θ
+    /// R_s = ((a − c)² + b²) / ((a + c)² + b²)
+    /// R_p = R_s ((a c − sin² θ)² + b² c²) / ((a c + sin² θ)² + b² c²)
+    /// F = ½ (R_s + R_p)
+    /// ```
+    ///
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
+    /// - **Range:** `[0, 1]`, dimensionless; 1 at the horizon, and 0 everywhere for the index 1 without absorption.
+    /// - **Accuracy:** 3·10⁻⁷ against 20-digit references.
+    ///
+    /// Born and Wolf, *Principles of Optics*, §13.2 (absorbing media), in the form without complex numbers.
+    #[must_use]
+    pub fn reflectance(&self, cos_theta: f32) -> f32 {
+        let Self { eta, k } = *self;
+        if eta == 1.0 && k == 0.0 {
+            return 0.0;
+        }
+        let c = clamp_to(cos_theta, 1.0);
+        let sin_squared = 1.0 - c * c;
+        let real = (eta - k) * (eta + k) - sin_squared;
+        let half_imaginary = eta * k;
+        let modulus = sqrt(real * real + 4.0 * half_imaginary * half_imaginary);
+        // Of a² = (|w| + Re w)/2 and b² = (|w| − Re w)/2 one cancels; it follows from a b = Im w / 2.
+        let large = 0.5 * (modulus + real.abs());
+        let small = if large > 0.0 { half_imaginary * half_imaginary / large } else { 0.0 };
+        let (a_squared, b_squared) = if real >= 0.0 { (large, small) } else { (small, large) };
+        let a = sqrt(a_squared);
+        let r_s = ((a - c) * (a - c) + b_squared) / ((a + c) * (a + c) + b_squared);
+        let (minus, plus, rest) = (a * c - sin_squared, a * c + sin_squared, b_squared * c * c);
+        let r_p = r_s * ((minus * minus + rest) / (plus * plus + rest));
+        reflectance_or_mirror(0.5 * (r_s + r_p))
+    }
+}
+
+channels!(Conductor);
+
+/// Why a [`Conductor`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ConductorError {
+    /// The index is not finite and positive.
+    Index(f32),
+    /// The extinction coefficient is not finite, or is negative.
+    Extinction(f32),
+}
+
+impl fmt::Display for ConductorError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Index(eta) => write!(f, "index of refraction {eta} is not finite and positive"),
+            Self::Extinction(k) => write!(f, "extinction coefficient {k} is not finite, or is negative"),
+        }
+    }
+}
+
+impl core::error::Error for ConductorError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reflectance::fresnel::dielectric::Dielectric;
+
+    #[test]
+    fn without_absorption_it_is_the_dielectric() {
+        for eta in [0.4, 0.7, 1.2, 1.5, 2.4] {
+            for i in 0..=100 {
+                let c = i as f32 / 100.0;
+                let got = Conductor::new(eta, 0.0).unwrap().reflectance(c);
+                let expected = Dielectric::new(eta).unwrap().reflectance(c);
+                assert!((got - expected).abs() < 2e-6, "eta = {eta}, cos = {c}: {got} != {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn normal_incidence_has_the_textbook_value() {
+        for (eta, k) in [(0.2_f32, 3.0_f32), (1.1, 7.0), (2.9, 3.1)] {
+            let expected = ((eta - 1.0).powi(2) + k * k) / ((eta + 1.0).powi(2) + k * k);
+            let got = Conductor::new(eta, k).unwrap().reflectance(1.0);
+            assert!((got - expected).abs() < 1e-6, "eta = {eta}, k = {k}: {got} != {expected}");
+        }
+    }
+
+    #[test]
+    fn every_input_gives_a_share() {
+        for eta in [f32::MIN_POSITIVE, 1e-20, 0.2, 1.0, 3.0, 1e10, 1e30, f32::MAX] {
+            for k in [0.0, f32::MIN_POSITIVE, 1e-10, 1.0, 7.0, 1e10, f32::MAX] {
+                for c in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.3, 1.0, f32::INFINITY] {
+                    let f = Conductor::new(eta, k).unwrap().reflectance(c);
+                    assert!((0.0..=1.0).contains(&f), "eta = {eta}, k = {k}, cos = {c}: {f}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_index() {
+        for bad in [f32::NAN, f32::INFINITY, 0.0, -1.5] {
+            assert!(matches!(Conductor::new(bad, 1.0), Err(ConductorError::Index(_))), "{bad}");
+        }
+        for bad in [f32::NAN, f32::INFINITY, -1e-3] {
+            assert!(matches!(Conductor::new(1.0, bad), Err(ConductorError::Extinction(_))), "{bad}");
+        }
+    }
+}

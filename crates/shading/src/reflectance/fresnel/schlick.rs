@@ -1,0 +1,111 @@
+//! Schlick's approximation of the Fresnel reflectance.
+
+use core::fmt;
+
+use glam::Vec3;
+
+use crate::math::clamp_to;
+use crate::reflectance::fresnel::interface::{Fresnel, channels};
+
+/// Schlick's approximation, by the reflectance `F₀` at normal incidence.
+///
+/// ```
+/// use asperity_shading::Schlick;
+///
+/// let glass = Schlick::new(0.04)?;
+/// assert_eq!(glass.reflectance(1.0), 0.04);
+/// assert_eq!(glass.reflectance(0.0), 1.0);
+/// # Ok::<(), asperity_shading::SchlickError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Schlick {
+    f0: f32,
+}
+
+impl Schlick {
+    /// The approximation that reflects the share `f0` at normal incidence.
+    ///
+    /// # Errors
+    /// [`SchlickError::Reflectance`] unless `f0` is within `[0, 1]`.
+    pub fn new(f0: f32) -> Result<Self, SchlickError> {
+        if (0.0..=1.0).contains(&f0) { Ok(Self { f0 }) } else { Err(SchlickError::Reflectance(f0)) }
+    }
+
+    /// The reflectance at normal incidence, dimensionless.
+    #[must_use]
+    pub const fn f0(&self) -> f32 {
+        self.f0
+    }
+
+    /// The share of light that is reflected.
+    ///
+    /// ```text
+    /// F = F₀ + (1 − F₀) (1 − cos θ)⁵
+    /// ```
+    ///
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
+    /// - **Range:** `[F₀, 1]`, dimensionless.
+    /// - **Accuracy:** 2·10⁻⁷ against the formula; the formula itself knows no total internal reflection.
+    ///
+    /// Schlick 1994, *An Inexpensive BRDF Model for Physically-Based Rendering*, eq. 15.
+    #[must_use]
+    pub fn reflectance(&self, cos_theta: f32) -> f32 {
+        let x = 1.0 - clamp_to(cos_theta, 1.0);
+        let x2 = x * x;
+        (self.f0 + (1.0 - self.f0) * (x2 * x2 * x)).min(1.0)
+    }
+}
+
+channels!(Schlick);
+
+/// Why a [`Schlick`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SchlickError {
+    /// The reflectance at normal incidence is outside `[0, 1]`.
+    Reflectance(f32),
+}
+
+impl fmt::Display for SchlickError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reflectance(f0) => write!(f, "reflectance {f0} at normal incidence is outside [0, 1]"),
+        }
+    }
+}
+
+impl core::error::Error for SchlickError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn falls_from_one_at_the_horizon_to_f0() {
+        for f0 in [0.0, 0.04, 0.5, 1.0] {
+            let schlick = Schlick::new(f0).unwrap();
+            assert_eq!(schlick.reflectance(1.0), f0);
+            assert_eq!(schlick.reflectance(0.0), 1.0);
+            for i in 0..100 {
+                let (near, far) =
+                    (schlick.reflectance(i as f32 / 100.0), schlick.reflectance((i + 1) as f32 / 100.0));
+                assert!(near >= far, "f0 = {f0}, i = {i}: {near} < {far}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_cosine_gives_a_share() {
+        for c in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 0.5, 1.0, 2.0, f32::INFINITY] {
+            let f = Schlick::new(0.04).unwrap().reflectance(c);
+            assert!((0.04..=1.0).contains(&f), "cos = {c}: {f}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_share() {
+        for bad in [f32::NAN, f32::INFINITY, -0.1, 1.001] {
+            assert!(matches!(Schlick::new(bad), Err(SchlickError::Reflectance(_))), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Schlick's approximation with a tint near 82°, where metals dip.
+
+use core::fmt;
+
+use glam::Vec3;
+
+use crate::math::clamp_to;
+use crate::reflectance::fresnel::interface::{Fresnel, channels};
+
+/// Schlick's approximation, multiplied down to a given tint at `cos θ = 1/7`, about 82° from the normal.
+///
+/// ```
+/// use asperity_shading::SchlickF82;
+///
+/// // Aluminium reflects less just before the horizon than straight down.
+/// let aluminium = SchlickF82::new(0.91, 0.94)?;
+/// assert!(aluminium.reflectance(1.0 / 7.0) < 0.94 * 0.96);
+/// assert_eq!(aluminium.reflectance(0.0), 1.0);
+/// # Ok::<(), asperity_shading::SchlickF82Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SchlickF82 {
+    f0: f32,
+    /// The weight of `cos θ (1 − cos θ)⁶`.
+    dip: f32,
+}
+
+impl SchlickF82 {
+    /// The approximation with reflectance `f0` at normal incidence and `tint` times Schlick's at `cos θ = 1/7`.
+    ///
+    /// # Errors
+    /// [`SchlickF82Error`] unless both are within `[0, 1]`.
+    pub fn new(f0: f32, tint: f32) -> Result<Self, SchlickF82Error> {
+        if !(0.0..=1.0).contains(&f0) {
+            return Err(SchlickF82Error::Reflectance(f0));
+        }
+        if !(0.0..=1.0).contains(&tint) {
+            return Err(SchlickF82Error::Tint(tint));
+        }
+        // In f64: (6/7)⁵ and (6/7)⁶ amplify the rounding of what they divide.
+        let sixth = 6.0_f64 / 7.0;
+        let fifth_power = sixth * sixth * sixth * sixth * sixth;
+        let schlick = f64::from(f0) + (1.0 - f64::from(f0)) * fifth_power;
+        let dip = schlick * (1.0 - f64::from(tint)) * 7.0 / (fifth_power * sixth);
+        Ok(Self { f0, dip: dip as f32 })
+    }
+
+    /// The share of light that is reflected.
+    ///
+    /// ```text
+    /// F = F₀ + (1 − F₀) (1 − c)⁵ − a c (1 − c)⁶,   c = cos θ,   a such that F(1/7) is the tint's
+    /// ```
+    ///
+    /// - **Domain:** `cos_theta` is clamped to `[0, 1]`; NaN counts as 0, the horizon.
+    /// - **Range:** `[0, 1]`: where the last term is the greater, the reflectance is 0.
+    /// - **Accuracy:** 3·10⁻⁷ against the formula.
+    ///
+    /// Kutz, Hašan, Edmondson 2021, *Novel aspects of the Adobe Standard Material*, §2.3.
+    #[must_use]
+    pub fn reflectance(&self, cos_theta: f32) -> f32 {
+        let c = clamp_to(cos_theta, 1.0);
+        let x = 1.0 - c;
+        let x2 = x * x;
+        let x5 = x2 * x2 * x;
+        clamp_to(self.f0 + (1.0 - self.f0) * x5 - self.dip * c * (x5 * x), 1.0)
+    }
+}
+
+channels!(SchlickF82);
+
+/// Why a [`SchlickF82`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SchlickF82Error {
+    /// The reflectance at normal incidence is outside `[0, 1]`.
+    Reflectance(f32),
+    /// The tint is outside `[0, 1]`.
+    Tint(f32),
+}
+
+impl fmt::Display for SchlickF82Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reflectance(f0) => write!(f, "the reflectance at normal incidence is {f0}, outside [0, 1]"),
+            Self::Tint(tint) => write!(f, "the tint at 82° is {tint}, outside [0, 1]"),
+        }
+    }
+}
+
+impl core::error::Error for SchlickF82Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reflectance::fresnel::schlick::Schlick;
+
+    #[test]
+    fn tint_is_that_of_schlicks_at_one_seventh() {
+        for f0 in [0.0, 0.04, 0.5, 0.91, 1.0] {
+            for tint in [0.0, 0.3, 0.94, 1.0] {
+                let got = SchlickF82::new(f0, tint).unwrap().reflectance(1.0 / 7.0);
+                let expected = tint * Schlick::new(f0).unwrap().reflectance(1.0 / 7.0);
+                assert!((got - expected).abs() < 3e-7, "{f0}, {tint}: {got} for {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_share() {
+        for bad in [-0.1, 1.1, f32::NAN] {
+            assert!(matches!(SchlickF82::new(bad, 0.5), Err(SchlickF82Error::Reflectance(_))), "{bad}");
+            assert!(matches!(SchlickF82::new(0.5, bad), Err(SchlickF82Error::Tint(_))), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Lobes of powers of cosines: Phong's about the mirrored direction, Blinn's about the half vector.
+
+use core::f32::consts::{FRAC_1_PI, TAU};
+use core::fmt;
+
+use asperity_ndf_sampling::{BlinnPhong, ExponentError, Frame, Ndf};
+use glam::{Vec2, Vec3};
+
+use crate::direction::reflect;
+use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
+use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density, share};
+
+/// Phong's lobe about the mirrored direction, normalised.
+///
+/// ```text
+/// f_r = k_s (n + 2)/(2π) max(0, cos α)ⁿ,   α the angle between ωi and ωo mirrored in the normal
+/// ```
+///
+/// - **Domain:** exponent n within `[0, 10⁶]`, specular colour `k_s` within `[0, 1]³`.
+/// - **Range:** at least 0; reciprocal, as cos α is the same from both sides.
+/// - **Energy:** the albedo is at most `k_s`: `k_s` straight down, falling towards the horizon, below which a part of the
+///   lobe is lost.
+/// - **Sampling:** `(n + 1)/(2π) cosⁿ α`; what falls below the horizon brings nothing.
+///
+/// Phong 1975, *Illumination for Computer Generated Pictures*; the factor by Lafortune, Willems 1994, *Using the modified
+/// Phong reflectance model for physically based rendering*, eq. 8.
+///
+/// ```
+/// use asperity_shading::{Brdf, Phong, glam::Vec3};
+///
+/// let lacquer = Phong::new(Vec3::splat(0.3), 60.0)?;
+/// let wo = Vec3::new(0.6, 0.0, 0.8);
+/// assert!(lacquer.value(Vec3::new(-0.6, 0.0, 0.8), wo).x > 100.0 * lacquer.value(Vec3::Z, wo).x);
+/// # Ok::<(), asperity_shading::PhongError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phong {
+    specular: Vec3,
+    exponent: f32,
+}
+
+/// The largest exponent: beyond it, `f32` directions are coarser than the lobe.
+const MAX_EXPONENT: f32 = 1e6;
+
+impl Phong {
+    /// The lobe of this colour and exponent.
+    ///
+    /// # Errors
+    /// [`PhongError::Specular`] unless every component is within `[0, 1]`, [`PhongError::Exponent`] unless the exponent is
+    /// within `[0, 10⁶]`.
+    pub fn new(specular: Vec3, exponent: f32) -> Result<Self, PhongError> {
+        let specular = share(specular).map_err(PhongError::Specular)?;
+        if (0.0..=MAX_EXPONENT).contains(&exponent) {
+            Ok(Self { specular, exponent })
+        } else {
+            Err(PhongError::Exponent(exponent))
+        }
+    }
+
+    /// The exponent n.
+    #[must_use]
+    pub const fn exponent(&self) -> f32 {
+        self.exponent
+    }
+
+    fn lobe(&self, wi: Vec3, wo: Vec3) -> f32 {
+        // 1 − cos α by the chord: the power magnifies the rounding of a cosine near 1.
+        let chord = (wi - reflect(wo, Vec3::Z)).length_squared();
+        if chord < 2.0 { exp(self.exponent * ln_1p(-0.5 * chord)) } else { 0.0 }
+    }
+}
+
+impl Brdf for Phong {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if !are_above(wi, wo) {
+            return Vec3::ZERO;
+        }
+        self.specular * ((self.exponent + 2.0) / TAU * self.lobe(wi, wo))
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        let (u, turn) = (clamp_to(u.x, 1.0), TAU * clamp_to(u.y, 1.0));
+        let z = pow(1.0 - u, 1.0 / (self.exponent + 1.0));
+        let r = sqrt((1.0 - z * z).max(0.0));
+        Frame::from_normal(reflect(wo, Vec3::Z)).to_world(Vec3::new(r * cos(turn), r * sin(turn), z))
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        if are_above(wi, wo) { (self.exponent + 1.0) / TAU * self.lobe(wi, wo) } else { 0.0 }
+    }
+}
+
+/// Why a [`Phong`] or [`BlinnPhongLobe`] was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PhongError {
+    /// A component of the specular colour is outside `[0, 1]`.
+    Specular(f32),
+    /// The exponent is outside `[0, 10⁶]`.
+    Exponent(f32),
+    /// The exponent is none of the density [`BlinnPhong`].
+    Density(ExponentError),
+}
+
+impl fmt::Display for PhongError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Specular(c) => write!(f, "a component of the specular colour is {c}, outside [0, 1]"),
+            Self::Exponent(n) => write!(f, "the exponent is {n}, outside [0, 1000000]"),
+            Self::Density(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl core::error::Error for PhongError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Density(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+/// The factor of a [`BlinnPhongLobe`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum BlinnPhongFactor {
+    /// `(n + 2)(n + 4) / (8π (2^(−n/2) + n))`: straight down, the albedo is exactly `k_s` (Giesen 2009).
+    #[default]
+    Albedo,
+    /// `(n + 8) / (8π)`: the usual approximation, whose albedo straight down is up to 7.5 % more (at n = 8).
+    Approximate,
+    /// `(n + 2) / (8π)`: a quarter of the density of normals, the microfacet model without its cosines.
+    Density,
+}
+
+/// Blinn's lobe about the half vector.
+///
+/// ```text
+/// f_r = k_s c(n) (n·h)ⁿ
+/// ```
+///
+/// - **Domain:** the exponents of the density [`BlinnPhong`], specular colour within `[0, 1]³`.
+/// - **Range:** at least 0; reciprocal.
+/// - **Energy:** the albedo straight down is as [`BlinnPhongFactor`] says, and falls towards the horizon.
+/// - **Sampling:** `D(h) h_z` of the density, mirrored.
+/// - **Accuracy:** 3·10⁻⁶ relative to the formula, for exponents up to 1000.
+///
+/// Blinn 1977, *Models of Light Reflection for Computer Synthesized Pictures*.
+///
+/// ```
+/// use asperity_shading::{BlinnPhongFactor, BlinnPhongLobe, Brdf, glam::Vec3};
+///
+/// let gloss = BlinnPhongLobe::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
+/// assert!(gloss.value(Vec3::Z, Vec3::Z).x > gloss.value(Vec3::new(0.6, 0.0, 0.8), Vec3::Z).x);
+/// # Ok::<(), asperity_shading::PhongError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlinnPhongLobe {
+    specular: Vec3,
+    density: BlinnPhong,
+    factor: f32,
+}
+
+impl BlinnPhongLobe {
+    /// The lobe of this colour and exponent, with this factor.
+    ///
+    /// # Errors
+    /// [`PhongError::Specular`] unless every component is within `[0, 1]`, [`PhongError::Density`] for an exponent that
+    /// [`BlinnPhong::new`] refuses.
+    pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, PhongError> {
+        let specular = share(specular).map_err(PhongError::Specular)?;
+        let density = BlinnPhong::new(exponent).map_err(PhongError::Density)?;
+        let n = exponent;
+        let factor = match factor {
+            BlinnPhongFactor::Albedo => (n + 2.0) * (n + 4.0) / (exp2(-0.5 * n) + n),
+            BlinnPhongFactor::Approximate => n + 8.0,
+            BlinnPhongFactor::Density => n + 2.0,
+        } * (0.125 * FRAC_1_PI);
+        Ok(Self { specular, density, factor })
+    }
+}
+
+impl Brdf for BlinnPhongLobe {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if !are_above(wi, wo) {
+            return Vec3::ZERO;
+        }
+        // ln cos by the tangent: the power magnifies the rounding of a cosine near 1.
+        let (x, y) = ((wi.x + wo.x) / (wi.z + wo.z), (wi.y + wo.y) / (wi.z + wo.z));
+        let lobe = exp(-0.5 * self.density.exponent() * ln_1p(x * x + y * y));
+        self.specular * finite(self.factor * lobe)
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        reflect(wo, self.density.sample(u))
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        mirrored_density(wi, wo, |h| self.density.sample_density(h))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_what_is_no_lobe() {
+        for bad in [-1.0, f32::NAN, 1e7, f32::INFINITY] {
+            assert!(matches!(Phong::new(Vec3::ONE, bad), Err(PhongError::Exponent(_))), "{bad}");
+        }
+        assert!(matches!(Phong::new(Vec3::splat(2.0), 1.0), Err(PhongError::Specular(_))));
+        let refused = BlinnPhongLobe::new(Vec3::ONE, f32::NAN, BlinnPhongFactor::Albedo);
+        assert!(matches!(refused, Err(PhongError::Density(_))));
+    }
+
+    #[test]
+    fn phong_is_brightest_in_the_mirror() {
+        let phong = Phong::new(Vec3::ONE, 30.0).unwrap();
+        let wo = Vec3::new(0.48, 0.36, 0.8);
+        let peak = phong.value(reflect(wo, Vec3::Z), wo).x;
+        assert!((peak - 32.0 / TAU).abs() < 1e-4, "{peak}");
+    }
+}
