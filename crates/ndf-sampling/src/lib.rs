@@ -81,6 +81,7 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
+mod batch_error;
 mod density;
 mod frame;
 mod level_of_detail;
@@ -95,8 +96,9 @@ mod numeric;
 mod radial;
 mod simd;
 
+pub use batch_error::BatchError;
 pub use density::ashikhmin_shirley::AshikhminShirley;
-pub use density::batch::{Batch, BatchError};
+pub use density::batch::Batch;
 pub use density::beckmann::Beckmann;
 pub use density::blend::{Blend, MixtureError};
 pub use density::blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
@@ -118,10 +120,14 @@ pub use level_of_detail::table::{ConditionalAccuracy, ConditionalTable};
 pub use level_of_detail::table_ref::ConditionalTableRef;
 #[cfg(feature = "alloc")]
 pub use map::cdf::Cdf;
-#[cfg(feature = "alloc")]
-pub use map::ndf_map::{MAX_TEXELS, Measure, NdfMap, NdfMapError};
-pub use map::packed::packed_map::{PackedMap, PackedMapError};
+pub use map::packed::{error::PackedMapError, packed_map::PackedMap};
 pub use map::reconstruction::Reconstruction;
+#[cfg(feature = "alloc")]
+pub use map::{
+    error::{MAX_TEXELS, NdfMapError},
+    ndf_map::NdfMap,
+    texels::Measure,
+};
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 pub use noise_distribution::distribution::{DeviationError, GaussianNoise, NoiseDistribution};

@@ -101,7 +101,7 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
 /// The traits of a density by those of another, which the method `facets` returns.
 macro_rules! same_facets {
     ($density:ty) => {
-        impl $crate::Ndf for $density {
+        impl $crate::ndf::Ndf for $density {
             #[inline]
             fn density(&self, m: glam::Vec3) -> f32 {
                 self.facets().density(m)
@@ -123,7 +123,7 @@ macro_rules! same_facets {
             }
         }
 
-        impl $crate::Microfacet for $density {
+        impl $crate::microfacet::Microfacet for $density {
             #[inline]
             fn lambda(&self, v: glam::Vec3) -> f32 {
                 self.facets().lambda(v)
@@ -140,7 +140,7 @@ macro_rules! same_facets {
             }
         }
 
-        impl $crate::Radial for $density {
+        impl $crate::radial::Radial for $density {
             #[inline]
             fn exponent(&self, slope: f64) -> Option<f64> {
                 self.facets().exponent(slope)
@@ -161,13 +161,6 @@ pub(crate) fn above(v: Vec3) -> Vec3 {
     Vec3::new(number(v.x), number(v.y), v.z.max(0.0)).try_normalize().unwrap_or(Vec3::Z)
 }
 
-/// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
-#[inline]
-pub(crate) fn unit_square(u: Vec2) -> Vec2 {
-    let bound = |c: f32| if c > 0.0 { c.min(1.0 - 0.5 * f32::EPSILON) } else { 0.0 };
-    Vec2::new(bound(u.x), bound(u.y))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -180,7 +173,6 @@ mod tests {
         for v in [Vec3::NAN, Vec3::NEG_Z, Vec3::ZERO, Vec3::splat(f32::INFINITY)] {
             assert_eq!(above(v), Vec3::Z, "{v}");
         }
-        assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
     }
 
     #[test]

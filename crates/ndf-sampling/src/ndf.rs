@@ -3,7 +3,6 @@
 use glam::{Vec2, Vec3};
 
 use crate::math;
-use crate::microfacet::unit_square;
 use crate::numeric::normal_distribution::inverse_phi;
 
 /// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
@@ -126,6 +125,13 @@ pub(crate) fn bounded(z: Vec2) -> Vec2 {
     Vec2::new(bound(z.x), bound(z.y))
 }
 
+/// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
+#[inline]
+pub(crate) fn unit_square(u: Vec2) -> Vec2 {
+    let bound = |c: f32| if c > 0.0 { c.min(1.0 - 0.5 * f32::EPSILON) } else { 0.0 };
+    Vec2::new(bound(u.x), bound(u.y))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,5 +140,6 @@ mod tests {
     fn coordinates_are_bounded() {
         assert_eq!(bounded(Vec2::new(f32::NAN, f32::INFINITY)), Vec2::new(0.0, 13.0));
         assert_eq!(bounded(Vec2::new(-1e30, 0.5)), Vec2::new(-13.0, 0.5));
+        assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
     }
 }

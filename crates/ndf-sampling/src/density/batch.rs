@@ -1,8 +1,10 @@
 //! Normals by the thousand: closed forms in the lanes of a SIMD register.
 
-use core::{error::Error, fmt};
-
+use crate::batch_error::BatchError;
 use crate::density::closed_form::{Coordinates, Density, InLanes, Kernel, Normal, Sample, Visible};
+use crate::simd::dispatch::Level;
+#[cfg(feature = "simd")]
+use crate::simd::dispatch::best_level;
 use crate::simd::lanes::{Lanes, Scalar};
 #[cfg(feature = "simd")]
 use crate::simd::{register_pair::Twice, registers::Wide};
@@ -25,20 +27,6 @@ use crate::simd::{register_pair::Twice, registers::Wide};
 #[derive(Clone, Copy, Debug)]
 pub struct Batch {
     wide: Option<Level>,
-}
-
-#[cfg(feature = "simd")]
-type Level = fearless_simd::Level;
-#[cfg(not(feature = "simd"))]
-type Level = core::convert::Infallible;
-
-/// The best level of this machine; without `std`, the best that the program was built for.
-#[cfg(feature = "simd")]
-pub(crate) fn best_level() -> Level {
-    #[cfg(feature = "std")]
-    return Level::new();
-    #[cfg(not(feature = "std"))]
-    return Level::baseline();
 }
 
 impl Default for Batch {
@@ -186,47 +174,6 @@ fn fill<S: Lanes, K: Kernel<I, O>, const I: usize, const O: usize>(
         }
     }
 }
-
-/// Why a batch was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum BatchError {
-    /// An array is not as long as the first one.
-    LengthMismatch {
-        /// Which array, counted from 0 through the inputs and then the outputs.
-        array: usize,
-        /// The first array's length.
-        expected: usize,
-        /// Its length.
-        found: usize,
-    },
-}
-
-impl BatchError {
-    /// Whether all arrays have one length.
-    pub(crate) fn check(inputs: &[&[f32]], outputs: &[&mut [f32]]) -> Result<(), Self> {
-        let expected = inputs.first().map_or(0, |input| input.len());
-        let lengths = inputs.iter().map(|input| input.len()).chain(outputs.iter().map(|output| output.len()));
-        for (array, found) in lengths.enumerate() {
-            if found != expected {
-                return Err(Self::LengthMismatch { array, expected, found });
-            }
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Display for BatchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LengthMismatch { array, expected, found } => {
-                write!(f, "array {array} must have the {expected} elements of the first, got {found}")
-            }
-        }
-    }
-}
-
-impl Error for BatchError {}
 
 #[cfg(test)]
 mod tests {

@@ -4,8 +4,8 @@ use core::fmt;
 
 use glam::{Vec2, Vec3};
 
-use crate::microfacet::{Microfacet, above, unit_square};
-use crate::ndf::Ndf;
+use crate::microfacet::{Microfacet, above};
+use crate::ndf::{Ndf, unit_square};
 
 /// The density `w D_a + (1 − w) D_b` of any two densities, without a map from Gaussian coordinates.
 ///

@@ -319,8 +319,7 @@ fn probability(u: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::ndf_map::Measure;
-    use crate::map::texels::{columns_of_texels, texel_meets};
+    use crate::map::texels::{Measure, columns_of_texels, texel_meets};
     use alloc::vec;
 
     /// Column by column.

@@ -11,6 +11,8 @@ pub(crate) mod columns;
 #[cfg(feature = "alloc")]
 pub(crate) mod disk;
 #[cfg(feature = "alloc")]
+pub(crate) mod error;
+#[cfg(feature = "alloc")]
 pub(crate) mod ndf_map;
 pub(crate) mod packed;
 #[cfg(feature = "alloc")]

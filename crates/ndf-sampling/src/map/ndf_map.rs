@@ -1,37 +1,22 @@
 //! A normal density that is given as an image or as a function on the hemispherical map of normals.
 
 use alloc::vec::Vec;
-use core::fmt;
 
 use glam::{Vec2, Vec3};
 
 use crate::map::cdf::Cdf;
 use crate::map::disk::to_normal;
+use crate::map::error::{MAX_TEXELS, NdfMapError};
 use crate::map::reconstruction::Reconstruction;
-use crate::map::texels::{columns_of_texels, texel_edges, texel_meets};
+use crate::map::texels::{Measure, columns_of_texels, texel_edges, texel_meets};
 use crate::ndf::Ndf;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
-
-/// The most texels a map may have; it then takes 220 MB.
-pub const MAX_TEXELS: usize = 1 << 24;
 
 /// The farthest Gaussian coordinate of a map: `1 − Φ` of it is the resolution of `f64` below 1.
 const FARTHEST: f64 = 8.125;
 
 /// Points per side at which a function is averaged over a texel.
 const POINTS: usize = 4;
-
-/// What the values of a map are densities over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Measure {
-    /// Over the projected normal, per `dn_x dn_y`: the value is `D` itself, as it is found by counting the normals of a bump
-    /// map that is sampled uniformly over the macro surface.
-    Normals,
-    /// Over solid angle, per `dω = dn_x dn_y/cos θ`: `D` is the value over `cos θ`, so that a constant image gives normals
-    /// uniform on the hemisphere. The weight of each texel is kept exactly; `D` is its mean over the texel.
-    SolidAngle,
-}
 
 /// A normal density, constant on each texel of the (x, y) map and clipped to the disk, with its exact sampling.
 ///
@@ -211,77 +196,6 @@ fn check_size(width: usize, height: usize) -> Result<usize, NdfMapError> {
         _ => Err(NdfMapError::TooLarge { width, height }),
     }
 }
-
-/// Why an image or a function is not a density of normals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum NdfMapError {
-    /// The width or the height is 0.
-    Empty {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-    },
-    /// There are more than [`MAX_TEXELS`] texels.
-    TooLarge {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-    },
-    /// The slice has not `width · height` texels.
-    SizeMismatch {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-        /// The slice's length.
-        len: usize,
-    },
-    /// A texel is NaN or infinite.
-    NotFinite {
-        /// Which texel, `row · width + column`.
-        index: usize,
-        /// Its value.
-        value: f32,
-    },
-    /// A texel is negative.
-    Negative {
-        /// Which texel, `row · width + column`.
-        index: usize,
-        /// Its value.
-        value: f32,
-    },
-    /// No texel inside the disk has weight.
-    AllBlack {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-    },
-}
-
-impl fmt::Display for NdfMapError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty { width, height } => write!(f, "map must have texels, got {width} × {height}"),
-            Self::TooLarge { width, height } => {
-                write!(f, "map must have at most {MAX_TEXELS} texels, got {width} × {height}")
-            }
-            Self::SizeMismatch { width, height, len } => {
-                write!(f, "map of {width} × {height} needs as many texels, got {len}")
-            }
-            Self::NotFinite { index, value } => write!(f, "texel {index} must be finite, got {value}"),
-            Self::Negative { index, value } => write!(f, "texel {index} must not be negative, got {value}"),
-            Self::AllBlack { width, height } => {
-                write!(f, "map of {width} × {height} is black wherever it shows normals")
-            }
-        }
-    }
-}
-
-impl core::error::Error for NdfMapError {}
 
 #[cfg(test)]
 mod tests {

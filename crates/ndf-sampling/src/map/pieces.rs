@@ -15,7 +15,7 @@ const PIECES: usize = 32;
 /// The pieces between the cuts, and the integral of the density inside the circle on each.
 pub(crate) fn slabs(columns: &Columns, cuts: &Cuts) -> (Vec<Slab>, Vec<f64>) {
     #[cfg(feature = "simd")]
-    return fearless_simd::dispatch!(crate::density::batch::best_level(), simd => all(simd, columns, cuts));
+    return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => all(simd, columns, cuts));
     #[cfg(not(feature = "simd"))]
     all((), columns, cuts)
 }
@@ -267,9 +267,8 @@ fn unit(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::ndf_map::Measure;
     use crate::map::reconstruction::Reconstruction;
-    use crate::map::texels::columns_of_texels;
+    use crate::map::texels::{Measure, columns_of_texels};
     use crate::numeric::bernstein::cubic;
 
     /// `∫ f dy` in cells from one place to another, row by row: the density is linear in each.

@@ -42,7 +42,7 @@ impl Integrals {
     /// not finite.
     pub(crate) fn new(image: Image<'_>, kind: Reconstruction) -> Option<Self> {
         #[cfg(feature = "simd")]
-        return fearless_simd::dispatch!(crate::density::batch::best_level(), simd => {
+        return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => {
             columns_of(simd, image, kind)
         });
         #[cfg(not(feature = "simd"))]

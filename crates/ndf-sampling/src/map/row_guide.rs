@@ -69,9 +69,8 @@ impl RowGuide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::ndf_map::Measure;
     use crate::map::reconstruction::Reconstruction;
-    use crate::map::texels::columns_of_texels;
+    use crate::map::texels::{Measure, columns_of_texels};
 
     #[test]
     fn quantiles_of_a_column_are_found_in_two_windows_on_average() {

@@ -5,9 +5,21 @@ use alloc::vec::Vec;
 
 use crate::map::columns::Columns;
 use crate::map::disk::{mean_secant, meets, to_normal};
-use crate::map::ndf_map::{Measure, NdfMapError};
+use crate::map::error::NdfMapError;
 use crate::map::prefix_sums::{Image, Integrals};
 use crate::map::reconstruction::Reconstruction;
+
+/// What the values of a map are densities over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Measure {
+    /// Over the projected normal, per `dn_x dn_y`: the value is `D` itself, as it is found by counting the normals of a bump
+    /// map that is sampled uniformly over the macro surface.
+    Normals,
+    /// Over solid angle, per `dω = dn_x dn_y/cos θ`: `D` is the value over `cos θ`, so that a constant image gives normals
+    /// uniform on the hemisphere. The weight of each texel is kept exactly; `D` is its mean over the texel.
+    SolidAngle,
+}
 
 /// The columns of an image's texels.
 ///

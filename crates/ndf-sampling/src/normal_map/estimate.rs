@@ -7,8 +7,10 @@ use core::fmt;
 use glam::Vec3;
 
 use crate::map::b_spline::{area_inside, averaged_kernel, edge, first_texel};
-use crate::map::ndf_map::{MAX_TEXELS, Measure, NdfMap};
+use crate::map::error::MAX_TEXELS;
+use crate::map::ndf_map::NdfMap;
 use crate::map::reconstruction::Reconstruction;
+use crate::map::texels::Measure;
 use crate::math;
 
 /// Counts the normals of a bump map over (n_x, n_y), each spread by a smooth kernel, into the texels of an [`NdfMap`].

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::math;
+use crate::ndf::Ndf;
 use crate::normal_table::table::{NormalTable, entry_coordinate};
 use crate::normal_table::table_ref::NormalTableRef;
 use crate::numeric::normal_distribution::phi;
@@ -48,6 +49,14 @@ pub struct TableAccuracy {
     pub beyond: f64,
     /// The largest angle by which the frames of two neighbouring entries are turned against each other, in rad.
     pub largest_step: f32,
+}
+
+impl NormalTable {
+    /// What the look-ups lose against `ndf`, of which the table is.
+    #[must_use]
+    pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
+        TableAccuracy::measure(self, |z| ndf.from_gaussian(z))
+    }
 }
 
 impl TableAccuracy {

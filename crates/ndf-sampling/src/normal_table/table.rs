@@ -6,7 +6,6 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::ndf::Ndf;
-use crate::normal_table::accuracy::TableAccuracy;
 use crate::normal_table::layout::{TableEntry, TableLayout};
 use crate::normal_table::spacing::Spacing;
 use crate::normal_table::table_ref::{MAX_SIZE, NormalTableError, NormalTableRef};
@@ -167,12 +166,6 @@ impl NormalTable {
     #[must_use]
     pub fn bilinear(&self, z: Vec2) -> Frame {
         self.view().bilinear(z)
-    }
-
-    /// What the look-ups lose against `ndf`, of which the table is; see [`TableAccuracy`].
-    #[must_use]
-    pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
-        TableAccuracy::measure(self, |z| ndf.from_gaussian(z))
     }
 
     /// The entries as half floats, two each: a texture of the format RG16F, which hardware interpolates.

@@ -1,5 +1,6 @@
 //! Float registers of any number of lanes, and elementary functions in them.
 
+pub(crate) mod dispatch;
 pub(crate) mod elementary;
 pub(crate) mod gather;
 pub(crate) mod lanes;

@@ -51,7 +51,7 @@ mod tests {
     #[test]
     fn rows_become_columns() {
         #[cfg(feature = "simd")]
-        fearless_simd::dispatch!(crate::density::batch::best_level(), simd => check(simd));
+        fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => check(simd));
         #[cfg(not(feature = "simd"))]
         check(());
     }

@@ -1,6 +1,6 @@
 //! Arrays of samples of a packed map, with the instructions that the machine has.
 
-use crate::density::batch::BatchError;
+use crate::batch_error::BatchError;
 use crate::map::packed::packed_map::PackedMap;
 use crate::map::reconstruction::Reconstruction;
 use crate::simd::gather::Picking;
@@ -85,7 +85,7 @@ impl<const SIDES: usize> Picked<1> for Densities<'_, SIDES> {
 /// Applies work to arrays of one length.
 fn fill<const OUT: usize>(work: impl Picked<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
     #[cfg(feature = "simd")]
-    fearless_simd::dispatch!(crate::density::batch::best_level(), simd => {
+    fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => {
         each(crate::simd::registers::Eight(simd), work, inputs, outputs);
     });
     #[cfg(not(feature = "simd"))]

@@ -1,13 +1,11 @@
 //! Where the parts of a packed map lie in its array.
 
-use crate::map::packed::packed_map::PackedMapError;
-use crate::map::packed::record::{CUBIC, LEAF};
+use crate::map::packed::error::PackedMapError;
+use crate::map::packed::record::{CUBIC, HEADER, LEAF};
 use crate::map::reconstruction::Reconstruction;
 
 /// The first number of every packed map: its format. Integers are written as the floats that have their bits.
 pub(crate) const FORMAT: f32 = 2002.0;
-/// Numbers before the first part.
-pub(crate) const HEADER: usize = 16;
 /// Weights that are looked through at once, and so many follow the last.
 pub(crate) const KEYS: usize = 2;
 /// Lines of the grid that are looked through at once.

@@ -2,6 +2,7 @@
 
 pub(crate) mod batch;
 pub(crate) mod cdf;
+pub(crate) mod error;
 pub(crate) mod fetch;
 pub(crate) mod grid;
 pub(crate) mod inverse_cdf;

@@ -1,12 +1,11 @@
 //! A map of normals in one borrowed array of `f32`.
 
-use core::fmt;
-
 use glam::{Vec2, Vec3};
 
+use crate::map::packed::error::PackedMapError;
 use crate::map::packed::grid::Grid;
-use crate::map::packed::layout::{HEADER, Layout};
-use crate::map::packed::record::{LEAF, Rows};
+use crate::map::packed::layout::Layout;
+use crate::map::packed::record::{HEADER, LEAF, Rows};
 use crate::map::reconstruction::Reconstruction;
 use crate::math;
 use crate::ndf::Ndf;
@@ -143,50 +142,3 @@ impl Ndf for PackedMap<'_> {
         Vec2::from(u.map(|u| inverse_phi(f64::from(u).clamp(LEAST, 1.0 - LEAST)) as f32))
     }
 }
-
-/// Why an array is no packed map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum PackedMapError {
-    /// The array is shorter than a header.
-    NoHeader {
-        /// Its length.
-        len: usize,
-    },
-    /// The first number is not that of this format.
-    Format {
-        /// Its value.
-        value: f32,
-    },
-    /// A number of the header is no size.
-    Header {
-        /// Which one.
-        index: usize,
-        /// Its bits.
-        value: u32,
-    },
-    /// The array is not as long as its header says.
-    Length {
-        /// How long it should be.
-        expected: u64,
-        /// How long it is.
-        len: usize,
-    },
-}
-
-impl fmt::Display for PackedMapError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoHeader { len } => write!(f, "packed map must have {HEADER} numbers at least, got {len}"),
-            Self::Format { value } => write!(f, "packed map must begin with its format, got {value}"),
-            Self::Header { index, value } => {
-                write!(f, "number {index} of a packed map must be a size, got {value}")
-            }
-            Self::Length { expected, len } => {
-                write!(f, "packed map must have the {expected} numbers that its header says, got {len}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for PackedMapError {}

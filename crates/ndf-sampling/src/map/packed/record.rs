@@ -1,5 +1,7 @@
 //! The numbers of a piece of the marginal, as they lie in a packed map.
 
+/// Numbers before the first part of a map.
+pub(crate) const HEADER: usize = 16;
 /// Numbers of a cubic.
 pub(crate) const CUBIC: usize = 16;
 
