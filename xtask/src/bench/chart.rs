@@ -8,7 +8,7 @@ use crate::{
     failure::Failure,
     gallery::{
         page,
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        plot::{Axis, Ink, Names, Plot, Stroke},
     },
 };
 
@@ -30,40 +30,30 @@ fn plot(rows: &[(&str, Ratio<'_>)]) -> Plot {
     // The longest bar takes up 0.7 of the width; the words behind it have the rest.
     let high = low * (all().fold(2.0, f64::max) / low).powf(1.0 / 0.7);
     let count = rows.len() as f64;
-    let mut marks = vec![
-        named("Asperity at its highest level", Ink::Series(1)),
-        named("the fastest peer at that level or below", Ink::Series(2)),
-    ];
+    let ticks: Vec<_> =
+        rows.iter().enumerate().map(|(index, (name, _))| (count - index as f64 - 0.5, *name)).collect();
+    let x = Axis::log2("nanoseconds per sample", [low, high], 1);
+    let y = Axis::linear("", [0.0, count.max(1.0)], 1.0).with_ticks(&ticks);
+    // Of the lines of the legend: a single point draws nothing.
+    let (nowhere, thick) = ([[1.0, 0.0]], |series: u8| Stroke::solid(series).wide(8.0));
+    let mut plot = Plot::new([1100.0, ROW * count.max(1.0) + 110.0], x, y, Names::Above)
+        .titled("Nanoseconds per sample of Asperity and of the fastest peer")
+        .curve("Asperity at its highest level", nowhere, thick(1))
+        .curve("the fastest peer at that level or below", nowhere, thick(2));
     for (index, (_, ratio)) in rows.iter().enumerate() {
         let middle = count - index as f64 - 0.5;
-        for (of, ink, y) in
-            [(ratio.ours, Ink::Series(1), [0.02, 0.36]), (ratio.peer, Ink::Series(2), [-0.36, -0.02])]
-        {
+        for (of, ink, y) in [(ratio.ours, 1, [0.02, 0.36]), (ratio.peer, 2, [-0.36, -0.02])] {
             let words = if of.library == OURS {
                 format!("{} {}, ratio {:.2}", number(of.median()), of.level, ratio.value())
             } else {
                 format!("{} {}, {}", number(of.median()), of.level, of.library)
             };
             let y = y.map(|y| middle + y);
-            marks.push(Mark::Frame { x: [low, of.median()], y, ink, opacity: 0.85, width: 0.0 });
-            marks.push(Mark::Label { at: [of.median(), (y[0] + y[1]) / 2.0], text: words, ink: Ink::Muted });
+            plot = plot.frame([low, of.median()], y, ink, 0.85, 0.0);
+            plot = plot.label([of.median(), (y[0] + y[1]) / 2.0], words, Ink::Muted);
         }
     }
-    let ticks: Vec<_> =
-        rows.iter().enumerate().map(|(index, (name, _))| (count - index as f64 - 0.5, *name)).collect();
-    Plot {
-        title: "Nanoseconds per sample of Asperity and of the fastest peer".into(),
-        size: [1100.0, ROW * count.max(1.0) + 110.0],
-        x: Axis::log2("nanoseconds per sample", [low, high], 1),
-        y: Axis::linear("", [0.0, count.max(1.0)], 1.0).with_ticks(&ticks),
-        names: Names::Above,
-        marks,
-    }
-}
-
-/// A line of the legend: a single point draws nothing.
-fn named(name: &str, ink: Ink) -> Mark {
-    Mark::Line { points: vec![[1.0, 0.0]], stroke: Stroke::solid(ink).wide(8.0), name: name.into() }
+    plot
 }
 
 #[cfg(test)]

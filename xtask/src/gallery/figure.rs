@@ -2,8 +2,13 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use asperity_render::image::Image;
+use asperity_render::{
+    image::Image,
+    integrator::pixels::{Sampling, render},
+};
+use glam::Vec3;
 use indicatif::ProgressBar;
+use rayon::prelude::*;
 
 use crate::failure::{Failure, Interrupted};
 
@@ -38,8 +43,51 @@ pub(crate) struct Context<'a> {
 
 impl Context<'_> {
     /// Returns [`Interrupted`] once the user has pressed Ctrl-C.
-    pub(crate) fn checkpoint(&self) -> Result<(), Failure> {
-        if self.interrupted.load(Ordering::Relaxed) { Err(Interrupted.into()) } else { Ok(()) }
+    pub(crate) fn checkpoint(&self) -> Result<(), Interrupted> {
+        if self.interrupted.load(Ordering::Relaxed) { Err(Interrupted) } else { Ok(()) }
+    }
+
+    /// A square panel of the figure's size.
+    pub(crate) fn square(&self) -> Sampling {
+        self.sampling([12, 12], 1)
+    }
+
+    /// A panel of these shares of the figure's size, in twelfths, with so many times its samples.
+    pub(crate) fn sampling(&self, [width, height]: [u32; 2], times: u32) -> Sampling {
+        Sampling {
+            width: self.size * width / 12,
+            height: self.size * height / 12,
+            samples_per_pixel: self.samples_per_pixel.saturating_mul(times),
+            seed: self.seed,
+        }
+    }
+
+    /// The mean of a radiance over each pixel, at points in pixels from the top left.
+    pub(crate) fn render(
+        &self,
+        sampling: Sampling,
+        radiance: impl Fn(f32, f32) -> Vec3 + Sync,
+    ) -> Result<Image, Failure> {
+        render(sampling, self.progress, self.interrupted, radiance)
+    }
+
+    /// Rows one below the other, made on all threads, in their order whatever the number of threads.
+    pub(crate) fn rows<T: Send, R: IntoIterator<Item = T>>(
+        &self,
+        count: usize,
+        row: impl Fn(usize) -> R + Sync,
+    ) -> Result<Vec<T>, Failure> {
+        self.progress.inc_length(count as u64);
+        let rows: Result<Vec<Vec<T>>, Interrupted> = (0..count)
+            .into_par_iter()
+            .map(|k| {
+                self.checkpoint()?;
+                let row = row(k).into_iter().collect();
+                self.progress.inc(1);
+                Ok(row)
+            })
+            .collect();
+        Ok(rows?.into_iter().flatten().collect())
     }
 }
 
@@ -55,6 +103,35 @@ pub(crate) struct Drawn {
     pub(crate) table: Option<Table>,
 }
 
+impl Drawn {
+    /// Panels in so many columns, without parameters and table.
+    pub(crate) fn new(columns: u32, panels: Vec<Panel>) -> Self {
+        Self { columns, panels, parameters: Vec::new(), table: None }
+    }
+
+    /// One more parameter.
+    pub(crate) fn fact(mut self, name: &str, value: impl Into<String>) -> Self {
+        self.parameters.push((name.to_owned(), value.into()));
+        self
+    }
+
+    /// Some more parameters.
+    pub(crate) fn facts(mut self, facts: Vec<(String, String)>) -> Self {
+        self.parameters.extend(facts);
+        self
+    }
+
+    /// With a table of measured values.
+    pub(crate) fn table(
+        self,
+        head: impl IntoIterator<Item = impl Into<String>>,
+        rows: impl IntoIterator<Item = impl Into<Vec<String>>>,
+    ) -> Self {
+        let head = head.into_iter().map(Into::into).collect();
+        Self { table: Some(Table { head, rows: rows.into_iter().map(Into::into).collect() }), ..self }
+    }
+}
+
 /// One picture of a figure.
 pub(crate) struct Panel {
     /// Stem of its file, unique in the figure: `zoom-4`.
@@ -67,6 +144,33 @@ pub(crate) struct Panel {
     pub(crate) span: u32,
     /// The picture itself.
     pub(crate) picture: Picture,
+}
+
+impl Panel {
+    /// A picture of one column with its words.
+    pub(crate) fn new(
+        stem: impl Into<String>,
+        label: impl Into<String>,
+        alt: impl Into<String>,
+        picture: Picture,
+    ) -> Self {
+        Self { stem: stem.into(), label: label.into(), alt: alt.into(), span: 1, picture }
+    }
+
+    /// A picture of pixels with its words.
+    pub(crate) fn raster(
+        stem: impl Into<String>,
+        label: impl Into<String>,
+        alt: impl Into<String>,
+        image: Image,
+    ) -> Self {
+        Self::new(stem, label, alt, Picture::Raster(image))
+    }
+
+    /// Several columns wide.
+    pub(crate) fn spanning(self, span: u32) -> Self {
+        Self { span, ..self }
+    }
 }
 
 /// Pixels or curves.

@@ -21,10 +21,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure, Panel},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const CAR: Figure = Figure {
@@ -88,33 +85,18 @@ fn picture(
     Ok(image.filmic(1.45))
 }
 
-/// Panels of this share of the figure's size and so many times its samples.
-fn panel_sampling(context: &Context<'_>, [width, height]: [u32; 2], times: u32) -> Sampling {
-    Sampling {
-        width: context.size * width / 12,
-        height: context.size * height / 12,
-        samples_per_pixel: context.samples_per_pixel.saturating_mul(times),
-        seed: context.seed,
-    }
-}
-
-fn parameters(list: &[(&str, String)]) -> Vec<(String, String)> {
-    list.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect()
-}
-
 fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
     let paint = MetallicPaintParameters::default();
     let door =
         View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
     let mut panels = Vec::new();
     let whole = Box::new(materials::paint(paint, 1.0, PIGMENT)?);
-    let sampling = panel_sampling(context, [24, 11], 5);
+    let sampling = context.sampling([24, 11], 5);
     let view = View { field: 21.0, ..Set::Car.view() };
     let image = picture(context, Set::Car, view, sampling, whole, Shadow::Cast)?;
-    let mut panel = raster("whole", "The car", "A blue car from the front and the side", image);
-    panel.span = 2;
-    panels.push(panel);
-    let sampling = panel_sampling(context, [12, 8], 5);
+    let alt = "A blue car from the front and the side";
+    panels.push(Panel::raster("whole", "The car", alt, image).spanning(2));
+    let sampling = context.sampling([12, 8], 5);
     for (stem, label, subject) in [
         (
             "sparkles",
@@ -128,34 +110,28 @@ fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
     ] {
         let image = picture(context, Set::Car, door, sampling, subject, Shadow::Cast)?;
-        panels.push(raster(stem, label, "Blue paint from nearby with points of light", image));
+        panels.push(Panel::raster(stem, label, "Blue paint from nearby with points of light", image));
     }
-    Ok(Drawn {
-        columns: 2,
-        panels,
-        parameters: parameters(&[
-            (
-                "orange_peel",
-                format!("size {}, strength {}", paint.orange_peel_size, paint.orange_peel_strength),
+    Ok(Drawn::new(2, panels)
+        .fact(
+            "orange_peel",
+            format!("size {}, strength {}", paint.orange_peel_size, paint.orange_peel_strength),
+        )
+        .fact(
+            "flake_sparkle",
+            format!(
+                "pixel size {}, physical size {}, variation {}, boost {}, elimination {}",
+                paint.flake_sparkle_pixel_size,
+                paint.flake_sparkle_physical_size,
+                paint.flake_sparkle_variation,
+                paint.flake_sparkle_boost,
+                paint.flake_sparkle_elimination
             ),
-            (
-                "flake_sparkle",
-                format!(
-                    "pixel size {}, physical size {}, variation {}, boost {}, elimination {}",
-                    paint.flake_sparkle_pixel_size,
-                    paint.flake_sparkle_physical_size,
-                    paint.flake_sparkle_variation,
-                    paint.flake_sparkle_boost,
-                    paint.flake_sparkle_elimination
-                ),
-            ),
-            (
-                "passive_flake",
-                format!("size {}, strength {}", paint.passive_flake_size, paint.passive_flake_strength),
-            ),
-        ]),
-        table: None,
-    })
+        )
+        .fact(
+            "passive_flake",
+            format!("size {}, strength {}", paint.passive_flake_size, paint.passive_flake_strength),
+        ))
 }
 
 fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
@@ -163,7 +139,7 @@ fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
     let grid = CarpetParameters { seams_pattern: SeamPattern::Grid, ..lines };
     let rim = CarpetParameters { fake_rim_light: 0.6, fake_rim_light_width: 0.5, ..lines };
     let near = View { eye: Vec3::new(0.30, -0.62, 0.16), target: Vec3::new(0.2, -0.46, 0.0), field: 36.0 };
-    let sampling = panel_sampling(context, [12, 12], 6);
+    let sampling = context.sampling([12, 12], 6);
     let mut panels = Vec::new();
     for (stem, label, alt, set, view, carpet) in [
         (
@@ -186,25 +162,19 @@ fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
     ] {
         let subject = Box::new(materials::carpet(carpet, set.metres(), Vec3::splat(0.5))?);
         let image = picture(context, set, view, sampling, subject, Shadow::Cast)?;
-        panels.push(raster(stem, label, alt, image));
+        panels.push(Panel::raster(stem, label, alt, image));
     }
-    Ok(Drawn {
-        columns: 3,
-        panels,
-        parameters: parameters(&[
-            ("seam_distance", lines.seam_distance.to_string()),
-            ("dark_area_size", lines.dark_area_size.to_string()),
-            (
-                "fake_rim_light on the ball",
-                format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width),
-            ),
-        ]),
-        table: None,
-    })
+    Ok(Drawn::new(3, panels)
+        .fact("seam_distance", lines.seam_distance.to_string())
+        .fact("dark_area_size", lines.dark_area_size.to_string())
+        .fact(
+            "fake_rim_light on the ball",
+            format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width),
+        ))
 }
 
 fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let sampling = panel_sampling(context, [16, 12], 4);
+    let sampling = context.sampling([16, 12], 4);
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
     let mut panels: Vec<Panel> = Vec::new();
     for (stem, label, alt, subject) in [
@@ -222,9 +192,9 @@ fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
     ] {
         let image = picture(context, Set::Wall, Set::Wall.view(), sampling, subject, Shadow::Cast)?;
-        panels.push(raster(stem, label, alt, image));
+        panels.push(Panel::raster(stem, label, alt, image));
     }
-    Ok(Drawn { columns: 2, panels, parameters: Vec::new(), table: None })
+    Ok(Drawn::new(2, panels))
 }
 
 fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
@@ -274,17 +244,12 @@ fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
     ];
     let view = View { field: 21.5, ..Set::Teapot.view() };
-    let sampling = panel_sampling(context, [11, 9], 5);
+    let sampling = context.sampling([11, 9], 5);
     let mut panels = Vec::new();
     for (stem, label, subject) in subjects {
         let shadow = if stem == "glass" { Shadow::None } else { Shadow::Cast };
         let image = picture(context, Set::Teapot, view, sampling, subject, shadow)?;
-        panels.push(raster(stem, label, &format!("The Utah teapot: {}", label.to_lowercase()), image));
+        panels.push(Panel::raster(stem, label, &format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
-    Ok(Drawn {
-        columns: 3,
-        panels,
-        parameters: parameters(&[("a unit of the teapot", format!("{metres} m"))]),
-        table: None,
-    })
+    Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")))
 }

@@ -13,8 +13,8 @@ use plotters::{
 };
 
 use crate::gallery::plot::{
-    Dash, Ink, Mark, Names, Plot, Stroke,
-    ink::{colour, line, line_of},
+    Mark, Names, Plot,
+    ink::{Dash, Ink, Stroke, colour, line, line_of},
     place::{LETTERS, UNIT, spread, units, width_of},
 };
 

@@ -19,6 +19,12 @@ pub(crate) enum Ink {
     Series(u8),
 }
 
+impl From<u8> for Ink {
+    fn from(series: u8) -> Self {
+        Self::Series(series)
+    }
+}
+
 /// How a line is drawn.
 #[derive(Clone, Copy)]
 pub(crate) struct Stroke {
@@ -37,17 +43,17 @@ pub(crate) enum Dash {
 
 impl Stroke {
     /// An unbroken line of the usual width.
-    pub(crate) const fn solid(ink: Ink) -> Self {
-        Self { ink, width: 1.6, dash: Dash::Solid }
+    pub(crate) fn solid(ink: impl Into<Ink>) -> Self {
+        Self { ink: ink.into(), width: 1.6, dash: Dash::Solid }
     }
 
     /// A broken line of the usual width.
-    pub(crate) const fn dashed(ink: Ink) -> Self {
+    pub(crate) fn dashed(ink: impl Into<Ink>) -> Self {
         Self { dash: Dash::Dashed, ..Self::solid(ink) }
     }
 
     /// The same line in another width.
-    pub(crate) const fn wide(self, width: f64) -> Self {
+    pub(crate) fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
 }

@@ -6,24 +6,27 @@ mod ink;
 mod place;
 
 pub(crate) use axis::Axis;
-pub(crate) use ink::{Dash, Ink, Stroke};
+pub(crate) use ink::{Ink, Stroke};
 
 use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend};
 
-use crate::failure::Failure;
+use crate::{
+    failure::Failure,
+    gallery::figure::{Panel, Picture},
+};
 use ink::dress;
 use place::units;
 
 /// A plot: two axes and what is drawn between them, first mark lowest.
 pub(crate) struct Plot {
     /// Said by screen readers.
-    pub(crate) title: String,
+    title: String,
     /// Width and height in CSS pixels at natural size; the picture scales with its column.
-    pub(crate) size: [f64; 2],
-    pub(crate) x: Axis,
-    pub(crate) y: Axis,
-    pub(crate) names: Names,
-    pub(crate) marks: Vec<Mark>,
+    size: [f64; 2],
+    x: Axis,
+    y: Axis,
+    names: Names,
+    marks: Vec<Mark>,
 }
 
 /// Where the names of the lines stand.
@@ -38,30 +41,97 @@ pub(crate) enum Names {
 }
 
 /// Something drawn in the plot's coordinates. Points that are not finite are left out and break a line.
-pub(crate) enum Mark {
-    /// A line through points, with a name for the legend (or an empty one).
+enum Mark {
     Line { points: Vec<[f64; 2]>, stroke: Stroke, name: String },
-    /// The area between a curve and a height.
     Area { points: Vec<[f64; 2]>, base: f64, ink: Ink, opacity: f64 },
-    /// A rectangle, filled and framed.
-    Frame {
-        x: [f64; 2],
-        y: [f64; 2],
-        ink: Ink,
-        /// Of the filling; 0 leaves it out.
-        opacity: f64,
-        /// Of the border in CSS pixels; 0 leaves it out.
-        width: f64,
-    },
-    /// Round dots with a halo in the background's colour; the radius in CSS pixels.
+    Frame { x: [f64; 2], y: [f64; 2], ink: Ink, opacity: f64, width: f64 },
     Dots { points: Vec<[f64; 2]>, ink: Ink, radius: f64 },
-    /// A few words that end at a point, moved by some CSS pixels (right and down).
     Note { at: [f64; 2], shift: [f64; 2], text: String, ink: Ink },
-    /// A few words that begin right behind a point.
     Label { at: [f64; 2], text: String, ink: Ink },
 }
 
 impl Plot {
+    /// An empty plot of a size in CSS pixels.
+    pub(crate) fn new(size: [f64; 2], x: Axis, y: Axis, names: Names) -> Self {
+        Self { title: String::new(), size, x, y, names, marks: Vec::new() }
+    }
+
+    fn with(mut self, mark: Mark) -> Self {
+        self.marks.push(mark);
+        self
+    }
+
+    /// A title for screen readers.
+    pub(crate) fn titled(self, title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..self }
+    }
+
+    /// A line through points, without a name.
+    pub(crate) fn line(self, points: impl IntoIterator<Item = [f64; 2]>, stroke: Stroke) -> Self {
+        self.curve("", points, stroke)
+    }
+
+    /// A line through points, with a name for the legend.
+    pub(crate) fn curve(
+        self,
+        name: impl Into<String>,
+        points: impl IntoIterator<Item = [f64; 2]>,
+        stroke: Stroke,
+    ) -> Self {
+        self.with(Mark::Line { points: points.into_iter().collect(), stroke, name: name.into() })
+    }
+
+    /// The area between a curve and a height.
+    pub(crate) fn area(self, points: Vec<[f64; 2]>, base: f64, ink: impl Into<Ink>, opacity: f64) -> Self {
+        self.with(Mark::Area { points, base, ink: ink.into(), opacity })
+    }
+
+    /// A rectangle, filled with an opacity and framed by a border in CSS pixels; 0 leaves out either.
+    pub(crate) fn frame(
+        self,
+        x: [f64; 2],
+        y: [f64; 2],
+        ink: impl Into<Ink>,
+        opacity: f64,
+        width: f64,
+    ) -> Self {
+        self.with(Mark::Frame { x, y, ink: ink.into(), opacity, width })
+    }
+
+    /// Round dots with a halo in the background's colour; the radius in CSS pixels.
+    pub(crate) fn dots(
+        self,
+        points: impl IntoIterator<Item = [f64; 2]>,
+        ink: impl Into<Ink>,
+        radius: f64,
+    ) -> Self {
+        self.with(Mark::Dots { points: points.into_iter().collect(), ink: ink.into(), radius })
+    }
+
+    /// A few words that end at a point, moved by some CSS pixels (right and down).
+    pub(crate) fn note(self, at: [f64; 2], shift: [f64; 2], text: &str, ink: impl Into<Ink>) -> Self {
+        self.with(Mark::Note { at, shift, text: text.into(), ink: ink.into() })
+    }
+
+    /// A few words that begin right behind a point.
+    pub(crate) fn label(self, at: [f64; 2], text: impl Into<String>, ink: impl Into<Ink>) -> Self {
+        self.with(Mark::Label { at, text: text.into(), ink: ink.into() })
+    }
+
+    /// The plot as a panel; its title is the picture in words, unless it has one.
+    pub(crate) fn panel(
+        mut self,
+        stem: impl Into<String>,
+        label: impl Into<String>,
+        alt: impl Into<String>,
+    ) -> Result<Panel, Failure> {
+        let alt = alt.into();
+        if self.title.is_empty() {
+            self.title.clone_from(&alt);
+        }
+        Ok(Panel::new(stem, label, alt, Picture::Vector(self.svg()?)))
+    }
+
     /// The picture as a complete `<svg>` element.
     ///
     /// # Errors
@@ -83,25 +153,15 @@ mod tests {
     use super::*;
 
     fn plot(names: Names, points: Vec<[f64; 2]>) -> Plot {
-        Plot {
-            title: "a < b & c".to_owned(),
-            size: [400.0, 260.0],
-            x: Axis::log2("zoom", [0.25, 4.0], 1),
-            y: Axis::linear("ratio <1>", [-1.0, 1.0], 0.5),
-            names,
-            marks: vec![
-                Mark::Area { points: points.clone(), base: 0.0, ink: Ink::Series(2), opacity: 0.1 },
-                Mark::Line {
-                    points: points.clone(),
-                    stroke: Stroke::dashed(Ink::Series(1)),
-                    name: "f & g".to_owned(),
-                },
-                Mark::Dots { points, ink: Ink::Series(7), radius: 3.0 },
-                Mark::Frame { x: [0.5, 1.0], y: [-0.5, 0.5], ink: Ink::Series(4), opacity: 0.0, width: 1.0 },
-                Mark::Note { at: [1.0, 0.0], shift: [0.0, -8.0], text: "here".to_owned(), ink: Ink::Muted },
-                Mark::Label { at: [1.0, 0.0], text: "x > y".to_owned(), ink: Ink::Muted },
-            ],
-        }
+        let (x, y) = (Axis::log2("zoom", [0.25, 4.0], 1), Axis::linear("ratio <1>", [-1.0, 1.0], 0.5));
+        Plot::new([400.0, 260.0], x, y, names)
+            .titled("a < b & c")
+            .area(points.clone(), 0.0, 2, 0.1)
+            .curve("f & g", points.clone(), Stroke::dashed(1))
+            .dots(points, 7, 3.0)
+            .frame([0.5, 1.0], [-0.5, 0.5], 4, 0.0, 1.0)
+            .note([1.0, 0.0], [0.0, -8.0], "here", Ink::Muted)
+            .label([1.0, 0.0], "x > y", Ink::Muted)
     }
 
     #[test]

@@ -2,14 +2,13 @@
 
 use asperity_render::{
     image::Image,
-    shaded::{Horizon, Seen, Sky, Subject, errors, materials, textures},
+    shaded::{Horizon, Seen, Sky, errors, materials, textures},
 };
 use glam::Vec3;
-use rayon::prelude::*;
 
 use crate::{
-    failure::{Failure, Interrupted},
-    gallery::figure::{Context, Drawn, Figure, Panel, Picture, Table},
+    failure::Failure,
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 /// The figure.
@@ -35,41 +34,25 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sky = Sky::about(Vec3::new(-0.48, 0.6, 0.64));
     let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for subject in textures().into_iter().chain(materials()) {
-        let seen = seen(context, &subject, &sky)?;
+        let seen = context.rows(PICTURE.height as usize, |y| {
+            (0..PICTURE.width).map(|x| PICTURE.seen([x, y as u32], &subject, &sky)).collect::<Vec<_>>()
+        })?;
         let [plain, filtered] = errors(&seen);
         let ratio = format!("{:.2}", filtered / plain);
         let name = subject.name;
-        panels.push(Panel {
-            stem: name.replace(", ", "-").replace(' ', "-"),
-            label: format!("{name}: {ratio}"),
-            alt: format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples"),
-            span: 1,
-            picture: Picture::Raster(triple(&seen)),
-        });
-        rows.push(vec![name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
+        panels.push(Panel::raster(
+            name.replace(", ", "-").replace(' ', "-"),
+            format!("{name}: {ratio}"),
+            format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples"),
+            triple(&seen),
+        ));
+        rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
     }
-    let head =
-        ["surface", "error of a plain sample", "of a filtered one", "ratio"].map(str::to_owned).to_vec();
-    let parameters = vec![
-        (
-            "picture".to_owned(),
-            format!("{} × {} pixels, 1024 samples in the mean", PICTURE.width, PICTURE.height),
-        ),
-        ("filter".to_owned(), "exact boxes, or up to 32 taps along the pixel's ellipse".to_owned()),
-    ];
-    Ok(Drawn { columns: 2, panels, parameters, table: Some(Table { head, rows }) })
-}
-
-fn seen(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Vec<Seen>, Failure> {
-    context.progress.inc_length(u64::from(PICTURE.height));
-    let row = |y: u32| {
-        context.checkpoint().map_err(|_| Interrupted)?;
-        let row: Vec<Seen> = (0..PICTURE.width).map(|x| PICTURE.seen([x, y], subject, sky)).collect();
-        context.progress.inc(1);
-        Ok(row)
-    };
-    let rows: Result<Vec<Vec<Seen>>, Interrupted> = (0..PICTURE.height).into_par_iter().map(row).collect();
-    Ok(rows?.concat())
+    let picture = format!("{} × {} pixels, 1024 samples in the mean", PICTURE.width, PICTURE.height);
+    Ok(Drawn::new(2, panels)
+        .fact("picture", picture)
+        .fact("filter", "exact boxes, or up to 32 taps along the pixel's ellipse")
+        .table(["surface", "error of a plain sample", "of a filtered one", "ratio"], rows))
 }
 
 /// The three pictures side by side, as bright as their mean allows, with visible pixels.

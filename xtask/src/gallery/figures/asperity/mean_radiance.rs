@@ -12,14 +12,13 @@ use asperity_render::{
 };
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 use glam::{Mat3, Vec2, Vec3};
-use rayon::prelude::*;
 
 use crate::{
-    failure::{Failure, Interrupted},
+    failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Picture, Table},
+        figure::{Context, Drawn, Figure, Panel},
         panels::rule_words,
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        plot::{Axis, Names, Plot, Stroke},
     },
     input::density::painted,
 };
@@ -65,28 +64,18 @@ type Ratios = Vec<[[f64; 2]; 2]>;
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
     let look = |name, x: f32, y: f32| Look { name, h: Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()) };
+    let subject = |name, stem, ndf, looks| Subject { name, stem, ndf, looks };
     let subjects = [
-        Subject {
-            name: "GGX 0.2, 0.4",
-            stem: "ggx",
-            ndf: &ggx,
-            looks: [look("peak", 0.0, 0.0), look("tail", 0.24, 0.42)],
-        },
-        Subject {
-            name: "Beckmann 0.3",
-            stem: "beckmann",
-            ndf: &beckmann,
-            looks: [look("peak", 0.0, 0.0), look("tail", 0.34, 0.26)],
-        },
-        Subject {
-            name: "painted, two lobes",
-            stem: "painted",
-            ndf: &painted,
-            looks: [look("brighter lobe", -0.38, 0.22), look("between the lobes", 0.0, 0.0)],
-        },
+        subject("GGX 0.2, 0.4", "ggx", &ggx, [look("peak", 0.0, 0.0), look("tail", 0.24, 0.42)]),
+        subject("Beckmann 0.3", "beckmann", &beckmann, [look("peak", 0.0, 0.0), look("tail", 0.34, 0.26)]),
+        subject(
+            "painted, two lobes",
+            "painted",
+            &painted,
+            [look("brighter lobe", -0.38, 0.22), look("between the lobes", 0.0, 0.0)],
+        ),
     ];
     let bumps = BumpField::new(Field::new(NoiseKind::Gaussian, 16, GAIN, context.seed)?, 1.0)?;
-    context.progress.inc_length(DOUBLINGS.len() as u64 * u64::from(PIXELS));
     let mut curves: Vec<Ratios> = subjects.iter().map(|_| Vec::new()).collect();
     for doubling in DOUBLINGS {
         let means = measure(context, &subjects, &bumps, f64::exp2(doubling) as f32)?;
@@ -95,13 +84,12 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         }
     }
     let panels = subjects.iter().zip(&curves).map(|(s, c)| panel(s, c)).collect::<Result<_, _>>()?;
-    let parameters = [
-        ("noise", format!("Gaussian, gain {GAIN}, the first octave half a cell per pixel at zoom 1")),
-        ("patch", format!("{CELLS} × {CELLS} cells of the first octave")),
-        ("pixels per mean", format!("{PIXELS} × {PIXELS}, spread evenly over the patch")),
-    ]
-    .map(|(name, value)| (name.to_owned(), value));
-    Ok(Drawn { columns: 3, panels, parameters: parameters.to_vec(), table: Some(table(&subjects, &curves)) })
+    let (head, rows) = table(&subjects, &curves);
+    Ok(Drawn::new(3, panels)
+        .fact("noise", format!("Gaussian, gain {GAIN}, the first octave half a cell per pixel at zoom 1"))
+        .fact("patch", format!("{CELLS} × {CELLS} cells of the first octave"))
+        .fact("pixels per mean", format!("{PIXELS} × {PIXELS}, spread evenly over the patch"))
+        .table(head, rows))
 }
 
 /// The mean over the patch at one zoom, for every density, half-vector and rule, over the far field.
@@ -123,39 +111,34 @@ fn measure(
         tangents: [Vec3::X, Vec3::Y],
         bend: Mat3::ZERO,
     };
-    let rows: Result<Vec<[[[f64; 2]; 2]; 3]>, Interrupted> = (0..PIXELS)
-        .into_par_iter()
-        .map(|y| {
-            context.checkpoint().map_err(|_| Interrupted)?;
-            let mut sums = [[[0.0; 2]; 2]; 3];
-            for x in 0..PIXELS {
-                let place = jitter(x, y, context.seed);
-                let step = CELLS / PIXELS as f32;
-                let p = (across * (x as f32 + place.x) + along * (y as f32 + place.y)) * step;
-                let coordinates = bumps.coordinates(p, footprint);
-                for (subject, sums) in subjects.iter().zip(&mut sums) {
-                    for (look, sums) in subject.looks.iter().zip(sums) {
-                        // Seen and lit from the half-vector itself.
-                        let lights = [Light { direction: look.h, colour: Vec3::ONE }];
-                        for (rule, sum) in RULES.into_iter().zip(sums) {
-                            let material = Material {
-                                ndf: subject.ndf,
-                                facets: Facets::Consistent(rule),
-                                bumps,
-                                lights: &lights,
-                                diffuse: Vec3::ZERO,
-                            };
-                            *sum += f64::from(material.shade(&hit, look.h, coordinates).x);
-                        }
+    let rows = context.rows(PIXELS as usize, |y| {
+        let (y, mut sums) = (y as u32, [[[0.0; 2]; 2]; 3]);
+        for x in 0..PIXELS {
+            let place = jitter(x, y, context.seed);
+            let step = CELLS / PIXELS as f32;
+            let p = (across * (x as f32 + place.x) + along * (y as f32 + place.y)) * step;
+            let coordinates = bumps.coordinates(p, footprint);
+            for (subject, sums) in subjects.iter().zip(&mut sums) {
+                for (look, sums) in subject.looks.iter().zip(sums) {
+                    // Seen and lit from the half-vector itself.
+                    let lights = [Light { direction: look.h, colour: Vec3::ONE }];
+                    for (rule, sum) in RULES.into_iter().zip(sums) {
+                        let material = Material {
+                            ndf: subject.ndf,
+                            facets: Facets::Consistent(rule),
+                            bumps,
+                            lights: &lights,
+                            diffuse: Vec3::ZERO,
+                        };
+                        *sum += f64::from(material.shade(&hit, look.h, coordinates).x);
                     }
                 }
             }
-            context.progress.inc(1);
-            Ok(sums)
-        })
-        .collect();
+        }
+        [sums]
+    })?;
     let mut means = [[[0.0; 2]; 2]; 3];
-    for row in rows? {
+    for row in rows {
         for s in 0..3 {
             for l in 0..2 {
                 for r in 0..2 {
@@ -170,49 +153,36 @@ fn measure(
 }
 
 fn panel(subject: &Subject<'_>, curve: &Ratios) -> Result<Panel, Failure> {
-    let mut marks = Vec::new();
+    let (x, y) = (Axis::log2("zoom", [1.0, 64.0], 1), Axis::log2("", [1.0 / 32.0, 16.0], 1));
+    let mut plot = Plot::new([420.0, 380.0], x, y, Names::Above);
     for (l, look) in subject.looks.iter().enumerate() {
         for (r, rule) in RULES.into_iter().enumerate() {
-            let ink = Ink::Series(r as u8 + 1);
-            let stroke = if l == 0 { Stroke::solid(ink) } else { Stroke::dashed(ink) };
-            let points = DOUBLINGS.iter().zip(curve).map(|(k, mean)| [f64::exp2(*k), mean[l][r]]).collect();
-            marks.push(Mark::Line {
-                points,
-                stroke,
-                name: format!("{}, {}", rule_words(rule)[0], look.name),
-            });
+            let series = r as u8 + 1;
+            let stroke = if l == 0 { Stroke::solid(series) } else { Stroke::dashed(series) };
+            let points = DOUBLINGS.iter().zip(curve).map(|(k, mean)| [f64::exp2(*k), mean[l][r]]);
+            plot = plot.curve(format!("{}, {}", rule_words(rule)[0], look.name), points, stroke);
         }
     }
     let label = format!("{}: mean over the patch / p(h)", subject.name);
-    let plot = Plot {
-        title: format!("{label}, against zoom: flat at 1 by the exact rule, off by the fractal rule"),
-        size: [420.0, 380.0],
-        x: Axis::log2("zoom", [1.0, 64.0], 1),
-        y: Axis::log2("", [1.0 / 32.0, 16.0], 1),
-        names: Names::Above,
-        marks,
-    };
-    let title = plot.title.clone();
-    Ok(Panel { stem: subject.stem.into(), label, alt: title, span: 1, picture: Picture::Vector(plot.svg()?) })
+    let alt = format!("{label}, against zoom: flat at 1 by the exact rule, off by the fractal rule");
+    plot.panel(subject.stem, label, alt)
 }
 
-fn table(subjects: &[Subject<'_>; 3], curves: &[Ratios]) -> Table {
+fn table(subjects: &[Subject<'_>; 3], curves: &[Ratios]) -> (Vec<String>, Vec<Vec<String>>) {
     let shown = |k: &f64| [0.0, 0.5, 1.0, 2.0, 4.0, 6.0].contains(k);
-    let mut head = vec!["density".to_owned(), "half-vector".to_owned(), "rule".to_owned()];
-    head.extend(
-        DOUBLINGS.iter().filter(|k| shown(k)).map(|k| format!("×{:.3}", f64::exp2(*k)).replace(".000", "")),
-    );
+    let zooms = DOUBLINGS.iter().filter(|k| shown(k));
+    let zooms = zooms.map(|k| format!("×{:.3}", f64::exp2(*k)).replace(".000", ""));
+    let head = ["density", "half-vector", "rule"].map(str::to_owned).into_iter().chain(zooms).collect();
     let mut rows = Vec::new();
     for (subject, curve) in subjects.iter().zip(curves) {
         for (l, look) in subject.looks.iter().enumerate() {
             for (r, rule) in RULES.into_iter().enumerate() {
-                let mut row =
-                    vec![subject.name.to_owned(), look.name.to_owned(), rule_words(rule)[0].to_owned()];
+                let mut row = [subject.name, look.name, rule_words(rule)[0]].map(str::to_owned).to_vec();
                 let means = DOUBLINGS.iter().zip(curve).filter(|(k, _)| shown(k));
                 row.extend(means.map(|(_, mean)| format!("{:.3}", mean[l][r])));
                 rows.push(row);
             }
         }
     }
-    Table { head, rows }
+    (head, rows)
 }

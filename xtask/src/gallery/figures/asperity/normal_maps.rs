@@ -2,7 +2,7 @@
 
 use asperity_render::{
     image::{Image, tone::hex},
-    integrator::pixels::{Sampling, render},
+    integrator::pixels::Sampling,
     light::lamps::{Light, direction},
     materials::cobbles::cobbles,
 };
@@ -14,10 +14,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure, Table},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const ANTIALIASING: Figure = Figure {
@@ -53,12 +50,11 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         water: Schlick::new(0.06)?,
         lights: lights(),
     };
-    let (width, height) = (context.size, context.size * 5 / 8);
-    let view = View { width: width as f32, height: height as f32 };
-    let once = Sampling { width, height, samples_per_pixel: 1, seed: context.seed };
+    let once = Sampling { height: context.size * 5 / 8, samples_per_pixel: 1, ..context.square() };
+    let view = View { width: once.width as f32, height: once.height as f32 };
     let many = Sampling { samples_per_pixel: SAMPLES, ..once };
     let draw = |sampling: Sampling, seen: &(dyn Fn(Vec2, &PixelEllipse, Vec3) -> Vec3 + Sync)| {
-        render(sampling, context.progress, context.interrupted, |x, y| {
+        context.render(sampling, |x, y| {
             // One sample is the pixel's middle.
             let (x, y) =
                 if sampling.samples_per_pixel == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
@@ -93,26 +89,25 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
         ("reference", "1024 samples a pixel", draw(many, &plain)?),
     ];
-    let table = compare(&pictures, &view);
+    let rows = compare(&pictures, &view);
     let panels = pictures
         .into_iter()
         .filter(|picture| picture.0 != "one")
         .map(|(stem, label, image)| {
             let alt = format!("A wet street of cobbles under a low sun, {}", label.to_lowercase());
-            raster(stem, label, &alt, image.exposed(1.0))
+            Panel::raster(stem, label, &alt, image.exposed(1.0))
         })
         .collect();
-    let parameters = [
-        ("normal map", format!("{SIZE} \u{d7} {SIZE} texels on {TILE} m")),
-        ("roughness of the wet stone", ALPHA.to_string()),
-        ("footprints of a pixel", format!("at most {TAPS}")),
-    ]
-    .map(|(name, value)| (name.to_owned(), value));
-    Ok(Drawn { columns: 2, panels, parameters: parameters.to_vec(), table: Some(table) })
+    let head = ["street", "mean radiance over that of 1024 samples", "RMSE", "RMSE over that of one sample"];
+    Ok(Drawn::new(2, panels)
+        .fact("normal map", format!("{SIZE} \u{d7} {SIZE} texels on {TILE} m"))
+        .fact("roughness of the wet stone", ALPHA.to_string())
+        .fact("footprints of a pixel", format!("at most {TAPS}"))
+        .table(head, rows))
 }
 
 /// Each picture's street beside the last one's: mean radiance, and root mean square error over that of the first.
-fn compare(pictures: &[(&str, &str, Image); 5], view: &View) -> Table {
+fn compare(pictures: &[(&str, &str, Image); 5], view: &View) -> Vec<[String; 4]> {
     let [.., (_, _, reference)] = pictures;
     let street = |image: &Image| -> Vec<Vec3> {
         let rows = image.pixels.chunks_exact(image.width as usize).enumerate();
@@ -127,20 +122,18 @@ fn compare(pictures: &[(&str, &str, Image); 5], view: &View) -> Table {
         (squares.sum::<f64>() / (3 * expected.len()) as f64).sqrt()
     };
     let worst = error(&street(&pictures[0].2));
-    let rows = pictures
+    pictures
         .iter()
         .map(|(_, label, image)| {
             let pixels = street(image);
-            vec![
+            [
                 (*label).to_owned(),
                 format!("{:.3}", mean(&pixels) / mean(&expected)),
                 format!("{:.4}", error(&pixels)),
                 format!("{:.3}", error(&pixels) / worst),
             ]
         })
-        .collect();
-    let head = ["street", "mean radiance over that of 1024 samples", "RMSE", "RMSE over that of one sample"];
-    Table { head: head.map(str::to_owned).to_vec(), rows }
+        .collect()
 }
 
 /// A camera at the height of the eyes that looks along +y, a little down.

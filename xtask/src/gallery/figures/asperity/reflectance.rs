@@ -3,10 +3,7 @@
 use asperity_render::{
     geometry::{camera::Camera, shape::Shape},
     image::tone::hex,
-    integrator::{
-        direct::sky,
-        pixels::{jitter, render},
-    },
+    integrator::{direct::sky, pixels::jitter},
     light::{background::background, lamps::studio},
 };
 use asperity_shading::{
@@ -18,10 +15,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const REFLECTANCE: Figure = Figure {
@@ -80,15 +74,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             vec![Box::new(TorranceSparrow::new(Isotropic::new(&groove)?, gold))],
         ),
     ];
-    let mut sampling = square(context);
-    sampling.width = sampling.width * 2 / 3;
-    sampling.height = sampling.width;
+    let sampling = context.sampling([8, 8], 1);
     let camera = Camera::new(Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO, 0.4, sampling.width, sampling.height);
     let lights = studio(Vec3::splat(2.6));
     let (width, height) = (sampling.width as f32, sampling.height as f32);
     let mut panels = Vec::new();
     for (stem, label, layers) in balls {
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let direction = camera.direction(x, y);
             let Some(hit) = Shape::Sphere.first_hit(camera.eye(), direction) else {
                 return background(x / width, y / height);
@@ -109,14 +101,9 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             })
         })?;
         let alt = format!("A sphere under three lamps: {label}");
-        panels.push(raster(stem, label, &alt, image.exposed(1.0)));
+        panels.push(Panel::raster(stem, label, &alt, image.exposed(1.0)));
     }
-    Ok(Drawn {
-        panels,
-        columns: 3,
-        parameters: vec![("samples per pixel".to_owned(), sampling.samples_per_pixel.to_string())],
-        table: None,
-    })
+    Ok(Drawn::new(3, panels).fact("samples per pixel", sampling.samples_per_pixel.to_string()))
 }
 
 /// Light of the room, by a few samples of the surface's own.

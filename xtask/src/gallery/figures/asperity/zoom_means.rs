@@ -8,8 +8,8 @@ use glam::Vec3;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Picture, Table},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        plot::{Axis, Names, Plot, Stroke},
     },
 };
 
@@ -66,19 +66,11 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     }
     let head =
         ["material", "seen at", "mean at ×1", "×10", "×100", "×1000", "×10,000", "largest pop of the range"];
-    let parameters = vec![
-        ("samples per pixel".to_owned(), SAMPLES.to_string()),
-        (
-            "pixels".to_owned(),
-            "576 of each picture; where details are wider than a pixel 10,816 of 16 samples".to_owned(),
-        ),
-        (
-            "slow zoom".to_owned(),
-            "1000 frames of 1 % from ×1 to ×20,000, in five pixels of 64 samples".to_owned(),
-        ),
-    ];
-    let table = Table { head: head.map(str::to_owned).to_vec(), rows };
-    Ok(Drawn { columns: 4, panels, parameters, table: Some(table) })
+    Ok(Drawn::new(4, panels)
+        .fact("samples per pixel", SAMPLES.to_string())
+        .fact("pixels", "576 of each picture; where details are wider than a pixel 10,816 of 16 samples")
+        .fact("slow zoom", "1000 frames of 1 % from ×1 to ×20,000, in five pixels of 64 samples")
+        .table(head, rows))
 }
 
 fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means, Failure> {
@@ -115,40 +107,34 @@ fn zoom_axis() -> Axis {
 fn panel(subject: &Subject, means: &Means) -> Result<Panel, Failure> {
     let fractal = subject.name == fractal_bumps().name;
     let bound = bound(if fractal { "bumps" } else { subject.name });
-    let mut marks = vec![Mark::Frame {
-        x: [0.7, 14_000.0],
-        y: [1.0 - bound, 1.0 + bound],
-        ink: Ink::Series(3),
-        opacity: 0.12,
-        width: 0.0,
-    }];
+    let range = if fractal { [0.6, 1.1] } else { [0.9, 1.1] };
+    let y = Axis::linear("", range, if fractal { 0.1 } else { 0.05 });
+    let mut plot = Plot::new([300.0, 220.0], zoom_axis(), y, Names::Above).frame(
+        [0.7, 14_000.0],
+        [1.0 - bound, 1.0 + bound],
+        3,
+        0.12,
+        0.0,
+    );
     for ((k, means), (angle, _)) in means.iter().enumerate().zip(VIEWS) {
-        let ink = Ink::Series(k as u8 + 1);
+        let series = k as u8 + 1;
         // Beside one another, so that bars do not hide bars.
         let aside = if k == 0 { 0.94 } else { 1.06 };
         let first = means[0].value;
-        let place = |zoom: f32| f64::from(zoom) * aside;
-        let points: Vec<[f64; 2]> =
-            ZOOMS.into_iter().zip(means).map(|(zoom, mean)| [place(zoom), mean.value / first]).collect();
+        let points: Vec<[f64; 2]> = ZOOMS
+            .into_iter()
+            .zip(means)
+            .map(|(zoom, mean)| [f64::from(zoom) * aside, mean.value / first])
+            .collect();
         for (point, mean) in points.iter().zip(means) {
             let reach = 2.0 * mean.error / first;
-            let bar = vec![[point[0], point[1] - reach], [point[0], point[1] + reach]];
-            marks.push(Mark::Line { points: bar, stroke: Stroke::solid(ink), name: String::new() });
+            let bar = [[point[0], point[1] - reach], [point[0], point[1] + reach]];
+            plot = plot.line(bar, Stroke::solid(series));
         }
-        marks.push(Mark::Line { points: points.clone(), stroke: Stroke::solid(ink), name: angle.to_owned() });
-        marks.push(Mark::Dots { points, ink, radius: 2.5 });
+        plot = plot.curve(angle, points.clone(), Stroke::solid(series)).dots(points, series, 2.5);
     }
-    let range = if fractal { [0.6, 1.1] } else { [0.9, 1.1] };
-    let title = format!("{}: mean radiance over that from afar, against zoom", subject.name);
-    let plot = Plot {
-        title: title.clone(),
-        size: [300.0, 220.0],
-        x: zoom_axis(),
-        y: Axis::linear("", range, if fractal { 0.1 } else { 0.05 }),
-        names: Names::Above,
-        marks,
-    };
-    Ok(vector(&format!("mean-{}", stem(subject)), subject.name, &title, plot.svg()?))
+    let alt = format!("{}: mean radiance over that from afar, against zoom", subject.name);
+    plot.panel(format!("mean-{}", stem(subject)), subject.name, alt)
 }
 
 /// A pixel in a slow zoom, smoothly and in steps.
@@ -162,24 +148,16 @@ fn followed(subject: Subject, sky: &Sky) -> Result<Panel, Failure> {
     });
     let steps = curve(&slow(&stepped, sky));
     let most = smooth.iter().chain(&steps).fold(0.0_f64, |most, point| most.max(point[1]));
-    let title = format!("The radiance of a pixel of {name} in a slow zoom");
-    let line = |points, stroke, name: &str| Mark::Line { points, stroke, name: name.to_owned() };
-    let plot = Plot {
-        title: title.clone(),
-        size: [300.0, 220.0],
-        x: Axis::log2("zoom", [FROM, FROM * 7.3], 1).with_ticks(&[
-            (60.0, "60"),
-            (120.0, "120"),
-            (240.0, "240"),
-        ]),
-        y: Axis::linear("", [0.0, 1.1 * most], tick(most)),
-        names: Names::Above,
-        marks: vec![
-            line(steps, Stroke::solid(Ink::Series(2)), "octaves at once"),
-            line(smooth, Stroke::solid(Ink::Series(1)), "as they are"),
-        ],
-    };
-    Ok(vector(&format!("slow-{stem}"), &format!("one pixel of {name}, slowly"), &title, plot.svg()?))
+    let ticks = [(60.0, "60"), (120.0, "120"), (240.0, "240")];
+    let x = Axis::log2("zoom", [FROM, FROM * 7.3], 1).with_ticks(&ticks);
+    Plot::new([300.0, 220.0], x, Axis::linear("", [0.0, 1.1 * most], tick(most)), Names::Above)
+        .curve("octaves at once", steps, Stroke::solid(2))
+        .curve("as they are", smooth, Stroke::solid(1))
+        .panel(
+            format!("slow-{stem}"),
+            format!("one pixel of {name}, slowly"),
+            format!("The radiance of a pixel of {name} in a slow zoom"),
+        )
 }
 
 /// Where the slow zoom that is shown begins: 1.01⁴⁰⁰.
@@ -198,16 +176,6 @@ fn tick(range: f64) -> f64 {
 
 fn stem(subject: &Subject) -> String {
     subject.name.replace(", ", "-").replace(' ', "-")
-}
-
-fn vector(stem: &str, label: &str, title: &str, svg: String) -> Panel {
-    Panel {
-        stem: stem.into(),
-        label: label.into(),
-        alt: title.into(),
-        span: 1,
-        picture: Picture::Vector(svg),
-    }
 }
 
 #[cfg(test)]

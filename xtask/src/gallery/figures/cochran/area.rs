@@ -6,10 +6,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const AREA: Figure = Figure {
@@ -62,32 +59,29 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     };
     let slopes = |x: f64| hex(0x17_2a45).lerp(hex(0xf2_e2b8), ((x - low) / (high - low)) as f32);
     let widths = |x: f64| hex(0x1d_1f23).lerp(hex(0xe8_6a4a), (x / top) as f32);
-    Ok(Drawn {
-        columns: 3,
-        panels: vec![
-            raster(
+    Ok(Drawn::new(
+        3,
+        vec![
+            Panel::raster(
                 "point",
                 "The slope in the middle of each pixel",
                 "Upright bars of many shades",
                 picture(&point, &slopes),
             ),
-            raster(
+            Panel::raster(
                 "mean",
                 "Its mean over the pixel",
                 "Bars of the same colours, fewer extremes",
                 picture(&mean, &slopes),
             ),
-            raster(
+            Panel::raster(
                 "spread",
                 "Its standard deviation within the pixel",
                 "Bands, brightest where slopes change most",
                 picture(&spread, &widths),
             ),
         ],
-        parameters: vec![
-            ("slopes".to_owned(), format!("{low:.3} to {high:.3}")),
-            ("largest deviation in a pixel".to_owned(), format!("{top:.4}")),
-        ],
-        table: None,
-    })
+    )
+    .fact("slopes", format!("{low:.3} to {high:.3}"))
+    .fact("largest deviation in a pixel", format!("{top:.4}")))
 }

@@ -5,10 +5,9 @@ use asperity_fif::{FixedFif, Interval, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Table},
-        figures::cochran::curves::outline,
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        figures::cochran::curves::{HALF, outline, plot},
+        plot::{Axis, Ink, Names, Stroke},
     },
 };
 
@@ -46,42 +45,26 @@ fn draw_bounds(context: &Context<'_>) -> Result<Drawn, Failure> {
     let functions = [("f", paper::f()?, [0.0, 1.7]), ("g", paper::g()?, [-2.0, 3.0])];
     context.progress.inc_length(6);
     let mut panels = Vec::new();
-    let mut rows = vec![Vec::new(); LEVELS.len()];
+    let mut rows = LEVELS.map(|level| vec![level.to_string(), (1_u32 << level).to_string()]);
     for (name, fif, range) in &functions {
         for (level, row) in LEVELS.into_iter().zip(&mut rows) {
-            let boxes: Vec<_> = cells(level)
-                .map(|cell| Boxes::of(fif, &cell))
-                .collect::<Option<_>>()
-                .ok_or("a cell without bounds")?;
+            let boxes: Option<Vec<_>> = cells(level).map(|cell| Boxes::of(fif, &cell)).collect();
+            let boxes = boxes.ok_or("a cell without bounds")?;
             panels.push(boxes_panel(name, fif, level, &boxes, *range)?);
             let width = 2.0 / boxes.len() as f64;
             let highest = boxes.iter().map(|b| b.searched.width()).fold(0.0, f64::max);
             let area: f64 = boxes.iter().map(|b| width * b.searched.width()).sum();
             let opened: f64 = boxes.iter().map(|b| width * b.mapped.width()).sum();
-            row.extend([format!("{highest:.4}"), format!("{opened:.4}"), format!("{area:.4}")]);
+            row.extend([highest, opened, area].map(|value| format!("{value:.4}")));
             context.progress.inc(1);
             context.checkpoint()?;
         }
     }
-    let head = [
-        "level",
-        "cells",
-        "f: highest box",
-        "f: area outlined",
-        "f: area filled",
-        "g: highest box",
-        "g: area outlined",
-        "g: area filled",
-    ];
-    let rows = LEVELS.into_iter().zip(rows).map(|(level, row)| {
-        [level.to_string(), (1_u32 << level).to_string()].into_iter().chain(row).collect()
-    });
-    Ok(Drawn {
-        panels,
-        columns: 3,
-        parameters: vec![fact("brackets of extrema", "1e-9 wide")],
-        table: Some(Table { head: head.map(str::to_owned).to_vec(), rows: rows.collect() }),
-    })
+    let of = |name: &str| {
+        ["highest box", "area outlined", "area filled"].map(|quantity| format!("{name}: {quantity}"))
+    };
+    let head = ["level", "cells"].map(str::to_owned).into_iter().chain(of("f")).chain(of("g"));
+    Ok(Drawn::new(3, panels).fact("brackets of extrema", "1e-9 wide").table(head, rows))
 }
 
 /// The digits of every cell of a level, from left to right.
@@ -120,34 +103,18 @@ fn boxes_panel(
     boxes: &[Boxes],
     range: [f64; 2],
 ) -> Result<Panel, Failure> {
-    let mut marks = Vec::new();
-    let frame = |x, y: Interval, opacity, width| Mark::Frame {
-        x,
-        y: [y.lo, y.hi],
-        ink: Ink::Series(1),
-        opacity,
-        width,
-    };
+    let mut plot = plot([360.0, 300.0], Axis::linear("", range, 0.5), Names::Hidden);
     let border = if level > 5 { 0.5 } else { 0.7 };
     for b in boxes {
-        marks.push(frame(b.x, b.searched, 0.22, 0.0));
-        marks.push(frame(b.x, b.mapped, 0.0, border));
+        plot = plot.frame(b.x, [b.searched.lo, b.searched.hi], 1, 0.22, 0.0);
+        plot = plot.frame(b.x, [b.mapped.lo, b.mapped.hi], 1, 0.0, border);
     }
-    let stroke = Stroke::solid(Ink::Text).wide(0.7);
-    marks.push(Mark::Line { points: outline(fif), stroke, name: String::new() });
-    let alt = format!("The graph of {name} in {} boxes", boxes.len());
-    let plot = Plot {
-        title: alt.clone(),
-        size: SIZE,
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y: Axis::linear("", range, 0.5),
-        names: Names::Hidden,
-        marks,
-    };
-    vector(&format!("{name}-{level}"), &format!("{name}, level {level}: {} cells", boxes.len()), &alt, &plot)
+    plot.line(outline(fif), Stroke::solid(Ink::Text).wide(0.7)).panel(
+        format!("{name}-{level}"),
+        format!("{name}, level {level}: {} cells", boxes.len()),
+        format!("The graph of {name} in {} boxes", boxes.len()),
+    )
 }
-
-const SIZE: [f64; 2] = [360.0, 300.0];
 
 /// Levels that the ray descends.
 const DEEPEST: usize = 10;
@@ -155,34 +122,25 @@ const DEEPEST: usize = 10;
 /// Height at x = 0 and slope of the rays.
 const RAYS: [[f64; 2]; 2] = [[1.52, -0.5], [2.3, -0.9]];
 
-fn draw_descent(context: &Context<'_>) -> Result<Drawn, Failure> {
+fn draw_descent(_: &Context<'_>) -> Result<Drawn, Failure> {
     let functions = [("f", paper::f()?, [0.0, 1.7]), ("g", paper::g()?, [-2.0, 3.0])];
-    context.progress.inc_length(2);
-    let mut panels = Vec::new();
-    let mut rows = Vec::new();
+    let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for ((name, fif, range), ray) in functions.iter().zip(RAYS) {
         let mut walk = Walk { fif, ray, tried: Vec::new() };
         let met = walk.descend(&mut Vec::new());
         let first = met.ok_or("a ray without a hit")?;
         panels.push(descent_panel(name, &walk, &first, *range)?);
-        let opened = walk.tried.iter().filter(|t| t.opened).count();
-        rows.push(vec![
+        rows.push([
             (*name).to_owned(),
             format!("y = {} \u{2212} {} x", ray[0], -ray[1]),
             walk.tried.len().to_string(),
-            opened.to_string(),
+            walk.tried.iter().filter(|t| t.opened).count().to_string(),
             format!("[{:.5}, {:.5}]", first.x[0], first.x[1]),
             format!("{:.5}", first.y.width()),
         ]);
-        context.progress.inc(1);
     }
     let head = ["graph", "ray", "boxes tried", "opened", "box of the hit", "its height"];
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![fact("levels", &DEEPEST.to_string())],
-        table: Some(Table { head: head.map(str::to_owned).to_vec(), rows }),
-    })
+    Ok(Drawn::new(2, panels).fact("levels", DEEPEST.to_string()).table(head, rows))
 }
 
 /// A box that the ray was tried against.
@@ -226,31 +184,23 @@ impl Walk<'_> {
 }
 
 fn descent_panel(name: &str, walk: &Walk<'_>, first: &Tried, range: [f64; 2]) -> Result<Panel, Failure> {
-    let mut marks = Vec::new();
+    let mut plot = plot(HALF, Axis::linear("", range, 0.5), Names::Hidden);
     for tried in &walk.tried {
         let opacity = if tried.opened { 0.05 + 0.02 * tried.level as f64 } else { 0.0 };
         let ink = if tried.opened { Ink::Series(1) } else { Ink::Muted };
-        marks.push(Mark::Frame { x: tried.x, y: [tried.y.lo, tried.y.hi], ink, opacity, width: 0.6 });
+        plot = plot.frame(tried.x, [tried.y.lo, tried.y.hi], ink, opacity, 0.6);
     }
-    let stroke = Stroke::solid(Ink::Text).wide(0.7);
-    marks.push(Mark::Line { points: outline(walk.fif), stroke, name: String::new() });
     let hit = 0.5 * (first.x[0] + first.x[1]);
     let along = |x: f64| [x, walk.ray[0] + walk.ray[1] * x];
-    let stroke = Stroke::solid(Ink::Series(2)).wide(1.5);
-    marks.push(Mark::Line { points: vec![along(0.0), along(hit)], stroke, name: String::new() });
-    let stroke = Stroke::dashed(Ink::Series(2)).wide(0.8);
-    marks.push(Mark::Line { points: vec![along(hit), along(2.0)], stroke, name: String::new() });
-    marks.push(Mark::Dots { points: vec![along(hit)], ink: Ink::Series(2), radius: 3.2 });
-    let alt = format!("A ray that sinks towards the graph of {name}, with the boxes around its way");
-    let plot = Plot {
-        title: alt.clone(),
-        size: [520.0, 330.0],
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y: Axis::linear("", range, 0.5),
-        names: Names::Hidden,
-        marks,
-    };
-    vector(name, &format!("A ray and the graph of {name}"), &alt, &plot)
+    plot.line(outline(walk.fif), Stroke::solid(Ink::Text).wide(0.7))
+        .line([along(0.0), along(hit)], Stroke::solid(2).wide(1.5))
+        .line([along(hit), along(2.0)], Stroke::dashed(2).wide(0.8))
+        .dots([along(hit)], 2, 3.2)
+        .panel(
+            name,
+            format!("A ray and the graph of {name}"),
+            format!("A ray that sinks towards the graph of {name}, with the boxes around its way"),
+        )
 }
 
 #[cfg(test)]

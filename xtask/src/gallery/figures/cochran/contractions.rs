@@ -5,10 +5,9 @@ use asperity_fif::{FixedFif, Map, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Table},
-        figures::cochran::curves::outline,
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        figures::cochran::curves::{outline, plot},
+        plot::{Axis, Ink, Names, Stroke},
     },
 };
 
@@ -31,35 +30,27 @@ const ADDRESS: [usize; 6] = [1, 0, 1, 0, 1, 1];
 /// The point with [`ADDRESS`] repeated for ever: `x = a x + b` with `a = 1/64` and `b = 43/32`.
 const POINT: f64 = 86.0 / 63.0;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
     let (f, g) = (paper::f()?, paper::g()?);
-    context.progress.inc_length(3);
-    let mut panels = vec![ladder()?];
-    context.progress.inc(1);
-    panels.push(boxes("f", &f, Axis::linear("", [0.0, 1.75], 0.5))?);
-    context.progress.inc(1);
-    panels.push(boxes("g", &g, Axis::linear("", [-2.0, 2.0], 1.0))?);
-    context.progress.inc(1);
+    let panels = vec![
+        ladder()?,
+        boxes("f", &f, Axis::linear("", [0.0, 1.75], 0.5))?,
+        boxes("g", &g, Axis::linear("", [-2.0, 2.0], 1.0))?,
+    ];
     let head = ["after", "interval", "f: bound |A|\u{b7}R", "f: error", "g: bound |A|\u{b7}R", "g: error"];
     let rows = (0..=ADDRESS.len()).map(|level| {
         let [lo, hi] = interval(level);
         let mut row = vec![address(level), format!("[{lo}, {hi}]")];
         for (fif, maps) in [(&f, &paper::F_MAPS), (&g, &paper::G_MAPS)] {
-            let [bound, error] = estimate(fif, maps, level);
-            row.extend([format!("{bound:.4}"), format!("{error:.4}")]);
+            row.extend(estimate(fif, maps, level).map(|value| format!("{value:.4}")));
         }
         row
     });
-    Ok(Drawn {
-        panels,
-        columns: 3,
-        parameters: vec![
-            fact("point", "86/63"),
-            fact("R of f", &format!("{:.4}", 0.5 * f.range().width())),
-            fact("R of g", &format!("{:.4}", 0.5 * g.range().width())),
-        ],
-        table: Some(Table { head: head.map(str::to_owned).to_vec(), rows: rows.collect() }),
-    })
+    Ok(Drawn::new(3, panels)
+        .fact("point", "86/63")
+        .fact("R of f", format!("{:.4}", 0.5 * f.range().width()))
+        .fact("R of g", format!("{:.4}", 0.5 * g.range().width()))
+        .table(head, rows))
 }
 
 /// The composite of the first `level` maps.
@@ -94,70 +85,37 @@ fn address(level: usize) -> String {
 
 fn ladder() -> Result<Panel, Failure> {
     let levels = ADDRESS.len();
-    let mut marks = vec![Mark::Line {
-        points: vec![[POINT, 0.0], [POINT, -(levels as f64) - 0.55]],
-        stroke: Stroke::dashed(Ink::Muted).wide(0.9),
-        name: String::new(),
-    }];
+    let end = -(levels as f64) - 0.55;
+    let y = Axis::linear("", [-6.7, 0.5], 1.0).with_ticks(&[]);
+    let mut plot =
+        plot(SIZE, y, Names::Hidden).line([[POINT, 0.0], [POINT, end]], Stroke::dashed(Ink::Muted).wide(0.9));
     for level in 0..=levels {
-        let x = interval(level);
         let y = -(level as f64);
         let shade = 0.12 + 0.76 * level as f64 / levels as f64;
-        marks.push(Mark::Frame {
-            x,
-            y: [y - 0.28, y + 0.28],
-            ink: Ink::Series(1),
-            opacity: shade,
-            width: 0.8,
-        });
+        plot = plot.frame(interval(level), [y - 0.28, y + 0.28], 1, shade, 0.8);
         if let Some(&next) = ADDRESS.get(level) {
             let name = ["L\u{2081}", "L\u{2082}"][next];
-            marks.push(Mark::Note {
-                at: [interval(level + 1)[0], y - 1.0],
-                shift: [-8.0, 0.0],
-                text: name.to_owned(),
-                ink: Ink::Muted,
-            });
+            plot = plot.note([interval(level + 1)[0], y - 1.0], [-8.0, 0.0], name, Ink::Muted);
         }
     }
     let alt = "Seven bars, each half as long as the one above, closing in on 86/63";
-    let plot = Plot {
-        title: alt.to_owned(),
-        size: SIZE,
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y: Axis::linear("", [-6.7, 0.5], 1.0).with_ticks(&[]),
-        names: Names::Hidden,
-        marks,
-    };
-    vector("intervals", "The intervals, by the maps of the address", alt, &plot)
+    plot.panel("intervals", "The intervals, by the maps of the address", alt)
 }
 
 fn boxes(name: &str, fif: &FixedFif<2, 2>, y: Axis) -> Result<Panel, Failure> {
-    let curve = Stroke::solid(Ink::Muted).wide(0.7);
-    let mut marks = vec![Mark::Line { points: outline(fif), stroke: curve, name: String::new() }];
+    let mut plot = plot(SIZE, y, Names::Hidden).line(outline(fif), Stroke::solid(Ink::Muted).wide(0.7));
     for level in 1..=ADDRESS.len() {
         let Some(bounded) = fif.value_at_address(ADDRESS.into_iter().take(level), 0.0) else { continue };
         let range = bounded.interval();
-        marks.push(Mark::Frame {
-            x: interval(level),
-            y: [range.lo, range.hi],
-            ink: Ink::Series(1),
-            opacity: 0.13,
-            width: 0.9,
-        });
+        plot = plot.frame(interval(level), [range.lo, range.hi], 1, 0.13, 0.9);
     }
     let exact = fif.value_at_address(ADDRESS.into_iter().cycle(), 1e-9).map_or(f64::NAN, |v| v.value);
-    marks.push(Mark::Dots { points: vec![[POINT, exact]], ink: Ink::Series(2), radius: 2.6 });
     let alt = format!("Graph of {name} with six nested boxes around the point at 86/63");
-    let plot = Plot {
-        title: alt.clone(),
-        size: SIZE,
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y,
-        names: Names::Hidden,
-        marks,
-    };
-    vector(&format!("boxes-{name}"), &format!("The boxes over the graph of {name}"), &alt, &plot)
+    plot.dots([[POINT, exact]], 2, 2.6).panel(
+        format!("boxes-{name}"),
+        format!("The boxes over the graph of {name}"),
+        alt,
+    )
 }
 
 const SIZE: [f64; 2] = [360.0, 330.0];

@@ -10,7 +10,7 @@ use asperity_render::{
         fractal::{Fractal, Meeting},
     },
     image::tone::hex,
-    integrator::pixels::{Sampling, render},
+    integrator::pixels::Sampling,
     materials::pattern::{brick, checker, line, mix},
     sampling::sampler::hash,
 };
@@ -19,10 +19,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{half_page, raster},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const CORNER: Figure = Figure {
@@ -52,9 +49,9 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let mut panels = Vec::new();
     for (grid, [stem, label, alt]) in GRIDS.into_iter().zip(words) {
-        let sampling = Sampling { samples_per_pixel: 1, ..half_page(context) };
+        let sampling = Sampling { samples_per_pixel: 1, ..context.sampling([18, 18], 1) };
         let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let rays = jittered([x as u32, y as u32], grid, context.seed);
             let mut sum = Vec3::ZERO;
             for [x, y] in rays {
@@ -62,17 +59,11 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             }
             sum / (grid * grid) as f32
         })?;
-        panels.push(raster(stem, label, alt, image.exposed(EXPOSURE)));
+        panels.push(Panel::raster(stem, label, alt, image.exposed(EXPOSURE)));
     }
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![
-            ("heights times".to_owned(), RISE.to_string()),
-            ("reflectance at normal incidence".to_owned(), GLOSS.to_string()),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels)
+        .fact("heights times", RISE.to_string())
+        .fact("reflectance at normal incidence", GLOSS.to_string()))
 }
 
 const RISE: f64 = 0.3;

@@ -5,9 +5,8 @@ use asperity_fif::{FixedFif, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        plot::{Axis, Ink, Names, Plot, Stroke},
     },
 };
 
@@ -35,131 +34,80 @@ pub(crate) const INTEGRALS: Figure = Figure {
 /// Absolute error of every value drawn, far below a pixel.
 const TOLERANCE: f64 = 1e-6;
 
-fn draw_functions(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let panel = |stem: &str, name: &str, alt: &str, label: &str, fif: &FixedFif<2, 2>, y: Axis| {
+/// A plot over the domain of these functions.
+pub(super) fn plot(size: [f64; 2], y: Axis, names: Names) -> Plot {
+    Plot::new(size, Axis::linear("x", [0.0, 2.0], 0.5), y, names)
+}
+
+/// Of a plot that takes half of the page's width.
+pub(super) const HALF: [f64; 2] = [520.0, 330.0];
+
+fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
+    let panel = |[name, alt, label]: [&str; 3], fif: &FixedFif<2, 2>, range| -> Result<Panel, Failure> {
         let curve = outline(fif);
         let knots = paper::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
-        let plot = Plot {
-            title: alt.to_owned(),
-            size: SIZE,
-            x: Axis::linear("x", [0.0, 2.0], 0.5),
-            y,
-            names: Names::AtEnds,
-            marks: vec![
-                Mark::Area { points: curve.clone(), base: 0.0, ink: Ink::Series(1), opacity: 0.07 },
-                Mark::Line {
-                    points: knots.to_vec(),
-                    stroke: Stroke::dashed(Ink::Muted).wide(0.9),
-                    name: String::new(),
-                },
-                Mark::Line {
-                    points: curve,
-                    stroke: Stroke::solid(Ink::Series(1)).wide(1.2),
-                    name: name.to_owned(),
-                },
-                Mark::Dots { points: knots.to_vec(), ink: Ink::Series(2), radius: 3.5 },
-            ],
-        };
-        vector(stem, label, alt, &plot)
+        plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
+            .area(curve.clone(), 0.0, 1, 0.07)
+            .line(knots, Stroke::dashed(Ink::Muted).wide(0.9))
+            .curve(name, curve, Stroke::solid(1).wide(1.2))
+            .dots(knots, 2, 3.5)
+            .panel(name, label, alt)
     };
-    context.progress.inc_length(2);
-    let f = panel(
-        "f",
+    let f = [
         "f",
         "Graph of f: a symmetric mound with bumps on bumps, 4/3 high",
         "f, vertical factors 1/2 and 1/2",
-        &paper::f()?,
-        Axis::linear("", [0.0, 1.5], 0.5),
-    )?;
-    context.progress.inc(1);
-    let g = panel(
-        "g",
+    ];
+    let g = [
         "g",
         "Graph of g: jagged peaks up to almost 2 on the left, and a hanging copy of them on the right",
         "g, vertical factors 17/20 and \u{2212}17/20",
-        &paper::g()?,
-        Axis::linear("", [-1.0, 2.0], 0.5),
-    )?;
-    context.progress.inc(1);
-    Ok(Drawn {
-        panels: vec![f, g],
-        parameters: vec![fact("knots", "0, 1, 2"), tolerance()],
-        table: None,
-        columns: 2,
-    })
+    ];
+    let panels = vec![panel(f, &paper::f()?, [0.0, 1.5])?, panel(g, &paper::g()?, [-1.0, 2.0])?];
+    Ok(Drawn::new(2, panels).fact("knots", "0, 1, 2").fact("tolerance", format!("{TOLERANCE:e}")))
 }
 
-fn draw_integrals(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let panel = |stem: &str,
-                 names: [&str; 2],
-                 alt: &str,
-                 label: &str,
-                 integral: &FixedFif<2, 3>,
-                 slope: &FixedFif<2, 2>,
-                 y: Axis| {
-        let mut marks = vec![
-            Mark::Line {
-                points: outline(slope),
-                stroke: Stroke::solid(Ink::Series(2)).wide(0.6),
-                name: names[1].to_owned(),
-            },
-            Mark::Line {
-                points: outline(integral),
-                stroke: Stroke::solid(Ink::Series(1)).wide(2.0),
-                name: names[0].to_owned(),
-            },
-        ];
-        let touched = TANGENTS.map(|x| [x, integral.evaluate(x, TOLERANCE).value]);
+fn draw_integrals(_: &Context<'_>) -> Result<Drawn, Failure> {
+    let panel = |[stem, name, rough]: [&str; 3], alt: &str, fif: [&dyn Fn(f64) -> f64; 2], mut plot: Plot| {
+        let touched = TANGENTS.map(|x| [x, fif[0](x)]);
         for [x, y] in touched {
-            let rise = slope.evaluate(x, TOLERANCE).value;
+            let rise = fif[1](x);
             let reach = 0.2 / (1.0 + rise * rise).sqrt();
-            marks.push(Mark::Line {
-                points: vec![[x - reach, y - rise * reach], [x + reach, y + rise * reach]],
-                stroke: Stroke::solid(Ink::Text).wide(1.0),
-                name: String::new(),
-            });
+            let ends = [[x - reach, y - rise * reach], [x + reach, y + rise * reach]];
+            plot = plot.line(ends, Stroke::solid(Ink::Text).wide(1.0));
         }
-        marks.push(Mark::Dots { points: touched.to_vec(), ink: Ink::Text, radius: 2.6 });
-        let plot = Plot {
-            title: alt.to_owned(),
-            size: SIZE,
-            x: Axis::linear("x", [0.0, 2.0], 0.5),
-            y,
-            names: Names::AtEnds,
-            marks,
-        };
-        vector(stem, label, alt, &plot)
+        let label = format!("{name} and its derivative {rough}");
+        plot.dots(touched, Ink::Text, 2.6).panel(stem, label, alt)
     };
-    context.progress.inc_length(2);
-    let f = panel(
-        "f-hat",
-        ["f\u{302}", "f"],
-        "The integral of f rises from 0 to 2 like a soft step; f is drawn thin",
-        "f\u{302} and its derivative f",
-        &paper::f_hat()?,
-        &paper::f()?,
-        Axis::linear("", [0.0, 2.0], 0.5),
-    )?;
-    context.progress.inc(1);
-    let g = panel(
-        "g-hat",
-        ["\u{11d}", "g"],
-        "The integral of g rises with many small undulations to 1; g, drawn thin, is jagged",
-        "\u{11d} and its derivative g",
-        &paper::g_hat()?,
-        &paper::g()?,
-        Axis::linear("", [-1.0, 2.0], 0.5),
-    )?;
-    context.progress.inc(1);
-    Ok(Drawn {
-        panels: vec![f, g],
-        parameters: vec![fact("knots", "0, 1, 2"), fact("tangents at", "1/4, 2/3, 6/5, 7/4"), tolerance()],
-        table: None,
-        columns: 2,
-    })
+    let mut panels = Vec::new();
+    for (names, alt, integral, slope, range) in [
+        (
+            ["f-hat", "f\u{302}", "f"],
+            "The integral of f rises from 0 to 2 like a soft step; f is drawn thin",
+            paper::f_hat()?,
+            paper::f()?,
+            [0.0, 2.0],
+        ),
+        (
+            ["g-hat", "\u{11d}", "g"],
+            "The integral of g rises with many small undulations to 1; g, drawn thin, is jagged",
+            paper::g_hat()?,
+            paper::g()?,
+            [-1.0, 2.0],
+        ),
+    ] {
+        let curves = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
+            .curve(names[2], outline(&slope), Stroke::solid(2).wide(0.6))
+            .curve(names[1], outline(&integral), Stroke::solid(1).wide(2.0));
+        let values: [&dyn Fn(f64) -> f64; 2] =
+            [&|x| integral.evaluate(x, TOLERANCE).value, &|x| slope.evaluate(x, TOLERANCE).value];
+        panels.push(panel(names, alt, values, curves)?);
+    }
+    Ok(Drawn::new(2, panels)
+        .fact("knots", "0, 1, 2")
+        .fact("tangents at", "1/4, 2/3, 6/5, 7/4")
+        .fact("tolerance", format!("{TOLERANCE:e}")))
 }
-
-const SIZE: [f64; 2] = [520.0, 330.0];
 
 const TANGENTS: [f64; 4] = [0.25, 2.0 / 3.0, 1.2, 1.75];
 
@@ -187,10 +135,6 @@ pub(super) fn outline<const C: usize>(fif: &FixedFif<2, C>) -> Vec<[f64; 2]> {
     }
     points.push([domain.hi, fif.end_values()[1]]);
     points
-}
-
-fn tolerance() -> (String, String) {
-    fact("tolerance", &format!("{TOLERANCE:e}"))
 }
 
 #[cfg(test)]

@@ -6,9 +6,8 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
-        figures::cochran::curves::outline,
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figures::cochran::curves::{HALF, outline, plot},
+        plot::{Axis, Names, Plot, Stroke},
     },
 };
 
@@ -43,16 +42,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         context.progress.inc(1);
         context.checkpoint()?;
     }
-    let mut panels = vec![plot(dots)?];
+    let mut panels = vec![by_factor(dots)?];
     for alpha in DRAWN {
         panels.push(graph(alpha)?);
     }
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![fact("boxes counted at levels", "6 and 9"), fact("knots", "0, 1, 2 and 0, 1/2, 2")],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels)
+        .fact("boxes counted at levels", "6 and 9")
+        .fact("knots", "0, 1, 2 and 0, 1/2, 2"))
 }
 
 /// Both maps with the same factor, the middle knot at `middle`.
@@ -73,53 +69,34 @@ fn counted(fif: &FixedFif<2, 2>) -> Option<f64> {
     Some((logs[1]? - logs[0]?) / f64::from(LEVELS[1] - LEVELS[0]))
 }
 
-fn plot(dots: Vec<[f64; 2]>) -> Result<Panel, Failure> {
+fn by_factor(dots: Vec<[f64; 2]>) -> Result<Panel, Failure> {
     let curve = |middle: f64| -> Result<Vec<[f64; 2]>, SystemError> {
-        (1..200)
-            .map(|k| {
-                let alpha = 0.005 * f64::from(k);
-                Ok([alpha, symmetric(middle, alpha)?.dimension().middle()])
-            })
-            .collect()
+        let alphas = (1..200).map(|k| 0.005 * f64::from(k));
+        alphas.map(|alpha| Ok([alpha, symmetric(middle, alpha)?.dimension().middle()])).collect()
     };
-    let line = |points, stroke: Stroke, name: &str| Mark::Line { points, stroke, name: name.to_owned() };
-    let alt = "The dimension stays 1 up to the factor 1/2 and rises to 2 at factor 1; counted boxes lie on the curve";
-    let plot = Plot {
-        title: alt.to_owned(),
-        size: SIZE,
-        x: Axis::linear("vertical factor \u{3b1}", [0.0, 1.0], 0.25),
-        y: Axis::linear("dimension", [0.9, 2.05], 0.25),
-        names: Names::Above,
-        marks: vec![
-            line(curve(0.5)?, Stroke::dashed(Ink::Series(2)), "knots 0, 1/2, 2"),
-            line(curve(1.0)?, Stroke::solid(Ink::Series(1)).wide(2.0), "knots 0, 1, 2"),
-            Mark::Dots { points: dots, ink: Ink::Series(1), radius: 3.2 },
-        ],
-    };
-    vector("plot", "Dimension by the formula; dots: boxes counted", alt, &plot)
+    let x = Axis::linear("vertical factor \u{3b1}", [0.0, 1.0], 0.25);
+    Plot::new(HALF, x, Axis::linear("dimension", [0.9, 2.05], 0.25), Names::Above)
+        .curve("knots 0, 1/2, 2", curve(0.5)?, Stroke::dashed(2))
+        .curve("knots 0, 1, 2", curve(1.0)?, Stroke::solid(1).wide(2.0))
+        .dots(dots, 1, 3.2)
+        .panel(
+            "plot",
+            "Dimension by the formula; dots: boxes counted",
+            "The dimension stays 1 up to the factor 1/2 and rises to 2 at factor 1; counted boxes lie on the curve",
+        )
 }
 
 fn graph(alpha: f64) -> Result<Panel, Failure> {
     let fif = symmetric(1.0, alpha)?;
-    let alt = format!("The graph with vertical factor {alpha}");
     let range = fif.range();
-    let plot = Plot {
-        title: alt.clone(),
-        size: SIZE,
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y: Axis::linear("", [range.lo.min(0.0), 1.05 * range.hi], if range.hi > 4.0 { 2.0 } else { 0.5 }),
-        names: Names::Hidden,
-        marks: vec![Mark::Line {
-            points: outline(&fif),
-            stroke: Stroke::solid(Ink::Series(1)).wide(1.0),
-            name: String::new(),
-        }],
-    };
-    let label = format!("\u{3b1} = {alpha}, dimension {:.3}", fif.dimension().middle());
-    vector(&format!("graph-{}", (100.0 * alpha).round()), &label, &alt, &plot)
+    let step = if range.hi > 4.0 { 2.0 } else { 0.5 };
+    let y = Axis::linear("", [range.lo.min(0.0), 1.05 * range.hi], step);
+    plot(HALF, y, Names::Hidden).line(outline(&fif), Stroke::solid(1).wide(1.0)).panel(
+        format!("graph-{}", (100.0 * alpha).round()),
+        format!("\u{3b1} = {alpha}, dimension {:.3}", fif.dimension().middle()),
+        format!("The graph with vertical factor {alpha}"),
+    )
 }
-
-const SIZE: [f64; 2] = [520.0, 330.0];
 
 #[cfg(test)]
 mod tests {

@@ -5,8 +5,7 @@ use asperity_fif::{
     glam::{DVec2, DVec3},
 };
 use asperity_render::{
-    geometry::camera::Camera, image::tone::hex, integrator::pixels::render, materials::pattern::mix,
-    sampling::sampler::hash,
+    geometry::camera::Camera, image::tone::hex, materials::pattern::mix, sampling::sampler::hash,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -14,8 +13,7 @@ use rayon::prelude::*;
 use crate::{
     failure::{Failure, Interrupted},
     gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{fact, half_page, raster},
+        figure::{Context, Drawn, Figure, Panel},
         power_spectrum::PowerSpectrum,
     },
 };
@@ -73,29 +71,20 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let (mut panels, mut grains) = (Vec::new(), Vec::new());
     for (ground, [stem, label, alt]) in grounds.iter().zip(words) {
-        let sampling = half_page(context);
+        let sampling = context.sampling([18, 18], 1);
         let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             ground.radiance(camera.eye().as_dvec3(), camera.direction(x, y).as_dvec3())
         })?;
         let grain = format!("{:.2}", ground.grain(context)?);
-        panels.push(raster(stem, &format!("{label}, grain {grain}"), alt, image));
+        panels.push(Panel::raster(stem, &format!("{label}, grain {grain}"), alt, image));
         grains.push(grain);
     }
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![
-            fact("torus", &format!("{0} \u{d7} {0} nodes, M = (2, \u{2212}1; 1, 2), s = {FACTOR}", NODES[0])),
-            fact(
-                "curves",
-                &format!("{} maps, vertical factors \u{b1}{ROUGHNESS}, integrated once", NODES[1]),
-            ),
-            fact("grain", &grains.join(" and ")),
-            fact("waves measured", &format!("{} to {} periods per side", RING[0], RING[1])),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels)
+        .fact("torus", format!("{0} \u{d7} {0} nodes, M = (2, \u{2212}1; 1, 2), s = {FACTOR}", NODES[0]))
+        .fact("curves", format!("{} maps, vertical factors \u{b1}{ROUGHNESS}, integrated once", NODES[1]))
+        .fact("grain", &grains.join(" and "))
+        .fact("waves measured", format!("{} to {} periods per side", RING[0], RING[1])))
 }
 
 fn torus(random: &impl Fn(usize) -> f64) -> Result<TorusBuf, Failure> {

@@ -4,7 +4,7 @@ use asperity_fif::{glam::DVec3, paper};
 use asperity_render::{
     geometry::{camera::Camera, fractal::Fractal},
     image::tone::hex,
-    integrator::pixels::{Sampling, render},
+    integrator::pixels::Sampling,
     materials::pattern::{line, mix},
 };
 use asperity_shading::{Conductor, reflect};
@@ -12,10 +12,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{half_page, raster},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const MIRRORS: Figure = Figure {
@@ -54,25 +51,19 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         [paper::f()?, paper::g()?].into_iter().zip(RISE).zip(OVERSAMPLING).zip(words).zip(VIEWS)
     {
         let mirror = Fractal::new(slope, rise)?;
-        let sampling = half_page(context);
+        let sampling = context.sampling([18, 18], 1);
         let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * factor, ..sampling };
         let camera = Camera::new(eye, target, FIELD, sampling.width, sampling.height);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             radiance(&mirror, &silver, camera.eye().as_dvec3(), camera.direction(x, y).as_dvec3())
         })?;
-        panels.push(raster(stem, label, alt, image));
+        panels.push(Panel::raster(stem, label, alt, image));
     }
     let samples = OVERSAMPLING.map(|factor| (factor * context.samples_per_pixel).to_string()).join(" and ");
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![
-            ("heights times".to_owned(), RISE.map(|r| r.to_string()).join(" and ")),
-            ("samples per pixel".to_owned(), samples),
-            ("metal".to_owned(), "silver".to_owned()),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels)
+        .fact("heights times", RISE.map(|r| r.to_string()).join(" and "))
+        .fact("samples per pixel", samples)
+        .fact("metal", "silver"))
 }
 
 /// Eye and target of each picture: the right mirror is flatter.

@@ -10,7 +10,6 @@ use asperity_render::{
         fractal::{Fractal, Meeting},
     },
     image::tone::hex,
-    integrator::pixels::render,
     light::lamps::{Light, direction, studio},
     materials::pattern::{checker, line, mix},
 };
@@ -19,10 +18,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const MODELS: Figure = Figure {
@@ -59,7 +55,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("glass", Model::Glass(Dielectric::new(GLASS)?)),
     ];
     let labels = ["Matte", "Phong", "Torrance\u{2013}Sparrow, copper", "Glass"];
-    let sampling = square(context);
+    let sampling = context.square();
     let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
     let mut panels = Vec::new();
     for factor in FACTORS {
@@ -70,13 +66,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         };
         for ((stem, model), label) in models.iter().zip(labels) {
             scene.model = *model;
-            let image = render(sampling, context.progress, context.interrupted, |x, y| {
+            let image = context.render(sampling, |x, y| {
                 scene.radiance(camera.eye().as_dvec3(), camera.direction(x, y).as_dvec3(), 0)
             })?;
             let alt =
                 format!("A square cushion with a fractal surface on a tiled floor: {}", label.to_lowercase());
             let label = format!("{label}; factors {factor}");
-            panels.push(raster(
+            panels.push(Panel::raster(
                 &format!("{stem}-{}", (100.0 * factor).round()),
                 &label,
                 &alt,
@@ -84,21 +80,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             ));
         }
     }
-    Ok(Drawn {
-        panels,
-        columns: 4,
-        parameters: [
-            ("slope through", "(0, 0), (1/2, 1), (1, 0), (3/2, \u{2212}1), (2, 0)".to_owned()),
-            ("heights times", RISE.to_string()),
-            ("Phong exponent", PHONG.to_string()),
-            ("roughness of the copper", format!("{ROUGHNESS}, Beckmann")),
-            ("index of the glass", GLASS.to_string()),
-            ("samples per pixel", sampling.samples_per_pixel.to_string()),
-        ]
-        .map(|(name, value)| (name.to_owned(), value))
-        .to_vec(),
-        table: None,
-    })
+    Ok(Drawn::new(4, panels)
+        .fact("slope through", "(0, 0), (1/2, 1), (1, 0), (3/2, \u{2212}1), (2, 0)")
+        .fact("heights times", RISE.to_string())
+        .fact("Phong exponent", PHONG.to_string())
+        .fact("roughness of the copper", format!("{ROUGHNESS}, Beckmann"))
+        .fact("index of the glass", GLASS.to_string())
+        .fact("samples per pixel", sampling.samples_per_pixel.to_string()))
 }
 
 const PHONG: f32 = 60.0;

@@ -6,9 +6,8 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
-        figures::cochran::curves::outline,
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figures::cochran::curves::{HALF, outline, plot},
+        plot::{Axis, Ink, Names, Stroke},
     },
 };
 
@@ -32,60 +31,34 @@ const TOUCHED: [f64; 4] = [0.3, 2.0 / 3.0, 1.2, 1.75];
 /// How far along x a parabola reaches to either side.
 const REACH: f64 = 0.2;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(2);
-    let names = ["f", "f\u{302}", "f\u{302}\u{302}"];
-    let f = panel("f", names, &paper::f()?, Axis::linear("", [0.0, 2.15], 0.5))?;
-    context.progress.inc(1);
-    let names = ["g", "\u{11d}", "\u{11d}\u{302}"];
-    let g = panel("g", names, &paper::g()?, Axis::linear("", [-1.0, 2.0], 0.5))?;
-    context.progress.inc(1);
-    let facts = [
-        ("vertical factors", "1/2, 1/4, 1/8 and \u{b1}17/20, \u{b1}17/40, \u{b1}17/80"),
-        ("parabolas at", "3/10, 2/3, 6/5, 7/4"),
-        ("tolerance", "1e-9"),
+fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
+    let panels = vec![
+        panel(["f", "f\u{302}", "f\u{302}\u{302}"], &paper::f()?, [0.0, 2.15])?,
+        panel(["g", "\u{11d}", "\u{11d}\u{302}"], &paper::g()?, [-1.0, 2.0])?,
     ];
-    Ok(Drawn {
-        panels: vec![f, g],
-        columns: 2,
-        parameters: facts.map(|(name, value)| fact(name, value)).to_vec(),
-        table: None,
-    })
+    Ok(Drawn::new(2, panels)
+        .fact("vertical factors", "1/2, 1/4, 1/8 and \u{b1}17/20, \u{b1}17/40, \u{b1}17/80")
+        .fact("parabolas at", "3/10, 2/3, 6/5, 7/4")
+        .fact("tolerance", "1e-9"))
 }
 
-fn panel(stem: &str, names: [&str; 3], rough: &FixedFif<2, 2>, y: Axis) -> Result<Panel, Failure> {
+fn panel(names: [&str; 3], rough: &FixedFif<2, 2>, range: [f64; 2]) -> Result<Panel, Failure> {
     let first: FixedFif<2, 3> = rough.integral(0.0)?;
     let second: FixedFif<2, 4> = first.integral(0.0)?;
-    let curve = |points, ink, width, name: &str| Mark::Line {
-        points,
-        stroke: Stroke::solid(Ink::Series(ink)).wide(width),
-        name: name.to_owned(),
-    };
-    let mut marks = vec![
-        curve(outline(rough), 3, 0.6, names[0]),
-        curve(outline(&first), 2, 1.1, names[1]),
-        curve(outline(&second), 1, 3.6, names[2]),
-    ];
+    let mut plot = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
+        .curve(names[0], outline(rough), Stroke::solid(3).wide(0.6))
+        .curve(names[1], outline(&first), Stroke::solid(2).wide(1.1))
+        .curve(names[2], outline(&second), Stroke::solid(1).wide(3.6));
     let touched = TOUCHED.map(|x| jet(x, rough, &first, &second));
     for jet in touched {
-        let points = (-16..=16).map(|k| jet.parabola(REACH * f64::from(k) / 16.0)).collect();
-        let stroke = Stroke::solid(Ink::Text).wide(0.9);
-        marks.push(Mark::Line { points, stroke, name: String::new() });
+        let points = (-16..=16).map(|k| jet.parabola(REACH * f64::from(k) / 16.0));
+        plot = plot.line(points, Stroke::solid(Ink::Text).wide(0.9));
     }
-    let points = touched.map(|jet| jet.parabola(0.0)).to_vec();
-    marks.push(Mark::Dots { points, ink: Ink::Text, radius: 2.6 });
-    let alt =
-        format!("A smooth arc, {}, over its rougher derivative and its jagged second derivative", names[2]);
-    let plot = Plot {
-        title: alt.clone(),
-        size: [520.0, 330.0],
-        x: Axis::linear("x", [0.0, 2.0], 0.5),
-        y,
-        names: Names::AtEnds,
-        marks,
-    };
-    let label = format!("{}, its derivative {} and its second derivative {}", names[2], names[1], names[0]);
-    vector(stem, &label, &alt, &plot)
+    plot.dots(touched.map(|jet| jet.parabola(0.0)), Ink::Text, 2.6).panel(
+        names[0],
+        format!("{}, its derivative {} and its second derivative {}", names[2], names[1], names[0]),
+        format!("A smooth arc, {}, over its rougher derivative and its jagged second derivative", names[2]),
+    )
 }
 
 /// Value, slope and second derivative at a point.

@@ -6,20 +6,14 @@ use asperity_fif::{
     paper,
 };
 use asperity_render::{
-    geometry::camera::Camera,
-    image::tone::hex,
-    integrator::pixels::{Sampling, render},
-    light::lamps::direction,
+    geometry::camera::Camera, image::tone::hex, integrator::pixels::Sampling, light::lamps::direction,
     materials::pattern::mix,
 };
 use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const ZOOM: Figure = Figure {
@@ -53,33 +47,25 @@ const FIELD: f32 = 0.7;
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let surface = Surface::new()?;
     // Seven panels side by side are small, and mean slopes are smooth already.
-    let sampling = square(context);
+    let sampling = context.square();
     let side = sampling.width - sampling.width / 4;
     let samples_per_pixel = sampling.samples_per_pixel.div_ceil(2);
     let sampling = Sampling { width: side, height: side, samples_per_pixel, ..sampling };
     let mut panels = Vec::new();
     for power in 0..=POWERS {
         let view = View::new(&surface, 10.0_f64.powi(-power), sampling);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| view.radiance(x, y))?;
+        let image = context.render(sampling, |x, y| view.radiance(x, y))?;
         let zoom = ["1", "10", "100", "1000", "10\u{2074}", "10\u{2075}", "10\u{2076}"];
         let zoom = zoom.get(power as usize).copied().unwrap_or_default();
         let label = format!("\u{d7}{zoom}");
         let alt = format!("Jagged mountains in low light, magnified {zoom} times");
-        panels.push(raster(&format!("e{power}"), &label, &alt, image.exposed(1.1)));
+        panels.push(Panel::raster(&format!("e{power}"), &label, &alt, image.exposed(1.1)));
     }
-    Ok(Drawn {
-        panels,
-        columns: 4,
-        parameters: [
-            ("heights times", RISE.to_string()),
-            ("point", "(38/63, 10/9)".to_owned()),
-            ("distance at \u{d7}1", format!("{:.2}", AWAY.length())),
-            ("samples per pixel", sampling.samples_per_pixel.to_string()),
-        ]
-        .map(|(name, value)| (name.to_owned(), value))
-        .to_vec(),
-        table: None,
-    })
+    Ok(Drawn::new(4, panels)
+        .fact("heights times", RISE.to_string())
+        .fact("point", "(38/63, 10/9)")
+        .fact("distance at \u{d7}1", format!("{:.2}", AWAY.length()))
+        .fact("samples per pixel", sampling.samples_per_pixel.to_string()))
 }
 
 struct Surface {

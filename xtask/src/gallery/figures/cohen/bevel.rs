@@ -1,10 +1,6 @@
 //! Bevels along the edges of a plate.
 
-use asperity_render::{
-    image::tone::hex,
-    integrator::{direct::sky, pixels::render},
-    light::lamps::studio,
-};
+use asperity_render::{image::tone::hex, integrator::direct::sky, light::lamps::studio};
 use asperity_shading::{
     Bevel, Brdf, CookTorrance, Edge, Frame, Ggx, SchlickF82, bumped_normal, surface_gradient,
 };
@@ -12,10 +8,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const BEVEL: Figure = Figure {
@@ -32,7 +25,7 @@ pub(crate) const BEVEL: Figure = Figure {
 const WIDTHS: [f32; 2] = [0.02, 0.13];
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let sampling = square(context);
+    let sampling = context.square();
     let corners: Vec<Vec2> = (0..10)
         .map(|k| {
             let angle = std::f32::consts::PI * (0.5 + 0.2 * k as f32);
@@ -50,7 +43,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("groove", "top and bottom \u{2212}1/2", -0.5, -0.5),
     ] {
         let bevel = Bevel::new(WIDTHS[0], WIDTHS[1], top, bottom)?;
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let p = Vec2::new(2.0 * x / side - 1.0, 1.06 - 2.0 * y / side);
             if !inside(&corners, p) {
                 return hex(0x2a_2d33);
@@ -67,22 +60,14 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
                 sum + light.colour * steel.value(wi, wo) * wi.z.max(0.0)
             })
         })?;
-        panels.push(raster(
+        panels.push(Panel::raster(
             stem,
             label,
             &format!("A star-shaped plate with bevelled edges, {label}"),
             image.exposed(1.0),
         ));
     }
-    Ok(Drawn {
-        panels,
-        columns: 4,
-        parameters: vec![
-            ("plateau".to_owned(), WIDTHS[0].to_string()),
-            ("ridge".to_owned(), WIDTHS[1].to_string()),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(4, panels).fact("plateau", WIDTHS[0].to_string()).fact("ridge", WIDTHS[1].to_string()))
 }
 
 /// By the parity of the edges to the right of the point.

@@ -1,10 +1,7 @@
 //! Bump-mapped brick, close by and to the horizon.
 
 use asperity_render::{
-    image::tone::hex,
-    integrator::pixels::{Sampling, render},
-    light::lamps::direction,
-    materials::pattern::mix,
+    image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::pattern::mix,
     sampling::sampler::hash,
 };
 use asperity_shading::{Brick, bumped_normal, surface_gradient};
@@ -12,10 +9,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const BRICK: Figure = Figure {
@@ -30,18 +24,13 @@ pub(crate) const BRICK: Figure = Figure {
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wall = Brick::default();
-    let wide = Sampling {
-        width: 2 * context.size,
-        height: context.size * 2 / 3,
-        samples_per_pixel: 4 * context.samples_per_pixel,
-        seed: context.seed,
-    };
+    let wide = context.sampling([24, 8], 4);
     let scale = 1.1 / wide.width as f32;
     let mut panels = Vec::new();
-    let image = render(wide, context.progress, context.interrupted, |x, y| {
+    let image = context.render(wide, |x, y| {
         shade(&wall, Vec2::new(x, wide.height as f32 - y) * scale + Vec2::new(0.04, 0.02), Vec2::ZERO)
     })?;
-    let mut panel = raster(
+    let mut panel = Panel::raster(
         "wall",
         "The wall",
         "A brick wall whose mortar lies deeper than the bricks",
@@ -49,20 +38,14 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     );
     panel.span = 3;
     panels.push(panel);
-    let floor = |samples_per_pixel| Sampling {
-        width: context.size,
-        height: context.size * 2 / 3,
-        samples_per_pixel,
-        ..wide
-    };
     for (stem, label, samples, filtered) in [
         ("plain", "One sample a pixel", 1, false),
         ("filtered", "One filtered sample a pixel", 1, true),
         ("mean", "256 samples a pixel", 256, false),
     ] {
-        let sampling = floor(samples);
+        let sampling = Sampling { samples_per_pixel: samples, ..context.sampling([12, 8], 1) };
         let (half, height) = (0.5 * sampling.width as f32, sampling.height as f32);
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             // One sample is the pixel's middle.
             let (x, y) = if samples == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
             let at = |x: f32, y: f32| {
@@ -74,17 +57,11 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             shade(&wall, at(x, y), widths)
         })?;
         let alt = format!("A floor of bricks to the horizon, {}", label.to_lowercase());
-        panels.push(raster(stem, label, &alt, image.exposed(1.0)));
+        panels.push(Panel::raster(stem, label, &alt, image.exposed(1.0)));
     }
-    Ok(Drawn {
-        panels,
-        columns: 3,
-        parameters: vec![
-            ("depth of the mortar".to_owned(), DEPTH.to_string()),
-            ("facets of a distant pixel".to_owned(), "50".to_owned()),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(3, panels)
+        .fact("depth of the mortar", DEPTH.to_string())
+        .fact("facets of a distant pixel", "50"))
 }
 
 const DEPTH: f32 = 0.004;

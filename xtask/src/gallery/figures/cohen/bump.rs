@@ -7,10 +7,7 @@ use asperity_render::{
         relief::relief,
         shape::{Hit, Shape},
     },
-    integrator::{
-        direct::sky,
-        pixels::{Sampling, render},
-    },
+    integrator::direct::sky,
     light::{background::background, lamps::direction},
 };
 use asperity_shading::{
@@ -22,10 +19,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const BUMP: Figure = Figure {
@@ -82,8 +76,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let slope = Vec2::from(tangents.map(|t| gradient.dot(t)));
         displace(p, n, tangents, tangents, height, slope).normal
     };
-    let sampling = square(context);
-    let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 2, ..sampling };
+    let sampling = context.sampling([12, 12], 2);
     let ways: [(&str, &str, &Shape, &Normal<'_>); 3] = [
         ("gradient", "The noise's gradient along the surface", &Shape::Sphere, &by_gradient),
         ("neighbours", "Heights of four neighbours", &Shape::Sphere, &by_neighbours),
@@ -95,7 +88,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             Camera::new(Vec3::new(0.0, -4.9, 1.2), Vec3::ZERO, 0.47, sampling.width, sampling.height);
         let lamp = direction(-132.0, 40.0);
         let side = sampling.width as f32;
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let towards = camera.direction(x, y);
             let Some(hit) = shape.first_hit(camera.eye(), towards) else {
                 return background(x / side, y / side);
@@ -107,18 +100,12 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             let lit = if dark { 0.0 } else { m.dot(lamp).max(0.0) };
             Vec3::new(0.62, 0.58, 0.53) * (1.1 * lit + 0.28 * sky(m))
         })?;
-        panels.push(raster(stem, label, "A sphere with hills and dales", image.exposed(1.0)));
+        panels.push(Panel::raster(stem, label, "A sphere with hills and dales", image.exposed(1.0)));
     }
-    Ok(Drawn {
-        columns: 3,
-        panels,
-        parameters: vec![
-            ("height".to_owned(), format!("{HEIGHT} of the radius")),
-            ("noise".to_owned(), format!("Perlin 2002, three octaves, {FREQUENCY} cells per radius")),
-            ("step between neighbours".to_owned(), format!("{STEP} radians")),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(3, panels)
+        .fact("height", format!("{HEIGHT} of the radius"))
+        .fact("noise", format!("Perlin 2002, three octaves, {FREQUENCY} cells per radius"))
+        .fact("step between neighbours", format!("{STEP} radians")))
 }
 
 #[cfg(test)]

@@ -1,15 +1,12 @@
 //! Star wallpaper, and images that run.
 
-use asperity_render::{image::tone::hex, integrator::pixels::render, materials::pattern::mix};
+use asperity_render::{image::tone::hex, materials::pattern::mix};
 use asperity_shading::{Marble, PerturbedTexture, StarWallpaper};
 use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const PATTERNS: Figure = Figure {
@@ -26,7 +23,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wallpaper = StarWallpaper::default();
     let running =
         PerturbedTexture { scale: 9.0, strength: Vec2::splat(0.035), ..PerturbedTexture::default() };
-    let sampling = square(context);
+    let sampling = context.square();
     let pixel = 1.0 / sampling.width as f32;
     let (ground, star) = (hex(0x27_3a5c), hex(0xff_b43c));
     let mut panels = Vec::new();
@@ -35,7 +32,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("corrected", "Corrected", "Five-pointed stars, evenly strewn"),
         ("perturbed", "Perturbed", "Five-pointed stars, bent and drawn out"),
     ] {
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let uv = Vec2::new(x, sampling.height as f32 - y) * pixel;
             let share = match stem {
                 "listed" => f32::from(u8::from(wallpaper.as_listed(uv))),
@@ -44,10 +41,10 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             };
             mix(ground, star, share)
         })?;
-        panels.push(raster(stem, label, alt, image));
+        panels.push(Panel::raster(stem, label, alt, image));
     }
     let share = format!("{:.1} %", 100.0 * wallpaper.mean());
-    Ok(Drawn { panels, columns: 3, parameters: vec![("share of stars".to_owned(), share)], table: None })
+    Ok(Drawn::new(3, panels).fact("share of stars", share))
 }
 
 pub(crate) const SPECTRUM: Figure = Figure {
@@ -61,29 +58,22 @@ pub(crate) const SPECTRUM: Figure = Figure {
 
 fn draw_marble(context: &Context<'_>) -> Result<Drawn, Failure> {
     use asperity_shading::{Footprint, noise::Perlin2002};
-    let sampling = square(context);
+    let sampling = context.square();
     let marble = Marble::default();
     let side = sampling.width as f32;
     let mut panels = Vec::new();
-    let image = render(sampling, context.progress, context.interrupted, |_, y| {
-        Marble::<Perlin2002>::spline(1.0 - y / side) * 2.2
-    })?;
-    panels.push(raster("spline", "The spline of colours", "Bands of pale and dark blue", image));
+    let image = context.render(sampling, |_, y| Marble::<Perlin2002>::spline(1.0 - y / side) * 2.2)?;
+    panels.push(Panel::raster("spline", "The spline of colours", "Bands of pale and dark blue", image));
     for (stem, label, width) in [
         ("slab", "A slab, four units wide", 0.0),
         ("pixels-10", "Pixels of 0.1", 0.1),
         ("pixels-60", "Pixels of 0.6", 0.6),
     ] {
-        let image = render(sampling, context.progress, context.interrupted, |x, y| {
+        let image = context.render(sampling, |x, y| {
             let p = Vec3::new(4.0 * x / side, 4.0 * (1.0 - y / side), 0.3);
             2.2 * marble.colour(p, Footprint::from_width(width))
         })?;
-        panels.push(raster(stem, label, "Veins of pale and dark blue", image));
+        panels.push(Panel::raster(stem, label, "Veins of pale and dark blue", image));
     }
-    Ok(Drawn {
-        panels,
-        columns: 4,
-        parameters: vec![("colours times".to_owned(), "2.2".to_owned())],
-        table: None,
-    })
+    Ok(Drawn::new(4, panels).fact("colours times", "2.2"))
 }

@@ -10,7 +10,7 @@ use asperity_render::{
     image::tone::hex,
     integrator::{
         path_tracer::{Object, Stage},
-        pixels::{Sampling, render_paths},
+        pixels::render_paths,
     },
     light::environments::Studio,
     materials::{glazed, marble},
@@ -24,10 +24,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const VASE: Figure = Figure {
@@ -70,8 +67,7 @@ const SAUCER_PROFILE: [[f32; 2]; 7] =
 const TEA: f32 = 0.84;
 
 fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let sampling = square(context);
-    let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * 4, ..sampling };
+    let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
     let stage = Stage {
         objects: Set::Vase.objects(Box::new(marble(Marble::default(), 1.0, 2.6)?))?,
@@ -86,23 +82,13 @@ fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     ] {
         let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
         let image = stage.draw(sampling, &camera, context.progress, context.interrupted)?;
-        panels.push(raster(stem, label, "A tall vase with blue veins on a table", image.filmic(1.45)));
+        panels.push(Panel::raster(stem, label, "A tall vase with blue veins on a table", image.filmic(1.45)));
     }
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![("cells of the first octave per unit".to_owned(), "2.5".to_owned())],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels).fact("cells of the first octave per unit", "2.5"))
 }
 
 fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let sampling = Sampling {
-        width: context.size,
-        height: context.size * 4 / 3,
-        samples_per_pixel: context.samples_per_pixel * 3,
-        seed: context.seed,
-    };
+    let sampling = context.sampling([12, 16], 3);
     let camera = Camera::new(
         Vec3::new(1.2, -6.6, 3.0),
         Vec3::new(0.1, 0.0, 1.15),
@@ -151,20 +137,12 @@ fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
             });
             seen.light + seen.transmittance * behind
         })?;
-        panels.push(raster(
+        panels.push(Panel::raster(
             &format!("exponent-{exponent}"),
             &format!("Exponent {exponent}"),
             "A white tea cup on its saucer, with steam over it",
             image.filmic(1.45),
         ));
     }
-    Ok(Drawn {
-        panels,
-        columns: 3,
-        parameters: vec![
-            ("steps".to_owned(), "0.06".to_owned()),
-            ("height of the steam".to_owned(), "1.9".to_owned()),
-        ],
-        table: None,
-    })
+    Ok(Drawn::new(3, panels).fact("steps", "0.06").fact("height of the steam", "1.9"))
 }

@@ -6,7 +6,6 @@ use asperity_render::{
     image::tone::hex,
     integrator::{
         direct::SharedNdf,
-        pixels::Sampling,
         request::{RenderRequest, Subject},
     },
 };
@@ -15,7 +14,7 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
-        panels::{common_parameters, density_panel, fine, object_panel},
+        panels::{common_parameters, density_panel, object_panel},
     },
 };
 
@@ -42,7 +41,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     }
     let mut parameters = common_parameters(&silver.request(context));
     parameters.insert(0, ("densities".into(), format!("{}; {}", silver.name, bronze.name)));
-    Ok(Drawn { columns: 6, panels, parameters, table: None })
+    Ok(Drawn::new(6, panels).facts(parameters))
 }
 
 struct Look<'a> {
@@ -61,9 +60,7 @@ impl Look<'_> {
 
     /// Twice as large as a square panel.
     fn request(&self, context: &Context<'_>) -> RenderRequest<'_> {
-        let side = context.size * 2;
-        let sampling = Sampling { width: side, height: side * 3 / 4, ..fine(context) };
-        let mut request = RenderRequest::new(Subject::Teapot, self.ndf, sampling);
+        let mut request = RenderRequest::new(Subject::Teapot, self.ndf, context.sampling([24, 18], 2));
         request.zoom = 1.2;
         request.bumps.frequency = 9.0;
         request.tint = hex(self.tint);

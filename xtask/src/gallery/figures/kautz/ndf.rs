@@ -24,7 +24,7 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
-        panels::{density_panel, raster, square},
+        panels::density_panel,
     },
 };
 
@@ -69,7 +69,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let over_map = View { eye, centre: Vec3::new(0.0, 0.0, 0.36), value: &|p| p.z / HEIGHT };
     let panels = vec![
         density_panel(context, &ndf, "GGX 0.25, 0.5")?,
-        raster(
+        Panel::raster(
             "relief",
             "as a relief",
             "A steep ridge over a round map, longer in one direction.",
@@ -77,8 +77,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
         lobe_panel(context, &ndf, "A flattened upright lobe above a disk.")?,
     ];
-    let parameters = vec![("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1]))];
-    Ok(Drawn { columns: 3, panels, parameters, table: None })
+    Ok(Drawn::new(3, panels).fact("density", format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])))
 }
 
 /// The density as a lobe: in each direction as far from the centre as there are facets that face there.
@@ -96,7 +95,7 @@ pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> R
         centre: Vec3::new(0.0, 0.0, 0.72),
         value: &|p| p.length() / LENGTH,
     };
-    Ok(raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
+    Ok(Panel::raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
 }
 
 /// How a surface over the unit disk is seen and coloured.
@@ -109,8 +108,7 @@ struct View<'a> {
 
 impl View<'_> {
     fn draw(&self, context: &Context<'_>, mesh: Mesh) -> Result<Image, Failure> {
-        let mut sampling = square(context);
-        sampling.samples_per_pixel *= 4;
+        let sampling = context.sampling([12, 12], 4);
         let camera = Camera::new(self.eye, self.centre, 0.39, sampling.width, sampling.height);
         let shape = Shape::MeshOnDisk(TracedMesh::new(mesh));
         let sun = direction(-122.0, 48.0);

@@ -14,8 +14,8 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{common_parameters, fine, object_panel, raster},
+        figure::{Context, Drawn, Figure, Panel},
+        panels::{common_parameters, object_panel},
     },
 };
 
@@ -37,15 +37,15 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let table = NormalTable::standard(&ndf);
     let shape = RenderRequest::shape(Subject::Teapot);
-    let mut request = RenderRequest::new(Subject::Teapot, &ndf, fine(context));
+    let mut request = RenderRequest::new(Subject::Teapot, &ndf, context.sampling([12, 12], 2));
     request.facets = Facets::Table(&table);
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
     let noise = steps(context, &request, &shape, |z, _| pair_colour(z))?;
     let normals = steps(context, &request, &shape, |_, m| normal_colour(m))?;
     let panels = vec![
-        raster("noise", "two channels of noise", "The teapot, mottled in four hues.", noise),
-        raster(
+        Panel::raster("noise", "two channels of noise", "The teapot, mottled in four hues.", noise),
+        Panel::raster(
             "table",
             "the table L, over ±4.5 standard deviations",
             "A square of smoothly changing normals; the flat normal in its centre.",
@@ -54,7 +54,12 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
                 normal_colour(table.bilinear(Vec2::new(place(x), -place(y))).normal)
             }),
         ),
-        raster("normals", "the normals that L gives", "The teapot, coloured by its bump normals.", normals),
+        Panel::raster(
+            "normals",
+            "the normals that L gives",
+            "The teapot, coloured by its bump normals.",
+            normals,
+        ),
         object_panel(
             context,
             &request,
@@ -64,7 +69,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let mut parameters = common_parameters(&request);
     parameters.insert(0, ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])));
-    Ok(Drawn { columns: 4, panels, parameters, table: None })
+    Ok(Drawn::new(4, panels).facts(parameters))
 }
 
 /// The object with each point in the colour of its noise pair or its normal in the surface's frame.

@@ -13,7 +13,7 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
-        panels::{common_parameters, density_panel, fine, object_panel, raster, rule_words, square},
+        panels::{common_parameters, density_panel, object_panel, rule_words},
     },
 };
 
@@ -40,7 +40,7 @@ const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Subject::Sphere);
-    let mut request = RenderRequest::new(Subject::Sphere, &ndf, fine(context));
+    let mut request = RenderRequest::new(Subject::Sphere, &ndf, context.sampling([12, 12], 2));
     let mut panels = Vec::new();
     for rule in [LevelOfDetail::Fractal, LevelOfDetail::Exact] {
         panels.push(match rule {
@@ -59,7 +59,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     }
     let mut parameters = common_parameters(&request);
     parameters[0] = ("density".into(), format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1]));
-    Ok(Drawn { columns: 5, panels, parameters, table: None })
+    Ok(Drawn::new(5, panels).facts(parameters))
 }
 
 /// What the exact rule leaves of the density below one resolved facet.
@@ -67,9 +67,9 @@ fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel, Failure> {
     let (z, share) = FACET;
     // Its own peak is 1/(1 − s) times higher; on the scale of the whole density it would be a white spot.
     let top = peak(ndf) / (1.0 - share);
-    let image = hemisphere(square(context), top, context.progress, context.interrupted, |h| {
+    let image = hemisphere(context.square(), top, context.progress, context.interrupted, |h| {
         conditional_density(ndf, h, z, share)
     })?;
     let alt = "A small part of the density, around the normal of one facet.";
-    Ok(raster("remaining", "what is left of it below one facet", alt, image))
+    Ok(Panel::raster("remaining", "what is left of it below one facet", alt, image))
 }

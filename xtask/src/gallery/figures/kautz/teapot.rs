@@ -10,7 +10,7 @@ use crate::{
     failure::Failure,
     gallery::{
         figure::{Context, Drawn, Figure},
-        panels::{common_parameters, density_panel, fine, object_panel},
+        panels::{common_parameters, density_panel, object_panel},
     },
 };
 
@@ -33,7 +33,7 @@ const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Subject::Teapot);
-    let mut request = RenderRequest::new(Subject::Teapot, &ndf, fine(context));
+    let mut request = RenderRequest::new(Subject::Teapot, &ndf, context.sampling([12, 12], 2));
     // So fine that the view of the whole pot resolves next to nothing.
     request.bumps.frequency = 27.0;
     let mut panels = vec![density_panel(context, &ndf, "GGX 0.14, 0.56")?];
@@ -50,5 +50,5 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let alt = "The same view with bumps from uniform normals: a grainy surface without a highlight.";
     let words = ["uniform", "three times closer, normals spread evenly", alt];
     panels.push(object_panel(context, &request, &shape, words)?);
-    Ok(Drawn { columns: 5, panels, parameters, table: None })
+    Ok(Drawn::new(5, panels).facts(parameters))
 }

@@ -9,7 +9,6 @@ use asperity_render::{
         Image,
         tone::{hex, linear},
     },
-    integrator::pixels::render,
     light::lamps::direction,
     materials::cobbles::cobbles,
 };
@@ -19,9 +18,9 @@ use rayon::prelude::*;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Table},
-        panels::{density_panel, fact, raster, square, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        panels::density_panel,
+        plot::{Axis, Names, Plot, Stroke},
     },
 };
 
@@ -98,7 +97,7 @@ fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
             let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
             let amount = AMOUNT * noise.share(octaves.max(0.0)).sqrt();
             let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
-            let image = render(square(context), context.progress, context.interrupted, |x, y| {
+            let image = context.render(context.square(), |x, y| {
                 let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
                 let n = map.at(p);
                 let n = if with_detail && octaves > 0.0 {
@@ -110,20 +109,18 @@ fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
                 lit(n)
             })?;
             let (stem, word) = if with_detail { ("detail", "with detail") } else { ("plain", "as it is") };
-            panels.push(raster(
-                &format!("{stem}-{zoom}"),
-                &format!("\u{d7}{zoom}, {word}"),
-                &format!("Worn cobbles at a magnification of {zoom}, {word}."),
+            panels.push(Panel::raster(
+                format!("{stem}-{zoom}"),
+                format!("\u{d7}{zoom}, {word}"),
+                format!("Worn cobbles at a magnification of {zoom}, {word}."),
                 image,
             ));
         }
     }
-    let parameters = vec![
-        fact("normal map", "256 \u{d7} 256, 8 bits, OpenGL"),
-        fact("amount ε", &format!("{AMOUNT}")),
-        fact("first octave", &format!("{CELLS_PER_TEXEL} cells per texel")),
-    ];
-    Ok(Drawn { columns: 3, panels, parameters, table: None })
+    Ok(Drawn::new(3, panels)
+        .fact("normal map", "256 \u{d7} 256, 8 bits, OpenGL")
+        .fact("amount ε", AMOUNT.to_string())
+        .fact("first octave", format!("{CELLS_PER_TEXEL} cells per texel")))
 }
 
 /// A normal under one lamp and a sky: a matt surface with a faint gloss.
@@ -146,15 +143,14 @@ fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
         .map(|z| map.ndf.from_gaussian(Vec2::from(z)))
         .collect();
     let ndf_again = estimate_ndf(&again)?;
-    let mut of_map = density_panel(context, &map.ndf, "of the map")?;
-    of_map.stem = "density-map".into();
-    let mut of_again = density_panel(context, &ndf_again, "of the new bump map")?;
-    of_again.stem = "density-again".into();
+    let density = |ndf: &NdfMap, stem: &str, name: &str| -> Result<Panel, Failure> {
+        Ok(Panel { stem: stem.into(), ..density_panel(context, ndf, name)? })
+    };
     let panels = vec![
         texels("map", "the normal map", &map.normals),
-        of_map,
+        density(&map.ndf, "density-map", "of the map")?,
         texels("again", "a bump map from the density alone", &again),
-        of_again,
+        density(&ndf_again, "density-again", "of the new bump map")?,
         cuts(&map.ndf, &ndf_again)?,
     ];
     let kernel = NdfEstimator::suited(&map.normals);
@@ -164,24 +160,16 @@ fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
         (normals.iter().map(|n| (n.dot(axis) - mean).powi(2)).sum::<f32>() / count).sqrt()
     };
     let row = |name: &str, normals: &[Vec3]| {
-        vec![
-            name.to_owned(),
-            format!("{:.3}", deviation(normals, Vec3::X)),
-            format!("{:.3}", deviation(normals, Vec3::Y)),
-            format!("{:.3}", normals.iter().map(|n| n.z).sum::<f32>() / normals.len() as f32),
-        ]
+        let mean = normals.iter().map(|n| n.z).sum::<f32>() / normals.len() as f32;
+        let numbers = [deviation(normals, Vec3::X), deviation(normals, Vec3::Y), mean];
+        [name.to_owned()].into_iter().chain(numbers.map(|x| format!("{x:.3}"))).collect::<Vec<_>>()
     };
-    let head = ["", "deviation of n_x", "deviation of n_y", "mean of n_z"];
-    let table = Table {
-        head: head.map(str::to_owned).to_vec(),
-        rows: vec![row("the normal map", &map.normals), row("from the density alone", &again)],
-    };
-    let parameters = vec![
-        fact("estimate", &format!("{0} \u{d7} {0} texels", kernel.size())),
-        fact("kernel", &format!("quadratic B-spline, width {:.3}", kernel.width())),
-        fact("total variation", &format!("{:.3}", variation(&map.normals, &again))),
-    ];
-    Ok(Drawn { columns: 5, panels, parameters, table: Some(table) })
+    let rows = [row("the normal map", &map.normals), row("from the density alone", &again)];
+    Ok(Drawn::new(5, panels)
+        .fact("estimate", format!("{0} \u{d7} {0} texels", kernel.size()))
+        .fact("kernel", format!("quadratic B-spline, width {:.3}", kernel.width()))
+        .fact("total variation", format!("{:.3}", variation(&map.normals, &again)))
+        .table(["", "deviation of n_x", "deviation of n_y", "mean of n_z"], rows))
 }
 
 /// Normals as the colours of a normal map.
@@ -192,36 +180,31 @@ fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
         let n = normals[(SIZE - 1 - y as usize) * SIZE + x as usize];
         Vec3::from(format.encode_u8(n).map(|byte| linear(f32::from(byte) / 255.0)))
     });
-    raster(stem, label, "A normal map in its usual blue and violet colours.", image)
+    Panel::raster(stem, label, "A normal map in its usual blue and violet colours.", image)
 }
 
 /// The densities of two bump maps along both axes.
 fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel, Failure> {
     let top = f64::from(first.density(Vec3::Z).max(second.density(Vec3::Z)));
-    let curve = |ndf: &NdfMap, axis: Vec3, stroke: Stroke, name: &str| Mark::Line {
-        points: (-200..=200)
+    let curve = |ndf: &NdfMap, axis: Vec3| -> Vec<[f64; 2]> {
+        (-200..=200)
             .map(|k| k as f32 / 200.0 * 0.99)
             .map(|x| (x, axis * x + Vec3::Z * (1.0 - x * x).sqrt()))
             .map(|(x, m)| [f64::from(x), f64::from(ndf.density(m))])
-            .collect(),
-        stroke,
-        name: name.to_owned(),
+            .collect()
     };
-    let title = "The densities of the normal map and of the new bump map along both axes";
-    let plot = Plot {
-        title: title.to_owned(),
-        size: [330.0, 330.0],
-        x: Axis::linear("n_x, n_y", [-1.0, 1.0], 0.5),
-        y: Axis::linear("sr\u{207b}¹", [0.0, (top * 1.1).ceil()], (top / 4.0).ceil()),
-        names: Names::Above,
-        marks: vec![
-            curve(first, Vec3::X, Stroke::solid(Ink::Series(1)).wide(2.0), "map, x"),
-            curve(second, Vec3::X, Stroke::dashed(Ink::Series(1)).wide(1.0), "new, x"),
-            curve(first, Vec3::Y, Stroke::solid(Ink::Series(2)).wide(2.0), "map, y"),
-            curve(second, Vec3::Y, Stroke::dashed(Ink::Series(2)).wide(1.0), "new, y"),
-        ],
-    };
-    vector("cuts", "both densities along x and y", title, &plot)
+    let x = Axis::linear("n_x, n_y", [-1.0, 1.0], 0.5);
+    let y = Axis::linear("sr\u{207b}¹", [0.0, (top * 1.1).ceil()], (top / 4.0).ceil());
+    Plot::new([330.0, 330.0], x, y, Names::Above)
+        .curve("map, x", curve(first, Vec3::X), Stroke::solid(1).wide(2.0))
+        .curve("new, x", curve(second, Vec3::X), Stroke::dashed(1).wide(1.0))
+        .curve("map, y", curve(first, Vec3::Y), Stroke::solid(2).wide(2.0))
+        .curve("new, y", curve(second, Vec3::Y), Stroke::dashed(2).wide(1.0))
+        .panel(
+            "cuts",
+            "both densities along x and y",
+            "The densities of the normal map and of the new bump map along both axes",
+        )
 }
 
 /// The total variation between two sets of normals in 32 × 32 bins.

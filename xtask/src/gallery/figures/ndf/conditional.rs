@@ -1,14 +1,14 @@
 //! What a pixel sees of a density as it resolves more and more of the bump map.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
-use asperity_render::integrator::{direct::SharedNdf, hemisphere::hemisphere};
+use asperity_render::integrator::direct::SharedNdf;
 use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Table},
-        panels::{fact, raster, square},
+        figure::{Context, Drawn, Figure, Panel},
+        panels::disk,
     },
     input::density::painted,
 };
@@ -41,27 +41,23 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let mut row = vec![name.to_owned()];
         for s in SHARES {
             let seen = |m: Vec3| conditional_density(ndf, m, FACET, s);
-            let image =
-                hemisphere(square(context), peak(&seen), context.progress, context.interrupted, seen)?;
-            panels.push(raster(
-                &format!("{stem}-{s}"),
-                &format!("{name}, s = {s}"),
-                &format!("The density {name} given a facet, with the share {s} of the variance resolved."),
-                image,
+            panels.push(Panel::raster(
+                format!("{stem}-{s}"),
+                format!("{name}, s = {s}"),
+                format!("The density {name} given a facet, with the share {s} of the variance resolved."),
+                disk(context, peak(&seen), seen)?,
             ));
             row.push(format!("{:.5}", mean(ndf, h, s)));
         }
         row.push(format!("{:.5}", ndf.density(h)));
         rows.push(row);
     }
-    let mut head = vec!["mean over the surface".to_owned()];
-    head.extend(SHARES.map(|s| format!("s = {s}")));
-    head.push("D(h)".to_owned());
-    let parameters = vec![
-        fact("facet", &format!("z = ({}, {})", FACET.x, FACET.y).replace('-', "\u{2212}")),
-        fact("half-vector of the table", "(0.15, \u{2212}0.2, 0.968)"),
-    ];
-    Ok(Drawn { columns: 5, panels, parameters, table: Some(Table { head, rows }) })
+    let shares = SHARES.map(|s| format!("s = {s}"));
+    let head = ["mean over the surface".to_owned()].into_iter().chain(shares).chain(["D(h)".to_owned()]);
+    Ok(Drawn::new(5, panels)
+        .fact("facet", format!("z = ({}, {})", FACET.x, FACET.y).replace('-', "\u{2212}"))
+        .fact("half-vector of the table", "(0.15, \u{2212}0.2, 0.968)")
+        .table(head, rows))
 }
 
 /// The greatest value on a fine grid of the disk.

@@ -4,10 +4,7 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Mixture, StudentT, Ward,
 };
 use asperity_render::{
-    image::tone::hex,
-    integrator::{direct::SharedNdf, pixels::render},
-    light::background::background,
-    sampling::random::Random,
+    image::tone::hex, integrator::direct::SharedNdf, light::background::background, sampling::random::Random,
 };
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -17,8 +14,8 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         figures::kautz::ndf::lobe_panel,
-        panels::{density_panel, fact, raster, square, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        panels::density_panel,
+        plot::{Axis, Names, Plot, Stroke},
     },
     input::density::painted,
 };
@@ -107,24 +104,19 @@ const BINS: usize = 64;
 const CONTRAST: f64 = 4.0;
 
 fn draw(context: &Context<'_>, name: &str, ndf: &SharedNdf) -> Result<Drawn, Failure> {
-    context.progress.inc_length(2);
     let residual = Residual::measure(context, ndf)?;
-    context.progress.inc(1);
     let panels = vec![
         density_panel(context, ndf, name)?,
         lobe_panel(context, ndf, &format!("The lobe of {name} above a disk."))?,
         slopes(ndf)?,
         residual.panel(context)?,
     ];
-    context.progress.inc(1);
-    let parameters = vec![
-        fact("density", name),
-        fact("normals drawn", &format!("{} million", NORMALS >> 20)),
-        fact("χ² per degree of freedom", &format!("{:.3}", residual.chi_square_per_freedom())),
-        fact("total variation", &format!("{:.5}", residual.total_variation())),
-        fact("of which the sampling's", &format!("{:.5}", residual.sampling_floor())),
-    ];
-    Ok(Drawn { columns: 4, panels, parameters, table: None })
+    Ok(Drawn::new(4, panels)
+        .fact("density", name)
+        .fact("normals drawn", format!("{} million", NORMALS >> 20))
+        .fact("χ² per degree of freedom", format!("{:.3}", residual.chi_square_per_freedom()))
+        .fact("total variation", format!("{:.5}", residual.total_variation()))
+        .fact("of which the sampling's", format!("{:.5}", residual.sampling_floor())))
 }
 
 /// The slope density along both axes, in decades.
@@ -138,39 +130,33 @@ fn slopes(ndf: &SharedNdf) -> Result<Panel, Failure> {
         .fold(top, f64::max)
         .log10()
         .ceil();
-    let cut = |axis: Vec2, stroke: Stroke, name: &str| Mark::Line {
-        points: (-400..=400)
+    let cut = |axis: Vec2| {
+        (-400..=400)
             .map(|k| f64::from(k) * REACH / 400.0)
-            .map(|s| [s, f64::from(ndf.slope_density(axis * s as f32)).max(1e-30).log10()])
-            .map(|[s, p]| [s, if p < tallest - DECADES { f64::NAN } else { p }])
-            .collect(),
-        stroke,
-        name: name.to_owned(),
+            .map(move |s| [s, f64::from(ndf.slope_density(axis * s as f32)).max(1e-30).log10()])
+            .map(move |[s, p]| [s, if p < tallest - DECADES { f64::NAN } else { p }])
     };
-    let title = "The density of slopes along the two axes, in powers of ten";
-    let plot = Plot {
-        title: title.to_owned(),
-        size: [330.0, 330.0],
-        x: Axis::linear("slope", [-REACH, REACH], 1.0),
-        y: Axis::linear("log₁₀ of the density", [tallest - DECADES, tallest], 1.0),
-        names: Names::Above,
-        marks: vec![
-            cut(Vec2::Y, Stroke::dashed(Ink::Series(2)), "along y"),
-            cut(Vec2::X, Stroke::solid(Ink::Series(1)).wide(2.0), "along x"),
-        ],
-    };
-    vector("slopes", "slopes, along both axes", title, &plot)
+    let x = Axis::linear("slope", [-REACH, REACH], 1.0);
+    let y = Axis::linear("log₁₀ of the density", [tallest - DECADES, tallest], 1.0);
+    Plot::new([330.0, 330.0], x, y, Names::Above)
+        .curve("along y", cut(Vec2::Y), Stroke::dashed(2))
+        .curve("along x", cut(Vec2::X), Stroke::solid(1).wide(2.0))
+        .panel(
+            "slopes",
+            "slopes, along both axes",
+            "The density of slopes along the two axes, in powers of ten",
+        )
 }
 
 /// Counted and expected normals in bins that lie in the disk as a whole.
-pub(super) struct Residual {
+struct Residual {
     /// Counts and expectations, `None` for bins that the rim crosses or that expect too few.
     bins: Vec<Option<[f64; 2]>>,
 }
 
 impl Residual {
     /// Draws normals by pseudo-random Gaussian numbers and counts them.
-    pub(super) fn measure(context: &Context<'_>, ndf: &SharedNdf) -> Result<Self, Failure> {
+    fn measure(context: &Context<'_>, ndf: &SharedNdf) -> Result<Self, Failure> {
         const PARTS: u32 = 64;
         let counts: Vec<Vec<u32>> = (0..PARTS)
             .into_par_iter()
@@ -224,10 +210,10 @@ impl Residual {
     /// The differences over their standard deviations, on the disk.
     fn panel(&self, context: &Context<'_>) -> Result<Panel, Failure> {
         const RADIUS: f32 = 0.86;
-        let sampling = square(context);
+        let sampling = context.square();
         let half = 0.5 * sampling.width as f32 * RADIUS;
         let (low, middle, high) = (hex(0x4f_8fd0), hex(0x1f_2129), hex(0xe0_7a4a));
-        let image = render(sampling, context.progress, context.interrupted, |px, py| {
+        let image = context.render(sampling, |px, py| {
             let (x, y) = (px / half - 1.0 / RADIUS, 1.0 / RADIUS - py / half);
             let place = |n: f32| ((n * 0.5 + 0.5) * BINS as f32).floor();
             let (i, j) = (place(x), place(y));
@@ -243,9 +229,9 @@ impl Residual {
                 None => background(px / sampling.width as f32, py / sampling.height as f32),
             }
         })?;
-        Ok(raster(
+        Ok(Panel::raster(
             "residual",
-            &format!("drawn less expected, \u{b1}{CONTRAST} deviations"),
+            format!("drawn less expected, \u{b1}{CONTRAST} deviations"),
             "Blue and orange specks without a pattern over the disk of normals.",
             image,
         ))

@@ -1,15 +1,14 @@
 //! Smith's masking, and the normals that are seen from a direction.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
-use asperity_render::integrator::hemisphere::hemisphere;
 use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::{fact, raster, square, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        figure::{Context, Drawn, Figure, Panel},
+        panels::disk,
+        plot::{Axis, Names, Plot, Stroke},
     },
 };
 
@@ -46,19 +45,19 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             .map(|x| seen(Vec3::new(x, 0.0, (1.0 - x * x).max(1e-4).sqrt())))
             .fold(0.0, f32::max);
         let radius = 2.2 / (0.43 * context.size as f32);
-        let image = hemisphere(square(context), 1.0, context.progress, context.interrupted, |m| {
+        let image = disk(context, 1.0, |m| {
             let dot = dots.iter().any(|dot| dot.distance_squared(m.truncate()) < radius * radius);
             let line = (m.dot(v) / sin.max(1e-3)).abs() < 0.006 && angle > 0.0;
             if dot || line { 1.0 } else { 0.7 * seen(m) / peak }
         })?;
-        panels.push(raster(
-            &format!("visible-{angle}"),
-            &format!("seen from {angle}°"),
-            &format!("Visible normals from {angle} degrees, with dots where normals were drawn."),
+        panels.push(Panel::raster(
+            format!("visible-{angle}"),
+            format!("seen from {angle}°"),
+            format!("Visible normals from {angle} degrees, with dots where normals were drawn."),
             image,
         ));
     }
-    Ok(Drawn { columns: 5, panels, parameters: vec![fact("roughness", &format!("{ALPHA}"))], table: None })
+    Ok(Drawn::new(5, panels).fact("roughness", ALPHA.to_string()))
 }
 
 /// The additive recurrence of Roberts 2018 in one coordinate.
@@ -67,36 +66,27 @@ fn fraction(k: u32, step: f32) -> f32 {
 }
 
 /// `G₁` against the angle of view.
-fn shares() -> Result<crate::gallery::figure::Panel, Failure> {
+fn shares() -> Result<Panel, Failure> {
     let (beckmann, ggx) = (Beckmann::isotropic(ALPHA)?, Ggx::isotropic(ALPHA)?);
     let student = StudentT::new(ALPHA, ALPHA, 1.6)?;
     let phong = BlinnPhong::from_roughness(ALPHA)?;
     let ashikhmin = AshikhminShirley::new(2.0 / (ALPHA * ALPHA) - 2.0, 60.0)?;
-    let curve = |ndf: &dyn Microfacet, stroke: Stroke, name: &str| Mark::Line {
-        points: (0..=179)
-            .map(|k| f64::from(k) * 0.5)
-            .map(|degrees| {
-                let (sin, cos) = degrees.to_radians().sin_cos();
-                [degrees, f64::from(ndf.g1(Vec3::new(sin as f32, 0.0, cos as f32)))]
-            })
-            .collect(),
-        stroke,
-        name: name.to_owned(),
-    };
-    let title = "The visible share of facets against the angle of view";
-    let plot = Plot {
-        title: title.to_owned(),
-        size: [330.0, 330.0],
-        x: Axis::linear("angle of view, °", [0.0, 90.0], 30.0),
-        y: Axis::linear("G₁", [0.0, 1.0], 0.25),
-        names: Names::Above,
-        marks: vec![
-            curve(&student, Stroke::dashed(Ink::Series(1)), "Student-t 1.6"),
-            curve(&ggx, Stroke::solid(Ink::Series(1)).wide(2.0), "GGX"),
-            curve(&ashikhmin, Stroke::dashed(Ink::Series(3)), "A\u{2013}S"),
-            curve(&phong, Stroke::solid(Ink::Series(3)), "Blinn\u{2013}Phong"),
-            curve(&beckmann, Stroke::solid(Ink::Series(2)).wide(2.0), "Beckmann"),
-        ],
-    };
-    vector("masking", "G₁, against the angle of view", title, &plot)
+    let (x, y) = (Axis::linear("angle of view, °", [0.0, 90.0], 30.0), Axis::linear("G₁", [0.0, 1.0], 0.25));
+    let mut plot = Plot::new([330.0, 330.0], x, y, Names::Above);
+    let curves: [(&str, &dyn Microfacet, Stroke); 5] = [
+        ("Student-t 1.6", &student, Stroke::dashed(1)),
+        ("GGX", &ggx, Stroke::solid(1).wide(2.0)),
+        ("A\u{2013}S", &ashikhmin, Stroke::dashed(3)),
+        ("Blinn\u{2013}Phong", &phong, Stroke::solid(3)),
+        ("Beckmann", &beckmann, Stroke::solid(2).wide(2.0)),
+    ];
+    for (name, ndf, stroke) in curves {
+        let points = (0..=179).map(|k| f64::from(k) * 0.5).map(|degrees| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            [degrees, f64::from(ndf.g1(Vec3::new(sin as f32, 0.0, cos as f32)))]
+        });
+        plot = plot.curve(name, points, stroke);
+    }
+    let alt = "The visible share of facets against the angle of view";
+    plot.panel("masking", "G₁, against the angle of view", alt)
 }

@@ -1,15 +1,12 @@
 //! Table L: what its look-ups lose, by spacing, chart and interpolation.
 
 use asperity_ndf_sampling::{Chart, Ggx, Ndf, NormalTable, Spacing, TableLayout};
-use asperity_render::integrator::{hemisphere::ember, pixels::render};
+use asperity_render::integrator::hemisphere::ember;
 use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure, Table},
-        panels::{fact, raster, square},
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 /// The figure.
@@ -56,30 +53,30 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let mut panels = Vec::new();
     for (stem, label, look_up) in looks {
         let side = context.size as f32;
-        let image = render(square(context), context.progress, context.interrupted, |x, y| {
+        let image = context.render(context.square(), |x, y| {
             let z = Vec2::new(x / side * 2.0 - 1.0, 1.0 - y / side * 2.0) * Spacing::RANGE;
             let (found, exact) = (look_up(z), ggx.from_gaussian(z));
             // The sine of small angles keeps what their cosine has lost.
             let angle = found.cross(exact).length().min(1.0).asin().to_degrees();
             ember((angle / BRIGHTEST).sqrt())
         })?;
-        panels.push(raster(stem, label, "Errors of a look-up over the square of coordinates.", image));
+        panels.push(Panel::raster(stem, label, "Errors of a look-up over the square of coordinates.", image));
     }
     let mut rows = Vec::new();
     for (spacing, index) in SPACINGS {
         for (chart, entries) in CHARTS {
             let table = NormalTable::with_layout(&ggx, SIZE, TableLayout { spacing, chart })?;
             let accuracy = table.accuracy(&ggx);
-            let degrees = |angle: f32| format!("{:.4}", angle.to_degrees());
-            rows.push(vec![
-                index.to_owned(),
-                entries.to_owned(),
-                degrees(accuracy.nearest.rms),
-                degrees(accuracy.bilinear.rms),
-                degrees(accuracy.bilinear.largest),
-                degrees(accuracy.bilinear_half.rms),
-                degrees(accuracy.largest_step),
-            ]);
+            let angles = [
+                accuracy.nearest.rms,
+                accuracy.bilinear.rms,
+                accuracy.bilinear.largest,
+                accuracy.bilinear_half.rms,
+                accuracy.largest_step,
+            ];
+            let mut row = vec![index.to_owned(), entries.to_owned()];
+            row.extend(angles.map(|angle| format!("{:.4}", angle.to_degrees())));
+            rows.push(row);
         }
     }
     let head = [
@@ -91,11 +88,10 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         "half floats, rms \u{b0}",
         "between neighbours, \u{b0}",
     ];
-    let parameters = vec![
-        fact("density", "GGX 0.2, 0.4"),
-        fact("table", &format!("{SIZE} \u{d7} {SIZE}")),
-        fact("picture", &format!("\u{b1}{} deviations, brightest at {BRIGHTEST}\u{b0}", Spacing::RANGE)),
-    ];
-    let table = Table { head: head.map(str::to_owned).to_vec(), rows };
-    Ok(Drawn { columns: 4, panels, parameters, table: Some(table) })
+    let picture = format!("\u{b1}{} deviations, brightest at {BRIGHTEST}\u{b0}", Spacing::RANGE);
+    Ok(Drawn::new(4, panels)
+        .fact("density", "GGX 0.2, 0.4")
+        .fact("table", format!("{SIZE} \u{d7} {SIZE}"))
+        .fact("picture", picture)
+        .table(head, rows))
 }

@@ -6,10 +6,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const PRNG: Figure = Figure {
@@ -38,24 +35,24 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         Image::from_fn(side, side, |x, y| -> Vec3 { colour(number(x, y)) })
     };
     let panels = vec![
-        raster(
+        Panel::raster(
             "printed",
             "The texture, once for each axis, as printed",
             "Cells of random brightness in columns that are shifted against one another",
             image(&|x, y| printed.prng(place(x, y), 1.0)),
         ),
-        raster(
+        Panel::raster(
             "permutation",
             "A permutation of 256",
             "Square cells of random brightness",
             image(&|x, y| word(table.word(cell(x, y), 0))),
         ),
-        raster(
+        Panel::raster(
             "hash",
             "An integer hash",
             "Square cells of random brightness",
             image(&|x, y| word(IntegerHash.word(cell(x, y), context.seed))),
         ),
     ];
-    Ok(Drawn { columns: 3, panels, parameters: vec![("cells".to_owned(), CELLS.to_string())], table: None })
+    Ok(Drawn::new(3, panels).fact("cells", CELLS.to_string()))
 }

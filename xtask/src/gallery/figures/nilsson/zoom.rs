@@ -2,10 +2,7 @@
 
 use std::f32::consts::PI;
 
-use asperity_render::{
-    image::tone::hex,
-    integrator::pixels::{Sampling, render},
-};
+use asperity_render::{image::tone::hex, integrator::pixels::Sampling};
 use asperity_shading::{
     Beckmann, Brdf, BumpField, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Footprint,
     Frame, Ggx, GlintField, LevelOfDetail, Ndf, Scratches, ScratchesParameters, SurfacePoint, TemperedGlass,
@@ -17,10 +14,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Figure, Panel},
 };
 
 pub(crate) const ZOOM: Figure = Figure {
@@ -56,27 +50,22 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("glass", Box::new(glass()?)),
         ("bumps", Box::new(bumps()?)),
     ];
-    let sampling = Sampling {
-        width: context.size * 3 / 5,
-        height: context.size * 3 / 5,
-        samples_per_pixel: context.samples_per_pixel,
-        seed: context.seed,
-    };
+    let side = context.size * 3 / 5;
+    let sampling = Sampling { width: side, height: side, ..context.square() };
     let side = sampling.width as f32;
     let mut panels = Vec::new();
     for (name, radiance) in &surfaces {
         for ((k, width), label) in WIDTHS.into_iter().enumerate().zip(NAMES) {
             let pixel = Footprint::from_width(width / side);
-            let image = render(sampling, context.progress, context.interrupted, |x, y| {
+            let image = context.render(sampling, |x, y| {
                 radiance(CENTRE + Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
             })?;
             let alt = format!("A patch of {name}, {} mm wide", width * 1000.0);
             let label = if k == 0 { format!("{name}, {label}") } else { label.to_owned() };
-            panels.push(raster(&format!("{name}-{k}"), &label, &alt, image.exposed(1.0)));
+            panels.push(Panel::raster(&format!("{name}-{k}"), &label, &alt, image.exposed(1.0)));
         }
     }
-    let parameters = vec![("widths".to_owned(), WIDTHS.map(|width| format!("{width} m")).join(", "))];
-    Ok(Drawn { panels, columns: 5, parameters, table: None })
+    Ok(Drawn::new(5, panels).fact("widths", WIDTHS.map(|width| format!("{width} m")).join(", ")))
 }
 
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);

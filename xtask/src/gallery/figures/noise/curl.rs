@@ -1,18 +1,17 @@
 //! Curl noise: streamlines, and dye that is carried along and keeps its area.
 
 use asperity_noise::{Curl2, CurvedField, Field, Noise, Normalisation, Octaves, Simplex, Spectrum, White};
-use asperity_render::image::{Image, tone::hex};
+use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Table},
+        figure::{Context, Drawn, Figure, Panel},
         figures::noise::{
             gradients::{hue, steepness},
             plane::{Window, grey},
         },
-        panels::{fact, raster},
     },
 };
 
@@ -39,62 +38,43 @@ const STEPS: usize = 24;
 const FIELDS: f32 = 3.0;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(3);
     let window = Window::new(context, CELLS);
     let sum =
         Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Variance, context.seed);
     let flow = Curl2(sum.first(OCTAVES));
     let speed = steepness(&window.map(context, |p: Vec2| flow.0.sample(p))?);
-    let lines = streamlines(context, window, speed, &flow)?;
-    context.progress.inc(1);
     let time = WAY / speed;
     let curl = |p| carried(p, time, |p| flow.velocity(p));
     let gradient = |p| carried(p, time, |p| -flow.0.sample(p).gradient);
-    let by_curl = window.map(context, curl)?;
-    context.progress.inc(1);
-    let by_gradient = window.map(context, gradient)?;
-    context.progress.inc(1);
-    let panels = vec![
-        raster(
-            "streamlines",
-            "streamlines of the curl",
-            "Closed swirling lines, tinted by direction.",
-            lines,
-        ),
-        raster(
-            "dye",
-            "dye carried by the curl",
-            "A chequerboard stirred into spirals.",
-            dye(window, &by_curl),
-        ),
-        raster(
+    let dyed = [
+        ["dye", "dye carried by the curl", "A chequerboard stirred into spirals."],
+        [
             "gradient",
             "dye carried by the gradient",
             "A chequerboard squeezed into thin lines around a few blown-up fields.",
-            dye(window, &by_gradient),
-        ),
+        ],
+    ];
+    let panels = vec![
+        streamlines(context, window, speed, &flow)?,
+        dye(window, dyed[0], &window.map(context, curl)?),
+        dye(window, dyed[1], &window.map(context, gradient)?),
     ];
     let row = |name: &str, divergence: f32, areas: &[f32]| {
         let share = |t: f32| format!("{:.3}", areas[(t * (areas.len() - 1) as f32) as usize]);
-        vec![name.to_owned(), format!("{divergence:.0}"), share(0.05), share(0.5), share(0.95)]
+        [name.to_owned(), format!("{divergence:.0}"), share(0.05), share(0.5), share(0.95)]
     };
     let divergences = divergences(window, &flow);
-    let head = ["carried by", "greatest divergence", "area before, 5 %", "median", "95 %"];
-    let rows = vec![
+    let rows = [
         row("curl", divergences[0], &areas(window, curl)),
         row("gradient", divergences[1], &areas(window, gradient)),
     ];
-    let parameters = vec![
-        fact(
-            "noise",
-            &format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1"),
-        ),
-        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells")),
-        fact("way", &format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps")),
-        fact("area before", "of what fills a unit of area afterwards"),
-    ];
-    let table = Table { head: head.map(str::to_owned).to_vec(), rows };
-    Ok(Drawn { columns: 3, panels, parameters, table: Some(table) })
+    let noise = format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");
+    Ok(Drawn::new(3, panels)
+        .fact("noise", noise)
+        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells"))
+        .fact("way", format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps"))
+        .fact("area before", "of what fills a unit of area afterwards")
+        .table(["carried by", "greatest divergence", "area before, 5 %", "median", "95 %"], rows))
 }
 
 /// White noise smeared along the flow (Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution").
@@ -103,7 +83,7 @@ fn streamlines<F: Field<2> + Sync>(
     window: Window,
     speed: f32,
     flow: &Curl2<F>,
-) -> Result<Image, Failure> {
+) -> Result<Panel, Failure> {
     let step = window.step();
     let pixels = window.map(context, |p| {
         let smeared = |sign: f32| {
@@ -118,7 +98,8 @@ fn streamlines<F: Field<2> + Sync>(
         let velocity = flow.velocity(p) / (1.6 * speed);
         hue(velocity) * grey(0.62 + 2.0 * mean) * 1.9
     })?;
-    Ok(window.picture(|i| pixels[i]))
+    let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
+    Ok(window.panel(words, |i| pixels[i]))
 }
 
 /// Where the fluid at a point came from.
@@ -132,8 +113,8 @@ fn carried(mut p: Vec2, time: f32, velocity: impl Fn(Vec2) -> Vec2) -> Vec2 {
 }
 
 /// A chequerboard with a second, coarser one in another tint.
-fn dye(window: Window, origins: &[Vec2]) -> Image {
-    window.picture(|i| {
+fn dye(window: Window, words: [&str; 3], origins: &[Vec2]) -> Panel {
+    window.panel(words, |i| {
         let place = (origins[i] * FIELDS).floor();
         let odd = |p: Vec2| (p.x + p.y).rem_euclid(2.0) >= 1.0;
         let coarse = odd((origins[i] * FIELDS / 4.0).floor());

@@ -6,14 +6,12 @@ use asperity_noise::{
 };
 use asperity_render::image::{Image, tone::hex};
 use glam::{Vec2, Vec3};
-use rayon::prelude::*;
 
 use crate::{
-    failure::{Failure, Interrupted},
+    failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel, Table},
+        figure::{Context, Drawn, Figure, Panel},
         figures::noise::plane::grey,
-        panels::{fact, raster},
     },
 };
 
@@ -67,44 +65,34 @@ impl View {
 
     /// Values at one point of each pixel, or none over the horizon.
     fn points(&self, value: &Way<'_>, context: &Context<'_>) -> Result<Pixels, Failure> {
-        let rows: Result<Vec<Pixels>, Interrupted> = (0..self.height)
-            .into_par_iter()
-            .map(|y| {
-                context.checkpoint().map_err(|_| Interrupted)?;
-                let y = y as f32 + 0.5;
-                let pixel = |x: usize| {
-                    let x = x as f32 + 0.5;
-                    let (step, z) = self.row(y)?;
-                    value(Vec2::new(step * (x - 0.5 * self.width as f32), z), self.footprint(x, y)?)
-                };
-                Ok((0..self.width).map(pixel).collect())
-            })
-            .collect();
-        Ok(rows?.concat())
+        context.rows(self.height, |y| {
+            let y = y as f32 + 0.5;
+            let pixel = move |x: usize| {
+                let x = x as f32 + 0.5;
+                let (step, z) = self.row(y)?;
+                value(Vec2::new(step * (x - 0.5 * self.width as f32), z), self.footprint(x, y)?)
+            };
+            (0..self.width).map(pixel)
+        })
     }
 
     /// Means over fine samples of each pixel.
     fn means(&self, value: impl Fn(Vec2) -> f32 + Sync, context: &Context<'_>) -> Result<Pixels, Failure> {
-        let rows: Result<Vec<Pixels>, Interrupted> = (0..self.height)
-            .into_par_iter()
-            .map(|y| {
-                context.checkpoint().map_err(|_| Interrupted)?;
-                let place = |k: usize| (k as f32 + 0.5) / FINE as f32;
-                let lines: Option<Vec<_>> = (0..FINE).map(|k| self.row(y as f32 + place(k))).collect();
-                let pixel = |x: usize| {
-                    let mut sum = 0.0;
-                    for &(step, z) in lines.as_ref()? {
-                        for k in 0..FINE {
-                            let x = x as f32 + place(k) - 0.5 * self.width as f32;
-                            sum += value(Vec2::new(step * x, z));
-                        }
+        context.rows(self.height, |y| {
+            let place = |k: usize| (k as f32 + 0.5) / FINE as f32;
+            let lines: Option<Vec<_>> = (0..FINE).map(|k| self.row(y as f32 + place(k))).collect();
+            let pixel = |x: usize| {
+                let mut sum = 0.0;
+                for &(step, z) in lines.as_ref()? {
+                    for k in 0..FINE {
+                        let x = x as f32 + place(k) - 0.5 * self.width as f32;
+                        sum += value(Vec2::new(step * x, z));
                     }
-                    Some(sum / (FINE * FINE) as f32)
-                };
-                Ok((0..self.width).map(pixel).collect())
-            })
-            .collect();
-        Ok(rows?.concat())
+                }
+                Some(sum / (FINE * FINE) as f32)
+            };
+            (0..self.width).map(pixel).collect::<Vec<_>>()
+        })
     }
 }
 
@@ -124,7 +112,6 @@ fn removed(footprint: f32) -> f32 {
 }
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(10);
     let width = context.size as usize * 3 / 2;
     let view = View { width, height: width * 5 / 8 };
     let sum = Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, context.seed);
@@ -134,15 +121,12 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sum = sum.with_shape(Turbulence);
     let (panels, more) = turbulence.panels(&sum.first(OCTAVES), sum.mean(OCTAVES))?;
     rows.extend(more);
-    let head = ["sum", "pixels", "rms error", "near the horizon", "mean near the horizon"];
-    let parameters = vec![
-        fact("noise", &format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5")),
-        fact("footprint", "largest change of a coordinate from pixel to pixel"),
-        fact("near the horizon", "the sixth of the picture below it"),
-        fact("mean of turbulence", &format!("{:.4}", sum.mean(OCTAVES))),
-    ];
-    let table = Table { head: head.map(str::to_owned).to_vec(), rows };
-    Ok(Drawn { columns: 2, panels, parameters, table: Some(table) })
+    Ok(Drawn::new(2, panels)
+        .fact("noise", format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5"))
+        .fact("footprint", "largest change of a coordinate from pixel to pixel")
+        .fact("near the horizon", "the sixth of the picture below it")
+        .fact("mean of turbulence", format!("{:.4}", sum.mean(OCTAVES)))
+        .table(["sum", "pixels", "rms error", "near the horizon", "mean near the horizon"], rows))
 }
 
 /// A sum on the plane.
@@ -163,7 +147,6 @@ impl Subject<'_> {
         mean: f32,
     ) -> Result<(Vec<Panel>, Vec<Vec<String>>), Failure> {
         let reference = self.view.means(|p| sum.value(p), self.context)?;
-        self.context.progress.inc(1);
         let ways: [(&str, &str, &Way<'_>); 4] = [
             ("one", "one sample per pixel", &|p, _| Some(sum.value(p))),
             ("clamped", "one sample, clamped", &|p, footprint| Some(sum.clamped(footprint).value(p))),
@@ -177,12 +160,11 @@ impl Subject<'_> {
         for (stem, label, way) in ways {
             let pixels =
                 if stem == "reference" { reference.clone() } else { self.view.points(way, self.context)? };
-            self.context.progress.inc(1);
             if pixels.iter().all(Option::is_none) {
                 continue;
             }
             let alt = format!("A plane with the pattern {} running to the horizon, {label}.", self.name);
-            panels.push(raster(stem, label, &alt, self.image(&pixels)));
+            panels.push(Panel::raster(stem, label, alt, self.image(&pixels)));
             let [all, near] = [1.0, 1.0 / 6.0].map(|share| self.compare(&pixels, &reference, share));
             let numbers = [all[0], near[0], near[1]].map(|v| format!("{v:.4}").replace('-', "\u{2212}"));
             let mut row = vec![self.name.to_owned(), label.to_owned()];

@@ -9,7 +9,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         figures::noise::plane::{Window, grey},
-        panels::{fact, raster},
     },
 };
 
@@ -32,7 +31,6 @@ const ARROWS: usize = 20;
 const LENGTH: f32 = 0.62;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(3);
     let window = Window::new(context, CELLS);
     let samples = window.map(context, |p: Vec2| Gaussian::default().sample(p, context.seed))?;
     let slope = steepness(&samples);
@@ -45,7 +43,12 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let along = Vec2::new(gradient.x, -gradient.y) * (LENGTH * spacing / slope);
         (centre, along.clamp_length_max(1.25 * spacing))
     };
-    let arrows = window.picture(|i| {
+    let words = [
+        "arrows",
+        "the value in grey, the gradient as arrows",
+        "Grey blobs with arrows that point to the bright ones.",
+    ];
+    let arrows = window.panel(words, |i| {
         let pixel = Vec2::new((i % window.side) as f32 + 0.5, (i / window.side) as f32 + 0.5);
         let (column, row) = ((pixel.x / spacing) as usize, (pixel.y / spacing) as usize);
         let mut ink = 0.0_f32;
@@ -57,10 +60,13 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         }
         grey(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
     });
-    context.progress.inc(1);
 
-    let colours = window.picture(|i| hue(samples[i].gradient / (2.0 * slope)));
-    context.progress.inc(1);
+    let words = [
+        "colours",
+        "the gradient: direction as hue, length as strength",
+        "Coloured fans that meet in dark points.",
+    ];
+    let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
     let sum = Octaves::<_, 2>::new(
         Gaussian::default(),
@@ -70,38 +76,17 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     );
     let relief = window.map(context, |p: Vec2| sum.sample(p, 6.0))?;
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
-    let lit = window.picture(|i| {
+    let words =
+        ["relief", "six octaves, lit by their gradient", "A rugged relief of hills lit from the upper left."];
+    let lit = window.panel(words, |i| {
         let g = relief[i].gradient * RELIEF;
         let normal = Vec3::new(-g.x, -g.y, 1.0).normalize();
         hex(0xe8_dcc8) * (0.06 + 0.94 * normal.dot(light).max(0.0))
     });
-    context.progress.inc(1);
-    let panels = vec![
-        raster(
-            "arrows",
-            "the value in grey, the gradient as arrows",
-            "Grey blobs with arrows that point to the bright ones.",
-            arrows,
-        ),
-        raster(
-            "colours",
-            "the gradient: direction as hue, length as strength",
-            "Coloured fans that meet in dark points.",
-            colours,
-        ),
-        raster(
-            "relief",
-            "six octaves, lit by their gradient",
-            "A rugged relief of hills lit from the upper left.",
-            lit,
-        ),
-    ];
-    let parameters = vec![
-        fact("noise", "Gaussian"),
-        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells")),
-        fact("root mean square slope", &format!("{slope:.2} per cell")),
-    ];
-    Ok(Drawn { columns: 3, panels, parameters, table: None })
+    Ok(Drawn::new(3, vec![arrows, colours, lit])
+        .fact("noise", "Gaussian")
+        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells"))
+        .fact("root mean square slope", format!("{slope:.2} per cell")))
 }
 
 /// Height of the relief over a cell's width.

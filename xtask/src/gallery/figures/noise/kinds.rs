@@ -16,8 +16,7 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure, Panel},
         figures::noise::plane::{Window, grey},
-        panels::{fact, raster, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        plot::{Axis, Ink, Names, Plot, Stroke},
         power_spectrum::PowerSpectrum,
     },
 };
@@ -136,37 +135,30 @@ const POINTS: usize = 128;
 fn draw<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn, Failure> {
     let statistics = Kernel::<2>::statistics(&noise);
     let sigma = statistics.standard_deviation;
-    context.progress.inc_length(4);
     let window = Window::new(context, CELLS);
     let values = window.map(context, |p: Vec2| noise.value(p, context.seed))?;
-    let look = window.picture(|i| grey(0.5 + 0.5 * values[i] / (CONTRAST * sigma)));
-    context.progress.inc(1);
-
+    let words = ["value", "the noise", "The noise in grey, dark and bright blobs about a cell wide."];
+    let look = window.panel(words, |i| grey(0.5 + 0.5 * values[i] / (CONTRAST * sigma)));
     let spectrum = spectrum(context, noise)?;
-    context.progress.inc(1);
     let [octaves, one] = [OCTAVES, 1.0].map(|octaves| Histogram::measure(context, noise, octaves));
     let (octaves, one) = (octaves?, one?);
-    context.progress.inc(1);
     let panels = vec![
-        raster("value", "the noise", "The noise in grey, dark and bright blobs about a cell wide.", look),
-        raster(
+        look,
+        Panel::raster(
             "spectrum",
-            &format!("power, \u{b1}{BORDER} cycles per cell; the ring is 1"),
+            format!("power, \u{b1}{BORDER} cycles per cell; the ring is 1"),
             "The power spectrum in the plane of frequencies, brightest where the noise has its variance.",
             spectrum_picture(context, &spectrum),
         ),
         radial(&spectrum, f64::from(sigma).powi(2))?,
         distribution(&octaves, &one, statistics)?,
     ];
-    context.progress.inc(1);
-    let parameters = vec![
-        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells, black to white \u{b1}{CONTRAST} σ₁")),
-        fact("σ₁", &format!("{sigma:.4}")),
-        fact("κ₁", &format!("{:+.3}", statistics.excess_kurtosis).replace('-', "\u{2212}")),
-        fact("range", &format!("\u{b1}{:.3}", statistics.range)),
-        fact("KS to G, 8 octaves", &format!("{:.4}", octaves.distance(statistics))),
-    ];
-    Ok(Drawn { columns: 4, panels, parameters, table: None })
+    Ok(Drawn::new(4, panels)
+        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells, black to white \u{b1}{CONTRAST} σ₁"))
+        .fact("σ₁", format!("{sigma:.4}"))
+        .fact("κ₁", format!("{:+.3}", statistics.excess_kurtosis).replace('-', "\u{2212}"))
+        .fact("range", format!("\u{b1}{:.3}", statistics.range))
+        .fact("KS to G, 8 octaves", format!("{:.4}", octaves.distance(statistics))))
 }
 
 fn spectrum<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<PowerSpectrum, Failure> {
@@ -204,30 +196,22 @@ fn spectrum_picture(context: &Context<'_>, spectrum: &PowerSpectrum) -> Image {
 fn radial(spectrum: &PowerSpectrum, variance: f64) -> Result<Panel, Failure> {
     const RANGE: [f64; 2] = [1.0 / 16.0, 4.0];
     const FLOOR: f64 = 80.0;
-    let curve = |wanted: fn(f64) -> bool, stroke: Stroke, name: &str| Mark::Line {
-        points: spectrum
-            .rings(RANGE, wanted)
-            .into_iter()
+    let curve = |wanted: fn(f64) -> bool| {
+        let rings = spectrum.rings(RANGE, wanted).into_iter();
+        rings
             .map(|[f, s]| [f, 10.0 * (s / variance).max(1e-30).log10()])
             .map(|[f, s]| [f, if s < -FLOOR { f64::NAN } else { s }])
-            .collect(),
-        stroke,
-        name: name.to_owned(),
     };
-    let title = "Power against frequency: mean over all directions, along axes, along diagonals";
-    let plot = Plot {
-        title: title.to_owned(),
-        size: SIZE,
-        x: Axis::log2("cycles per cell", RANGE, 1),
-        y: Axis::linear("dB", [-FLOOR, 10.0], 20.0),
-        names: Names::Above,
-        marks: vec![
-            curve(|cos| cos > 0.87, Stroke::solid(Ink::Series(2)).wide(1.0), "axes"),
-            curve(|cos| cos < -0.87, Stroke::dashed(Ink::Series(3)).wide(1.0), "diagonals"),
-            curve(|_| true, Stroke::solid(Ink::Series(1)).wide(2.0), "mean"),
-        ],
-    };
-    vector("power", "power per σ₁², against frequency", title, &plot)
+    let (x, y) = (Axis::log2("cycles per cell", RANGE, 1), Axis::linear("dB", [-FLOOR, 10.0], 20.0));
+    Plot::new(SIZE, x, y, Names::Above)
+        .curve("axes", curve(|cos| cos > 0.87), Stroke::solid(2).wide(1.0))
+        .curve("diagonals", curve(|cos| cos < -0.87), Stroke::dashed(3).wide(1.0))
+        .curve("mean", curve(|_| true), Stroke::solid(1).wide(2.0))
+        .panel(
+            "power",
+            "power per σ₁², against frequency",
+            "Power against frequency: mean over all directions, along axes, along diagonals",
+        )
 }
 
 const SIZE: [f64; 2] = [330.0, 330.0];
@@ -327,39 +311,20 @@ fn distribution(octaves: &Histogram, one: &Histogram, statistics: &Statistics) -
     };
     let normal = |r: f64| [r, (-0.5 * r * r).exp() / std::f64::consts::TAU.sqrt()];
     let place = |k: usize| knot(k * GAPS_PER_STEP);
-    let title = "Histogram of eight octaves under the density of the shipped G, with one octave and the normal density";
     let stairs = cut(octaves.stairs(GAPS_PER_STEP));
-    let plot = Plot {
-        title: title.to_owned(),
-        size: SIZE,
-        x: Axis::linear("r = n/σ", [-REACH, REACH], 2.0),
-        y: Axis::linear("", [0.0, TOP], 0.2),
-        names: Names::Above,
-        marks: vec![
-            Mark::Area { points: stairs.clone(), base: 0.0, ink: Ink::Series(1), opacity: 0.16 },
-            Mark::Line {
-                points: cut(one.stairs(GAPS_PER_STEP)),
-                stroke: Stroke::solid(Ink::Series(3)).wide(0.9),
-                name: "1 octave".to_owned(),
-            },
-            Mark::Line {
-                points: steps.clone().map(|k| normal(place(k))).collect(),
-                stroke: Stroke::dashed(Ink::Muted).wide(1.2),
-                name: "normal".to_owned(),
-            },
-            Mark::Line {
-                points: stairs,
-                stroke: Stroke::solid(Ink::Series(1)).wide(0.9),
-                name: "8 octaves".to_owned(),
-            },
-            Mark::Line {
-                points: cut(steps.map(|k| slope(place(k))).collect()),
-                stroke: Stroke::solid(Ink::Series(2)).wide(1.6),
-                name: "G\u{2032}".to_owned(),
-            },
-        ],
-    };
-    vector("distribution", "distribution, and the shipped G of eight octaves", title, &plot)
+    let (x, y) = (Axis::linear("r = n/σ", [-REACH, REACH], 2.0), Axis::linear("", [0.0, TOP], 0.2));
+    let slopes = cut(steps.clone().map(|k| slope(place(k))).collect());
+    Plot::new(SIZE, x, y, Names::Above)
+        .area(stairs.clone(), 0.0, 1, 0.16)
+        .curve("1 octave", cut(one.stairs(GAPS_PER_STEP)), Stroke::solid(3).wide(0.9))
+        .curve("normal", steps.map(|k| normal(place(k))), Stroke::dashed(Ink::Muted).wide(1.2))
+        .curve("8 octaves", stairs, Stroke::solid(1).wide(0.9))
+        .curve("G\u{2032}", slopes, Stroke::solid(2).wide(1.6))
+        .panel(
+            "distribution",
+            "distribution, and the shipped G of eight octaves",
+            "Histogram of eight octaves under the density of the shipped G, with one octave and the normal density",
+        )
 }
 
 #[cfg(test)]

@@ -3,13 +3,13 @@
 use asperity_noise::{
     Billow, Field, Normalisation, Octaves, Plasma, Power, RidgedMultifractal, Simplex, Spectrum, Turbulence,
 };
+use glam::Vec3;
 
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Figure},
         figures::noise::plane::{Window, grey, slanted},
-        panels::{fact, raster},
     },
 };
 
@@ -33,97 +33,82 @@ const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(8);
     let noise = Simplex::WIDE;
     let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum, Normalisation::Range, context.seed);
     let (clouds, threads) = (sum(Spectrum::CLOUD), sum(Spectrum::THREADS));
+    let (turbulence, plasma) = (clouds.with_shape(Turbulence), clouds.with_shape(Plasma));
+    let billow = clouds.with_shape(Billow);
+    let entangled = threads.with_shape(Plasma);
     let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0, context.seed)?;
-    let show = Show { context };
-    let panels = vec![
-        show.panel(
+    let patterns: [(f32, &(dyn Fn(Vec3) -> f32 + Sync), [f32; 2], [&str; 3]); 8] = [
+        (
             CELLS,
-            &clouds.first(OCTAVES),
+            &|p| clouds.first(OCTAVES).value(p),
             [-0.5, 0.5],
             ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."],
-        )?,
-        show.panel(
+        ),
+        (
             CELLS,
-            &clouds.with_shape(Turbulence).first(OCTAVES),
+            &|p| turbulence.first(OCTAVES).value(p),
             [0.0, 0.6],
             ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."],
-        )?,
-        show.panel(
+        ),
+        (
             CELLS,
-            &clouds.with_shape(Plasma).first(OCTAVES),
+            &|p| plasma.first(OCTAVES).value(p),
             [0.4, 1.0],
             [
                 "plasma",
                 "plasma: 1 \u{2212} turbulence",
                 "Bright branching veins on dark ground, like discharges.",
             ],
-        )?,
-        show.panel(
+        ),
+        (
             THREAD_CELLS,
-            &threads.first(3.0),
+            &|p| threads.first(3.0).value(p),
             [-0.6, 0.6],
             ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."],
-        )?,
-        show.panel(
+        ),
+        (
             THREAD_CELLS,
-            &threads.with_shape(Plasma).first(3.0),
+            &|p| entangled.first(3.0).value(p),
             [0.2, 1.0],
             ["entangled", "plasma with gain 1", "Dense entangled light veins."],
-        )?,
-        show.panel(
+        ),
+        (
             THREAD_CELLS,
-            &Power(threads.with_shape(Plasma).first(3.0), 7),
+            &|p| Power(entangled.first(3.0), 7).value(p),
             [0.0, 0.6],
             ["threads", "threads: its seventh power", "Single light threads on black."],
-        )?,
-        show.panel(
+        ),
+        (
             CELLS,
-            &clouds.with_shape(Billow).first(OCTAVES),
+            &|p| billow.first(OCTAVES).value(p),
             [-1.0, 0.2],
             ["billow", "billow: Σ aᵢ (2|nᵢ| \u{2212} 1)", "Round bright pads with creases between them."],
-        )?,
-        show.panel(
+        ),
+        (
             CELLS,
-            &ridges.first(OCTAVES),
+            &|p| ridges.first(OCTAVES).value(p),
             [0.0, 0.8],
             [
                 "ridged",
                 "ridged multifractal, feedback 2",
                 "Bright rough ridges around smooth dark valleys, like mountains from above.",
             ],
-        )?,
-    ];
-    let parameters = vec![
-        fact("noise", "simplex, r² = 0.6, on a slanted plane through space"),
-        fact("octaves", &format!("{OCTAVES}, gain 0.5; threads 3, gain 1; lacunarity 2")),
-        fact(
-            "picture",
-            &format!("{CELLS} cells a side, threads {THREAD_CELLS}; grey stretched over the values"),
         ),
     ];
-    Ok(Drawn { columns: 4, panels, parameters, table: None })
-}
-
-struct Show<'a> {
-    context: &'a Context<'a>,
-}
-
-impl Show<'_> {
-    /// A field with what is black and what is white.
-    fn panel<F: Field<3> + Sync>(
-        &self,
-        cells: f32,
-        field: &F,
-        [black, white]: [f32; 2],
-        [stem, label, alt]: [&str; 3],
-    ) -> Result<Panel, Failure> {
-        let window = Window::new(self.context, cells);
-        let values = window.map(self.context, |p| field.value(slanted(p)))?;
-        self.context.progress.inc(1);
-        Ok(raster(stem, label, alt, window.picture(|i| grey((values[i] - black) / (white - black)))))
+    let mut panels = Vec::new();
+    for (cells, value, [black, white], words) in patterns {
+        let window = Window::new(context, cells);
+        let values = window.map(context, |p| value(slanted(p)))?;
+        panels.push(window.panel(words, |i| grey((values[i] - black) / (white - black))));
     }
+    Ok(Drawn::new(4, panels)
+        .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
+        .fact("octaves", format!("{OCTAVES}, gain 0.5; threads 3, gain 1; lacunarity 2"))
+        .fact(
+            "picture",
+            format!("{CELLS} cells a side, threads {THREAD_CELLS}; grey stretched over the values"),
+        ))
 }

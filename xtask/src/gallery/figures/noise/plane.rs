@@ -2,11 +2,10 @@
 
 use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};
-use rayon::prelude::*;
 
 use crate::{
-    failure::{Failure, Interrupted},
-    gallery::figure::Context,
+    failure::Failure,
+    gallery::figure::{Context, Panel},
 };
 
 /// A square window into the plane, y upwards, and its pixels.
@@ -37,19 +36,17 @@ impl Window {
     }
 
     /// `f` at every pixel, row by row from the top; the same whatever the number of threads.
-    pub(super) fn map<T: Clone + Send>(
+    pub(super) fn map<T: Send>(
         &self,
         context: &Context<'_>,
         f: impl Fn(Vec2) -> T + Sync,
     ) -> Result<Vec<T>, Failure> {
-        let rows: Result<Vec<Vec<T>>, Interrupted> = (0..self.side)
-            .into_par_iter()
-            .map(|y| {
-                context.checkpoint().map_err(|_| Interrupted)?;
-                Ok((0..self.side).map(|x| f(self.point(x, y))).collect())
-            })
-            .collect();
-        Ok(rows?.concat())
+        context.rows(self.side, |y| (0..self.side).map(|x| f(self.point(x, y))).collect::<Vec<_>>())
+    }
+
+    /// A panel of the window, one colour per pixel.
+    pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], colour: impl Fn(usize) -> Vec3) -> Panel {
+        Panel::raster(stem, label, alt, self.picture(colour))
     }
 
     /// A picture of the window, one colour per pixel.

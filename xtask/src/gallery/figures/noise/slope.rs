@@ -6,10 +6,9 @@ use glam::Vec2;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Table},
+        figure::{Context, Drawn, Figure, Panel},
         figures::noise::plane::Window,
-        panels::{fact, vector},
-        plot::{Axis, Ink, Mark, Names, Plot, Stroke},
+        plot::{Axis, Names, Plot, Stroke},
         power_spectrum::PowerSpectrum,
     },
 };
@@ -39,48 +38,33 @@ const GAINS: [(f32, f32); 3] = [(2.17, 0.7), (2.17, 0.5), (2.17, 0.3)];
 const LACUNARITIES: [(f32, f32); 3] = [(1.6, 0.5), (2.17, 0.5), (3.2, 0.5)];
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(6);
-    let (gains, gain_rows) =
-        plot(context, &GAINS, "gain, at lacunarity 2.17", |(_, gain)| format!("{gain}"))?;
+    let (gains, mut rows) =
+        panel(context, &GAINS, ["gain", "gain, at lacunarity 2.17"], |(_, gain)| format!("{gain}"))?;
     let (lacunarities, lacunarity_rows) =
-        plot(context, &LACUNARITIES, "lacunarity, at gain 0.5", |(lacunarity, _)| format!("{lacunarity}"))?;
-    let head = ["lacunarity", "gain", "H", "exponent in theory", "measured"].map(str::to_owned).to_vec();
-    let mut rows = gain_rows;
+        panel(context, &LACUNARITIES, ["lacunarity", "lacunarity, at gain 0.5"], |(l, _)| format!("{l}"))?;
     // The middle pair is in both plots.
     rows.extend(lacunarity_rows.into_iter().enumerate().filter(|(k, _)| *k != 1).map(|(_, row)| row));
-    let panels = vec![
-        vector(
-            "gain",
-            "by gain",
-            "Three falling curves along dashed lines, the steeper the smaller the gain",
-            &gains,
-        )?,
-        vector(
-            "lacunarity",
-            "by lacunarity",
-            "Three falling curves along dashed lines, the steeper the smaller the lacunarity",
-            &lacunarities,
-        )?,
-    ];
-    let parameters = vec![
-        fact("noise", "Perlin 2002, octaves up to twice the highest frequency shown"),
-        fact("samples", &format!("{} of {SAMPLES}², {CELLS} cells a side, Hann window", 2 * PAIRS)),
-        fact("slope", &format!("least squares from {} to {} cycles per cell", FITTED[0], FITTED[1])),
-    ];
-    Ok(Drawn { columns: 2, panels, parameters, table: Some(Table { head, rows }) })
+    Ok(Drawn::new(2, vec![gains, lacunarities])
+        .fact("noise", "Perlin 2002, octaves up to twice the highest frequency shown")
+        .fact("samples", format!("{} of {SAMPLES}², {CELLS} cells a side, Hann window", 2 * PAIRS))
+        .fact("slope", format!("least squares from {} to {} cycles per cell", FITTED[0], FITTED[1]))
+        .table(["lacunarity", "gain", "H", "exponent in theory", "measured"], rows))
 }
 
 /// A plot of three spectra, and their rows of the table.
-fn plot(
+fn panel(
     context: &Context<'_>,
     settings: &[(f32, f32); 3],
-    title: &str,
+    [stem, title]: [&str; 2],
     name: impl Fn((f32, f32)) -> String,
-) -> Result<(Plot, Vec<Vec<String>>), Failure> {
-    let (mut marks, mut rows) = (Vec::new(), Vec::new());
+) -> Result<(Panel, Vec<[String; 5]>), Failure> {
+    let x = Axis::log2("cycles per cell of the first octave", SHOWN, 1);
+    let y = Axis::linear(&format!("dB, by {title}"), [-95.0, 0.0], 20.0);
+    let mut plot = Plot::new([520.0, 380.0], x, y, Names::AtEnds)
+        .titled(format!("Power of the sum against frequency, by {title}"));
+    let mut rows = Vec::new();
     for (k, &(lacunarity, gain)) in settings.iter().enumerate() {
         let rings = rings(context, lacunarity, gain)?;
-        context.progress.inc(1);
         let hurst = -f64::from(gain).ln() / f64::from(lacunarity).ln();
         let exponent = -2.0 * hurst - 2.0;
         let fitted: Vec<_> = rings.iter().filter(|r| (FITTED[0]..FITTED[1]).contains(&r[0])).collect();
@@ -91,35 +75,18 @@ fn plot(
         let slope = mean(&|r| (r[0].log2() - x) * (r[1].log2() - y)) / mean(&|r| (r[0].log2() - x).powi(2));
         let decibels = |power: f64| 10.0 * power.log10();
         let line = |f: f64| [f, decibels((y + exponent * (f.log2() - x)).exp2())];
-        let ink = Ink::Series(k as u8 + 1);
-        marks.push(Mark::Line {
-            points: FITTED.map(line).to_vec(),
-            stroke: Stroke::dashed(ink).wide(1.2),
-            name: String::new(),
-        });
-        marks.push(Mark::Line {
-            points: rings.iter().map(|r| [r[0], decibels(r[1])]).collect(),
-            stroke: Stroke::solid(ink),
-            name: name((lacunarity, gain)),
-        });
+        let series = k as u8 + 1;
+        plot = plot.line(FITTED.map(line), Stroke::dashed(series).wide(1.2)).curve(
+            name((lacunarity, gain)),
+            rings.iter().map(|r| [r[0], decibels(r[1])]),
+            Stroke::solid(series),
+        );
         let minus = |value: f64| format!("{value:.2}").replace('-', "\u{2212}");
-        rows.push(vec![
-            format!("{lacunarity}"),
-            format!("{gain}"),
-            format!("{hurst:.2}"),
-            minus(exponent),
-            minus(slope),
-        ]);
+        let [exponent, slope] = [exponent, slope].map(minus);
+        rows.push([lacunarity.to_string(), gain.to_string(), format!("{hurst:.2}"), exponent, slope]);
     }
-    let plot = Plot {
-        title: format!("Power of the sum against frequency, by {title}"),
-        size: [520.0, 380.0],
-        x: Axis::log2("cycles per cell of the first octave", SHOWN, 1),
-        y: Axis::linear(&format!("dB, by {title}"), [-95.0, 0.0], 20.0),
-        names: Names::AtEnds,
-        marks,
-    };
-    Ok((plot, rows))
+    let alt = format!("Three falling curves along dashed lines, the steeper the smaller the {stem}");
+    Ok((plot.panel(stem, format!("by {stem}"), alt)?, rows))
 }
 
 fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 2]>, Failure> {

@@ -9,7 +9,6 @@ use crate::{
     gallery::{
         figure::{Context, Drawn, Figure},
         figures::noise::plane::{Window, grey},
-        panels::{fact, raster},
     },
 };
 
@@ -33,7 +32,6 @@ const MOVING: f32 = 3.0;
 const RELIEF: f32 = 0.05;
 
 fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    context.progress.inc_length(4);
     let window = Window::new(context, CELLS);
     let sum = |k: u32| {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k);
@@ -46,28 +44,14 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let by = Warp::new(moving(3), [moving(1), moving(2)], STRENGTH)?;
     let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;
     let twice = Warp::new(first(0), [by, other], STRENGTH)?;
-    let shade = |value: f32| grey(0.5 + 0.22 * value);
-    let mut panels = Vec::new();
-    let mut show = |values: Vec<f32>, stem: &str, label: &str, alt: &str| {
-        context.progress.inc(1);
-        panels.push(raster(stem, label, alt, window.picture(|i| shade(values[i]))));
-    };
-    show(window.map(context, |p: Vec2| first(0).value(p))?, "plain", "f(p)", "Soft clouds.");
-    show(
-        window.map(context, |p: Vec2| once.value(p))?,
-        "once",
-        "f(p + s w(p))",
-        "The clouds drawn out into streaks and folds.",
-    );
+    let shown = |words: [&str; 3], values: &[f32]| window.panel(words, |i| grey(0.5 + 0.22 * values[i]));
     let samples = window.map(context, |p: Vec2| (twice.sample(p), twice.displacement(p).point - p))?;
-    show(
-        samples.iter().map(|(sample, _)| sample.value).collect(),
-        "twice",
-        "w warped too",
-        "Marbled streaks with eddies and sharp folds.",
-    );
+    let plain = window.map(context, |p: Vec2| first(0).value(p))?;
+    let once = window.map(context, |p: Vec2| once.value(p))?;
+    let twice: Vec<f32> = samples.iter().map(|(sample, _)| sample.value).collect();
     let light = Vec3::new(-0.5, 0.6, 0.62).normalize();
-    let lit = window.picture(|i| {
+    let words = ["lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks."];
+    let lit = window.panel(words, |i| {
         let (Sample { value, gradient }, moved) = samples[i];
         let moved = moved / STRENGTH;
         let normal = Vec3::new(-gradient.x * RELIEF, -gradient.y * RELIEF, 1.0).normalize();
@@ -75,15 +59,15 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let tint = tint.lerp(hex(0xf2_e8d5), (0.28 + 0.2 * value).clamp(0.0, 1.0));
         tint * (0.08 + 1.1 * normal.dot(light).max(0.0))
     });
-    context.progress.inc(1);
-    panels.push(raster("lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks.", lit));
-    let parameters = vec![
-        fact(
-            "noise",
-            &format!("simplex, r² = 0.5, f of {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1"),
-        ),
-        fact("picture", &format!("{CELLS} \u{d7} {CELLS} cells")),
-        fact("w", &format!("{MOVING} octaves, s = {STRENGTH}")),
+    let panels = vec![
+        shown(["plain", "f(p)", "Soft clouds."], &plain),
+        shown(["once", "f(p + s w(p))", "The clouds drawn out into streaks and folds."], &once),
+        shown(["twice", "w warped too", "Marbled streaks with eddies and sharp folds."], &twice),
+        lit,
     ];
-    Ok(Drawn { columns: 4, panels, parameters, table: None })
+    let noise = format!("simplex, r² = 0.5, f of {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");
+    Ok(Drawn::new(4, panels)
+        .fact("noise", noise)
+        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells"))
+        .fact("w", format!("{MOVING} octaves, s = {STRENGTH}")))
 }

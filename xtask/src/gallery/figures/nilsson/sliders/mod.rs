@@ -13,7 +13,7 @@ use asperity_render::{
     image::{Image, tone::hex},
     integrator::{
         path_tracer::{Appearance, Finish, Seen},
-        pixels::{Sampling, render},
+        pixels::Sampling,
         swatch::{Form, Swatch},
     },
     light::lamps::{Light, direction},
@@ -29,10 +29,7 @@ pub(crate) use variations::VARIATIONS;
 use self::fields::{fields, varied};
 use crate::{
     failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::raster,
-    },
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// A parameter that is varied.
@@ -132,12 +129,7 @@ fn draw<P: Copy + Debug + Default>(
     material: impl Fn(P) -> Result<Box<Finish<'static>>, Failure>,
 ) -> Result<Drawn, Failure> {
     let panels = strips.iter().map(|strip| strip.panel(context, &material)).collect::<Result<_, _>>()?;
-    Ok(Drawn {
-        panels,
-        columns: 2,
-        parameters: vec![("samples per pixel".to_owned(), samples(context).to_string())],
-        table: None,
-    })
+    Ok(Drawn::new(2, panels).fact("samples per pixel", samples(context).to_string()))
 }
 
 /// Twice those of other pictures, for detail as fine as pixels.
@@ -169,9 +161,7 @@ impl<P: Copy + Debug + Default> Strip<P> {
         let mut pictures = Vec::new();
         for &parameters in &self.options {
             let finish = material(parameters)?;
-            let picture = render(sampling, context.progress, context.interrupted, |x, y| {
-                swatch.radiance(finish.as_ref(), [x, y], size)
-            })?;
+            let picture = context.render(sampling, |x, y| swatch.radiance(finish.as_ref(), [x, y], size))?;
             pictures.push(picture.filmic(self.view.exposure));
         }
         let image = side_by_side(&pictures, gap, hex(0x1d_1f23));
@@ -182,7 +172,7 @@ impl<P: Copy + Debug + Default> Strip<P> {
             values.first().map_or("", String::as_str),
             values.last().map_or("", String::as_str)
         );
-        Ok(raster(&self.field.replace('_', "-"), &self.label(), &alt, image))
+        Ok(Panel::raster(&self.field.replace('_', "-"), &self.label(), &alt, image))
     }
 
     /// The name of the field, its values, what else is not the default, and how much is seen.
