@@ -56,7 +56,7 @@ The benches of noise have every kind at every SIMD level and take a quarter of a
 example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names the folder of its static library;
 xtask/peers/README.md says how to build it.")]
     Bench(Bench),
-    /// Check dependency edges and the heads of all files.
+    /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,
     /// Run every gate that stands before `main`.
     Ci,

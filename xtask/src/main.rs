@@ -1,25 +1,15 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
-mod bare_metal;
 mod bench;
-mod ci;
+mod check;
 mod cli;
 mod failure;
 mod gallery;
 mod input;
-mod no_std;
 mod output;
 mod progress;
 mod render_command;
 mod tables;
-mod tidy;
-
-use input::density as densities;
-
-/// Errors by the name that the renderer calls them.
-mod figure {
-    pub(crate) use crate::failure::{Failure, Interrupted};
-}
 
 use std::{
     io::Write,
@@ -33,6 +23,7 @@ use std::{
 
 use clap::Parser;
 
+use check::{bare_metal, ci, no_std, tidy};
 use cli::{Cli, Command};
 use failure::Failure;
 use output::Output;
@@ -96,12 +87,15 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Render(wanted) => render_command::render(&wanted, &interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, &interrupted),
         Command::Tidy => {
-            let offences = tidy::offences()?;
-            if offences.is_empty() {
+            let report = tidy::report()?;
+            for line in &report.lines {
+                progress::say(line);
+            }
+            if report.offences.is_empty() {
                 progress::say("tidy");
                 Ok(())
             } else {
-                Err(offences.join("\n       ").into())
+                Err(report.offences.join("\n       ").into())
             }
         }
         Command::Ci => ci::run(root, &interrupted),

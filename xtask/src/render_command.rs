@@ -28,8 +28,8 @@ use indicatif::ProgressBar;
 
 use crate::{
     cli::{Material, Noise, Render, Rule, Scene, Tone},
-    densities::{Density, NORMAL_MAP},
-    figure::Failure,
+    failure::Failure,
+    input::density::{Density, NORMAL_MAP},
     output::Output,
     progress,
 };

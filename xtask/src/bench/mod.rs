@@ -14,7 +14,7 @@ use std::{
 use serde::Serialize;
 
 use crate::{
-    ci::{CRATES, cargo_program},
+    check::{cargo::cargo_program, ci::CRATES},
     cli::Bench,
     failure::{Failure, Interrupted},
     output::Output,

@@ -1,17 +1,20 @@
 //! `cargo xtask ci`: every gate that stands between a change and `main`.
 
 use std::{
-    ffi::OsString,
     path::Path,
-    process::{Command, Stdio},
+    process::Command,
     sync::atomic::{AtomicBool, Ordering},
     time::Instant,
 };
 
-use crate::{
+use super::{
     bare_metal,
-    figure::{Failure, Interrupted},
-    no_std, progress, tables, tidy,
+    cargo::{cargo, cargo_program, cargo_with},
+    no_std, tidy,
+};
+use crate::{
+    failure::{Failure, Interrupted},
+    progress, tables,
 };
 
 pub(crate) const CRATES: [&str; 4] =
@@ -57,7 +60,7 @@ pub(crate) fn run(root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> 
 }
 
 fn tidy() -> Result<(), Failure> {
-    let offences = tidy::offences()?;
+    let offences = tidy::report()?.offences;
     if offences.is_empty() { Ok(()) } else { Err(offences.join("\n").into()) }
 }
 
@@ -116,23 +119,4 @@ fn examples_and_benches(root: &Path) -> Result<(), Failure> {
         cargo_with(root, &test, &QUICK)?;
     }
     Ok(())
-}
-
-/// The cargo that runs this program.
-pub(crate) fn cargo_program() -> OsString {
-    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-fn cargo(root: &Path, arguments: &[&str]) -> Result<(), Failure> {
-    cargo_with(root, arguments, &[])
-}
-
-fn cargo_with(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), Failure> {
-    let status = Command::new(cargo_program())
-        .args(arguments)
-        .current_dir(root)
-        .envs(environment.iter().copied())
-        .stdin(Stdio::null())
-        .status()?;
-    if status.success() { Ok(()) } else { Err(format!("`cargo {}` failed", arguments.join(" ")).into()) }
 }

@@ -6,7 +6,8 @@ use std::{
     process::Command,
 };
 
-use crate::{ci::cargo_program, figure::Failure};
+use super::cargo::cargo_program;
+use crate::failure::Failure;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 const EMULATOR: &str = "qemu-system-arm";

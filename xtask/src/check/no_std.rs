@@ -5,7 +5,8 @@ use std::{
     process::Command,
 };
 
-use crate::{ci::cargo_program, figure::Failure};
+use super::cargo::cargo_program;
+use crate::failure::Failure;
 
 /// Builds and, where the platform allows it, links and runs the probe in `tests/no-std`.
 pub(crate) fn probe(root: &Path) -> Result<String, Failure> {

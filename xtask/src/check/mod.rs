@@ -1,0 +1,7 @@
+//! What stands between a change and `main`.
+
+pub(crate) mod bare_metal;
+pub(crate) mod cargo;
+pub(crate) mod ci;
+pub(crate) mod no_std;
+pub(crate) mod tidy;
