@@ -103,16 +103,16 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
-mod bump;
+pub mod bump;
 mod direction;
-mod environment;
-mod level_of_detail;
-mod material;
+pub mod environment;
+pub mod level_of_detail;
+pub mod material;
 mod math;
-mod normal_map;
-mod pixel;
-mod reflectance;
-mod texture;
+pub mod normal_map;
+pub mod pixel;
+pub mod reflectance;
+pub mod texture;
 
 pub use asperity_ndf_sampling as ndf_sampling;
 pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Ndf, conditional_density};
@@ -137,21 +137,22 @@ pub use level_of_detail::{
 pub use material::{
     Blemishes, Carpet, CarpetParameters, CarpetSurface, DarkAreas, Dents, DiffuseThreads, Elimination, Facet,
     Fibre, Fibres, FibresParameters, FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake,
-    MetallicPaint, MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError, PassiveFlakes,
-    ScratchedSurface, Scratches, ScratchesParameters, Seam, SeamPattern, Seams, Sparkle, Sparkles,
-    SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
-    VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch, flake_patch_printed,
-    flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient, wave_height,
+    Material, MetallicPaint, MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError,
+    PassiveFlakes, ScratchedSurface, Scratches, ScratchesParameters, Seam, SeamPattern, Seams, Sparkle,
+    Sparkles, SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters, VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch,
+    flake_patch_printed, flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient,
+    wave_height,
 };
 #[cfg(feature = "alloc")]
 pub use normal_map::SlopePyramid;
 pub use normal_map::{SlopeLobe, SlopeLobes, SlopeMoments, SlopePyramidError, SlopePyramidRef};
 pub use pixel::{Footprint, FrequencyClamp, FrequencyClampError, PixelEllipse};
 pub use reflectance::{
-    AlbedoError, BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, ConductorError, CookTorrance, Dielectric,
-    DielectricError, DiffuseError, EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar,
-    OrenNayarForm, Phong, PhongError, Schlick, SchlickError, SchlickF82, SchlickF82Error, TorranceSparrow,
-    WardError, WardForm, WardReflection,
+    AlbedoError, BlinnPhongFactor, BlinnPhongLobe, Brdf, Bsdf, Conductor, ConductorError, CookTorrance,
+    Dielectric, DielectricError, DiffuseError, EnergyPreservingOrenNayar, Fresnel, Lambert, Masking,
+    OrenNayar, OrenNayarForm, Phong, PhongError, Schlick, SchlickError, SchlickF82, SchlickF82Error,
+    TorranceSparrow, WardError, WardForm, WardReflection,
 };
 pub use texture::{
     Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,

@@ -2,6 +2,7 @@
 //! infinities, degenerate tangents and directions as well.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::material::{GlassBody, Material, PaintFlakes};
 use asperity_shading::noise::Perlin2002;
 use asperity_shading::{
     Beckmann, Bevel, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, Conductor,
@@ -104,6 +105,24 @@ fn is_variance(variance: f32) -> bool {
     variance >= 0.0 && variance.is_finite()
 }
 
+/// Whether all that a BSDF tells is finite and not negative, and its samples are directions with a density.
+fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) -> Result<(), TestCaseError> {
+    let is_light = |c: Vec3| c.is_finite() && c.cmpge(Vec3::ZERO).all();
+    let bsdf = material.bsdf(point, wo);
+    prop_assert!(is_light(bsdf.emitted()), "{}", bsdf.emitted());
+    for u in [Vec2::new(0.3, 0.7), Vec2::ONE, Vec2::ZERO, Vec2::NAN] {
+        let sampled = bsdf.sample(wo, u);
+        for wi in [wi, sampled] {
+            let (value, density) = (bsdf.value(wi, wo), bsdf.density(wi, wo));
+            prop_assert!(is_light(value) && density >= 0.0 && density.is_finite(), "{value}, {density}");
+        }
+        for delta in bsdf.deltas(wo, u) {
+            prop_assert!(is_colour(delta.weight) && delta.wi.is_finite(), "{delta:?}");
+        }
+    }
+    Ok(())
+}
+
 fn fibres() -> impl Strategy<Value = FibresParameters> {
     (size(), 0.01..=0.3_f32, 0.0..=0.3_f32, heading(), share(), share(), any::<u32>()).prop_map(
         |(fibre_length, fibre_width, fibre_bend, fibre_direction, fibre_spread, fibre_contrast, seed)| {
@@ -150,6 +169,8 @@ fn carpet() -> impl Strategy<Value = CarpetParameters> {
                 roughness: shares[9],
                 fake_rim_light: shares[10],
                 fake_rim_light_width: shares[11],
+                fake_rim_light_colour: Vec3::splat(shares[3]),
+                specular_roughness: shares[7].max(0.01),
                 seed,
             }
         },
@@ -177,6 +198,15 @@ fn paint() -> impl Strategy<Value = MetallicPaintParameters> {
                 passive_flake_size: sizes[2],
                 passive_flake_strength: shares[4],
                 passive_flake_detail: detail,
+                flake_roughness: shares[1].max(0.01),
+                flakes: if detail < 5 {
+                    PaintFlakes::Sparkling
+                } else {
+                    PaintFlakes::Counted { spacing: sizes[0], bin: shares[2].max(0.001) }
+                },
+                pigment: target,
+                coat_index: 1.0 + shares[3],
+                coat_roughness: shares[4],
                 seed,
             }
         },
@@ -187,8 +217,9 @@ proptest! {
     #![proptest_config(config(60))]
 
     #[test]
-    fn carpets(parameters in carpet(), point in point(), view in direction()) {
+    fn carpets(parameters in carpet(), point in point(), view in direction(), light in direction()) {
         let carpet = Carpet::new(parameters).unwrap();
+        is_bsdf(&carpet, &point, view, light)?;
         let got = carpet.surface(&point, view);
         prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
         prop_assert!(is_colour(got.diffuse) && is_colour(got.specular), "{got:?}");
@@ -204,6 +235,7 @@ proptest! {
     #[test]
     fn paints(parameters in paint(), point in point(), view in direction(), light in vector()) {
         let paint = MetallicPaint::new(parameters).unwrap();
+        is_bsdf(&paint, &point, view, light)?;
         let got = paint.surface(&point);
         for normal in [got.coat_normal, got.base_normal] {
             prop_assert!(is_normal(point.normal, normal), "{got:?}");
@@ -221,15 +253,21 @@ proptest! {
         (diffuse, specular, sizes) in (colour(), colour(), [size(), size()]),
         shares in proptest::array::uniform5(share()),
         (detail, seed) in (1..=8_u32, any::<u32>()),
-        point in point(),
+        (point, view, light) in (point(), direction(), direction()),
     ) {
         let glass = TemperedGlass::new(TemperedGlassParameters {
             wave_frequency: frequency,
             wave_amplitude: amplitude,
             wave_propagation_vector: direction,
             waves,
+            body: if detail < 5 { GlassBody::Pane } else { GlassBody::Solid },
+            index: 1.0 + shares[0],
+            tint: diffuse,
+            roughness: shares[1],
             seed,
-        }).unwrap().surface(&point);
+        }).unwrap();
+        is_bsdf(&glass, &point, view, light)?;
+        let glass = glass.surface(&point);
         prop_assert!(is_normal(point.normal, glass.normal), "{glass:?}");
         prop_assert!(is_variance(glass.slope_variance), "{glass:?}");
         let varied = Variations::new(VariationsParameters {
@@ -243,8 +281,11 @@ proptest! {
             dent_size: sizes[1],
             dent_cover: shares[4],
             dent_detail: detail,
+            gloss_roughness: shares[2].max(0.01),
             seed,
-        }).unwrap().surface(&point);
+        }).unwrap();
+        is_bsdf(&varied, &point, view, light)?;
+        let varied = varied.surface(&point);
         prop_assert!(is_normal(point.normal, varied.normal), "{varied:?}");
         prop_assert!(is_colour(varied.diffuse) && is_colour(varied.specular), "{varied:?}");
         prop_assert!(is_variance(varied.slope_variance) && varied.reflectance().is_ok(), "{varied:?}");
@@ -256,7 +297,7 @@ proptest! {
         (scratch_strength, scratch_cover, scratch_spread) in (share(), 0.0..=4.0_f32, share()),
         scratch_direction in heading(),
         (spacing, bin, alpha) in (size(), 0.001..=1.0_f32, 0.01..1.0_f32),
-        (h, seed) in (direction(), any::<u32>()),
+        (h, view, seed) in (direction(), direction(), any::<u32>()),
         point in point(),
     ) {
         let scratches = Scratches::new(ScratchesParameters {
@@ -267,8 +308,11 @@ proptest! {
             scratch_cover,
             scratch_direction,
             scratch_spread,
+            specular: Vec3::splat(scratch_strength),
+            roughness: alpha,
             seed,
         }).unwrap();
+        is_bsdf(&scratches, &point, h, view)?;
         let got = scratches.surface(&point);
         prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
         prop_assert!(got.amount >= 0.0 && got.amount.is_finite() && is_variance(got.slope_variance), "{got:?}");

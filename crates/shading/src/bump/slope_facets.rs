@@ -6,7 +6,32 @@ use glam::Vec3;
 use crate::bump::surface_gradient::bumped_normal;
 use crate::math::sqrt;
 
-/// Facets that stand for Gaussian slopes about a bumped normal: the share and the unit normal of each.
+/// A facet of a surface: a normal with a share of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// The share of the pixel, in [0, 1].
+    pub share: f32,
+    /// The unit normal.
+    pub normal: Vec3,
+}
+
+impl Facet {
+    /// The whole of a surface that is flat, in its own frame.
+    pub const FLAT: Self = Self { share: 1.0, normal: Vec3::Z };
+
+    /// A facet of this share and normal.
+    #[must_use]
+    pub const fn new(share: f32, normal: Vec3) -> Self {
+        Self { share, normal }
+    }
+
+    /// The same normal with a share of the share.
+    pub(crate) fn part(self, share: f32) -> Self {
+        Self { share: self.share * share, ..self }
+    }
+}
+
+/// Facets that stand for Gaussian slopes about a bumped normal, with their shares.
 ///
 /// ```text
 /// slopes g and g + 2√variance (cos kπ/3, sin kπ/3),   shares 1/2 and six times 1/12,   g the slope of `bumped`
@@ -28,17 +53,17 @@ use crate::math::sqrt;
 ///
 /// // Bumps take from a lamp straight above what they give to their sides.
 /// let mean = |light: Vec3| -> f32 {
-///     slope_facets(Vec3::Z, Vec3::Z, 0.01).map(|(share, m)| share * m.dot(light).max(0.0)).sum()
+///     slope_facets(Vec3::Z, Vec3::Z, 0.01).map(|f| f.share * f.normal.dot(light).max(0.0)).sum()
 /// };
 /// assert!((mean(Vec3::Z) - (1.0 - 0.01)).abs() < 3e-4);
 /// ```
-pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item = Facet> + use<> {
     let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
     let deviation = if variance > 0.0 { sqrt(variance) } else { 0.0 };
     facets_along(n, bumped, [tangent * deviation, bitangent * deviation], 0.5)
 }
 
-/// The same for slopes with these deviations along two axes, with this share of the facet in the middle.
+/// Facets for slopes with these deviations along two axes, with this share of the facet in the middle.
 ///
 /// ```text
 /// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   shares (1 − middle)/6
@@ -48,7 +73,7 @@ pub(crate) fn facets_along(
     bumped: Vec3,
     [u, v]: [Vec3; 2],
     middle: f32,
-) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+) -> impl Iterator<Item = Facet> + use<> {
     let cosine = bumped.dot(n);
     let rough = (u != Vec3::ZERO || v != Vec3::ZERO) && u.is_finite() && v.is_finite();
     let rough = rough && cosine > 0.0 && bumped.is_finite();
@@ -56,8 +81,8 @@ pub(crate) fn facets_along(
     let radius = sqrt(2.0 / (1.0 - middle));
     let (middle, sides) = if rough { (middle, HEXAGON.as_slice()) } else { (1.0, [].as_slice()) };
     let share = (1.0 - middle) / 6.0;
-    let facet = move |[x, y]: [f32; 2]| (share, bumped_normal(n, slope + (u * x + v * y) * radius));
-    core::iter::once((middle, bumped)).chain(sides.iter().copied().map(facet))
+    let facet = move |[x, y]: [f32; 2]| Facet::new(share, bumped_normal(n, slope + (u * x + v * y) * radius));
+    core::iter::once(Facet::new(middle, bumped)).chain(sides.iter().copied().map(facet))
 }
 
 const HEIGHT: f32 = 0.866_025_4;
@@ -75,7 +100,7 @@ mod tests {
         let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
         let bumped = bumped_normal(n, 0.2 * tangent - 0.1 * bitangent);
         let mut moments = [0.0_f32; 6];
-        for (share, m) in slope_facets(n, bumped, 0.09) {
+        for Facet { share, normal: m } in slope_facets(n, bumped, 0.09) {
             let slope = n - m / m.dot(n);
             let (x, y) = (slope.dot(tangent) - 0.2, slope.dot(bitangent) + 0.1);
             let terms = [1.0, x, y, x * x, x * y, x * x * y * y];
@@ -93,13 +118,13 @@ mod tests {
     fn what_is_no_variance_is_one_facet() {
         let bumped = Vec3::new(0.6, 0.0, 0.8);
         for variance in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-            assert!(slope_facets(Vec3::Z, bumped, variance).eq([(1.0, bumped)]), "{variance}");
+            assert!(slope_facets(Vec3::Z, bumped, variance).eq([Facet::new(1.0, bumped)]), "{variance}");
         }
         for bumped in [Vec3::NEG_Z, Vec3::X, Vec3::ZERO] {
-            assert!(slope_facets(Vec3::Z, bumped, 0.1).eq([(1.0, bumped)]), "{bumped}");
+            assert!(slope_facets(Vec3::Z, bumped, 0.1).eq([Facet::new(1.0, bumped)]), "{bumped}");
         }
         assert_eq!(slope_facets(Vec3::Z, Vec3::NAN, 0.1).count(), 1);
         // A large variance is a flank in every direction, and stays a unit normal.
-        assert!(slope_facets(Vec3::Z, Vec3::Z, 1e30).all(|(_, m)| (m.length() - 1.0).abs() < 1e-5));
+        assert!(slope_facets(Vec3::Z, Vec3::Z, 1e30).all(|f| (f.normal.length() - 1.0).abs() < 1e-5));
     }
 }

@@ -2,12 +2,15 @@
 
 use glam::Vec3;
 
-use crate::bump::{bumped_normal, slope_facets, tangential};
+use crate::bump::{Facet, bumped_normal, slope_facets, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::material::form::Form;
-use crate::material::parameter::{ParameterError, SIZES, direction, within};
+use crate::material::material::Material;
+use crate::material::parameter::{ParameterError, SHARES, SIZES, colour, direction, within};
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
+use crate::reflectance::coat::Slopes;
+use crate::reflectance::{Bsdf, Coat, Dielectric};
 
 /// The shape of the waves of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -17,6 +20,16 @@ pub enum GlassWaves {
     Sine,
     /// One octave of simplex noise, which looks bumpy: the thesis's other try.
     Noise,
+}
+
+/// The thickness of [`TemperedGlass`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum GlassBody {
+    /// A thin pane, through which one looks straight.
+    #[default]
+    Pane,
+    /// The surface of a body, which refracts; seen from inside where the eye is below the surface.
+    Solid,
 }
 
 /// The parameters of [`TemperedGlass`], by the names of Nilsson 2008, Appendix B.
@@ -30,6 +43,14 @@ pub struct TemperedGlassParameters {
     pub wave_propagation_vector: Vec3,
     /// Sine or noise. Default sine.
     pub waves: GlassWaves,
+    /// A thin pane, or the surface of a body; this and what follows is not in the thesis. Default pane.
+    pub body: GlassBody,
+    /// The relative index, within `[1, 4]`. Default 1.52.
+    pub index: f32,
+    /// The share of light that a pane lets through beside what it mirrors, by colour. Default white.
+    pub tint: Vec3,
+    /// The roughness of what is mirrored, within `[0, 1]`; 0 is a mirror. Default 0.
+    pub roughness: f32,
     /// Which noise: any number.
     pub seed: u32,
 }
@@ -41,6 +62,10 @@ impl Default for TemperedGlassParameters {
             wave_amplitude: 1e-4,
             wave_propagation_vector: Vec3::Y,
             waves: GlassWaves::Sine,
+            body: GlassBody::Pane,
+            index: 1.52,
+            tint: Vec3::ONE,
+            roughness: 0.0,
             seed: 1,
         }
     }
@@ -87,16 +112,16 @@ impl GlassSurface {
     /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
     ///
     /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev; of noise [`slope_facets`](fn@crate::slope_facets).
-    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let swing = 0.866_025_4 * self.swing;
         let (cosine, bumped) = (self.normal.dot(n), self.normal);
         let sine = swing != Vec3::ZERO && cosine > 0.0;
         let sides = if sine { [-1.0, 1.0].as_slice() } else { [].as_slice() };
         let share = if sine { 1.0 / 3.0 } else { 1.0 };
         let variance = if sine { 0.0 } else { self.slope_variance };
-        let middle = slope_facets(n, bumped, variance).map(move |(part, m)| (share * part, m));
+        let middle = slope_facets(n, bumped, variance).map(move |facet| facet.part(share));
         let slope = n - bumped / cosine;
-        middle.chain(sides.iter().map(move |side| (share, bumped_normal(n, slope + *side * swing))))
+        middle.chain(sides.iter().map(move |side| Facet::new(share, bumped_normal(n, slope + *side * swing))))
     }
 }
 
@@ -153,6 +178,9 @@ impl TemperedGlass {
         let p = &parameters;
         let size = 1.0 / within("wave_frequency", p.wave_frequency, SIZES)?;
         within("wave_amplitude", p.wave_amplitude, [0.0, 1e6])?;
+        within("index", p.index, [1.0, 4.0])?;
+        within("roughness", p.roughness, SHARES)?;
+        colour("tint", p.tint)?;
         let direction = direction("wave_propagation_vector", p.wave_propagation_vector)?;
         Ok(Self { parameters, direction, noise: Fbm::single(size, p.seed) })
     }
@@ -195,6 +223,24 @@ impl TemperedGlass {
             }
         };
         GlassSurface { normal: bumped_normal(n, gradient), slope_variance, swing }
+    }
+}
+
+impl Material for TemperedGlass {
+    /// A coat that mirrors and transmits, each with the waves in it; nothing else.
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let (p, frame) = (&self.parameters, point.frame());
+        let surface = self.surface(point);
+        let fresnel = Dielectric::clamped(p.index);
+        let coat = match p.body {
+            GlassBody::Pane => Coat::pane(fresnel, p.tint),
+            GlassBody::Solid => Coat::body(fresnel),
+        };
+        let slopes = match p.waves {
+            GlassWaves::Sine => Slopes::Sine(frame.to_local(surface.swing)),
+            GlassWaves::Noise => Slopes::Gaussian(surface.slope_variance),
+        };
+        Bsdf::new(wo).with_coat(coat.rough(p.roughness).with_slopes(frame.to_local(surface.normal), slopes))
     }
 }
 

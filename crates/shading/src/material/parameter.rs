@@ -53,6 +53,8 @@ impl core::error::Error for ParameterError {}
 
 /// The smallest and the largest size of anything, in units of the surface's positions.
 pub(crate) const SIZES: [f32; 2] = [1e-6, 1e6];
+/// What is the roughness α of a lobe.
+pub(crate) const ROUGHNESSES: [f32; 2] = [0.01, 1.0];
 /// What is a share or a strength.
 pub(crate) const SHARES: [f32; 2] = [0.0, 1.0];
 

@@ -43,6 +43,13 @@ impl SurfacePoint {
         Self { uv, tangents, ..self }
     }
 
+    /// The frame of the surface without bumps, in which the directions of a [`Bsdf`](crate::reflectance::Bsdf) are: z along the normal,
+    /// x as near to `∂P/∂u` as is orthogonal to it.
+    #[must_use]
+    pub fn frame(&self) -> Frame {
+        Frame::from_normal_tangent(self.normal, self.tangents[0])
+    }
+
     /// The gradient along the surface of a function with this slope in texture coordinates.
     pub(crate) fn gradient(&self, slope: Vec2) -> Vec3 {
         surface_gradient(self.normal, self.tangents, slope)

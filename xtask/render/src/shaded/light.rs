@@ -2,8 +2,9 @@
 
 use std::f32::consts::PI;
 
+use asperity_shading::bump::Facet;
 use asperity_shading::glam::Vec3;
-use asperity_shading::{Brdf, Frame, facing};
+use asperity_shading::reflectance::{Brdf, Bsdf, Lobe};
 
 /// A distant lamp.
 #[derive(Clone, Copy, Debug)]
@@ -12,13 +13,6 @@ pub(super) struct Light {
     pub(super) direction: Vec3,
     /// What a white Lambertian surface that faces it sends to the eye.
     pub(super) radiance: f32,
-}
-
-impl Light {
-    /// What it sends along `view` from a flat surface, for a reflectance of 1.
-    pub(super) fn on_flat(&self) -> f32 {
-        PI * self.radiance * self.direction.z.max(0.0)
-    }
 }
 
 /// A lamp, and a soft sky of three more.
@@ -40,32 +34,15 @@ impl Sky {
         Self { lights: [lamp, sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)] }
     }
 
-    /// What a surface of this reflectance and normal sends along `view`.
-    pub(super) fn on(&self, brdf: &(impl Brdf + ?Sized), normal: Vec3, view: Vec3) -> Vec3 {
-        let frame = Frame::from_normal_tangent(facing(Vec3::Z, normal, view), Vec3::X);
-        let wo = frame.to_local(view);
-        self.lights.iter().fold(Vec3::ZERO, |sum, light| {
-            let wi = frame.to_local(light.direction);
-            sum + PI * light.radiance * wi.z.max(0.0) * brdf.value(wi, wo)
+    /// What a surface of this BSDF sends along `view`.
+    pub(super) fn on(&self, bsdf: &Bsdf<'_>, view: Vec3) -> Vec3 {
+        self.lights.iter().fold(bsdf.emitted(), |sum, light| {
+            sum + PI * light.radiance * bsdf.scattered(light.direction, view)
         })
     }
 }
 
 /// What the facets of a surface send along `view`: the mean over them.
-pub(super) fn on_facets(
-    sky: &Sky,
-    brdf: &impl Brdf,
-    facets: impl Iterator<Item = (f32, Vec3)>,
-    view: Vec3,
-) -> Vec3 {
-    facets.fold(Vec3::ZERO, |sum, (share, normal)| sum + share * sky.on(brdf, normal, view))
-}
-
-/// Two reflectances of one surface.
-pub(super) struct Both<A, B>(pub(super) A, pub(super) B);
-
-impl<A: Brdf, B: Brdf> Brdf for Both<A, B> {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        self.0.value(wi, wo) + self.1.value(wi, wo)
-    }
+pub(super) fn on_facets(sky: &Sky, brdf: &dyn Brdf, facets: impl Iterator<Item = Facet>, view: Vec3) -> Vec3 {
+    sky.on(&Bsdf::new(view).with(facets, [Lobe::from(brdf)]), view)
 }

@@ -1,41 +1,48 @@
-//! Every material, with its own reflectances.
+//! Every material in its own light.
 
 use asperity_shading::glam::Vec3;
+use asperity_shading::material::{BumpMapped, GlassWaves, Material, PaintFlakes};
 use asperity_shading::noise::{GaussianOctaves, Spectrum};
 use asperity_shading::{
-    Beckmann, Brdf, BumpField, Carpet, CarpetParameters, CookTorrance, EnergyPreservingOrenNayar, Fibres,
-    FibresParameters, Footprint, Ggx, GlassWaves, GlintField, Lambert, LevelOfDetail, MetallicPaint,
-    MetallicPaintParameters, Ndf, OrangePeel, PassiveFlakes, Schlick, Scratches, ScratchesParameters,
-    SeamPattern, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, half_vector,
-    slope_facets,
+    BumpField, Carpet, CarpetParameters, FibresParameters, Footprint, Ggx, LevelOfDetail, MetallicPaint,
+    MetallicPaintParameters, Scratches, ScratchesParameters, SeamPattern, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters, Variations, VariationsParameters,
 };
 
-use crate::shaded::light::{Both, on_facets};
-use crate::shaded::{Pixel, Sky, Subject};
+use crate::shaded::Subject;
 
-fn subject(
+/// A subject of this material, of this unit: the mean over the taps of a pixel.
+pub(super) fn subject(
     name: &'static str,
     width: f32,
-    radiance: impl Fn(&Pixel, Footprint, &Sky) -> Vec3 + Send + Sync + 'static,
+    material: impl Material + Send + Sync + 'static,
+    point: impl Fn(SurfacePoint) -> SurfacePoint + Send + Sync + 'static,
 ) -> Subject {
-    Subject::new(name, width, move |pixel, sky| pixel.over(|tap, footprint| radiance(tap, footprint, sky)))
+    Subject::new(name, width, move |pixel, sky| {
+        pixel.over(|tap, footprint| {
+            let bsdf = material.bsdf(&point(tap.point(footprint)), tap.view());
+            sky.on(&bsdf, tap.view())
+        })
+    })
 }
 
 /// Every material whose mean is the same at every zoom.
 #[must_use]
 pub fn materials() -> Vec<Subject> {
+    let plain =
+        |name, width, material: Box<dyn Material + Send + Sync>| subject(name, width, material, |p| p);
     vec![
-        carpet("carpet", SeamPattern::Lines),
-        carpet("carpet, grid", SeamPattern::Grid),
-        fibres(),
-        orange_peel(),
-        passive_flakes(),
-        flakes(),
-        paint(),
-        glass("glass", GlassWaves::Sine),
-        glass("glass, noise", GlassWaves::Noise),
-        variations(),
-        scratches(),
+        plain("carpet", 1.2, carpet(SeamPattern::Lines)),
+        plain("carpet, grid", 1.2, carpet(SeamPattern::Grid)),
+        plain("fibres", 0.2, fibres()),
+        plain("orange peel", 0.08, orange_peel()),
+        plain("passive flakes", 0.08, passive_flakes()),
+        plain("flakes", 0.08, flakes()),
+        plain("paint", 0.08, paint()),
+        plain("glass", 2.4, glass(GlassWaves::Sine)),
+        plain("glass, noise", 2.4, glass(GlassWaves::Noise)),
+        plain("variations", 0.8, Box::new(Variations::new(VariationsParameters::default()).expect(VALID))),
+        plain("scratches", 0.4, scratches()),
         bumps("bumps", LevelOfDetail::Exact),
     ]
 }
@@ -46,139 +53,101 @@ pub fn fractal_bumps() -> Subject {
     bumps("bumps, fractal", LevelOfDetail::Fractal)
 }
 
-const VALID: &str = "parameters in range";
+pub(super) const VALID: &str = "parameters in range";
 
-fn gloss(alpha: f32, f0: Vec3) -> CookTorrance<Beckmann, Vec3> {
-    CookTorrance::new(Beckmann::isotropic(alpha).expect(VALID), f0)
+type Boxed = Box<dyn Material + Send + Sync>;
+
+fn carpet(seams_pattern: SeamPattern) -> Boxed {
+    let parameters = CarpetParameters {
+        seams_pattern,
+        specular_roughness: 0.4,
+        fake_rim_light_colour: Vec3::splat(0.1),
+        ..Default::default()
+    };
+    Box::new(Carpet::new(parameters).expect(VALID))
 }
 
-fn carpet(name: &'static str, seams_pattern: SeamPattern) -> Subject {
-    let carpet = Carpet::new(CarpetParameters { seams_pattern, ..Default::default() }).expect(VALID);
-    subject(name, 1.2, move |pixel, footprint, sky| {
-        let surface = carpet.surface(&pixel.point(footprint), pixel.view());
-        let threads = Both(surface.reflectance().expect(VALID), gloss(0.4, surface.specular));
-        let facets = slope_facets(Vec3::Z, surface.normal, surface.slope_variance);
-        on_facets(sky, &threads, facets, pixel.view()) + Vec3::splat(0.1 * surface.rim)
-    })
+/// A carpet of nothing but fibres.
+fn fibres() -> Boxed {
+    let parameters = CarpetParameters {
+        diffuse: Vec3::splat(0.5),
+        diffuse_thread_strength: 0.0,
+        diffuse_thread_bump_strength: 0.0,
+        specular_thread_strength: 0.0,
+        dark_area_strength: 0.0,
+        seams_pattern: SeamPattern::None,
+        fibre_strength: 1.0,
+        fibres: FibresParameters { fibre_length: 0.04, ..Default::default() },
+        fake_rim_light: 0.0,
+        ..Default::default()
+    };
+    Box::new(Carpet::new(parameters).expect(VALID))
 }
 
-fn fibres() -> Subject {
-    let fibres = Fibres::new(FibresParameters { fibre_length: 0.04, ..Default::default() }).expect(VALID);
-    let white = Lambert::new(Vec3::splat(0.5)).expect(VALID);
-    subject("fibres", 0.2, move |pixel, footprint, sky| {
-        let (fibre, gradient, variance) = fibres.surface(&pixel.point(footprint));
-        let normal = (Vec3::Z - 0.3 * gradient).normalize();
-        fibre.factor * on_facets(sky, &white, slope_facets(Vec3::Z, normal, 0.09 * variance), pixel.view())
-    })
-}
-
-fn coat() -> CookTorrance<Beckmann, Schlick> {
-    CookTorrance::new(Beckmann::isotropic(0.2).expect(VALID), Schlick::new(0.04).expect(VALID))
-}
-
-fn orange_peel() -> Subject {
-    let (peel, coat) = (OrangePeel::new(0.006, 0.03, 1).expect(VALID), coat());
-    subject("orange peel", 0.08, move |pixel, footprint, sky| {
-        let normal = peel.normal(pixel.at.extend(0.0), Vec3::Z, footprint);
-        on_facets(sky, &coat, slope_facets(Vec3::Z, normal, peel.removed_slope(footprint)), pixel.view())
-    })
-}
-
-fn passive_flakes() -> Subject {
-    let flakes = PassiveFlakes::new(0.004, 0.3, 4).expect(VALID);
-    let base = gloss(0.3, Vec3::new(0.25, 0.35, 0.6));
-    subject("passive flakes", 0.08, move |pixel, footprint, sky| {
-        flakes.factor(pixel.at.extend(0.0), footprint) * sky.on(&base, Vec3::Z, pixel.view())
-    })
-}
-
-/// Flakes of a metal, lit as many as there are.
-struct Glints(GlintField<Beckmann>);
-
-impl Glints {
-    fn new() -> Self {
-        let ndf = Beckmann::isotropic(0.6).expect(VALID);
-        Self(GlintField::new(ndf, 4e-5, 1.0, 3).expect(VALID))
-    }
-
-    fn radiance(&self, colour: Vec3, pixel: &Pixel, footprint: Footprint, sky: &Sky) -> Vec3 {
-        let smooth = CookTorrance::new(*self.0.ndf(), colour);
-        sky.lights.iter().fold(Vec3::ZERO, |sum, light| {
-            let h = half_vector(light.direction, pixel.view());
-            let relative = self.0.density(h, pixel.at.extend(0.0), footprint) / self.0.ndf().density(h);
-            sum + light.on_flat() * relative * smooth.value(light.direction, pixel.view())
-        })
+/// Paint without a coat, pigment, sparkles or passive flakes.
+fn bare() -> MetallicPaintParameters {
+    MetallicPaintParameters {
+        flake_sparkle_elimination: 1.0,
+        passive_flake_strength: 0.0,
+        pigment: Vec3::ZERO,
+        coat_index: 1.0,
+        coat_roughness: 0.2,
+        ..Default::default()
     }
 }
 
-fn flakes() -> Subject {
-    let flakes = Glints::new();
-    subject("flakes", 0.08, move |pixel, footprint, sky| {
-        flakes.radiance(Vec3::splat(0.5), pixel, footprint, sky)
-    })
+fn painted(parameters: MetallicPaintParameters) -> Boxed {
+    Box::new(MetallicPaint::new(parameters).expect(VALID))
+}
+
+fn orange_peel() -> Boxed {
+    let coated = MetallicPaintParameters { coat_index: 1.5, orange_peel_strength: 0.03, ..bare() };
+    painted(MetallicPaintParameters { specular: Vec3::ZERO, ..coated })
+}
+
+fn passive_flakes() -> Boxed {
+    painted(MetallicPaintParameters { passive_flake_strength: 0.3, flake_roughness: 0.3, ..bare() })
+}
+
+const COUNTED: PaintFlakes = PaintFlakes::Counted { spacing: 4e-5, bin: 1.0 };
+
+fn flakes() -> Boxed {
+    let specular = Vec3::splat(0.5);
+    painted(MetallicPaintParameters { specular, flakes: COUNTED, flake_roughness: 0.6, seed: 3, ..bare() })
 }
 
 /// Metallic paint, whose sparkles are counted: those of a fixed width in pixels have no mean that would not depend on the zoom.
-fn paint() -> Subject {
-    let parameters = MetallicPaintParameters { orange_peel_strength: 0.03, ..Default::default() };
-    let paint = MetallicPaint::new(parameters).expect(VALID);
-    let (flakes, coat) = (Glints::new(), coat());
-    let base = EnergyPreservingOrenNayar::new(Vec3::new(0.02, 0.05, 0.14), 0.2).expect(VALID);
-    subject("paint", 0.08, move |pixel, footprint, sky| {
-        let surface = paint.surface(&pixel.point(footprint));
-        let facets = slope_facets(Vec3::Z, surface.coat_normal, surface.coat_slope_variance);
-        on_facets(sky, &coat, facets, pixel.view())
-            + flakes.radiance(surface.specular, pixel, footprint, sky)
-            + sky.on(&base, Vec3::Z, pixel.view())
+fn paint() -> Boxed {
+    painted(MetallicPaintParameters {
+        orange_peel_strength: 0.03,
+        flakes: COUNTED,
+        flake_roughness: 0.6,
+        coat_roughness: 0.2,
+        ..Default::default()
     })
 }
 
-fn glass(name: &'static str, waves: GlassWaves) -> Subject {
-    let glass = TemperedGlass::new(TemperedGlassParameters {
+fn glass(waves: GlassWaves) -> Boxed {
+    let parameters = TemperedGlassParameters {
         waves,
         wave_amplitude: 0.003,
         wave_propagation_vector: Vec3::new(0.6, 0.8, 0.0),
+        roughness: 0.2,
         ..Default::default()
-    })
-    .expect(VALID);
-    let coat = coat();
-    subject(name, 2.4, move |pixel, footprint, sky| {
-        let surface = glass.surface(&pixel.point(footprint));
-        on_facets(sky, &coat, surface.facets(Vec3::Z), pixel.view())
-    })
+    };
+    Box::new(TemperedGlass::new(parameters).expect(VALID))
 }
 
-fn variations() -> Subject {
-    let panel = Variations::new(VariationsParameters::default()).expect(VALID);
-    subject("variations", 0.8, move |pixel, footprint, sky| {
-        let surface = panel.surface(&pixel.point(footprint));
-        let plastic = Both(surface.reflectance().expect(VALID), gloss(0.25, surface.specular));
-        let facets = slope_facets(Vec3::Z, surface.normal, surface.slope_variance);
-        on_facets(sky, &plastic, facets, pixel.view())
-    })
-}
-
-fn scratches() -> Subject {
+fn scratches() -> Boxed {
     let parameters = ScratchesParameters { scratch_width: 0.02, scratch_strength: 0.4, ..Default::default() };
-    let scratches = Scratches::new(parameters).expect(VALID);
-    let metal = gloss(0.3, Vec3::splat(0.7));
-    subject("scratches", 0.4, move |pixel, footprint, sky| {
-        let surface = scratches.surface(&pixel.point(footprint));
-        on_facets(sky, &metal, surface.facets(Vec3::Z), pixel.view())
-    })
+    Box::new(Scratches::new(parameters).expect(VALID))
 }
 
 fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
-    let ndf = Ggx::new(0.3, 0.5).expect(VALID);
     let spectrum = Spectrum::new(2.17, 0.8, 3).expect("three octaves");
     let bumps = BumpField::new(GaussianOctaves::<3>::new(spectrum, 7), 20.0).expect(VALID);
-    subject(name, 0.8, move |pixel, footprint, sky| {
-        // The mean over a pixel still shows octaves above the limit of its frequency.
-        let half = Footprint::from_width(0.5 * footprint.width());
-        let coordinates = bumps.coordinates(pixel.at.extend(0.0), half);
-        sky.lights.iter().fold(Vec3::ZERO, |sum, light| {
-            let h = half_vector(light.direction, pixel.view());
-            sum + Vec3::splat(light.on_flat() * rule.radiance(&ndf, h, coordinates))
-        })
-    })
+    let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
+    // The mean over a pixel still shows octaves above the limit of its frequency.
+    let half = |point: SurfacePoint| Footprint::from_width(0.5 * point.footprint.width());
+    subject(name, 0.8, material, move |point| SurfacePoint { footprint: half(point), ..point })
 }

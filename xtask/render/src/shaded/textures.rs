@@ -1,5 +1,6 @@
 //! Every texture of the lecture, in the light that shows it.
 
+use asperity_shading::bump::Facet;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::noise::removed_share;
 use asperity_shading::{
@@ -36,7 +37,7 @@ fn bumped_brick() -> Subject {
         let mut sum = Vec3::ZERO;
         wall.facets(pixel.at, pixel.widths(), |share, _, slope| {
             let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], 0.02 * slope);
-            let facet = [(share, bumped_normal(Vec3::Z, gradient))];
+            let facet = [Facet::new(share, bumped_normal(Vec3::Z, gradient))];
             sum += on_facets(sky, &clay, facet.into_iter(), pixel.view());
         });
         sum
@@ -53,7 +54,7 @@ fn bevel() -> Subject {
             let mut sum = Vec3::ZERO;
             let mut lit = |share: f32, slope: Vec2| {
                 let normal = bumped_normal(Vec3::Z, slope.extend(0.0));
-                sum += on_facets(sky, &clay, [(share, normal)].into_iter(), tap.view());
+                sum += on_facets(sky, &clay, [Facet::new(share, normal)].into_iter(), tap.view());
             };
             let width = footprint.width();
             let far = removed_share(width, 1.0);

@@ -2,10 +2,11 @@
 
 use core::f32::consts::FRAC_1_PI;
 
+use asperity_ndf_sampling::Beckmann;
 use asperity_noise::removed_share;
 use glam::{Vec2, Vec3};
 
-use crate::bump::{bumped_normal, tangential};
+use crate::bump::{bumped_normal, slope_facets, tangential};
 use crate::material::carpet::dark_area::DarkAreas;
 use crate::material::carpet::fibre::{Fibres, FibresParameters};
 use crate::material::carpet::rim_light::rim_light;
@@ -13,9 +14,10 @@ use crate::material::carpet::seam::{SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
 use crate::material::fbm::Fbm;
 use crate::material::form::Form;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, colour, within};
+use crate::material::material::Material;
+use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, SIZES, colour, within};
 use crate::material::surface_point::SurfacePoint;
-use crate::reflectance::{DiffuseError, EnergyPreservingOrenNayar};
+use crate::reflectance::{Bsdf, CookTorrance, DiffuseError, EnergyPreservingOrenNayar};
 
 /// The parameters of a [`Carpet`], by the names of Nilsson 2008, Appendix B.
 ///
@@ -67,6 +69,10 @@ pub struct CarpetParameters {
     pub fake_rim_light: f32,
     /// How wide the rim is. Default 0.4.
     pub fake_rim_light_width: f32,
+    /// The colour of the rim light, which is added whatever the light; any that is not negative. Default white.
+    pub fake_rim_light_colour: Vec3,
+    /// The roughness of the threads that shine: Beckmann's α, within `[0.01, 1]`; not in the thesis. Default 0.45.
+    pub specular_roughness: f32,
     /// Which carpet: any number.
     pub seed: u32,
 }
@@ -96,6 +102,8 @@ impl Default for CarpetParameters {
             roughness: 0.8,
             fake_rim_light: 0.15,
             fake_rim_light_width: 0.4,
+            fake_rim_light_colour: Vec3::ONE,
+            specular_roughness: 0.45,
             seed: 1,
         }
     }
@@ -194,6 +202,7 @@ impl Carpet {
         ] {
             within(name, value, SHARES)?;
         }
+        within("specular_roughness", p.specular_roughness, ROUGHNESSES)?;
         let seed = |i| p.seed.wrapping_mul(8).wrapping_add(i);
         Ok(Self {
             diffuse_threads: DiffuseThreads::new(p.diffuse_thread_size, seed(0))?,
@@ -261,6 +270,21 @@ impl Carpet {
                 + seam2
                 + p.fibre_bump_strength * p.fibre_bump_strength * fibre_slope,
         }
+    }
+}
+
+impl Material for Carpet {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let (p, frame) = (&self.parameters, point.frame());
+        let surface = self.surface(point, frame.to_world(wo));
+        let bsdf = Bsdf::new(wo).with_emitted(surface.rim * p.fake_rim_light_colour);
+        // Threads shine at the cost of what they scatter.
+        let diffuse = surface.diffuse.min(Vec3::ONE - surface.specular);
+        let Ok(threads) = EnergyPreservingOrenNayar::new(diffuse, surface.roughness) else { return bsdf };
+        let alpha = p.specular_roughness;
+        let sheen = CookTorrance::new(Beckmann::clamped(alpha, alpha), surface.specular);
+        let facets = slope_facets(Vec3::Z, frame.to_local(surface.normal), surface.slope_variance);
+        bsdf.with(facets, [threads.into(), sheen.into()])
     }
 }
 

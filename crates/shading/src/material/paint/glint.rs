@@ -9,6 +9,7 @@ use glam::{Vec2, Vec3};
 use crate::material::parameter::{ParameterError, SIZES, within};
 use crate::math::{exp, exp_m1, floor, ln_1p, log2, sqrt};
 use crate::pixel::Footprint;
+use crate::reflectance::lobe::CountedFacets;
 
 /// Mirror-like flakes with normals of any density, one by one from nearby and by their number from afar.
 ///
@@ -193,6 +194,13 @@ impl<N: Ndf> GlintField<N> {
             }
             (best.1, best.2)
         })
+    }
+}
+
+impl<N: Ndf> CountedFacets for GlintField<N> {
+    fn relative(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
+        let all = self.ndf.density(h);
+        if all > 0.0 { self.density(h, position, footprint) / all } else { 0.0 }
     }
 }
 

@@ -1,13 +1,17 @@
 //! Metallic paint: a bumpy clear coat over flakes that sparkle and flakes that vary the colour.
 
+use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
-use crate::bump::bumped_normal;
+use crate::bump::{Facet as SlopeFacet, bumped_normal};
+use crate::material::material::Material;
+use crate::material::paint::glint::GlintField;
 use crate::material::paint::orange_peel::OrangePeel;
 use crate::material::paint::passive_flakes::PassiveFlakes;
 use crate::material::paint::sparkle::{Elimination, Sparkles, boosted, brighter_normal, brighter_reflection};
-use crate::material::parameter::{ParameterError, SHARES, colour, within};
+use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
 use crate::material::surface_point::SurfacePoint;
+use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
 
 /// The parameters of a [`MetallicPaint`], by the names of Nilsson 2008, Appendix B.
 ///
@@ -41,8 +45,33 @@ pub struct MetallicPaintParameters {
     pub passive_flake_strength: f32,
     /// The number of their octaves, from 1 to 8. Default 4.
     pub passive_flake_detail: u32,
+    /// The roughness of the layer of flakes: Beckmann's α, within `[0.01, 1]`; this and what follows is not in the thesis. Default 0.32.
+    pub flake_roughness: f32,
+    /// Flakes that sparkle, or flakes that are counted. Default sparkling.
+    pub flakes: PaintFlakes,
+    /// The colour of the pigment beside the flakes. Default (0.02, 0.05, 0.14).
+    pub pigment: Vec3,
+    /// The relative index of the clear coat, within `[1, 4]`; 1 is none. Default 1.5.
+    pub coat_index: f32,
+    /// The roughness of the clear coat, within `[0, 1]`; 0 is a mirror. Default 0.
+    pub coat_roughness: f32,
     /// Which paint: any number.
     pub seed: u32,
+}
+
+/// The flakes that glitter in a [`MetallicPaint`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum PaintFlakes {
+    /// Of a fixed width in pixels, as in the thesis: [`Sparkles`].
+    #[default]
+    Sparkling,
+    /// As many as a pixel sees, with the same mean at every distance: [`GlintField`].
+    Counted {
+        /// The distance between flakes, within `[10⁻⁶, 10⁶]`.
+        spacing: f32,
+        /// The deviations of their tilt over which a lamp is mirrored, within `[0.001, 1]`.
+        bin: f32,
+    },
 }
 
 impl Default for MetallicPaintParameters {
@@ -61,6 +90,11 @@ impl Default for MetallicPaintParameters {
             passive_flake_size: 0.004,
             passive_flake_strength: 0.3,
             passive_flake_detail: 4,
+            flake_roughness: 0.32,
+            flakes: PaintFlakes::Sparkling,
+            pigment: Vec3::new(0.02, 0.05, 0.14),
+            coat_index: 1.5,
+            coat_roughness: 0.0,
             seed: 1,
         }
     }
@@ -93,6 +127,8 @@ pub struct MetallicPaint {
     orange_peel: OrangePeel,
     sparkles: Sparkles,
     passive: PassiveFlakes,
+    glints: Option<GlintField<Beckmann>>,
+    coat: Dielectric,
 }
 
 /// What of a metallic paint a pixel sees.
@@ -155,10 +191,22 @@ impl MetallicPaint {
     pub fn new(parameters: MetallicPaintParameters) -> Result<Self, ParameterError> {
         let p = &parameters;
         colour("specular", p.specular)?;
+        colour("pigment", p.pigment)?;
         colour("flake_sparkle_boost_target", p.flake_sparkle_boost_target)?;
         within("flake_sparkle_boost", p.flake_sparkle_boost, SHARES)?;
+        within("coat_roughness", p.coat_roughness, SHARES)?;
+        let index = within("coat_index", p.coat_index, [1.0, 4.0])?;
+        let alpha = within("flake_roughness", p.flake_roughness, ROUGHNESSES)?;
         let seed = |i| p.seed.wrapping_mul(4).wrapping_add(i);
+        let glints = match p.flakes {
+            PaintFlakes::Sparkling => None,
+            PaintFlakes::Counted { spacing, bin } => {
+                Some(GlintField::new(Beckmann::clamped(alpha, alpha), spacing, bin, p.seed)?)
+            }
+        };
         Ok(Self {
+            glints,
+            coat: Dielectric::clamped(index),
             orange_peel: OrangePeel::new(p.orange_peel_size, p.orange_peel_strength, seed(0))?,
             sparkles: Sparkles::new(
                 p.flake_sparkle_pixel_size,
@@ -200,6 +248,27 @@ impl MetallicPaint {
                 specular: boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost),
             }),
         }
+    }
+}
+
+impl Material for MetallicPaint {
+    /// Flakes over a pigment under a clear coat. Sparkles are those of the lamp or the sample of light: the brighter of both normals.
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let (p, frame) = (&self.parameters, point.frame());
+        let surface = self.surface(point);
+        let all =
+            CookTorrance::new(Beckmann::clamped(p.flake_roughness, p.flake_roughness), surface.specular);
+        let flakes = match (&self.glints, surface.sparkle) {
+            (Some(field), _) => Lobe::counted(all, field, point.position, point.footprint),
+            (None, Some(flake)) => Lobe::sparkling(all, frame.to_local(flake.normal), flake.specular),
+            (None, None) => all.into(),
+        };
+        let pigment = p.pigment.min(Vec3::ONE - surface.specular);
+        let Ok(pigment) = EnergyPreservingOrenNayar::new(pigment, 0.2) else { return Bsdf::new(wo) };
+        let normal = frame.to_local(surface.coat_normal);
+        let coat =
+            Coat::varnish(self.coat).bumped(normal, surface.coat_slope_variance).rough(p.coat_roughness);
+        Bsdf::new(wo).with([SlopeFacet::FLAT], [flakes, pigment.into()]).with_coat(coat)
     }
 }
 

@@ -1,14 +1,19 @@
 //! Scratches: hashed grooves in the cells of a texture.
 
+use asperity_ndf_sampling::Beckmann;
 use asperity_noise::removed_share;
 use glam::{Vec2, Vec3};
 
-use crate::bump::bumped_normal;
 use crate::bump::slope_facets::facets_along;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
+use crate::bump::{Facet, bumped_normal};
+use crate::material::material::Material;
+use crate::material::parameter::{
+    ParameterError, ROUGHNESSES, SHARES, SIZES, colour, direction_in_plane, within,
+};
 use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::sqrt;
+use crate::reflectance::{Bsdf, CookTorrance};
 
 /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +32,10 @@ pub struct ScratchesParameters {
     pub scratch_direction: Vec2,
     /// How far: 0 is parallel, 1 all directions. Default 1.
     pub scratch_spread: f32,
+    /// The specular colour of the metal. Default 0.7.
+    pub specular: Vec3,
+    /// The roughness of the metal: Beckmann's α, within `[0.01, 1]`. Default 0.3.
+    pub roughness: f32,
     /// Which scratches: any number.
     pub seed: u32,
 }
@@ -41,6 +50,8 @@ impl Default for ScratchesParameters {
             scratch_cover: 2.0,
             scratch_direction: Vec2::X,
             scratch_spread: 1.0,
+            specular: Vec3::splat(0.7),
+            roughness: 0.3,
             seed: 1,
         }
     }
@@ -104,10 +115,10 @@ impl ScratchedSurface {
     /// each.
     ///
     /// Most of a scratched surface is smooth, and has one facet; the share that is scratched has seven, across its grooves.
-    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = (f32, Vec3)> + use<> {
+    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let Self { normal, covered, axes, .. } = *self;
-        let smooth = (covered < 1.0).then_some((1.0 - covered, normal));
-        let grooves = facets_along(n, normal, axes, FLOOR).map(move |(part, m)| (covered * part, m));
+        let smooth = (covered < 1.0).then_some(Facet::new(1.0 - covered, normal));
+        let grooves = facets_along(n, normal, axes, FLOOR).map(move |facet| facet.part(covered));
         smooth.into_iter().chain(grooves)
     }
 }
@@ -133,6 +144,8 @@ impl Scratches {
         let cell = within("scratch_size", p.scratch_size, SIZES)?;
         let half = 0.5 * cell * within("scratch_width", p.scratch_width, [1e-4, 0.5])?;
         within("scratch_strength", p.scratch_strength, SHARES)?;
+        colour("specular", p.specular)?;
+        within("roughness", p.roughness, ROUGHNESSES)?;
         let segments = Segments {
             cell,
             length: cell * within("scratch_length", p.scratch_length, [0.01, 1.0])?,
@@ -241,6 +254,16 @@ impl Scratches {
     }
 }
 
+impl Material for Scratches {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let (p, frame) = (&self.parameters, point.frame());
+        let facets = self.surface(point).facets(point.normal);
+        let metal = CookTorrance::new(Beckmann::clamped(p.roughness, p.roughness), p.specular);
+        let local = facets.map(|facet| Facet { normal: frame.to_local(facet.normal), ..facet });
+        Bsdf::new(wo).with(local, [metal.into()])
+    }
+}
+
 /// The principal axes of second moments (xx, xy, yy), as long as their deviations.
 fn principal(moments: Vec3) -> [Vec2; 2] {
     let (middle, half) = (0.5 * (moments.x + moments.z), 0.5 * (moments.x - moments.z));
@@ -323,7 +346,7 @@ mod tests {
             let surface = scratches.surface(&point);
             let slope = |m: Vec3| Vec3::Z - m / m.z;
             let (mut shares, mut squares) = (0.0, 0.0);
-            for (share, m) in surface.facets(Vec3::Z) {
+            for Facet { share, normal: m } in surface.facets(Vec3::Z) {
                 shares += share;
                 squares += share * (slope(m) - slope(surface.normal)).length_squared();
             }

@@ -1,13 +1,15 @@
 //! Variations for any material: roughness, blemishes and dents.
 
+use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
-use crate::bump::bumped_normal;
-use crate::material::parameter::{ParameterError, SHARES, colour, within};
+use crate::bump::{bumped_normal, slope_facets};
+use crate::material::material::Material;
+use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
 use crate::material::surface_point::SurfacePoint;
 use crate::material::wear::blemish::Blemishes;
 use crate::material::wear::dent::Dents;
-use crate::reflectance::{DiffuseError, EnergyPreservingOrenNayar};
+use crate::reflectance::{Bsdf, CookTorrance, DiffuseError, EnergyPreservingOrenNayar};
 
 /// The parameters of [`Variations`], by the names of Nilsson 2008, Appendix B.
 ///
@@ -35,6 +37,8 @@ pub struct VariationsParameters {
     pub dent_cover: f32,
     /// The number of octaves of dents, from 1 to 8. Default 2.
     pub dent_detail: u32,
+    /// The roughness of the gloss: Beckmann's α, within `[0.01, 1]`; not in the thesis. Default 0.25.
+    pub gloss_roughness: f32,
     /// Which surface: any number.
     pub seed: u32,
 }
@@ -52,6 +56,7 @@ impl Default for VariationsParameters {
             dent_size: 0.1,
             dent_cover: 0.3,
             dent_detail: 2,
+            gloss_roughness: 0.25,
             seed: 1,
         }
     }
@@ -120,6 +125,7 @@ impl Variations {
         ] {
             within(name, value, SHARES)?;
         }
+        within("gloss_roughness", p.gloss_roughness, ROUGHNESSES)?;
         let seed = |i| p.seed.wrapping_mul(2).wrapping_add(i);
         Ok(Self {
             blemishes: Blemishes::new(p.small_blemish_size, seed(0))?,
@@ -151,6 +157,21 @@ impl Variations {
             slope_variance: self.blemishes.removed_slope(bump, footprint)
                 + self.dents.removed_slope(dent, footprint),
         }
+    }
+}
+
+impl Material for Variations {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let (alpha, frame) = (self.parameters.gloss_roughness, point.frame());
+        let surface = self.surface(point);
+        // Gloss is at the cost of what is scattered.
+        let diffuse = surface.diffuse.min(Vec3::ONE - surface.specular);
+        let Ok(base) = EnergyPreservingOrenNayar::new(diffuse, surface.roughness) else {
+            return Bsdf::new(wo);
+        };
+        let gloss = CookTorrance::new(Beckmann::clamped(alpha, alpha), surface.specular);
+        let facets = slope_facets(Vec3::Z, frame.to_local(surface.normal), surface.slope_variance);
+        Bsdf::new(wo).with(facets, [base.into(), gloss.into()])
     }
 }
 

@@ -37,6 +37,18 @@ impl Dielectric {
         }
     }
 
+    /// The interface of the nearest relative index that is valid; NaN is 1, no interface.
+    #[must_use]
+    pub fn clamped(relative_index: f32) -> Self {
+        Self {
+            relative_index: if relative_index.is_nan() {
+                1.0
+            } else {
+                relative_index.clamp(f32::MIN_POSITIVE, f32::MAX)
+            },
+        }
+    }
+
     /// The relative index `η = η_t / η_i`, dimensionless.
     #[must_use]
     pub const fn relative_index(&self) -> f32 {
@@ -48,7 +60,7 @@ impl Dielectric {
     /// An index so small that its inverse overflows becomes the largest finite one.
     #[must_use]
     pub fn reversed(&self) -> Self {
-        Self { relative_index: (1.0 / self.relative_index).clamp(f32::MIN_POSITIVE, f32::MAX) }
+        Self::clamped(1.0 / self.relative_index)
     }
 
     /// The share of unpolarised light that is reflected.

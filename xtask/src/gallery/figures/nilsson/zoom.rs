@@ -125,8 +125,8 @@ fn scratches() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
     let metal = widened(0.2, 0.0);
     Ok(move |p: Vec2, pixel: Footprint| {
         let facets = scratches.surface(&point(p, pixel)).facets(Vec3::Z);
-        let density = facets.map(|(share, normal)| {
-            share * metal.density(Frame::from_normal_tangent(normal, Vec3::X).to_local(h))
+        let density = facets.map(|facet| {
+            facet.share * metal.density(Frame::from_normal_tangent(facet.normal, Vec3::X).to_local(h))
         });
         hex(0xc8_ccd2) * 0.2 * density.sum::<f32>()
     })
@@ -159,7 +159,7 @@ fn glass() -> Result<impl Fn(Vec2, Footprint) -> Vec3 + Sync, Failure> {
             let tube = (3.0 * across.sin()).tanh();
             Vec3::new(0.50, 0.56, 0.60) * (0.55 + 0.42 * tube)
         };
-        surface.facets(Vec3::Z).fold(Vec3::ZERO, |sum, (share, m)| sum + share * lamps(m))
+        surface.facets(Vec3::Z).fold(Vec3::ZERO, |sum, facet| sum + facet.share * lamps(facet.normal))
     })
 }
 

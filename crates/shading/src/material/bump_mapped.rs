@@ -1,0 +1,55 @@
+//! Bump maps of a density of normals as a material.
+
+use asperity_ndf_sampling::Ndf;
+use glam::Vec3;
+
+use crate::bump::Facet;
+use crate::level_of_detail::{BumpField, GaussianField, LevelOfDetail};
+use crate::material::material::Material;
+use crate::material::surface_point::SurfacePoint;
+use crate::reflectance::{Bsdf, Lobe};
+
+/// A bump map of a density of normals, shaded with it by a rule of level of detail.
+///
+/// ```text
+/// f_r = colour · p(h | what the pixel resolves)/(4 max(cos θ_i, cos θ_o))
+/// ```
+///
+/// Its mean over the surface is that of the far field at every zoom under [`LevelOfDetail::Exact`].
+///
+/// Kautz, Heidrich, Seidel 2001, *Real-Time Bump Map Synthesis*.
+///
+/// ```
+/// use asperity_shading::material::{BumpMapped, Material};
+/// use asperity_shading::noise::{GaussianOctaves, Spectrum};
+/// use asperity_shading::{Brdf, BumpField, Footprint, Ggx, LevelOfDetail, SurfacePoint, glam::Vec3};
+///
+/// let bumps = BumpField::new(GaussianOctaves::new(Spectrum::default(), 1), 20.0)?;
+/// let copper = BumpMapped { ndf: Ggx::new(0.2, 0.4)?, bumps, rule: LevelOfDetail::Exact, colour: Vec3::new(0.9, 0.6, 0.5) };
+/// let seen = |width| {
+///     let point = SurfacePoint::new(Vec3::new(0.3, 0.1, 0.8), Vec3::Z, Footprint::from_width(width));
+///     copper.bsdf(&point, Vec3::Z).value(Vec3::Z, Vec3::Z).x
+/// };
+/// assert_eq!(seen(1.0), seen(2.0));
+/// assert_ne!(seen(1.0), seen(1e-3));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BumpMapped<N, F> {
+    /// The density of normals.
+    pub ndf: N,
+    /// The noise that lays it into space.
+    pub bumps: BumpField<F>,
+    /// The rule of level of detail.
+    pub rule: LevelOfDetail,
+    /// The reflectance of the facets; what is not positive counts as 0.
+    pub colour: Vec3,
+}
+
+impl<N: Ndf, F: GaussianField> Material for BumpMapped<N, F> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let coordinates = self.bumps.coordinates(point.position, point.footprint);
+        let lobe = Lobe::resolved(&self.ndf, self.rule, coordinates).weighted(self.colour);
+        Bsdf::new(wo).with([Facet::FLAT], [lobe])
+    }
+}

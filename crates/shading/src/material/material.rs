@@ -1,0 +1,59 @@
+//! Materials: BSDFs that differ from point to point.
+
+use crate::material::surface_point::SurfacePoint;
+use crate::reflectance::Bsdf;
+use glam::Vec3;
+
+/// A material: the [`Bsdf`] of every point of a surface, as a pixel sees it.
+///
+/// It needs of a point its position and texture coordinates with the derivatives of the position by these, the normal without bumps, and
+/// the width of the pixel on the surface. What the pixel does not resolve of the material is in the BSDF, as facets and roughness, so
+/// that the mean radiance of a surface is the same at every zoom. A pixel that is longer than wide is the mean of several points,
+/// [`PixelEllipse::taps`](crate::pixel::PixelEllipse::taps).
+///
+/// `wo` is the unit direction to the eye in the frame of the surface, [`SurfacePoint::frame`], as are all directions of the BSDF.
+///
+/// # Light
+///
+/// - A lamp of no extent in the direction `wi` adds `bsdf.scattered(wi, wo)` times its irradiance, which is `value · cos θ_i`.
+/// - Light from all around is `value cos θ_i radiance/density` at a direction by `sample`, or
+///   [`reflected_radiance`](crate::environment::reflected_radiance), which weighs samples of both.
+/// - Smooth coats, panes and metals send light from single directions, which neither `value` nor `sample` know: a path tracer adds
+///   `weight · radiance` of both [`deltas`](Bsdf::deltas), or of one by chance; below the surface they are transmitted.
+/// - [`emitted`](Bsdf::emitted) is added whatever the light.
+///
+/// The trait is dyn-compatible. Reflectances are materials that are alike everywhere.
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::material::Material;
+/// use asperity_shading::{Brdf, Carpet, CarpetParameters, Footprint, SurfacePoint};
+///
+/// let carpet = Carpet::new(CarpetParameters::default())?;
+/// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
+///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
+/// let frame = point.frame();
+/// let wo = frame.to_local(Vec3::new(0.6, 0.0, 0.8));
+/// let bsdf = carpet.bsdf(&point, wo);
+/// let wi = bsdf.sample(wo, Vec2::new(0.3, 0.7));
+/// assert!(bsdf.density(wi, wo) > 0.0 && bsdf.value(wi, wo).min_element() > 0.0);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+pub trait Material {
+    /// What a point does to light on its way to the unit direction `wo`, in the frame of the surface; total.
+    #[must_use]
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_>;
+}
+
+impl<M: Material + ?Sized> Material for &M {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        (**self).bsdf(point, wo)
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<M: Material + ?Sized> Material for alloc::boxed::Box<M> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        (**self).bsdf(point, wo)
+    }
+}

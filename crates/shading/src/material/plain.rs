@@ -1,0 +1,36 @@
+//! Reflectances as materials that are alike everywhere.
+
+use asperity_ndf_sampling::{Microfacet, Ndf};
+use glam::Vec3;
+
+use crate::bump::Facet;
+use crate::material::material::Material;
+use crate::material::surface_point::SurfacePoint;
+use crate::reflectance::{
+    BlinnPhongLobe, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OrenNayar,
+    Phong, TorranceSparrow, WardReflection,
+};
+
+macro_rules! alike_everywhere {
+    ($($({$($bounds:tt)*})? $reflectance:ty),*) => {
+        $(
+            impl $(<$($bounds)*>)? Material for $reflectance {
+                fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+                    Bsdf::new(wo).with([Facet::FLAT], [(self as &dyn Brdf).into()])
+                }
+            }
+        )*
+    };
+}
+
+alike_everywhere! {
+    Lambert, OrenNayar, EnergyPreservingOrenNayar, Phong, BlinnPhongLobe, WardReflection,
+    {D: Microfacet, F: Fresnel} CookTorrance<D, F>, {D: Ndf, F: Fresnel} TorranceSparrow<D, F>
+}
+
+/// A polished metal, a pane or a body without anything else.
+impl Material for Coat {
+    fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        Bsdf::new(wo).with_coat(*self)
+    }
+}

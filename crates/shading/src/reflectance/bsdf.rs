@@ -1,0 +1,267 @@
+//! The bidirectional scattering distribution function of a point of a surface.
+
+use asperity_ndf_sampling::Frame;
+use glam::{Vec2, Vec3};
+
+use crate::bump::{Facet, facing};
+use crate::math::clamp_to;
+use crate::reflectance::brdf::{Brdf, are_above, finite};
+use crate::reflectance::coat::{Coat, Delta};
+use crate::reflectance::lobe::Lobe;
+
+/// The greatest number of facets; further ones are merged with the nearest.
+const FACETS: usize = 32;
+/// The greatest number of lobes; further ones are left out.
+const LOBES: usize = 16;
+/// The greatest number of layers.
+const LAYERS: usize = 4;
+
+/// The BSDF of a point: what it does to light on its way to the eye.
+///
+/// Layers are added, each a few [`Lobe`]s about the normals of a few [`Facet`]s, which stand for bumps that the pixel does not resolve;
+/// over them may lie a smooth [`Coat`].
+///
+/// ```text
+/// f(ωi, ωo) cos θ_i = T(ωi) T(ωo) Σ_layers Σ_facets share Σ_lobes f_r(ωi′, ωo′) max(0, ωi·m)
+/// ```
+///
+/// with ω′ in the frame of the facet m and T = 1 − F of the coat. Directions are unit vectors in the frame of the surface without
+/// bumps, [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. It is a [`Brdf`]: value, samples and
+/// their density are those of the layers. What a smooth coat mirrors and transmits comes from single directions,
+/// [`deltas`](Self::deltas), and what the surface sends whatever the light, from [`emitted`](Self::emitted).
+///
+/// - **Energy:** at most 1 if every layer's lobes together have an albedo of at most 1 (layers stand on one another's place only in
+///   what materials make of them).
+/// - **Reciprocal** if every lobe is and no facet is tilted, as of bump mapping in general (Veach 1997, §5.3).
+/// - **For one view:** facets that cannot be seen from `wo` of [`new`](Self::new) are turned by [`facing`].
+/// - **Storage:** inline, without allocation; 32 facets, 16 lobes, 4 layers.
+///
+/// ```
+/// use asperity_shading::bump::slope_facets;
+/// use asperity_shading::reflectance::{Bsdf, Lobe};
+/// use asperity_shading::{Brdf, Lambert, glam::Vec3};
+///
+/// // Chalk with fine bumps: a lamp straight above gives it less, one aside more.
+/// let chalk = Lambert::new(Vec3::splat(0.8))?;
+/// let lobe = Lobe::from(&chalk as &dyn Brdf);
+/// let bumpy = Bsdf::new(Vec3::Z).with(slope_facets(Vec3::Z, Vec3::Z, 0.1), [lobe]);
+/// let low = Vec3::new(0.96, 0.0, 0.28);
+/// assert!(bumpy.value(Vec3::Z, Vec3::Z).x < chalk.value(Vec3::Z, Vec3::Z).x);
+/// assert!(bumpy.value(low, Vec3::Z).x > chalk.value(low, Vec3::Z).x);
+/// # Ok::<(), asperity_shading::reflectance::AlbedoError>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Bsdf<'a> {
+    wo: Vec3,
+    facets: [(f32, Frame); FACETS],
+    lobes: [Lobe<'a>; LOBES],
+    layers: [Layer; LAYERS],
+    layer_count: usize,
+    coat: Option<Coat>,
+    emitted: Vec3,
+}
+
+/// Lobes about facets, by their places.
+#[derive(Clone, Copy, Default)]
+struct Layer {
+    facets: [usize; 2],
+    lobes: [usize; 2],
+    place: Place,
+}
+
+#[derive(Clone, Copy, Default, PartialEq)]
+enum Place {
+    #[default]
+    UnderTheCoat,
+    InTheCoat,
+}
+
+impl<'a> Bsdf<'a> {
+    /// A point that is seen from the unit direction `wo` and sends no light yet.
+    #[must_use]
+    pub fn new(wo: Vec3) -> Self {
+        Self {
+            wo,
+            facets: [(0.0, Frame::IDENTITY); FACETS],
+            lobes: [Lobe::default(); LOBES],
+            layers: [Layer::default(); LAYERS],
+            layer_count: 0,
+            coat: None,
+            emitted: Vec3::ZERO,
+        }
+    }
+
+    /// With a layer more: these lobes about each of these facets.
+    #[must_use]
+    pub fn with(
+        self,
+        facets: impl IntoIterator<Item = Facet>,
+        lobes: impl IntoIterator<Item = Lobe<'a>>,
+    ) -> Self {
+        self.layered(facets, lobes, Place::UnderTheCoat)
+    }
+
+    /// With a coat over all layers; a rough one takes a layer of its own.
+    #[must_use]
+    pub fn with_coat(self, coat: Coat) -> Self {
+        let coated = Self { coat: Some(coat), ..self };
+        match coat.lobe(self.wo) {
+            Some(lobe) => coated.layered(coat.facets(), [lobe], Place::InTheCoat),
+            None => coated,
+        }
+    }
+
+    /// With so much more radiance, whatever the light; what is not positive and finite does not count.
+    #[must_use]
+    pub fn with_emitted(self, radiance: Vec3) -> Self {
+        Self { emitted: self.emitted + Vec3::from_array(radiance.to_array().map(finite)), ..self }
+    }
+
+    fn layered(
+        mut self,
+        facets: impl IntoIterator<Item = Facet>,
+        lobes: impl IntoIterator<Item = Lobe<'a>>,
+        place: Place,
+    ) -> Self {
+        let [first, first_lobe] = match self.layer_count.checked_sub(1) {
+            Some(last) => [self.layers[last].facets[1], self.layers[last].lobes[1]],
+            None => [0; 2],
+        };
+        let (mut end, mut end_lobe) = (first, first_lobe);
+        for facet in facets {
+            let normal = facing(Vec3::Z, facet.normal, self.wo);
+            if !(facet.share > 0.0 && facet.share.is_finite()) {
+                continue;
+            }
+            if let Some(place) = self.facets.get_mut(end) {
+                *place = (facet.share, Frame::from_normal_tangent(normal, Vec3::X));
+                end += 1;
+            } else if let Some(nearest) = self.facets[first..]
+                .iter_mut()
+                .max_by(|a, b| a.1.normal.dot(normal).total_cmp(&b.1.normal.dot(normal)))
+            {
+                let both = (nearest.1.normal * nearest.0 + normal * facet.share).normalize_or(normal);
+                *nearest = (nearest.0 + facet.share, Frame::from_normal_tangent(both, Vec3::X));
+            }
+        }
+        for lobe in lobes {
+            if let Some(place) = self.lobes.get_mut(end_lobe) {
+                *place = lobe;
+                end_lobe += 1;
+            }
+        }
+        if let Some(layer) = self.layers.get_mut(self.layer_count) {
+            *layer = Layer { facets: [first, end], lobes: [first_lobe, end_lobe], place };
+            self.layer_count += 1;
+        }
+        self
+    }
+
+    /// What a smooth coat mirrors and what it transmits into `wo`, each from one direction; weights are 0 without a coat.
+    ///
+    /// `u` is a uniform point of the unit square that chooses one of the coat's facets; the mean over it is the coat's part of the light.
+    /// A path tracer follows either direction, or one of them by its weight.
+    ///
+    /// ```
+    /// use asperity_shading::reflectance::{Bsdf, Coat};
+    /// use asperity_shading::{Dielectric, glam::{Vec2, Vec3}};
+    ///
+    /// let wo = Vec3::new(0.6, 0.0, 0.8);
+    /// let pane = Bsdf::new(wo).with_coat(Coat::pane(Dielectric::new(1.5)?, Vec3::ONE));
+    /// let [mirrored, transmitted] = pane.deltas(wo, Vec2::splat(0.5));
+    /// assert_eq!((mirrored.wi, transmitted.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
+    /// assert!((mirrored.weight + transmitted.weight - Vec3::ONE).length() < 1e-6);
+    /// # Ok::<(), asperity_shading::reflectance::DielectricError>(())
+    /// ```
+    #[must_use]
+    pub fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
+        self.coat.map_or([Delta::default(); 2], |coat| coat.deltas(wo, u))
+    }
+
+    /// The radiance that is sent into `wo` of [`new`](Self::new) whatever the light, such as light along a rim.
+    #[must_use]
+    pub const fn emitted(&self) -> Vec3 {
+        self.emitted
+    }
+
+    /// `f cos θ_i`: the radiance into `wo` of light from `wi` per unit of its irradiance on a surface that faces it.
+    #[must_use]
+    pub fn scattered(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if !are_above(wi, wo) {
+            return Vec3::ZERO;
+        }
+        let through = self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo));
+        let mut sum = Vec3::ZERO;
+        for layer in self.layers() {
+            let mut light = Vec3::ZERO;
+            for (share, frame) in self.facets_of(layer) {
+                let (i, o) = (frame.to_local(wi), frame.to_local(wo));
+                if i.z > 0.0 && o.z > 0.0 {
+                    let lobes = self.lobes_of(layer).iter();
+                    light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z);
+                }
+            }
+            sum += if layer.place == Place::InTheCoat { light } else { light * through };
+        }
+        Vec3::from_array(sum.to_array().map(finite))
+    }
+
+    fn layers(&self) -> &[Layer] {
+        &self.layers[..self.layer_count]
+    }
+
+    fn facets_of(&self, layer: &Layer) -> &[(f32, Frame)] {
+        &self.facets[layer.facets[0]..layer.facets[1]]
+    }
+
+    fn lobes_of(&self, layer: &Layer) -> &[Lobe<'a>] {
+        &self.lobes[layer.lobes[0]..layer.lobes[1]]
+    }
+
+    /// The chance of each lobe about each facet, up to a factor.
+    fn chances(&self, wo: Vec3) -> impl Iterator<Item = (f32, &Frame, &Lobe<'a>)> {
+        self.layers().iter().flat_map(move |layer| {
+            self.lobes_of(layer).iter().flat_map(move |lobe| {
+                let strength = lobe.strength(wo);
+                self.facets_of(layer).iter().map(move |(share, frame)| (strength * share, frame, lobe))
+            })
+        })
+    }
+}
+
+impl Brdf for Bsdf<'_> {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let cosine = wi.z.max(f32::MIN_POSITIVE);
+        Vec3::from_array(self.scattered(wi, wo).to_array().map(|f| finite(f / cosine)))
+    }
+
+    /// One of the lobes, by about how much light it sends, and a sample of that.
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        let total: f32 = self.chances(wo).map(|(chance, ..)| chance).sum();
+        let mut place = clamp_to(u.x, 1.0) * total;
+        let mut last = None;
+        for (chance, frame, lobe) in self.chances(wo).filter(|(chance, ..)| *chance > 0.0) {
+            last = Some((frame, lobe, (place / chance).min(0.999_999_94)));
+            if place < chance {
+                break;
+            }
+            place -= chance;
+        }
+        match last {
+            Some((frame, lobe, x)) => frame.to_world(lobe.sample(frame.to_local(wo), Vec2::new(x, u.y))),
+            None => Vec3::ZERO,
+        }
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        if !are_above(wi, wo) {
+            return 0.0;
+        }
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (chance, frame, lobe) in self.chances(wo) {
+            total += chance;
+            sum += chance * lobe.density(frame.to_local(wi), frame.to_local(wo));
+        }
+        if total > 0.0 { finite(sum / total) } else { 0.0 }
+    }
+}

@@ -1,0 +1,213 @@
+//! Smooth coats: mirrors, and what is behind them.
+
+use core::f32::consts::TAU;
+
+use asperity_ndf_sampling::Beckmann;
+use glam::{Vec2, Vec3};
+
+use crate::bump::{Facet, bumped_normal, facing, slope_facets};
+use crate::direction::reflect;
+use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
+use crate::reflectance::cook_torrance::CookTorrance;
+use crate::reflectance::fresnel::{Dielectric, Fresnel};
+use crate::reflectance::lobe::Lobe;
+
+/// A smooth surface over the layers of a [`Bsdf`](crate::reflectance::Bsdf), or one without any: varnish, a pane, a body of glass, a polished metal.
+///
+/// It sends light into single directions, [`Delta`] lobes. Slopes that the pixel does not resolve blur them: each is then that of a facet
+/// that random numbers choose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coat {
+    normal: Vec3,
+    slopes: Slopes,
+    /// Beckmann's α of what is mirrored; 0 for a smooth coat.
+    roughness: f32,
+    behind: Behind,
+}
+
+/// The slopes of a coat that a pixel does not resolve, in the frame of the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Slopes {
+    /// Gaussian, with this variance along each axis.
+    Gaussian(f32),
+    /// Those of a sine with this steepest slope.
+    Sine(Vec3),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Behind {
+    Layers(Dielectric),
+    Pane(Dielectric, Vec3),
+    Body(Dielectric),
+    Metal(Vec3),
+    Veil(Vec3),
+}
+
+/// A direction of which a smooth surface sends light into `wo`, with the share of its radiance.
+///
+/// Below the surface where `wi.z` has the other sign than `wo.z`: light that is transmitted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Delta {
+    /// The unit direction to the light, in the frame of the surface.
+    pub wi: Vec3,
+    /// The share of its radiance, in [0, 1]³.
+    pub weight: Vec3,
+}
+
+impl Coat {
+    const fn flat(behind: Behind) -> Self {
+        Self { normal: Vec3::Z, slopes: Slopes::Gaussian(0.0), roughness: 0.0, behind }
+    }
+
+    /// A varnish over the layers, which get what it lets through: `(1 − F(ωi)) (1 − F(ωo))`.
+    #[must_use]
+    pub const fn varnish(fresnel: Dielectric) -> Self {
+        Self::flat(Behind::Layers(fresnel))
+    }
+
+    /// A thin pane, through which one looks straight, tinted: `R = 2F/(1 + F)` of both its surfaces, `T = (1 − R) tint`.
+    #[must_use]
+    pub const fn pane(fresnel: Dielectric, tint: Vec3) -> Self {
+        Self::flat(Behind::Pane(fresnel, tint))
+    }
+
+    /// The surface of a body, which refracts by Snell's law; seen from inside where `wo` is below the surface.
+    ///
+    /// The weight of what is transmitted is `1 − F`: the change of radiance by η², undone where the light leaves, is left out.
+    #[must_use]
+    pub const fn body(fresnel: Dielectric) -> Self {
+        Self::flat(Behind::Body(fresnel))
+    }
+
+    /// A polished metal, which mirrors this share of the light.
+    #[must_use]
+    pub const fn metal(colour: Vec3) -> Self {
+        Self::flat(Behind::Metal(colour))
+    }
+
+    /// No surface at all, but something through which this share of the light comes straight: gas that was marched through.
+    #[must_use]
+    pub const fn veil(transmittance: Vec3) -> Self {
+        Self::flat(Behind::Veil(transmittance))
+    }
+
+    /// The coat with this normal, in the frame of the surface, and slopes of this variance about it.
+    #[must_use]
+    pub fn bumped(self, normal: Vec3, slope_variance: f32) -> Self {
+        Self { normal, slopes: Slopes::Gaussian(slope_variance), ..self }
+    }
+
+    /// The coat with what it mirrors spread by Beckmann's density of this width: a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in
+    /// place of a single direction. 0 is smooth; what is transmitted stays straight.
+    #[must_use]
+    pub fn rough(self, alpha: f32) -> Self {
+        Self { roughness: clamp_to(alpha, 1.0), ..self }
+    }
+
+    /// The lobe of a rough coat that is seen from `wo`.
+    pub(super) fn lobe<'a>(&self, wo: Vec3) -> Option<Lobe<'a>> {
+        let facets = Beckmann::clamped(self.roughness, self.roughness);
+        let mirror = |fresnel: Dielectric| Lobe::from(CookTorrance::new(facets, fresnel));
+        (self.roughness > 0.0).then_some(match self.behind {
+            Behind::Layers(fresnel) | Behind::Body(fresnel) => mirror(fresnel),
+            Behind::Pane(fresnel, _) => {
+                let once = fresnel.reflectance(wo.dot(self.normal));
+                mirror(fresnel).weighted(Vec3::splat(2.0 / (1.0 + once)))
+            }
+            Behind::Metal(colour) => CookTorrance::new(facets, colour).into(),
+            Behind::Veil(_) => Lobe::default(),
+        })
+    }
+
+    /// Facets that stand for its slopes.
+    ///
+    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev.
+    pub(super) fn facets(&self) -> impl Iterator<Item = Facet> + use<> {
+        let (swing, variance, share) = match self.slopes {
+            Slopes::Gaussian(variance) => (Vec3::ZERO, variance, 1.0),
+            Slopes::Sine(swing) => (0.866_025_4 * swing, 0.0, 1.0 / 3.0),
+        };
+        let sine = swing != Vec3::ZERO && self.normal.z > 0.0;
+        let share = if sine { share } else { 1.0 };
+        let sides = if sine { [-1.0, 1.0].as_slice() } else { [].as_slice() };
+        let slope = Vec3::Z - self.normal / self.normal.z;
+        slope_facets(Vec3::Z, self.normal, variance).map(move |facet| facet.part(share)).chain(
+            sides.iter().map(move |side| Facet::new(share, bumped_normal(Vec3::Z, slope + *side * swing))),
+        )
+    }
+
+    /// The coat with this normal and these slopes.
+    pub(crate) fn with_slopes(self, normal: Vec3, slopes: Slopes) -> Self {
+        Self { normal, slopes, ..self }
+    }
+
+    /// The share of light that comes through to the layers, from one direction.
+    pub(super) fn through(&self, w: Vec3) -> f32 {
+        match self.behind {
+            Behind::Layers(fresnel) => 1.0 - fresnel.reflectance(w.dot(self.normal)),
+            _ => 1.0,
+        }
+    }
+
+    /// The facet for a random number, turned to be seen from `wo`.
+    fn facet(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        let (x, y) = (clamp_to(u.x, 1.0), clamp_to(u.y, 1.0));
+        let slope = match self.slopes {
+            Slopes::Gaussian(variance) if variance > 0.0 => {
+                let radius = sqrt(-2.0 * variance * ln_1p(-x.min(0.999_999)));
+                Vec3::new(radius * cos(TAU * y), radius * sin(TAU * y), 0.0)
+            }
+            Slopes::Sine(swing) => swing * cos(TAU * x),
+            Slopes::Gaussian(_) => Vec3::ZERO,
+        };
+        let rough = slope != Vec3::ZERO && self.normal.z > 0.0;
+        let facet = if rough {
+            bumped_normal(Vec3::Z, Vec3::Z - self.normal / self.normal.z + slope)
+        } else {
+            self.normal
+        };
+        facing(Vec3::Z, facet, wo)
+    }
+
+    /// What is mirrored and what is transmitted into `wo` by the facet for a random point of the unit square.
+    pub(super) fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
+        let dark = [Delta::default(); 2];
+        if !wo.is_finite() || wo.z == 0.0 {
+            return dark;
+        }
+        // From below everything is the other way up.
+        let (side, inside) = (if wo.z < 0.0 { Vec3::new(1.0, 1.0, -1.0) } else { Vec3::ONE }, wo.z < 0.0);
+        let up = wo * side;
+        let turned = Self {
+            normal: if inside { self.normal * Vec3::new(-1.0, -1.0, 1.0) } else { self.normal },
+            ..*self
+        };
+        let m = turned.facet(up, u);
+        let cosine = up.dot(m);
+        let smooth = if self.roughness > 0.0 { 0.0 } else { 1.0 };
+        let mirrored = |share: Vec3| Delta { wi: reflect(up, m) * side, weight: share * smooth };
+        let straight = |share: Vec3| Delta { wi: -wo, weight: share.clamp(Vec3::ZERO, Vec3::ONE) };
+        match self.behind {
+            Behind::Layers(fresnel) if !inside => {
+                [mirrored(fresnel.reflectance_rgb(cosine)), Delta::default()]
+            }
+            Behind::Metal(colour) if !inside => [mirrored(colour.reflectance_rgb(cosine)), Delta::default()],
+            Behind::Layers(_) | Behind::Metal(_) => dark,
+            Behind::Veil(transmittance) => [Delta::default(), straight(transmittance)],
+            Behind::Pane(fresnel, tint) => {
+                let once = fresnel.reflectance(cosine);
+                let both = 2.0 * once / (1.0 + once);
+                [mirrored(Vec3::splat(both)), straight(tint * (1.0 - both))]
+            }
+            Behind::Body(fresnel) => {
+                let fresnel = if inside { fresnel.reversed() } else { fresnel };
+                let (share, eta) = (fresnel.reflectance(cosine), 1.0 / fresnel.relative_index());
+                // Snell: sin θ_t = sin θ_i/η.
+                let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
+                let wi = (eta * cosine - sqrt(below.max(0.0))) * m - eta * up;
+                let through = if below > 0.0 && wi.z < 0.0 { 1.0 - share } else { 0.0 };
+                [mirrored(Vec3::splat(share)), Delta { wi: wi * side, weight: Vec3::splat(through) }]
+            }
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! Lobes of a BSDF: the reflectances that its layers are made of.
+
+use asperity_ndf_sampling::{Beckmann, Frame, Ndf, OffsetBeckmann, inverse_phi};
+use glam::{Vec2, Vec3};
+
+use crate::direction::{half_vector, reflect};
+use crate::level_of_detail::{Coordinates, LevelOfDetail};
+use crate::math::{clamp_to, sqrt};
+use crate::pixel::Footprint;
+use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
+use crate::reflectance::cook_torrance::CookTorrance;
+use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
+use crate::reflectance::fresnel::{Dielectric, Fresnel};
+
+/// A reflectance with a weight, one of those that a layer of a [`Bsdf`](crate::reflectance::Bsdf) adds up.
+///
+/// Diffuse and glossy reflectances are copied into it; of any other kind it holds a reference. Densities of normals of which a
+/// pixel resolves a part reflect by
+///
+/// ```text
+/// f_r = colour · p(h | what is resolved)/(4 max(cos θ_i, cos θ_o))
+/// ```
+///
+/// whose denominator makes a reciprocal reflectance of the density that is shown as it is (Kautz, Heidrich, Seidel 2001, §3.1).
+///
+/// ```
+/// use asperity_shading::reflectance::Lobe;
+/// use asperity_shading::{Brdf, Lambert, glam::Vec3};
+///
+/// let chalk = Lambert::new(Vec3::splat(0.8))?;
+/// let half = Lobe::from(&chalk as &dyn Brdf).weighted(Vec3::splat(0.5));
+/// assert_eq!(half.value(Vec3::Z, Vec3::Z), 0.5 * chalk.value(Vec3::Z, Vec3::Z));
+/// # Ok::<(), asperity_shading::reflectance::AlbedoError>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Lobe<'a> {
+    kind: Kind<'a>,
+    weight: Vec3,
+}
+
+#[derive(Clone, Copy)]
+enum Kind<'a> {
+    Diffuse(EnergyPreservingOrenNayar),
+    Glossy(CookTorrance<Beckmann, Vec3>),
+    Varnish(CookTorrance<Beckmann, Dielectric>),
+    Counted {
+        all: CookTorrance<Beckmann, Vec3>,
+        flakes: &'a dyn CountedFacets,
+        position: Vec3,
+        footprint: Footprint,
+    },
+    Sparkling {
+        base: CookTorrance<Beckmann, Vec3>,
+        flake: Vec3,
+        colour: Vec3,
+    },
+    Resolved {
+        ndf: &'a dyn Ndf,
+        rule: LevelOfDetail,
+        coordinates: Coordinates,
+    },
+    Slopes(OffsetBeckmann),
+    Other(&'a dyn Brdf),
+}
+
+/// Facets of which a pixel sees a number: how many of a normal, over their mean.
+pub(crate) trait CountedFacets {
+    /// `D̂(h)/D(h)`.
+    fn relative(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32;
+}
+
+impl Default for Lobe<'_> {
+    fn default() -> Self {
+        Self {
+            kind: Kind::Slopes(OffsetBeckmann::conditional(Beckmann::clamped(1.0, 1.0), Vec2::ZERO, 0.0)),
+            weight: Vec3::ZERO,
+        }
+    }
+}
+
+impl From<EnergyPreservingOrenNayar> for Lobe<'_> {
+    fn from(diffuse: EnergyPreservingOrenNayar) -> Self {
+        Self { kind: Kind::Diffuse(diffuse), weight: Vec3::ONE }
+    }
+}
+
+impl From<CookTorrance<Beckmann, Vec3>> for Lobe<'_> {
+    fn from(glossy: CookTorrance<Beckmann, Vec3>) -> Self {
+        Self { kind: Kind::Glossy(glossy), weight: Vec3::ONE }
+    }
+}
+
+impl From<CookTorrance<Beckmann, Dielectric>> for Lobe<'_> {
+    fn from(varnish: CookTorrance<Beckmann, Dielectric>) -> Self {
+        Self { kind: Kind::Varnish(varnish), weight: Vec3::ONE }
+    }
+}
+
+impl<'a> From<&'a dyn Brdf> for Lobe<'a> {
+    fn from(brdf: &'a dyn Brdf) -> Self {
+        Self { kind: Kind::Other(brdf), weight: Vec3::ONE }
+    }
+}
+
+/// A density of normals about a mean slope, of hand-made normal maps.
+impl From<OffsetBeckmann> for Lobe<'_> {
+    fn from(slopes: OffsetBeckmann) -> Self {
+        Self { kind: Kind::Slopes(slopes), weight: Vec3::ONE }
+    }
+}
+
+impl<'a> Lobe<'a> {
+    /// A density of normals of which a pixel resolves a part, by a rule of level of detail.
+    #[must_use]
+    pub fn resolved(ndf: &'a dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates) -> Self {
+        Self { kind: Kind::Resolved { ndf, rule, coordinates }, weight: Vec3::ONE }
+    }
+
+    /// Glossy flakes that are counted within the pixel.
+    pub(crate) fn counted(
+        all: CookTorrance<Beckmann, Vec3>,
+        flakes: &'a dyn CountedFacets,
+        position: Vec3,
+        footprint: Footprint,
+    ) -> Self {
+        Self { kind: Kind::Counted { all, flakes, position, footprint }, weight: Vec3::ONE }
+    }
+
+    /// A glossy lobe, or that of a flake of this normal and colour where the flake is nearer to the half vector.
+    pub(crate) fn sparkling(base: CookTorrance<Beckmann, Vec3>, flake: Vec3, colour: Vec3) -> Self {
+        Self { kind: Kind::Sparkling { base, flake, colour }, weight: Vec3::ONE }
+    }
+
+    /// The lobe times a colour, component by component; what is not positive counts as 0.
+    #[must_use]
+    pub fn weighted(self, by: Vec3) -> Self {
+        Self { weight: self.weight * by.max(Vec3::ZERO), ..self }
+    }
+
+    /// About how much light it sends anywhere, by which lobes are sampled.
+    pub(super) fn strength(&self, wo: Vec3) -> f32 {
+        let own = match self.kind {
+            Kind::Diffuse(diffuse) => diffuse.albedo(),
+            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
+                *lobe.fresnel()
+            }
+            Kind::Varnish(lobe) => lobe.fresnel().reflectance_rgb(wo.z).max(Vec3::splat(0.1)),
+            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Other(_) => Vec3::ONE,
+        };
+        finite((own * self.weight).max_element())
+    }
+}
+
+impl Brdf for Lobe<'_> {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        if !are_above(wi, wo) {
+            return Vec3::ZERO;
+        }
+        let facets = |density: f32| Vec3::splat(finite(density / (4.0 * wi.z.max(wo.z))));
+        let value = match &self.kind {
+            Kind::Diffuse(diffuse) => diffuse.value(wi, wo),
+            Kind::Glossy(glossy) => glossy.value(wi, wo),
+            Kind::Varnish(varnish) => varnish.value(wi, wo),
+            Kind::Counted { all, flakes, position, footprint } => {
+                all.value(wi, wo) * flakes.relative(half_vector(wi, wo), *position, *footprint)
+            }
+            Kind::Sparkling { base, flake, colour } => {
+                let h = half_vector(wi, wo);
+                if flake.dot(h) > h.z {
+                    let frame = Frame::from_normal(*flake);
+                    let (i, o) = (frame.to_local(wi), frame.to_local(wo));
+                    // The cosine with the flake instead of the surface.
+                    let white = CookTorrance::new(*base.facets(), *colour);
+                    white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0)
+                } else {
+                    base.value(wi, wo)
+                }
+            }
+            Kind::Resolved { ndf, rule, coordinates } => {
+                facets(rule.radiance(*ndf, half_vector(wi, wo), *coordinates))
+            }
+            Kind::Slopes(slopes) => facets(slopes.density(half_vector(wi, wo))),
+            Kind::Other(brdf) => brdf.value(wi, wo),
+        };
+        self.weight * value
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        match &self.kind {
+            Kind::Diffuse(diffuse) => diffuse.sample(wo, u),
+            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
+                lobe.sample(wo, u)
+            }
+            Kind::Varnish(varnish) => varnish.sample(wo, u),
+            Kind::Resolved { ndf, rule, coordinates } => {
+                reflect(wo, resolved_normal(*ndf, *rule, *coordinates, u))
+            }
+            Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
+            Kind::Other(brdf) => brdf.sample(wo, u),
+        }
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        match &self.kind {
+            Kind::Diffuse(diffuse) => diffuse.density(wi, wo),
+            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
+                lobe.density(wi, wo)
+            }
+            Kind::Varnish(varnish) => varnish.density(wi, wo),
+            Kind::Resolved { ndf, rule, coordinates } => mirrored_density(wi, wo, |h| {
+                let cosine = match rule {
+                    LevelOfDetail::Exact => h.z,
+                    LevelOfDetail::Fractal => h.dot(rule.normal(*ndf, *coordinates)),
+                };
+                rule.radiance(*ndf, h, *coordinates) * cosine.max(0.0)
+            }),
+            Kind::Slopes(slopes) => mirrored_density(wi, wo, |h| slopes.sample_density(h)),
+            Kind::Other(brdf) => brdf.density(wi, wo),
+        }
+    }
+}
+
+/// A normal with the density that a pixel sees of the facets.
+fn resolved_normal(ndf: &dyn Ndf, rule: LevelOfDetail, coordinates: Coordinates, u: Vec2) -> Vec3 {
+    match rule {
+        LevelOfDetail::Exact => {
+            let gauss = |u: f32| inverse_phi(f64::from(clamp_to(u, 1.0)).clamp(1e-9, 1.0 - 1e-9)) as f32;
+            let share = clamp_to(coordinates.share, 1.0);
+            let rest = sqrt(1.0 - share) * Vec2::new(gauss(u.x), gauss(u.y));
+            ndf.from_gaussian(sqrt(share) * coordinates.z + rest)
+        }
+        LevelOfDetail::Fractal => Frame::from_normal(rule.normal(ndf, coordinates)).to_world(ndf.sample(u)),
+    }
+}
