@@ -26,6 +26,7 @@ use clap::Parser;
 use check::{bare_metal, ci, no_std, tidy};
 use cli::{Cli, Command};
 use failure::Failure;
+use gallery::figures::figures;
 use output::Output;
 
 fn main() -> ExitCode {
@@ -49,27 +50,15 @@ fn run(cli: Cli) -> Result<(), Failure> {
     // The manifest's folder is the builder's own; the workspace is the folder above it.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("the builder has no workspace")?;
     match cli.command {
-        Command::Gallery(wanted) if wanted.list => {
-            for figure in gallery::chosen(&wanted.only)? {
-                progress::say(&format!("{:<26} {} ({})", figure.name, figure.title, figure.source));
-            }
-            Ok(())
-        }
+        Command::Gallery(wanted) if wanted.list => gallery::list(&figures(), &wanted.only),
         Command::Gallery(wanted) => {
-            gallery::chosen(&wanted.only)?;
+            gallery::chosen(&figures(), &wanted.only)?;
             let output = Output::new(&wanted.out)?;
             if wanted.only.is_empty() {
                 tables::build(&tables::default_sets(), &output.inside("tables")?, &interrupted)?;
             }
-            let settings = gallery::Settings {
-                size: wanted.size,
-                samples_per_pixel: wanted.spp,
-                seed: wanted.seed,
-                only: wanted.only,
-                afresh: wanted.afresh,
-            };
             let pictures = output.inside("gallery")?;
-            gallery::draw(&settings, &pictures, &interrupted)?;
+            gallery::draw(&figures(), &wanted, &pictures, &interrupted)?;
             tell("gallery", &pictures, "index.html");
             Ok(())
         }

@@ -1,4 +1,4 @@
-//! What a figure of the gallery is: its place in a source, its caption, and the function that draws it.
+//! A figure of the gallery: its name, the function that draws it, and what that hands back.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -17,12 +17,6 @@ use crate::failure::{Failure, Interrupted};
 pub(crate) struct Figure {
     /// Name on the command line and stem of the files, `kautz-1-sphere`.
     pub(crate) name: &'static str,
-    /// Heading, a few words.
-    pub(crate) title: &'static str,
-    /// The figure of the source that it reproduces, or `Asperity`.
-    pub(crate) source: &'static str,
-    /// What to see in it; two to four sentences, plain text.
-    pub(crate) caption: &'static str,
     /// Draws it.
     pub(crate) draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
 }

@@ -1,5 +1,6 @@
 //! `cargo xtask gallery`: the tables, then every figure, then the pages.
 
+mod captions;
 pub(crate) mod figure;
 pub(crate) mod figures;
 pub(crate) mod page;
@@ -10,59 +11,58 @@ pub(crate) mod power_spectrum;
 use std::{sync::atomic::AtomicBool, time::Instant};
 
 use crate::{
+    cli::Gallery,
     failure::Failure,
     gallery::{
+        captions::captions,
         figure::{Context, Drawn, Figure, Picture},
-        figures::figures,
         page::{PanelRecord, Record},
     },
     output::{Output, sha256},
     progress,
 };
 
-/// What the command line asked for.
-pub(crate) struct Settings {
-    pub(crate) size: u32,
-    pub(crate) samples_per_pixel: u32,
-    pub(crate) seed: u32,
-    /// Names of figures, or parts of names; empty for all.
-    pub(crate) only: Vec<String>,
-    /// Draw also what is already there.
-    pub(crate) afresh: bool,
-}
-
 /// The figures whose names contain one of the words; every word must match one.
-pub(crate) fn chosen(only: &[String]) -> Result<Vec<&'static Figure>, Failure> {
+pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>, Failure> {
     for word in only {
-        if !figures().any(|figure| figure.name.contains(word.as_str())) {
-            let names: Vec<_> = figures().map(|figure| figure.name).collect();
+        if !all.iter().any(|figure| figure.name.contains(word.as_str())) {
+            let names: Vec<_> = all.iter().map(|figure| figure.name).collect();
             return Err(format!("no figure is called `{word}`; there are {}", names.join(", ")).into());
         }
     }
     let wanted = |figure: &&Figure| only.is_empty() || only.iter().any(|w| figure.name.contains(w.as_str()));
-    Ok(figures().filter(wanted).collect())
+    Ok(all.iter().copied().filter(wanted).collect())
+}
+
+/// Says the name, the title and the source of the chosen figures.
+pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<(), Failure> {
+    for figure in chosen(all, only)? {
+        let words = captions().of(figure.name)?;
+        progress::say(&format!("{:<26} {} ({})", figure.name, words.title, words.source));
+    }
+    Ok(())
 }
 
 /// Draws the chosen figures into `output` and writes the pages over all that are there.
-pub(crate) fn draw(settings: &Settings, output: &Output, interrupted: &AtomicBool) -> Result<(), Failure> {
-    let program = program_digest()?;
-    let wanted = chosen(&settings.only)?;
-    for (index, figure) in wanted.iter().enumerate() {
-        let key = format!(
-            "{program} size {} spp {} seed {}",
-            settings.size, settings.samples_per_pixel, settings.seed
-        );
-        let place = format!("{:>2}/{}", index + 1, wanted.len());
-        if !settings.afresh && recorded(figure, output).is_some_and(|r| r.key == key && is_whole(&r, output))
-        {
-            progress::say(&format!("{place} {:<26} already drawn", figure.name));
+pub(crate) fn draw(
+    all: &[&Figure],
+    wanted: &Gallery,
+    output: &Output,
+    interrupted: &AtomicBool,
+) -> Result<(), Failure> {
+    let key = format!("{} size {} spp {} seed {}", program_digest()?, wanted.size, wanted.spp, wanted.seed);
+    let figures = chosen(all, &wanted.only)?;
+    for (index, figure) in figures.iter().enumerate() {
+        let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
+        if !wanted.afresh && recorded(figure, output).is_some_and(|r| r.key == key) {
+            progress::say(&format!("{place} already drawn"));
             continue;
         }
-        let bar = progress::bar(&format!("{place} {:<26}", figure.name));
+        let bar = progress::bar(&place);
         let context = Context {
-            size: settings.size,
-            samples_per_pixel: settings.samples_per_pixel,
-            seed: settings.seed,
+            size: wanted.size,
+            samples_per_pixel: wanted.spp,
+            seed: wanted.seed,
             progress: &bar,
             interrupted,
         };
@@ -71,16 +71,13 @@ pub(crate) fn draw(settings: &Settings, output: &Output, interrupted: &AtomicBoo
         bar.finish_and_clear();
         let drawn = drawn?;
         let seconds = start.elapsed().as_secs_f64();
-        let record = store(figure, &drawn, seconds, key, settings.seed, output)?;
+        let record = store(figure, &drawn, seconds, key.clone(), wanted.seed, output)?;
         output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
-        progress::say(&format!("{place} {:<26} {seconds:6.1} s", figure.name));
+        progress::say(&format!("{place} {seconds:6.1} s"));
     }
-    let records: Vec<_> = figures()
-        .filter_map(|figure| recorded(figure, output))
-        .filter(|record| is_whole(record, output))
-        .collect();
+    let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    for page in page::PAGES {
+    for page in &captions().pages {
         let text = page.gallery(&records, env!("CARGO_PKG_VERSION"), drawing);
         output.write(page.file, text.as_bytes())?;
     }
@@ -92,12 +89,11 @@ fn program_digest() -> Result<String, Failure> {
     Ok(sha256(&std::fs::read(std::env::current_exe()?)?))
 }
 
+/// What was drawn before, if all of its pictures are still as they were.
 fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
-    serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()
-}
-
-fn is_whole(record: &Record, output: &Output) -> bool {
-    record.panels.iter().all(|p| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256))
+    let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
+    let whole = |p: &PanelRecord| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256);
+    record.panels.iter().all(whole).then_some(record)
 }
 
 fn store(
@@ -119,11 +115,12 @@ fn store(
         let (label, alt) = (panel.label.clone(), panel.alt.clone());
         panels.push(PanelRecord { file, sha256, label, alt, span: panel.span, pixels });
     }
+    let caption = captions().of(figure.name)?;
     Ok(Record {
         name: figure.name.into(),
-        title: figure.title.into(),
-        source: figure.source.into(),
-        caption: figure.caption.into(),
+        title: caption.title.into(),
+        source: caption.source.into(),
+        caption: caption.text.clone(),
         seed,
         seconds,
         key,

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use serde::{Deserialize, Serialize};
 
+use crate::gallery::captions::{Page, captions};
+
 const STYLE: &str = include_str!("page.css");
 
 /// What the page says of one figure; also its provenance on disk.
@@ -70,71 +72,7 @@ pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
     out + "</table></div>\n"
 }
 
-/// One page of the gallery: the figures whose names begin with one of its words.
-pub(crate) struct Page {
-    words: &'static [&'static str],
-    /// The file beside the pictures.
-    pub(crate) file: &'static str,
-    title: &'static str,
-    about: &'static str,
-    /// What it is called on the other pages.
-    name: &'static str,
-}
-
-/// The pages of the gallery; the first has every figure that is not on another.
-pub(crate) const PAGES: &[Page] = &[
-    Page {
-        words: &[],
-        file: "index.html",
-        title: "Asperity",
-        about: "Surface detail from mathematics: noise with exact gradients, normals drawn from a density, fractal \
-                surfaces with exact normals, and shading that keeps its mean at every zoom. Every picture on this \
-                page was computed by the crates themselves, from nothing but the parameters beneath it.",
-        name: "Bumps",
-    },
-    Page {
-        words: &["noise"],
-        file: "noise.html",
-        title: "Noise",
-        about: "Every kind of noise with its power spectrum and its distribution; what sums of octaves make of it; \
-                and what exact gradients are good for. Every number comes from the crates themselves, with the same \
-                bits on every machine.",
-        name: "Noise",
-    },
-    Page {
-        words: &["ndf"],
-        file: "ndf.html",
-        title: "Densities of normals",
-        about: "Every density of normals as a map, a lobe and its slopes; normals drawn from it, and what is left between \
-                the two; masking and visible normals; tables for machines that have only look-ups; and densities that \
-                are taken from bump maps and given back.",
-        name: "Densities of normals",
-    },
-    Page {
-        words: &["cochran", "fif"],
-        file: "fif.html",
-        title: "Fractal interpolation",
-        about: "Functions made of smaller copies of themselves: evaluated to a stated error, integrated exactly, held in \
-                rigorous boxes; and the surfaces that they span, met by every ray, with exact normals.",
-        name: "Fractal interpolation",
-    },
-    Page {
-        words: &["shading", "cohen", "nilsson"],
-        file: "shading.html",
-        title: "Shading",
-        about: "Reflectances, matte and glossy, that say how much light they keep; the procedural textures of a lecture, as \
-                listed and corrected; and what a pixel sees of them from any distance.",
-        name: "Shading",
-    },
-];
-
 impl Page {
-    /// The page of a figure.
-    fn of(figure: &str) -> &'static Self {
-        let word = figure.split('-').next().unwrap_or_default();
-        PAGES.iter().find(|page| page.words.contains(&word)).unwrap_or(&PAGES[0])
-    }
-
     /// The page over its records; `drawing` hands over the text of an SVG file by its name.
     pub(crate) fn gallery(
         &self,
@@ -151,16 +89,20 @@ impl Page {
             page,
             "<div class=\"wide\"><header><h1>{}</h1>\n<p>{}</p></header></div>\n<nav><div class=\"wide\"><ol>\n",
             escape(self.title),
-            escape(self.about)
+            escape(&self.about)
         );
-        for other in PAGES.iter().filter(|other| other.file != self.file) {
+        for other in captions().pages.iter().filter(|other| other.file != self.file) {
             let _ = writeln!(
                 page,
                 "<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>",
                 other.file, other.name
             );
         }
-        let records: Vec<_> = records.iter().filter(|r| Self::of(&r.name).file == self.file).collect();
+        let section_of = |record: &Record| {
+            let caption = captions().of(&record.name).ok().filter(|caption| caption.page == self.file);
+            caption.map(|caption| caption.section)
+        };
+        let records: Vec<_> = records.iter().filter(|record| section_of(record).is_some()).collect();
         for record in &records {
             let _ = writeln!(
                 page,
@@ -172,7 +114,7 @@ impl Page {
         page += "</ol></div></nav>\n<main class=\"wide\">\n";
         let mut section = "";
         for record in records {
-            let part = section_of(&record.name);
+            let part = section_of(record).unwrap_or_default();
             if part != section {
                 page += if section.is_empty() { "" } else { "</section>\n" };
                 let _ = writeln!(page, "<section><h2>{part}</h2>");
@@ -189,26 +131,6 @@ impl Page {
             escape(version)
         );
         page
-    }
-}
-
-fn section_of(name: &str) -> &'static str {
-    let mut words = name.split('-');
-    match (words.next(), words.next()) {
-        (Some("kautz"), _) => "Real-Time Bump Map Synthesis, Kautz, Heidrich and Seidel 2001",
-        (Some("cochran"), Some("1" | "2" | "3" | "4" | "dimension")) => "Functions",
-        (Some("cochran" | "fif"), _) => "Surfaces",
-        (Some("noise"), Some("kind")) => "Kinds",
-        (Some("noise"), Some("sum")) => "Sums of octaves",
-        (Some("noise"), _) => "Gradients, warps and flows",
-        (Some("ndf"), Some("density")) => "Densities",
-        (Some("ndf"), Some("table")) => "Tables",
-        (Some("ndf"), Some("map")) => "Bump maps",
-        (Some("ndf"), _) => "Masking and level of detail",
-        (Some("shading"), _) => "Reflectance",
-        (Some("cohen"), _) => "Procedural Bump Mapping and Noise, Cohen",
-        (Some("nilsson"), _) => "Procedural Generation of Natural Variations, Nilsson 2008",
-        _ => "Beyond the sources",
     }
 }
 
@@ -286,14 +208,14 @@ mod tests {
 
     #[test]
     fn text_from_outside_cannot_become_markup() {
-        let page = PAGES[0].gallery(&[record()], "0.1.0", |_| String::new());
+        let page = captions().pages[0].gallery(&[record()], "0.1.0", |_| String::new());
         assert!(page.contains("A &lt;sphere&gt;") && page.contains("bumps &amp; &quot;zoom&quot;"));
         assert!(!page.contains("A <sphere>"));
     }
 
     #[test]
     fn the_page_needs_no_network_and_no_script() {
-        let page = PAGES[0].gallery(&[record()], "0.1.0", |_| String::new());
+        let page = captions().pages[0].gallery(&[record()], "0.1.0", |_| String::new());
         for banned in ["http:", "https:", "<script", "<link", "@import", "url("] {
             assert!(!page.contains(banned), "{banned}");
         }
@@ -302,8 +224,9 @@ mod tests {
     #[test]
     fn a_figure_of_noise_is_on_the_page_of_noise_alone_and_pages_know_one_another() {
         let noise = Record { name: "noise-kind-white".into(), title: "White".into(), ..record() };
-        let [first, second] =
-            [0, 1].map(|k: usize| PAGES[k].gallery(&[record(), noise.clone()], "0.1.0", |_| String::new()));
+        let [first, second] = [0, 1].map(|k: usize| {
+            captions().pages[k].gallery(&[record(), noise.clone()], "0.1.0", |_| String::new())
+        });
         assert!(
             first.contains("A &lt;sphere&gt;")
                 && !first.contains("White")
@@ -318,7 +241,7 @@ mod tests {
 
     #[test]
     fn every_opened_element_is_closed() {
-        let page = PAGES[0].gallery(&[record(), record()], "0.1.0", |_| String::new());
+        let page = captions().pages[0].gallery(&[record(), record()], "0.1.0", |_| String::new());
         for tag in
             ["article", "section", "figure", "dl", "table", "main", "nav", "ol", "li", "div", "html", "body"]
         {

@@ -21,48 +21,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const CAR: Figure = Figure {
-    name: "nilsson-car",
-    title: "A car in metallic paint",
-    source: "Nilsson 2008, section 4.3",
-    caption: "A smooth body under a clear coat with orange peel, which mirrors three soft boxes and the room. Beneath it \
-              flakes: from afar a lobe of its own colour, on the door single sparkles, each two pixels wide as in the \
-              thesis, and on the right flakes that are counted instead, ever more of them as one comes nearer. The windows \
-              are tempered glass over a dark inside; wheels and arches are only hinted at.",
-    draw: draw_car,
-};
-
-pub(crate) const ROOM: Figure = Figure {
-    name: "nilsson-carpet-room",
-    title: "The corner of a room with carpet",
-    source: "Nilsson 2008, section 4.2",
-    caption: "Seams run along the floor, threads lean over them here and there, and dark areas lie on top. Light comes from \
-              soft boxes and from what the walls send on, once. In the middle seams in a grid from nearby, where fibres \
-              come up; on the right the same carpet on a ball, with rim light.",
-    draw: draw_room,
-};
-
-pub(crate) const WALLS: Figure = Figure {
-    name: "cohen-walls",
-    title: "Brick and wallpaper on walls",
-    source: "Cohen, Procedural Bump Mapping and Noise",
-    caption: "Seen along the wall, so that near and far are in one picture. The bricks are lit by the shares of the slopes and \
-              of the mortar that a pixel sees; the stars are a fifth of the paper far down the wall as well, where none of \
-              them can be told apart.",
-    draw: draw_walls,
-};
-
-pub(crate) const TEAPOTS: Figure = Figure {
-    name: "asperity-teapots",
-    title: "One teapot, six materials",
-    source: "Asperity",
-    caption: "Bumps of GGX 0.15, 0.35 under the exact rule, metallic paint, plastic with blemishes and dents, scratched metal, \
-              blue marble and glass, in one light with shadows, mirrors and one bounce. Every one of them is a formula of \
-              position and footprint: no image is behind any.",
-    draw: draw_teapots,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// The blue under the flakes.
@@ -85,7 +44,7 @@ fn picture(
     Ok(image.filmic(1.45))
 }
 
-fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
     let paint = MetallicPaintParameters::default();
     let door =
         View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
@@ -134,7 +93,7 @@ fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
         ))
 }
 
-fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
     let lines = CarpetParameters { diffuse: Vec3::new(0.24, 0.21, 0.19), ..Default::default() };
     let grid = CarpetParameters { seams_pattern: SeamPattern::Grid, ..lines };
     let rim = CarpetParameters { fake_rim_light: 0.6, fake_rim_light_width: 0.5, ..lines };
@@ -173,7 +132,7 @@ fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
         ))
 }
 
-fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.sampling([16, 12], 4);
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
     let mut panels: Vec<Panel> = Vec::new();
@@ -197,7 +156,7 @@ fn draw_walls(context: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn::new(2, panels))
 }
 
-fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
     let metres = Set::Teapot.metres();
     let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 16.0, octaves: 16, gain: 0.8 };
     let paint = MetallicPaintParameters { specular: Vec3::new(0.6, 0.2, 0.12), ..Default::default() };

@@ -8,20 +8,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-/// The figure.
-pub(crate) const HORIZON: Figure = Figure {
-    name: "asperity-horizon",
-    title: "To the horizon with one sample a pixel",
-    source: "Asperity",
-    caption: "Every texture and material on a plane to the horizon, in triples: one plain sample a pixel, one sample that is \
-              filtered by the pixel's footprint, and the mean of 1024 plain ones. Details as small as a pixel and smaller \
-              turn into noise and moiré on the left, and into their mean in the middle, as on the right. The number is the error \
-              of the filtered sample over that of the plain one, root mean square over the picture; where a material shines, \
-              what it does not resolve goes on as facets of other slopes.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 const PICTURE: Horizon = Horizon { width: 60, height: 40 };
@@ -30,7 +17,7 @@ const PICTURE: Horizon = Horizon { width: 60, height: 40 };
 const SIDE: u32 = 6;
 const GAP: u32 = 8;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sky = Sky::about(Vec3::new(-0.48, 0.6, 0.64));
     let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for subject in textures().into_iter().chain(materials()) {

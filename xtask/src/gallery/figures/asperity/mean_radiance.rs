@@ -16,24 +16,11 @@ use glam::{Mat3, Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::rule_words,
         plot::{Axis, Names, Plot, Stroke},
     },
     input::density::painted,
-};
-
-/// The figure.
-pub(crate) const MEAN_RADIANCE: Figure = Figure {
-    name: "asperity-mean-radiance",
-    title: "What zooming in does to the mean",
-    source: "Asperity",
-    caption: "A flat patch is rendered closer and closer, and the mean of its pixels is divided by what was seen \
-              from afar, the density at the half-vector. By the fractal rule the highlight loses most of its light \
-              to the tails as soon as the first facets come into sight, because the density is convolved with \
-              itself. By the exact rule the mean stays where it was, at every zoom and for every density, a \
-              painted one included; what scatter is left is that of the finite patch.",
-    draw,
 };
 
 /// Lattice cells of the first octave along the patch, and pixels drawn from it, one per cell and more.
@@ -61,7 +48,7 @@ const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal]
 /// By density, half-vector and rule: mean over far field at each zoom.
 type Ratios = Vec<[[f64; 2]; 2]>;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
     let look = |name, x: f32, y: f32| Look { name, h: Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()) };
     let subject = |name, stem, ndf, looks| Subject { name, stem, ndf, looks };

@@ -14,19 +14,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const ANTIALIASING: Figure = Figure {
-    name: "asperity-normal-map-antialiasing",
-    title: "A normal map made by hand, to the horizon",
-    source: "Asperity",
-    caption: "Wet cobbles against a low sun, from a normal map that repeats to the horizon. One plain sample a pixel glitters \
-              at random. Averaged normals, as mipmaps have them, take the bumps off the street from afar: the highlight \
-              shrinks to the narrow one of a smooth road. One sample that knows the slopes within its pixel, in sixteen groups of \
-              mean, variance and share, shows what 1024 samples come to. The table compares them with the samples, over the \
-              whole street.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Texels along the map, which covers a square of this many metres.
@@ -41,7 +29,7 @@ const TAPS: u32 = 16;
 /// Roughness of the wet stone.
 const ALPHA: f32 = 0.2;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let normals = cobbles(SIZE);
     let street = Street {
         groups: SlopePyramid::from_normals(SIZE, SIZE, &normals)?,

@@ -15,24 +15,13 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const REFLECTANCE: Figure = Figure {
-    name: "shading-reflectance",
-    title: "Diffuse and glossy surfaces",
-    source: "Asperity; models of 1760 to 2024",
-    caption: "One sphere under the same lamps and the same room. Above, matte: Lambert's fades towards its edge; a rough \
-              one is flatter, and Oren and Nayar's full form, which loses light between its facets, is darker than the \
-              energy-preserving one, which does not. Below, gloss: Phong's and Blinn's lobes, Ward's drawn out across \
-              the brushing, and facets of gold under Smith's masking. Every model states its energy and is tested for it.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Reflectances on top of one another.
 type Layers = Vec<Box<dyn Brdf + Sync>>;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let clay = hex(0xd9_8a5f);
     let lacquer = |lobe: Box<dyn Brdf + Sync>| -> Result<Layers, Failure> {
         Ok(vec![Box::new(Lambert::new(hex(0x8a_2a2a))?), lobe])

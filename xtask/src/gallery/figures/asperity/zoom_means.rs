@@ -8,22 +8,9 @@ use glam::Vec3;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         plot::{Axis, Names, Plot, Stroke},
     },
-};
-
-/// The figure.
-pub(crate) const ZOOM_MEANS: Figure = Figure {
-    name: "asperity-zoom-means",
-    title: "Ten thousand times nearer, as bright as before",
-    source: "Asperity",
-    caption: "One patch of each material through a telephoto lens, from 16 by 16 pixels that see nothing of its details to \
-              pixels ten thousand times as small: the mean radiance of pixels of 256 samples, over that from afar, with two \
-              standard errors, straight from above and at 60 degrees. Bands are 2 % for flakes and bumps and 5 % for the others. \
-              The paper's rule for bumps, in a panel of its own, leaves them. The last three panels follow one pixel in a slow \
-              zoom of 1 % a frame: details come up smoothly, and in steps where octaves are switched on at once.",
-    draw,
 };
 
 const ZOOMS: [f32; 5] = [1.0, 10.0, 100.0, 1e3, 1e4];
@@ -39,7 +26,7 @@ fn bound(name: &str) -> f64 {
     if ["flakes", "passive flakes", "bumps"].contains(&name) { 0.02 } else { 0.05 }
 }
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sky = Sky::about(Vec3::new(-0.34, 0.42, 0.84));
     let subjects: Vec<Subject> = materials().into_iter().chain([fractal_bumps()]).collect();
     context.progress.inc_length(10 * subjects.len() as u64);

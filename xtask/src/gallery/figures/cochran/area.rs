@@ -6,18 +6,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const AREA: Figure = Figure {
-    name: "cochran-area",
-    title: "What a pixel sees of a fractal's slopes",
-    source: "Cochran, Lewis, Hart 2000, section 6.1",
-    caption: "The slope along x of the product of two integrals of g, over its whole domain, in 48 by 48 pixels. On the \
-              left that of each pixel's middle; then its mean over the pixel, a rectangle's mean in closed form; then how \
-              far slopes spread within the pixel, from the mean of their squares: the roughness that a renderer adds where \
-              it takes the mean for its normal.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Pixels along a side.
@@ -25,7 +14,7 @@ const SIDE: u32 = 48;
 /// The width of the domain.
 const WIDTH: f64 = 2.0;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let axis = FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?;
     let surface = HeightField::new(axis, axis);
     let cell = WIDTH / f64::from(SIDE);

@@ -5,34 +5,10 @@ use asperity_fif::{FixedFif, Interval, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::cochran::curves::{HALF, outline, plot},
         plot::{Axis, Ink, Names, Stroke},
     },
-};
-
-pub(crate) const BOUNDS: Figure = Figure {
-    name: "cochran-4-bounds",
-    title: "Boxes that hold the graph, level by level",
-    source: "Cochran, Lewis and Hart 2000, section 4",
-    caption: "Every cell of a level has a box that holds the graph above it, guaranteed. Outlined, the box that the \
-              composite map makes of the whole range, known without any search: the one that a ray meets on its way \
-              down. Filled, the same bounds searched until the extrema are known to a billionth. With every level the \
-              area of the filled boxes falls almost by half for f and only by 3/20 for g: a graph of dimension 1 \
-              against one of 1.77.",
-    draw: draw_bounds,
-};
-
-pub(crate) const DESCENT: Figure = Figure {
-    name: "cochran-4-descent",
-    title: "The boxes that a ray opens",
-    source: "Cochran, Lewis and Hart 2000, figure 4",
-    caption: "A ray from the left tries the boxes of a level in its own order and opens only those that it meets; the \
-              boxes that it only passes are outlined, the opened ones filled, darker from level to level. The dot \
-              marks the first box of the last level that it cannot leave out, after a handful of the 1024 there. For f \
-              that settles the hit to 1/200; the boxes of g are still taller than 1, so that a search has to go by \
-              their height and not by their width.",
-    draw: draw_descent,
 };
 
 /// The levels shown.
@@ -41,7 +17,7 @@ const LEVELS: [u32; 3] = [2, 4, 6];
 /// Brackets of extrema are searched down to this width.
 const WIDTH: f64 = 1e-9;
 
-fn draw_bounds(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_bounds(context: &Context<'_>) -> Result<Drawn, Failure> {
     let functions = [("f", paper::f()?, [0.0, 1.7]), ("g", paper::g()?, [-2.0, 3.0])];
     context.progress.inc_length(6);
     let mut panels = Vec::new();
@@ -122,7 +98,7 @@ const DEEPEST: usize = 10;
 /// Height at x = 0 and slope of the rays.
 const RAYS: [[f64; 2]; 2] = [[1.52, -0.5], [2.3, -0.9]];
 
-fn draw_descent(_: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_descent(_: &Context<'_>) -> Result<Drawn, Failure> {
     let functions = [("f", paper::f()?, [0.0, 1.7]), ("g", paper::g()?, [-2.0, 3.0])];
     let (mut panels, mut rows) = (Vec::new(), Vec::new());
     for ((name, fif, range), ray) in functions.iter().zip(RAYS) {

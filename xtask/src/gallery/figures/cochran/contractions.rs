@@ -5,23 +5,10 @@ use asperity_fif::{FixedFif, Map, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::cochran::curves::{outline, plot},
         plot::{Axis, Ink, Names, Stroke},
     },
-};
-
-pub(crate) const CONTRACTIONS: Figure = Figure {
-    name: "cochran-2-contractions",
-    title: "Six contractions close in on a value",
-    source: "Cochran, Lewis and Hart 2000, figure 2",
-    caption: "The interval [0, 2] under L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2081}\u{2218}L\u{2082}\u{2218}L\u{2082}, one map after the \
-              other: each halves the interval around the point 86/63, whose address repeats these six for ever. The \
-              boxes hold the graph over each interval, by the same composites. Horizontally f and g converge alike; \
-              the error of the value, at most |A|\u{b7}R with R half of the range known for it, falls by 1/2 a level for \
-              f and only by 17/20 for g, so an evaluation must stop on the vertical factors, not on the width of the \
-              interval.",
-    draw,
 };
 
 /// L2∘L1∘L2∘L1∘L2∘L2, indices from 0.
@@ -30,7 +17,7 @@ const ADDRESS: [usize; 6] = [1, 0, 1, 0, 1, 1];
 /// The point with [`ADDRESS`] repeated for ever: `x = a x + b` with `a = 1/64` and `b = 43/32`.
 const POINT: f64 = 86.0 / 63.0;
 
-fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
     let (f, g) = (paper::f()?, paper::g()?);
     let panels = vec![
         ladder()?,

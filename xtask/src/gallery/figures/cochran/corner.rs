@@ -19,25 +19,13 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const CORNER: Figure = Figure {
-    name: "cochran-7-corner",
-    title: "A fractal object in a corner, with 1 and 16 samples",
-    source: "Cochran, Lewis and Hart 2000, figure 7",
-    caption: "The surface f\u{302}(x) f\u{302}(y) fills the corner between two brick walls and a tiled floor. It is matte and \
-              mirrors besides: bricks run up its flanks, and the panes of a skylight show in the middle. Left, one ray \
-              through the middle of each pixel; right, 4 \u{d7} 4 jittered rays. Walls and floor only gain soft edges from \
-              them; on the object one ray is not enough where the bricks crowd, because its normal is continuous but \
-              changes as roughly as a fractal.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Rays along each side of a pixel.
 const GRIDS: [u32; 2] = [1, 4];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let corner = Corner { object: Fractal::new(paper::f()?, RISE)?, gloss: Schlick::new(GLOSS)? };
     let words = [
         ["one-sample", "1 sample per pixel", "The corner with its object in hard, grainy pixels"],

@@ -5,30 +5,9 @@ use asperity_fif::{FixedFif, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         plot::{Axis, Ink, Names, Plot, Stroke},
     },
-};
-
-pub(crate) const FUNCTIONS: Figure = Figure {
-    name: "cochran-1-functions",
-    title: "Two fractal functions through the same three points",
-    source: "Cochran, Lewis and Hart 2000, figure 1",
-    caption: "Both curves run through (0, 0), (1, 1) and (2, 0), and both are made of two shrunken copies of \
-              themselves. For f each copy keeps half of the height: a continuous curve of length infinite but of \
-              dimension 1, the blancmange curve. For g the copies keep 17/20 of it and the right one is turned over: \
-              the graph has dimension 1.77.",
-    draw: draw_functions,
-};
-
-pub(crate) const INTEGRALS: Figure = Figure {
-    name: "cochran-3-integrals",
-    title: "Their integrals, which have a slope everywhere",
-    source: "Cochran, Lewis and Hart 2000, figure 3",
-    caption: "The integral of a fractal interpolation function is one again, with smaller vertical factors: 1/4 for \
-              the integral of f, \u{b1}17/40 for that of g. Its derivative is the function of figure 1, drawn thin, so \
-              the short tangents are exact. The curves look smooth; the roughness has moved into their slope.",
-    draw: draw_integrals,
 };
 
 /// Absolute error of every value drawn, far below a pixel.
@@ -42,7 +21,7 @@ pub(super) fn plot(size: [f64; 2], y: Axis, names: Names) -> Plot {
 /// Of a plot that takes half of the page's width.
 pub(super) const HALF: [f64; 2] = [520.0, 330.0];
 
-fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
     let panel = |[name, alt, label]: [&str; 3], fif: &FixedFif<2, 2>, range| -> Result<Panel, Failure> {
         let curve = outline(fif);
         let knots = paper::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
@@ -67,7 +46,7 @@ fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn::new(2, panels).fact("knots", "0, 1, 2").fact("tolerance", format!("{TOLERANCE:e}")))
 }
 
-fn draw_integrals(_: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn, Failure> {
     let panel = |[stem, name, rough]: [&str; 3], alt: &str, fif: [&dyn Fn(f64) -> f64; 2], mut plot: Plot| {
         let touched = TANGENTS.map(|x| [x, fif[0](x)]);
         for [x, y] in touched {

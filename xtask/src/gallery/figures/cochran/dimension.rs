@@ -5,24 +5,10 @@ use asperity_fif::{FixedFif, SystemError, paper::KNOTS};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::cochran::curves::{HALF, outline, plot},
         plot::{Axis, Names, Plot, Stroke},
     },
-};
-
-pub(crate) const DIMENSION: Figure = Figure {
-    name: "cochran-dimension",
-    title: "The dimension of a graph against its vertical factor",
-    source: "Barnsley 1986, theorem 4",
-    caption: "Functions through (0, 0), (1, 1) and (2, 0) whose two maps have the same vertical factor \u{3b1}. \
-              Up to \u{3b1} = 1/2, Takagi's function f, every one has a graph of dimension 1; beyond, the \
-              dimension rises as 1 + log\u{2082} 2\u{3b1} towards that of a surface. With the middle knot at 1/2 \
-              it rises more slowly. The dots are counted: squares as wide as a cell that cover the graph over it, \
-              by rigorous bounds, added up over all cells of level 6 and of level 9; their growth from one to the \
-              other is the dimension. At \u{3b1} = 1/2, where the length grows with the logarithm of the scale, \
-              no count comes down to 1 soon.",
-    draw,
 };
 
 /// Vertical factors whose boxes are counted.
@@ -34,7 +20,7 @@ const DRAWN: [f64; 3] = [0.3, 0.7, 0.95];
 /// Levels between which boxes are counted.
 const LEVELS: [u32; 2] = [6, 9];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     context.progress.inc_length(COUNTED.len() as u64);
     let mut dots = Vec::new();
     for alpha in COUNTED {

@@ -13,23 +13,9 @@ use rayon::prelude::*;
 use crate::{
     failure::{Failure, Interrupted},
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         power_spectrum::PowerSpectrum,
     },
-};
-
-pub(crate) const LANDSCAPE: Figure = Figure {
-    name: "cochran-landscape",
-    title: "A landscape without grain",
-    source: "Asperity",
-    caption: "Left, a torus surface, which is no product of curves: random heights and gradients on 4 \u{d7} 4 nodes, \
-              repeated five times in every square and turned by 26.57\u{b0} each time. Right, the product of two \
-              integrals of rough functions: its ridges and gullies run along the axes. Both have the same mean square \
-              of heights, colours and light. Rays meet the surfaces themselves, and the normals are theirs, but for \
-              repetitions finer than a pixel. The grain is the slopes' energy within 5\u{b0} of the axes over what a \
-              surface without any direction has there: 1 is none, 9 is all. Under 1 the axes are the directions that \
-              the turned repetitions leave out.",
-    draw,
 };
 
 /// Nodes along a side of the torus, and maps of a curve.
@@ -53,7 +39,7 @@ const TARGET: Vec3 = Vec3::new(0.47, 0.43, -0.085);
 const FIELD: f32 = 0.76;
 const SUN: DVec3 = DVec3::new(-0.85, 0.05, 0.40);
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let seed = hash(context.seed + 2);
     let random = |k: usize| f64::from(hash(k as u32 ^ seed)) / f64::from(u32::MAX) - 0.5;
     let [f, g] = [curve(&random, 1000)?, curve(&random, 2000)?];

@@ -12,19 +12,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const MIRRORS: Figure = Figure {
-    name: "cochran-6-mirrors",
-    title: "Two fractal mirrors",
-    source: "Cochran, Lewis and Hart 2000, figure 6",
-    caption: "Silver mirrors over the square [0, 2]\u{b2}: the products f\u{302}(x) f\u{302}(y) and \u{11d}(x) \u{11d}(y) of the integrals \
-              of figure 3. Walls and ceiling are ruled with straight lines, blue one way and red the other. The left \
-              surface looks smooth, but the lines in it fray at every scale: their course shows the derivative, which \
-              is fractal. The slope of the right one is so rough (H\u{f6}lder exponent 0.23) that it tears the lines into \
-              streaks, although the surface has a tangent plane everywhere.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Heights are multiplied by these, so that the reflections stay within the room; they reach 4 and 1.02.
@@ -36,7 +24,7 @@ const OVERSAMPLING: [u32; 2] = [4, 16];
 /// Reflections of reflections beyond this many are taken from the room.
 const BOUNCES: u32 = 6;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let silver = silver()?;
     let mut panels = Vec::new();
     let words = [

@@ -18,20 +18,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const MODELS: Figure = Figure {
-    name: "cochran-models",
-    title: "Matte, Phong, Torrance and Sparrow, glass",
-    source: "Cochran, Lewis and Hart 2000, section 5",
-    caption: "The source gives its objects a diffuse, a Phong or a Torrance\u{2013}Sparrow surface, or makes them \
-              transparent. Two cushions here wear all four. Above, the slopes have vertical factors 1/4 and only just \
-              begin to be fractal; below, 1/2: a graph of dimension 3/2 as the slope of a surface that still has its \
-              tangent plane everywhere. The matte one averages the roughness away, the highlights find it, and glass \
-              bends what lies beneath by it: the tiles of the floor are straight. All light is direct, with shadows \
-              from the key light; the glass has no caustics.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Vertical factors of the slopes.
@@ -44,7 +31,7 @@ const EYE: Vec3 = Vec3::new(3.6, -3.0, 3.3);
 const TARGET: Vec3 = Vec3::new(1.0, 1.0, 0.2);
 const FIELD: f32 = 0.46;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let models = [
         ("matte", Model::Matte(hex(0xe6_dac6))),
         ("phong", Model::Phong { diffuse: hex(0x9c_2b22), gloss: 0.16, exponent: PHONG }),

@@ -5,22 +5,10 @@ use asperity_fif::{FixedFif, paper};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::cochran::curves::{HALF, outline, plot},
         plot::{Axis, Ink, Names, Stroke},
     },
-};
-
-pub(crate) const SECOND_INTEGRALS: Figure = Figure {
-    name: "cochran-3-second-integrals",
-    title: "Integrated once more, the roughness is in the curvature",
-    source: "Cochran, Lewis and Hart 2000, section 3",
-    caption: "Thick, the integral of the integral: again a fractal interpolation function, of the same maps along x, \
-              with a quarter of the vertical factors that the function began with. No eye tells it from a parabola, \
-              yet its second derivative is the rough function, drawn thinnest. The short arcs are parabolas with the \
-              value, the slope and the second derivative of the curve at the dot, each taken from one of the three \
-              functions.",
-    draw,
 };
 
 const TOLERANCE: f64 = 1e-9;
@@ -31,7 +19,7 @@ const TOUCHED: [f64; 4] = [0.3, 2.0 / 3.0, 1.2, 1.75];
 /// How far along x a parabola reaches to either side.
 const REACH: f64 = 0.2;
 
-fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {
     let panels = vec![
         panel(["f", "f\u{302}", "f\u{302}\u{302}"], &paper::f()?, [0.0, 2.15])?,
         panel(["g", "\u{11d}", "\u{11d}\u{302}"], &paper::g()?, [-1.0, 2.0])?,

@@ -13,20 +13,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const ZOOM: Figure = Figure {
-    name: "cochran-zoom",
-    title: "A million times closer",
-    source: "Asperity",
-    caption: "The surface f(x) f(y) in true proportions, each view ten times closer than the last to the same point, \
-              with the same light, the same colours and no parameter changed but the camera's distance. Vertical and \
-              horizontal factors are equal, so the mountains have the same steepness at every scale; the last view is \
-              less than four millionths wide. Rays meet the surface itself. The surface is continuous but has no \
-              normal: each pixel is shaded by the mean slope over its own width, which is a difference of two exact \
-              values.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Powers of ten.
@@ -44,7 +31,7 @@ const AWAY: DVec3 = DVec3::new(-1.9, -2.7, 3.5);
 
 const FIELD: f32 = 0.7;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let surface = Surface::new()?;
     // Seven panels side by side are small, and mean slopes are smooth already.
     let sampling = context.square();

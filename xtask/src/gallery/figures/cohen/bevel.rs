@@ -8,23 +8,13 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const BEVEL: Figure = Figure {
-    name: "cohen-bevel",
-    title: "Bevelled plates",
-    source: "Cohen, Procedural Bump Mapping and Noise, Bevelling Effects",
-    caption: "A flat plate in the shape of a star, whose normals alone are turned along its edges. From left to right: a ridge \
-              that rolls over from its plateau, one that falls off it and runs out, an even chamfer, and slopes below zero, \
-              which cut a groove. Total width and plateau are the same in all.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Width of the plateau and of the whole ridge.
 const WIDTHS: [f32; 2] = [0.02, 0.13];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.square();
     let corners: Vec<Vec2> = (0..10)
         .map(|k| {

@@ -9,20 +9,10 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
+    gallery::figure::{Context, Drawn, Panel},
 };
 
-pub(crate) const BRICK: Figure = Figure {
-    name: "cohen-brick",
-    title: "Bump-mapped brick",
-    source: "Cohen, Procedural Bump Mapping and Noise, listing brickbump",
-    caption: "The lecture's bricks, 0.25 by 0.08 with 0.01 of mortar, lit from the upper left so that the grooves show. Below, \
-              a floor of them to the horizon: one sample a pixel breaks into moir\u{e9}; one sample that shades the exact \
-              shares of the pixel's slopes and of its mortar does not, and is what 256 samples come to.",
-    draw,
-};
-
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wall = Brick::default();
     let wide = context.sampling([24, 8], 4);
     let scale = 1.1 / wide.width as f32;

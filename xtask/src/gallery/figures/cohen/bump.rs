@@ -19,18 +19,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const BUMP: Figure = Figure {
-    name: "cohen-bump-mapping",
-    title: "Bump mapping and displacement",
-    source: "Cohen, Procedural Bump Mapping and Noise",
-    caption: "One height, gradient noise in space, on a sphere. First its normals by the noise's own gradient, projected on the \
-              surface; then by the heights of four neighbours in longitude and latitude; then the sphere displaced, with the \
-              normal of the displaced surface. The first two are the same picture. The third has the silhouette and the \
-              overhangs that bump mapping leaves out.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 const HEIGHT: f32 = 0.055;
@@ -55,7 +44,7 @@ fn sphere(uv: Vec2) -> (Vec3, [Vec3; 2]) {
     (Vec3::new(cy * cx, cy * sx, sy), [Vec3::new(-cy * sx, cy * cx, 0.0), Vec3::new(-sy * cx, -sy * sx, cy)])
 }
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 7);
     let displaced = Shape::Mesh(TracedMesh::new(relief(|t, phi| {
         let (sin, cos) = (t * std::f32::consts::PI).sin_cos();

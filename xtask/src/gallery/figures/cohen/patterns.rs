@@ -6,20 +6,10 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
+    gallery::figure::{Context, Drawn, Panel},
 };
 
-pub(crate) const PATTERNS: Figure = Figure {
-    name: "cohen-wallpaper",
-    title: "Star wallpaper, and a perturbed texture",
-    source: "Cohen, Procedural Bump Mapping and Noise, listings wallpaper and perturb",
-    caption: "Stars in 55 of 100 cells, each moved within its cell. Left as the lecture lists it: an angle in turns is taken \
-              for radians, so that the notches are shallow, and lattice noise decides, so that chance and places are not \
-              even. In the middle, corrected. Right, the same wallpaper with its coordinates moved by noise at every point.",
-    draw,
-};
-
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wallpaper = StarWallpaper::default();
     let running =
         PerturbedTexture { scale: 9.0, strength: Vec2::splat(0.035), ..PerturbedTexture::default() };
@@ -47,16 +37,7 @@ fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn::new(3, panels).fact("share of stars", share))
 }
 
-pub(crate) const SPECTRUM: Figure = Figure {
-    name: "cohen-marble-colours",
-    title: "The colours of blue marble",
-    source: "Cohen, Procedural Bump Mapping and Noise, listing blue_marble",
-    caption: "Left, the spline through the lecture's thirteen colours, over the sum of noise from \u{2212}3/8 to 1/8. Then a \
-              slab of the marble, and the same seen through pixels of 0.1 and of 0.6 of a unit: detail goes, its colour stays.",
-    draw: draw_marble,
-};
-
-fn draw_marble(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn, Failure> {
     use asperity_shading::{Footprint, noise::Perlin2002};
     let sampling = context.square();
     let marble = Marble::default();

@@ -24,27 +24,7 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const VASE: Figure = Figure {
-    name: "cohen-marble-vase",
-    title: "A vase of blue marble",
-    source: "Cohen, Procedural Bump Mapping and Noise, listing blue_marble",
-    caption: "The vase is turned from a block: its colour is that of the marble at every point in space, so that the veins run \
-              through it and meet at the rim. A polished surface of Fresnel 0.04 and roughness 0.12 lies over it. As in the \
-              lecture, with its colours made 2.6 times as bright.",
-    draw: draw_vase,
-};
-
-pub(crate) const CUP: Figure = Figure {
-    name: "cohen-tea-cup",
-    title: "A steaming tea cup",
-    source: "Cohen, Procedural Bump Mapping and Noise, Placing and Shaping Gas",
-    caption: "Steam is turbulence raised to a power, in a column over the tea that thins out from its axis and with its height. \
-              From left to right: the exponents 2, 4 and 8, with densities that give about as much steam. Light is \
-              marched through it in steps that stay where they are, and the lamps shine into it unshadowed.",
-    draw: draw_cup,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 const CUP_PROFILE: [[f32; 2]; 11] = [
@@ -66,7 +46,7 @@ const SAUCER_PROFILE: [[f32; 2]; 7] =
 
 const TEA: f32 = 0.84;
 
-fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
     let stage = Stage {
@@ -87,7 +67,7 @@ fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn::new(2, panels).fact("cells of the first octave per unit", "2.5"))
 }
 
-fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.sampling([12, 16], 3);
     let camera = Camera::new(
         Vec3::new(1.2, -6.6, 3.0),

@@ -13,23 +13,12 @@ use asperity_render::{
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::{common_parameters, density_panel, object_panel},
     },
 };
 
-/// The figure.
-pub(crate) const ISOTROPIC: Figure = Figure {
-    name: "kautz-5-isotropic",
-    title: "Two materials from two densities",
-    source: "after Kautz, Heidrich, Seidel 2001, figure 5",
-    caption: "The same noise, seed and lights; only the density differs. Left a narrow Beckmann density, hammered \
-              silver: its Gaussian slopes end early, and the highlight has an edge. Right a wide GGX density, sand \
-              cast bronze: long tails put stray glints far from the highlight.",
-    draw,
-};
-
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let shape = RenderRequest::shape(Subject::Teapot);
     let (narrow, wide) = (Beckmann::isotropic(0.22)?, Ggx::isotropic(0.36)?);
     let silver = Look { ndf: &narrow, name: "Beckmann 0.22", stem: "beckmann", tint: 0xe6_e8ec };

@@ -23,21 +23,9 @@ use glam::Vec3;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::density_panel,
     },
-};
-
-/// The figure.
-pub(crate) const NDF: Figure = Figure {
-    name: "kautz-2-ndf",
-    title: "A normal density function",
-    source: "after Kautz, Heidrich, Seidel 2001, figure 2, right",
-    caption: "How many facets of a rough surface face which way. Left, the density over the disk of normals, seen \
-              from above. Middle, the same as a relief; the lines are a tenth of the peak apart. Right, as a lobe: \
-              in each direction the surface is as far from the centre as there are facets that face there. The \
-              density is anisotropic, twice as wide in y as in x.",
-    draw,
 };
 
 const ALPHA: [f32; 2] = [0.25, 0.5];
@@ -48,7 +36,7 @@ const HEIGHT: f32 = 1.15;
 /// Length of the lobe at the peak.
 const LENGTH: f32 = 1.7;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let top = peak(&ndf);
     let share = |x: f32, y: f32| {

@@ -14,26 +14,14 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::{common_parameters, object_panel},
     },
 };
 
-/// The figure.
-pub(crate) const PIPELINE: Figure = Figure {
-    name: "kautz-3-pipeline",
-    title: "Noise, look-up, shading",
-    source: "after Kautz, Heidrich, Seidel 2001, figure 3",
-    caption: "First two independent channels of Gaussian noise are laid through the object; the hue shows the pair. \
-              The pair is looked up in the table L, built from the density by inversion, whose entries are normals \
-              and tangents, here as colours. So the noise becomes a bump map whose normals follow the density, and \
-              the density shades each of them in its own frame.",
-    draw,
-};
-
 const ALPHA: [f32; 2] = [0.22, 0.44];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let table = NormalTable::standard(&ndf);
     let shape = RenderRequest::shape(Subject::Teapot);

@@ -12,23 +12,9 @@ use glam::Vec2;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::{common_parameters, density_panel, object_panel, rule_words},
     },
-};
-
-/// The figure.
-pub(crate) const SPHERE: Figure = Figure {
-    name: "kautz-1-sphere",
-    title: "One density, from afar and from within",
-    source: "after Kautz, Heidrich, Seidel 2001, figure 1",
-    caption: "A sphere whose bumps are drawn from the density on the left and shaded with it, from the whole object \
-              to 64 times closer. First row, the rule of the source: every facet that has come into sight is shaded \
-              with the whole density again, as if it were a fractal, and the surface turns rougher and duller \
-              than it was from afar. Second row, the exact rule: a facet keeps only the part of the density that \
-              is not yet resolved, drawn on the left for one facet. Bumps sharpen into glints, and the mean over \
-              the surface stays what was seen from afar.",
-    draw,
 };
 
 const ALPHA: [f32; 2] = [0.18, 0.5];
@@ -37,7 +23,7 @@ const ZOOMS: [f32; 4] = [1.0, 4.0, 16.0, 64.0];
 /// A facet whose remaining density stands at the left of the second row, and the share of the variance resolved.
 const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Subject::Sphere);
     let mut request = RenderRequest::new(Subject::Sphere, &ndf, context.sampling([12, 12], 2));

@@ -9,28 +9,15 @@ use asperity_render::integrator::{
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
+        figure::{Context, Drawn},
         panels::{common_parameters, density_panel, object_panel},
     },
-};
-
-/// The figure.
-pub(crate) const TEAPOT: Figure = Figure {
-    name: "kautz-4-teapot",
-    title: "An anisotropic teapot",
-    source: "after Kautz, Heidrich, Seidel 2001, figure 4",
-    caption: "The normals of this density spread four times as far along the profile of the pot as around its \
-              axis, like metal that was turned on a lathe, so each highlight is drawn out along the profile, \
-              across the direction of turning. Coming closer, the smooth highlight dissolves into bumps that were \
-              in it all along (the exact rule). On the right the bumps come from normals spread evenly over the \
-              hemisphere, each still shaded with the density: highlight and material are gone.",
-    draw,
 };
 
 const ALPHA: [f32; 2] = [0.14, 0.56];
 const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0, "nine times closer")];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let shape = RenderRequest::shape(Subject::Teapot);
     let mut request = RenderRequest::new(Subject::Teapot, &ndf, context.sampling([12, 12], 2));

@@ -18,33 +18,10 @@ use rayon::prelude::*;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::density_panel,
         plot::{Axis, Names, Plot, Stroke},
     },
-};
-
-/// Detail on an existing normal map.
-pub(crate) const DETAIL: Figure = Figure {
-    name: "ndf-map-detail",
-    title: "Detail on an existing normal map",
-    source: "after Kautz, Heidrich, Seidel 2001, section 7",
-    caption: "A normal map of 256 × 256 texels of 8 bits, closer and closer. Above, its texels are blended, and what is left \
-              at sixteenfold is a smear. Below, the normals are taken as indices into the map's own density, noise is added \
-              to them, and normals are looked up again: octaves below the texel appear as they are resolved, tilted as the \
-              map's own normals are, and the variance of the indices is kept, so that the whole grows no rougher.",
-    draw: draw_detail,
-};
-
-/// The density of a normal map, and a bump map made of it alone.
-pub(crate) const ESTIMATE: Figure = Figure {
-    name: "ndf-map-estimate",
-    title: "A density taken from a normal map, and given back",
-    source: "after Kautz, Heidrich, Seidel 2001, section 7",
-    caption: "The histogram of a normal map's normals, smoothed by a kernel, is a density like any other. \
-              Noise through its distribution functions is a new bump map with the same normals in the same proportions and \
-              nothing else of the first: same shares of flat tops and steep mortar, no cobbles.",
-    draw: draw_estimate,
 };
 
 /// Texels along a side of the normal map.
@@ -84,7 +61,7 @@ impl NormalMap {
     }
 }
 
-fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
     let map = NormalMap::cobbles()?;
     let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.8, 8)?, context.seed);
     let mut panels = Vec::new();
@@ -132,7 +109,7 @@ fn lit(n: Vec3) -> Vec3 {
     hex(0xb0_9a84) * (0.16 + 0.95 * lambert) + Vec3::splat(0.035 * gloss * lambert)
 }
 
-fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
     let map = NormalMap::cobbles()?;
     let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.6, 6)?, context.seed);
     let cells = 24.0 / SIZE as f32;

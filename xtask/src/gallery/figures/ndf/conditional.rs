@@ -7,30 +7,17 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::disk,
     },
     input::density::painted,
-};
-
-/// The figure.
-pub(crate) const CONDITIONAL: Figure = Figure {
-    name: "ndf-conditional",
-    title: "From the whole density to one facet",
-    source: "Asperity",
-    caption: "The density of normals that a pixel still has before it, when it resolves a share s of the noise's variance \
-              and finds there the Gaussian coordinates of one certain facet. From afar it is the density itself; closer, it \
-              draws together around the facet, for GGX as for a painted density with two lobes. Each picture has its own \
-              scale. Averaged over all facets, every one of them gives the first picture back: the table has the mean over \
-              the surface, by quadrature, at one half-vector.",
-    draw,
 };
 
 const SHARES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 /// The facet that is found.
 const FACET: Vec2 = Vec2::new(-0.9, 0.7);
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (ggx, painted) = (Ggx::new(0.25, 0.5)?, painted()?);
     let subjects: [(&str, &str, &SharedNdf); 2] =
         [("ggx", "GGX 0.25, 0.5", &ggx), ("painted", "painted", &painted)];

@@ -22,79 +22,49 @@ use crate::{
 
 /// One figure for each density; a new one is one entry here.
 pub(crate) const DENSITIES: &[Figure] = &[
-    density(
-        ["ndf-density-ggx", "GGX", "Walter et al. 2007; Trowbridge and Reitz 1975"],
-        "Slopes with the tails of a Student's t distribution of two degrees of freedom: in the logarithmic plot they fall \
-         like a power, and a share of the facets stands almost upright. That is the glow around a GGX highlight.",
-        |context| draw(context, "GGX 0.2, 0.4", &Ggx::new(0.2, 0.4)?),
-    ),
-    density(
-        ["ndf-density-beckmann", "Beckmann", "Beckmann and Spizzichino 1963; Walter et al. 2007"],
-        "Gaussian slopes, a parabola in the logarithmic plot: beyond three roughnesses there is next to nothing, and \
-         the highlight has an edge.",
-        |context| draw(context, "Beckmann 0.2, 0.4", &Beckmann::new(0.2, 0.4)?),
-    ),
-    density(
-        ["ndf-density-student-t", "Student-t", "Ribardière, Bringier, Meneveaux and Simonot 2017"],
-        "GGX and Beckmann are two of a family: slopes of Student's t distribution with any number of degrees of freedom. \
-         Here γ = 1.6, with longer tails than GGX; at γ = 2 it is GGX, and with γ growing it becomes Beckmann.",
-        |context| draw(context, "Student-t 0.2, 0.4, γ = 1.6", &StudentT::new(0.2, 0.4, 1.6)?),
-    ),
-    density(
-        ["ndf-density-blinn-phong", "Blinn\u{2013}Phong", "Blinn 1977; Walter et al. 2007"],
-        "A power of the cosine. Its slopes are those of a Student-t density as well, with γ = n/2 + 2, so masking and visible \
-         normals are exact where others borrow Beckmann's.",
-        |context| draw(context, "Blinn\u{2013}Phong, n = 20", &BlinnPhong::new(20.0)?),
-    ),
-    density(
-        ["ndf-density-ashikhmin-shirley", "Ashikhmin\u{2013}Shirley", "Ashikhmin and Shirley 2000"],
-        "A power of the cosine whose exponent turns with the azimuth. Its map from Gaussian numbers has a closed form all \
-         the same, smooth and without a seam.",
-        |context| draw(context, "Ashikhmin\u{2013}Shirley 80, 12", &AshikhminShirley::new(80.0, 12.0)?),
-    ),
-    density(
-        ["ndf-density-ward", "Ward", "Ward 1992; Walter 2005"],
-        "The half-vectors that Ward's reflectance draws: seen as a density of normals they are Beckmann's, to the last \
-         digit.",
-        |context| draw(context, "Ward 0.35, 0.15", &Ward::new(0.35, 0.15)?),
-    ),
-    density(
-        ["ndf-density-mixture", "A gloss within a diffuse lobe", "Kautz, Heidrich, Seidel 2001, section 6"],
-        "Two densities in one: a fifth of the facets is a narrow GGX, the rest spread evenly over the map of normals, \
-         which is Blinn\u{2013}Phong with the exponent 0. Both depend on the tilt alone, so that their sum has a smooth map from \
-         Gaussian numbers too.",
-        |context| {
+    Figure { name: "ndf-density-ggx", draw: |context| draw(context, "GGX 0.2, 0.4", &Ggx::new(0.2, 0.4)?) },
+    Figure {
+        name: "ndf-density-beckmann",
+        draw: |context| draw(context, "Beckmann 0.2, 0.4", &Beckmann::new(0.2, 0.4)?),
+    },
+    Figure {
+        name: "ndf-density-student-t",
+        draw: |context| draw(context, "Student-t 0.2, 0.4, γ = 1.6", &StudentT::new(0.2, 0.4, 1.6)?),
+    },
+    Figure {
+        name: "ndf-density-blinn-phong",
+        draw: |context| draw(context, "Blinn\u{2013}Phong, n = 20", &BlinnPhong::new(20.0)?),
+    },
+    Figure {
+        name: "ndf-density-ashikhmin-shirley",
+        draw: |context| draw(context, "Ashikhmin\u{2013}Shirley 80, 12", &AshikhminShirley::new(80.0, 12.0)?),
+    },
+    Figure {
+        name: "ndf-density-ward",
+        draw: |context| draw(context, "Ward 0.35, 0.15", &Ward::new(0.35, 0.15)?),
+    },
+    Figure {
+        name: "ndf-density-mixture",
+        draw: |context| {
             let mixture = Mixture::new(Ggx::isotropic(0.12)?, BlinnPhong::new(0.0)?, 0.2)?;
             draw(context, "0.2 GGX 0.12 + 0.8 diffuse", &mixture)
         },
-    ),
-    density(
-        ["ndf-density-isotropic", "A table over the cosine", "after Kautz, Heidrich, Seidel 2001, section 4"],
-        "What depends on the tilt alone needs one table with one coordinate. This one has a peak and a ring around it, \
-         as brushed or etched glass has.",
-        |context| {
+    },
+    Figure {
+        name: "ndf-density-isotropic",
+        draw: |context| {
             let ring = |cos: f32| {
                 let tilt = cos.acos();
                 (-(tilt / 0.12).powi(2)).exp() + 0.35 * (-((tilt - 0.6) / 0.09).powi(2)).exp()
             };
             draw(context, "table, 513 cosines", &Isotropic::from_fn(513, ring)?)
         },
-    ),
-    density(
-        ["ndf-density-painted", "A painted density", "after Kautz, Heidrich, Seidel 2001, section 4"],
-        "Two lobes and a faint floor, drawn on the map of normals: no formula has it. Normals come from its marginal and \
-         conditional distribution functions, inverted exactly.",
-        |context| draw(context, "painted, 256 \u{d7} 256", &painted()?),
-    ),
+    },
+    Figure {
+        name: "ndf-density-painted",
+        draw: |context| draw(context, "painted, 256 \u{d7} 256", &painted()?),
+    },
 ];
-
-const fn density(
-    [name, title, source]: [&'static str; 3],
-    caption: &'static str,
-    draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
-) -> Figure {
-    Figure { name, title, source, caption, draw }
-}
 
 /// Normals that are drawn for the residual.
 const NORMALS: u32 = 1 << 22;

@@ -6,29 +6,17 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         panels::disk,
         plot::{Axis, Names, Plot, Stroke},
     },
-};
-
-/// The figure.
-pub(crate) const MASKING: Figure = Figure {
-    name: "ndf-masking",
-    title: "Masking and visible normals",
-    source: "after Heitz 2014 and Heitz and d'Eon 2014",
-    caption: "A rough surface from the side shows fewer of its facets, and rather those that face the eye. First, the visible \
-              share of the facets against the angle of view, all densities as narrow as one another: the longer the tails, the \
-              sooner it falls. Then the density of the normals that are seen, for GGX, as the eye sinks to the horizon at \
-              the right; the facets beyond the line are turned away. Brightness is per solid angle; the dots are normals drawn from it.",
-    draw,
 };
 
 const ALPHA: f32 = 0.45;
 const ANGLES: [f32; 4] = [0.0, 45.0, 70.0, 88.0];
 const DOTS: u32 = 400;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ggx = Ggx::isotropic(ALPHA)?;
     let mut panels = vec![shares()?];
     for angle in ANGLES {

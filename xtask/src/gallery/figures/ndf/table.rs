@@ -6,19 +6,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-/// The figure.
-pub(crate) const TABLE: Figure = Figure {
-    name: "ndf-table-l",
-    title: "What a look-up costs",
-    source: "after Kautz, Heidrich, Seidel 2001, section 4",
-    caption: "Table L has a normal for every pair of noise values. The pictures show the angle between a looked-up normal and \
-              the exact one over the square of Gaussian coordinates, from nothing to a tenth of a degree and more. The nearest \
-              of 256 \u{d7} 256 entries is off everywhere; blended by fours they are right but for the far tails; \
-              indexed by uniform numbers, as is usual for densities, the same table has lost the tails altogether.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 const SIZE: usize = 256;
@@ -36,7 +24,7 @@ const CHARTS: [(Chart, &str); 3] =
 /// From coordinates to a normal.
 type LookUp<'a> = &'a (dyn Fn(Vec2) -> Vec3 + Sync);
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ggx = Ggx::new(0.2, 0.4)?;
     let default = NormalTable::standard(&ggx);
     let by_u = NormalTable::with_layout(

@@ -6,24 +6,13 @@ use glam::Vec3;
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const PRNG: Figure = Figure {
-    name: "nilsson-prng",
-    title: "Random numbers without a random number generator",
-    source: "Nilsson 2008, section 4.1.2",
-    caption: "Every point of a plane gets a number from what is around it. As printed, a texture of 256 numbers is looked up once \
-              for each axis, and what comes of one axis shifts the grid of the next by part of a cell: columns do not line \
-              up. A permutation of whole cells and an integer hash do; the hash alone has more than 256 results and no \
-              period.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Cells along a side.
 const CELLS: u32 = 32;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let table = PermutationTable::new(context.seed);
     let printed = ChainedTable(table);
     let side = context.size;

@@ -14,19 +14,7 @@ use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Figure, Panel},
-};
-
-pub(crate) const ZOOM: Figure = Figure {
-    name: "nilsson-zoom",
-    title: "Six materials, ten thousand times nearer",
-    source: "Nilsson 2008, chapters 4 and 6",
-    caption: "Each row is one surface in one light, ten times nearer from picture to picture, from 4 metres wide to 0.4 \
-              millimetres. The carpet has seams, dark areas and threads, and from very near fibres, where the thesis's noise no \
-              longer looked like threads; the flakes of the paint part into single ones, counted by hashes; scratches and \
-              blemishes come up; a row of lamps bends in the waves of the glass; bumps have bumps. What a pixel does not \
-              resolve goes into its roughness, so that the mean over a whole surface stays, whatever single pictures show.",
-    draw,
+    gallery::figure::{Context, Drawn, Panel},
 };
 
 /// Widths of the pictures in metres.
@@ -41,7 +29,7 @@ fn light() -> [Vec3; 2] {
 
 type Radiance = dyn Fn(Vec2, Footprint) -> Vec3 + Sync;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let surfaces: [(&str, Box<Radiance>); 6] = [
         ("carpet", Box::new(carpet()?)),
         ("paint", Box::new(paint()?)),

@@ -7,24 +7,12 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::noise::{
             gradients::{hue, steepness},
             plane::{Window, grey},
         },
     },
-};
-
-/// The figure.
-pub(crate) const CURL: Figure = Figure {
-    name: "noise-curl",
-    title: "Curl noise",
-    source: "after Bridson, Hourihan, Nordenstam 2007, \"Curl-Noise for Procedural Fluid Flow\"",
-    caption: "The gradient of a noise, turned by a right angle, is a flow along the noise's level lines: it neither \
-              gathers nor thins out. Left, its streamlines; the hue is the direction. Middle, a chequered dye carried by \
-              the flow: every field is stirred and keeps its area. Right, the same dye carried by the gradient \
-              itself, which sweeps all of it into the pits and spreads the fields on the summits.",
-    draw,
 };
 
 const CELLS: f32 = 3.0;
@@ -37,7 +25,7 @@ const STEPS: usize = 24;
 /// Fields of the dye per cell.
 const FIELDS: f32 = 3.0;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
     let sum =
         Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Variance, context.seed);

@@ -10,23 +10,9 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::noise::plane::grey,
     },
-};
-
-/// The figure.
-pub(crate) const FOOTPRINT: Figure = Figure {
-    name: "noise-sum-footprint",
-    title: "Frequency clamping on a plane to the horizon",
-    source: "Nilsson 2008, section 4.1.6, after Tatarchuk",
-    caption: "A plane with eight octaves, seen at a low angle. With one sample per pixel the octaves that are too fine \
-              for a pixel turn into static towards the horizon. Clamped, an octave gives way to its mean as soon as \
-              the pixel's footprint reaches a fifth of its period, and is gone at three fifths: the \
-              static gives way to an even grey, and faded octaves need not be evaluated. It blurs more than the \
-              reference, because the longer side of the footprint decides for both. Turbulence must fade to the mean \
-              of |n|, which is measured; fading to 0, right for the plain sum, blackens the distance.",
-    draw,
 };
 
 const OCTAVES: f32 = 8.0;
@@ -111,7 +97,7 @@ fn removed(footprint: f32) -> f32 {
     lost / spectrum.sum_of_amplitudes(OCTAVES)
 }
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let width = context.size as usize * 3 / 2;
     let view = View { width, height: width * 5 / 8 };
     let sum = Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, context.seed);

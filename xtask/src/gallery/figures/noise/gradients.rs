@@ -7,21 +7,9 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
+        figure::{Context, Drawn},
         figures::noise::plane::{Window, grey},
     },
-};
-
-/// The figure.
-pub(crate) const GRADIENTS: Figure = Figure {
-    name: "noise-gradients",
-    title: "Values and gradients from one evaluation",
-    source: "Asperity",
-    caption: "Left, the noise in grey and its gradient as arrows, which point uphill and are as long as the slope is \
-              steep. Middle, the same gradient as colour: the hue is the direction, the strength the steepness; hues meet in \
-              the dark points, which are summits, pits and saddles. Right, six octaves of gain 0.38 lit from the upper left: the \
-              slopes come with the values, no neighbour is looked up.",
-    draw,
 };
 
 const CELLS: f32 = 5.0;
@@ -30,7 +18,7 @@ const ARROWS: usize = 20;
 /// Length of the arrow of the mean square slope, in distances of arrows.
 const LENGTH: f32 = 0.62;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
     let samples = window.map(context, |p: Vec2| Gaussian::default().sample(p, context.seed))?;
     let slope = steepness(&samples);

@@ -23,95 +23,20 @@ use crate::{
 
 /// One figure for each kind; a new kind is one entry here.
 pub(crate) const KINDS: &[Figure] = &[
-    kind(
-        ["noise-kind-white", "White noise", "Ebert (ed.) 1994, \"Texturing and Modeling\""],
-        "A random number for every cell, and leaps at the borders. Its spectrum is that of a square, a cross that falls \
-         by 6 dB per doubling along the axes and never ends.",
-        |context| draw(context, White::default()),
-    ),
-    kind(
-        ["noise-kind-value", "Value noise", "Ebert (ed.) 1994, \"Texturing and Modeling\""],
-        "Random numbers at the lattice points, blended by 6t⁵ − 15t⁴ + 10t³. The lattice shows as squares in the \
-         picture and as a cross in the spectrum, and most of the power lies below the lattice's frequency.",
-        |context| draw(context, Value::default()),
-    ),
-    kind(
-        [
-            "noise-kind-value-catmull-rom",
-            "Value noise through Catmull\u{2013}Rom splines",
-            "Cohen's lecture after Ebert (ed.) 1994, vnoise",
-        ],
-        "The same numbers, through 4 × 4 of which a spline is laid: less squarish, and with little power above the lattice's \
-         frequency, at four times the look-ups.",
-        |context| draw(context, ValueCatmullRom::default()),
-    ),
-    kind(
-        [
-            "noise-kind-perlin-1985",
-            "Perlin noise, 1985",
-            "Perlin 1985; Cohen's lecture after Ebert (ed.) 1994",
-        ],
-        "A unit gradient at every lattice point, blended by 3t² − 2t³. The noise is 0 at all lattice points and swings \
-         between them, so the spectrum has a hole at 0 and is strongest between a half and a whole cycle per cell. The \
-         curvature leaps at cell borders, which shows as the slow fall of the spectrum along the axes.",
-        |context| draw(context, Perlin1985::default()),
-    ),
-    kind(
-        ["noise-kind-perlin-2002", "Perlin noise, 2002", "Perlin 2002, \"Improving Noise\""],
-        "Gradients from a few fixed directions and the weights 6t⁵ − 15t⁴ + 10t³, twice differentiable: the spectrum \
-         falls faster than that of 1985, and what is left along the axes is fainter.",
-        |context| draw(context, Perlin2002::default()),
-    ),
-    kind(
-        [
-            "noise-kind-value-gradient",
-            "Value-gradient noise",
-            "Cohen's lecture after Ebert (ed.) 1994, vgnoise",
-        ],
-        "Half value noise and half gradient noise on one lattice: neither 0 nor flat at the lattice points, with a \
-         spectrum that is filled from 0 up to the ring.",
-        |context| draw(context, ValueGradient::default()),
-    ),
-    kind(
-        ["noise-kind-simplex", "Simplex noise, r² = 0.5", "Perlin 2001; Nilsson 2008, section 4.1.2"],
-        "A bump with a gradient at every corner of a triangular lattice, gone where the next triangles begin: twice \
-         differentiable. The bumps are round and their gradients point anywhere, so the spectrum is the same in all \
-         directions: neither cross nor hexagon.",
-        |context| draw(context, Simplex::CONTINUOUS),
-    ),
-    kind(
-        ["noise-kind-simplex-wide", "Simplex noise, r² = 0.6", "Nilsson 2008, section 4.1.2"],
-        "The same with the wider bumps that are customary. They reach beyond the triangles that count them, so \
-         the noise leaps at their borders, in the plane by too little to be seen here. Wider bumps make a narrower \
-         spectrum: the first dark ring lies further in.",
-        |context| draw(context, Simplex::WIDE),
-    ),
-    kind(
-        [
-            "noise-kind-sparse",
-            "Sparse convolution noise",
-            "Lewis 1989, \"Algorithms for Solid Noise Synthesis\"",
-        ],
-        "A round bump of random height at a random place in every cell. Nothing is aligned to the lattice: the spectrum \
-         is that of the bump, the same in all directions.",
-        |context| draw(context, Sparse::default()),
-    ),
-    kind(
-        ["noise-kind-gaussian", "Gaussian noise", "Asperity"],
-        "A Gaussian value and a Gaussian gradient at every lattice point, blended and divided by the standard \
-         deviation at the point: N(0, 1) at every point. The distribution is the normal one with one octave as with \
-         eight, where the other kinds only come near it. The spectrum reaches down to frequency 0.",
-        |context| draw(context, Gaussian::default()),
-    ),
+    Figure { name: "noise-kind-white", draw: |context| draw(context, White::default()) },
+    Figure { name: "noise-kind-value", draw: |context| draw(context, Value::default()) },
+    Figure {
+        name: "noise-kind-value-catmull-rom",
+        draw: |context| draw(context, ValueCatmullRom::default()),
+    },
+    Figure { name: "noise-kind-perlin-1985", draw: |context| draw(context, Perlin1985::default()) },
+    Figure { name: "noise-kind-perlin-2002", draw: |context| draw(context, Perlin2002::default()) },
+    Figure { name: "noise-kind-value-gradient", draw: |context| draw(context, ValueGradient::default()) },
+    Figure { name: "noise-kind-simplex", draw: |context| draw(context, Simplex::CONTINUOUS) },
+    Figure { name: "noise-kind-simplex-wide", draw: |context| draw(context, Simplex::WIDE) },
+    Figure { name: "noise-kind-sparse", draw: |context| draw(context, Sparse::default()) },
+    Figure { name: "noise-kind-gaussian", draw: |context| draw(context, Gaussian::default()) },
 ];
-
-const fn kind(
-    [name, title, source]: [&'static str; 3],
-    caption: &'static str,
-    draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
-) -> Figure {
-    Figure { name, title, source, caption, draw }
-}
 
 /// Cells along a side of the picture.
 const CELLS: f32 = 8.0;

@@ -8,22 +8,9 @@ use glam::Vec3;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
+        figure::{Context, Drawn},
         figures::noise::plane::{Window, grey, slanted},
     },
-};
-
-/// The figure.
-pub(crate) const PATTERNS: Figure = Figure {
-    name: "noise-sum-patterns",
-    title: "Patterns from sums of octaves",
-    source: "after Nilsson 2008, figures 4.1, 4.2, 4.3, 4.5, 4.7 and 4.8; last two after Musgrave in Ebert (ed.) 1994",
-    caption: "One simplex noise, eight ways to add its octaves. Clouds are the plain sum. Turbulence adds absolute \
-              values and has dark veins where an octave is 0; plasma is 1 minus that. With three octaves of equal \
-              strength the sum is rough as a carpet's pile from afar, and the same plasma to the seventh power keeps \
-              nothing but single threads. Billow is turbulence over the whole range; in the ridged multifractal \
-              ridges bear ridges and valleys stay smooth.",
-    draw,
 };
 
 /// Cells of the first octave along a side.
@@ -32,7 +19,7 @@ const CELLS: f32 = 4.0;
 const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let noise = Simplex::WIDE;
     let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum, Normalisation::Range, context.seed);
     let (clouds, threads) = (sum(Spectrum::CLOUD), sum(Spectrum::THREADS));

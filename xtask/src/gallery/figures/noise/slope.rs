@@ -6,23 +6,11 @@ use glam::Vec2;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure, Panel},
+        figure::{Context, Drawn, Panel},
         figures::noise::plane::Window,
         plot::{Axis, Names, Plot, Stroke},
         power_spectrum::PowerSpectrum,
     },
-};
-
-/// The figure.
-pub(crate) const SLOPE: Figure = Figure {
-    name: "noise-sum-slope",
-    title: "Gain and lacunarity set the slope of the spectrum",
-    source: "Asperity",
-    caption: "An octave of amplitude gⁱ at the frequency lⁱ puts its variance g²ⁱ on an area of the plane of \
-              frequencies that grows as l²ⁱ, so the power of the sum falls as the frequency to 2 log g/log l \u{2212} 2: \
-              fractional Brownian motion with the Hurst exponent H = \u{2212}log g/log l. Solid, the measured power; dashed, \
-              lines of that slope. The octaves show as waves when they lie further apart.",
-    draw,
 };
 
 /// Cells of the first octave along a sample, and numbers along it.
@@ -37,7 +25,7 @@ const SHOWN: [f64; 2] = [0.25, 32.0];
 const GAINS: [(f32, f32); 3] = [(2.17, 0.7), (2.17, 0.5), (2.17, 0.3)];
 const LACUNARITIES: [(f32, f32); 3] = [(1.6, 0.5), (2.17, 0.5), (3.2, 0.5)];
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (gains, mut rows) =
         panel(context, &GAINS, ["gain", "gain, at lacunarity 2.17"], |(_, gain)| format!("{gain}"))?;
     let (lacunarities, lacunarity_rows) =

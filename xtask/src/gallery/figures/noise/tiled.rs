@@ -8,27 +8,15 @@ use glam::Vec2;
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
+        figure::{Context, Drawn},
         figures::noise::plane::{Window, grey},
     },
-};
-
-/// The figure.
-pub(crate) const TILED: Figure = Figure {
-    name: "noise-tiled",
-    title: "Noises that tile",
-    source: "Asperity",
-    caption: "Every picture is one square of noise, laid out two by two. The first is ordinary noise, with seams where \
-              the squares meet. The others are on lattices that repeat after six cells: pixels on both sides of the \
-              border fit, since a point and the same point a period further have the same bits. A period may be any number of \
-              cells, and another one along every axis.",
-    draw,
 };
 
 /// Cells of a tile along its side.
 const PERIOD: u32 = 6;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
     let seed = context.seed;
     let space = Seeded(TiledSimplex::new(Simplex::CONTINUOUS, [PERIOD; 3])?, seed);

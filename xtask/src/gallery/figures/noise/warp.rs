@@ -7,20 +7,9 @@ use glam::{Vec2, Vec3};
 use crate::{
     failure::Failure,
     gallery::{
-        figure::{Context, Drawn, Figure},
+        figure::{Context, Drawn},
         figures::noise::plane::{Window, grey},
     },
-};
-
-/// The figure.
-pub(crate) const WARP: Figure = Figure {
-    name: "noise-warp",
-    title: "Domain warping",
-    source: "after Ebert (ed.) 1994, \"Texturing and Modeling\"",
-    caption: "A sum of octaves is looked up where two others have moved the point to. Once, it flows and folds; warped \
-              again it marbles. On the right the twice warped field is lit by its gradient, which goes through both \
-              Jacobians and is exact; the tint says where the points came from.",
-    draw,
 };
 
 const CELLS: f32 = 3.0;
@@ -31,7 +20,7 @@ const MOVING: f32 = 3.0;
 /// Height of the relief over a cell's width.
 const RELIEF: f32 = 0.05;
 
-fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
     let sum = |k: u32| {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k);

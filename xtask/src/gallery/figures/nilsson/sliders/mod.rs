@@ -1,225 +1,64 @@
-//! One parameter of a material varied, all others kept: a strip for every parameter of the thesis's materials.
+//! A strip for every parameter of the thesis's materials: one varied, all others kept.
 
-mod carpet;
 mod fields;
-mod glass;
-mod grooves;
-mod paint;
-mod variations;
+mod parameters;
+mod strip;
 
-use std::fmt::Debug;
-
-use asperity_render::{
-    image::{Image, tone::hex},
-    integrator::{
-        path_tracer::{Appearance, Finish, Seen},
-        pixels::Sampling,
-        swatch::{Form, Swatch},
-    },
-    light::lamps::{Light, direction},
-};
+use asperity_render::{image::tone::hex, materials};
+use asperity_shading::{CarpetParameters, SeamPattern};
 use glam::Vec3;
 
-pub(crate) use carpet::CARPET;
-pub(crate) use glass::GLASS;
-pub(crate) use grooves::{FIBRES, SCRATCHES};
-pub(crate) use paint::PAINT;
-pub(crate) use variations::VARIATIONS;
-
-use self::fields::{fields, varied};
 use crate::{
     failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
+    gallery::{
+        figure::{Context, Drawn},
+        figures::nilsson::sliders::strip::{boxed, draw},
+    },
 };
 
-/// A parameter that is varied.
-struct Strip<P> {
-    field: &'static str,
-    options: Vec<P>,
-    view: View,
+pub(crate) fn carpet(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::carpet(), |p| boxed(materials::carpet(p, 1.0, hex(0xd8_dce6) * 0.5)))
 }
 
-/// From where and in what light a material is seen.
-#[derive(Clone)]
-struct View {
-    form: Form,
-    lamps: Vec<Light>,
-    mirrored: fn(Vec3) -> Vec3,
-    exposure: f32,
+pub(crate) fn paint(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::paint(), |p| boxed(materials::paint(p, 1.0, hex(0x06_1226))))
 }
 
-/// A strip of one field: parameters that all are the base's but for this one.
-macro_rules! strip {
-    ($view:expr, $base:expr, $field:ident, $values:expr) => {{
-        let with = |$field| {
-            let mut parameters = $base;
-            parameters.$field = $field;
-            parameters
+pub(crate) fn glass(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::glass(), |p| boxed(materials::pane(p, 1.0, Vec3::ZERO)))
+}
+
+pub(crate) fn variations(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::variations(), |p| boxed(materials::panel(p, 1.0, 0.2)))
+}
+
+pub(crate) fn scratches(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::scratches(), |p| boxed(materials::scratched(p, 1.0, hex(0xc8_ccd2), 0.2)))
+}
+
+pub(crate) fn fibres(context: &Context<'_>) -> Result<Drawn, Failure> {
+    draw(context, &parameters::fibres(), |fibres| {
+        let carpet = CarpetParameters {
+            diffuse: Vec3::new(0.3, 0.27, 0.23),
+            diffuse_thread_strength: 0.0,
+            diffuse_thread_bump_strength: 0.0,
+            specular_thread_strength: 0.0,
+            dark_area_strength: 0.0,
+            seams_pattern: SeamPattern::None,
+            fibre_strength: 1.0,
+            fibre_bump_strength: 0.5,
+            fibres,
+            ..Default::default()
         };
-        super::Strip {
-            field: stringify!($field),
-            options: $values.into_iter().map(with).collect(),
-            view: $view.clone(),
-        }
-    }};
-}
-use strip;
-
-impl View {
-    /// A patch so high, lit from the upper left, where bumps show, and a little from the right.
-    fn patch(height: f32) -> Self {
-        let lamp = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
-        Self {
-            form: Form::Patch { height, distance: 1e3 },
-            lamps: vec![lamp(128.0, 42.0, hex(0xff_f2e2) * 1.1), lamp(-20.0, 60.0, hex(0xb9_d0ff) * 0.35)],
-            mirrored: |_| Vec3::ZERO,
-            exposure: 1.0,
-        }
-    }
-
-    /// A ball of this diameter, of which so much is seen, lit from the upper left, from the right and from behind.
-    fn ball(diameter: f32, height: f32) -> Self {
-        let lamp = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
-        Self {
-            form: Form::Ball { diameter, height },
-            lamps: vec![
-                lamp(-132.0, 46.0, hex(0xff_f2e2)),
-                lamp(-18.0, 22.0, hex(0xb9_d0ff) * 0.4),
-                lamp(100.0, 40.0, hex(0xff_d6a8) * 0.5),
-            ],
-            mirrored: |_| Vec3::ZERO,
-            exposure: 1.0,
-        }
-    }
-
-    fn exposed(self, exposure: f32) -> Self {
-        Self { exposure, ..self }
-    }
-
-    /// The same with lamps so many times as bright.
-    fn lit(mut self, brightness: f32) -> Self {
-        for lamp in &mut self.lamps {
-            lamp.colour *= brightness;
-        }
-        self
-    }
-
-    /// The same with one lamp beside the eye of a ball: a full moon, nearly.
-    fn lit_from_the_eye(self) -> Self {
-        Self { lamps: vec![Light { direction: direction(-104.0, 14.0), colour: hex(0xff_f2e2) }], ..self }
-    }
-
-    /// How much of the surface is seen.
-    fn words(&self) -> String {
-        let (Form::Patch { height, .. } | Form::Ball { height, .. }) = self.form;
-        let thousandths = (height * 1e3).round();
-        let [length, unit] = match thousandths {
-            t if t < 20.0 => [t.to_string(), "mm".to_owned()],
-            t if t < 1000.0 => [(t / 10.0).to_string(), "cm".to_owned()],
-            t => [(t / 1e3).to_string(), "m".to_owned()],
-        };
-        format!("{length} {unit} high")
-    }
-}
-
-/// All strips of a material.
-fn draw<P: Copy + Debug + Default>(
-    context: &Context<'_>,
-    strips: &[Strip<P>],
-    material: impl Fn(P) -> Result<Box<Finish<'static>>, Failure>,
-) -> Result<Drawn, Failure> {
-    let panels = strips.iter().map(|strip| strip.panel(context, &material)).collect::<Result<_, _>>()?;
-    Ok(Drawn::new(2, panels).fact("samples per pixel", samples(context).to_string()))
-}
-
-/// Twice those of other pictures, for detail as fine as pixels.
-fn samples(context: &Context<'_>) -> u32 {
-    context.samples_per_pixel.saturating_mul(2)
-}
-
-/// A finish as the figures keep it.
-fn boxed(
-    finish: Result<impl Fn(&Seen) -> Appearance + Sync + 'static, Failure>,
-) -> Result<Box<Finish<'static>>, Failure> {
-    Ok(Box::new(finish?))
-}
-
-impl<P: Copy + Debug + Default> Strip<P> {
-    fn panel(
-        &self,
-        context: &Context<'_>,
-        material: &impl Fn(P) -> Result<Box<Finish<'static>>, Failure>,
-    ) -> Result<Panel, Failure> {
-        let (across, gap) = (context.size * 3 / 2, (context.size / 96).max(1));
-        // As high as one of five is wide.
-        let height = (across - 4 * gap) / 5;
-        let count = self.options.len() as u32;
-        let width = (across - (count - 1) * gap) / count;
-        let sampling = Sampling { width, height, samples_per_pixel: samples(context), seed: context.seed };
-        let swatch = Swatch { form: self.view.form, lamps: &self.view.lamps, mirrored: &self.view.mirrored };
-        let size = [width as f32, height as f32];
-        let mut pictures = Vec::new();
-        for &parameters in &self.options {
-            let finish = material(parameters)?;
-            let picture = context.render(sampling, |x, y| swatch.radiance(finish.as_ref(), [x, y], size))?;
-            pictures.push(picture.filmic(self.view.exposure));
-        }
-        let image = side_by_side(&pictures, gap, hex(0x1d_1f23));
-        let values = varied(&self.values());
-        let alt = format!(
-            "{count} pictures of the same surface: {} is {} on the left and {} on the right",
-            self.field,
-            values.first().map_or("", String::as_str),
-            values.last().map_or("", String::as_str)
-        );
-        Ok(Panel::raster(&self.field.replace('_', "-"), &self.label(), &alt, image))
-    }
-
-    /// The name of the field, its values, what else is not the default, and how much is seen.
-    fn label(&self) -> String {
-        let default = fields(&P::default());
-        let own = |(name, _): &&(String, String)| name == self.field;
-        let usual = default.iter().find(own).map_or("", |(_, value)| value);
-        let values = self.values();
-        let marked = values.iter().zip(varied(&values)).map(|(value, words)| match value {
-            value if value == usual => words + " (default)",
-            _ => words,
-        });
-        let values: Vec<_> = marked.collect();
-        let mut label = format!("{}: {}", self.field, values.join(" \u{b7} "));
-        let base = self.options.first().map(fields).unwrap_or_default();
-        let others = base.iter().zip(&default).filter(|(a, b)| a != b && a.0 != self.field);
-        for (index, ((name, value), _)) in others.enumerate() {
-            label += if index == 0 { "; with " } else { ", " };
-            label += &format!("{name} {value}");
-        }
-        label + "; " + &self.view.words()
-    }
-
-    /// The value of the field in each picture.
-    fn values(&self) -> Vec<String> {
-        let value = |parameters: &P| {
-            let all = fields(parameters);
-            all.into_iter().find(|(name, _)| name == self.field).map(|(_, value)| value)
-        };
-        self.options.iter().filter_map(value).collect()
-    }
-}
-
-/// Pictures of equal heights in a row.
-fn side_by_side(pictures: &[Image], gap: u32, between: Vec3) -> Image {
-    let [width, height] = pictures.first().map_or([1, 1], |picture| [picture.width, picture.height]);
-    let step = width + gap;
-    let across = (step * pictures.len() as u32).saturating_sub(gap);
-    Image::from_fn(across, height, |x, y| {
-        let picture = &pictures[(x / step) as usize];
-        if x % step < width { picture.pixels[(y * width + x % step) as usize] } else { between }
+        boxed(materials::carpet(carpet, 1.0, Vec3::ZERO))
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::fmt::Debug;
+
+    use super::{fields::fields, parameters, strip::Strip};
 
     /// That there is a strip for every field, in order, each of which varies its field alone, and between pictures.
     fn complete<P: Copy + Debug + Default>(strips: &[Strip<P>]) {
@@ -241,19 +80,11 @@ mod tests {
 
     #[test]
     fn every_parameter_has_a_strip() {
-        complete(&carpet::strips());
-        complete(&paint::strips());
-        complete(&glass::strips());
-        complete(&variations::strips());
-        complete(&grooves::scratch_strips());
-        complete(&grooves::fibre_strips());
-    }
-
-    #[test]
-    fn pictures_stand_side_by_side() {
-        let plain = |value| Image::from_fn(2, 2, |_, _| Vec3::splat(value));
-        let row = side_by_side(&[plain(1.0), plain(2.0)], 1, Vec3::ZERO);
-        assert_eq!([row.width, row.height], [5, 2]);
-        assert_eq!([0, 1, 2, 3, 4].map(|x| row.at(x, 1).x), [1.0, 1.0, 0.0, 2.0, 2.0]);
+        complete(&parameters::carpet());
+        complete(&parameters::paint());
+        complete(&parameters::glass());
+        complete(&parameters::variations());
+        complete(&parameters::scratches());
+        complete(&parameters::fibres());
     }
 }
