@@ -16,7 +16,7 @@ pub(crate) struct Cli {
     pub(crate) jobs: Option<u16>,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Build every table, draw every figure, write the page.
@@ -118,7 +118,7 @@ pub(crate) struct Tables {
 
 #[derive(Debug, Args)]
 pub(crate) struct Render {
-    /// What is seen.
+    /// The scene.
     #[arg(long, value_enum, default_value_t = Scene::Teapot)]
     pub(crate) scene: Scene,
     /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply or .glb.
@@ -127,14 +127,14 @@ pub(crate) struct Render {
     /// Which way is up in the mesh's file.
     #[arg(long, value_enum, default_value_t = Up::Y, requires = "mesh")]
     pub(crate) up: Up,
-    /// What it is made of [default: what suits the scene].
+    /// The material of the subject [default: what suits the scene].
     #[arg(long, value_enum)]
     pub(crate) material: Option<Material>,
     /// The light: `lamps` (from single directions, without shadows; for bumps alone), `studio`, `day`, or an image of the
     /// surroundings by longitude and latitude, PNG or OpenEXR [default: `lamps` for bumps, else `studio`].
     #[arg(long, value_name = "LIGHT")]
     pub(crate) light: Option<String>,
-    /// How radiance becomes a picture; OpenEXR files have the radiance itself.
+    /// Tone curve of a PNG; OpenEXR files have the radiance itself.
     #[arg(long, value_enum, default_value_t = Tone::Filmic)]
     pub(crate) tone: Tone,
     /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
@@ -206,13 +206,13 @@ pub(crate) struct Bench {
     pub(crate) out: PathBuf,
 }
 
-/// How images are to be read.
+/// Options for reading images.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Images {
-    /// What the grey values of an image are a density over.
+    /// Measure that an image's grey values are a density over.
     #[arg(long, value_enum, default_value_t = Measure::Normals)]
     pub(crate) measure: Measure,
-    /// What a density is between the pixels of its image.
+    /// Reconstruction of a density between the pixels of its image.
     #[arg(long, value_enum, default_value_t = Reconstruction::Constant)]
     pub(crate) reconstruction: Reconstruction,
     /// Which way the green channel of a normal map points.
@@ -230,7 +230,7 @@ impl Default for Images {
     }
 }
 
-/// What a density is between the pixels of its image.
+/// Reconstruction of a density between the pixels of its image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Reconstruction {
     /// Constant on each pixel.
@@ -257,7 +257,7 @@ pub(crate) enum Measure {
     SolidAngle,
 }
 
-/// What `render` shows.
+/// The scenes of `render`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Scene {
     /// The Utah teapot.
@@ -276,7 +276,7 @@ pub(crate) enum Scene {
     Vase,
 }
 
-/// What `render` makes its subject of.
+/// The materials of `render`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Material {
     /// Bumps of the density `--ndf`.
@@ -303,21 +303,21 @@ pub(crate) enum Material {
     Wallpaper,
 }
 
-/// How radiance becomes a picture.
+/// Tone curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Tone {
     /// A curve with a toe and a shoulder, as film has.
     Filmic,
-    /// As it is, cut off at white.
+    /// None: cut off at white.
     Plain,
 }
 
 /// The axis that points up in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Up {
-    /// As glTF has it, and most of the others.
+    /// The convention of glTF and of most other formats.
     Y,
-    /// As in files of buildings and maps.
+    /// The convention of files of buildings and maps.
     Z,
 }
 

@@ -1,3 +1,3 @@
-//! What stops a command.
+//! Errors that stop a command.
 
 pub(crate) use asperity_render::failure::{Failure, Interrupted};

@@ -8,7 +8,6 @@ mod gallery;
 mod input;
 mod output;
 mod progress;
-mod render_command;
 mod tables;
 
 use std::{
@@ -73,7 +72,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
             tell("tables", &output, "index.html");
             Ok(())
         }
-        Command::Render(wanted) => render_command::render(&wanted, &interrupted),
+        Command::Render(wanted) => gallery::render::render(&wanted, &interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, &interrupted),
         Command::Tidy => {
             let report = tidy::report()?;

@@ -16,7 +16,7 @@ use crate::{
     scalar::{derivatives, values},
 };
 
-/// How the table calls it.
+/// Name in the table.
 const NAME: &str = "asperity";
 
 pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {

@@ -1,4 +1,4 @@
-//! What every contender of a row is asked: one grid, one set of points.
+//! Inputs of every contender of a row: one grid, one set of points.
 
 use std::hint::black_box;
 
@@ -38,7 +38,7 @@ impl<const N: usize> Grid<N> {
         self.size.iter().product()
     }
 
-    /// The same grid, moved along one axis.
+    /// This grid moved along one axis.
     pub(crate) fn moved(mut self, axis: usize, by: f32) -> Self {
         self.origin[axis] += by;
         self

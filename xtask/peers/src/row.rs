@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// How the noise is asked for.
+/// Calling form: point by point, a grid, a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     /// Values on a grid.

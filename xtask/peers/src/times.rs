@@ -1,4 +1,4 @@
-//! What is printed: the time of every contender in every round.
+//! Times of every contender in every round, as printed.
 
 use serde::Serialize;
 

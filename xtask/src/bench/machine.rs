@@ -1,4 +1,4 @@
-//! What the times were taken on.
+//! The machine that times were taken on.
 
 use std::{fs, path::Path, process::Command, thread};
 
@@ -13,7 +13,7 @@ pub(crate) struct Machine {
     pub(crate) features: Vec<String>,
     pub(crate) platform: String,
     pub(crate) rustc: String,
-    /// What FastNoise2 was compiled with; `None` where it was not measured.
+    /// Compiler of FastNoise2; `None` where it was not measured.
     pub(crate) fastnoise2: Option<String>,
 }
 

@@ -23,10 +23,10 @@ use crate::{
 use machine::Machine;
 use times::Times;
 
-/// Where the static library of FastNoise2 lies.
+/// The variable that names the folder of FastNoise2's static library.
 const LIBRARY: &str = "FASTNOISE2_LIB_DIR";
 
-/// Where the copy lies that is checked in.
+/// Folder of the checked-in copy.
 const SHIPPED: &str = "docs/bench";
 
 /// The file that keeps all that was measured.

@@ -1,8 +1,8 @@
-//! What `xtask/peers` prints, its medians, and the ratios that follow from them.
+//! Times as `xtask/peers` prints them, their medians and ratios.
 
 use serde::{Deserialize, Serialize};
 
-/// How our own contenders are called.
+/// Name of our own contenders.
 pub(crate) const OURS: &str = "asperity";
 
 /// The SIMD levels of each processor family, each holding the ones before it.
@@ -79,7 +79,7 @@ impl Row {
 }
 
 impl Ratio<'_> {
-    /// How many times as fast as the peer ours is.
+    /// Speed of ours over the peer's.
     pub(crate) fn value(&self) -> f64 {
         self.peer.median() / self.ours.median()
     }

@@ -23,7 +23,7 @@ pub(crate) struct Caption {
     pub(crate) title: &'static str,
     /// The figure of the source that it reproduces, or `Asperity`.
     pub(crate) source: &'static str,
-    /// What to see in it; two to four sentences, plain text.
+    /// Description of the picture; two to four sentences, plain text.
     pub(crate) text: String,
 }
 

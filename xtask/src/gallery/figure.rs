@@ -21,7 +21,7 @@ pub(crate) struct Figure {
     pub(crate) draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
 }
 
-/// What the command line decides for every figure.
+/// Settings of a figure, from the command line.
 pub(crate) struct Context<'a> {
     /// Side in pixels of a square panel; other panels scale with it.
     pub(crate) size: u32,
@@ -85,9 +85,9 @@ impl Context<'_> {
     }
 }
 
-/// What a figure hands back.
+/// A drawn figure: panels, parameters and a table.
 pub(crate) struct Drawn {
-    /// How many square panels stand side by side on a wide page.
+    /// Square panels side by side on a wide page.
     pub(crate) columns: u32,
     /// The pictures, in reading order.
     pub(crate) panels: Vec<Panel>,

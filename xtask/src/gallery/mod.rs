@@ -7,6 +7,7 @@ pub(crate) mod page;
 pub(crate) mod panels;
 pub(crate) mod plot;
 pub(crate) mod power_spectrum;
+pub(crate) mod render;
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
@@ -89,7 +90,7 @@ fn program_digest() -> Result<String, Failure> {
     Ok(sha256(&std::fs::read(std::env::current_exe()?)?))
 }
 
-/// What was drawn before, if all of its pictures are still as they were.
+/// The record of an earlier run, if all of its pictures are still as they were.
 fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
     let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
     let whole = |p: &PanelRecord| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256);

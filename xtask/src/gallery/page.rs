@@ -8,7 +8,7 @@ use crate::gallery::captions::{Page, captions};
 
 const STYLE: &str = include_str!("page.css");
 
-/// What the page says of one figure; also its provenance on disk.
+/// A drawn figure on disk: words, pictures with checksums, provenance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Record {
     pub(crate) name: String,

@@ -1,4 +1,4 @@
-//! What the figures of rendered objects share: densities as pictures, and pictures as panels.
+//! Panels of rendered objects and of densities over the disk of normals.
 
 use asperity_render::{
     geometry::shape::Shape,

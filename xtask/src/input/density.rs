@@ -20,7 +20,7 @@ use crate::{
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;
 
-/// What stands before the file of a normal map.
+/// Prefix of the file of a normal map.
 pub(crate) const NORMAL_MAP: &str = "normal-map:";
 
 /// The formulas: the word before the colon, the name, and what the numbers are.

@@ -1,7 +1,7 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
 use asperity_ndf_sampling::{
-    Chart, ConditionalTable, Deviation, Frame, Ndf, NormalTable, Spacing, TableAccuracy, TableLayout,
+    Chart, ConditionalTable, Deviation, Frame, Ndf, NdfMap, NormalTable, Spacing, TableAccuracy, TableLayout,
     glam::Vec3,
 };
 use asperity_render::image::formats::{exr, npy};
@@ -43,6 +43,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
         ("normal_table.exr".into(), frames(&table)?),
         ("half_vectors.exr".into(), half_vectors(&seen)?),
+        packed(&map),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
     let picture = Image::from_fn(256, 256, |x, y| {
@@ -58,7 +59,8 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
              tangent frames over ±{} standard deviations. Its normals are off by {:.4}° in the root of the mean square, {:.2}° at \
              most, when interpolated bilinearly, and by {:.2}° and {:.1}° when the nearest is taken; neighbouring frames are \
              turned by up to {:.1}°. The errors of every other choice are in parameters.json. The texture of half vectors gives what a \
-             pixel does not resolve at every place and zoom, off by a total variation of {:.4}.",
+             pixel does not resolve at every place and zoom, off by a total variation of {:.4}. packed_map.npy has the map itself, \
+             sampled and inverted to 1e-6 by `PackedMap` from one array of 32-bit floats: for flash and for a GPU's buffer.",
             NormalTable::RANGE,
             accuracy.bilinear.rms.to_degrees(),
             accuracy.bilinear.largest.to_degrees(),
@@ -83,6 +85,10 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
                 "channels": "z1 and z2: Gaussian coordinates of h, D: its density; bilinear between the fourth roots of D",
                 "error": { "total_variation": loss.variation, "coordinates_rms": loss.coordinates },
             },
+            "packed_map": {
+                "channels": "32-bit floats, little-endian, as `PackedMap::new` reads them; integers by their bits",
+                "error": { "uniform_numbers": 1e-6 },
+            },
             "flat_normal_at": ndf.to_gaussian(Vec3::Z).to_array(),
         }),
         files,
@@ -90,7 +96,13 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     })
 }
 
-/// What the look-ups lose in every layout that the crate offers, at the size of the table.
+/// The whole map in one array.
+fn packed(map: &NdfMap) -> (String, Vec<u8>) {
+    let packed = map.pack();
+    ("packed_map.npy".into(), npy(&[packed.len()], &packed))
+}
+
+/// Errors of look-ups in every layout that the crate offers, at the size of the table.
 fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
     let deviation = |d: Deviation| json!({ "rms": d.rms, "largest": d.largest });
     let mut rows = Vec::new();
@@ -157,4 +169,25 @@ fn frames(table: &NormalTable) -> Result<Vec<u8>, Failure> {
         .map(|(name, part)| (*name, table.frames().map(|frame| part(&frame)).collect()))
         .collect();
     exr(table.size(), table.size(), &named)
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_ndf_sampling::{Ggx, PackedMap, Reconstruction, glam::Vec2};
+
+    use super::*;
+
+    #[test]
+    fn the_packed_map_in_the_file_samples_as_the_map_does() {
+        let map = NdfMap::from_ndf(32, 32, Reconstruction::Bilinear, &Ggx::new(0.2, 0.4).unwrap()).unwrap();
+        let (name, bytes) = packed(&map);
+        assert!(name.ends_with(".npy"));
+        let header = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        let array: Vec<f32> =
+            bytes[header..].as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
+        let read = PackedMap::new(&array).unwrap();
+        for u in [Vec2::new(0.2, 0.7), Vec2::new(0.93, 0.04)] {
+            assert!(read.sample(u).abs_diff_eq(map.sample(u), 1e-5), "{u}");
+        }
+    }
 }

@@ -36,19 +36,12 @@ pub(crate) struct Set {
     folder: String,
     /// A heading of a few words.
     title: String,
-    subject: Subject,
+    make: Box<dyn Fn() -> Result<Made, Failure>>,
 }
 
-enum Subject {
-    Lattice { seed: u32 },
-    NoiseCdfs,
-    Density(Density),
-    System(System),
-}
-
-/// What has been made of a set.
+/// The files of a set with their picture and words.
 struct Made {
-    /// What the files hold, in a sentence or two.
+    /// Contents of the files, in a sentence or two.
     text: String,
     parameters: Value,
     files: Vec<(String, Vec<u8>)>,
@@ -58,16 +51,8 @@ struct Made {
 /// The tables that the gallery is drawn from.
 pub(crate) fn default_sets() -> Vec<Set> {
     let mut sets = vec![
-        Set {
-            folder: "noise/lattice".into(),
-            title: "Noise lattice".into(),
-            subject: Subject::Lattice { seed: 1 },
-        },
-        Set {
-            folder: "noise/cdf".into(),
-            title: "Noise distributions G".into(),
-            subject: Subject::NoiseCdfs,
-        },
+        Set::new("noise/lattice".into(), "Noise lattice".into(), || noise::lattice(1)),
+        Set::new("noise/cdf".into(), "Noise distributions G".into(), noise::distributions),
     ];
     sets.extend(Density::of_the_gallery().into_iter().map(Set::density));
     sets.extend(System::of_the_gallery().into_iter().map(Set::system));
@@ -89,23 +74,18 @@ pub(crate) fn chosen_sets(wanted: &Tables) -> Result<Vec<Set>, Failure> {
 }
 
 impl Set {
+    fn new(folder: String, title: String, make: impl Fn() -> Result<Made, Failure> + 'static) -> Self {
+        Self { folder, title, make: Box::new(make) }
+    }
+
     fn density(density: Density) -> Self {
-        let (folder, title) = (format!("ndf/{}", density.slug()), density.name());
-        Self { folder, title, subject: Subject::Density(density) }
+        let folder = format!("ndf/{}", density.slug());
+        Self::new(folder, density.name(), move || density::tables(&density))
     }
 
     fn system(system: System) -> Self {
-        let (folder, title) = (format!("fif/{}", system.slug()), system.name());
-        Self { folder, title, subject: Subject::System(system) }
-    }
-
-    fn make(&self) -> Result<Made, Failure> {
-        match &self.subject {
-            Subject::Lattice { seed } => noise::lattice(*seed),
-            Subject::NoiseCdfs => noise::distributions(),
-            Subject::Density(density) => density::tables(density),
-            Subject::System(system) => fif::tables(system),
-        }
+        let folder = format!("fif/{}", system.slug());
+        Self::new(folder, system.name(), move || fif::tables(&system))
     }
 }
 
@@ -118,7 +98,7 @@ pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> 
         if interrupted.load(Ordering::Relaxed) {
             return Err(Interrupted.into());
         }
-        rows += &store(set, &set.make()?, output)?;
+        rows += &store(set, &(set.make)()?, output)?;
         bar.inc(1);
     }
     bar.finish_and_clear();

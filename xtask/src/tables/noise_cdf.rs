@@ -179,7 +179,7 @@ fn gaussian_range(dimension: usize) -> f64 {
     greatest * 1.001
 }
 
-/// Where knot `k` of G stands, in standard deviations.
+/// Position of knot `k` of G, in standard deviations.
 fn knot(k: usize) -> f64 {
     REACH * (2.0 * k as f64 / (KNOTS - 1) as f64 - 1.0)
 }

@@ -18,7 +18,7 @@ const SHIPPED: [Shipped; 3] = [
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
 ];
 
-/// Where the pictures of the noise crate's pages lie.
+/// Folder of the pictures of the noise crate's pages.
 const PICTURES: &str = "crates/noise/docs/pictures";
 
 /// Writes every generated file into the source tree at `root`.

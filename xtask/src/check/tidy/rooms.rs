@@ -101,7 +101,15 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: &["failure", "cli", "progress output", "input", "tables", "gallery", "check", "bench"],
+        rooms: &[
+            "failure cli progress output",
+            "input",
+            "gallery",
+            "gallery/figures",
+            "tables",
+            "check",
+            "bench",
+        ],
         face: None,
         held: false,
     },

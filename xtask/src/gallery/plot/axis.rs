@@ -9,7 +9,7 @@ pub(crate) struct Axis {
     pub(super) ticks: Vec<(f64, String)>,
 }
 
-/// How a value becomes a place.
+/// Scales of an axis.
 #[derive(Clone, Copy, PartialEq)]
 enum Scale {
     Linear,
@@ -46,7 +46,7 @@ impl Axis {
         Self { label: label.to_owned(), scale: Scale::Log2, range, ticks }
     }
 
-    /// The same axis with ticks of one's own choice.
+    /// With ticks of one's own choice.
     pub(crate) fn with_ticks(mut self, ticks: &[(f64, &str)]) -> Self {
         self.ticks = ticks.iter().map(|&(v, t)| (v, t.to_owned())).collect();
         self

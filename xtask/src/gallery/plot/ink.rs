@@ -25,7 +25,7 @@ impl From<u8> for Ink {
     }
 }
 
-/// How a line is drawn.
+/// Colour, width and dash of a line.
 #[derive(Clone, Copy)]
 pub(crate) struct Stroke {
     pub(crate) ink: Ink,
@@ -52,7 +52,7 @@ impl Stroke {
         Self { dash: Dash::Dashed, ..Self::solid(ink) }
     }
 
-    /// The same line in another width.
+    /// In another width.
     pub(crate) fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }

@@ -29,7 +29,7 @@ pub(crate) struct Plot {
     marks: Vec<Mark>,
 }
 
-/// Where the names of the lines stand.
+/// Place of the lines' names.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Names {
     /// At the right end of each line, moved apart where they would touch.

@@ -1,4 +1,4 @@
-//! Where things go: units of the drawing, the room that words need, labels moved apart.
+//! Layout: units of the drawing, widths of words, labels moved apart.
 
 /// Units of the drawing per CSS pixel: the backend draws in whole units.
 pub(super) const UNIT: f64 = 10.0;

@@ -137,7 +137,7 @@ impl View {
         Vec3::new(1.1 * across, 1.0, -1.1 * down).normalize()
     }
 
-    /// Where the ray meets the street, in tiles; nothing at the horizon and above.
+    /// The meeting of a ray with the street, in tiles; nothing at the horizon and above.
     fn ground(&self, x: f32, y: f32) -> Option<Vec2> {
         let ray = self.ray(x, y);
         (ray.z < -1e-4).then(|| Vec2::new(ray.x, ray.y) * (1.2 / -ray.z / TILE) + Vec2::new(0.3, 0.1))

@@ -147,7 +147,7 @@ fn followed(subject: Subject, sky: &Sky) -> Result<Panel, Failure> {
         )
 }
 
-/// Where the slow zoom that is shown begins: 1.01⁴⁰⁰.
+/// First zoom of the slow zoom shown: 1.01⁴⁰⁰.
 const FROM: f64 = 53.5;
 
 fn curve(zooms: &[Vec<Frame>]) -> Vec<[f64; 2]> {

@@ -13,10 +13,10 @@ use crate::{
 
 const TOLERANCE: f64 = 1e-9;
 
-/// Where the parabolas touch.
+/// Abscissas at which parabolas touch.
 const TOUCHED: [f64; 4] = [0.3, 2.0 / 3.0, 1.2, 1.75];
 
-/// How far along x a parabola reaches to either side.
+/// Half width of a parabola.
 const REACH: f64 = 0.2;
 
 pub(crate) fn draw(_: &Context<'_>) -> Result<Drawn, Failure> {

@@ -48,7 +48,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     Ok(Drawn::new(5, panels).facts(parameters))
 }
 
-/// What the exact rule leaves of the density below one resolved facet.
+/// The conditional density below one resolved facet, by the exact rule.
 fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel, Failure> {
     let (z, share) = FACET;
     // Its own peak is 1/(1 − s) times higher; on the scale of the whole density it would be a white spot.

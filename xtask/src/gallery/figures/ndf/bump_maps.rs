@@ -26,7 +26,7 @@ use crate::{
 
 /// Texels along a side of the normal map.
 const SIZE: usize = 256;
-/// How strong the noise is, once all octaves are resolved.
+/// Strength of the noise once all octaves are resolved.
 const AMOUNT: f32 = 0.35;
 const ZOOMS: [f32; 3] = [1.0, 4.0, 16.0];
 /// Lattice cells of the first octave of detail for each texel.

@@ -1,4 +1,4 @@
-//! What a pixel sees of a density as it resolves more and more of the bump map.
+//! Conditional densities: the part of a density that a pixel does not resolve, share by share.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
 use asperity_render::integrator::direct::SharedNdf;

@@ -70,7 +70,7 @@ pub(crate) const DENSITIES: &[Figure] = &[
 const NORMALS: u32 = 1 << 22;
 /// Bins along a side of the square around the disk.
 const BINS: usize = 64;
-/// What is blue and red in the residual, in standard deviations of the count.
+/// Full blue and full red of the residual, in standard deviations of the count.
 const CONTRAST: f64 = 4.0;
 
 fn draw(context: &Context<'_>, name: &str, ndf: &SharedNdf) -> Result<Drawn, Failure> {
@@ -172,7 +172,7 @@ impl Residual {
         0.5 * self.sum(|[count, expected]| (count - expected).abs()) / f64::from(NORMALS)
     }
 
-    /// What random numbers alone leave on average: `½ Σ √(2/π) √expected`.
+    /// Expected total variation from random numbers alone: `½ Σ √(2/π) √expected`.
     fn sampling_floor(&self) -> f64 {
         0.5 * self.sum(|[_, expected]| (expected * std::f64::consts::FRAC_2_PI).sqrt()) / f64::from(NORMALS)
     }

@@ -10,7 +10,7 @@ use crate::{
 };
 
 const SIZE: usize = 256;
-/// What is brightest, in degrees.
+/// Error at full brightness, in degrees.
 const BRIGHTEST: f32 = 0.1;
 
 const SPACINGS: [(Spacing, &str); 3] = [

@@ -19,7 +19,7 @@ const CELLS: f32 = 3.0;
 const OCTAVES: f32 = 2.0;
 /// Points of a streamline to each side of a pixel, a pixel apart.
 const REACH: usize = 22;
-/// How long the dye is carried: cells at the root mean square speed, and steps.
+/// Way of the dye: cells at the root mean square speed, and steps.
 const WAY: f32 = 0.4;
 const STEPS: usize = 24;
 /// Fields of the dye per cell.
@@ -90,7 +90,7 @@ fn streamlines<F: Field<2> + Sync>(
     Ok(window.panel(words, |i| pixels[i]))
 }
 
-/// Where the fluid at a point came from.
+/// Origin of the fluid at a point, by the midpoint rule backwards in time.
 fn carried(mut p: Vec2, time: f32, velocity: impl Fn(Vec2) -> Vec2) -> Vec2 {
     let step = time / STEPS as f32;
     for _ in 0..STEPS {

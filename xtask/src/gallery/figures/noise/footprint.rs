@@ -82,7 +82,7 @@ impl View {
     }
 }
 
-/// What is seen at each pixel of the plane; none over the horizon.
+/// Values by pixel; none over the horizon.
 type Pixels = Vec<Option<f32>>;
 
 /// The value at a point for a footprint.
@@ -121,7 +121,7 @@ struct Subject<'a> {
     context: &'a Context<'a>,
     view: View,
     name: &'static str,
-    /// What is black and what is white.
+    /// Values of black and white.
     range: [f32; 2],
 }
 

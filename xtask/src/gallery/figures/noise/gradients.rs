@@ -87,7 +87,7 @@ pub(super) fn steepness(samples: &[Sample<Vec2>]) -> f32 {
     (samples.iter().map(|s| s.gradient.length_squared()).sum::<f32>() / samples.len() as f32).sqrt()
 }
 
-/// How much of an arrow lies over the pixel at `p` from its middle; `unit` is a pixel of the usual size.
+/// Coverage of the pixel at `p` from an arrow's middle; `unit` is a pixel of the usual size.
 fn coverage(p: Vec2, along: Vec2, unit: f32) -> f32 {
     let length = along.length();
     if length < 0.5 * unit {

@@ -40,7 +40,7 @@ pub(crate) const KINDS: &[Figure] = &[
 
 /// Cells along a side of the picture.
 const CELLS: f32 = 8.0;
-/// What is black and white, in standard deviations.
+/// Values of black and white, in standard deviations.
 const CONTRAST: f32 = 2.5;
 /// Octaves of the distribution, as many as G was measured for.
 const OCTAVES: f32 = 8.0;
@@ -141,7 +141,7 @@ fn radial(spectrum: &PowerSpectrum, variance: f64) -> Result<Panel, Failure> {
 
 const SIZE: [f64; 2] = [330.0, 330.0];
 
-/// How often the sum of octaves over its standard deviation falls between knots of G.
+/// Histogram between the knots of G of the sum of octaves over its standard deviation.
 struct Histogram {
     /// One for every gap between the fine knots, which include those of G.
     bins: Vec<u64>,

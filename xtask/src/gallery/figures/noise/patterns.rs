@@ -15,7 +15,7 @@ use crate::{
 
 /// Cells of the first octave along a side.
 const CELLS: f32 = 4.0;
-/// The same for the threads, which have three octaves only.
+/// Cells along a side of the threads, which have three octaves only.
 const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 

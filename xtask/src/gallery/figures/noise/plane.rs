@@ -1,4 +1,4 @@
-//! What the figures of noises share: a window into the plane, and values as grey.
+//! Windows into the plane for figures of noises, and values as grey.
 
 use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};

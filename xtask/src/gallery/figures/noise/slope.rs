@@ -17,9 +17,9 @@ use crate::{
 const CELLS: f64 = 12.0;
 const SAMPLES: usize = 1024;
 const PAIRS: usize = 2;
-/// Where the slope is fitted, in cycles per cell of the first octave: within the octaves, short of the highest frequency.
+/// Range of the fitted slope, in cycles per cell of the first octave: within the octaves, short of the highest frequency.
 const FITTED: [f64; 2] = [1.0, 21.0];
-/// What the plots show.
+/// Range of the plots.
 const SHOWN: [f64; 2] = [0.25, 32.0];
 
 const GAINS: [(f32, f32); 3] = [(2.17, 0.7), (2.17, 0.5), (2.17, 0.3)];

@@ -69,7 +69,7 @@ impl View {
         Self { exposure, ..self }
     }
 
-    /// The same with lamps so many times as bright.
+    /// With lamps so many times as bright.
     pub(super) fn lit(mut self, brightness: f32) -> Self {
         for lamp in &mut self.lamps {
             lamp.colour *= brightness;
@@ -77,12 +77,12 @@ impl View {
         self
     }
 
-    /// The same with one lamp beside the eye of a ball: a full moon, nearly.
+    /// With one lamp beside the eye of a ball: a full moon, nearly.
     pub(super) fn lit_from_the_eye(self) -> Self {
         Self { lamps: vec![Light { direction: direction(-104.0, 14.0), colour: hex(0xff_f2e2) }], ..self }
     }
 
-    /// How much of the surface is seen.
+    /// Height of the visible part in words.
     fn words(&self) -> String {
         let (Form::Patch { height, .. } | Form::Ball { height, .. }) = self.form;
         let thousandths = (height * 1e3).round();

@@ -91,7 +91,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
 /// The word for light from single directions.
 const LAMPS: &str = "lamps";
 
-/// What a scene is usually made of.
+/// The usual material of a scene.
 const fn usual(scene: Scene) -> Material {
     match scene {
         Scene::Teapot | Scene::Sphere | Scene::Plane => Material::Bumps,
