@@ -1,6 +1,7 @@
 //! Smith's masking, and the normals that are seen from a direction.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
+use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -23,7 +24,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let (sin, cos) = angle.to_radians().sin_cos();
         let v = Vec3::new(sin, 0.0, cos);
         let dots: Vec<Vec2> = (0..DOTS)
-            .map(|k| Vec2::new(fraction(k, 0.754_877_7), fraction(k, 0.569_840_3)))
+            .map(|k| Vec2::from(r2(k).map(|x| x as f32)))
             .map(|u| ggx.sample_visible(v, u).truncate())
             .collect();
         let seen = |m: Vec3| ggx.visible_density(v, m);
@@ -46,11 +47,6 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ));
     }
     Ok(Drawn::new(5, panels).fact("roughness", ALPHA.to_string()))
-}
-
-/// The additive recurrence of Roberts 2018 in one coordinate.
-fn fraction(k: u32, step: f32) -> f32 {
-    (f64::from(k) * f64::from(step) + 0.5).fract() as f32
 }
 
 /// `G₁` against the angle of view.
