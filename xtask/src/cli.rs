@@ -53,8 +53,8 @@ pub(crate) enum Command {
   cargo bench --package asperity-noise --bench perlin -- fill_grid/3-d
 
 The benches of noise have every kind at every SIMD level and take a quarter of an hour to build; the last
-example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names the folder of its static library;
-xtask/peers/README.md says how to build it.")]
+example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names
+the folder of its static library; xtask/peers/README.md says how to build it.")]
     Bench(Bench),
     /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,

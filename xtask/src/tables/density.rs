@@ -7,7 +7,7 @@ use asperity_ndf_sampling::{
 use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};
 
-use super::Made;
+use super::made::Made;
 use crate::{failure::Failure, input::density::Density};
 use asperity_render::{
     image::Image,

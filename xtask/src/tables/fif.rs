@@ -4,7 +4,7 @@ use asperity_fif::{Fif, FifBuf, Piece};
 use asperity_render::image::formats::npy;
 use serde_json::{Value, json};
 
-use super::Made;
+use super::made::Made;
 use crate::{
     failure::Failure,
     input::fif_system::{COEFFICIENTS, System},

@@ -2,6 +2,7 @@
 
 mod density;
 mod fif;
+mod made;
 mod noise;
 mod noise_cdf;
 mod noise_levels;
@@ -14,8 +15,7 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
-use asperity_render::image::Image;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::{
     cli::Tables,
@@ -28,6 +28,7 @@ use crate::{
     output::Output,
     progress,
 };
+use made::Made;
 pub(crate) use shipped::{check, ship};
 
 /// The tables of one thing: a density, a noise, a fractal interpolation function.
@@ -37,15 +38,6 @@ pub(crate) struct Set {
     /// A heading of a few words.
     title: String,
     make: Box<dyn Fn() -> Result<Made, Failure>>,
-}
-
-/// The files of a set with their picture and words.
-struct Made {
-    /// Contents of the files, in a sentence or two.
-    text: String,
-    parameters: Value,
-    files: Vec<(String, Vec<u8>)>,
-    picture: Image,
 }
 
 /// The tables that the gallery is drawn from.

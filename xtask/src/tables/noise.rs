@@ -7,7 +7,7 @@ use asperity_noise::{
 use asperity_render::image::formats::npy;
 use serde_json::{Map, json};
 
-use super::Made;
+use super::made::Made;
 use crate::failure::Failure;
 use asperity_render::{image::Image, integrator::hemisphere::ember};
 

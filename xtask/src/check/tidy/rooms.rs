@@ -111,6 +111,6 @@ pub(super) const HOUSES: &[House] = &[
             "bench",
         ],
         face: None,
-        held: false,
+        held: true,
     },
 ];
