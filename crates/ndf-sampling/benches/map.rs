@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
-use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMap, Reconstruction};
+use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 const SIZE: usize = 256;
@@ -32,7 +32,7 @@ fn calls(c: &mut Criterion) {
     for (name, kind) in KINDS {
         let map = map(kind);
         let array = map.pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         let normals: Vec<Vec3> = u.iter().map(|&u| map.sample(u)).collect();
         let maps: [(&str, &dyn Ndf); 2] = [("map", &map), ("packed", &packed)];
         for (form, ndf) in maps {
@@ -60,16 +60,16 @@ fn batches(c: &mut Criterion) {
     group.throughput(Throughput::Elements(SAMPLES as u64));
     for (name, kind) in KINDS {
         let array = map(kind).pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         let [mut x, mut y, mut to, mut density] = [(); 4].map(|()| vec![0.0; SAMPLES]);
         group.bench_function(format!("sample/{name}"), |b| {
-            b.iter(|| packed.fill_samples([&u1, &u2], [&mut x, &mut y]));
+            b.iter(|| packed.inverses([&u1, &u2], [&mut x, &mut y]));
         });
         group.bench_function(format!("forward/{name}"), |b| {
-            b.iter(|| packed.fill_forward([&x, &y], [&mut to, &mut density]));
+            b.iter(|| packed.forwards([&x, &y], [&mut to, &mut density]));
         });
         group.bench_function(format!("density/{name}"), |b| {
-            b.iter(|| packed.fill_density([&x, &y], &mut density));
+            b.iter(|| packed.densities([&x, &y], &mut density));
         });
     }
     group.finish();

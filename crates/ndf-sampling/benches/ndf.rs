@@ -6,8 +6,10 @@ use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    Beckmann, ConditionalTable, Frame, GaussianSplit, Ggx, Ndf, NdfMap, NormalTable, NormalTableRef,
-    Reconstruction, Spacing, TableLayout, conditional_density, inverse_phi, phi,
+    BatchError, Beckmann, ConditionalTable, Frame, GaussianSplit, Ggx, Ndf, NdfMap, NormalTable,
+    NormalTableRef, Reconstruction, conditional_density, inverse_phi,
+    normal_table::{Spacing, TableLayout},
+    phi,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -55,7 +57,7 @@ fn look_ups(c: &mut Criterion) {
 }
 
 /// Fills arrays of normals from arrays of coordinates.
-type LookUp<'a> = dyn Fn([&[f32]; 2], [&mut [f32]; 3]) + 'a;
+type LookUp<'a> = dyn Fn([&[f32]; 2], [&mut [f32]; 3]) -> Result<(), BatchError> + 'a;
 
 /// The elements per second are normals per second; 10⁸ are asked for.
 fn look_ups_of_many(c: &mut Criterion) {
@@ -74,7 +76,7 @@ fn look_ups_of_many(c: &mut Criterion) {
         group.bench_function(name, |b| {
             b.iter(|| {
                 let [x, y, z] = &mut normals;
-                look_up(black_box([&z1, &z2]), [x, y, z]);
+                look_up(black_box([&z1, &z2]), [x, y, z])
             });
         });
     };

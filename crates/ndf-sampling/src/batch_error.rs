@@ -2,42 +2,37 @@
 
 use core::{error::Error, fmt};
 
-/// Why a batch was refused.
+/// An array that is not as long as the first one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum BatchError {
-    /// An array is not as long as the first one.
-    LengthMismatch {
-        /// Which array, counted from 0 through the inputs and then the outputs.
-        array: usize,
-        /// The first array's length.
-        expected: usize,
-        /// Its length.
-        found: usize,
-    },
+pub struct BatchError {
+    /// Name of the parameter to which the array belongs.
+    pub parameter: &'static str,
+    /// Length of the first array.
+    pub expected: usize,
+    /// Length of this one.
+    pub got: usize,
 }
 
 impl BatchError {
-    /// Whether all arrays have one length.
-    pub(crate) fn check(inputs: &[&[f32]], outputs: &[&mut [f32]]) -> Result<(), Self> {
-        let expected = inputs.first().map_or(0, |input| input.len());
-        let lengths = inputs.iter().map(|input| input.len()).chain(outputs.iter().map(|output| output.len()));
-        for (array, found) in lengths.enumerate() {
-            if found != expected {
-                return Err(Self::LengthMismatch { array, expected, found });
-            }
+    /// Whether all arrays have one length: the inputs, then the output.
+    pub(crate) fn check(
+        inputs: &[(&'static str, &[&[f32]])],
+        (output, arrays): (&'static str, &[&mut [f32]]),
+    ) -> Result<(), Self> {
+        let inputs = inputs.iter().flat_map(|(name, arrays)| arrays.iter().map(|array| (*name, array.len())));
+        let mut lengths = inputs.chain(arrays.iter().map(|array| (output, array.len())));
+        let expected = lengths.next().map_or(0, |(_, len)| len);
+        match lengths.find(|&(_, got)| got != expected) {
+            Some((parameter, got)) => Err(Self { parameter, expected, got }),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 
 impl fmt::Display for BatchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LengthMismatch { array, expected, found } => {
-                write!(f, "array {array} must have the {expected} elements of the first, got {found}")
-            }
-        }
+        write!(f, "{} must have {} elements, got {}", self.parameter, self.expected, self.got)
     }
 }
 

@@ -17,35 +17,27 @@
 //! // A pixel that resolves three quarters of the noise's variance, here with the same numbers, sees this of a half vector.
 //! let h = Vec3::new(0.1, -0.2, 0.97).normalize();
 //! assert!(conditional_density(&ggx, h, z, 0.75) > ggx.density(h));
-//! # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+//! # Ok::<(), asperity_ndf_sampling::RangeError>(())
 //! ```
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Ndf`] | the trait: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling by uniform numbers |
-//! | [`Microfacet`] | the trait of Smith's Λ, G₁, G₂ and of visible normals |
+//! | [`Ndf`], [`Microfacet`] | the traits: `D(m)`, `T(z)`, `T⁻¹(m)`, sampling; Smith's Λ, G₁, G₂ and visible normals |
 //! | [`Ggx`], [`Beckmann`], [`StudentT`] | isotropic and anisotropic, in closed form for every roughness |
-//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | the densities of facets of older models, as exact |
-//! | [`Isotropic`] | a density of the tilt, from a table over the cosine, owned or borrowed |
+//! | [`Ward`], [`BlinnPhong`], [`AshikhminShirley`] | densities of facets of older models, as exact |
+//! | [`Isotropic`], [`IsotropicRef`] | a density of the tilt, from a table over the cosine |
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
-//! | [`NdfMap`], [`Measure`], [`Reconstruction`] | a density painted or computed on the hemispherical map, sampled exactly |
-//! | [`PackedMap`] | the same in one borrowed array of `f32`, in batches too |
-//! | [`Cdf`] | its marginal and conditional distribution functions and their inverses |
-//! | [`phi`], [`inverse_phi`] | the Gaussian distribution function and its inverse |
-//! | [`NoiseDistribution`] | G: from the values of a noise to uniform and Gaussian numbers and back |
-//! | [`NoiseCdf`], [`GaussianNoise`], [`KurtoticNoise`] | measured, exactly Gaussian, and known by its kurtosis |
-//! | [`NormalTable`], [`NormalTableRef`] | table L: tangent frames by look-up, owned and borrowed |
-//! | [`TableLayout`], [`Spacing`], [`Chart`], [`TableEntry`] | how it is indexed and what its entries are |
-//! | [`TableAccuracy`], [`Deviation`] | what its look-ups lose |
-//! | [`to_half`], [`from_half`], [`unpack_frame`] | half floats for textures |
-//! | [`estimate_ndf`], [`NdfEstimator`] | the density of an existing bump map |
-//! | [`NormalMapFormat`], [`TangentSpace`], [`Zero`], [`Blue`] | how its texels are read |
-//! | [`detailed`], [`detailed_normal`], [`NoiseChain`] | noise added to an existing bump map |
-//! | [`Batch`], [`InLanes`] | closed forms for arrays of numbers, in SIMD lanes |
-//! | [`Frame`] | tangent frames by the minimal rotation from (0, 0, 1) |
-//! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`] | exact level of detail |
-//! | [`ConditionalTable`], [`ConditionalTableRef`], [`ConditionalAccuracy`] | the same by one look-up, for any density |
-//! | [`OffsetBeckmann`] | Gaussian slopes of any mean and covariance, as those that a Beckmann surface leaves |
+//! | [`NdfMap`], [`PackedMapRef`] | a density painted or computed on the hemispherical map; as one array, for flash or a GPU |
+//! | [`Measure`], [`Reconstruction`], [`Cdf`] | how its texels count; its marginal and conditional distributions and their inverses |
+//! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from values of a noise to Gaussian numbers and back; measured, Gaussian, by its kurtosis |
+//! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by look-up; its layouts, accuracy and half floats |
+//! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing bump maps: their density, their texels, noise added to them |
+//! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
+//! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one look-up, for any density |
+//! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian distribution function and its inverse |
+//!
+//! Plural calls fill arrays: [`Ggx::normals`], [`Beckmann::visible_samples`], [`NormalTableRef::bilinear_normals`],
+//! [`PackedMapRef::inverses`]; in SIMD lanes, see [`simd`].
 //!
 //! # Conventions
 //!
@@ -67,7 +59,8 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
-//! | `simd` (default) | [`Batch`] in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
+//! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
+//! | `approx` | comparisons of [`Frame`] by `approx`, and those of `glam` |
 //! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
@@ -81,70 +74,67 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
+#[cfg(feature = "approx")]
+mod approx;
 mod batch_error;
+mod delegate;
 mod density;
 mod frame;
-mod level_of_detail;
+pub mod level_of_detail;
 mod map;
 mod math;
 mod microfacet;
 mod ndf;
 mod noise_distribution;
-mod normal_map;
-mod normal_table;
+pub mod normal_map;
+pub mod normal_table;
 mod numeric;
 mod radial;
-mod simd;
+mod range_error;
+pub mod simd;
+
+pub use glam;
 
 pub use batch_error::BatchError;
 pub use density::ashikhmin_shirley::AshikhminShirley;
-pub use density::batch::Batch;
 pub use density::beckmann::Beckmann;
-pub use density::blend::{Blend, MixtureError};
-pub use density::blinn_phong::{BlinnPhong, ExponentError, MAX_EXPONENT};
-pub use density::closed_form::InLanes;
+pub use density::blend::Blend;
+pub use density::blinn_phong::BlinnPhong;
 pub use density::ggx::Ggx;
-pub use density::isotropic::{Isotropic, IsotropicError, MAX_NODES};
-pub use density::mixture::Mixture;
-pub use density::rotated::{AngleError, Rotated};
-pub use density::roughness::{MAX_ALPHA, MIN_ALPHA, RoughnessError};
-pub use density::student_t::{MAX_GAMMA, MIN_GAMMA, StudentT, StudentTError};
+#[cfg(feature = "alloc")]
+pub use density::isotropic::Isotropic;
+pub use density::isotropic::{IsotropicError, IsotropicRef};
+pub use density::mixture::{Mixture, MixtureError};
+pub use density::rotated::Rotated;
+pub use density::roughness::{MAX_ALPHA, MIN_ALPHA};
+pub use density::student_t::StudentT;
 pub use density::ward::Ward;
 pub use frame::Frame;
-pub use glam;
-pub use level_of_detail::conditional::{GaussianSplit, MAX_SHARE, conditional_density};
-pub use level_of_detail::conditional_ndf::ConditionalNdf;
-pub use level_of_detail::offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 #[cfg(feature = "alloc")]
-pub use level_of_detail::table::{ConditionalAccuracy, ConditionalTable};
-pub use level_of_detail::table_ref::ConditionalTableRef;
+pub use level_of_detail::ConditionalTable;
+pub use level_of_detail::{ConditionalNdf, ConditionalTableRef, GaussianSplit, conditional_density};
 #[cfg(feature = "alloc")]
 pub use map::cdf::Cdf;
-pub use map::packed::{error::PackedMapError, packed_map::PackedMap};
+#[cfg(feature = "alloc")]
+pub use map::error::{MAX_TEXELS, NdfMapError};
+#[cfg(feature = "alloc")]
+pub use map::ndf_map::NdfMap;
+pub use map::packed::error::PackedMapError;
+pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
-pub use map::{
-    error::{MAX_TEXELS, NdfMapError},
-    ndf_map::NdfMap,
-    texels::Measure,
-};
+pub use map::texels::Measure;
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
-pub use noise_distribution::distribution::{DeviationError, GaussianNoise, NoiseDistribution};
+pub use noise_distribution::distribution::{GaussianNoise, NoiseDistribution};
 pub use noise_distribution::kurtotic_noise::KurtoticNoise;
-pub use noise_distribution::noise_cdf::{NoiseCdf, NoiseCdfError};
-pub use normal_map::detail::{NoiseChain, detailed, detailed_normal};
+pub use noise_distribution::noise_cdf::{NoiseCdfError, NoiseCdfRef};
 #[cfg(feature = "alloc")]
-pub use normal_map::estimate::{EstimateError, NdfEstimator, estimate_ndf};
-pub use normal_map::format::{Blue, NormalMapFormat, TangentSpace, Zero};
+pub use normal_map::{NdfEstimator, estimate_ndf};
+pub use normal_map::{detailed, detailed_normal};
 #[cfg(feature = "alloc")]
-pub use normal_table::accuracy::{Deviation, TableAccuracy};
-pub use normal_table::chart::Chart;
-pub use normal_table::layout::{TableEntry, TableLayout, unpack_frame};
-pub use normal_table::spacing::Spacing;
-#[cfg(feature = "alloc")]
-pub use normal_table::table::NormalTable;
-pub use normal_table::table_ref::{NormalTableError, NormalTableRef};
-pub use numeric::binary16::{MAX_HALF, from_half, to_half};
+pub use normal_table::NormalTable;
+pub use normal_table::{NormalTableError, NormalTableRef};
 pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
+pub use range_error::RangeError;

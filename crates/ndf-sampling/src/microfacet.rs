@@ -27,7 +27,7 @@ use crate::ndf::Ndf;
 /// let m = ggx.sample_visible(v, Vec2::new(0.3, 0.8));
 /// assert!(v.dot(m) > 0.0 && ggx.visible_density(v, m) > 0.0);
 /// assert!((ggx.projected_area(v) - v.z / ggx.g1(v)).abs() < 1e-6);
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 43 (G₁), 83 (D_v) and
@@ -97,58 +97,6 @@ impl<N: Microfacet + ?Sized> Microfacet for &N {
         (**self).visible_density(v, m)
     }
 }
-
-/// The traits of a density by those of another, which the method `facets` returns.
-macro_rules! same_facets {
-    ($density:ty) => {
-        impl $crate::ndf::Ndf for $density {
-            #[inline]
-            fn density(&self, m: glam::Vec3) -> f32 {
-                self.facets().density(m)
-            }
-
-            #[inline]
-            fn from_gaussian(&self, z: glam::Vec2) -> glam::Vec3 {
-                self.facets().from_gaussian(z)
-            }
-
-            #[inline]
-            fn to_gaussian(&self, m: glam::Vec3) -> glam::Vec2 {
-                self.facets().to_gaussian(m)
-            }
-
-            #[inline]
-            fn sample(&self, u: glam::Vec2) -> glam::Vec3 {
-                self.facets().sample(u)
-            }
-        }
-
-        impl $crate::microfacet::Microfacet for $density {
-            #[inline]
-            fn lambda(&self, v: glam::Vec3) -> f32 {
-                self.facets().lambda(v)
-            }
-
-            #[inline]
-            fn projected_area(&self, v: glam::Vec3) -> f32 {
-                self.facets().projected_area(v)
-            }
-
-            #[inline]
-            fn sample_visible(&self, v: glam::Vec3, u: glam::Vec2) -> glam::Vec3 {
-                self.facets().sample_visible(v, u)
-            }
-        }
-
-        impl $crate::radial::Radial for $density {
-            #[inline]
-            fn exponent(&self, slope: f64) -> Option<f64> {
-                self.facets().exponent(slope)
-            }
-        }
-    };
-}
-pub(crate) use same_facets;
 
 /// `v` if it is a direction above the horizon; of length 1 if it was far from that; otherwise the direction of the horizon
 /// below which it lies, or the zenith if it has none.

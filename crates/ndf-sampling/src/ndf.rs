@@ -33,7 +33,7 @@ pub(crate) const FARTHEST: f32 = 13.0;
 ///     assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0);
 ///     assert!(ndf.to_gaussian(m).abs_diff_eq(z, 1e-5));
 /// }
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", section 4. The paper draws normals through tables; that the

@@ -1,8 +1,8 @@
 //! Bad input: each gets one clear line, which names the culprit and its value.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, Blend, BlinnPhong, Ggx, Isotropic, Measure, Mixture, NdfMap, NoiseCdf,
-    NormalTable, Reconstruction, Rotated, RoughnessError, StudentT, Ward,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, Ggx, Isotropic, IsotropicRef, Measure, Mixture, NdfMap,
+    NoiseCdfRef, NormalTable, RangeError, Reconstruction, Rotated, StudentT, Ward,
 };
 
 /// One line, lower case, without a full stop, with every one of `parts`.
@@ -37,17 +37,15 @@ fn roughness() {
             assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
         }
     }
-    assert!(matches!(
-        Ggx::new(-1.0, 0.5),
-        Err(RoughnessError::NotPositive { parameter: "alpha_x", value: -1.0 })
-    ));
+    let RangeError { parameter, value, .. } = Ggx::new(-1.0, 0.5).unwrap_err();
+    assert_eq!((parameter, value), ("alpha_x", -1.0));
 }
 
 #[test]
 fn facets() {
     check(&StudentT::new(0.5, f32::NAN, 2.0).unwrap_err(), &["alpha_y", "NaN"]);
     check(&Ward::new(-0.5, 0.5).unwrap_err(), &["alpha_x", "-0.5"]);
-    for (value, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-1.0, "-1"), (3e12, "3000000000000")] {
+    for (value, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-1.0, "-1"), (3e12, "3e12")] {
         check(&StudentT::new(0.5, 0.5, value).unwrap_err(), &["gamma", name]);
         check(&BlinnPhong::new(value).unwrap_err(), &["exponent", name]);
         check(&BlinnPhong::from_roughness(value).unwrap_err(), &["roughness", name]);
@@ -70,9 +68,9 @@ fn facets() {
     check(&Isotropic::new(&[-0.5, 2.0]).unwrap_err(), &["density 0", "-0.5"]);
     check(&Isotropic::new(&[0.0; 7]).unwrap_err(), &["7"]);
     check(&Isotropic::from_fn(0, |_| 1.0).unwrap_err(), &["nodes", "0"]);
-    check(&Isotropic::pack(&[1.0, 2.0], &mut []).unwrap_err(), &["6", "0"]);
-    check(&Isotropic::from_packed([f32::NAN; 6]).unwrap_err(), &["density 0", "NaN"]);
-    check(&Isotropic::from_packed([1.0; 6]).unwrap_err(), &["node 0"]);
+    check(&IsotropicRef::pack(&[1.0, 2.0], &mut []).unwrap_err(), &["6", "0"]);
+    check(&IsotropicRef::new(&[f32::NAN; 6]).unwrap_err(), &["density 0", "NaN"]);
+    check(&IsotropicRef::new(&[1.0; 6]).unwrap_err(), &["node 0"]);
 }
 
 #[test]
@@ -83,16 +81,16 @@ fn images() {
         })
     };
     for error in refused(0, 0, &[]).iter().chain(&refused(3, 0, &[])) {
-        check(error, &["must have texels"]);
+        check(error, &["size must be 1 to", "0"]);
     }
     for error in refused(4, 4, &[0.0; 16]) {
         check(&error, &["black", "4 × 4"]);
     }
     for error in refused(4, 4, &[1.0; 15]) {
-        check(&error, &["4 × 4", "15"]);
+        check(&error, &["16", "15"]);
     }
     for error in refused(1 << 20, 1 << 20, &[1.0]).iter().chain(&refused(usize::MAX, usize::MAX, &[1.0])) {
-        check(error, &["at most"]);
+        check(error, &["size must be 1 to"]);
     }
     for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-2.0, "-2")] {
         let mut texels = [1.0; 16];
@@ -127,8 +125,8 @@ fn tables() {
     let ggx = Ggx::isotropic(0.5).unwrap();
     check(&NormalTable::new(&ggx, 0).unwrap_err(), &["size", "0"]);
     check(&NormalTable::new(&ggx, usize::MAX).unwrap_err(), &["size", "18446744073709551615"]);
-    check(&NoiseCdf::new(-1.0, &[0.0, 1.0]).unwrap_err(), &["range", "-1"]);
-    check(&NoiseCdf::new(1.0, &[0.0]).unwrap_err(), &["two entries", "1"]);
-    check(&NoiseCdf::new(1.0, &[0.0, 0.7, 0.6, 1.0]).unwrap_err(), &["entry 2", "0.6"]);
-    check(&NoiseCdf::new(1.0, &[0.0, f32::NAN]).unwrap_err(), &["entry 1", "NaN"]);
+    check(&NoiseCdfRef::new(-1.0, &[0.0, 1.0]).unwrap_err(), &["range", "-1"]);
+    check(&NoiseCdfRef::new(1.0, &[0.0]).unwrap_err(), &["two entries", "1"]);
+    check(&NoiseCdfRef::new(1.0, &[0.0, 0.7, 0.6, 1.0]).unwrap_err(), &["entry 2", "0.6"]);
+    check(&NoiseCdfRef::new(1.0, &[0.0, f32::NAN]).unwrap_err(), &["entry 1", "NaN"]);
 }

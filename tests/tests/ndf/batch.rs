@@ -1,6 +1,9 @@
 //! Batches of normals: equal to the calls within rounding, and to one lane bit for bit.
 
-use asperity_ndf_sampling::{Batch, Beckmann, Ggx, InLanes, Microfacet};
+use asperity_ndf_sampling::{
+    Beckmann, Ggx, Microfacet,
+    simd::{ClosedForm, Level},
+};
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 
@@ -33,15 +36,15 @@ struct All {
 }
 
 impl All {
-    fn of<N: InLanes>(batch: Batch, ndf: &N, Inputs { z, u, v }: &Inputs) -> Self {
+    fn of<N: ClosedForm>(level: Level, ndf: &N, Inputs { z, u, v }: &Inputs) -> Self {
         let (mut normals, mut coordinates) = (empty(), empty());
         let (mut samples, mut visible) = (empty(), empty());
         let mut densities = empty::<1>();
-        batch.from_gaussian(ndf, slices(z), mutable(&mut normals)).expect("one length");
-        batch.to_gaussian(ndf, slices(&normals), mutable(&mut coordinates)).expect("one length");
-        batch.density(ndf, slices(&normals), &mut densities[0]).expect("one length");
-        batch.sample(ndf, slices(u), mutable(&mut samples)).expect("one length");
-        batch.sample_visible(ndf, slices(v), slices(u), mutable(&mut visible)).expect("one length");
+        level.normals(ndf, slices(z), mutable(&mut normals)).expect("one length");
+        level.coordinates(ndf, slices(&normals), mutable(&mut coordinates)).expect("one length");
+        level.densities(ndf, slices(&normals), &mut densities[0]).expect("one length");
+        level.samples(ndf, slices(u), mutable(&mut samples)).expect("one length");
+        level.visible_samples(ndf, slices(v), slices(u), mutable(&mut visible)).expect("one length");
         Self { normals, coordinates, densities, samples, visible }
     }
 
@@ -83,10 +86,10 @@ fn at<const I: usize>(arrays: &Arrays<I>, k: usize) -> [f32; I] {
 
 /// The largest differences from the calls: normals over the tilt's scale, coordinates, relative densities, samples, and
 /// visible normals in units of u.
-fn worst<N: InLanes + Microfacet>(ndf: &N, alpha: [f32; 2]) -> [f32; 5] {
+fn worst<N: ClosedForm + Microfacet>(ndf: &N, alpha: [f32; 2]) -> [f32; 5] {
     let inputs = inputs();
     let Inputs { z, u, v } = &inputs;
-    let all = All::of(Batch::new(), ndf, &inputs);
+    let all = All::of(Level::best(), ndf, &inputs);
     let least = alpha[0].min(alpha[1]);
     let mut worst = [0.0_f32; 5];
     for k in 0..LEN {
@@ -135,8 +138,8 @@ fn registers_have_the_bits_of_one_lane() {
     }
     for [x, y] in ALPHAS {
         let (ggx, beckmann) = (Ggx::new(x, y).expect("valid"), Beckmann::new(x, y).expect("valid"));
-        let of = |batch| [All::of(batch, &ggx, &inputs), All::of(batch, &beckmann, &inputs)];
-        for (wide, single) in of(Batch::new()).iter().zip(&of(Batch::scalar())) {
+        let of = |level| [All::of(level, &ggx, &inputs), All::of(level, &beckmann, &inputs)];
+        for (wide, single) in of(Level::best()).iter().zip(&of(Level::scalar())) {
             assert_eq!(wide.bits(), single.bits(), "{x} {y}");
             for k in 0..LEN {
                 for m in [&wide.normals, &wide.samples, &wide.visible].map(|m| Vec3::from(at(m, k))) {

@@ -2,7 +2,8 @@
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Isotropic, Measure, Mixture,
-    Ndf, NdfMap, OffsetBeckmann, Reconstruction, Rotated, StudentT, Ward, conditional_density,
+    Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, conditional_density,
+    level_of_detail::OffsetBeckmann,
 };
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;

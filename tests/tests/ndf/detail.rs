@@ -1,8 +1,10 @@
 //! Existing normal maps: their density, their indices, and the way back through table L; detail keeps the density.
 
 use asperity_ndf_sampling::{
-    Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdf, NoiseChain, NormalMapFormat, NormalTable,
-    Reconstruction, TableLayout, TangentSpace, detailed_normal, estimate_ndf,
+    Beckmann, Ggx, Ndf, NdfEstimator, NdfMap, NoiseCdfRef, NormalTable, Reconstruction, detailed_normal,
+    estimate_ndf,
+    normal_map::{NoiseChain, NormalMapFormat, TangentSpace},
+    normal_table::TableLayout,
 };
 use asperity_noise::{Gaussian, Kernel, Perlin2002, Simplex};
 use asperity_render::sampling::low_discrepancy::r2;
@@ -150,7 +152,7 @@ fn noise_values_of_a_normal_map_give_it_back() {
         ("Gaussian", Kernel::<3>::statistics(&Gaussian::default()).cdf),
     ];
     for (name, cdf) in distributions {
-        let chain = NoiseChain { ndf: &ndf, noise: NoiseCdf::new(4.0, cdf).unwrap() };
+        let chain = NoiseChain { ndf: &ndf, noise: NoiseCdfRef::new(4.0, cdf).unwrap() };
         let table =
             NormalTable::from_fn(256, TableLayout::default(), |r| chain.normal(r.to_array())).unwrap();
         let direct = angles(&normals, |n| chain.normal(chain.noise_values(n)));

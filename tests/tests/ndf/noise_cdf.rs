@@ -1,6 +1,6 @@
 //! G: monotone, total, inverse to itself, and right for a noise whose distribution is known.
 
-use asperity_ndf_sampling::{KurtoticNoise, NoiseCdf, phi};
+use asperity_ndf_sampling::{KurtoticNoise, NoiseCdfRef, phi};
 use asperity_noise::{Kernel, Point};
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
 use asperity_tests::random::Random;
@@ -14,7 +14,7 @@ fn triangle(r: f64) -> f64 {
 #[test]
 fn known_noise_becomes_gaussian() {
     let table: Vec<f32> = (0..1025).map(|k| triangle(f64::from(k) / 512.0 - 1.0) as f32).collect();
-    let g = NoiseCdf::new(1.0, &table).unwrap();
+    let g = NoiseCdfRef::new(1.0, &table).unwrap();
     let (mut random, samples) = (Random(12), 200_000_u32);
     let mut values: Vec<f64> = (0..samples)
         .map(|_| f64::from(g.gaussian((random.uniform() + random.uniform() - 1.0) as f32)))
@@ -37,7 +37,7 @@ struct Measured {
 impl Visit for Measured {
     fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
         let statistics = Kernel::<N>::statistics(&noise);
-        let g = NoiseCdf::new(4.0, statistics.cdf).expect("a distribution");
+        let g = NoiseCdfRef::new(4.0, statistics.cdf).expect("a distribution");
         for k in -350..=350 {
             let r = k as f32 * 0.01;
             let (u, z) = (g.uniform(r), g.gaussian(r));
@@ -79,7 +79,7 @@ fn every_measured_distribution_is_mapped_and_inverted() {
 #[test]
 fn table_is_met_at_its_entries() {
     let table = [0.0, 0.125, 0.5, 0.5, 0.875, 1.0];
-    let g = NoiseCdf::new(2.5, &table).unwrap();
+    let g = NoiseCdfRef::new(2.5, &table).unwrap();
     for (k, &value) in table.iter().enumerate() {
         assert_eq!(g.uniform(k as f32 - 2.5), value, "{k}");
     }
@@ -98,7 +98,7 @@ proptest! {
         let total: f32 = weights.iter().sum();
         let mut table = vec![0.0];
         table.extend(weights.iter().scan(0.0_f32, |sum, w| { *sum += w / total; Some(sum.min(1.0)) }));
-        let g = NoiseCdf::new(range, &table).unwrap();
+        let g = NoiseCdfRef::new(range, &table).unwrap();
         let (low, high) = (a.min(b) * range, a.max(b) * range);
         prop_assert!(g.uniform(low) <= g.uniform(high));
         prop_assert!(g.gaussian(low) <= g.gaussian(high));

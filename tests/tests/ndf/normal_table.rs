@@ -1,8 +1,8 @@
 //! Table L: what the look-ups lose at a point, and their frames.
 
 use asperity_ndf_sampling::{
-    Beckmann, Chart, Frame, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableLayout, inverse_phi,
-    unpack_frame,
+    Beckmann, Frame, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
+    normal_table::{Chart, Spacing, TableLayout, unpack_frame},
 };
 use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};

@@ -1,6 +1,6 @@
 //! Packed maps: the same density as the map's, the same samples, and every edge.
 
-use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMap, Reconstruction};
+use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 
@@ -48,7 +48,7 @@ fn uniforms(count: usize) -> Vec<Vec2> {
 fn samples_are_those_of_the_map_to_rounding() {
     for (name, map) in maps() {
         let array = map.pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         assert_eq!((packed.width(), packed.height()), (map.cdf().width(), map.cdf().height()));
         assert_eq!(packed.reconstruction(), map.cdf().reconstruction());
         let mut worst = [0.0_f64; 2];
@@ -94,7 +94,7 @@ fn samples_are_those_of_the_map_to_rounding() {
 fn densities_are_those_of_the_map() {
     for (name, map) in maps() {
         let array = map.pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         for u in uniforms(3000) {
             let n = (u * 2.0 - 1.0) * 0.999;
             // A texel's border may be crossed by the rounding of the place.
@@ -116,14 +116,14 @@ fn densities_are_those_of_the_map() {
 fn arrays_are_filled_with_single_results() {
     for (name, map) in maps() {
         let array = map.pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         // Not a multiple of a block.
         let u = uniforms(1001);
         let [u1, u2]: [Vec<f32>; 2] = [u.iter().map(|u| u.x).collect(), u.iter().map(|u| u.y).collect()];
         let [mut x, mut y, mut v1, mut v2, mut d] = [(); 5].map(|()| vec![0.0_f32; u.len()]);
-        packed.fill_samples([&u1, &u2], [&mut x, &mut y]).unwrap();
-        packed.fill_forward([&x, &y], [&mut v1, &mut v2]).unwrap();
-        packed.fill_density([&x, &y], &mut d).unwrap();
+        packed.inverses([&u1, &u2], [&mut x, &mut y]).unwrap();
+        packed.forwards([&x, &y], [&mut v1, &mut v2]).unwrap();
+        packed.densities([&x, &y], &mut d).unwrap();
         for (k, &u) in u.iter().enumerate() {
             let n = packed.inverse(u);
             assert_eq!((x[k], y[k]), (n.x, n.y), "{name} {u}");
@@ -131,7 +131,7 @@ fn arrays_are_filled_with_single_results() {
             assert_eq!((v1[k], v2[k]), (v.x, v.y), "{name} {n}");
             assert_eq!(d[k], packed.density(n.extend(0.5)), "{name} {n}");
         }
-        assert!(packed.fill_samples([&u1, &u2], [&mut x[1..], &mut y]).is_err());
+        assert!(packed.inverses([&u1, &u2], [&mut x[1..], &mut y]).is_err());
     }
 }
 
@@ -140,7 +140,7 @@ fn total_on_every_input() {
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -1.0, 2.0, 1e38, 1e-40];
     for (name, map) in maps() {
         let array = map.pack();
-        let packed = PackedMap::new(&array).expect("packed");
+        let packed = PackedMapRef::new(&array).expect("packed");
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
             let m = packed.sample(Vec2::new(x, y));
             assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {x} {y}: {m}");
@@ -159,16 +159,16 @@ fn total_on_every_input() {
 fn other_arrays_are_refused() {
     let map = image(8, 4, Reconstruction::Bilinear, |i, j| (i + j) as f32);
     let array = map.pack();
-    let refused = |array: &[f32]| PackedMap::new(array).unwrap_err().to_string();
-    assert_eq!(refused(&[]), "packed map must have 16 numbers at least, got 0");
-    assert_eq!(refused(&[1.0; 100]), "packed map must begin with its format, got 1");
+    let refused = |array: &[f32]| PackedMapRef::new(array).unwrap_err().to_string();
+    assert_eq!(refused(&[]), "array must have 16 numbers, got 0");
+    assert_eq!(refused(&[1.0; 100]), "number 0 must be the format of packed maps, got 1");
     assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
     for index in 1..9 {
         let mut other = array.clone();
         for bits in [0, u32::MAX, 1 << 28, 3] {
             other[index] = f32::from_bits(bits);
             if other[index].to_bits() != array[index].to_bits() && (index, bits) != (1, 0) {
-                assert!(PackedMap::new(&other).is_err(), "{index} {bits}");
+                assert!(PackedMapRef::new(&other).is_err(), "{index} {bits}");
             }
         }
     }
@@ -181,7 +181,7 @@ fn other_arrays_are_refused() {
                 *number = f32::from_bits(random.bits() as u32);
             }
         }
-        let packed = PackedMap::new(&other).expect("the header is sound");
+        let packed = PackedMapRef::new(&other).expect("the header is sound");
         for u in uniforms(20) {
             let n = packed.inverse(u);
             let _ = (packed.forward(n), packed.density(n.extend(0.5)), packed.forward(u * 2.0 - 1.0));

@@ -4,7 +4,8 @@
 use std::sync::LazyLock;
 
 use asperity_ndf_sampling::{
-    Beckmann, Chart, Ggx, Ndf, NormalTable, NormalTableRef, Spacing, TableEntry, TableLayout, inverse_phi,
+    Beckmann, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
+    normal_table::{Chart, Spacing, TableEntry, TableLayout},
 };
 use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};

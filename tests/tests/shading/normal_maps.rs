@@ -1,7 +1,7 @@
 //! Normal maps made by hand: their mean radiance at every zoom, by moments, by averaged normals and point by point.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::ndf_sampling::{OffsetBeckmann, estimate_ndf};
+use asperity_shading::ndf_sampling::{estimate_ndf, level_of_detail::OffsetBeckmann};
 use asperity_shading::noise::{GaussianOctaves, Spectrum};
 use asperity_shading::{Beckmann, BumpField, Coordinates, Footprint, Ndf, SlopeMoments, SlopePyramid};
 

@@ -3,8 +3,10 @@
 use std::{path::Path, sync::Arc};
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, NormalMapFormat, Reconstruction, StudentT,
-    TangentSpace, Ward, estimate_ndf, glam::Vec3,
+    AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, Reconstruction, StudentT, Ward,
+    estimate_ndf,
+    glam::Vec3,
+    normal_map::{NormalMapFormat, TangentSpace},
 };
 use asperity_render::{
     image::read::{ImageFile, ImageFileError},

@@ -1,8 +1,9 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
 use asperity_ndf_sampling::{
-    Chart, ConditionalTable, Deviation, Frame, Ndf, NdfMap, NormalTable, Spacing, TableAccuracy, TableLayout,
+    ConditionalTable, Frame, Ndf, NdfMap, NormalTable,
     glam::Vec3,
+    normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout},
 };
 use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec2, Vec3};
 
-use crate::density::blinn_phong::{ExponentError, MAX_EXPONENT, check, roughness};
+use crate::density::blinn_phong::{MAX_EXPONENT, roughness};
 use crate::density::ggx::Ggx;
 use crate::density::roughness::Roughness;
 use crate::density::student_distribution::Student;
@@ -13,6 +13,7 @@ use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
 use crate::numeric::gauss_kronrod::integrate;
 use crate::radial::Radial;
+use crate::range_error::RangeError;
 use crate::simd::elementary::cos_sin_turns;
 use crate::simd::lanes::Scalar;
 
@@ -27,7 +28,7 @@ use crate::simd::lanes::Scalar;
 /// `D` is the original model's, divided by `4(h·k) max(…)/F` and normalised to `∫ D cos θ dω = 1`, for which `+ 1` becomes
 /// `+ 2`. Where the exponents are equal it is [`BlinnPhong`](crate::BlinnPhong)'s.
 ///
-/// - **Domain:** `nu, nv` in `[0, `[`MAX_EXPONENT`]`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
+/// - **Domain:** `nu, nv` in `[0, `[`MAX_EXPONENT`](crate::BlinnPhong::MAX_EXPONENT)`]`; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Λ:** the inner integral exactly, by Student's t; the outer by adaptive quadrature of the three parts between the
 ///   axes and the horizon of `k`, to 1e-6 relative: some 100 nodes, 20 to 40 µs.
 /// - **Visible normals:** exact, by rejection. GGX with `α² = 2/(n + 2)` is nowhere less than e/4 of this density, so its
@@ -42,7 +43,7 @@ use crate::simd::lanes::Scalar;
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// let (equal, phong) = (AshikhminShirley::new(50.0, 50.0)?, BlinnPhong::new(50.0)?);
 /// assert!((equal.density(m) / phong.density(m) - 1.0).abs() < 1e-5);
-/// # Ok::<(), asperity_ndf_sampling::ExponentError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Ashikhmin and Shirley 2000, "An Anisotropic Phong BRDF Model", eq. 4. The map is ours: the azimuth of `d` has the density
@@ -60,7 +61,8 @@ impl AshikhminShirley {
     ///
     /// # Errors
     /// An exponent that is NaN or out of range; the error names it and its value.
-    pub fn new(n_u: f32, n_v: f32) -> Result<Self, ExponentError> {
+    pub fn new(n_u: f32, n_v: f32) -> Result<Self, RangeError> {
+        let check = |parameter, n| RangeError::check(parameter, n, [0.0, MAX_EXPONENT]);
         Ok(Self::with(check("n_u", n_u)?, check("n_v", n_v)?))
     }
 

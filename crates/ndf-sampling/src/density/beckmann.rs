@@ -4,7 +4,7 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
-use crate::density::closed_form::{ClosedForm, in_one_lane, probabilities, stretched, unit};
+use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::gaussian_lanes;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::density::visible_slopes::{excess, quantile, visible_slope};
@@ -12,6 +12,7 @@ use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{FARTHEST, unit_square};
 use crate::radial::Radial;
+use crate::simd::closed_form::ClosedForm;
 use crate::simd::elementary::{cos_sin_turns, exp, ln_1p};
 use crate::simd::lanes::Lanes;
 
@@ -36,7 +37,7 @@ use crate::simd::lanes::Lanes;
 /// let beckmann = Beckmann::isotropic(0.3)?;
 /// assert!((beckmann.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.09)).abs() < 1e-5);
 /// assert!(Beckmann::new(0.3, 0.0).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Walter et al. 2007, eq. 25, in its anisotropic form.
@@ -55,7 +56,7 @@ impl Beckmann {
     }
 }
 
-in_one_lane!(Beckmann);
+closed_form!(Beckmann);
 
 impl ClosedForm for Beckmann {
     #[inline(always)]
@@ -66,7 +67,7 @@ impl ClosedForm for Beckmann {
     }
 
     #[inline(always)]
-    fn coordinates<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+    fn gaussian<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
         let up = s.float(SQRT_2) / s.at_least(z, f32::MIN_POSITIVE);
         let z1 = (x / s.float(self.alpha.x)) * up;
         let z2 = (y / s.float(self.alpha.y)) * up;

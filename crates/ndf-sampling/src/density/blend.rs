@@ -1,11 +1,10 @@
 //! A weighted sum of two densities, sampled by a choice between them.
 
-use core::fmt;
-
 use glam::{Vec2, Vec3};
 
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, unit_square};
+use crate::range_error::RangeError;
 
 /// The density `w D_a + (1 − w) D_b` of any two densities, without a map from Gaussian coordinates.
 ///
@@ -41,12 +40,8 @@ impl<A, B> Blend<A, B> {
     ///
     /// # Errors
     /// A weight that is not between 0 and 1.
-    pub fn new(a: A, b: B, weight: f32) -> Result<Self, MixtureError> {
-        if (0.0..=1.0).contains(&weight) {
-            Ok(Self { a, b, weight })
-        } else {
-            Err(MixtureError::Weight { value: weight })
-        }
+    pub fn new(a: A, b: B, weight: f32) -> Result<Self, RangeError> {
+        RangeError::check("weight", weight, [0.0, 1.0]).map(|weight| Self { a, b, weight })
     }
 
     /// The first density.
@@ -134,32 +129,3 @@ impl<A: Microfacet, B: Microfacet> Blend<A, B> {
         if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 }
-
-/// Why a sum of densities was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum MixtureError {
-    /// The weight is not between 0 and 1.
-    Weight {
-        /// Its value.
-        value: f32,
-    },
-    /// A density depends on the azimuth, so that the sum has no radial map.
-    NotRadial {
-        /// Which density: `"a"` or `"b"`.
-        density: &'static str,
-    },
-}
-
-impl fmt::Display for MixtureError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Weight { value } => write!(f, "weight must be between 0 and 1, got {value}"),
-            Self::NotRadial { density } => {
-                write!(f, "density {density} must depend on the tilt alone, but it depends on the azimuth")
-            }
-        }
-    }
-}
-
-impl core::error::Error for MixtureError {}

@@ -4,12 +4,13 @@ use core::f32::consts::{PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
-use crate::density::closed_form::{ClosedForm, in_one_lane, probabilities, stretched, unit};
+use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::FARTHEST;
 use crate::radial::Radial;
+use crate::simd::closed_form::ClosedForm;
 use crate::simd::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
 use crate::simd::lanes::{Lanes, Scalar};
 
@@ -33,7 +34,7 @@ use crate::simd::lanes::{Lanes, Scalar};
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// assert!((ggx.density(Vec3::Z) - 1.0 / (core::f32::consts::PI * 0.08)).abs() < 1e-5);
 /// assert!(Ggx::new(f32::NAN, 0.4).is_err());
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian map of that slope density:
@@ -45,7 +46,7 @@ pub struct Ggx {
 
 roughness_parameters!(Ggx);
 
-in_one_lane!(Ggx);
+closed_form!(Ggx);
 
 impl ClosedForm for Ggx {
     #[inline(always)]
@@ -60,7 +61,7 @@ impl ClosedForm for Ggx {
     }
 
     #[inline(always)]
-    fn coordinates<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
+    fn gaussian<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 2] {
         let up = s.at_least(z, f32::MIN_POSITIVE);
         let (x, y) = (x / s.float(self.alpha.x), y / s.float(self.alpha.y));
         let length = s.sqrt(x * x + y * y);

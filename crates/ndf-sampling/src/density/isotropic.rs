@@ -7,6 +7,8 @@ use core::fmt;
 
 use glam::{Vec2, Vec3};
 
+#[cfg(feature = "alloc")]
+use crate::delegate::delegate_ndf;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
 use crate::math;
@@ -14,10 +16,12 @@ use crate::ndf::{Ndf, bounded};
 use crate::radial::Radial;
 
 /// The most nodes of a table.
-pub const MAX_NODES: usize = 1 << 20;
+const MAX_NODES: usize = 1 << 20;
 
 /// The numbers that a node takes: its density, and the distribution at it in two parts.
 const PER_NODE: usize = 3;
+
+type Node = [f32; PER_NODE];
 
 /// A density of normals that is linear between the nodes of a table over `cos θ`.
 ///
@@ -30,102 +34,116 @@ const PER_NODE: usize = 3;
 /// cell, so that a sample costs O(log n). The nodes are equally far apart in `cos θ`: near the zenith that is a tilt of
 /// `√(2/n)`, so lobes narrower than a few such tilts need another density or [`NdfMap`](crate::NdfMap).
 ///
-/// - **Storage:** `S` holds three numbers for each node: `Vec<f32>` under `alloc`, or `&[f32]`, filled by
-///   [`pack`](Isotropic::pack) here or elsewhere and lying anywhere, as in flash.
+/// - **Storage:** three numbers for each node; [`IsotropicRef`] borrows them.
 /// - **Domain:** unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Isotropic, Ndf, glam::Vec2};
 ///
-/// let mut storage = [0.0; 3 * 3];
-/// let table = Isotropic::pack(&[0.0, 0.5, 2.0], &mut storage)?;
+/// let table = Isotropic::new(&[0.0, 0.5, 2.0])?;
 /// let z = Vec2::new(0.7, -1.2);
 /// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
 /// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
 /// ```
 ///
 /// The radial case of Kautz, Heidrich, Seidel 2001, section 4, by one table instead of two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Isotropic<S> {
-    packed: S,
+#[cfg(feature = "alloc")]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Isotropic {
+    nodes: Vec<Node>,
 }
 
 #[cfg(feature = "alloc")]
-impl Isotropic<Vec<f32>> {
+impl Isotropic {
     /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
     /// zenith.
     ///
     /// # Errors
-    /// As [`pack`](Isotropic::pack).
+    /// Fewer than 2 or more than 2²⁰ values, one that is negative or not finite, all of them 0; the error names the
+    /// culprit.
     pub fn new(values: &[f32]) -> Result<Self, IsotropicError> {
         check(values)?;
-        let mut packed = alloc::vec![0.0; PER_NODE * values.len()];
-        Isotropic::pack(values, &mut packed)?;
-        Ok(Self { packed })
+        let mut nodes = alloc::vec![[0.0; PER_NODE]; values.len()];
+        fill(values, &mut nodes)?;
+        Ok(Self { nodes })
     }
 
     /// The density that is proportional to `density(cos θ)` at `nodes` cosines from 0 to 1, and linear between.
     ///
     /// # Errors
-    /// As [`pack`](Isotropic::pack).
+    /// As [`new`](Self::new).
     pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, IsotropicError> {
         if !(2..=MAX_NODES).contains(&nodes) {
-            return Err(IsotropicError::Nodes { nodes });
+            return Err(IsotropicError::Nodes { got: nodes });
         }
         let values: Vec<f32> = (0..nodes).map(|k| density(k as f32 / (nodes - 1) as f32)).collect();
         Self::new(&values)
     }
+
+    /// The table in its borrowed form, which has every call.
+    #[must_use]
+    pub fn view(&self) -> IsotropicRef<'_> {
+        IsotropicRef { nodes: &self.nodes }
+    }
+
+    /// The packed table: for each node its density and the distribution `C` in two parts.
+    #[must_use]
+    pub fn packed(&self) -> &[f32] {
+        self.nodes.as_flattened()
+    }
 }
 
-impl<'a> Isotropic<&'a [f32]> {
+#[cfg(feature = "alloc")]
+delegate_ndf!(Isotropic, view, Radial);
+
+/// A table over the cosine, as of `Isotropic`, in borrowed storage: three numbers for each node, lying anywhere, as in flash.
+///
+/// ```
+/// use asperity_ndf_sampling::{IsotropicRef, Ndf, glam::Vec2};
+///
+/// let mut storage = [0.0; 3 * 3];
+/// let table = IsotropicRef::pack(&[0.0, 0.5, 2.0], &mut storage)?;
+/// let z = Vec2::new(0.7, -1.2);
+/// assert!(table.to_gaussian(table.from_gaussian(z)).abs_diff_eq(z, 1e-5));
+/// # Ok::<(), asperity_ndf_sampling::IsotropicError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IsotropicRef<'a> {
+    nodes: &'a [Node],
+}
+
+impl<'a> IsotropicRef<'a> {
     /// The density that is proportional to `values` at equally spaced cosines, the first at the horizon, the last at the
     /// zenith, in a `storage` of three numbers for each.
     ///
     /// # Errors
-    /// Fewer than 2 or more than [`MAX_NODES`] values, one that is negative or not finite, all of them 0, and a storage of
+    /// Fewer than 2 or more than 2²⁰ values, one that is negative or not finite, all of them 0, and a storage of
     /// another length; the error names the culprit.
     pub fn pack(values: &[f32], storage: &'a mut [f32]) -> Result<Self, IsotropicError> {
         check(values)?;
         if storage.len() != PER_NODE * values.len() {
             return Err(IsotropicError::Storage { expected: PER_NODE * values.len(), got: storage.len() });
         }
-        let cells = (values.len() - 1) as f64;
-        let masses = || values.iter().zip(values.iter().skip(1)).enumerate();
-        let mass = |(k, (&low, &high)): (usize, (&f32, &f32))| {
-            Cell::new(k, low, high).below(1.0) * 2.0 * PI / (cells * cells)
-        };
-        let total: f64 = masses().map(mass).sum();
-        if total <= 0.0 {
-            return Err(IsotropicError::Black { nodes: values.len() });
-        }
-        let mut share = 0.0;
-        let mut rest = masses().map(mass);
-        for (node, &value) in storage.as_chunks_mut::<PER_NODE>().0.iter_mut().zip(values) {
-            let high = share as f32;
-            *node = [(f64::from(value) / total) as f32, high, (share - f64::from(high)) as f32];
-            share = (share + rest.next().unwrap_or(0.0) / total).min(1.0);
-        }
-        Ok(Self { packed: storage })
+        let nodes = storage.as_chunks_mut().0;
+        fill(values, nodes)?;
+        Ok(Self { nodes })
     }
-}
 
-impl<S: AsRef<[f32]>> Isotropic<S> {
-    /// The density of a table that [`pack`](Isotropic::pack) filled.
+    /// The density of a table that [`pack`](Self::pack) filled.
     ///
     /// # Errors
     /// A length that is no table's, a density that is negative or not finite, a distribution that does not rise from 0 to 1.
-    pub fn from_packed(packed: S) -> Result<Self, IsotropicError> {
-        let table = packed.as_ref();
-        let nodes = table.len() / PER_NODE;
+    pub fn new(packed: &'a [f32]) -> Result<Self, IsotropicError> {
+        let nodes = packed.len() / PER_NODE;
         if !(2..=MAX_NODES).contains(&nodes) {
-            return Err(IsotropicError::Nodes { nodes });
+            return Err(IsotropicError::Nodes { got: nodes });
         }
-        if table.len() % PER_NODE != 0 {
-            return Err(IsotropicError::Storage { expected: PER_NODE * nodes, got: table.len() });
+        if packed.len() % PER_NODE != 0 {
+            return Err(IsotropicError::Storage { expected: PER_NODE * nodes, got: packed.len() });
         }
         let mut last = 0.0;
-        for (index, &[density, high, low]) in table.as_chunks::<PER_NODE>().0.iter().enumerate() {
+        for (index, &[density, high, low]) in packed.as_chunks::<PER_NODE>().0.iter().enumerate() {
             check_value(index, density)?;
             let share = f64::from(high) + f64::from(low);
             let rises = share >= last && share <= 1.000_001 && (index > 0 || share == 0.0);
@@ -134,27 +152,23 @@ impl<S: AsRef<[f32]>> Isotropic<S> {
             }
             last = share;
         }
-        Ok(Self { packed })
+        Ok(Self { nodes: packed.as_chunks().0 })
     }
 
     /// The packed table: for each node its density and the distribution `C` in two parts.
     #[must_use]
-    pub fn packed(&self) -> &[f32] {
-        self.packed.as_ref()
-    }
-
-    fn nodes(&self) -> &[[f32; PER_NODE]] {
-        self.packed.as_ref().as_chunks::<PER_NODE>().0
+    pub const fn packed(self) -> &'a [f32] {
+        self.nodes.as_flattened()
     }
 
     /// The number of cells.
     fn cells(&self) -> usize {
-        self.nodes().len().saturating_sub(1)
+        self.nodes.len().saturating_sub(1)
     }
 
     /// The density and `C` at a node.
     fn node(&self, index: usize) -> (f32, f64) {
-        let [density, high, low] = self.nodes().get(index).copied().unwrap_or([0.0; PER_NODE]);
+        let [density, high, low] = self.nodes.get(index).copied().unwrap_or([0.0; PER_NODE]);
         (density, f64::from(high) + f64::from(low))
     }
 
@@ -182,7 +196,7 @@ impl<S: AsRef<[f32]>> Isotropic<S> {
     }
 }
 
-impl<S: AsRef<[f32]>> Ndf for Isotropic<S> {
+impl Ndf for IsotropicRef<'_> {
     fn density(&self, m: Vec3) -> f32 {
         let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
         let cos = z / math::sqrt_f64(x * x + y * y + z * z);
@@ -201,8 +215,7 @@ impl<S: AsRef<[f32]>> Ndf for Isotropic<S> {
         let (share, rest) = (total * math::exp_f64(-exponent), -total * math::exp_m1_f64(-exponent));
         // The first cell at whose end the share is reached.
         let last = self.cells().saturating_sub(1);
-        let reached =
-            self.nodes().partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < share);
+        let reached = self.nodes.partition_point(|&[_, high, low]| f64::from(high) + f64::from(low) < share);
         let index = reached.saturating_sub(1).min(last);
         let (cell, from, to) = self.cell(index);
         let cells = self.cells() as f64;
@@ -225,7 +238,7 @@ impl<S: AsRef<[f32]>> Ndf for Isotropic<S> {
     }
 }
 
-impl<S: AsRef<[f32]>> Radial for Isotropic<S> {
+impl Radial for IsotropicRef<'_> {
     fn exponent(&self, slope: f64) -> Option<f64> {
         let cos = 1.0 / math::sqrt_f64(1.0 + slope * slope);
         // 1 − cos θ = sin² θ/(1 + cos θ) without the difference.
@@ -238,10 +251,10 @@ impl<S: AsRef<[f32]>> Radial for Isotropic<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IsotropicError {
-    /// The table has fewer than 2 or more than [`MAX_NODES`] nodes.
+    /// The table has fewer than 2 or more than 2²⁰ nodes.
     Nodes {
         /// How many.
-        nodes: usize,
+        got: usize,
     },
     /// The storage has another length than three numbers for each node.
     Storage {
@@ -250,15 +263,8 @@ pub enum IsotropicError {
         /// Its length.
         got: usize,
     },
-    /// A density is NaN or infinite.
-    NotFinite {
-        /// Which node.
-        index: usize,
-        /// Its density.
-        value: f32,
-    },
-    /// A density is negative.
-    Negative {
+    /// A density is NaN, infinite or negative.
+    Density {
         /// Which node.
         index: usize,
         /// Its density.
@@ -267,7 +273,7 @@ pub enum IsotropicError {
     /// The density is 0 at every tilt below the horizon's.
     Black {
         /// The number of nodes.
-        nodes: usize,
+        got: usize,
     },
     /// The packed distribution does not rise from 0 to 1.
     Distribution {
@@ -279,13 +285,14 @@ pub enum IsotropicError {
 impl fmt::Display for IsotropicError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Nodes { nodes } => write!(f, "a table must have 2 to {MAX_NODES} nodes, got {nodes}"),
+            Self::Nodes { got } => write!(f, "nodes must be 2 to {MAX_NODES}, got {got}"),
             Self::Storage { expected, got } => write!(f, "storage must have {expected} numbers, got {got}"),
-            Self::NotFinite { index, value } => write!(f, "density {index} must be finite, got {value}"),
-            Self::Negative { index, value } => write!(f, "density {index} must not be negative, got {value}"),
-            Self::Black { nodes } => write!(f, "a density must not be 0 everywhere, got {nodes} such nodes"),
+            Self::Density { index, value } => {
+                write!(f, "density {index} must be finite and not negative, got {value}")
+            }
+            Self::Black { got } => write!(f, "density must not be 0 everywhere, got {got} such nodes"),
             Self::Distribution { index } => {
-                write!(f, "distribution must rise from 0 to 1, fails at node {index}")
+                write!(f, "distribution must rise from 0 to 1, got another at node {index}")
             }
         }
     }
@@ -294,19 +301,34 @@ impl fmt::Display for IsotropicError {
 impl core::error::Error for IsotropicError {}
 
 fn check_value(index: usize, value: f32) -> Result<(), IsotropicError> {
-    if !value.is_finite() {
-        Err(IsotropicError::NotFinite { index, value })
-    } else if value < 0.0 {
-        Err(IsotropicError::Negative { index, value })
-    } else {
-        Ok(())
+    if (0.0..f32::INFINITY).contains(&value) { Ok(()) } else { Err(IsotropicError::Density { index, value }) }
+}
+
+/// Fills the nodes of a table with checked values.
+fn fill(values: &[f32], nodes: &mut [Node]) -> Result<(), IsotropicError> {
+    let cells = (values.len() - 1) as f64;
+    let masses = || values.iter().zip(values.iter().skip(1)).enumerate();
+    let mass = |(k, (&low, &high)): (usize, (&f32, &f32))| {
+        Cell::new(k, low, high).below(1.0) * 2.0 * PI / (cells * cells)
+    };
+    let total: f64 = masses().map(mass).sum();
+    if total <= 0.0 {
+        return Err(IsotropicError::Black { got: values.len() });
     }
+    let mut share = 0.0;
+    let mut rest = masses().map(mass);
+    for (node, &value) in nodes.iter_mut().zip(values) {
+        let high = share as f32;
+        *node = [(f64::from(value) / total) as f32, high, (share - f64::from(high)) as f32];
+        share = (share + rest.next().unwrap_or(0.0) / total).min(1.0);
+    }
+    Ok(())
 }
 
 /// Whether `values` can be the densities at the nodes of a table.
 fn check(values: &[f32]) -> Result<(), IsotropicError> {
     if !(2..=MAX_NODES).contains(&values.len()) {
-        return Err(IsotropicError::Nodes { nodes: values.len() });
+        return Err(IsotropicError::Nodes { got: values.len() });
     }
     values.iter().enumerate().try_for_each(|(index, &value)| check_value(index, value))
 }
@@ -351,22 +373,25 @@ mod tests {
     #[test]
     fn packed_tables_are_borrowed_and_checked() {
         let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
-        let borrowed = Isotropic::from_packed(table.packed()).unwrap();
+        let borrowed = IsotropicRef::new(table.packed()).unwrap();
         assert_eq!(borrowed.packed(), table.packed());
         let mut broken = table.packed().to_vec();
         broken[4] = 2.0;
-        let packed = |values: &[f32]| Isotropic::from_packed(values.to_vec()).unwrap_err();
+        let packed = |values: &[f32]| IsotropicRef::new(values).unwrap_err();
         for (error, text) in [
-            (packed(&broken), "distribution must rise from 0 to 1, fails at node 1"),
+            (packed(&broken), "distribution must rise from 0 to 1, got another at node 1"),
             (packed(&table.packed()[..8]), "storage must have 6 numbers, got 8"),
-            (packed(&[]), "a table must have 2 to 1048576 nodes, got 0"),
-            (Isotropic::new(&[1.0, -2.0]).unwrap_err(), "density 1 must not be negative, got -2"),
-            (Isotropic::new(&[f32::NAN, 1.0]).unwrap_err(), "density 0 must be finite, got NaN"),
-            (Isotropic::new(&[0.0; 4]).unwrap_err(), "a density must not be 0 everywhere, got 4 such nodes"),
-            (Isotropic::pack(&[1.0; 2], &mut [0.0; 5]).unwrap_err(), "storage must have 6 numbers, got 5"),
+            (packed(&[]), "nodes must be 2 to 1048576, got 0"),
+            (Isotropic::new(&[1.0, -2.0]).unwrap_err(), "density 1 must be finite and not negative, got -2"),
+            (
+                Isotropic::new(&[f32::NAN, 1.0]).unwrap_err(),
+                "density 0 must be finite and not negative, got NaN",
+            ),
+            (Isotropic::new(&[0.0; 4]).unwrap_err(), "density must not be 0 everywhere, got 4 such nodes"),
+            (IsotropicRef::pack(&[1.0; 2], &mut [0.0; 5]).unwrap_err(), "storage must have 6 numbers, got 5"),
             (
                 Isotropic::from_fn(usize::MAX, |_| 1.0).unwrap_err(),
-                "a table must have 2 to 1048576 nodes, got 18446744073709551615",
+                "nodes must be 2 to 1048576, got 18446744073709551615",
             ),
         ] {
             assert_eq!(error.to_string(), text);

@@ -1,12 +1,15 @@
 //! A weighted sum of two densities of the tilt alone, with its map from Gaussian coordinates.
 
+use core::fmt;
+
 use glam::{Vec2, Vec3};
 
-use crate::density::blend::{Blend, MixtureError};
+use crate::density::blend::Blend;
 use crate::math;
 use crate::microfacet::Microfacet;
 use crate::ndf::{Ndf, bounded};
 use crate::radial::Radial;
+use crate::range_error::RangeError;
 
 /// The density `w D_a + (1 − w) D_b` of two densities that depend on the tilt alone.
 ///
@@ -41,13 +44,15 @@ impl<A: Radial, B: Radial> Mixture<A, B> {
     /// # Errors
     /// A weight that is not between 0 and 1; a density that depends on the azimuth.
     pub fn new(a: A, b: B, weight: f32) -> Result<Self, MixtureError> {
-        if a.exponent(1.0).is_none() {
-            return Err(MixtureError::NotRadial { density: "a" });
+        for (density, exponent) in [("a", a.exponent(1.0)), ("b", b.exponent(1.0))] {
+            if exponent.is_none() {
+                return Err(MixtureError::NotRadial { density });
+            }
         }
-        if b.exponent(1.0).is_none() {
-            return Err(MixtureError::NotRadial { density: "b" });
+        match Blend::new(a, b, weight) {
+            Ok(blend) => Ok(Self { blend }),
+            Err(RangeError { value, .. }) => Err(MixtureError::Weight { value }),
         }
-        Blend::new(a, b, weight).map(|blend| Self { blend })
     }
 
     /// The densities and their weight.
@@ -197,6 +202,38 @@ impl<A: Radial, B: Radial> Radial for Mixture<A, B> {
     }
 }
 
+/// Refusal of a sum of densities that is to have a map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MixtureError {
+    /// The weight is not between 0 and 1.
+    Weight {
+        /// Its value.
+        value: f32,
+    },
+    /// A density depends on the azimuth, so that the sum has no radial map.
+    NotRadial {
+        /// Which density: `"a"` or `"b"`.
+        density: &'static str,
+    },
+}
+
+impl fmt::Display for MixtureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Weight { value } => write!(f, "weight must be between 0 and 1, got {value}"),
+            Self::NotRadial { density } => {
+                write!(
+                    f,
+                    "density {density} must depend on the tilt alone, got one that depends on the azimuth"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for MixtureError {}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -252,7 +289,7 @@ mod tests {
             (Mixture::new(ggx, ggx, f32::NAN).unwrap_err(), "weight must be between 0 and 1, got NaN"),
             (
                 Mixture::new(ggx, Ggx::new(0.1, 0.2).unwrap(), 0.5).unwrap_err(),
-                "density b must depend on the tilt alone, but it depends on the azimuth",
+                "density b must depend on the tilt alone, got one that depends on the azimuth",
             ),
         ] {
             assert_eq!(error.to_string(), text);

@@ -1,7 +1,6 @@
 //! Normal density functions: closed forms, tables over the cosine, and compositions of them.
 
 pub(crate) mod ashikhmin_shirley;
-pub(crate) mod batch;
 pub(crate) mod beckmann;
 pub(crate) mod blend;
 pub(crate) mod blinn_phong;

@@ -1,13 +1,12 @@
 //! A density turned about the macro normal.
 
-use core::fmt;
-
 use glam::{Vec2, Vec3};
 
 use crate::math;
 use crate::microfacet::Microfacet;
 use crate::ndf::Ndf;
 use crate::radial::Radial;
+use crate::range_error::RangeError;
 
 /// The density `N`, turned about the z axis by an angle.
 ///
@@ -38,11 +37,8 @@ impl<N> Rotated<N> {
     ///
     /// # Errors
     /// An angle that is not finite.
-    pub fn new(ndf: N, angle: f32) -> Result<Self, AngleError> {
-        if !angle.is_finite() {
-            return Err(AngleError::NotFinite { value: angle });
-        }
-        let angle = f64::from(angle);
+    pub fn new(ndf: N, angle: f32) -> Result<Self, RangeError> {
+        let angle = f64::from(RangeError::check("angle", angle, [f32::MIN, f32::MAX])?);
         Ok(Self { ndf, cos: math::cos_f64(angle) as f32, sin: math::sin_f64(angle) as f32 })
     }
 
@@ -117,27 +113,6 @@ impl<N: Radial> Radial for Rotated<N> {
     }
 }
 
-/// Why an angle was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum AngleError {
-    /// The angle is NaN or infinite.
-    NotFinite {
-        /// Its value.
-        value: f32,
-    },
-}
-
-impl fmt::Display for AngleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite { value } => write!(f, "angle must be finite, got {value}"),
-        }
-    }
-}
-
-impl core::error::Error for AngleError {}
-
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -169,6 +144,6 @@ mod tests {
             assert!(turned.density(Vec3::splat(bad)).is_finite());
         }
         let error = Rotated::new(turned, f32::NAN).unwrap_err();
-        assert_eq!(error.to_string(), "angle must be finite, got NaN");
+        assert_eq!(error.to_string(), "angle must be between -3.4028235e38 and 3.4028235e38, got NaN");
     }
 }

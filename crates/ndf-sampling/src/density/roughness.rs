@@ -1,70 +1,15 @@
 //! Roughness: which values of `alpha_x` and `alpha_y` a microfacet density accepts.
 
-use core::fmt;
-
 use glam::Vec3;
 
 use crate::math;
+use crate::range_error::RangeError;
 
 /// The smallest roughness: below it `1/(π α²)` and its products leave the range of `f32`.
 pub const MIN_ALPHA: f32 = 1e-6;
 
 /// The largest roughness: above it normals at the horizon leave the range of `f32`.
 pub const MAX_ALPHA: f32 = 1e6;
-
-/// Why a pair of roughnesses was refused; `parameter` is `"alpha_x"` or `"alpha_y"`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum RoughnessError {
-    /// The roughness is NaN or infinite.
-    NotFinite {
-        /// Which roughness.
-        parameter: &'static str,
-        /// Its value.
-        value: f32,
-    },
-    /// The roughness is zero or negative.
-    NotPositive {
-        /// Which roughness.
-        parameter: &'static str,
-        /// Its value.
-        value: f32,
-    },
-    /// The roughness is outside [`MIN_ALPHA`], [`MAX_ALPHA`].
-    OutOfRange {
-        /// Which roughness.
-        parameter: &'static str,
-        /// Its value.
-        value: f32,
-    },
-}
-
-impl fmt::Display for RoughnessError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite { parameter, value } => write!(f, "{parameter} must be finite, got {value}"),
-            Self::NotPositive { parameter, value } => write!(f, "{parameter} must be positive, got {value}"),
-            Self::OutOfRange { parameter, value } => {
-                write!(f, "{parameter} must be between {MIN_ALPHA:e} and {MAX_ALPHA:e}, got {value:e}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for RoughnessError {}
-
-/// `value` if it is a roughness; the error names `parameter`.
-fn check(parameter: &'static str, value: f32) -> Result<f32, RoughnessError> {
-    if !value.is_finite() {
-        Err(RoughnessError::NotFinite { parameter, value })
-    } else if value <= 0.0 {
-        Err(RoughnessError::NotPositive { parameter, value })
-    } else if !(MIN_ALPHA..=MAX_ALPHA).contains(&value) {
-        Err(RoughnessError::OutOfRange { parameter, value })
-    } else {
-        Ok(value)
-    }
-}
 
 /// Both roughnesses of a density, checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +21,8 @@ pub(crate) struct Roughness {
 }
 
 impl Roughness {
-    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RoughnessError> {
+    pub(crate) fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, RangeError> {
+        let check = |parameter, alpha| RangeError::check(parameter, alpha, [MIN_ALPHA, MAX_ALPHA]);
         Ok(Self { x: check("alpha_x", alpha_x)?, y: check("alpha_y", alpha_y)? })
     }
 
@@ -106,12 +52,9 @@ macro_rules! roughness_parameters {
             /// The density with the roughnesses `alpha_x` and `alpha_y`.
             ///
             /// # Errors
-            /// A roughness that is not finite, not positive or out of range; the error names it and its value.
+            /// A roughness outside [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); the error names it and its value.
             #[inline]
-            pub fn new(
-                alpha_x: f32,
-                alpha_y: f32,
-            ) -> Result<Self, $crate::density::roughness::RoughnessError> {
+            pub fn new(alpha_x: f32, alpha_y: f32) -> Result<Self, $crate::range_error::RangeError> {
                 $crate::density::roughness::Roughness::new(alpha_x, alpha_y).map(|alpha| Self { alpha })
             }
 
@@ -120,7 +63,7 @@ macro_rules! roughness_parameters {
             /// # Errors
             /// As [`Self::new`]; the error names `alpha_x`.
             #[inline]
-            pub fn isotropic(alpha: f32) -> Result<Self, $crate::density::roughness::RoughnessError> {
+            pub fn isotropic(alpha: f32) -> Result<Self, $crate::range_error::RangeError> {
                 Self::new(alpha, alpha)
             }
 
@@ -173,10 +116,9 @@ mod tests {
     #[test]
     fn refusals_name_the_culprit_and_its_value() {
         for (x, y, text) in [
-            (f32::NAN, 0.5, "alpha_x must be finite, got NaN"),
-            (0.5, f32::INFINITY, "alpha_y must be finite, got inf"),
-            (0.0, 0.5, "alpha_x must be positive, got 0"),
-            (0.5, -0.25, "alpha_y must be positive, got -0.25"),
+            (f32::NAN, 0.5, "alpha_x must be between 1e-6 and 1e6, got NaN"),
+            (0.5, f32::INFINITY, "alpha_y must be between 1e-6 and 1e6, got inf"),
+            (0.5, -0.25, "alpha_y must be between 1e-6 and 1e6, got -0.25"),
             (1e-7, 0.5, "alpha_x must be between 1e-6 and 1e6, got 1e-7"),
         ] {
             assert_eq!(Roughness::new(x, y).unwrap_err().to_string(), text);

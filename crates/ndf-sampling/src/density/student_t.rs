@@ -1,23 +1,18 @@
 //! The Student-t normal density, between GGX and Beckmann and with longer tails than either, isotropic and anisotropic.
 
 use core::f64::consts::SQRT_2;
-use core::fmt;
 
 use glam::{Vec2, Vec3};
 
-use crate::density::roughness::{Roughness, RoughnessError, roughness_accessors};
+use crate::density::roughness::{Roughness, roughness_accessors};
 use crate::density::student_distribution::Student;
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
 use crate::radial::Radial;
+use crate::range_error::RangeError;
 use crate::simd::elementary::cos_sin_turns;
 use crate::simd::lanes::Scalar;
-
-/// The smallest exponent; at 3/2 the facets' projected area diverges.
-pub const MIN_GAMMA: f32 = 1.51;
-/// The largest exponent; above 10⁷ the density is Beckmann's within the rounding of `f32`.
-pub const MAX_GAMMA: f32 = 1e12;
 
 /// The Student-t normal density with the roughnesses `alpha_x`, `alpha_y` and the exponent `gamma`.
 ///
@@ -29,8 +24,8 @@ pub const MAX_GAMMA: f32 = 1e12;
 ///
 /// `γ = 2` is GGX, `γ → ∞` Beckmann, and `γ = n/2 + 2` with `α² = 2/(n + 2)` Blinn–Phong's `cosⁿ θ`.
 ///
-/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA), `γ` in [`MIN_GAMMA`]`..=`
-///   [`MAX_GAMMA`]; unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density grows
+/// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA), `γ` in [`MIN_GAMMA`](Self::MIN_GAMMA)`..=`
+///   [`MAX_GAMMA`](Self::MAX_GAMMA); unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN. For `γ < 2` the density grows
 ///   without bound at the horizon, where it ends at `f32::MAX`; normals have `m.z ≥ 2⁻¹²⁶`.
 /// - **Visible normals:** the slope along the view by inversion of its distribution, to 1e-12 in `u`; the slope across it by
 ///   the quantile of Student's t, to which it is distributed given the first. `u` below 2⁻³² is read as 2⁻³².
@@ -43,7 +38,7 @@ pub const MAX_GAMMA: f32 = 1e12;
 /// let m = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// assert!((student.density(m) / ggx.density(m) - 1.0).abs() < 1e-5);
 /// assert!(StudentT::new(0.2, 0.4, 1.5).is_err());
-/// # Ok::<(), asperity_ndf_sampling::StudentTError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs", eq. 12 for `D`. Their Λ
@@ -61,24 +56,27 @@ pub struct StudentT {
 roughness_accessors!(StudentT);
 
 impl StudentT {
+    /// The smallest exponent; at 3/2 the facets' projected area diverges.
+    pub const MIN_GAMMA: f32 = 1.51;
+
+    /// The largest exponent; above 10⁷ the density is Beckmann's within the rounding of `f32`.
+    pub const MAX_GAMMA: f32 = 1e12;
+
     /// The density with the roughnesses `alpha_x` and `alpha_y` and the exponent `gamma`.
     ///
     /// # Errors
     /// A roughness that [`Ggx::new`](crate::Ggx::new) refuses, an exponent that is not finite or out of range; the error names
     /// the culprit and its value.
-    pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, StudentTError> {
-        let alpha = Roughness::new(alpha_x, alpha_y).map_err(StudentTError::Roughness)?;
-        if (MIN_GAMMA..=MAX_GAMMA).contains(&gamma) {
-            Ok(Self::with(alpha, gamma))
-        } else {
-            Err(StudentTError::Gamma { value: gamma })
-        }
+    pub fn new(alpha_x: f32, alpha_y: f32, gamma: f32) -> Result<Self, RangeError> {
+        let alpha = Roughness::new(alpha_x, alpha_y)?;
+        RangeError::check("gamma", gamma, [Self::MIN_GAMMA, Self::MAX_GAMMA])
+            .map(|gamma| Self::with(alpha, gamma))
     }
 
     /// The density with each parameter moved to the nearest valid one; a roughness NaN becomes 1, an exponent NaN 2.
     #[must_use]
     pub fn clamped(alpha_x: f32, alpha_y: f32, gamma: f32) -> Self {
-        let gamma = if gamma.is_nan() { 2.0 } else { gamma.clamp(MIN_GAMMA, MAX_GAMMA) };
+        let gamma = if gamma.is_nan() { 2.0 } else { gamma.clamp(Self::MIN_GAMMA, Self::MAX_GAMMA) };
         Self::with(Roughness::clamped(alpha_x, alpha_y), gamma)
     }
 
@@ -181,38 +179,6 @@ impl Microfacet for StudentT {
     }
 }
 
-/// Why a Student-t density was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum StudentTError {
-    /// A roughness is none.
-    Roughness(RoughnessError),
-    /// The exponent is not between [`MIN_GAMMA`] and [`MAX_GAMMA`].
-    Gamma {
-        /// Its value.
-        value: f32,
-    },
-}
-
-impl From<RoughnessError> for StudentTError {
-    fn from(error: RoughnessError) -> Self {
-        Self::Roughness(error)
-    }
-}
-
-impl fmt::Display for StudentTError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Roughness(error) => error.fmt(f),
-            Self::Gamma { value } => {
-                write!(f, "gamma must be between {MIN_GAMMA} and {MAX_GAMMA:e}, got {value}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for StudentTError {}
-
 impl Radial for StudentT {
     fn exponent(&self, slope: f64) -> Option<f64> {
         let (t, scale) = (slope / f64::from(self.alpha.x), f64::from(self.gamma) - 1.0);
@@ -258,8 +224,12 @@ mod tests {
     #[test]
     fn total_on_every_input() {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, 1e-40, 1e38, -1.0, 0.5];
-        for (alpha, gamma) in [(MIN_ALPHA, MIN_GAMMA), (1e-4, MAX_GAMMA), (1.0, 2.0), (MAX_ALPHA, MIN_GAMMA)]
-        {
+        for (alpha, gamma) in [
+            (MIN_ALPHA, StudentT::MIN_GAMMA),
+            (1e-4, StudentT::MAX_GAMMA),
+            (1.0, 2.0),
+            (MAX_ALPHA, StudentT::MIN_GAMMA),
+        ] {
             let student = StudentT::new(alpha, alpha, gamma).unwrap();
             for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                 let (z, v) = (Vec2::new(x, y), Vec3::new(x, 0.3, y));
@@ -282,7 +252,7 @@ mod tests {
         for (alpha, gamma, text) in [
             (0.5, 1.5, "gamma must be between 1.51 and 1e12, got 1.5"),
             (0.5, f32::NAN, "gamma must be between 1.51 and 1e12, got NaN"),
-            (0.0, 2.0, "alpha_x must be positive, got 0"),
+            (0.0, 2.0, "alpha_x must be between 1e-6 and 1e6, got 0"),
         ] {
             assert_eq!(StudentT::new(alpha, 0.5, gamma).unwrap_err().to_string(), text);
             let repaired = StudentT::clamped(alpha, 0.5, gamma);

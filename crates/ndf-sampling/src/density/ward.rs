@@ -4,10 +4,10 @@ use core::f32::consts::PI;
 
 use glam::Vec3;
 
+use crate::delegate::delegate_ndf;
 use crate::density::beckmann::Beckmann;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::math;
-use crate::microfacet::same_facets;
 
 /// Ward's half vectors as a density of normals, with the roughnesses `alpha_x`, `alpha_y`.
 ///
@@ -25,7 +25,7 @@ use crate::microfacet::same_facets;
 /// let h = Vec3::new(0.3, -0.2, 0.93).normalize();
 /// assert_eq!(ward.density(h), beckmann.density(h));
 /// assert!((4.0 * ward.lobe(h) / h.z.powi(4) / ward.density(h) - 1.0).abs() < 1e-6);
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Ward 1992, "Measuring and Modeling Anisotropic Reflection", eq. 5a; Walter 2005, "Notes on the Ward BRDF", section 3, for
@@ -36,7 +36,7 @@ pub struct Ward {
 }
 
 roughness_parameters!(Ward);
-same_facets!(Ward);
+delegate_ndf!(Ward, facets, Microfacet, Radial);
 
 impl Ward {
     /// The exponential with its normalisation, in sr⁻¹: Ward's specular reflectance over `ρ_s/√(cos θ_i cos θ_o)`.

@@ -40,7 +40,7 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 /// assert_eq!(conditional_density(&ggx, h, z_b, 0.0), ggx.density(h));
 /// let facet = ggx.from_gaussian(z_b);
 /// assert!(conditional_density(&ggx, facet, z_b, 0.9) > 5.0 * ggx.density(facet));
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Kautz, Heidrich, Seidel 2001, section 5, evaluates `D` itself in the frame of the resolved facet instead. That convolves

@@ -31,7 +31,7 @@ use crate::ndf::Ndf;
 /// let far = ConditionalNdf::new(ggx, Vec2::new(0.5, 1.5), 0.0);
 /// assert_eq!(far.density(facet), ggx.density(facet));
 /// assert_eq!(far.from_gaussian(Vec2::ONE), ggx.from_gaussian(Vec2::ONE));
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConditionalNdf<N> {
@@ -83,7 +83,7 @@ impl<N: Ndf> Ndf for ConditionalNdf<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Ggx, MAX_SHARE, conditional_density};
+    use crate::{Beckmann, Ggx, conditional_density, level_of_detail::MAX_SHARE};
 
     #[test]
     fn coordinates_come_back() {

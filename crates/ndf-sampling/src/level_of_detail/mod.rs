@@ -6,3 +6,10 @@ pub(crate) mod offset_beckmann;
 #[cfg(feature = "alloc")]
 pub(crate) mod table;
 pub(crate) mod table_ref;
+
+pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
+pub use conditional_ndf::ConditionalNdf;
+pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
+#[cfg(feature = "alloc")]
+pub use table::{ConditionalAccuracy, ConditionalTable};
+pub use table_ref::ConditionalTableRef;

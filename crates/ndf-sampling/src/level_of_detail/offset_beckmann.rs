@@ -30,14 +30,14 @@ use crate::ndf::{Ndf, bounded};
 /// - **Accuracy:** `D` 2e-6 relative plus the exponent's slope times the rounding of `m`: 1.2e-7 |s| |s − μ|/σ².
 ///
 /// ```
-/// use asperity_ndf_sampling::{Beckmann, Ndf, OffsetBeckmann, conditional_density, glam::Vec2};
+/// use asperity_ndf_sampling::{Beckmann, Ndf, conditional_density, glam::Vec2, level_of_detail::OffsetBeckmann};
 ///
 /// let beckmann = Beckmann::new(0.2, 0.4)?;
 /// let (z_b, s) = (Vec2::new(0.5, 1.5), 0.75);
 /// let seen = OffsetBeckmann::conditional(beckmann, z_b, s);
 /// let h = beckmann.from_gaussian(Vec2::new(0.3, 1.1));
 /// assert!((seen.density(h) / conditional_density(&beckmann, h, z_b, s) - 1.0).abs() < 1e-5);
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Olano, Baker 2010, "LEAN Mapping", eq. 5, in the normalisation `∫ D cos θ dω = 1`.
@@ -62,7 +62,7 @@ impl OffsetBeckmann {
         if !(mean.x.abs() <= largest && mean.y.abs() <= largest) {
             return Err(OffsetBeckmannError::Mean { value: mean });
         }
-        let refused = OffsetBeckmannError::NotPositiveDefinite { covariance };
+        let refused = OffsetBeckmannError::Covariance { value: covariance };
         let in_range = covariance.iter().all(|c| c.abs() <= largest * largest);
         // In f64: the difference of products would lose the smaller axis of a thin ellipse.
         let [xx, xy, yy] = covariance.map(f64::from);
@@ -152,18 +152,20 @@ pub enum OffsetBeckmannError {
         value: Vec2,
     },
     /// The covariance is not finite, not positive definite or out of range.
-    NotPositiveDefinite {
+    Covariance {
         /// Its entries `[xx, xy, yy]`.
-        covariance: [f32; 3],
+        value: [f32; 3],
     },
 }
 
 impl fmt::Display for OffsetBeckmannError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Mean { value } => write!(f, "mean slope must be at most 1e9 along each axis, got {value}"),
-            Self::NotPositiveDefinite { covariance: [xx, xy, yy] } => {
-                write!(f, "covariance must be positive definite and finite, got xx {xx}, xy {xy}, yy {yy}")
+            Self::Mean { value } => {
+                write!(f, "mean must be between -1e9 and 1e9 along each axis, got {value}")
+            }
+            Self::Covariance { value } => {
+                write!(f, "covariance must be positive definite and at most 1e18, got {value:?}")
             }
         }
     }
@@ -181,9 +183,9 @@ mod tests {
     fn refusals_name_the_culprit() {
         let refused =
             |x, covariance| OffsetBeckmann::new(Vec2::new(x, 0.0), covariance).unwrap_err().to_string();
-        let text = "mean slope must be at most 1e9 along each axis, got [NaN, 0]";
+        let text = "mean must be between -1e9 and 1e9 along each axis, got [NaN, 0]";
         assert_eq!(refused(f32::NAN, [1.0, 0.0, 1.0]), text);
-        let text = "covariance must be positive definite and finite, got xx 1, xy 2, yy 1";
+        let text = "covariance must be positive definite and at most 1e18, got [1.0, 2.0, 1.0]";
         assert_eq!(refused(0.0, [1.0, 2.0, 1.0]), text);
         for bad in [[0.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, f32::NAN, 1.0], [f32::INFINITY, 0.0, 1.0]] {
             assert!(OffsetBeckmann::new(Vec2::ZERO, bad).is_err(), "{bad:?}");

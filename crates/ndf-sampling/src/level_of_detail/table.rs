@@ -5,11 +5,11 @@ use alloc::vec::Vec;
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::conditional::GaussianSplit;
-use crate::level_of_detail::table_ref::{ConditionalTableRef, MAX_SIZE, entry_half_vector};
+use crate::level_of_detail::table_ref::{ConditionalTableRef, entry_half_vector};
 use crate::math;
 use crate::ndf::Ndf;
 use crate::normal_table::chart::Chart;
-use crate::normal_table::table_ref::NormalTableError;
+use crate::normal_table::error::NormalTableError;
 use crate::numeric::normal_distribution::inverse_phi;
 
 /// The coordinates `T⁻¹(h)` and the density `D(h)` of half vectors as a texture: all that `p_s(h | z_b)` needs.
@@ -29,7 +29,7 @@ use crate::numeric::normal_distribution::inverse_phi;
 /// - **Why not a lobe per place and zoom** (the mean and covariance of what is left, as LEAN mapping stores them): of GGX 0.4
 ///   a Gaussian of the same moments differs from `p_s` by a total variation of 0.18, 0.14 and 0.10 at s = 0.25, 0.75 and 0.9
 ///   in projected normals, and by 0.48, 0.21 and 0.13 in slopes, whose variance is infinite at s = 0. For
-///   [`Beckmann`](crate::Beckmann) it is exact: [`OffsetBeckmann`](crate::OffsetBeckmann).
+///   [`Beckmann`](crate::Beckmann) it is exact: [`OffsetBeckmann`](crate::level_of_detail::OffsetBeckmann).
 ///
 /// Total variation between the table's `p_s` and the exact one, mean of 12 places, 256² (measured):
 ///
@@ -87,11 +87,7 @@ impl ConditionalTable {
     /// # Errors
     /// A `size` of 0 or above 4096.
     pub fn new<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Result<Self, NormalTableError> {
-        match size {
-            0 => Err(NormalTableError::Empty),
-            1..=MAX_SIZE => Ok(Self::build(ndf, size)),
-            _ => Err(NormalTableError::TooLarge { size }),
-        }
+        NormalTableError::check(size, None).map(|()| Self::build(ndf, size))
     }
 
     fn build<N: Ndf + ?Sized>(ndf: &N, size: usize) -> Self {
@@ -187,8 +183,8 @@ mod tests {
         let table = ConditionalTable::new(&ggx, 1).unwrap();
         let split = GaussianSplit::new(Vec2::new(0.3, -0.4), 0.0);
         assert_eq!(table.density(Vec3::Z, split), table.density(Vec3::new(0.6, 0.0, 0.8), split));
-        assert_eq!(ConditionalTable::new(&ggx, 0), Err(NormalTableError::Empty));
-        assert_eq!(ConditionalTable::new(&ggx, 5000), Err(NormalTableError::TooLarge { size: 5000 }));
+        assert_eq!(ConditionalTable::new(&ggx, 0), Err(NormalTableError::Size { value: 0 }));
+        assert_eq!(ConditionalTable::new(&ggx, 5000), Err(NormalTableError::Size { value: 5000 }));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec3A};
 
 use crate::level_of_detail::conditional::GaussianSplit;
 use crate::math;
-use crate::normal_table::table_ref::NormalTableError;
+use crate::normal_table::error::NormalTableError;
 
 /// A `ConditionalTable` in borrowed storage, such as flash: `(z₁, z₂, D^¼)` of `size · size` half vectors.
 ///
@@ -34,9 +34,6 @@ pub struct ConditionalTableRef<'a> {
     entries: &'a [[f32; 3]],
 }
 
-/// The longest side.
-pub(crate) const MAX_SIZE: usize = 4096;
-
 impl<'a> ConditionalTableRef<'a> {
     /// The table of `size · size` entries with the stretch `c`; a stretch that is not positive counts as 1.
     ///
@@ -44,14 +41,8 @@ impl<'a> ConditionalTableRef<'a> {
     /// A `size` of 0 or above 4096; another number of entries.
     pub fn new(size: usize, stretch: Vec2, entries: &'a [[f32; 3]]) -> Result<Self, NormalTableError> {
         let positive = |c: f32| if c > 0.0 && c.is_finite() { c } else { 1.0 };
-        match size {
-            0 => Err(NormalTableError::Empty),
-            1..=MAX_SIZE if entries.len() == size * size => {
-                Ok(Self { size, stretch: Vec2::new(positive(stretch.x), positive(stretch.y)), entries })
-            }
-            1..=MAX_SIZE => Err(NormalTableError::SizeMismatch { size, len: entries.len() }),
-            _ => Err(NormalTableError::TooLarge { size }),
-        }
+        NormalTableError::check(size, Some(entries.len()))?;
+        Ok(Self { size, stretch: Vec2::new(positive(stretch.x), positive(stretch.y)), entries })
     }
 
     /// The table of `size · size` entries, which the caller has checked.
@@ -152,9 +143,9 @@ mod tests {
     fn refusals_name_the_culprit() {
         let refused =
             |size| ConditionalTableRef::new(size, Vec2::ONE, &[[0.0; 3]; 3]).unwrap_err().to_string();
-        assert_eq!(refused(0), "size must be at least 1, got 0");
-        assert_eq!(refused(2), "table of 2 × 2 needs as many entries, got 3");
-        assert_eq!(refused(4097), "size must be at most 4096, got 4097");
+        assert_eq!(refused(0), "size must be between 1 and 4096, got 0");
+        assert_eq!(refused(2), "entries must be 4, got 3");
+        assert_eq!(refused(4097), "size must be between 1 and 4096, got 4097");
     }
 
     #[test]

@@ -5,49 +5,33 @@ use core::fmt;
 /// The most texels a map may have; it then takes 220 MB.
 pub const MAX_TEXELS: usize = 1 << 24;
 
-/// Why an image or a function is not a density of normals.
+/// Refusal of an image or a function that is no density of normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NdfMapError {
-    /// The width or the height is 0.
-    Empty {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-    },
-    /// There are more than [`MAX_TEXELS`] texels.
-    TooLarge {
+    /// The map has no texels, or more than [`MAX_TEXELS`].
+    Size {
         /// The width.
         width: usize,
         /// The height.
         height: usize,
     },
     /// The slice has not `width · height` texels.
-    SizeMismatch {
-        /// The width.
-        width: usize,
-        /// The height.
-        height: usize,
-        /// The slice's length.
-        len: usize,
+    Texels {
+        /// How many it needs.
+        expected: usize,
+        /// How many it has.
+        got: usize,
     },
-    /// A texel is NaN or infinite.
-    NotFinite {
-        /// Which texel, `row · width + column`.
-        index: usize,
-        /// Its value.
-        value: f32,
-    },
-    /// A texel is negative.
-    Negative {
+    /// A texel is NaN, infinite or negative.
+    Texel {
         /// Which texel, `row · width + column`.
         index: usize,
         /// Its value.
         value: f32,
     },
     /// No texel inside the disk has weight.
-    AllBlack {
+    Black {
         /// The width.
         width: usize,
         /// The height.
@@ -58,17 +42,15 @@ pub enum NdfMapError {
 impl fmt::Display for NdfMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty { width, height } => write!(f, "map must have texels, got {width} × {height}"),
-            Self::TooLarge { width, height } => {
-                write!(f, "map must have at most {MAX_TEXELS} texels, got {width} × {height}")
+            Self::Size { width, height } => {
+                write!(f, "size must be 1 to {MAX_TEXELS} texels, got {width} × {height}")
             }
-            Self::SizeMismatch { width, height, len } => {
-                write!(f, "map of {width} × {height} needs as many texels, got {len}")
+            Self::Texels { expected, got } => write!(f, "texels must be {expected}, got {got}"),
+            Self::Texel { index, value } => {
+                write!(f, "texel {index} must be finite and not negative, got {value}")
             }
-            Self::NotFinite { index, value } => write!(f, "texel {index} must be finite, got {value}"),
-            Self::Negative { index, value } => write!(f, "texel {index} must not be negative, got {value}"),
-            Self::AllBlack { width, height } => {
-                write!(f, "map of {width} × {height} is black wherever it shows normals")
+            Self::Black { width, height } => {
+                write!(f, "texels inside the disk must have weight, got {width} × {height} black ones")
             }
         }
     }

@@ -68,10 +68,10 @@ impl NdfMap {
     ) -> Result<Self, NdfMapError> {
         let expected = check_size(width, height)?;
         if texels.len() != expected {
-            return Err(NdfMapError::SizeMismatch { width, height, len: texels.len() });
+            return Err(NdfMapError::Texels { expected, got: texels.len() });
         }
         let columns = columns_of_texels(width, height, texels, measure, reconstruction)?;
-        Cdf::new(columns).map(|cdf| Self { cdf }).ok_or(NdfMapError::AllBlack { width, height })
+        Cdf::new(columns).map(|cdf| Self { cdf }).ok_or(NdfMapError::Black { width, height })
     }
 
     /// The map of a function: averaged over 4×4 points of each texel (those that are inside the disk) for
@@ -191,9 +191,8 @@ fn average([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], f: &mut impl FnMut(Vec3) -> f
 
 fn check_size(width: usize, height: usize) -> Result<usize, NdfMapError> {
     match width.checked_mul(height) {
-        Some(0) => Err(NdfMapError::Empty { width, height }),
-        Some(texels) if texels <= MAX_TEXELS => Ok(texels),
-        _ => Err(NdfMapError::TooLarge { width, height }),
+        Some(texels) if (1..=MAX_TEXELS).contains(&texels) => Ok(texels),
+        _ => Err(NdfMapError::Size { width, height }),
     }
 }
 
@@ -211,13 +210,16 @@ mod tests {
                 .unwrap_err()
                 .to_string()
         };
-        assert_eq!(refused(0, 4, &[]), "map must have texels, got 0 × 4");
-        assert_eq!(refused(2, 2, &[1.0; 3]), "map of 2 × 2 needs as many texels, got 3");
-        assert_eq!(refused(2, 2, &[0.0; 4]), "map of 2 × 2 is black wherever it shows normals");
-        assert_eq!(refused(2, 2, &[1.0, 1.0, f32::NAN, 1.0]), "texel 2 must be finite, got NaN");
-        assert_eq!(refused(2, 1, &[1.0, -0.5]), "texel 1 must not be negative, got -0.5");
-        assert_eq!(refused(1 << 13, 1 << 12, &[]), "map must have at most 16777216 texels, got 8192 × 4096");
-        assert!(matches!(check_size(usize::MAX, 2), Err(NdfMapError::TooLarge { .. })));
+        assert_eq!(refused(0, 4, &[]), "size must be 1 to 16777216 texels, got 0 × 4");
+        assert_eq!(refused(2, 2, &[1.0; 3]), "texels must be 4, got 3");
+        assert_eq!(refused(2, 2, &[0.0; 4]), "texels inside the disk must have weight, got 2 × 2 black ones");
+        assert_eq!(
+            refused(2, 2, &[1.0, 1.0, f32::NAN, 1.0]),
+            "texel 2 must be finite and not negative, got NaN"
+        );
+        assert_eq!(refused(2, 1, &[1.0, -0.5]), "texel 1 must be finite and not negative, got -0.5");
+        assert_eq!(refused(1 << 13, 1 << 12, &[]), "size must be 1 to 16777216 texels, got 8192 × 4096");
+        assert!(matches!(check_size(usize::MAX, 2), Err(NdfMapError::Size { .. })));
         assert!(
             NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |_| f32::INFINITY).is_err()
         );

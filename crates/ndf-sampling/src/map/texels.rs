@@ -67,9 +67,8 @@ fn culprit(width: usize, height: usize, texels: &[f32], inside: &[[u32; 2]]) -> 
         places.map(move |(i, (&value, _))| (j * width + i, value))
     });
     match counted.find(|&(_, value)| !is_density(value)) {
-        Some((index, value)) if value.is_finite() => NdfMapError::Negative { index, value },
-        Some((index, value)) => NdfMapError::NotFinite { index, value },
-        None => NdfMapError::AllBlack { width, height },
+        Some((index, value)) => NdfMapError::Texel { index, value },
+        None => NdfMapError::Black { width, height },
     }
 }
 

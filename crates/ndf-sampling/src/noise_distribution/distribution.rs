@@ -1,8 +1,7 @@
 //! What the distribution of any noise offers: from its values to Gaussian and uniform numbers and back.
 
-use core::fmt;
-
 use crate::numeric::normal_distribution::{inverse_phi, phi};
+use crate::range_error::RangeError;
 
 /// The distribution `G` of a noise, by which its values become Gaussian coordinates and back.
 ///
@@ -13,9 +12,9 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 /// Both are nondecreasing, total and finite; NaN counts as the middle of the distribution. The trait is dyn-compatible.
 ///
 /// ```
-/// use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdf, NoiseDistribution};
+/// use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdfRef, NoiseDistribution};
 ///
-/// let (measured, gaussian) = (NoiseCdf::new(1.0, &[0.0, 0.2, 0.8, 1.0])?, GaussianNoise::new(0.4)?);
+/// let (measured, gaussian) = (NoiseCdfRef::new(1.0, &[0.0, 0.2, 0.8, 1.0])?, GaussianNoise::new(0.4)?);
 /// let fitted = KurtoticNoise::new(0.4, -0.46)?;
 /// for g in [&measured as &dyn NoiseDistribution, &gaussian, &fitted] {
 ///     assert!(g.gaussian(0.0).abs() < 1e-6 && g.gaussian(0.3) > 0.5);
@@ -83,8 +82,8 @@ impl GaussianNoise {
     /// The distribution with the standard deviation `σ`.
     ///
     /// # Errors
-    /// A deviation that is not positive and finite.
-    pub fn new(deviation: f32) -> Result<Self, DeviationError> {
+    /// A deviation that is not positive, normal and finite.
+    pub fn new(deviation: f32) -> Result<Self, RangeError> {
         check(deviation).map(|deviation| Self { deviation })
     }
 }
@@ -105,42 +104,10 @@ pub(crate) fn bounded(z: f32) -> f32 {
     if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST as f32, FARTHEST as f32) }
 }
 
-pub(crate) fn check(deviation: f32) -> Result<f32, DeviationError> {
-    if deviation.is_finite() && deviation > 0.0 {
-        Ok(deviation)
-    } else {
-        Err(DeviationError::Deviation { value: deviation })
-    }
+/// `σ` if it is positive and finite.
+pub(crate) fn check(deviation: f32) -> Result<f32, RangeError> {
+    RangeError::check("deviation", deviation, [f32::MIN_POSITIVE, f32::MAX])
 }
-
-/// Why numbers describe no distribution of a noise.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum DeviationError {
-    /// The standard deviation is not positive and finite.
-    Deviation {
-        /// Its value.
-        value: f32,
-    },
-    /// The excess kurtosis is outside [−2, 2].
-    Kurtosis {
-        /// Its value.
-        value: f32,
-    },
-}
-
-impl fmt::Display for DeviationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Deviation { value } => {
-                write!(f, "standard deviation must be positive and finite, got {value}")
-            }
-            Self::Kurtosis { value } => write!(f, "excess kurtosis must be in [-2, 2], got {value}"),
-        }
-    }
-}
-
-impl core::error::Error for DeviationError {}
 
 #[cfg(test)]
 mod tests {
@@ -151,10 +118,10 @@ mod tests {
 
     #[test]
     fn refusals_name_the_culprit() {
-        let text = "standard deviation must be positive and finite, got -1";
+        let text = "deviation must be between 1.1754944e-38 and 3.4028235e38, got -1";
         assert_eq!(GaussianNoise::new(-1.0).unwrap_err().to_string(), text);
         assert!(KurtoticNoise::new(f32::NAN, 0.0).is_err() && GaussianNoise::new(f32::INFINITY).is_err());
-        let text = "excess kurtosis must be in [-2, 2], got 2.5";
+        let text = "kurtosis must be between -2 and 2, got 2.5";
         assert_eq!(KurtoticNoise::new(1.0, 2.5).unwrap_err().to_string(), text);
         assert!(KurtoticNoise::new(1.0, f32::NAN).is_err());
     }

@@ -1,6 +1,7 @@
 //! The distribution of a noise by its excess kurtosis.
 
-use crate::noise_distribution::distribution::{DeviationError, NoiseDistribution, bounded, check};
+use crate::noise_distribution::distribution::{NoiseDistribution, bounded, check};
+use crate::range_error::RangeError;
 
 /// A noise that is nearly Gaussian, known by its standard deviation and its excess kurtosis `κ` alone.
 ///
@@ -32,7 +33,7 @@ use crate::noise_distribution::distribution::{DeviationError, NoiseDistribution,
 /// let g = KurtoticNoise::new(1.0, -0.46)?;
 /// assert!(g.gaussian(2.5) > 2.6);
 /// assert!(KurtoticNoise::new(1.0, 3.0).is_err());
-/// # Ok::<(), asperity_ndf_sampling::DeviationError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 ///
 /// Cornish, Fisher 1938, "Moments and Cumulants in the Specification of Distributions", to the fourth cumulant; its normalising
@@ -51,11 +52,9 @@ impl KurtoticNoise {
     /// The distribution with the standard deviation `σ` and the excess kurtosis `κ`.
     ///
     /// # Errors
-    /// A deviation that is not positive and finite; a kurtosis outside [−2, 2].
-    pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, DeviationError> {
-        if !(-Self::MAX_KURTOSIS..=Self::MAX_KURTOSIS).contains(&kurtosis) {
-            return Err(DeviationError::Kurtosis { value: kurtosis });
-        }
+    /// A deviation that is not positive, normal and finite; a kurtosis outside [−2, 2].
+    pub fn new(deviation: f32, kurtosis: f32) -> Result<Self, RangeError> {
+        RangeError::check("kurtosis", kurtosis, [-Self::MAX_KURTOSIS, Self::MAX_KURTOSIS])?;
         check(deviation).map(|deviation| Self { deviation, bend: kurtosis / 24.0 })
     }
 }

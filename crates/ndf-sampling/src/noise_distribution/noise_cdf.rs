@@ -12,20 +12,20 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 /// ```
 ///
 /// The array comes from anywhere: those that `asperity-noise` has measured of its noises are over ±4 standard deviations. For
-/// sums that are not symmetric, such as turbulence, [`NoiseCdf::between`] takes both ends.
+/// sums that are not symmetric, such as turbulence, [`NoiseCdfRef::between`] takes both ends.
 ///
 /// If the table is right, `G(noise)` is uniform on [0, 1] and `Φ⁻¹(G(noise))` standard Gaussian, which is what
 /// [`Ndf::from_gaussian`](crate::Ndf::from_gaussian) takes.
 ///
 /// - **Domain:** all reals. Below `low` the first entry counts, above `high` the last; NaN counts as 0, or the end nearest to it.
-/// - **Accuracy:** that of the table. As an `f32` near 1 has an absolute resolution of 6e-8, [`NoiseCdf::gaussian`] of a
+/// - **Accuracy:** that of the table. As an `f32` near 1 has an absolute resolution of 6e-8, [`NoiseCdfRef::gaussian`] of a
 ///   table errs by up to 0.002 at `z = 4.5`; its values end at ±5.29, the quantile of 2⁻²⁴.
 ///
 /// ```
-/// use asperity_ndf_sampling::NoiseCdf;
+/// use asperity_ndf_sampling::NoiseCdfRef;
 ///
 /// // A noise that is uniform on ±2.
-/// let g = NoiseCdf::new(2.0, &[0.0, 0.25, 0.5, 0.75, 1.0])?;
+/// let g = NoiseCdfRef::new(2.0, &[0.0, 0.25, 0.5, 0.75, 1.0])?;
 /// assert_eq!(g.uniform(1.0), 0.75);
 /// assert_eq!(g.gaussian(0.0), 0.0);
 /// assert_eq!(g.inverse(0.75), 1.0);
@@ -35,13 +35,13 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 /// Kautz, Heidrich, Seidel 2001, section 4, assumes a Gaussian `G` for every noise; measured, the noises differ from it by
 /// up to 0.03 in the Kolmogorov–Smirnov distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NoiseCdf<'a> {
+pub struct NoiseCdfRef<'a> {
     low: f32,
     high: f32,
     table: &'a [f32],
 }
 
-impl<'a> NoiseCdf<'a> {
+impl<'a> NoiseCdfRef<'a> {
     /// The distribution whose values on a uniform grid over ±`range` are `table`.
     ///
     /// # Errors
@@ -58,13 +58,13 @@ impl<'a> NoiseCdf<'a> {
     /// The distribution whose values on a uniform grid from `low` to `high` are `table`.
     ///
     /// # Errors
-    /// Ends that are not finite or not in order, with a difference beyond the range of `f32`; tables as in [`NoiseCdf::new`].
+    /// Ends that are not finite or not in order, with a difference beyond the range of `f32`; tables as in [`NoiseCdfRef::new`].
     ///
     /// ```
-    /// use asperity_ndf_sampling::NoiseCdf;
+    /// use asperity_ndf_sampling::NoiseCdfRef;
     ///
     /// // Turbulence, a sum of magnitudes, is never negative.
-    /// let g = NoiseCdf::between(0.0, 2.0, &[0.0, 0.6, 0.9, 1.0])?;
+    /// let g = NoiseCdfRef::between(0.0, 2.0, &[0.0, 0.6, 0.9, 1.0])?;
     /// assert_eq!(g.uniform(-1.0), 0.0);
     /// assert!((g.uniform(1.0) - 0.75).abs() < 1e-7);
     /// # Ok::<(), asperity_ndf_sampling::NoiseCdfError>(())
@@ -74,15 +74,12 @@ impl<'a> NoiseCdf<'a> {
             return Err(NoiseCdfError::Ends { low, high });
         }
         let (Some(&first), Some(&last), true) = (table.first(), table.last(), table.len() >= 2) else {
-            return Err(NoiseCdfError::TooShort { len: table.len() });
+            return Err(NoiseCdfError::Entries { got: table.len() });
         };
         let mut previous = 0.0;
         for (index, &value) in table.iter().enumerate() {
-            if !(0.0..=1.0).contains(&value) {
-                return Err(NoiseCdfError::NotAProbability { index, value });
-            }
-            if value < previous {
-                return Err(NoiseCdfError::Decreasing { index, value });
+            if !(previous..=1.0).contains(&value) {
+                return Err(NoiseCdfError::Entry { index, value });
             }
             previous = value;
         }
@@ -165,7 +162,7 @@ impl<'a> NoiseCdf<'a> {
     }
 }
 
-impl NoiseDistribution for NoiseCdf<'_> {
+impl NoiseDistribution for NoiseCdfRef<'_> {
     #[inline]
     fn gaussian(&self, r: f32) -> f32 {
         Self::gaussian(*self, r)
@@ -204,19 +201,12 @@ pub enum NoiseCdfError {
         high: f32,
     },
     /// The table has fewer than two entries.
-    TooShort {
-        /// Its length.
-        len: usize,
+    Entries {
+        /// How many it has.
+        got: usize,
     },
-    /// An entry is NaN or outside [0, 1].
-    NotAProbability {
-        /// Which entry.
-        index: usize,
-        /// Its value.
-        value: f32,
-    },
-    /// An entry is smaller than the one before.
-    Decreasing {
+    /// An entry is NaN, outside [0, 1] or smaller than the one before.
+    Entry {
         /// Which entry.
         index: usize,
         /// Its value.
@@ -234,14 +224,11 @@ impl fmt::Display for NoiseCdfError {
         match self {
             Self::Range { value } => write!(f, "range must be positive and finite, got {value}"),
             Self::Ends { low, high } => write!(f, "ends must be finite and in order, got {low} and {high}"),
-            Self::TooShort { len } => write!(f, "table must have at least two entries, got {len}"),
-            Self::NotAProbability { index, value } => {
-                write!(f, "table entry {index} must be in [0, 1], got {value}")
+            Self::Entries { got } => write!(f, "table must have at least two entries, got {got}"),
+            Self::Entry { index, value } => {
+                write!(f, "entry {index} must be in [0, 1] and not below the one before, got {value}")
             }
-            Self::Decreasing { index, value } => {
-                write!(f, "table entry {index} is smaller than the one before, got {value}")
-            }
-            Self::Constant { value } => write!(f, "table must increase, every entry is {value}"),
+            Self::Constant { value } => write!(f, "table must increase, got {value} everywhere"),
         }
     }
 }
@@ -261,18 +248,18 @@ mod tests {
             (0.0, &[0.0, 1.0], "range must be positive and finite, got 0"),
             (1.0, &[], "table must have at least two entries, got 0"),
             (1.0, &[0.5], "table must have at least two entries, got 1"),
-            (1.0, &[0.0, f32::NAN, 1.0], "table entry 1 must be in [0, 1], got NaN"),
-            (1.0, &[0.0, 1.5], "table entry 1 must be in [0, 1], got 1.5"),
-            (1.0, &[0.0, 0.5, 0.25], "table entry 2 is smaller than the one before, got 0.25"),
-            (1.0, &[0.5, 0.5], "table must increase, every entry is 0.5"),
+            (1.0, &[0.0, f32::NAN, 1.0], "entry 1 must be in [0, 1] and not below the one before, got NaN"),
+            (1.0, &[0.0, 1.5], "entry 1 must be in [0, 1] and not below the one before, got 1.5"),
+            (1.0, &[0.0, 0.5, 0.25], "entry 2 must be in [0, 1] and not below the one before, got 0.25"),
+            (1.0, &[0.5, 0.5], "table must increase, got 0.5 everywhere"),
         ] {
-            assert_eq!(NoiseCdf::new(range, table).unwrap_err().to_string(), text);
+            assert_eq!(NoiseCdfRef::new(range, table).unwrap_err().to_string(), text);
         }
     }
 
     #[test]
     fn ends_that_are_out_of_order_are_refused() {
-        let refused = |low, high| NoiseCdf::between(low, high, &[0.0, 1.0]).unwrap_err().to_string();
+        let refused = |low, high| NoiseCdfRef::between(low, high, &[0.0, 1.0]).unwrap_err().to_string();
         assert_eq!(refused(1.0, 1.0), "ends must be finite and in order, got 1 and 1");
         assert_eq!(refused(f32::NAN, 1.0), "ends must be finite and in order, got NaN and 1");
         assert_eq!(refused(-3e38, 3e38).get(..4), Some("ends"));
@@ -280,7 +267,7 @@ mod tests {
 
     #[test]
     fn table_of_positive_values_is_inverted() {
-        let g = NoiseCdf::between(0.5, 3.0, &[0.0, 0.5, 0.9, 0.95, 1.0, 1.0]).unwrap();
+        let g = NoiseCdfRef::between(0.5, 3.0, &[0.0, 0.5, 0.9, 0.95, 1.0, 1.0]).unwrap();
         assert_eq!((g.low(), g.range(), g.uniform(f32::NAN), g.uniform(1.25)), (0.5, 3.0, 0.0, 0.7));
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
@@ -291,7 +278,7 @@ mod tests {
 
     #[test]
     fn plateaus_and_ends() {
-        let g = NoiseCdf::new(1.0, &[0.0, 0.25, 0.25, 1.0, 1.0]).unwrap();
+        let g = NoiseCdfRef::new(1.0, &[0.0, 0.25, 0.25, 1.0, 1.0]).unwrap();
         assert_eq!((g.uniform(-9.0), g.uniform(9.0), g.uniform(f32::NAN)), (0.0, 1.0, 0.25));
         assert_eq!((g.uniform(-0.25), g.uniform(f32::INFINITY)), (0.25, 1.0));
         assert_eq!((g.inverse(0.25), g.inverse(1.0), g.inverse(0.0)), (-0.5, 0.5, -1.0));

@@ -48,7 +48,7 @@ pub fn detailed(z_b: Vec2, z_n: Vec2, amount: f32) -> Vec2 {
 /// let n = Vec3::new(0.1, -0.3, 0.95).normalize();
 /// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.0).abs_diff_eq(n, 1e-6));
 /// assert!(detailed_normal(&ggx, n, Vec2::ONE, 0.3).dot(n) < 0.9999);
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[inline]
 #[must_use]
@@ -67,10 +67,10 @@ pub fn detailed_normal<N: Ndf + ?Sized>(ndf: &N, n: Vec3, z_n: Vec2, amount: f32
 /// where the density is to be kept.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Beckmann, NoiseCdf, NoiseChain, glam::Vec3};
+/// use asperity_ndf_sampling::{Beckmann, NoiseCdfRef, glam::Vec3, normal_map::NoiseChain};
 ///
 /// // A noise that is uniform on ±1.
-/// let chain = NoiseChain { ndf: Beckmann::isotropic(0.3)?, noise: NoiseCdf::new(1.0, &[0.0, 1.0])? };
+/// let chain = NoiseChain { ndf: Beckmann::isotropic(0.3)?, noise: NoiseCdfRef::new(1.0, &[0.0, 1.0])? };
 /// assert_eq!(chain.normal([0.0, 0.0]), Vec3::Z);
 /// let n = chain.normal([0.5, -0.8]);
 /// let [r1, r2] = chain.noise_values(n);
@@ -113,7 +113,7 @@ impl<N: Ndf, G: NoiseDistribution> NoiseChain<N, G> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Ggx, NoiseCdf};
+    use crate::{Beckmann, Ggx, NoiseCdfRef};
 
     #[test]
     fn total_on_every_input() {
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn chain_is_undone() {
         let table: [f32; 9] = core::array::from_fn(|k| (k * k) as f32 / 64.0);
-        let noise = NoiseCdf::new(2.0, &table).unwrap();
+        let noise = NoiseCdfRef::new(2.0, &table).unwrap();
         let chain = NoiseChain { ndf: Beckmann::new(0.2, 0.6).unwrap(), noise };
         for k in 1..40 {
             let r = [k as f32 * 0.1 - 2.0, 1.95 - k as f32 * 0.07];

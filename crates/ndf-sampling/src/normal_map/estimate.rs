@@ -68,9 +68,8 @@ impl NdfEstimator {
     /// A `size` of 0 or of more than [`MAX_TEXELS`] texels; a width that is negative, NaN or above 1.
     pub fn new(size: usize, width: f32) -> Result<Self, EstimateError> {
         let texels = match size.checked_mul(size) {
-            Some(0) => return Err(EstimateError::Empty),
-            Some(texels) if texels <= MAX_TEXELS => texels,
-            _ => return Err(EstimateError::TooLarge { size }),
+            Some(texels) if (1..=MAX_TEXELS).contains(&texels) => texels,
+            _ => return Err(EstimateError::Size { value: size }),
         };
         if !(0.0..=1.0).contains(&width) {
             return Err(EstimateError::Width { value: width });
@@ -225,12 +224,10 @@ fn counts(n: Vec3) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EstimateError {
-    /// The size is 0.
-    Empty,
-    /// The map would have more than [`MAX_TEXELS`] texels.
-    TooLarge {
+    /// The map would have no texels, or more than [`MAX_TEXELS`].
+    Size {
         /// Its side.
-        size: usize,
+        value: usize,
     },
     /// The width of the kernel is not in [0, 1].
     Width {
@@ -244,12 +241,9 @@ pub enum EstimateError {
 impl fmt::Display for EstimateError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty => write!(f, "size must be at least 1, got 0"),
-            Self::TooLarge { size } => {
-                write!(f, "map must have at most {MAX_TEXELS} texels, got {size} × {size}")
-            }
-            Self::Width { value } => write!(f, "width of the kernel must be in [0, 1], got {value}"),
-            Self::NoNormals => write!(f, "no normal was counted"),
+            Self::Size { value } => write!(f, "size² must be between 1 and {MAX_TEXELS}, got size {value}"),
+            Self::Width { value } => write!(f, "width must be between 0 and 1, got {value}"),
+            Self::NoNormals => write!(f, "normals must be inside the unit disk, got none"),
         }
     }
 }
@@ -317,11 +311,14 @@ mod tests {
     #[test]
     fn refusals_name_the_culprit() {
         let refused = |size, width| NdfEstimator::new(size, width).unwrap_err().to_string();
-        assert_eq!(refused(0, 0.1), "size must be at least 1, got 0");
-        assert_eq!(refused(4097, 0.1), "map must have at most 16777216 texels, got 4097 × 4097");
-        assert_eq!(refused(8, f32::NAN), "width of the kernel must be in [0, 1], got NaN");
-        assert_eq!(refused(8, -0.5), "width of the kernel must be in [0, 1], got -0.5");
-        assert_eq!(estimate_ndf(&[]).unwrap_err().to_string(), "no normal was counted");
+        assert_eq!(refused(0, 0.1), "size² must be between 1 and 16777216, got size 0");
+        assert_eq!(refused(4097, 0.1), "size² must be between 1 and 16777216, got size 4097");
+        assert_eq!(refused(8, f32::NAN), "width must be between 0 and 1, got NaN");
+        assert_eq!(refused(8, -0.5), "width must be between 0 and 1, got -0.5");
+        assert_eq!(
+            estimate_ndf(&[]).unwrap_err().to_string(),
+            "normals must be inside the unit disk, got none"
+        );
         let bad = [Vec3::NAN, Vec3::splat(2.0), Vec3::INFINITY];
         assert_eq!(estimate_ndf(&bad).unwrap_err(), EstimateError::NoNormals);
     }

@@ -49,7 +49,7 @@ pub enum Blue {
 /// as the nearest on its rim.
 ///
 /// ```
-/// use asperity_ndf_sampling::{NormalMapFormat, TangentSpace, Zero, glam::Vec3};
+/// use asperity_ndf_sampling::{glam::Vec3, normal_map::{NormalMapFormat, TangentSpace, Zero}};
 ///
 /// let format = NormalMapFormat { zero: Zero::Half, ..NormalMapFormat::default() };
 /// assert_eq!(format.decode_u8([128, 128, 255]), Vec3::Z);

@@ -35,7 +35,7 @@ pub struct Deviation {
 /// let accuracy = NormalTable::standard(&beckmann).accuracy(&beckmann);
 /// assert!(accuracy.bilinear.rms < 2e-5 && accuracy.nearest.rms > 100.0 * accuracy.bilinear.rms);
 /// assert!(accuracy.beyond < 2e-5);
-/// # Ok::<(), asperity_ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableAccuracy {
@@ -152,7 +152,10 @@ fn largest_step(table: &NormalTable) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beckmann, Chart, Ggx, Ndf, Spacing, TableLayout};
+    use crate::{
+        Beckmann, Ggx, Ndf,
+        normal_table::{Chart, Spacing, TableLayout},
+    };
 
     #[test]
     fn slopes_of_beckmann_are_interpolated_exactly() {

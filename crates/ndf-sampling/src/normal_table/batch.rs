@@ -2,6 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::batch_error::BatchError;
 use crate::normal_table::chart::Chart;
 use crate::normal_table::layout::TableEntry;
 use crate::normal_table::spacing::Spacing;
@@ -13,28 +14,34 @@ const PIECE: usize = 64;
 impl<E: TableEntry> NormalTableRef<'_, E> {
     /// [`NormalTableRef::nearest_normal`] of many coordinates at once, with the same results.
     ///
-    /// The shortest of the five slices ends the work.
-    pub fn nearest_normals(self, z: [&[f32]; 2], normals: [&mut [f32]; 3]) {
-        self.in_pieces(z, normals, |place| self.position(place), |x, y| self.nearest_point(x, y));
+    /// # Errors
+    /// Arrays of different lengths; nothing is written then.
+    pub fn nearest_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+        BatchError::check(&[("z", &z)], ("m", &m))?;
+        self.in_pieces(z, m, |place| self.position(place), |x, y| self.nearest_point(x, y));
+        Ok(())
     }
 
     /// [`NormalTableRef::bilinear_normal`] of many coordinates at once, with the same results.
     ///
-    /// The shortest of the five slices ends the work.
+    /// # Errors
+    /// Arrays of different lengths; nothing is written then.
     ///
     /// ```
-    /// use asperity_ndf_sampling::{NormalTableRef, TableLayout, glam::{Vec2, Vec3}};
+    /// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::TableLayout};
     ///
     /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.1], [0.5, 0.1]];
     /// let table = NormalTableRef::new(2, TableLayout::default(), &FLASH)?;
     /// let (z1, z2) = ([0.3, -1.0, 2.0], [0.1, 0.7, -0.4]);
     /// let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-    /// table.bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z]);
+    /// table.bilinear_normals([&z1, &z2], [&mut x, &mut y, &mut z])?;
     /// assert_eq!(Vec3::new(x[1], y[1], z[1]), table.bilinear_normal(Vec2::new(-1.0, 0.7)));
-    /// # Ok::<(), asperity_ndf_sampling::NormalTableError>(())
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn bilinear_normals(self, z: [&[f32]; 2], normals: [&mut [f32]; 3]) {
-        self.in_pieces(z, normals, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
+    pub fn bilinear_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
+        BatchError::check(&[("z", &z)], ("m", &m))?;
+        self.in_pieces(z, m, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
+        Ok(())
     }
 
     /// Places among the entries, points and normals in turn, each for a whole piece.
@@ -110,7 +117,7 @@ fn normals_by(p: &[f32; PIECE], q: &[f32; PIECE], [x, y, z]: [&mut [f32]; 3], no
 mod tests {
     extern crate std;
     use super::*;
-    use crate::TableLayout;
+    use crate::normal_table::TableLayout;
     use std::vec::Vec;
 
     /// A table of 8 × 8 points within and without the disk, some of them no numbers.
@@ -133,13 +140,13 @@ mod tests {
                 let table = NormalTableRef::new(8, TableLayout { spacing, chart }, &entries).unwrap();
                 let mut n = [(); 3].map(|()| std::vec![0.0; 333]);
                 let [x, y, z] = &mut n;
-                table.bilinear_normals([&z1, &z2], [x, y, z]);
+                table.bilinear_normals([&z1, &z2], [x, y, z]).unwrap();
                 for k in 0..333 {
                     let expected = table.bilinear_normal(Vec2::new(z1[k], z2[k]));
                     assert_eq!(Vec3::new(n[0][k], n[1][k], n[2][k]), expected, "{spacing:?} {chart:?} {k}");
                 }
                 let [x, y, z] = &mut n;
-                table.nearest_normals([&z1, &z2], [x, y, z]);
+                table.nearest_normals([&z1, &z2], [x, y, z]).unwrap();
                 for k in 0..333 {
                     let expected = table.nearest_normal(Vec2::new(z1[k], z2[k]));
                     assert_eq!(Vec3::new(n[0][k], n[1][k], n[2][k]), expected, "{spacing:?} {chart:?} {k}");
@@ -149,12 +156,14 @@ mod tests {
     }
 
     #[test]
-    fn shortest_slice_ends_the_work() {
+    fn arrays_of_different_lengths_are_refused() {
         let table = NormalTableRef::new(1, TableLayout::default(), &[[0.5_f32, 0.0]]).unwrap();
-        let (mut x, mut y, mut z) = ([7.0; 100], [7.0; 100], [7.0; 100]);
-        table.bilinear_normals([&[0.0; 90], &[0.0; 80]], [&mut x, &mut y[..70], &mut z]);
-        // What the compiler sees as one piece may be cut short in the middle of one.
-        assert_eq!((x[69], y[69], z[69]), (0.8, 0.0, 0.6));
-        assert_eq!((x[70], y[70], z[70]), (7.0, 7.0, 7.0));
+        let [mut x, mut y, mut z] = [[7.0; 9]; 3];
+        let refused = table.bilinear_normals([&[0.0; 9]; 2], [&mut x, &mut y[..8], &mut z]).unwrap_err();
+        assert_eq!(refused, BatchError { parameter: "m", expected: 9, got: 8 });
+        assert!(table.nearest_normals([&[0.0; 9], &[0.0; 8]], [&mut x, &mut y, &mut z]).is_err());
+        assert_eq!([x, y, z], [[7.0; 9]; 3]);
+        assert_eq!(table.nearest_normals([&[0.0; 9]; 2], [&mut x, &mut y, &mut z]), Ok(()));
+        assert_eq!((x[8], y[8], z[8]), (0.8, 0.0, 0.6));
     }
 }

@@ -25,7 +25,7 @@ use crate::math;
 /// The stereographic `p` is also the minimal rotation from (0, 0, 1) to `n`, as the quaternion `(−p_y, p_x, 0, 1)/√(1 + |p|²)`.
 ///
 /// ```
-/// use asperity_ndf_sampling::{Chart, glam::{Vec2, Vec3}};
+/// use asperity_ndf_sampling::{glam::{Vec2, Vec3}, normal_table::Chart};
 ///
 /// let n = Vec3::new(0.48, -0.6, 0.64);
 /// for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {

@@ -44,7 +44,7 @@ impl TableEntry for [u16; 2] {
 /// The last number of each is ignored. Total: what is no direction gives the frame of the other, or [`Frame::IDENTITY`].
 ///
 /// ```
-/// use asperity_ndf_sampling::{Frame, glam::Vec3, to_half, unpack_frame};
+/// use asperity_ndf_sampling::{Frame, glam::Vec3, normal_table::{to_half, unpack_frame}};
 ///
 /// let frame = Frame::from_normal(Vec3::new(0.36, 0.48, 0.8));
 /// let texel = |v: Vec3| [v.x, v.y, v.z, 1.0].map(to_half);

@@ -4,8 +4,21 @@
 pub(crate) mod accuracy;
 pub(crate) mod batch;
 pub(crate) mod chart;
+pub(crate) mod error;
 pub(crate) mod layout;
 pub(crate) mod spacing;
 #[cfg(feature = "alloc")]
 pub(crate) mod table;
 pub(crate) mod table_ref;
+
+#[cfg(feature = "alloc")]
+pub use accuracy::{Deviation, TableAccuracy};
+pub use chart::Chart;
+pub use error::NormalTableError;
+pub use layout::{TableEntry, TableLayout, unpack_frame};
+pub use spacing::Spacing;
+#[cfg(feature = "alloc")]
+pub use table::NormalTable;
+pub use table_ref::NormalTableRef;
+
+pub use crate::numeric::binary16::{MAX_HALF, from_half, to_half};

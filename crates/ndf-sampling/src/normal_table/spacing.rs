@@ -21,7 +21,7 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 ///   curvature is all in the tail, and the largest error, there, doubles.
 ///
 /// ```
-/// use asperity_ndf_sampling::Spacing;
+/// use asperity_ndf_sampling::normal_table::Spacing;
 ///
 /// for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
 ///     assert_eq!(spacing.place(0.0), 0.5);

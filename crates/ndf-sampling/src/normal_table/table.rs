@@ -6,9 +6,10 @@ use glam::{Vec2, Vec3};
 
 use crate::frame::Frame;
 use crate::ndf::Ndf;
+use crate::normal_table::error::{MAX_SIZE, NormalTableError};
 use crate::normal_table::layout::{TableEntry, TableLayout};
 use crate::normal_table::spacing::Spacing;
-use crate::normal_table::table_ref::{MAX_SIZE, NormalTableError, NormalTableRef};
+use crate::normal_table::table_ref::NormalTableRef;
 use crate::numeric::binary16::to_half;
 
 /// The table `L` of a normal density: the normals `T(z)` on a square grid of Gaussian coordinates, looked up as frames.
@@ -17,7 +18,7 @@ use crate::numeric::binary16::to_half;
 /// entry (k₁, k₂) = p(T(z_k₁, z_k₂)),   place(z_k) = (k + ½)/size,   k = 0 … size − 1
 /// ```
 ///
-/// See [`Spacing`] for the places, [`Chart`](crate::Chart) for the two numbers `p` of a normal that an entry holds, and [`NormalTableRef`],
+/// See [`Spacing`] for the places, [`Chart`](crate::normal_table::Chart) for the two numbers `p` of a normal that an entry holds, and [`NormalTableRef`],
 /// which has the look-ups, for half texels, frames and behaviour at the ends.
 ///
 /// Total variation between the normals of a table of 256² and GGX (0.2, 0.4) over 32 × 32 bins of radius and azimuth
@@ -108,11 +109,7 @@ impl NormalTable {
         layout: TableLayout,
         f: impl FnMut(Vec2) -> Vec3,
     ) -> Result<Self, NormalTableError> {
-        match size {
-            0 => Err(NormalTableError::Empty),
-            1..=MAX_SIZE => Ok(Self::build(size, layout, f)),
-            _ => Err(NormalTableError::TooLarge { size }),
-        }
+        NormalTableError::check(size, None).map(|()| Self::build(size, layout, f))
     }
 
     fn build(size: usize, layout: TableLayout, mut f: impl FnMut(Vec2) -> Vec3) -> Self {
@@ -172,7 +169,7 @@ impl NormalTable {
     ///
     /// Look-ups on the CPU: [`NormalTableRef::new`] of the result. Rounding turns the normals by at most 4.9e-4 rad in the
     /// default chart, and 2⁻¹¹ of their tilt where that is small; in the projected chart by 0.03 rad next to the horizon;
-    /// slopes beyond [`MAX_HALF`](crate::MAX_HALF) become that.
+    /// slopes beyond [`MAX_HALF`](crate::normal_table::MAX_HALF) become that.
     #[must_use]
     pub fn halves(&self) -> Vec<[u16; 2]> {
         let half = |c: f32| {
@@ -187,7 +184,7 @@ impl NormalTable {
     /// [0]: n_x, n_y, n_z, 1        [1]: t_x, t_y, t_z, 1          b = n × t (the last channel is the handedness)
     /// ```
     ///
-    /// Rounding turns them by at most 6e-4 rad; [`unpack_frame`](crate::unpack_frame) makes them orthonormal again.
+    /// Rounding turns them by at most 6e-4 rad; [`unpack_frame`](crate::normal_table::unpack_frame) makes them orthonormal again.
     #[must_use]
     pub fn half_frames(&self) -> [Vec<[u16; 4]>; 2] {
         let texel = |v: Vec3| [v.x, v.y, v.z, 1.0].map(to_half);
@@ -207,7 +204,7 @@ pub(crate) fn entry_coordinate(spacing: Spacing, k: usize, size: usize) -> f32 {
 mod tests {
     extern crate std;
     use super::*;
-    use crate::{Chart, Ggx};
+    use crate::{Ggx, normal_table::Chart};
     use std::string::ToString;
 
     const LAYOUTS: [TableLayout; 5] = [
@@ -221,9 +218,12 @@ mod tests {
     #[test]
     fn refusals_name_the_size() {
         let ggx = Ggx::isotropic(0.5).unwrap();
-        assert_eq!(NormalTable::new(&ggx, 0).unwrap_err().to_string(), "size must be at least 1, got 0");
+        assert_eq!(
+            NormalTable::new(&ggx, 0).unwrap_err().to_string(),
+            "size must be between 1 and 4096, got 0"
+        );
         let error = NormalTable::new(&ggx, 4097).unwrap_err();
-        assert_eq!(error.to_string(), "size must be at most 4096, got 4097");
+        assert_eq!(error.to_string(), "size must be between 1 and 4096, got 4097");
     }
 
     #[test]
@@ -262,7 +262,7 @@ mod tests {
         for (k, frame) in table.frames().enumerate() {
             let rounded = table.layout.chart.to_normal(packed.entries()[k].point());
             point = point.max((rounded - frame.normal).length());
-            let unpacked = crate::unpack_frame(normals[k], tangents[k]);
+            let unpacked = crate::normal_table::unpack_frame(normals[k], tangents[k]);
             for (a, b) in [
                 (unpacked.normal, frame.normal),
                 (unpacked.tangent, frame.tangent),

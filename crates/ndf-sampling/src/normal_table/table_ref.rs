@@ -1,10 +1,9 @@
 //! Look-ups in a table of normals that somebody else owns.
 
-use core::fmt;
-
 use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 
 use crate::frame::Frame;
+use crate::normal_table::error::NormalTableError;
 use crate::normal_table::layout::{TableEntry, TableLayout};
 
 /// A table `L` in borrowed storage, of floats or half floats: in flash, in a file's bytes, or a
@@ -14,8 +13,8 @@ use crate::normal_table::layout::{TableEntry, TableLayout};
 /// entries[k₂ size + k₁] = p(T(z_k₁, z_k₂)),   place(z_k) = (k + ½)/size,   k = 0 … size − 1
 /// ```
 ///
-/// with the place of a coordinate from the [`Spacing`](crate::Spacing) and the point of a normal from the
-/// [`Chart`](crate::Chart) of the layout.
+/// with the place of a coordinate from the [`Spacing`](crate::normal_table::Spacing) and the point of a normal from the
+/// [`Chart`](crate::normal_table::Chart) of the layout.
 ///
 /// - **Total:** coordinates beyond the outermost entries give those, NaN counts as 0; entries that are no points of the chart
 ///   count as the nearest that is one. Results are unit vectors with `n.z ≥ 0`.
@@ -25,7 +24,7 @@ use crate::normal_table::layout::{TableEntry, TableLayout};
 ///   turn at most √2 times as far as the normal does.
 ///
 /// ```
-/// use asperity_ndf_sampling::{NormalTableRef, TableLayout, glam::{Vec2, Vec3}, to_half};
+/// use asperity_ndf_sampling::{NormalTableRef, glam::{Vec2, Vec3}, normal_table::{TableLayout, to_half}};
 ///
 /// // Four entries in read-only memory: the x-coordinate of the normal is 0.6, 0.0 and below −0.6.
 /// static FLASH: [[f32; 2]; 4] = [[-0.5, 0.0], [0.5, 0.0], [-0.5, 0.0], [0.5, 0.0]];
@@ -47,20 +46,15 @@ pub struct NormalTableRef<'a, E = [f32; 2]> {
     entries: &'a [E],
 }
 
-/// The longest side of a table of normals; it then takes 128 MB.
-pub(crate) const MAX_SIZE: usize = 4096;
-
 impl<'a, E> NormalTableRef<'a, E> {
     /// The table of `size · size` entries.
     ///
     /// # Errors
     /// A `size` of 0 or above 4096; another number of entries.
     pub const fn new(size: usize, layout: TableLayout, entries: &'a [E]) -> Result<Self, NormalTableError> {
-        match size {
-            0 => Err(NormalTableError::Empty),
-            1..=MAX_SIZE if entries.len() == size * size => Ok(Self { size, layout, entries }),
-            1..=MAX_SIZE => Err(NormalTableError::SizeMismatch { size, len: entries.len() }),
-            _ => Err(NormalTableError::TooLarge { size }),
+        match NormalTableError::check(size, Some(entries.len())) {
+            Ok(()) => Ok(Self { size, layout, entries }),
+            Err(error) => Err(error),
         }
     }
 
@@ -167,45 +161,11 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     }
 }
 
-/// Why a table of normals was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NormalTableError {
-    /// The size is 0.
-    Empty,
-    /// The size is above 4096.
-    TooLarge {
-        /// Its value.
-        size: usize,
-    },
-    /// The slice has not `size · size` entries.
-    SizeMismatch {
-        /// The size.
-        size: usize,
-        /// The slice's length.
-        len: usize,
-    },
-}
-
-impl fmt::Display for NormalTableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty => write!(f, "size must be at least 1, got 0"),
-            Self::TooLarge { size } => write!(f, "size must be at most {MAX_SIZE}, got {size}"),
-            Self::SizeMismatch { size, len } => {
-                write!(f, "table of {size} × {size} needs as many entries, got {len}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for NormalTableError {}
-
 #[cfg(test)]
 mod tests {
     extern crate std;
     use super::*;
-    use crate::{Chart, Spacing};
+    use crate::normal_table::{Chart, Spacing};
     use std::string::ToString;
 
     #[test]
@@ -213,9 +173,9 @@ mod tests {
         let refused = |size| {
             NormalTableRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]).unwrap_err().to_string()
         };
-        assert_eq!(refused(0), "size must be at least 1, got 0");
-        assert_eq!(refused(2), "table of 2 × 2 needs as many entries, got 3");
-        assert_eq!(refused(4097), "size must be at most 4096, got 4097");
+        assert_eq!(refused(0), "size must be between 1 and 4096, got 0");
+        assert_eq!(refused(2), "entries must be 4, got 3");
+        assert_eq!(refused(4097), "size must be between 1 and 4096, got 4097");
     }
 
     #[test]

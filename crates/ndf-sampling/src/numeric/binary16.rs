@@ -9,7 +9,7 @@ pub const MAX_HALF: f32 = 65504.0;
 /// [`MAX_HALF`] the relative error is at most 2⁻¹¹, below that the absolute error at most 2⁻²⁵.
 ///
 /// ```
-/// use asperity_ndf_sampling::{from_half, to_half};
+/// use asperity_ndf_sampling::normal_table::{from_half, to_half};
 ///
 /// assert_eq!(to_half(1.0), 0x3C00);
 /// assert_eq!(from_half(to_half(-0.333_333_34)), -0.333_251_95);

@@ -1,5 +1,6 @@
 //! Float registers of any number of lanes, and elementary functions in them.
 
+pub(crate) mod closed_form;
 pub(crate) mod dispatch;
 pub(crate) mod elementary;
 pub(crate) mod gather;
@@ -10,3 +11,6 @@ pub(crate) mod register_pair;
 pub(crate) mod registers;
 #[cfg(feature = "alloc")]
 pub(crate) mod transpose;
+
+pub use closed_form::ClosedForm;
+pub use dispatch::Level;

@@ -1,6 +1,6 @@
 //! Classic lattice noise as Gaussian coordinates, through its measured distribution.
 
-use asperity_ndf_sampling::{NoiseCdf, NoiseCdfError};
+use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef};
 use asperity_noise::{Kernel, Normalisation, Octaves, Spectrum};
 use glam::{Vec2, Vec3};
 
@@ -39,7 +39,7 @@ const SECOND: u32 = 0x9E37_79B9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemappedOctaves<K> {
     channels: [Octaves<K, 3>; 2],
-    cdf: NoiseCdf<'static>,
+    cdf: NoiseCdfRef<'static>,
 }
 
 impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
@@ -48,7 +48,7 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     /// # Errors
     /// [`NoiseCdfError`] where the noise's measured distribution is none; those of `asperity-noise` are.
     pub fn new(noise: K, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
-        let cdf = NoiseCdf::new(RANGE, noise.statistics().cdf)?;
+        let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
         let first = Octaves::new(noise.clone(), spectrum, Normalisation::Variance, seed);
         let second = Octaves::new(noise, spectrum, Normalisation::Variance, seed.wrapping_add(SECOND));
         Ok(Self { channels: [first, second], cdf })

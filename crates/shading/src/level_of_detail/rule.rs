@@ -70,7 +70,7 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 ///     assert_eq!(rule.radiance(&ggx, h, Coordinates::FAR), far_field(&ggx, h));
 ///     assert_ne!(rule.radiance(&ggx, h, near), far_field(&ggx, h));
 /// }
-/// # Ok::<(), asperity_shading::ndf_sampling::RoughnessError>(())
+/// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum LevelOfDetail {
@@ -100,7 +100,7 @@ impl LevelOfDetail {
     /// The radiance of a pixel per unit of light, without Fresnel term and shadowing.
     ///
     /// - **Domain:** unit half vector `h` in the frame of the macro surface, of which 0 is returned for `h.z ≤ 0`,
-    ///   a zero vector and NaN. A share above [`MAX_SHARE`](asperity_ndf_sampling::MAX_SHARE) counts as that, NaN
+    ///   a zero vector and NaN. A share above [`MAX_SHARE`](asperity_ndf_sampling::level_of_detail::MAX_SHARE) counts as that, NaN
     ///   as 0, a NaN in `z` as 0; `fade` is clamped to `[0, 1]`, NaN counts as 0.
     /// - **Range:** at least 0, finite, in sr⁻¹. Where nothing is resolved it is [`far_field`], to the bit.
     #[must_use]

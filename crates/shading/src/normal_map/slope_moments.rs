@@ -1,6 +1,6 @@
 //! What a pixel sees of a normal map: the mean of its slopes, and their covariance.
 
-use asperity_ndf_sampling::{Beckmann, OffsetBeckmann};
+use asperity_ndf_sampling::{Beckmann, level_of_detail::OffsetBeckmann};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::Coordinates;

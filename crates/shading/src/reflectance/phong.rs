@@ -3,7 +3,7 @@
 use core::f32::consts::{FRAC_1_PI, TAU};
 use core::fmt;
 
-use asperity_ndf_sampling::{BlinnPhong, ExponentError, Frame, Ndf};
+use asperity_ndf_sampling::{BlinnPhong, Frame, Ndf, RangeError};
 use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
@@ -99,7 +99,7 @@ pub enum PhongError {
     /// The exponent is outside `[0, 10⁶]`.
     Exponent(f32),
     /// The exponent is none of the density [`BlinnPhong`].
-    Density(ExponentError),
+    Density(RangeError),
 }
 
 impl fmt::Display for PhongError {

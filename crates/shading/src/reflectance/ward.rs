@@ -3,7 +3,7 @@
 use core::f32::consts::FRAC_1_PI;
 use core::fmt;
 
-use asperity_ndf_sampling::{Beckmann, Ndf, RoughnessError};
+use asperity_ndf_sampling::{Beckmann, Ndf, RangeError};
 use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
@@ -99,7 +99,7 @@ pub enum WardError {
     /// A component of the specular colour is outside `[0, 1]`.
     Specular(f32),
     /// A roughness is none of the density's.
-    Roughness(RoughnessError),
+    Roughness(RangeError),
 }
 
 impl fmt::Display for WardError {

@@ -8,7 +8,7 @@ use std::{
 };
 
 use asperity_ndf_sampling::{
-    Batch, Beckmann, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMap, Reconstruction,
+    Beckmann, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMapRef, Reconstruction,
     glam::{Vec2, Vec3},
 };
 use rand::{Rng, SeedableRng, rngs::SmallRng};
@@ -109,7 +109,6 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let [u1, u2] = [1, 2].map(|seed| uniforms(seed, samples));
     let ggx = Ggx::new(ALPHA[0], ALPHA[1])?;
     let beckmann = Beckmann::new(ALPHA[0], ALPHA[1])?;
-    let batch = Batch::new();
     let view: Vec<Vec3> = uniforms(3, samples)
         .into_iter()
         .zip(uniforms(4, samples))
@@ -126,21 +125,21 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
 
     let u = || [u1.clone(), u2.clone()];
     let seen = || [view[0].clone(), view[1].clone(), view[2].clone(), u1.clone(), u2.clone()];
-    rows.push(row("ggx_sample", u(), move |u, m: [&mut [f32]; 3]| batch.sample(&ggx, u, m).is_ok()));
+    rows.push(row("ggx_sample", u(), move |u, m: [&mut [f32]; 3]| ggx.samples(u, m).is_ok()));
     rows.push(row("beckmann_sample", u(), move |u, m: [&mut [f32]; 3]| {
-        batch.sample(&beckmann, u, m).is_ok()
+        beckmann.samples(u, m).is_ok()
     }));
     rows.push(row("ggx_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
-        batch.sample_visible(&ggx, [x, y, z], [u1, u2], m).is_ok()
+        ggx.visible_samples([x, y, z], [u1, u2], m).is_ok()
     }));
     rows.push(row("beckmann_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
-        batch.sample_visible(&beckmann, [x, y, z], [u1, u2], m).is_ok()
+        beckmann.visible_samples([x, y, z], [u1, u2], m).is_ok()
     }));
     rows.push(row("ggx_from_gaussian", gaussian.clone(), move |z, m: [&mut [f32]; 3]| {
-        batch.from_gaussian(&ggx, z, m).is_ok()
+        ggx.normals(z, m).is_ok()
     }));
     rows.push(row("beckmann_from_gaussian", gaussian, move |z, m: [&mut [f32]; 3]| {
-        batch.from_gaussian(&beckmann, z, m).is_ok()
+        beckmann.normals(z, m).is_ok()
     }));
     let kinds = [
         (
@@ -157,15 +156,15 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     for (kind, [sample, forward, density], build) in kinds {
         let map = NdfMap::from_texels(SIDE, SIDE, &texels(), Measure::Normals, kind)?;
         // As in flash: for the whole run.
-        let packed = PackedMap::new(map.pack().leak())?;
+        let packed = PackedMapRef::new(map.pack().leak())?;
         let mut points = [vec![0.0; samples], vec![0.0; samples]];
-        packed.fill_samples([&u1, &u2], points.each_mut().map(Vec::as_mut_slice))?;
-        rows.push(row(sample, u(), move |u, n: [&mut [f32]; 2]| packed.fill_samples(u, n).is_ok()));
+        packed.inverses([&u1, &u2], points.each_mut().map(Vec::as_mut_slice))?;
+        rows.push(row(sample, u(), move |u, n: [&mut [f32]; 2]| packed.inverses(u, n).is_ok()));
         rows.push(row(forward, points.clone(), move |n, u: [&mut [f32]; 2]| {
-            packed.fill_forward(n, u).is_ok()
+            packed.forwards(n, u).is_ok()
         }));
         rows.push(row(density, points, move |n, [density]: [&mut [f32]; 1]| {
-            packed.fill_density(n, density).is_ok()
+            packed.densities(n, density).is_ok()
         }));
         let values = texels();
         rows.push((
@@ -193,12 +192,10 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
     let table = NormalTable::standard(&ggx);
     let nearest = table.clone();
     rows.push(row("table_nearest", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
-        nearest.view().nearest_normals(z, m);
-        true
+        nearest.view().nearest_normals(z, m).is_ok()
     }));
     rows.push(row("table_bilinear", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
-        table.view().bilinear_normals(z, m);
-        true
+        table.view().bilinear_normals(z, m).is_ok()
     }));
     rows.push(alias(samples)?);
     let coordinates = z.clone();

@@ -1,17 +1,17 @@
 //! Arrays of samples of a packed map, with the instructions that the machine has.
 
 use crate::batch_error::BatchError;
-use crate::map::packed::packed_map::PackedMap;
+use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
 use crate::simd::gather::Picking;
 
-impl PackedMap<'_> {
-    /// `n = (M, C)⁻¹(u)`: the first two coordinates of normals, the third is √(1 − n_x² − n_y²).
+impl PackedMapRef<'_> {
+    /// First two coordinates of the normals `n = (M, C)⁻¹(u)`: [`inverse`](Self::inverse) of many. The third is √(1 − n_x² − n_y²).
     ///
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
-    pub fn fill_samples(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
-        BatchError::check(&u, &n)?;
+    pub fn inverses(&self, u: [&[f32]; 2], n: [&mut [f32]; 2]) -> Result<(), BatchError> {
+        BatchError::check(&[("u", &u)], ("n", &n))?;
         match self.layout.kind {
             Reconstruction::Constant => fill(Samples::<1>(self), u, n),
             Reconstruction::Bilinear => fill(Samples::<2>(self), u, n),
@@ -19,12 +19,12 @@ impl PackedMap<'_> {
         Ok(())
     }
 
-    /// `u = (M, C)(n)`: the uniform numbers of normals by their first two coordinates.
+    /// Uniform numbers `u = (M, C)(n)` of normals by their first two coordinates: [`forward`](Self::forward) of many.
     ///
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
-    pub fn fill_forward(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
-        BatchError::check(&n, &u)?;
+    pub fn forwards(&self, n: [&[f32]; 2], u: [&mut [f32]; 2]) -> Result<(), BatchError> {
+        BatchError::check(&[("n", &n)], ("u", &u))?;
         match self.layout.kind {
             Reconstruction::Constant => fill(Forward::<1>(self), n, u),
             Reconstruction::Bilinear => fill(Forward::<2>(self), n, u),
@@ -32,13 +32,13 @@ impl PackedMap<'_> {
         Ok(())
     }
 
-    /// The densities `D` of normals by their first two coordinates, in sr⁻¹.
+    /// Densities `D` of normals by their first two coordinates, in sr⁻¹.
     ///
     /// # Errors
     /// Arrays of different lengths; nothing is written then.
-    pub fn fill_density(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
+    pub fn densities(&self, n: [&[f32]; 2], density: &mut [f32]) -> Result<(), BatchError> {
         let density = [density];
-        BatchError::check(&n, &density)?;
+        BatchError::check(&[("n", &n)], ("density", &density))?;
         match self.layout.kind {
             Reconstruction::Constant => fill(Densities::<1>(self), n, density),
             Reconstruction::Bilinear => fill(Densities::<2>(self), n, density),
@@ -53,13 +53,13 @@ pub(crate) trait Picked<const OUT: usize>: Copy {
 }
 
 #[derive(Clone, Copy)]
-pub(crate) struct Samples<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
+pub(crate) struct Samples<'a, const SIDES: usize>(pub(crate) &'a PackedMapRef<'a>);
 
 #[derive(Clone, Copy)]
-pub(crate) struct Forward<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
+pub(crate) struct Forward<'a, const SIDES: usize>(pub(crate) &'a PackedMapRef<'a>);
 
 #[derive(Clone, Copy)]
-pub(crate) struct Densities<'a, const SIDES: usize>(pub(crate) &'a PackedMap<'a>);
+pub(crate) struct Densities<'a, const SIDES: usize>(pub(crate) &'a PackedMapRef<'a>);
 
 impl<const SIDES: usize> Picked<2> for Samples<'_, SIDES> {
     #[inline(always)]

@@ -2,12 +2,12 @@
 
 use crate::map::packed::fetch::mixed;
 use crate::map::packed::grid::Grid;
-use crate::map::packed::packed_map::PackedMap;
+use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{BEFORE, BEGIN, BELOW, MARGINAL, WEIGHT, WIDE};
 use crate::simd::gather::Picking;
 use crate::simd::lanes::Scalar;
 
-impl PackedMap<'_> {
+impl PackedMapRef<'_> {
     /// `(M, C)`.
     #[inline(always)]
     pub(crate) fn forward_in<P: Picking<N>, const N: usize, const SIDES: usize>(

@@ -2,17 +2,10 @@
 
 use core::fmt;
 
-use crate::map::packed::record::HEADER;
-
-/// Why an array is no packed map.
+/// Refusal of an array that is no packed map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PackedMapError {
-    /// The array is shorter than a header.
-    NoHeader {
-        /// Its length.
-        len: usize,
-    },
     /// The first number is not that of this format.
     Format {
         /// Its value.
@@ -25,26 +18,21 @@ pub enum PackedMapError {
         /// Its bits.
         value: u32,
     },
-    /// The array is not as long as its header says.
+    /// The array has no header, or is not as long as its header says.
     Length {
         /// How long it should be.
         expected: u64,
         /// How long it is.
-        len: usize,
+        got: usize,
     },
 }
 
 impl fmt::Display for PackedMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoHeader { len } => write!(f, "packed map must have {HEADER} numbers at least, got {len}"),
-            Self::Format { value } => write!(f, "packed map must begin with its format, got {value}"),
-            Self::Header { index, value } => {
-                write!(f, "number {index} of a packed map must be a size, got {value}")
-            }
-            Self::Length { expected, len } => {
-                write!(f, "packed map must have the {expected} numbers that its header says, got {len}")
-            }
+            Self::Format { value } => write!(f, "number 0 must be the format of packed maps, got {value}"),
+            Self::Header { index, value } => write!(f, "number {index} must be a size, got {value}"),
+            Self::Length { expected, got } => write!(f, "array must have {expected} numbers, got {got}"),
         }
     }
 }

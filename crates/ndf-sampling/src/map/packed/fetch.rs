@@ -1,10 +1,10 @@
 //! What the lanes of a packed map pick from its parts.
 
-use crate::map::packed::packed_map::PackedMap;
+use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{LEAF, Rows};
 use crate::simd::gather::Picking;
 
-impl PackedMap<'_> {
+impl PackedMapRef<'_> {
     /// The column of a piece, and how far a place in the piece is from the column's left side.
     #[inline(always)]
     pub(crate) fn column<P: Picking<N>, const N: usize>(

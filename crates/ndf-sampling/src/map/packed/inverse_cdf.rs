@@ -3,7 +3,7 @@
 use crate::map::packed::fetch::{mixed, quads, sides};
 use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::{KEYS, LINES};
-use crate::map::packed::packed_map::PackedMap;
+use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{LEAF, MANY_STEPS, MARGINAL, Rows};
 use crate::math;
 use crate::numeric::bernstein::{inverse_share, kept_away};
@@ -15,7 +15,7 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 /// What a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
 const LEAST_MASS: f64 = 1e-7;
 
-impl PackedMap<'_> {
+impl PackedMapRef<'_> {
     /// `(M, C)⁻¹`. `SIDES`: how many columns of values a cell lies between.
     #[inline(always)]
     pub(crate) fn inverse_in<P: Picking<N>, const N: usize, const SIDES: usize>(

@@ -38,7 +38,7 @@ impl Layout {
         let Some(&[format, kind, width, height, split, cubics, leaves, guide, quantiles, ..]) =
             header.first_chunk::<HEADER>()
         else {
-            return Err(PackedMapError::NoHeader { len });
+            return Err(PackedMapError::Length { expected: HEADER as u64, got: len });
         };
         if format != FORMAT {
             return Err(PackedMapError::Format { value: format });
@@ -66,7 +66,7 @@ impl Layout {
         let expected = layout.len().and_then(|len| usize::try_from(len).ok());
         match expected {
             Some(expected) if expected == len => Ok((layout, len)),
-            _ => Err(PackedMapError::Length { expected: layout.len().unwrap_or(u64::MAX), len }),
+            _ => Err(PackedMapError::Length { expected: layout.len().unwrap_or(u64::MAX), got: len }),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::map::packed::record::LEAF;
 use crate::map::quantiles::Quantiles;
 
 impl NdfMap {
-    /// The map in one array of `f32`, for [`PackedMap`](crate::PackedMap).
+    /// The map in one array of `f32`, for [`PackedMapRef`](crate::PackedMapRef).
     ///
     /// It takes about 9 bytes a texel and, for the distribution of `n_x`, 30 to 200 KB. It is the same on every machine that rounds alike, and may be written to a file
     /// or to a program's constants.

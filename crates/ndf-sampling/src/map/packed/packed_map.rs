@@ -26,11 +26,11 @@ use crate::simd::lanes::Scalar;
 ///
 /// ```
 /// # #[cfg(feature = "alloc")] {
-/// use asperity_ndf_sampling::{Ggx, Ndf, NdfMap, PackedMap, Reconstruction, glam::Vec2};
+/// use asperity_ndf_sampling::{Ggx, Ndf, NdfMap, PackedMapRef, Reconstruction, glam::Vec2};
 ///
 /// let map = NdfMap::from_ndf(64, 64, Reconstruction::Bilinear, &Ggx::new(0.3, 0.5)?)?;
 /// let array = map.pack();
-/// let packed = PackedMap::new(&array)?;
+/// let packed = PackedMapRef::new(&array)?;
 /// let u = Vec2::new(0.2, 0.7);
 /// let m = packed.sample(u);
 /// assert!(packed.forward(m.truncate()).abs_diff_eq(u, 1e-6));
@@ -38,7 +38,7 @@ use crate::simd::lanes::Scalar;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PackedMap<'a> {
+pub struct PackedMapRef<'a> {
     pub(crate) layout: Layout,
     pub(crate) grid: Grid,
     pub(crate) by_weight: &'a [f32],
@@ -51,7 +51,7 @@ pub struct PackedMap<'a> {
     pub(crate) nodes: &'a [f32],
 }
 
-impl<'a> PackedMap<'a> {
+impl<'a> PackedMapRef<'a> {
     /// The map that `NdfMap::pack` wrote into `array`.
     ///
     /// # Errors
@@ -64,7 +64,7 @@ impl<'a> PackedMap<'a> {
         for (part, length) in parts.iter_mut().zip(layout.parts()) {
             let length = length.and_then(|length| usize::try_from(length).ok());
             let Some((first, others)) = length.and_then(|length| rest.split_at_checked(length)) else {
-                return Err(PackedMapError::Length { expected: u64::MAX, len });
+                return Err(PackedMapError::Length { expected: u64::MAX, got: len });
             };
             (*part, rest) = (first, others);
         }
@@ -116,7 +116,7 @@ impl<'a> PackedMap<'a> {
     }
 }
 
-impl Ndf for PackedMap<'_> {
+impl Ndf for PackedMapRef<'_> {
     fn density(&self, m: Vec3) -> f32 {
         let density = match self.layout.kind {
             Reconstruction::Constant => self.density_in::<_, 1, 1>(Scalar, [m.x, m.y]),

@@ -1,7 +1,7 @@
 //! Existing normal maps: detail that keeps their density, and their density estimated and given back.
 
 use asperity_ndf_sampling::{
-    Frame, Ggx, Ndf, NdfEstimator, NdfMap, NormalMapFormat, detailed_normal, estimate_ndf,
+    Frame, Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf, normal_map::NormalMapFormat,
 };
 use asperity_noise::{GaussianOctaves, Spectrum};
 use asperity_render::{

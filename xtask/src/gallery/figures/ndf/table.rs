@@ -1,6 +1,9 @@
 //! Table L: what its look-ups lose, by spacing, chart and interpolation.
 
-use asperity_ndf_sampling::{Chart, Ggx, Ndf, NormalTable, Spacing, TableLayout};
+use asperity_ndf_sampling::{
+    Ggx, Ndf, NormalTable,
+    normal_table::{Chart, Spacing, TableLayout},
+};
 use asperity_render::integrator::hemisphere::ember;
 use glam::{Vec2, Vec3};
 
