@@ -112,7 +112,10 @@ pub use density::ward::Ward;
 pub use frame::Frame;
 #[cfg(feature = "alloc")]
 pub use level_of_detail::ConditionalTable;
-pub use level_of_detail::{ConditionalNdf, ConditionalTableRef, GaussianSplit, conditional_density};
+pub use level_of_detail::{
+    ConditionalNdf, ConditionalTableRef, GaussianSplit, OffsetBeckmann, OffsetBeckmannError,
+    conditional_density,
+};
 #[cfg(feature = "alloc")]
 pub use map::cdf::Cdf;
 #[cfg(feature = "alloc")]

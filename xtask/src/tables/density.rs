@@ -61,7 +61,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
              most, when interpolated bilinearly, and by {:.2}° and {:.1}° when the nearest is taken; neighbouring frames are \
              turned by up to {:.1}°. The errors of every other choice are in parameters.json. The texture of half vectors gives what a \
              pixel does not resolve at every place and zoom, off by a total variation of {:.4}. packed_map.npy has the map itself, \
-             sampled and inverted to 1e-6 by `PackedMap` from one array of 32-bit floats: for flash and for a GPU's buffer.",
+             sampled and inverted to 1e-6 by `PackedMapRef` from one array of 32-bit floats: for flash and for a GPU's buffer.",
             NormalTable::RANGE,
             accuracy.bilinear.rms.to_degrees(),
             accuracy.bilinear.largest.to_degrees(),
@@ -87,7 +87,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
                 "error": { "total_variation": loss.variation, "coordinates_rms": loss.coordinates },
             },
             "packed_map": {
-                "channels": "32-bit floats, little-endian, as `PackedMap::new` reads them; integers by their bits",
+                "channels": "32-bit floats, little-endian, as `PackedMapRef::new` reads them; integers by their bits",
                 "error": { "uniform_numbers": 1e-6 },
             },
             "flat_normal_at": ndf.to_gaussian(Vec3::Z).to_array(),
@@ -174,7 +174,7 @@ fn frames(table: &NormalTable) -> Result<Vec<u8>, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use asperity_ndf_sampling::{Ggx, PackedMap, Reconstruction, glam::Vec2};
+    use asperity_ndf_sampling::{Ggx, PackedMapRef, Reconstruction, glam::Vec2};
 
     use super::*;
 
@@ -186,7 +186,7 @@ mod tests {
         let header = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
         let array: Vec<f32> =
             bytes[header..].as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
-        let read = PackedMap::new(&array).unwrap();
+        let read = PackedMapRef::new(&array).unwrap();
         for u in [Vec2::new(0.2, 0.7), Vec2::new(0.93, 0.04)] {
             assert!(read.sample(u).abs_diff_eq(map.sample(u), 1e-5), "{u}");
         }
