@@ -6,9 +6,9 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{
     Beckmann, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, CookTorrance,
     Dielectric, EnergyPreservingOrenNayar, Footprint, Gas, Ggx, GlintField, Lambert, Marble, MetallicPaint,
-    MetallicPaintParameters, OrenNayar, OrenNayarForm, Phong, Scratches, ScratchesParameters, StarWallpaper,
-    SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
-    WardForm, WardReflection,
+    MetallicPaintParameters, OrenNayar, OrenNayarForm, Phong, PixelEllipse, Scratches, ScratchesParameters,
+    StarWallpaper, SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations,
+    VariationsParameters, WardForm, WardReflection,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -37,7 +37,7 @@ fn materials(c: &mut Criterion) {
         };
         time("carpet", &|p| carpet.surface(p, Vec3::Z).diffuse.x);
         time("paint", &|p| paint.surface(p).coat_normal.x);
-        time("glints", &|p| glints.density(h, p.position, p.footprint));
+        time("glints", &|p| glints.density(h, p.position, p.footprint()));
         time("glass", &|p| glass.surface(p).normal.x);
         time("variations", &|p| varied.surface(p).normal.x);
         time("scratches", &|p| scratches.surface(p).amount);
@@ -52,9 +52,9 @@ fn textures(c: &mut Criterion) {
         c.bench_function(&format!("texture/{name}"), |b| b.iter(|| f(black_box(&point(&mut k, 1e-3)))));
     };
     time("brick", &|p| wall.sample(p.uv).height);
-    time("brick_filtered", &|p| wall.filtered(p.uv, Vec2::splat(0.03)).height);
-    time("star_wallpaper", &|p| stars.coverage(p.uv, 0.01));
-    time("marble", &|p| marble.colour(p.position, p.footprint).x);
+    time("brick_filtered", &|p| wall.filtered(p.uv, PixelEllipse::aligned(Vec2::splat(0.03))).height);
+    time("star_wallpaper", &|p| stars.coverage(p.uv, Footprint::from_width(0.01)));
+    time("marble", &|p| marble.colour(p.position, p.footprint()).x);
     time("gas", &|p| gas.density(p.position));
 }
 

@@ -8,11 +8,11 @@ use asperity_shading::{
     Beckmann, Bevel, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, Conductor,
     CookTorrance, Dielectric, Edge, Elimination, EnergyPreservingOrenNayar, Fibres, FibresParameters,
     Footprint, Frame, Gas, Ggx, GlassWaves, GlintField, Lambert, Marble, Masking, MetallicPaint,
-    MetallicPaintParameters, OrenNayar, OrenNayarForm, PerturbedTexture, Phong, Schlick, SchlickF82,
-    Scratches, ScratchesParameters, SeamPattern, StarWallpaper, Steam, SurfacePoint, TemperedGlass,
-    TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters, WardForm, WardReflection,
-    bumped_normal, displace, facing, gradient_of_normal, lecture_normal, march, rim_light, surface_gradient,
-    tangential,
+    MetallicPaintParameters, OrenNayar, OrenNayarForm, PerturbedTexture, Phong, PixelEllipse, Schlick,
+    SchlickF82, Scratches, ScratchesParameters, SeamPattern, StarWallpaper, Steam, SurfacePoint,
+    TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters, WardForm,
+    WardReflection, bumped_normal, displace, facing, gradient_of_normal, lecture_normal, march, rim_light,
+    surface_gradient, tangential,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -317,7 +317,7 @@ proptest! {
         prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
         prop_assert!(got.amount >= 0.0 && got.amount.is_finite() && is_variance(got.slope_variance), "{got:?}");
         let field = GlintField::new(Beckmann::isotropic(alpha).unwrap(), spacing, bin, seed).unwrap();
-        let density = field.density(h, point.position, point.footprint);
+        let density = field.density(h, point.position, point.footprint());
         prop_assert!(density >= 0.0 && density.is_finite(), "{density}");
         if let Some(flake) = field.flake(point.position) {
             prop_assert!(is_normal(Vec3::Z, flake.normal) && flake.centre.is_finite(), "{flake:?}");
@@ -347,7 +347,7 @@ proptest! {
         (points, chance, inner) in (2..=1000_u32, share(), 0.01..=1.0_f32),
     ) {
         let wall = Brick::new(width, height, mortar).unwrap();
-        for got in [wall.sample(uv), wall.filtered(uv, widths)] {
+        for got in [wall.sample(uv), wall.filtered(uv, PixelEllipse::aligned(widths))] {
             prop_assert!((0.0..=1.0).contains(&got.brick) && (0.0..=1.0).contains(&got.height), "{got:?}");
             prop_assert!(got.slope.is_finite(), "{got:?}");
         }
@@ -355,7 +355,7 @@ proptest! {
         let largest = 0.4 / width;
         let stars = StarWallpaper::new(points, [inner * largest * 0.999, largest * 0.999], width, chance, 1);
         if let Ok(stars) = stars {
-            let share = stars.coverage(uv, footprint);
+            let share = stars.coverage(uv, Footprint::from_width(footprint));
             prop_assert!((0.0..=1.0).contains(&share), "{share}");
         }
         let marble = Marble::new(Perlin2002::default(), width, 1).unwrap();
@@ -365,7 +365,7 @@ proptest! {
         let moved = PerturbedTexture::default().coordinates(p, uv);
         prop_assert!(moved.is_finite() || !uv.is_finite(), "{moved}");
         let gas = Gas::default().with_veins();
-        for density in [gas.density(p), gas.clamped_density(p, footprint)] {
+        for density in [gas.density(p), gas.clamped_density(p, Footprint::from_width(footprint))] {
             prop_assert!((0.0..=gas.densest()).contains(&density), "{density}");
         }
         let room = Steam::new(Vec3::ZERO, width, height).unwrap().share(p);

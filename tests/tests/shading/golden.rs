@@ -247,7 +247,7 @@ fn textures() {
         [0.0, 0.648000002, 0.0, 288.0],
         10.0 * SINGLE,
     );
-    let mean = wall.filtered(UV, Vec2::new(0.1, 0.07));
+    let mean = wall.filtered(UV, PixelEllipse::aligned(Vec2::new(0.1, 0.07)));
     pinned(
         "Brick::filtered",
         [mean.brick, mean.height, mean.slope.x, mean.slope.y].map(f64::from),
@@ -265,7 +265,7 @@ fn textures() {
         SINGLE,
     );
     let stars = StarWallpaper::default();
-    let covered: f32 = (0..64).map(|k| stars.coverage(UV * k as f32, 0.004)).sum();
+    let covered: f32 = (0..64).map(|k| stars.coverage(UV * k as f32, Footprint::from_width(0.004))).sum();
     pinned(
         "StarWallpaper",
         [covered, stars.mean()].map(f64::from),
@@ -287,7 +287,12 @@ fn textures() {
         SINGLE,
     );
     let gas = Gas::default();
-    let densities = [gas.density(P), gas.clamped_density(P, 0.2), gas.with_veins().density(P), gas.densest()];
+    let densities = [
+        gas.density(P),
+        gas.clamped_density(P, Footprint::from_width(0.2)),
+        gas.with_veins().density(P),
+        gas.densest(),
+    ];
     pinned("Gas", densities.map(f64::from), [0.341716737, 0.473586142, 6.75536633, 8.0], 10.0 * SINGLE);
     let steam = Steam::new(Vec3::new(0.3, -1.1, 2.0), 0.5, 1.5).unwrap();
     pinned("Steam::share", one(steam.share(P)), [0.371387482], SINGLE);

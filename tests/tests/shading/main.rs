@@ -2,6 +2,7 @@
 
 mod aliasing;
 mod bad_input;
+mod bsdf;
 mod environment;
 mod fresnel;
 mod golden;
@@ -9,7 +10,6 @@ mod golden_materials;
 mod image_light;
 mod materials;
 mod mean_radiance;
-
 mod normal_maps;
 mod reflectance;
 mod remapped;

@@ -67,7 +67,7 @@ fn points(seed: u64, count: usize) -> impl Iterator<Item = SurfacePoint> {
 }
 
 fn seen(point: SurfacePoint, width: f32) -> SurfacePoint {
-    SurfacePoint { footprint: Footprint::from_width(width), ..point }
+    SurfacePoint { pixel: Footprint::from_width(width).into(), ..point }
 }
 
 /// Mean and its standard error.

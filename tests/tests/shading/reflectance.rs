@@ -16,7 +16,7 @@ use proptest::prelude::*;
 
 const FORMS: [OrenNayarForm; 3] = [OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii];
 
-fn direction(theta: f64, phi: f64) -> Vec3 {
+pub(crate) fn direction(theta: f64, phi: f64) -> Vec3 {
     let (sin, cos) = theta.sin_cos();
     Vec3::new((sin * phi.cos()) as f32, (sin * phi.sin()) as f32, cos as f32)
 }
@@ -183,7 +183,7 @@ fn cases() -> Vec<Case> {
 }
 
 /// The albedo by the midpoint rule in θ and φ, of the brightest channel.
-fn albedo(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> f64 {
+pub(crate) fn albedo(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> f64 {
     let (step, turn) = (FRAC_PI_2 / f64::from(rows), TAU / f64::from(2 * rows));
     let mut sum = [0.0; 3];
     for i in 0..rows {
@@ -232,30 +232,34 @@ fn bins(brdf: &dyn Brdf, wo: Vec3, rows: usize, columns: usize) -> Vec<f64> {
     bins
 }
 
-#[test]
-fn samples_follow_their_density() {
+/// How likely 60,000 samples are by their density, which lacks to 1 what falls below the horizon.
+pub(crate) fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
     const ROWS: usize = 8;
     const COLUMNS: usize = 16;
     const SAMPLES: u64 = 60_000;
+    let probabilities = bins(brdf, wo, ROWS, COLUMNS);
+    let (mut random, mut counts) = (Random(11), vec![0; ROWS * COLUMNS]);
+    for _ in 0..SAMPLES {
+        let u = Vec2::new(random.uniform() as f32, random.uniform() as f32);
+        let wi = brdf.sample(wo, u);
+        assert!((wi.length() - 1.0).abs() < 1e-4, "{name}: {wi}");
+        if wi.z > 0.0 {
+            let turn = f64::from(wi.y).atan2(f64::from(wi.x)) / TAU;
+            let row = ((f64::from(wi.z) * ROWS as f64) as usize).min(ROWS - 1);
+            let column = ((turn - turn.floor()) * COLUMNS as f64) as usize;
+            counts[row * COLUMNS + column.min(COLUMNS - 1)] += 1;
+        }
+    }
+    p_value(&counts, &probabilities, SAMPLES)
+}
+
+#[test]
+fn samples_follow_their_density() {
     let cases = cases();
     let level = 1e-3 / (2.0 * cases.len() as f64);
     for Case { name, brdf, .. } in cases {
         for (theta, phi) in [(0.3, 0.7), (1.2, -2.0)] {
-            let wo = direction(theta, phi);
-            let probabilities = bins(&*brdf, wo, ROWS, COLUMNS);
-            let (mut random, mut counts) = (Random(11), vec![0; ROWS * COLUMNS]);
-            for _ in 0..SAMPLES {
-                let u = Vec2::new(random.uniform() as f32, random.uniform() as f32);
-                let wi = brdf.sample(wo, u);
-                assert!((wi.length() - 1.0).abs() < 1e-4, "{name}: {wi}");
-                if wi.z > 0.0 {
-                    let turn = f64::from(wi.y).atan2(f64::from(wi.x)) / TAU;
-                    let row = ((f64::from(wi.z) * ROWS as f64) as usize).min(ROWS - 1);
-                    let column = ((turn - turn.floor()) * COLUMNS as f64) as usize;
-                    counts[row * COLUMNS + column.min(COLUMNS - 1)] += 1;
-                }
-            }
-            let p = p_value(&counts, &probabilities, SAMPLES);
+            let p = samples_fit(&name, &*brdf, direction(theta, phi));
             assert!(p > level, "{name}, {theta}: p = {p:e}");
         }
     }

@@ -1,7 +1,7 @@
 //! Textures: what a pixel sees is the mean of its points.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::{Brick, Footprint, Marble, StarWallpaper};
+use asperity_shading::{Brick, Footprint, Marble, PixelEllipse, StarWallpaper};
 
 const WALLS: [(f32, f32, f32); 4] = [(0.25, 0.08, 0.01), (1.0, 1.0, 0.5), (0.3, 0.2, 0.0), (2.0, 0.5, 0.3)];
 
@@ -14,7 +14,7 @@ fn filtered_wall_is_the_mean_of_its_points() {
             (Vec2::new(-1.2, 5.1), Vec2::new(0.9, 1.7)),
             (Vec2::new(7.7, -0.4), Vec2::new(2.3, 0.05)),
         ] {
-            let got = wall.filtered(uv, widths);
+            let got = wall.filtered(uv, PixelEllipse::aligned(widths));
             let (mut brick, mut bump) = (0.0_f64, 0.0_f64);
             let n = 600;
             for i in 0..n {
@@ -50,7 +50,7 @@ fn area_of_stars_is_the_mean() {
     for i in 0..n {
         for j in 0..n {
             let uv = 5.0 * (Vec2::new(i as f32, j as f32) + 0.5) / n as f32;
-            sum += f64::from(wall.coverage(uv, 0.0));
+            sum += f64::from(wall.coverage(uv, Footprint::from_width(0.0)));
         }
     }
     let share = sum / f64::from(n * n);
@@ -67,8 +67,10 @@ fn pixels_keep_the_mean_of_their_points() {
         let mut sum = 0.0_f64;
         for i in 0..n {
             for j in 0..n {
-                sum +=
-                    f64::from(wall.coverage(3.0 * (Vec2::new(i as f32, j as f32) + 0.5) / n as f32, width));
+                sum += f64::from(wall.coverage(
+                    3.0 * (Vec2::new(i as f32, j as f32) + 0.5) / n as f32,
+                    Footprint::from_width(width),
+                ));
             }
         }
         sum / f64::from(n * n)

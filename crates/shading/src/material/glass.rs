@@ -217,8 +217,8 @@ impl TemperedGlass {
                 (g * kept, variance, across * (steepest * sqrt(lost)))
             }
             GlassWaves::Noise => {
-                let sample = self.noise.sample(point.position, point.footprint);
-                let removed = self.noise.removed_slope(point.footprint, SLOPE_VARIANCE);
+                let sample = self.noise.sample(point.position, point.footprint());
+                let removed = self.noise.removed_slope(point.footprint(), SLOPE_VARIANCE);
                 (tangential(n, sample.gradient) * steepest, steepest * steepest * removed, Vec3::ZERO)
             }
         };

@@ -12,6 +12,7 @@ mod parameter;
 mod plain;
 mod segment;
 mod surface_point;
+mod textured;
 mod wear;
 
 pub use bump_mapped::BumpMapped;
@@ -31,6 +32,7 @@ pub use paint::{
 };
 pub use parameter::ParameterError;
 pub use surface_point::SurfacePoint;
+pub use textured::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 pub use wear::{
     Blemishes, Dents, ScratchedSurface, Scratches, ScratchesParameters, Variations, VariationsParameters,
     VariedSurface, varied,

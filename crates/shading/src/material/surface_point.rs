@@ -4,15 +4,15 @@ use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
 use crate::bump::surface_gradient;
-use crate::pixel::Footprint;
+use crate::pixel::{Footprint, PixelEllipse};
 
-/// Where a pixel meets a surface: what every material needs to know.
+/// A point of a surface with the pixel about it: what every material needs to know.
 ///
 /// ```
 /// use asperity_shading::{Footprint, SurfacePoint, glam::Vec3};
 ///
 /// let point = SurfacePoint::new(Vec3::new(0.2, 0.1, 0.5), Vec3::Z, Footprint::from_width(1e-3));
-/// assert_eq!(point.tangents, [Vec3::X, Vec3::Y]);
+/// assert_eq!((point.tangents, point.footprint().width()), ([Vec3::X, Vec3::Y], 1e-3));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
@@ -20,27 +20,52 @@ pub struct SurfacePoint {
     pub position: Vec3,
     /// The unit normal of the surface without bumps.
     pub normal: Vec3,
-    /// The texture coordinates: seams, scratches and fibres lie along them.
+    /// The texture coordinates: seams, scratches, fibres and bricks lie along them.
     pub uv: Vec2,
     /// `∂P/∂u` and `∂P/∂v`.
     pub tangents: [Vec3; 2],
-    /// The width of the pixel on the surface.
-    pub footprint: Footprint,
+    /// The pixel on the surface.
+    pub pixel: PixelEllipse,
 }
 
 impl SurfacePoint {
     /// A point without texture coordinates of its own: `uv` is 0, tangents are those of [`Frame::from_normal`].
+    ///
+    /// The pixel is a [`Footprint`] or a [`PixelEllipse`].
     #[must_use]
-    pub fn new(position: Vec3, normal: Vec3, footprint: Footprint) -> Self {
+    pub fn new(position: Vec3, normal: Vec3, pixel: impl Into<PixelEllipse>) -> Self {
         let frame = Frame::from_normal(normal);
         let tangents = [frame.tangent, frame.bitangent];
-        Self { position, normal: frame.normal, uv: Vec2::ZERO, tangents, footprint }
+        Self { position, normal: frame.normal, uv: Vec2::ZERO, tangents, pixel: pixel.into() }
     }
 
     /// A point with texture coordinates and the derivatives of the position in them.
     #[must_use]
     pub fn with_uv(self, uv: Vec2, tangents: [Vec3; 2]) -> Self {
         Self { uv, tangents, ..self }
+    }
+
+    /// The point of a surface that is so many times as large, texture coordinates included: 0.01 for a scene of centimetres and a
+    /// material in metres.
+    #[must_use]
+    pub fn scaled(self, by: f32) -> Self {
+        Self { position: self.position * by, uv: self.uv * by, pixel: self.pixel.scaled(by), ..self }
+    }
+
+    /// The width of the pixel: its long axis.
+    #[must_use]
+    pub const fn footprint(&self) -> Footprint {
+        self.pixel.long()
+    }
+
+    /// Points with round footprints along the pixel's long axis, whose mean is what the pixel sees: [`PixelEllipse::taps`].
+    pub fn taps(self, most: u32) -> impl Iterator<Item = Self> {
+        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.gradient(axis));
+        self.pixel.taps(most).map(move |(offset, footprint)| {
+            let moved = Vec2::new(u.dot(offset), v.dot(offset));
+            let uv = if moved.is_finite() { self.uv + moved } else { self.uv };
+            Self { position: self.position + offset, uv, pixel: footprint.into(), ..self }
+        })
     }
 
     /// The frame of the surface without bumps, in which the directions of a [`Bsdf`](crate::reflectance::Bsdf) are: z along the normal,
@@ -57,13 +82,17 @@ impl SurfacePoint {
 
     /// By how much a function with this gradient changes across the pixel; ∞ where there is no gradient.
     pub(crate) fn change(&self, gradient: Vec3) -> f32 {
-        let change = gradient.length() * self.footprint.width();
-        if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
+        self.pixel.change(gradient)
+    }
+
+    /// The pixel in texture coordinates, as a box along their axes.
+    pub(crate) fn uv_pixel(&self) -> PixelEllipse {
+        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.change(self.gradient(axis)));
+        PixelEllipse::aligned(Vec2::new(u, v))
     }
 
     /// The width of the pixel in texture coordinates: the larger of the changes of u and of v across it.
     pub(crate) fn uv_width(&self) -> f32 {
-        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.change(self.gradient(axis)));
-        u.max(v)
+        self.uv_pixel().long().width()
     }
 }

@@ -1,6 +1,6 @@
 //! The footprint of a pixel as an ellipse, and the round footprints that cover it.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
 use crate::pixel::footprint::Footprint;
@@ -65,6 +65,50 @@ impl PixelEllipse {
         }
     }
 
+    /// A pixel of the plane of texture coordinates, in the first two components, along their axes and as wide as this.
+    ///
+    /// A width that is not a number counts as infinite, a negative one by its magnitude.
+    #[must_use]
+    pub fn aligned(widths: Vec2) -> Self {
+        let [u, v] = widths.to_array().map(|width| Footprint::from_width(width).width());
+        let (along_u, along_v) = (Vec3::new(u, 0.0, 0.0), Vec3::new(0.0, v, 0.0));
+        let [major, minor] = if u >= v { [along_u, along_v] } else { [along_v, along_u] };
+        Self { major, minor, widths: [u.max(v), u.min(v)].map(Footprint::from_width) }
+    }
+
+    /// The semi-axes doubled: the long one, as long as the pixel, and the short one; zero vectors for a round footprint.
+    #[must_use]
+    pub const fn axes(&self) -> [Vec3; 2] {
+        [self.major, self.minor]
+    }
+
+    /// The pixel of a surface that is so many times as large.
+    #[must_use]
+    pub fn scaled(&self, by: f32) -> Self {
+        let widths = self.widths.map(|width| Footprint::from_width(width.width() * by));
+        Self { major: self.major * by, minor: self.minor * by, widths }
+    }
+
+    /// By how much a function with this gradient changes across the pixel, at most; ∞ where there is no gradient.
+    pub(crate) fn change(&self, gradient: Vec3) -> f32 {
+        let round = self.major == Vec3::ZERO;
+        let change = if round {
+            gradient.length() * self.widths[0].width()
+        } else {
+            gradient.dot(self.major).abs() + gradient.dot(self.minor).abs()
+        };
+        if gradient != Vec3::ZERO && change >= 0.0 { change } else { f32::INFINITY }
+    }
+
+    /// The sides of the box about a pixel in the plane of texture coordinates.
+    pub(crate) fn sides(&self) -> Vec2 {
+        if self.major == Vec3::ZERO {
+            Vec2::splat(self.widths[0].width())
+        } else {
+            (self.major.abs() + self.minor.abs()).truncate()
+        }
+    }
+
     /// The width along the long axis.
     #[must_use]
     pub const fn long(&self) -> Footprint {
@@ -125,6 +169,13 @@ impl PixelEllipse {
             let aside = minor * ((k as f32 + 0.5) / lines as f32 - 0.5);
             line.taps(most / lines).map(move |(along, tap)| (aside + along, tap))
         })
+    }
+}
+
+/// A round pixel.
+impl From<Footprint> for PixelEllipse {
+    fn from(footprint: Footprint) -> Self {
+        Self { major: Vec3::ZERO, minor: Vec3::ZERO, widths: [footprint; 2] }
     }
 }
 

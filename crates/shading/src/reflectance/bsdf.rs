@@ -98,7 +98,7 @@ impl<'a> Bsdf<'a> {
         facets: impl IntoIterator<Item = Facet>,
         lobes: impl IntoIterator<Item = Lobe<'a>>,
     ) -> Self {
-        self.layered(facets, lobes, Place::UnderTheCoat)
+        self.layered(|add| facets.into_iter().for_each(add), lobes, Place::UnderTheCoat)
     }
 
     /// With a coat over all layers; a rough one takes a layer of its own.
@@ -106,7 +106,7 @@ impl<'a> Bsdf<'a> {
     pub fn with_coat(self, coat: Coat) -> Self {
         let coated = Self { coat: Some(coat), ..self };
         match coat.lobe(self.wo) {
-            Some(lobe) => coated.layered(coat.facets(), [lobe], Place::InTheCoat),
+            Some(lobe) => coated.layered(|add| coat.facets().for_each(add), [lobe], Place::InTheCoat),
             None => coated,
         }
     }
@@ -117,33 +117,30 @@ impl<'a> Bsdf<'a> {
         Self { emitted: self.emitted + Vec3::from_array(radiance.to_array().map(finite)), ..self }
     }
 
+    /// With a layer of facets that are visited one by one.
+    pub(crate) fn with_visited<const N: usize>(
+        self,
+        lobes: [Lobe<'a>; N],
+        facets: impl FnOnce(&mut dyn FnMut(Facet)),
+    ) -> Self {
+        self.layered(facets, lobes, Place::UnderTheCoat)
+    }
+
     fn layered(
         mut self,
-        facets: impl IntoIterator<Item = Facet>,
+        facets: impl FnOnce(&mut dyn FnMut(Facet)),
         lobes: impl IntoIterator<Item = Lobe<'a>>,
         place: Place,
     ) -> Self {
-        let [first, first_lobe] = match self.layer_count.checked_sub(1) {
-            Some(last) => [self.layers[last].facets[1], self.layers[last].lobes[1]],
-            None => [0; 2],
-        };
+        let last = self.layers().last().copied().unwrap_or_default();
+        let ([_, first], [_, first_lobe]) = (last.facets, last.lobes);
         let (mut end, mut end_lobe) = (first, first_lobe);
-        for facet in facets {
-            let normal = facing(Vec3::Z, facet.normal, self.wo);
-            if !(facet.share > 0.0 && facet.share.is_finite()) {
-                continue;
+        facets(&mut |facet: Facet| {
+            if facet.share > 0.0 && facet.share.is_finite() {
+                let normal = facing(Vec3::Z, facet.normal, self.wo);
+                end += add(&mut self.facets[first..], end - first, facet.share, normal);
             }
-            if let Some(place) = self.facets.get_mut(end) {
-                *place = (facet.share, Frame::from_normal_tangent(normal, Vec3::X));
-                end += 1;
-            } else if let Some(nearest) = self.facets[first..]
-                .iter_mut()
-                .max_by(|a, b| a.1.normal.dot(normal).total_cmp(&b.1.normal.dot(normal)))
-            {
-                let both = (nearest.1.normal * nearest.0 + normal * facet.share).normalize_or(normal);
-                *nearest = (nearest.0 + facet.share, Frame::from_normal_tangent(both, Vec3::X));
-            }
-        }
+        });
         for lobe in lobes {
             if let Some(place) = self.lobes.get_mut(end_lobe) {
                 *place = lobe;
@@ -229,6 +226,20 @@ impl<'a> Bsdf<'a> {
     }
 }
 
+/// Puts a facet after the first so many, or merges it with the nearest where there is no place; returns how many it added.
+fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> usize {
+    if let Some(place) = facets.get_mut(count) {
+        *place = (share, Frame::from_normal_tangent(normal, Vec3::X));
+        return 1;
+    }
+    let nearness = |facet: &(f32, Frame)| facet.1.normal.dot(normal);
+    if let Some(nearest) = facets.iter_mut().max_by(|a, b| nearness(a).total_cmp(&nearness(b))) {
+        let both = (nearest.1.normal * nearest.0 + normal * share).normalize_or(normal);
+        *nearest = (nearest.0 + share, Frame::from_normal_tangent(both, Vec3::X));
+    }
+    0
+}
+
 impl Brdf for Bsdf<'_> {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         let cosine = wi.z.max(f32::MIN_POSITIVE);
@@ -248,7 +259,13 @@ impl Brdf for Bsdf<'_> {
             place -= chance;
         }
         match last {
-            Some((frame, lobe, x)) => frame.to_world(lobe.sample(frame.to_local(wo), Vec2::new(x, u.y))),
+            Some((frame, lobe, x)) => {
+                let o = frame.to_local(wo);
+                let i = lobe.sample(o, Vec2::new(x, u.y));
+                let wi = frame.to_world(i);
+                // What is behind the facet brings nothing, and must not count as a direction above the surface.
+                if i.z > 0.0 && o.z > 0.0 { wi } else { Vec3::new(wi.x, wi.y, -wi.z.abs()) }
+            }
             None => Vec3::ZERO,
         }
     }

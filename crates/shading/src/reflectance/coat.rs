@@ -98,7 +98,7 @@ impl Coat {
     }
 
     /// The coat with what it mirrors spread by Beckmann's density of this width: a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in
-    /// place of a single direction. 0 is smooth; what is transmitted stays straight.
+    /// place of a single direction. 0 is smooth; `(1 − F)²` of the light is transmitted as if it were.
     #[must_use]
     pub fn rough(self, alpha: f32) -> Self {
         Self { roughness: clamp_to(alpha, 1.0), ..self }
@@ -186,6 +186,8 @@ impl Coat {
         let cosine = up.dot(m);
         let smooth = if self.roughness > 0.0 { 0.0 } else { 1.0 };
         let mirrored = |share: Vec3| Delta { wi: reflect(up, m) * side, weight: share * smooth };
+        // A rough surface scatters some of what goes through it.
+        let through = |share: f32| if smooth > 0.0 { share } else { share * share };
         let straight = |share: Vec3| Delta { wi: -wo, weight: share.clamp(Vec3::ZERO, Vec3::ONE) };
         match self.behind {
             Behind::Layers(fresnel) if !inside => {
@@ -197,7 +199,7 @@ impl Coat {
             Behind::Pane(fresnel, tint) => {
                 let once = fresnel.reflectance(cosine);
                 let both = 2.0 * once / (1.0 + once);
-                [mirrored(Vec3::splat(both)), straight(tint * (1.0 - both))]
+                [mirrored(Vec3::splat(both)), straight(tint * through(1.0 - both))]
             }
             Behind::Body(fresnel) => {
                 let fresnel = if inside { fresnel.reversed() } else { fresnel };
@@ -205,8 +207,8 @@ impl Coat {
                 // Snell: sin θ_t = sin θ_i/η.
                 let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
                 let wi = (eta * cosine - sqrt(below.max(0.0))) * m - eta * up;
-                let through = if below > 0.0 && wi.z < 0.0 { 1.0 - share } else { 0.0 };
-                [mirrored(Vec3::splat(share)), Delta { wi: wi * side, weight: Vec3::splat(through) }]
+                let kept = if below > 0.0 && wi.z < 0.0 { through(1.0 - share) } else { 0.0 };
+                [mirrored(Vec3::splat(share)), Delta { wi: wi * side, weight: Vec3::splat(kept) }]
             }
         }
     }

@@ -115,6 +115,18 @@ impl Bevel {
     }
 }
 
+impl Bevel {
+    /// The facets of a whole square tile of the side 1 whose edges have this ridge, in rings about its middle.
+    pub(crate) fn tile(&self, mut visit: impl FnMut(f32, f32)) {
+        for k in 0..16_u8 {
+            let d = |k: u8| f32::from(k) / 32.0;
+            let ring =
+                (1.0 - 2.0 * d(k)) * (1.0 - 2.0 * d(k)) - (1.0 - 2.0 * d(k + 1)) * (1.0 - 2.0 * d(k + 1));
+            self.facets(d(k), d(k + 1), |share, slope| visit(ring * share, slope));
+        }
+    }
+}
+
 /// Why a [`Bevel`] was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]

@@ -5,6 +5,7 @@ use core::fmt;
 use glam::Vec2;
 
 use crate::math::{clamp_to, floor};
+use crate::pixel::PixelEllipse;
 
 /// Bricks in running bond: every other row is shifted by half a brick.
 ///
@@ -21,14 +22,14 @@ use crate::math::{clamp_to, floor};
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `brickbump` (after Peachey in Ebert 1994).
 ///
 /// ```
-/// use asperity_shading::{Brick, glam::Vec2};
+/// use asperity_shading::{Brick, PixelEllipse, glam::Vec2};
 ///
 /// let wall = Brick::default();
 /// let middle = wall.sample(Vec2::new(0.13, 0.045));
 /// assert_eq!((middle.brick, middle.height, middle.slope), (1.0, 1.0, Vec2::ZERO));
 /// assert_eq!(wall.sample(Vec2::ZERO).brick, 0.0);
 /// // From afar a wall has the colour of its mean.
-/// let far = wall.filtered(Vec2::new(0.3, 0.7), Vec2::splat(1000.0));
+/// let far = wall.filtered(Vec2::new(0.3, 0.7), PixelEllipse::aligned(Vec2::splat(1000.0)));
 /// assert!((far.brick - wall.mean()).abs() < 1e-4);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,13 +105,14 @@ impl Brick {
         }
     }
 
-    /// The mean of the wall over the box of these widths about a point, and the slope of that mean height.
+    /// The mean of the wall over the box about a pixel of its plane, and the slope of that mean height.
     ///
     /// Exact, by antiderivatives of the four pulses over even and over odd rows: no sampling, at any width. A side of less than
     /// 2⁻¹⁰ of a brick counts as none. A width that is not a number counts as infinite, where the mean is that of the whole wall; so
     /// do widths above 2¹⁶ bricks.
     #[must_use]
-    pub fn filtered(&self, uv: Vec2, widths: Vec2) -> BrickSample {
+    pub fn filtered(&self, uv: Vec2, pixel: PixelEllipse) -> BrickSample {
+        let widths = pixel.sides();
         let Some((s, t, [ds, dt], cell)) = self.boxed(uv, widths) else { return BrickSample::NOWHERE };
         // Rows are counted from the even one at or below, so that positions stay small.
         let t = t + if cell[1] % 2 == 0 { 0.0 } else { 1.0 };
@@ -143,7 +145,7 @@ impl Brick {
     }
 
     /// Width and height of a brick with its mortar.
-    pub(super) const fn cell(&self) -> Vec2 {
+    pub(crate) const fn cell(&self) -> Vec2 {
         self.cell
     }
 
@@ -354,7 +356,7 @@ mod tests {
                 let uv = Vec2::new(-3.0 + 0.001_73 * i as f32, 2.0 - 0.001_31 * i as f32);
                 let (sample, (brick, bump)) = (wall.sample(uv), listing(&wall, uv));
                 // Rounding may decide otherwise within 1e-5 of the edge.
-                let near = wall.filtered(uv, wall.cell * 2.1e-3);
+                let near = wall.filtered(uv, PixelEllipse::aligned(wall.cell * 2.1e-3));
                 assert!(sample.brick == brick || (near.brick > 0.0 && near.brick < 1.0), "{uv}");
                 assert!((sample.height - bump).abs() < 2e-4, "{uv}: {} {bump}", sample.height);
             }
@@ -368,9 +370,9 @@ mod tests {
         for i in 0..300 {
             let uv = Vec2::new(0.037 * i as f32, 0.071 * i as f32 + 0.013);
             for widths in [Vec2::ZERO, Vec2::new(0.3, 0.2), Vec2::new(2.7, 1.9)] {
-                let at = |by: Vec2| wall.filtered(uv + by, widths).height;
+                let at = |by: Vec2| wall.filtered(uv + by, PixelEllipse::aligned(widths)).height;
                 let by = differences(at, Vec2::ZERO, h);
-                let got = wall.filtered(uv, widths).slope;
+                let got = wall.filtered(uv, PixelEllipse::aligned(widths)).slope;
                 // Third derivatives are 12/0.2³ at most, and the flanks begin with a leap of the second, 6/0.2².
                 assert!((got - by).length() < 0.2, "{uv}, {widths}: {got}, {by}");
             }
@@ -382,7 +384,7 @@ mod tests {
         for (width, height, mortar) in WALLS {
             let wall = Brick::new(width, height, mortar).unwrap();
             for widths in [Vec2::INFINITY, Vec2::NAN, Vec2::splat(1e30)] {
-                let far = wall.filtered(Vec2::new(0.3, -7.2), widths);
+                let far = wall.filtered(Vec2::new(0.3, -7.2), PixelEllipse::aligned(widths));
                 assert!((far.brick - wall.mean()).abs() < 1e-4, "{widths}: {}", far.brick);
                 assert!(far.slope.length() < 1e-3);
             }
@@ -405,9 +407,10 @@ mod tests {
             let wall = Brick::new(width, height, mortar).unwrap();
             for u in odd {
                 for v in odd {
-                    for sample in
-                        [wall.sample(Vec2::new(u, v)), wall.filtered(Vec2::new(u, 0.1), Vec2::new(v, 0.3))]
-                    {
+                    for sample in [
+                        wall.sample(Vec2::new(u, v)),
+                        wall.filtered(Vec2::new(u, 0.1), PixelEllipse::aligned(Vec2::new(v, 0.3))),
+                    ] {
                         assert!((0.0..=1.000_1).contains(&sample.brick), "{u}, {v}: {sample:?}");
                         assert!((0.0..=1.000_1).contains(&sample.height), "{u}, {v}: {sample:?}");
                         assert!(sample.slope.is_finite(), "{u}, {v}: {sample:?}");

@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use crate::math::floor;
+use crate::pixel::PixelEllipse;
 use crate::texture::brick::{Brick, LEAST, Pulse, Rows, shift};
 
 /// A part of a pulse within an interval: how much of it, its height and its slope.
@@ -16,7 +17,7 @@ struct Part {
 }
 
 impl Brick {
-    /// The facets of the wall within the box of these widths about a point: the share of each, brick 1 or mortar 0, and its slope.
+    /// The facets of the wall within the box about a pixel of its plane: the share of each, brick 1 or mortar 0, and its slope.
     ///
     /// The shares add up to 1. A lighting model's mean over the facets is what the pixel shows: of a steep groove, the model at the
     /// [mean slope](Self::filtered) shows something else. A flank that the box cuts is two facets, a whole one too, with the slopes
@@ -24,17 +25,18 @@ impl Brick {
     /// are not finite are one facet of mortar.
     ///
     /// ```
-    /// use asperity_shading::{Brick, glam::Vec2};
+    /// use asperity_shading::{Brick, PixelEllipse, glam::Vec2};
     ///
     /// let wall = Brick::default();
     /// let (mut shares, mut slope) = (0.0, Vec2::ZERO);
-    /// wall.facets(Vec2::new(0.3, 0.7), Vec2::new(0.05, 0.02), |share, _, s| {
+    /// wall.facets(Vec2::new(0.3, 0.7), PixelEllipse::aligned(Vec2::new(0.05, 0.02)), |share, _, s| {
     ///     shares += share;
     ///     slope += share * s;
     /// });
     /// assert!((shares - 1.0).abs() < 1e-5);
     /// ```
-    pub fn facets(&self, uv: Vec2, widths: Vec2, mut visit: impl FnMut(f32, f32, Vec2)) {
+    pub fn facets(&self, uv: Vec2, pixel: PixelEllipse, mut visit: impl FnMut(f32, f32, Vec2)) {
+        let widths = pixel.sides();
         let Some((s, t, [ds, dt], [_, index])) = self.boxed(uv, widths) else {
             return visit(1.0, 0.0, Vec2::ZERO);
         };
@@ -149,9 +151,9 @@ mod tests {
             for i in 0..200 {
                 let uv = Vec2::new(0.173 * i as f32 - 5.0, 0.217 * i as f32 - 9.0);
                 let size = Vec2::new(3.7_f32.powi(i % 7 - 4), 2.9_f32.powi(i % 5 - 3));
-                let filtered = wall.filtered(uv, size);
+                let filtered = wall.filtered(uv, PixelEllipse::aligned(size));
                 let (mut shares, mut brick, mut slope, mut count) = (0.0, 0.0, Vec2::ZERO, 0);
-                wall.facets(uv, size, |share, b, s| {
+                wall.facets(uv, PixelEllipse::aligned(size), |share, b, s| {
                     assert!(share >= 0.0 && s.is_finite(), "{uv} {size}: {share} {s}");
                     shares += share;
                     brick += share * b;
@@ -191,10 +193,14 @@ mod tests {
             for a in odd {
                 for b in odd {
                     let mut shares = 0.0;
-                    wall.facets(Vec2::new(a, 0.3), Vec2::new(b, a), |share, _, slope| {
-                        assert!(slope.is_finite());
-                        shares += share;
-                    });
+                    wall.facets(
+                        Vec2::new(a, 0.3),
+                        PixelEllipse::aligned(Vec2::new(b, a)),
+                        |share, _, slope| {
+                            assert!(slope.is_finite());
+                            shares += share;
+                        },
+                    );
                     assert!((shares - 1.0).abs() < 1e-4, "{a} {b}: {shares}");
                 }
             }

@@ -12,5 +12,5 @@ pub use bevel::{Bevel, BevelError, Edge};
 pub use brick::{Brick, BrickError, BrickSample};
 pub use gas::{Gas, GasError, Seen, Steam, march};
 pub use marble::{Marble, MarbleError};
-pub use perturbed::PerturbedTexture;
+pub use perturbed::{PerturbedLookUp, PerturbedTexture};
 pub use star_wallpaper::{StarWallpaper, StarWallpaperError};

@@ -41,6 +41,15 @@ impl Default for PerturbedTexture {
     }
 }
 
+/// A place of a texture, and how far what a pixel sees is spread about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerturbedLookUp {
+    /// The texture coordinates.
+    pub uv: Vec2,
+    /// The standard deviation of either.
+    pub spread: Vec2,
+}
+
 impl<N: Noise<Vec3>> PerturbedTexture<N> {
     /// Where to look up the texture for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
     #[must_use]
@@ -61,19 +70,19 @@ impl<N: Noise<Vec3>> PerturbedTexture<N> {
     /// let running = PerturbedTexture::default();
     /// let (p, uv) = (Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));
     /// let near = running.filtered(p, uv, Footprint::from_width(0.1));
-    /// assert_eq!(near, (running.coordinates(p, uv), Vec2::ZERO));
-    /// let (far, spread) = running.filtered(p, uv, Footprint::from_width(10.0));
-    /// assert!(far == uv && spread.x > spread.y && spread.y > 0.0);
+    /// assert_eq!((near.uv, near.spread), (running.coordinates(p, uv), Vec2::ZERO));
+    /// let far = running.filtered(p, uv, Footprint::from_width(10.0));
+    /// assert!(far.uv == uv && far.spread.x > far.spread.y && far.spread.y > 0.0);
     /// ```
     #[must_use]
-    pub fn filtered(&self, p: Vec3, uv: Vec2, footprint: Footprint) -> (Vec2, Vec2) {
+    pub fn filtered(&self, p: Vec3, uv: Vec2, footprint: Footprint) -> PerturbedLookUp {
         let kept = 1.0 - removed_share(footprint.width(), self.scale);
         if kept >= 1.0 {
-            return (self.coordinates(p, uv), Vec2::ZERO);
+            return PerturbedLookUp { uv: self.coordinates(p, uv), spread: Vec2::ZERO };
         }
         let deviation = self.noise.statistics().standard_deviation * sqrt(1.0 - kept * kept);
         let moved = if kept > 0.0 { uv + kept * (self.coordinates(p, uv) - uv) } else { uv };
-        (moved, self.strength.abs() * deviation)
+        PerturbedLookUp { uv: moved, spread: self.strength.abs() * deviation }
     }
 }
 

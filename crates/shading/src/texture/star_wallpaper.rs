@@ -7,6 +7,7 @@ use asperity_noise::{Noise, Perlin2002, White, removed_share};
 use glam::Vec2;
 
 use crate::math::{atan2, cos, sin, sqrt};
+use crate::pixel::Footprint;
 
 /// Stars scattered over a grid of cells.
 ///
@@ -27,9 +28,9 @@ use crate::math::{atan2, cos, sin, sqrt};
 ///
 /// let wallpaper = StarWallpaper::default();
 /// // From afar, the share of stars.
-/// assert_eq!(wallpaper.coverage(Vec2::new(0.3, 0.8), 10.0), wallpaper.mean());
+/// assert_eq!(wallpaper.coverage(Vec2::new(0.3, 0.8), Footprint::from_width(10.0)), wallpaper.mean());
 /// // Close by it is star or ground.
-/// let share = wallpaper.coverage(Vec2::new(0.3, 0.8), 0.0);
+/// let share = wallpaper.coverage(Vec2::new(0.3, 0.8), Footprint::from_width(0.0));
 /// assert!(share == 0.0 || share == 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,18 +95,17 @@ impl StarWallpaper {
         (self.chance * self.cells * self.cells * n * self.r_min * self.r_max * sin(PI / n)).min(1.0)
     }
 
-    /// The share of a pixel that stars cover, at a point seen through a footprint of this width.
+    /// The share of a pixel that stars cover, at a point of the texture seen through this footprint.
     ///
     /// The edge of a star is a ramp, half as wide as the footprint in each of its quarters; where the footprint nears the size of a star, the wall turns into its
     /// mean. A footprint of 0 gives 0 or 1. 0 for coordinates that are not finite.
     #[must_use]
-    pub fn coverage(&self, uv: Vec2, footprint: f32) -> f32 {
+    pub fn coverage(&self, uv: Vec2, footprint: Footprint) -> f32 {
         if !uv.is_finite() {
             return 0.0;
         }
-        let footprint = footprint.abs();
-        // A pixel that cannot be measured resolves nothing.
-        let far = if footprint.is_nan() { 1.0 } else { removed_share(footprint, 0.75 / self.r_max) };
+        let footprint = footprint.width();
+        let far = removed_share(footprint, 0.75 / self.r_max);
         if far >= 1.0 {
             return self.mean();
         }
@@ -259,7 +259,7 @@ mod tests {
         for u in odd {
             for v in odd {
                 for width in odd {
-                    let share = wall.coverage(Vec2::new(u, v), width);
+                    let share = wall.coverage(Vec2::new(u, v), Footprint::from_width(width));
                     assert!((0.0..=1.0).contains(&share), "{u} {v} {width}: {share}");
                 }
                 let _ = wall.as_listed(Vec2::new(u, v));

@@ -30,7 +30,7 @@ pub fn bumped(
 ) -> impl Fn(&Seen) -> Appearance + Sync {
     move |seen: &Seen| {
         let point = &seen.point;
-        let coordinates = bumps.coordinates(point.position, point.footprint);
+        let coordinates = bumps.coordinates(point.position, point.footprint());
         let facet = Frame::from_normal(rule.normal(ndf.as_ref(), coordinates));
         let brdf = Resolved { ndf: Arc::clone(&ndf), rule, coordinates, facet, colour };
         Appearance {

@@ -11,7 +11,7 @@ pub mod pattern;
 mod plain;
 mod wall;
 
-use asperity_shading::{Beckmann, Footprint, SurfacePoint};
+use asperity_shading::{Beckmann, SurfacePoint};
 
 pub use bumped::bumped;
 pub use carpet::carpet;
@@ -25,13 +25,7 @@ use crate::integrator::path_tracer::Seen;
 
 /// The point of a surface in metres, where a unit of the scene is so many.
 fn in_metres(seen: &Seen, metres: f32) -> SurfacePoint {
-    let point = seen.point;
-    SurfacePoint {
-        position: point.position * metres,
-        uv: point.uv * metres,
-        footprint: Footprint::from_width(point.footprint.width() * metres),
-        ..point
-    }
+    seen.point.scaled(metres)
 }
 
 /// A density as wide as facets and unresolved slopes together.

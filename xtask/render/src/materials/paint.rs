@@ -56,7 +56,7 @@ pub fn glinting(
         let point = in_metres(seen, metres);
         let surface = paint.surface(&point);
         let normal = surface.base_normal;
-        let flakes = Flakes { field, point: point.position, width: point.footprint.width() };
+        let flakes = Flakes { field, point: point.position, width: point.footprint().width() };
         Appearance {
             layers: vec![
                 Layer { normal, brdf: Box::new(CookTorrance::new(flakes, surface.specular)) },

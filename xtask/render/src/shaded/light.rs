@@ -2,9 +2,8 @@
 
 use std::f32::consts::PI;
 
-use asperity_shading::bump::Facet;
 use asperity_shading::glam::Vec3;
-use asperity_shading::reflectance::{Brdf, Bsdf, Lobe};
+use asperity_shading::reflectance::Bsdf;
 
 /// A distant lamp.
 #[derive(Clone, Copy, Debug)]
@@ -40,9 +39,4 @@ impl Sky {
             sum + PI * light.radiance * bsdf.scattered(light.direction, view)
         })
     }
-}
-
-/// What the facets of a surface send along `view`: the mean over them.
-pub(super) fn on_facets(sky: &Sky, brdf: &dyn Brdf, facets: impl Iterator<Item = Facet>, view: Vec3) -> Vec3 {
-    sky.on(&Bsdf::new(view).with(facets, [Lobe::from(brdf)]), view)
 }

@@ -4,7 +4,7 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::material::{BumpMapped, GlassWaves, Material, PaintFlakes};
 use asperity_shading::noise::{GaussianOctaves, Spectrum};
 use asperity_shading::{
-    BumpField, Carpet, CarpetParameters, FibresParameters, Footprint, Ggx, LevelOfDetail, MetallicPaint,
+    BumpField, Carpet, CarpetParameters, FibresParameters, Ggx, LevelOfDetail, MetallicPaint,
     MetallicPaintParameters, Scratches, ScratchesParameters, SeamPattern, SurfacePoint, TemperedGlass,
     TemperedGlassParameters, Variations, VariationsParameters,
 };
@@ -148,6 +148,5 @@ fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let bumps = BumpField::new(GaussianOctaves::<3>::new(spectrum, 7), 20.0).expect(VALID);
     let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
     // The mean over a pixel still shows octaves above the limit of its frequency.
-    let half = |point: SurfacePoint| Footprint::from_width(0.5 * point.footprint.width());
-    subject(name, 0.8, material, move |point| SurfacePoint { footprint: half(point), ..point })
+    subject(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })
 }

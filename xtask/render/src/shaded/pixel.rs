@@ -42,17 +42,17 @@ impl Pixel {
         Footprint::from_derivatives(dx.extend(0.0), dy.extend(0.0))
     }
 
-    /// The sides of the box about the pixel.
+    /// The point of the surface with its whole pixel.
     #[must_use]
-    pub fn widths(&self) -> Vec2 {
-        let [dx, dy] = self.derivatives;
-        dx.abs() + dy.abs()
+    pub fn whole(&self) -> SurfacePoint {
+        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
+        self.point(PixelEllipse::from_derivatives(dx, dy))
     }
 
-    /// The point of the surface, with a footprint.
+    /// The point of the surface, with this pixel.
     #[must_use]
-    pub fn point(&self, footprint: Footprint) -> SurfacePoint {
-        SurfacePoint::new(self.at.extend(0.0), Vec3::Z, footprint).with_uv(self.at, [Vec3::X, Vec3::Y])
+    pub fn point(&self, pixel: impl Into<PixelEllipse>) -> SurfacePoint {
+        SurfacePoint::new(self.at.extend(0.0), Vec3::Z, pixel).with_uv(self.at, [Vec3::X, Vec3::Y])
     }
 
     /// The mean of a radiance over the taps of the pixel.

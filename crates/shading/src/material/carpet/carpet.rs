@@ -228,9 +228,9 @@ impl Carpet {
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint, view: Vec3) -> CarpetSurface {
         let (p, n) = (&self.parameters, point.normal);
-        let threads = self.diffuse_threads.sample(point.position, point.footprint);
-        let shine = self.specular_threads.value(point.position, point.footprint);
-        let crossing = self.crossover.sample(point.position, point.footprint).value;
+        let threads = self.diffuse_threads.sample(point.position, point.footprint());
+        let shine = self.specular_threads.value(point.position, point.footprint());
+        let crossing = self.crossover.sample(point.position, point.footprint()).value;
         let disturb = 0.5 * (crossing + 1.0) * p.seam_crossover_strength;
 
         let across = [self.seams.direction(), self.seams.direction().perp()];
@@ -242,7 +242,7 @@ impl Carpet {
 
         let (fibre, fibre_gradient, fibre_slope) = self.fibres.surface(point);
         let fibre = 1.0 + p.fibre_strength * (fibre.factor - 1.0);
-        let dark = self.dark_areas.factor(point.position, point.footprint, Form::Corrected);
+        let dark = self.dark_areas.factor(point.position, point.footprint(), Form::Corrected);
         let lit = |c: Vec3, by: f32| {
             let threads = (c + Vec3::splat(by)).clamp(Vec3::ZERO, Vec3::ONE);
             (threads * (amount * dark * fibre)).min(Vec3::ONE)
@@ -266,7 +266,7 @@ impl Carpet {
             normal: bumped_normal(n, thread_bump + seam_bump + fibre_gradient * p.fibre_bump_strength),
             roughness: p.roughness,
             rim: p.fake_rim_light * rim_light(n, view, p.fake_rim_light_width),
-            slope_variance: bump2 * self.diffuse_threads.removed_slope(point.footprint)
+            slope_variance: bump2 * self.diffuse_threads.removed_slope(point.footprint())
                 + seam2
                 + p.fibre_bump_strength * p.fibre_bump_strength * fibre_slope,
         }
@@ -280,7 +280,7 @@ impl Material for Carpet {
         let bsdf = Bsdf::new(wo).with_emitted(surface.rim * p.fake_rim_light_colour);
         // Threads shine at the cost of what they scatter.
         let diffuse = surface.diffuse.min(Vec3::ONE - surface.specular);
-        let Ok(threads) = EnergyPreservingOrenNayar::new(diffuse, surface.roughness) else { return bsdf };
+        let threads = EnergyPreservingOrenNayar::clamped(diffuse, surface.roughness);
         let alpha = p.specular_roughness;
         let sheen = CookTorrance::new(Beckmann::clamped(alpha, alpha), surface.specular);
         let facets = slope_facets(Vec3::Z, frame.to_local(surface.normal), surface.slope_variance);
@@ -356,7 +356,7 @@ mod tests {
                 for p in [
                     even,
                     SurfacePoint { tangents: [Vec3::splat(x), Vec3::Y], ..even },
-                    SurfacePoint { footprint: Footprint::from_width(y), ..even },
+                    SurfacePoint { pixel: Footprint::from_width(y).into(), ..even },
                 ] {
                     let s = carpet.surface(&p, Vec3::new(x, y, 1.0));
                     assert!(s.reflectance().is_ok(), "{p:?}: {s:?}");

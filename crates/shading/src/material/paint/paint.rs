@@ -236,14 +236,14 @@ impl MetallicPaint {
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> PaintSurface {
         let (p, n) = (&self.parameters, point.normal);
-        let factor = self.passive.factor(point.position, point.footprint);
+        let factor = self.passive.factor(point.position, point.footprint());
         let specular = (p.specular * factor).min(Vec3::ONE);
         PaintSurface {
-            coat_normal: bumped_normal(n, self.orange_peel.gradient(point.position, n, point.footprint)),
-            coat_slope_variance: self.orange_peel.removed_slope(point.footprint),
+            coat_normal: bumped_normal(n, self.orange_peel.gradient(point.position, n, point.footprint())),
+            coat_slope_variance: self.orange_peel.removed_slope(point.footprint()),
             base_normal: n,
             specular,
-            sparkle: self.sparkles.flake(point.position, n, point.footprint).map(|flake| Facet {
+            sparkle: self.sparkles.flake(point.position, n, point.footprint()).map(|flake| Facet {
                 normal: flake.normal(n),
                 specular: boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost),
             }),
@@ -259,12 +259,12 @@ impl Material for MetallicPaint {
         let all =
             CookTorrance::new(Beckmann::clamped(p.flake_roughness, p.flake_roughness), surface.specular);
         let flakes = match (&self.glints, surface.sparkle) {
-            (Some(field), _) => Lobe::counted(all, field, point.position, point.footprint),
+            (Some(field), _) => Lobe::counted(all, field, point.position, point.footprint()),
             (None, Some(flake)) => Lobe::sparkling(all, frame.to_local(flake.normal), flake.specular),
             (None, None) => all.into(),
         };
         let pigment = p.pigment.min(Vec3::ONE - surface.specular);
-        let Ok(pigment) = EnergyPreservingOrenNayar::new(pigment, 0.2) else { return Bsdf::new(wo) };
+        let pigment = EnergyPreservingOrenNayar::clamped(pigment, 0.2);
         let normal = frame.to_local(surface.coat_normal);
         let coat =
             Coat::varnish(self.coat).bumped(normal, surface.coat_slope_variance).rough(p.coat_roughness);

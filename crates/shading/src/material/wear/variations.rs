@@ -144,7 +144,7 @@ impl Variations {
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> VariedSurface {
         let (p, n) = (&self.parameters, point.normal);
-        let (at, footprint) = (point.position, point.footprint);
+        let (at, footprint) = (point.position, point.footprint());
         let (bump, dent) = (p.small_blemish_bump_strength, p.dent_strength);
         let gradient =
             self.blemishes.gradient(bump, at, n, footprint) + self.dents.gradient(dent, at, n, footprint);
@@ -166,9 +166,7 @@ impl Material for Variations {
         let surface = self.surface(point);
         // Gloss is at the cost of what is scattered.
         let diffuse = surface.diffuse.min(Vec3::ONE - surface.specular);
-        let Ok(base) = EnergyPreservingOrenNayar::new(diffuse, surface.roughness) else {
-            return Bsdf::new(wo);
-        };
+        let base = EnergyPreservingOrenNayar::clamped(diffuse, surface.roughness);
         let gloss = CookTorrance::new(Beckmann::clamped(alpha, alpha), surface.specular);
         let facets = slope_facets(Vec3::Z, frame.to_local(surface.normal), surface.slope_variance);
         Bsdf::new(wo).with(facets, [base.into(), gloss.into()])

@@ -4,7 +4,7 @@ use core::f32::consts::{FRAC_1_PI, PI};
 
 use glam::Vec3;
 
-use crate::math::atan2;
+use crate::math::{atan2, clamp_to};
 use crate::reflectance::brdf::{Brdf, are_above};
 use crate::reflectance::diffuse::rough::{DiffuseError, checked, sine, stretched};
 
@@ -55,13 +55,23 @@ impl EnergyPreservingOrenNayar {
     /// # Errors
     /// [`DiffuseError`] unless the roughness and every component of the albedo are within `[0, 1]`.
     pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, DiffuseError> {
-        let (albedo, roughness) = checked(albedo, roughness, 1.0)?;
+        checked(albedo, roughness, 1.0).map(|(albedo, roughness)| Self::of(albedo, roughness))
+    }
+
+    fn of(albedo: Vec3, roughness: f32) -> Self {
         let single = 1.0 / (1.0 + K * roughness);
         // 1 − Ē.
         let lost = single * roughness * K_APART;
         let multiple = albedo * albedo * (1.0 - lost) / (Vec3::ONE - albedo * lost)
             * (single * roughness * FRAC_1_PI / K_APART);
-        Ok(Self { albedo, roughness, multiple })
+        Self { albedo, roughness, multiple }
+    }
+
+    /// The surface of the nearest albedo and roughness that are valid; NaN counts as 0.
+    #[must_use]
+    pub fn clamped(albedo: Vec3, roughness: f32) -> Self {
+        let albedo = Vec3::from_array(albedo.to_array().map(|c| clamp_to(c, 1.0)));
+        Self::of(albedo, clamp_to(roughness, 1.0))
     }
 
     /// The albedo ρ of the facets.

@@ -4,7 +4,7 @@ use asperity_render::{
     image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::pattern::mix,
     sampling::sampler::hash,
 };
-use asperity_shading::{Brick, bumped_normal, surface_gradient};
+use asperity_shading::{Brick, PixelEllipse, bumped_normal, surface_gradient};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -65,7 +65,7 @@ fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
     let resolved = (1.0 - widths.x.max(3.0 * widths.y) / 0.25).clamp(0.0, 1.0);
     let clay = hex(0xa5_4f3c) * (1.0 + 0.5 * own * resolved);
     let mut light = Vec3::ZERO;
-    wall.facets(uv, widths, |share, brick, slope| {
+    wall.facets(uv, PixelEllipse::aligned(widths), |share, brick, slope| {
         let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], DEPTH * slope);
         let normal = bumped_normal(Vec3::Z, gradient);
         let lamp = 1.35 * normal.dot(sun).max(0.0);

@@ -1,7 +1,7 @@
 //! Star wallpaper, and images that run.
 
 use asperity_render::{image::tone::hex, materials::pattern::mix};
-use asperity_shading::{Marble, PerturbedTexture, StarWallpaper};
+use asperity_shading::{Footprint, Marble, PerturbedTexture, StarWallpaper};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -15,6 +15,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         PerturbedTexture { scale: 9.0, strength: Vec2::splat(0.035), ..PerturbedTexture::default() };
     let sampling = context.square();
     let pixel = 1.0 / sampling.width as f32;
+    let half = Footprint::from_width(0.5 * pixel);
     let (ground, star) = (hex(0x27_3a5c), hex(0xff_b43c));
     let mut panels = Vec::new();
     for (stem, label, alt) in [
@@ -26,8 +27,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             let uv = Vec2::new(x, sampling.height as f32 - y) * pixel;
             let share = match stem {
                 "listed" => f32::from(u8::from(wallpaper.as_listed(uv))),
-                "corrected" => wallpaper.coverage(uv, 0.5 * pixel),
-                _ => wallpaper.coverage(running.coordinates(Vec3::new(uv.x, uv.y, 0.37), uv), 0.5 * pixel),
+                "corrected" => wallpaper.coverage(uv, half),
+                _ => wallpaper.coverage(running.coordinates(Vec3::new(uv.x, uv.y, 0.37), uv), half),
             };
             mix(ground, star, share)
         })?;

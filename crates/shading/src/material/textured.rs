@@ -1,0 +1,192 @@
+//! The textures of Cohen's lecture as materials: bricks, tiles, wallpaper, marble, and any of them perturbed.
+
+use asperity_noise::{IntegerHash, Lattice, removed_share};
+use glam::{Vec2, Vec3};
+
+use crate::bump::{Facet, bumped_normal};
+use crate::material::material::Material;
+use crate::material::surface_point::SurfacePoint;
+use crate::math::sqrt;
+use crate::pixel::PixelEllipse;
+use crate::reflectance::{Bsdf, Coat, Dielectric, EnergyPreservingOrenNayar};
+use crate::texture::{Bevel, Brick, Edge, Marble, PerturbedTexture, StarWallpaper};
+
+/// A wall of bricks on texture coordinates, whose mortar lies deeper: the facets of its grooves are shaded one by one.
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::material::{BrickWall, Material};
+/// use asperity_shading::{Brdf, Footprint, SurfacePoint};
+///
+/// let wall = BrickWall::default();
+/// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3)).with_uv(Vec2::new(0.13, 0.045), [Vec3::X, Vec3::Y]);
+/// let seen = wall.bsdf(&point, Vec3::Z).value(Vec3::Z, Vec3::Z);
+/// assert!(seen.x > 2.0 * seen.z, "clay is red");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BrickWall {
+    /// The pattern.
+    pub bricks: Brick,
+    /// The colour of bricks.
+    pub clay: Vec3,
+    /// The colour of the mortar.
+    pub mortar: Vec3,
+    /// How much bricks differ in brightness, as a share, as far as the pixel tells them apart.
+    pub variation: f32,
+    /// How deep the mortar lies, in texture coordinates.
+    pub depth: f32,
+    /// The roughness of the facets, in [0, 1].
+    pub roughness: f32,
+}
+
+/// The lecture's bricks in red, 6 mm deep in metres.
+impl Default for BrickWall {
+    fn default() -> Self {
+        Self {
+            bricks: Brick::default(),
+            clay: Vec3::new(0.38, 0.08, 0.045),
+            mortar: Vec3::new(0.46, 0.42, 0.37),
+            variation: 0.25,
+            depth: 0.006,
+            roughness: 0.7,
+        }
+    }
+}
+
+impl Material for BrickWall {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let pixel = point.uv_pixel();
+        let sample = self.bricks.filtered(point.uv, pixel);
+        let [column, row] = self.bricks.sample(point.uv).cell;
+        let own = IntegerHash.word([column, row], 1) as f32 / 4_294_967_296.0 - 0.5;
+        let told_apart = 1.0 - removed_share(pixel.long().width(), 1.0 / self.bricks.cell().max_element());
+        let clay = self.clay * (1.0 + 2.0 * self.variation * own * told_apart);
+        let colour = self.mortar.lerp(clay, sample.brick);
+        let lobe = EnergyPreservingOrenNayar::clamped(colour, self.roughness).into();
+        Bsdf::new(wo).with_visited([lobe], |add| {
+            let mut lit = of_slopes(point, self.depth, add);
+            self.bricks.facets(point.uv, pixel, |share, _, slope| lit(share, slope));
+        })
+    }
+}
+
+/// Visits facets of a height of this depth over texture coordinates, in the frame of the surface.
+fn of_slopes(point: &SurfacePoint, depth: f32, add: &mut dyn FnMut(Facet)) -> impl FnMut(f32, Vec2) {
+    let frame = point.frame();
+    move |share, slope| {
+        let normal = bumped_normal(point.normal, point.gradient(depth * slope));
+        add(Facet::new(share, frame.to_local(normal)));
+    }
+}
+
+/// Square tiles with a ridge along their edges, on texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BevelledTiles {
+    /// The ridge, of tiles of the side 1.
+    pub bevel: Bevel,
+    /// The side of a tile in texture coordinates; what is not positive is one tile without an edge.
+    pub side: f32,
+    /// The colour.
+    pub colour: Vec3,
+    /// The roughness of the facets, in [0, 1].
+    pub roughness: f32,
+}
+
+impl Material for BevelledTiles {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
+        let (at, width) = (point.uv / self.side, point.uv_width() / self.side);
+        let far = removed_share(width, 1.0);
+        let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
+        Bsdf::new(wo).with_visited([lobe], |add| {
+            let mut lit = of_slopes(point, 1.0, add);
+            let nearest = Edge::nearest(&TILE, at - at.floor());
+            if let Some(Edge { distance, away }) = nearest.filter(|_| far < 1.0) {
+                let [low, high] = [distance - 0.5 * width, distance + 0.5 * width];
+                // What lies beyond the edge is the next tile's ridge.
+                let beyond = if width > 0.0 { (-low / width).max(0.0) } else { 0.0 };
+                self.bevel.facets(low.max(0.0), high, |share, slope| {
+                    lit((1.0 - far) * (1.0 - beyond) * share, slope * away);
+                });
+                if beyond > 0.0 {
+                    self.bevel
+                        .facets(0.0, -low, |share, slope| lit((1.0 - far) * beyond * share, -slope * away));
+                }
+            }
+            if far > 0.0 {
+                self.bevel.tile(|share, slope| {
+                    for away in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y] {
+                        lit(0.25 * far * share, slope * away);
+                    }
+                });
+            }
+        })
+    }
+}
+
+/// Paper with stars, on texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wallpaper {
+    /// The pattern.
+    pub stars: StarWallpaper,
+    /// The colour of the paper.
+    pub paper: Vec3,
+    /// The colour of stars.
+    pub star: Vec3,
+}
+
+impl Material for Wallpaper {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let share = self.stars.coverage(point.uv, point.uv_pixel().long());
+        let colour = self.paper.lerp(self.star, share);
+        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(colour, 0.0).into()])
+    }
+}
+
+/// Blue marble, by position, under a polish that reflects 4 % straight up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolishedMarble {
+    /// The veins.
+    pub marble: Marble,
+    /// The brightness over the lecture's colours.
+    pub brightness: f32,
+    /// The roughness of the polish: Beckmann's α; what is not positive is stone without polish.
+    pub polish: f32,
+}
+
+impl Material for PolishedMarble {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let colour = self.brightness * self.marble.colour(point.position, point.footprint());
+        let stone = EnergyPreservingOrenNayar::clamped(colour, 0.0).into();
+        let bsdf = Bsdf::new(wo).with([Facet::FLAT], [stone]);
+        if self.polish > 0.0 {
+            bsdf.with_coat(Coat::varnish(Dielectric::clamped(1.5)).rough(self.polish))
+        } else {
+            bsdf
+        }
+    }
+}
+
+/// A material whose texture coordinates run, by a [`PerturbedTexture`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Perturbed<M> {
+    /// By how much they run.
+    pub by: PerturbedTexture,
+    /// The material.
+    pub material: M,
+}
+
+impl<M: Material> Material for Perturbed<M> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let there = self.by.filtered(point.position, point.uv, point.footprint());
+        // What the pixel does not resolve of the running blurs it.
+        let [u, v] = point.tangents.map(Vec3::length);
+        let spread = there.spread * Vec2::new(u, v);
+        let width = point.footprint().width();
+        let sides = (Vec2::splat(width * width) + 12.0 * spread * spread).map(sqrt);
+        let [along, across] = point.tangents.map(Vec3::normalize_or_zero);
+        let pixel = PixelEllipse::from_derivatives(along * sides.x, across * sides.y);
+        let pixel = if there.spread == Vec2::ZERO { point.pixel } else { pixel };
+        self.material.bsdf(&SurfacePoint { uv: there.uv, pixel, ..*point }, wo)
+    }
+}

@@ -1,0 +1,203 @@
+//! BSDFs of all materials: energy, samples against their density, reciprocity, and light through coats.
+
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::{BumpField, LevelOfDetail};
+use asperity_shading::material::{
+    BevelledTiles, BrickWall, BumpMapped, Carpet, CarpetParameters, GlassBody, Material, MetallicPaint,
+    MetallicPaintParameters, PaintFlakes, PolishedMarble, Scratches, ScratchesParameters, SurfacePoint,
+    TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, Wallpaper,
+};
+use asperity_shading::ndf_sampling::Ggx;
+use asperity_shading::noise::{GaussianOctaves, Spectrum};
+use asperity_shading::pixel::Footprint;
+use asperity_shading::reflectance::{Brdf, Coat, Delta, Dielectric, Lambert};
+use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
+
+use crate::reflectance::{albedo, direction, samples_fit};
+
+type Boxed = Box<dyn Material>;
+
+/// Every material, as white as it gets, with the width of a pixel that sees some of it and some not.
+fn materials() -> Vec<(&'static str, Boxed, f32)> {
+    const VALID: &str = "parameters in range";
+    let white = Vec3::ONE;
+    let carpet = CarpetParameters {
+        diffuse: white,
+        specular: Vec3::splat(0.5),
+        diffuse_thread_bump_strength: 0.3,
+        fake_rim_light: 0.0,
+        ..Default::default()
+    };
+    let paint = MetallicPaintParameters {
+        specular: Vec3::splat(0.9),
+        pigment: white,
+        orange_peel_strength: 0.1,
+        passive_flake_strength: 0.0,
+        flake_sparkle_elimination: 1.0,
+        ..Default::default()
+    };
+    let rough = MetallicPaintParameters { coat_roughness: 0.2, ..paint };
+    let glass = TemperedGlassParameters { wave_amplitude: 0.01, ..Default::default() };
+    let rough_glass = TemperedGlassParameters { roughness: 0.3, ..glass };
+    let panel = VariationsParameters {
+        diffuse: white,
+        specular: Vec3::splat(0.6),
+        dent_strength: 0.3,
+        ..Default::default()
+    };
+    let scratches = ScratchesParameters {
+        specular: white,
+        scratch_width: 0.05,
+        scratch_strength: 1.0,
+        ..Default::default()
+    };
+    let wall = BrickWall { clay: white, mortar: white, variation: 0.0, depth: 0.02, ..Default::default() };
+    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
+    let tiles = BevelledTiles { bevel, side: 0.2, colour: white, roughness: 0.5 };
+    let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white };
+    let marble = PolishedMarble { marble: Marble::default(), brightness: 100.0, polish: 0.3 };
+    let field = GaussianOctaves::<3>::new(Spectrum::new(2.17, 0.8, 3).expect(VALID), 7);
+    let bumps = |rule| BumpMapped {
+        ndf: Ggx::new(0.3, 0.5).expect(VALID),
+        bumps: BumpField::new(field, 20.0).expect(VALID),
+        rule,
+        colour: white,
+    };
+    vec![
+        ("Lambert", Box::new(Lambert::new(white).expect(VALID)) as Boxed, 0.0),
+        ("carpet", Box::new(Carpet::new(carpet).expect(VALID)), 4e-3),
+        ("paint", Box::new(MetallicPaint::new(paint).expect(VALID)), 2e-3),
+        ("paint, rough", Box::new(MetallicPaint::new(rough).expect(VALID)), 2e-3),
+        ("glass", Box::new(TemperedGlass::new(glass).expect(VALID)), 0.1),
+        ("glass, rough", Box::new(TemperedGlass::new(rough_glass).expect(VALID)), 0.1),
+        ("variations", Box::new(Variations::new(panel).expect(VALID)), 3e-3),
+        ("scratches", Box::new(Scratches::new(scratches).expect(VALID)), 5e-3),
+        ("bricks", Box::new(wall), 0.05),
+        ("tiles", Box::new(tiles), 0.1),
+        ("wallpaper", Box::new(stars), 0.01),
+        ("marble", Box::new(marble), 0.01),
+        ("bumps, exact", Box::new(bumps(LevelOfDetail::Exact)), 0.01),
+        ("bumps, fractal", Box::new(bumps(LevelOfDetail::Fractal)), 0.01),
+    ]
+}
+
+fn point(at: Vec2, width: f32) -> SurfacePoint {
+    SurfacePoint::new(at.extend(0.3), Vec3::Z, Footprint::from_width(width)).with_uv(at, [Vec3::X, Vec3::Y])
+}
+
+/// What the smooth coat sends, the mean over its facets.
+fn coat(bsdf: &asperity_shading::reflectance::Bsdf<'_>, wo: Vec3) -> f64 {
+    let sum: f32 = (0..256_u16)
+        .map(|k| {
+            let u = Vec2::new((f32::from(k % 16) + 0.5) / 16.0, (f32::from(k / 16) + 0.5) / 16.0);
+            bsdf.deltas(wo, u).iter().map(|delta| delta.weight.max_element()).sum::<f32>()
+        })
+        .sum();
+    f64::from(sum) / 256.0
+}
+
+const PLACES: [Vec2; 3] = [Vec2::new(0.304, 0.17), Vec2::new(0.131, 0.292), Vec2::new(0.711, 0.053)];
+
+#[test]
+fn no_material_sends_more_light_than_it_gets() {
+    for (name, material, width) in materials() {
+        let mut most = [0.0_f64; 4];
+        for (k, theta) in [0.05, 0.6, 1.2, 1.5].into_iter().enumerate() {
+            let wo = direction(theta, 0.4);
+            for (at, width) in PLACES.into_iter().zip([0.0, width, 100.0 * width]) {
+                let bsdf = material.bsdf(&point(at, width), wo);
+                let (coarse, fine) = (albedo(&bsdf, wo, 48), albedo(&bsdf, wo, 96));
+                let all = fine + coat(&bsdf, wo);
+                // A rule of second order errs by a third of the difference.
+                assert!(all - (fine - coarse).abs() <= 1.0 + 1e-5, "{name}, {theta}, {width}: {all}");
+                most[k] = most[k].max(all);
+            }
+        }
+        println!("{name}: {most:.4?}");
+    }
+}
+
+#[test]
+fn counted_flakes_send_no_more_light_than_they_get_on_average() {
+    let flakes = PaintFlakes::Counted { spacing: 1e-3, bin: 1.0 };
+    let paint = MetallicPaintParameters {
+        specular: Vec3::ONE,
+        pigment: Vec3::ZERO,
+        coat_index: 1.0,
+        flakes,
+        ..Default::default()
+    };
+    let paint = MetallicPaint::new(MetallicPaintParameters { passive_flake_strength: 0.0, ..paint }).unwrap();
+    let wo = direction(0.5, 0.4);
+    let places = (0..400_u16).map(|k| Vec2::new(f32::from(k) * 0.0173, f32::from(k) * 0.0291));
+    let mean = places.map(|at| albedo(&paint.bsdf(&point(at, 2e-3), wo), wo, 24)).sum::<f64>() / 400.0;
+    // The lobe of all flakes sends 0.96; the mean of 400 places has a standard error of 0.01.
+    assert!((mean - 0.96).abs() < 0.04, "{mean}");
+}
+
+#[test]
+fn samples_of_materials_follow_their_density() {
+    let materials = materials();
+    let level = 1e-3 / (2.0 * materials.len() as f64);
+    for (name, material, width) in materials {
+        if name == "glass" {
+            continue;
+        }
+        for (theta, phi) in [(0.3, 0.7), (1.1, -2.0)] {
+            let wo = direction(theta, phi);
+            let bsdf = material.bsdf(&point(PLACES[1], width), wo);
+            let p = samples_fit(name, &bsdf, wo);
+            assert!(p > level, "{name}, {theta}: p = {p:e}");
+        }
+    }
+}
+
+#[test]
+fn materials_without_tilted_facets_are_reciprocal() {
+    let flat = ["Lambert", "wallpaper", "marble", "bumps, exact", "bumps, fractal"];
+    for (name, material, width) in materials().into_iter().filter(|(name, ..)| flat.contains(name)) {
+        for (a, b) in [(0.2, 1.1), (0.9, 0.4), (1.4, 1.3)] {
+            let (wi, wo) = (direction(a, 0.3), direction(b, 2.2));
+            let there = material.bsdf(&point(PLACES[0], width), wo).value(wi, wo);
+            let back = material.bsdf(&point(PLACES[0], width), wi).value(wo, wi);
+            assert!(
+                (there - back).abs().max_element() <= 2e-5 * there.max_element(),
+                "{name}: {there}, {back}"
+            );
+        }
+    }
+}
+
+#[test]
+fn coats_mirror_and_refract() {
+    let wo = direction(0.7, 0.4);
+    let u = Vec2::splat(0.3);
+    let at = point(Vec2::ZERO, 0.0);
+    let body = Coat::body(Dielectric::new(1.5).unwrap());
+    let bsdf = body.bsdf(&at, wo);
+    let [mirrored, refracted] = bsdf.deltas(wo, u);
+    assert!((mirrored.wi - Vec3::new(-wo.x, -wo.y, wo.z)).length() < 1e-6);
+    assert!((refracted.wi.truncate() + wo.truncate() / 1.5).length() < 1e-6 && refracted.wi.z < 0.0);
+    assert!((refracted.wi.length() - 1.0).abs() < 1e-6);
+    assert!((mirrored.weight + refracted.weight - Vec3::ONE).length() < 1e-6);
+    // And back again from inside.
+    let [_, back] = bsdf.deltas(refracted.wi, u);
+    assert!((back.wi - wo).length() < 1e-5 && (back.weight - refracted.weight).length() < 1e-5, "{back:?}");
+    // Beyond the critical angle all is mirrored.
+    let [inside, outside] = bsdf.deltas(Vec3::new(0.8, 0.0, -0.6), u);
+    assert_eq!((inside.weight, outside.weight), (Vec3::ONE, Vec3::ZERO));
+    // Waves tilt the mirrored image, and leave what is seen straight through a pane as it is.
+    let glass = TemperedGlassParameters { wave_amplitude: 0.01, body: GlassBody::Pane, ..Default::default() };
+    let glass = TemperedGlass::new(glass).unwrap();
+    let bsdf = glass.bsdf(&at, wo);
+    let [tilted, straight] = bsdf.deltas(wo, u);
+    assert!((tilted.wi - mirrored.wi).length() > 0.1 && straight.wi == -wo, "{tilted:?}");
+    assert_eq!(bsdf.value(mirrored.wi, wo), Vec3::ZERO);
+    // Where the pixel resolves none, facets by chance do.
+    let far = glass.bsdf(&point(Vec2::ZERO, 100.0), wo);
+    let [a, b] = [0.1, 0.4].map(|x| far.deltas(wo, Vec2::splat(x))[0].wi);
+    assert!((a - b).length() > 0.1, "{a} {b}");
+    for bad in [Vec3::ZERO, Vec3::X, Vec3::NAN] {
+        assert_eq!(bsdf.deltas(bad, u), [Delta::default(); 2]);
+    }
+}
