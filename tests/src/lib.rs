@@ -7,7 +7,6 @@ pub mod fif_systems;
 pub mod noise_any;
 pub mod noise_errors;
 pub mod noise_kinds;
-pub mod noise_lanes;
 pub mod noise_reference;
 pub mod pinned;
 pub mod random;

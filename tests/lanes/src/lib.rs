@@ -1,8 +1,6 @@
 //! What the workspace's tests share, for the test of every kind at every SIMD level.
 
+#[path = "../../../crates/noise/tests/lanes/compare.rs"]
+pub mod compare;
 #[path = "../../src/noise_kinds.rs"]
 pub mod noise_kinds;
-#[path = "../../src/noise_lanes.rs"]
-pub mod noise_lanes;
-#[path = "../../src/random.rs"]
-pub mod random;

@@ -1,9 +1,8 @@
 //! The same bits at every SIMD level: batches against single points, for every kind, dimension and sum.
 
 use asperity_lanes::{
+    compare::{ORIGIN, Random, coordinate, cut, far_cases, grid, grids, lengths, near_cases, points},
     noise_kinds::{Testable, Visit, every_kind},
-    noise_lanes::{ORIGIN, coordinate, cut, far_cases, grid, grids, lengths, near_cases, points},
-    random::Random,
 };
 use asperity_noise::{
     GaussianOctaves, Grid, IntegerHash, Kernel, Normalisation, Octaves, Perlin2002, PermutationTable, Point,

@@ -2,7 +2,22 @@
 
 use asperity_noise::{Batch, Field, Grid, Level, Point, Sample};
 
-use crate::random::Random;
+/// The linear congruential generator of Numerical Recipes, of which the upper bits are used.
+#[derive(Clone, Debug)]
+pub struct Random(pub u32);
+
+impl Random {
+    /// The next 24 bits.
+    pub const fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        self.0 >> 8
+    }
+
+    /// Uniform in [0, 1).
+    pub const fn uniform(&mut self) -> f32 {
+        self.bits() as f32 / 16_777_216.0
+    }
+}
 
 /// Value and gradient, bit by bit.
 fn bits<V: Point<N>, const N: usize>(sample: Sample<V>) -> [u32; 5] {
@@ -75,8 +90,8 @@ pub fn grid<V: Point<N>, F: Field<N>, const N: usize>(
 /// Points near the origin, on lattice points, far out, beyond all cells and not finite, mixed within every register.
 #[must_use]
 pub fn coordinate(random: &mut Random) -> f32 {
-    let x = random.uniform() as f32 - 0.5;
-    match random.bits() >> 32 & 63 {
+    let x = random.uniform() - 0.5;
+    match random.bits() >> 18 {
         0..=47 => x * 16.0,
         48..=51 => (x * 16.0).floor(),
         52..=54 => x * 1e6,
@@ -100,20 +115,13 @@ pub fn points<V: Point<N>, F: Field<N>, const N: usize>(
     sample: &impl Fn(V) -> Sample<V>,
     count: usize,
 ) {
-    let mut random = Random(count as u64);
+    let mut random = Random(count as u32);
     // The first half is near the origin, so that whole registers take the way of near points.
-    let coordinates: [Vec<f32>; N] =
-        std::array::from_fn(|_| {
-            (0..count)
-                .map(|i| {
-                    if i < count / 2 {
-                        (random.uniform() - 0.5) as f32 * 64.0
-                    } else {
-                        coordinate(&mut random)
-                    }
-                })
-                .collect()
-        });
+    let coordinates: [Vec<f32>; N] = std::array::from_fn(|_| {
+        (0..count)
+            .map(|i| if i < count / 2 { (random.uniform() - 0.5) * 64.0 } else { coordinate(&mut random) })
+            .collect()
+    });
     let point = |i: usize| V::from_coordinates(std::array::from_fn(|axis| coordinates[axis][i]));
     let expected: Vec<_> = (0..count).map(|i| bits(sample(point(i)))).collect();
     for level in Level::available() {
