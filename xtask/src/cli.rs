@@ -59,11 +59,18 @@ the folder of its static library; xtask/peers/README.md says how to build it.")]
     /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,
     /// Run every gate that stands before `main`.
-    Ci,
+    Ci(Ci),
     /// Link the crates without std and without an allocator, and call them.
     NoStd,
     /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
     BareMetal,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Ci {
+    /// Run only the gates whose name contains NAME; may be given again.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
 }
 
 #[derive(Debug, Args)]

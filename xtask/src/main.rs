@@ -86,7 +86,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
                 Err(report.offences.join("\n       ").into())
             }
         }
-        Command::Ci => ci::run(root, &interrupted),
+        Command::Ci(wanted) => ci::run(&wanted.only, root, &interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
     }

@@ -7,6 +7,8 @@ use std::{
     time::Instant,
 };
 
+use cargo_metadata::MetadataCommand;
+
 use super::{
     bare_metal,
     cargo::{cargo, cargo_program, cargo_with},
@@ -20,11 +22,20 @@ use crate::{
 pub(crate) const CRATES: [&str; 4] =
     ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
 
-/// The float backends that a crate must build and pass its tests with; `alloc` joins where a crate has it.
-const BACKENDS: [&str; 3] = ["std", "libm", "std,libm"];
+/// The feature sets that `cargo test --workspace` does not have: there every feature of a crate is on, and `libm` wins.
+const SETS: [(&str, &[&str]); 4] = [
+    // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
+    ("asperity-noise", &["std", "std,simd", "libm", "libm,simd"]),
+    ("asperity-ndf-sampling", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
+    ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
+    ("asperity-shading", &["std,alloc", "libm,alloc", "libm"]),
+];
 
-/// Tests and benches that are built many times and run once are not optimised, and have no debug information.
-const QUICK: [(&str, &str); 2] = [("CARGO_PROFILE_TEST_OPT_LEVEL", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")];
+/// The least of features with which a crate is linted: one backend, and the traits of `approx` without std.
+const LEAST: [&str; 2] = ["std", "libm,approx"];
+
+/// Tests and benches that are built many times and run once are not optimised.
+const QUICK: [(&str, &str); 1] = [("CARGO_PROFILE_TEST_OPT_LEVEL", "0")];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
@@ -44,10 +55,18 @@ const GATES: [Gate; 10] = [
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 
-/// Runs the gates in order and stops at the first that fails.
-pub(crate) fn run(root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+/// Runs the gates whose names contain one of `only`, or all, in order, and stops at the first that fails.
+pub(crate) fn run(only: &[String], root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let wanted = |name: &str| only.is_empty() || only.iter().any(|part| name.contains(part.as_str()));
+    if !GATES.iter().any(|(name, _)| wanted(name)) {
+        return Err(format!(
+            "no gate's name contains it; gates are {}",
+            GATES.map(|(name, _)| name).join(", ")
+        )
+        .into());
+    }
     let all = Instant::now();
-    for (name, gate) in GATES {
+    for (name, gate) in GATES.into_iter().filter(|(name, _)| wanted(name)) {
         if interrupted.load(Ordering::Relaxed) {
             return Err(Interrupted.into());
         }
@@ -67,8 +86,8 @@ fn tidy() -> Result<(), Failure> {
 fn clippy(root: &Path) -> Result<(), Failure> {
     cargo(root, &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"])?;
     for name in CRATES {
-        for backend in BACKENDS {
-            let features = ["clippy", "--package", name, "--no-default-features", "--features", backend];
+        for features in LEAST {
+            let features = ["clippy", "--package", name, "--no-default-features", "--features", features];
             cargo(root, &[&features[..], &["--quiet", "--", "-D", "warnings"]].concat())?;
         }
     }
@@ -89,34 +108,41 @@ fn neither_backend(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Unit and golden tests under each set; examples in docs run with all features in the workspace's tests, and here with
+/// those that a user has by default.
 fn tests(root: &Path) -> Result<(), Failure> {
-    for name in CRATES {
-        for backend in BACKENDS {
-            // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
-            let more: &[&str] = match name {
-                "asperity-noise" => &["", ",simd"],
-                "asperity-ndf-sampling" | "asperity-fif" => &[",alloc,simd"],
-                _ => &[",alloc"],
-            };
-            for more in more {
-                let set = format!("{backend}{more}");
-                let test =
-                    ["test", "--quiet", "--package", name, "--no-default-features", "--features", &set];
-                cargo_with(root, &test, &QUICK)?;
-            }
+    for (name, sets) in SETS {
+        for set in sets {
+            let features = ["--no-default-features", "--features", set];
+            cargo_with(
+                root,
+                &[&["test", "--quiet", "--package", name, "--tests"], &features[..]].concat(),
+                &QUICK,
+            )?;
         }
-        if name != "asperity-noise" {
-            let bare = ["test", "--quiet", "--package", name, "--no-default-features", "--features", "libm"];
-            cargo_with(root, &bare, &QUICK)?;
-        }
+        cargo_with(root, &["test", "--quiet", "--package", name, "--doc"], &QUICK)?;
     }
     Ok(())
 }
 
+/// Every example runs, and every bench measures once.
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
-    for name in CRATES {
-        let test = ["test", "--quiet", "--package", name, "--benches", "--examples"];
-        cargo_with(root, &test, &QUICK)?;
+    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    for package in metadata.packages.iter().filter(|package| CRATES.contains(&package.name.as_str())) {
+        cargo_with(root, &["test", "--quiet", "--package", &package.name, "--benches"], &QUICK)?;
+        for target in package.targets.iter().filter(|target| target.is_example()) {
+            let run = [
+                "run",
+                "--quiet",
+                "--profile",
+                "test",
+                "--package",
+                &package.name,
+                "--example",
+                &target.name,
+            ];
+            cargo(root, &run)?;
+        }
     }
     Ok(())
 }
