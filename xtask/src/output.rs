@@ -1,10 +1,8 @@
 //! Files that appear whole or not at all: written under a temporary name, then renamed.
 
-use std::{
-    fmt, fs,
-    io::{self, Write},
-    path::{Path, PathBuf},
-};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
 use sha2::{Digest, Sha256};
 

@@ -1,16 +1,10 @@
 //! The times as bars: ours at its highest level and the fastest peer's, on a scale of doublings.
 
-use super::{
-    table::number,
-    times::{OURS, Ratio, Times},
-};
-use crate::{
-    failure::Failure,
-    gallery::{
-        page,
-        plot::{Axis, Ink, Names, Plot, Stroke},
-    },
-};
+use super::table::number;
+use super::times::{OURS, Ratio, Times};
+use crate::failure::Failure;
+use crate::gallery::page;
+use crate::gallery::plot::{Axis, Ink, Names, Plot, Stroke};
 
 /// Height of a row in CSS pixels.
 const ROW: f64 = 34.0;

@@ -5,21 +5,18 @@ mod machine;
 mod table;
 mod times;
 
-use std::{
-    path::{Path, PathBuf},
-    process::{Command, Stdio},
-    sync::atomic::{AtomicBool, Ordering},
-};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
-use crate::{
-    check::{cargo::cargo_program, ci::CRATES},
-    cli::Bench,
-    failure::{Failure, Interrupted},
-    output::Output,
-    progress,
-};
+use crate::check::cargo::cargo_program;
+use crate::check::ci::CRATES;
+use crate::cli::Bench;
+use crate::failure::{Failure, Interrupted};
+use crate::output::Output;
+use crate::progress;
 use machine::Machine;
 use times::Times;
 

@@ -2,10 +2,8 @@
 
 use std::fmt::Write;
 
-use super::{
-    machine::Machine,
-    times::{Contender, OURS, Row, Times},
-};
+use super::machine::Machine;
+use super::times::{Contender, OURS, Row, Times};
 
 /// The whole text of `peers.md`; `chart` is the name of the picture beside it.
 pub(crate) fn markdown(machine: &Machine, times: &Times, chart: &str) -> String {

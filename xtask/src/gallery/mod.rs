@@ -11,17 +11,13 @@ pub(crate) mod render;
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
-use crate::{
-    cli::Gallery,
-    failure::Failure,
-    gallery::{
-        captions::captions,
-        figure::{Context, Drawn, Figure, Picture},
-        page::{PanelRecord, Record},
-    },
-    output::{Output, sha256},
-    progress,
-};
+use crate::cli::Gallery;
+use crate::failure::Failure;
+use crate::gallery::captions::captions;
+use crate::gallery::figure::{Context, Drawn, Figure, Picture};
+use crate::gallery::page::{PanelRecord, Record};
+use crate::output::{Output, sha256};
+use crate::progress;
 
 /// The figures whose names contain one of the words; every word must match one.
 pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>, Failure> {

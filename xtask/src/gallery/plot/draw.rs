@@ -1,22 +1,17 @@
 //! Draws a plot on the SVG backend.
 
-use plotters::{
-    chart::{ChartBuilder, ChartContext},
-    coord::{Shift, types::RangedCoordf64},
-    drawing::DrawingArea,
-    element::{Circle, PathElement, Polygon, Rectangle, Text},
-    prelude::{Cartesian2d, SVGBackend},
-    style::{
-        Color, FontDesc, FontFamily, FontStyle, TextStyle,
-        text_anchor::{HPos, Pos, VPos},
-    },
-};
+use plotters::chart::{ChartBuilder, ChartContext};
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::drawing::DrawingArea;
+use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
+use plotters::prelude::{Cartesian2d, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontDesc, FontFamily, FontStyle, TextStyle};
 
-use crate::gallery::plot::{
-    Mark, Names, Plot,
-    ink::{Dash, Ink, Stroke, colour, line, line_of},
-    place::{LETTERS, UNIT, spread, units, width_of},
-};
+use crate::gallery::plot::ink::{Dash, Ink, Stroke, colour, line, line_of};
+use crate::gallery::plot::place::{LETTERS, UNIT, spread, units, width_of};
+use crate::gallery::plot::{Mark, Names, Plot};
 
 /// Length of a legend's sample in CSS pixels.
 const SAMPLE: f64 = 22.0;

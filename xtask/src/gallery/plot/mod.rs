@@ -10,10 +10,8 @@ pub(crate) use ink::{Ink, Stroke};
 
 use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Panel, Picture},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Panel, Picture};
 use ink::dress;
 use place::units;
 

@@ -1,15 +1,11 @@
 //! Every texture and material on a plane to the horizon: one sample a pixel, plain and filtered, against 1024.
 
-use asperity_render::{
-    image::Image,
-    shaded::{Horizon, Seen, Sky, errors, materials, textures},
-};
+use asperity_render::image::Image;
+use asperity_render::shaded::{Horizon, Seen, Sky, errors, materials, textures};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 const PICTURE: Horizon = Horizon { width: 60, height: 40 };
 

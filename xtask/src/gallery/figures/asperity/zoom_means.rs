@@ -5,13 +5,9 @@ use asperity_render::shaded::{
 };
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        plot::{Axis, Names, Plot, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 const ZOOMS: [f32; 5] = [1.0, 10.0, 100.0, 1e3, 1e4];
 const SAMPLES: u32 = 256;

@@ -2,14 +2,10 @@
 
 use asperity_fif::{FixedFif, Map, paper};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::cochran::curves::{outline, plot},
-        plot::{Axis, Ink, Names, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::cochran::curves::{outline, plot};
+use crate::gallery::plot::{Axis, Ink, Names, Stroke};
 
 /// L2∘L1∘L2∘L1∘L2∘L2, indices from 0.
 const ADDRESS: [usize; 6] = [1, 0, 1, 0, 1, 1];

@@ -2,13 +2,9 @@
 
 use asperity_fif::{FixedFif, paper};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        plot::{Axis, Ink, Names, Plot, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::plot::{Axis, Ink, Names, Plot, Stroke};
 
 /// Absolute error of every value drawn, far below a pixel.
 const TOLERANCE: f64 = 1e-6;

@@ -2,14 +2,10 @@
 
 use asperity_fif::{FixedFif, SystemError, paper::KNOTS};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::cochran::curves::{HALF, outline, plot},
-        plot::{Axis, Names, Plot, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::cochran::curves::{HALF, outline, plot};
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 /// Vertical factors whose boxes are counted.
 const COUNTED: [f64; 7] = [0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];

@@ -2,14 +2,10 @@
 
 use asperity_fif::{FixedFif, paper};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::cochran::curves::{HALF, outline, plot},
-        plot::{Axis, Ink, Names, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::cochran::curves::{HALF, outline, plot};
+use crate::gallery::plot::{Axis, Ink, Names, Stroke};
 
 const TOLERANCE: f64 = 1e-9;
 

@@ -3,10 +3,8 @@
 use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Panel};
 
 /// A square window into the plane, y upwards, and its pixels.
 #[derive(Clone, Copy)]
