@@ -217,6 +217,8 @@ fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Fa
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use std::fs;
 
@@ -282,14 +284,14 @@ mod tests {
         let one = file(&folder, "one.png", &encode(1, 1, png::BitDepth::Eight, &[9]));
         let density = Density::parse(&one, Images::default()).unwrap();
         // Uniform over the disk: D = 1/π.
-        assert!((density.ndf().density(Vec3::Z) - std::f32::consts::FRAC_1_PI).abs() < 1e-6);
+        assert_abs_diff_eq!(density.ndf().density(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
         // The lower byte of a sample decides: 0x0100 above, 0x0101 below.
         let deep = [[1_u8, 0], [1, 1]].concat();
         let deep = file(&folder, "deep.png", &encode(1, 2, png::BitDepth::Sixteen, &deep));
         let density = Density::parse(&deep, Images::default()).unwrap();
         let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8))
             / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
-        assert!((ratio - 257.0 / 256.0).abs() < 1e-5, "{ratio}");
+        assert_abs_diff_eq!(ratio, 257.0 / 256.0, epsilon = 1e-5);
     }
 
     #[test]

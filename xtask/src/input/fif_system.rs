@@ -127,6 +127,8 @@ impl System {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn refused(text: &str) -> String {
@@ -139,7 +141,7 @@ mod tests {
     fn a_file_of_fractions_is_read() {
         let text = r#"{"knots": ["0", 1, 2], "alpha": ["17/20", "-17/20"], "q": [["0", "1/2"], [1, -0.5]]}"#;
         let system = System::parse(text, "g").unwrap();
-        assert!((system.fif.evaluate(1.0, 1e-12).value - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(system.fif.evaluate(1.0, 1e-12).value, 1.0, epsilon = 1e-12);
         assert_eq!(system.fif.pieces()[0].map().alpha, 0.85);
     }
 

@@ -174,6 +174,8 @@ fn frames(table: &NormalTable) -> Result<Vec<u8>, Failure> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use asperity_ndf_sampling::{Ggx, PackedMapRef, Reconstruction, glam::Vec2};
 
     use super::*;
@@ -188,7 +190,7 @@ mod tests {
             bytes[header..].as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
         let read = PackedMapRef::new(&array).unwrap();
         for u in [Vec2::new(0.2, 0.7), Vec2::new(0.93, 0.04)] {
-            assert!(read.sample(u).abs_diff_eq(map.sample(u), 1e-5), "{u}");
+            assert_abs_diff_eq!(read.sample(u), map.sample(u), epsilon = 1e-5);
         }
     }
 }

@@ -204,6 +204,8 @@ fn row(text: &mut String, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_relative_eq;
+
     use super::*;
 
     #[test]
@@ -218,7 +220,7 @@ mod tests {
         let bounds = [4.19, 10.34, 25.9, 66.0];
         for (dimension, bound) in (1..=4).zip(bounds) {
             let range = range("SPARSE_1", dimension);
-            assert!((range / bound - 1.0).abs() < 2e-3, "{dimension}-D: {range}");
+            assert_relative_eq!(range, bound, max_relative = 2e-3);
         }
     }
 

@@ -163,12 +163,14 @@ fn stem(subject: &Subject) -> String {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn ticks_are_round_and_few() {
         for (range, step) in [(0.14, 0.05), (1.0, 0.5), (3.0, 1.0), (7.0, 2.0), (0.05, 0.02)] {
-            assert!((tick(range) - step).abs() < 1e-9, "{range}: {}", tick(range));
+            assert_abs_diff_eq!(tick(range), step, epsilon = 1e-9);
         }
     }
 }

@@ -105,6 +105,8 @@ const SIZE: [f64; 2] = [360.0, 330.0];
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -112,7 +114,8 @@ mod tests {
         let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
         for level in 0..=ADDRESS.len() {
             let [lo, hi] = interval(level);
-            assert!(lo < POINT && POINT < hi && (hi - lo - 2.0 / f64::from(1_u32 << level)).abs() < 1e-15);
+            assert!(lo < POINT && POINT < hi);
+            assert_abs_diff_eq!(hi - lo, 2.0 / f64::from(1_u32 << level), epsilon = 1e-15);
             for (fif, maps) in [(&f, &paper::F_MAPS), (&g, &paper::G_MAPS)] {
                 let [bound, error] = estimate(fif, maps, level);
                 assert!(error <= bound, "level {level}: {error} > {bound}");

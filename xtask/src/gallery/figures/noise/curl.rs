@@ -143,13 +143,15 @@ fn divergences<F: CurvedField<2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn areas_are_determinants_of_the_map() {
         let window = Window { corner: Vec2::ZERO, cells: 2.0, side: 8 };
         for area in areas(window, |p| Vec2::new(2.0 * p.x + 0.7 * p.y, 1.5 * p.y)) {
-            assert!((area - 3.0).abs() < 1e-2, "{area}");
+            assert_abs_diff_eq!(area, 3.0, epsilon = 1e-2);
         }
     }
 

@@ -188,6 +188,8 @@ impl Subject<'_> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_relative_eq;
+
     use super::*;
 
     #[test]
@@ -201,7 +203,7 @@ mod tests {
             let [ddx, ddy] = [[0.01, 0.0], [0.0, 0.01]]
                 .map(|[dx, dy]| (point(x + dx, y + dy) - point(x - dx, y - dy)) / 0.02);
             let (expected, got) = (pixel_footprint(ddx, ddy), view.footprint(x, y).unwrap());
-            assert!((got / expected - 1.0).abs() < 0.01, "{x}, {y}: {got} and {expected}");
+            assert_relative_eq!(got, expected, max_relative = 0.01);
         }
         assert_eq!(view.footprint(320.0, 10.0), None);
     }

@@ -66,6 +66,8 @@ pub(super) fn grey(t: f32) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use std::sync::atomic::{AtomicBool, Ordering};
 
     use indicatif::ProgressBar;
@@ -93,6 +95,6 @@ mod tests {
     #[test]
     fn the_slanted_plane_keeps_distances() {
         let (a, b) = (Vec2::new(0.3, -1.0), Vec2::new(2.0, 4.5));
-        assert!(((slanted(a) - slanted(b)).length() - (a - b).length()).abs() < 1e-5);
+        assert_abs_diff_eq!(slanted(a).distance(slanted(b)), a.distance(b), epsilon = 1e-5);
     }
 }
