@@ -9,7 +9,7 @@ pub mod noise_errors;
 pub mod noise_kinds;
 pub mod noise_reference;
 pub mod pinned;
-pub mod random;
+pub use asperity_render::sampling::random;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;

@@ -1,4 +1,4 @@
-//! What stops a picture.
+//! Errors that stop a picture.
 
 use std::error::Error;
 

@@ -3,8 +3,10 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use asperity_render::{
+    geometry::camera::Camera,
     image::Image,
     integrator::pixels::{Sampling, render},
+    scene::Scene,
 };
 use glam::Vec3;
 use indicatif::ProgressBar;
@@ -63,6 +65,16 @@ impl Context<'_> {
         radiance: impl Fn(f32, f32) -> Vec3 + Sync,
     ) -> Result<Image, Failure> {
         render(sampling, self.progress, self.interrupted, radiance)
+    }
+
+    /// A picture of a scene, in linear radiance.
+    pub(crate) fn draw(
+        &self,
+        scene: &Scene<'_, '_>,
+        sampling: Sampling,
+        camera: &Camera,
+    ) -> Result<Image, Failure> {
+        scene.draw(sampling, camera, self.progress, self.interrupted)
     }
 
     /// Rows one below the other, made on all threads, in their order whatever the number of threads.

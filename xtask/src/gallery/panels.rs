@@ -1,13 +1,13 @@
 //! Panels of rendered objects and of densities over the disk of normals.
 
+use std::sync::Arc;
+
 use asperity_render::{
     geometry::shape::Shape,
     image::Image,
-    integrator::{
-        direct::{Facets, SharedNdf},
-        hemisphere::hemisphere,
-        request::{RenderRequest, peak},
-    },
+    integrator::hemisphere::hemisphere,
+    materials::{Facets, SharedNdf},
+    scenes::{RenderRequest, peak},
 };
 use asperity_shading::LevelOfDetail;
 use glam::Vec3;
@@ -37,7 +37,7 @@ pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, name: &str) 
 pub(crate) fn object_panel(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
-    shape: &Shape,
+    shape: &Arc<Shape>,
     words: [&str; 3],
 ) -> Result<Panel, Failure> {
     let image = request.draw(shape, context.progress, context.interrupted)?;

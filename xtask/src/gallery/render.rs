@@ -1,6 +1,9 @@
 //! `cargo xtask render`: one picture of one object with chosen parameters.
 
-use std::{path::Path, sync::atomic::AtomicBool};
+use std::{
+    path::Path,
+    sync::{Arc, atomic::AtomicBool},
+};
 
 use asperity_render::{
     geometry::{mesh::TracedMesh, mesh_file, shape::Shape},
@@ -9,19 +12,22 @@ use asperity_render::{
         read::ImageFile,
         tone::{hex, linear},
     },
-    integrator::{
-        direct::Facets,
-        path_tracer::{Finish, Object, Shadow, Stage},
-        pixels::Sampling,
-        request::{Bumps, RenderRequest, Subject},
-    },
+    integrator::pixels::Sampling,
     light::environments::Studio,
-    materials::{self, field::NoiseKind},
-    scenes::{Set, backdrop, ground},
+    materials::{
+        Bumped, Facets,
+        field::{Bumps, NoiseKind},
+        in_metres,
+    },
+    scene::{Backdrop, Light, Object, Surface},
+    scenes::{Approach, RenderRequest, Set, Subject, backdrop, ground},
 };
 use asperity_shading::{
-    Brick, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaintParameters,
-    ScratchesParameters, StarWallpaper, TemperedGlassParameters, VariationsParameters,
+    Carpet, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaint,
+    MetallicPaintParameters, Scratches, ScratchesParameters, StarWallpaper, TemperedGlass,
+    TemperedGlassParameters, Variations, VariationsParameters,
+    material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper},
+    reflectance::Coat,
 };
 use glam::Vec3;
 use indicatif::ProgressBar;
@@ -153,7 +159,7 @@ fn by_lamps(
     request.bumps = bumps(wanted, request.bumps);
     request.tint = hex(wanted.tint);
     request.exposure = wanted.exposure;
-    let shape = mesh.map_or_else(|| RenderRequest::shape(subject), Shape::Mesh);
+    let shape = mesh.map_or_else(|| RenderRequest::shape(subject), |mesh| Arc::new(Shape::Mesh(mesh)));
     request.radiance(&shape, bar, interrupted)
 }
 
@@ -182,27 +188,23 @@ fn staged(
         Some(file) => Box::new(surroundings(Path::new(file))?),
     };
     let metres = if mesh.is_some() { Set::Sphere.metres() } else { set.metres() };
-    let subject = finish_of(wanted, material, density, metres)?;
+    let subject = surface(wanted, material, density, metres)?;
     let (mut objects, camera) = match mesh {
         Some(mesh) => {
-            let mut request = RenderRequest::of_mesh(&mesh, density.ndf(), sampling);
-            request.zoom = wanted.zoom;
-            let (camera, bottom) = (request.camera(), mesh.bottom());
-            let body = Object::new(Shape::Mesh(mesh), move |seen| subject(seen));
+            let camera = Approach::of_mesh(&mesh).camera(wanted.zoom, sampling);
+            let bottom = mesh.bottom();
+            let body = Object::new(Shape::Mesh(mesh), subject);
             (vec![body, ground(bottom)?], camera)
         }
         None => (set.objects(subject)?, set.view().camera(wanted.zoom, sampling)),
     };
     if material == Material::Glass {
-        objects[0].shadow = Shadow::None;
+        (objects[0].passes, objects[0].body) = (1.0, Some(Vec3::new(0.86, 0.95, 0.92)));
     }
-    let stage = Stage {
-        objects,
-        surroundings: surroundings.as_ref(),
-        backdrop: (wanted.light.is_none() && set != Set::Plane).then(backdrop),
-        splits: 1,
-    };
-    stage.draw(sampling, &camera, bar, interrupted)
+    let around = wanted.light.is_some() || set == Set::Plane;
+    let backdrop = if around { Backdrop::Light } else { Backdrop::Colour(backdrop()) };
+    let scene = asperity_render::scene::Scene::new(objects, Light::Around(surroundings.as_ref()), backdrop);
+    scene.draw(sampling, &camera, bar, interrupted)
 }
 
 /// The image of the surroundings in a file.
@@ -218,51 +220,55 @@ fn surroundings(file: &Path) -> Result<EnvironmentMap, Failure> {
 }
 
 /// The material with its usual parameters, where a unit of the scene is so many metres.
-fn finish_of(
+fn surface(
     wanted: &Render,
     material: Material,
     density: &Density,
     metres: f32,
-) -> Result<Box<Finish<'static>>, Failure> {
+) -> Result<Box<Surface<'static>>, Failure> {
     let seed = wanted.seed;
+    let paint = MetallicPaintParameters { seed, ..Default::default() };
     Ok(match material {
         Material::Bumps => {
             let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
-            let field = bumps(wanted, usual).field(seed)?;
-            Box::new(materials::bumped(density.shared(), rule(wanted), field, hex(wanted.tint)))
+            let bumps = bumps(wanted, usual).field(seed)?;
+            Box::new(Bumped { ndf: density.shared(), rule: rule(wanted), bumps, colour: hex(wanted.tint) })
         }
-        Material::Carpet => Box::new(materials::carpet(
-            CarpetParameters { diffuse: Vec3::new(0.24, 0.21, 0.19), seed, ..Default::default() },
-            metres,
-            Vec3::splat(0.5),
-        )?),
-        Material::Paint => {
-            let parameters = MetallicPaintParameters { seed, ..Default::default() };
-            Box::new(materials::paint(parameters, metres, Vec3::new(0.02, 0.05, 0.14))?)
+        Material::Carpet => {
+            let diffuse = Vec3::new(0.24, 0.21, 0.19);
+            let fake_rim_light_colour = Vec3::splat(0.5);
+            let carpet = CarpetParameters { diffuse, fake_rim_light_colour, seed, ..Default::default() };
+            Box::new(in_metres(Carpet::new(carpet)?, metres))
         }
+        Material::Paint => Box::new(in_metres(MetallicPaint::new(paint)?, metres)),
         Material::Flakes => {
-            let parameters = MetallicPaintParameters { seed, ..Default::default() };
-            Box::new(materials::glinting(parameters, metres, Vec3::new(0.02, 0.05, 0.14), 2e-4)?)
+            let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.12 };
+            Box::new(in_metres(MetallicPaint::new(MetallicPaintParameters { flakes, ..paint })?, metres))
         }
         Material::Glass => {
-            let parameters = TemperedGlassParameters { seed, ..Default::default() };
-            Box::new(materials::glass(parameters, metres, Vec3::new(0.86, 0.95, 0.92))?)
+            let glass = TemperedGlassParameters { body: GlassBody::Solid, seed, ..Default::default() };
+            Box::new(in_metres(TemperedGlass::new(glass)?, metres))
         }
         Material::Plastic => {
-            let parameters =
-                VariationsParameters { diffuse: Vec3::new(0.34, 0.12, 0.06), seed, ..Default::default() };
-            Box::new(materials::panel(parameters, metres, 0.2)?)
+            let (diffuse, gloss_roughness) = (Vec3::new(0.34, 0.12, 0.06), 0.2);
+            let plastic = VariationsParameters { diffuse, gloss_roughness, seed, ..Default::default() };
+            Box::new(in_metres(Variations::new(plastic)?, metres))
         }
         Material::Scratched => {
-            let parameters = ScratchesParameters { seed, ..Default::default() };
-            Box::new(materials::scratched(parameters, metres, hex(0xc8_ccd2), 0.2)?)
+            let (specular, roughness) = (hex(0xc8_ccd2), 0.2);
+            let metal = ScratchesParameters { specular, roughness, seed, ..Default::default() };
+            Box::new(in_metres(Scratches::new(metal)?, metres))
         }
-        Material::Chrome => Box::new(materials::chrome(hex(0xe4_e6ea))?),
-        Material::Brick => Box::new(materials::bricks(Brick::default(), metres)),
-        Material::Marble => Box::new(materials::marble(Marble::default(), metres / 0.2, 2.6)?),
+        Material::Chrome => Box::new(Coat::metal(hex(0xe4_e6ea))),
+        Material::Brick => Box::new(in_metres(BrickWall::default(), metres)),
+        Material::Marble => {
+            let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
+            Box::new(in_metres(marble, metres / 0.2))
+        }
         Material::Wallpaper => {
             let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, seed)?;
-            Box::new(materials::wallpaper(stars, metres / 0.1, [hex(0x2c_3a5e), hex(0xe8_d9a8)]))
+            let paper = Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8) };
+            Box::new(in_metres(paper, metres / 0.1))
         }
     })
 }

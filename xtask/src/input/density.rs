@@ -10,7 +10,7 @@ use asperity_ndf_sampling::{
 };
 use asperity_render::{
     image::read::{ImageFile, ImageFileError},
-    integrator::direct::SharedNdf,
+    materials::SharedNdf,
 };
 
 use crate::{

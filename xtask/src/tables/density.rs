@@ -10,10 +10,7 @@ use serde_json::{Value, json};
 
 use super::made::Made;
 use crate::{failure::Failure, input::density::Density};
-use asperity_render::{
-    image::Image,
-    integrator::{direct::SharedNdf, hemisphere::ember},
-};
+use asperity_render::{image::Image, integrator::hemisphere::ember, materials::SharedNdf};
 
 /// Side of the table L.
 const L_SIZE: usize = 256;

@@ -1,20 +1,20 @@
-//! A pinhole camera that knows how much of the surface a pixel covers.
+//! Cameras: a pinhole, and parallel rays.
 
-use asperity_shading::Footprint;
 use glam::Vec3;
 
-use crate::geometry::{ray::Ray, shape::Hit};
+use crate::geometry::ray::Ray;
 
-/// A pinhole camera.
+/// A pinhole camera, or one of parallel rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
     eye: Vec3,
     right: Vec3,
     up: Vec3,
     forward: Vec3,
-    /// Side of a pixel at distance 1.
+    /// Side of a pixel, of a pinhole at distance 1.
     pixel: f32,
     centre: [f32; 2],
+    parallel: bool,
 }
 
 impl Camera {
@@ -30,7 +30,14 @@ impl Camera {
             forward,
             pixel: 2.0 * (0.5 * field).tan() / height as f32,
             centre: [0.5 * width as f32, 0.5 * height as f32],
+            parallel: false,
         }
+    }
+
+    /// Parallel rays from about `eye` towards `target`, `height` pixels over the length `extent`.
+    pub fn parallel(eye: Vec3, target: Vec3, extent: f32, width: u32, height: u32) -> Self {
+        let pixel = extent / height as f32;
+        Self { pixel, parallel: true, ..Self::new(eye, target, 1.0, width, height) }
     }
 
     /// The eye.
@@ -47,6 +54,15 @@ impl Camera {
 
     /// The ray through the picture's point `(x, y)` with its derivatives by the pixel.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
+        if self.parallel {
+            let (across, above) = (x - self.centre[0], self.centre[1] - y);
+            return Ray {
+                origin: self.eye + self.pixel * (across * self.right + above * self.up),
+                direction: self.forward,
+                origin_by: [self.pixel * self.right, -self.pixel * self.up],
+                direction_by: [Vec3::ZERO; 2],
+            };
+        }
         let direction = self.direction(x, y);
         // The direction is a vector of depth 1 made unit.
         let scale = self.pixel * direction.dot(self.forward);
@@ -57,12 +73,6 @@ impl Camera {
             origin_by: [Vec3::ZERO; 2],
             direction_by: [by(self.right), by(-self.up)],
         }
-    }
-
-    /// What a pixel around `direction` covers of the surface at `hit`.
-    pub fn footprint(&self, direction: Vec3, hit: &Hit) -> Footprint {
-        let depth = hit.t * direction.dot(self.forward);
-        Footprint::from_distance(depth, self.pixel, direction.dot(hit.normal))
     }
 }
 
@@ -75,13 +85,13 @@ mod tests {
     fn the_footprint_is_the_distance_between_hits_of_neighbouring_pixels() {
         let camera = Camera::new(Vec3::new(3.0, 0.0, 2.0), Vec3::ZERO, 0.6, 300, 200);
         let at = |x: f32, y: f32| {
-            let direction = camera.direction(x, y);
-            (direction, Shape::Plane.first_hit(camera.eye(), direction).unwrap())
+            let ray = camera.ray(x, y);
+            (ray, Shape::Plane.first_hit(ray.origin, ray.direction).unwrap())
         };
-        let (direction, hit) = at(150.0, 100.0);
+        let (ray, hit) = at(150.0, 100.0);
         let up = at(150.0, 99.5).1.position.distance(at(150.0, 100.5).1.position);
         // The hyperbola of perspective over half a pixel: measured 1e-5 relative.
-        assert!((camera.footprint(direction, &hit).width() / up - 1.0).abs() < 1e-4);
+        assert!((ray.footprint(&hit).width() / up - 1.0).abs() < 1e-4);
         let across = at(149.5, 100.0).1.position.distance(at(150.5, 100.0).1.position);
         assert!(across < up);
     }

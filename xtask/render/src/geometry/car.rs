@@ -4,9 +4,12 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
 
-use crate::geometry::{
-    mesh::{Mesh, Vertex},
-    revolution::revolved,
+use crate::{
+    geometry::{
+        mesh::{Mesh, Vertex},
+        revolution::revolved,
+    },
+    interpolation::smootherstep,
 };
 
 /// Half of the length in metres; the nose is at +x.
@@ -19,20 +22,14 @@ const CELLS: [usize; 2] = [360, 220];
 /// Wide enough for differences in `f32`, narrow against a cell.
 const STEP: f32 = 1.5e-3;
 
-/// Smooth step from `a` to `b`.
-fn step(a: f32, b: f32, x: f32) -> f32 {
-    let t = ((x - a) / (b - a)).clamp(0.0, 1.0);
-    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
-}
-
 /// The height of the roof line.
 fn top(x: f32) -> f32 {
-    let body = 0.72 + 0.15 * step(2.3, 0.6, x) + 0.06 * step(-0.9, -1.8, x);
-    let cabin = step(1.15, 0.10, x) * step(-2.0, -0.80, x);
+    let body = 0.72 + 0.15 * smootherstep(2.3, 0.6, x) + 0.06 * smootherstep(-0.9, -1.8, x);
+    let cabin = smootherstep(1.15, 0.10, x) * smootherstep(-2.0, -0.80, x);
     body + 0.54 * cabin
 }
 
-/// How much of its breadth and height the car has towards its ends.
+/// Share of its breadth and height that the car has towards its ends.
 fn end(x: f32) -> f32 {
     (1.0 - (x.abs() / LENGTH).powf(6.0)).max(0.0).powf(1.0 / 4.4)
 }
@@ -44,7 +41,8 @@ fn body(along: f32, around: f32) -> Vec3 {
     let closing = end(x);
     let (sin, cos) = (TAU * around).sin_cos();
     let round = |s: f32, power: f32| s.signum() * s.abs().powf(power);
-    let (upper, lower) = (top(x), 0.24 + 0.05 * step(1.2, 2.1, x) + 0.07 * step(-1.3, -2.1, x));
+    let (upper, lower) =
+        (top(x), 0.24 + 0.05 * smootherstep(1.2, 2.1, x) + 0.07 * smootherstep(-1.3, -2.1, x));
     let middle = 0.5 * (BELT - 0.30) + 0.26;
     let z = if sin >= 0.0 {
         middle + closing * (upper - middle) * round(sin, 0.62)
@@ -52,43 +50,28 @@ fn body(along: f32, around: f32) -> Vec3 {
         middle + closing * (middle - lower) * round(sin, 0.42)
     };
     // The cabin leans inwards.
-    let lean = 1.0 - 0.34 * step(BELT - 0.14, 1.38, z) - 0.05 * step(0.55, 0.2, z);
-    let breadth = 0.84 - 0.09 * step(0.8, 2.2, x) - 0.05 * step(-0.9, -2.2, x);
+    let lean = 1.0 - 0.34 * smootherstep(BELT - 0.14, 1.38, z) - 0.05 * smootherstep(0.55, 0.2, z);
+    let breadth = 0.84 - 0.09 * smootherstep(0.8, 2.2, x) - 0.05 * smootherstep(-0.9, -2.2, x);
     Vec3::new(x, closing.sqrt() * breadth * lean * round(cos, 0.5), z)
 }
 
 /// The body; its texture coordinates are metres along and about metres around.
 pub fn car_body() -> Mesh {
-    let mut mesh = Mesh::default();
     let [columns, rows] = CELLS;
-    let place = |i: usize, j: usize| [i as f32 / columns as f32, j as f32 / rows as f32];
-    for i in 0..=columns {
-        for j in 0..=rows {
-            let [along, around] = place(i, j);
-            let (low, high) = ((along - STEP).max(0.0), (along + STEP).min(1.0));
-            let forward = body(high, around) - body(low, around);
-            let upward = body(along, around + STEP) - body(along, around - STEP);
-            let out = Vec3::new(body(along, around).x.signum(), 0.0, 0.0);
-            let normal = forward.cross(-upward).try_normalize().unwrap_or(out);
-            let position = body(along, around);
-            let tangent =
-                (forward - normal * normal.dot(forward)).normalize_or(normal.any_orthonormal_vector());
-            mesh.vertices.push(Vertex { position, normal, tangent, uv: Vec2::new(position.x, 3.6 * around) });
-        }
-    }
-    let index = |i: usize, j: usize| (i * (rows + 1) + j) as u32;
-    for i in 0..columns {
-        for j in 0..rows {
-            let [a, b] = [index(i, j), index(i + 1, j)];
-            let [c, d] = [index(i, j + 1), index(i + 1, j + 1)];
-            mesh.push_unless_degenerate([a, d, b]);
-            mesh.push_unless_degenerate([a, c, d]);
-        }
-    }
-    mesh
+    Mesh::grid(columns, rows, |i, j| {
+        let [along, around] = [i as f32 / columns as f32, j as f32 / rows as f32];
+        let (low, high) = ((along - STEP).max(0.0), (along + STEP).min(1.0));
+        let forward = body(high, around) - body(low, around);
+        let upward = body(along, around + STEP) - body(along, around - STEP);
+        let position = body(along, around);
+        let out = Vec3::new(position.x.signum(), 0.0, 0.0);
+        let normal = forward.cross(-upward).try_normalize().unwrap_or(out);
+        let tangent = (forward - normal * normal.dot(forward)).normalize_or(normal.any_orthonormal_vector());
+        Vertex { position, normal, tangent, uv: Vec2::new(position.x, 3.6 * around) }
+    })
 }
 
-/// How deep a point of the body is within a window, in metres; negative outside of them.
+/// Depth of a point of the body within a window, in metres; negative outside of them.
 pub fn window(position: Vec3, normal: Vec3) -> f32 {
     let Vec3 { x, z, .. } = position;
     let above = (z - BELT - 0.02).min(1.335 - z);
@@ -104,10 +87,10 @@ pub fn window(position: Vec3, normal: Vec3) -> f32 {
     }
 }
 
-/// Where the wheels are, along the car and above the ground, and their radius.
+/// Places of the wheels along the car and above the ground, and their radius.
 pub const WHEELS: [[f32; 2]; 2] = [[-1.28, 0.325], [1.32, 0.325]];
 
-/// Whether a point of the body is in the dark around a wheel.
+/// Points of the body in the dark around a wheel.
 pub fn arch(position: Vec3) -> bool {
     WHEELS.iter().any(|[x, z]| (position.x - x).hypot(position.z - z) < 0.375 && position.y.abs() > 0.4)
 }

@@ -1,67 +1,88 @@
-//! A fractal height field as an object of a scene: the square of one function, raised by a factor.
+//! A fractal height field as a shape: any surface over two coordinates, raised, and seen from as near as `f64` allows.
 
 use asperity_fif::{
-    Axis, Cached, FixedFif, FixedSmooth, HeightField, Interval, Ray, SystemError,
+    Cached, FixedFif, FixedSmooth, HeightField, Interval, Ray, Surface, SystemError,
     glam::{DVec2, DVec3},
 };
+use glam::{Mat3, Vec3};
 
-/// The surface `z = rise · ĥ(x) ĥ(y)`, where `ĥ` is the integral of a fractal function.
-pub struct Fractal<const N: usize = 2> {
-    axis: Axle<N>,
+use crate::geometry::shape::Hit;
+
+/// The surface `z = rise · (f(x, y) − base)`, of which the scene shows a neighbourhood.
+pub struct Fractal {
+    surface: Box<dyn Surface + Send + Sync>,
     rise: f64,
-}
-
-/// Where a ray meets a surface.
-#[derive(Clone, Copy, Debug)]
-pub struct Meeting {
-    /// The ray's parameter.
-    pub t: f64,
-    pub position: DVec3,
-    /// Unit, towards the side that the ray comes from.
-    pub normal: DVec3,
-}
-
-impl<const N: usize> Fractal<N> {
-    /// The square of the integral of `slope`, its heights multiplied by `rise`.
-    pub fn new(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
-        Ok(Self { axis: Cached::new(FixedSmooth::integral(slope, 0.0)?), rise })
-    }
-
-    /// The side of the square that it stands on, from the origin.
-    pub fn side(&self) -> f64 {
-        self.axis.domain().hi
-    }
-
-    /// The first meeting beyond a hundred-thousandth of the direction's length.
-    pub fn first_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting> {
-        let (surface, ray) = self.flat(origin, direction);
-        let hit = surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), TOLERANCE)?;
-        let slope = hit.gradient.unwrap_or(DVec2::ZERO) * self.rise;
-        let up = DVec3::new(-slope.x, -slope.y, 1.0).normalize();
-        let normal = if up.dot(direction) > 0.0 { -up } else { up };
-        Some(Meeting { t: hit.t, position: origin + direction * hit.t, normal })
-    }
-
-    /// Whether anything of it lies between the point and the place `direction` away.
-    pub fn hides(&self, origin: DVec3, direction: DVec3) -> bool {
-        let (surface, ray) = self.flat(origin, direction);
-        surface.hits_any(&ray, Interval::new(NEAR, 1.0))
-    }
-
-    /// The surface of heights as they are, and the ray beside it.
-    fn flat(&self, origin: DVec3, direction: DVec3) -> (HeightField<&'_ Axle<N>, &'_ Axle<N>>, Ray) {
-        let flat = |v: DVec3| DVec3::new(v.x, v.y, v.z / self.rise);
-        (HeightField::new(&self.axis, &self.axis), Ray { origin: flat(origin), direction: flat(direction) })
-    }
+    base: f64,
+    /// The place of the scene's origin, and the length of its unit.
+    place: DVec3,
+    unit: f64,
+    /// Lengths that a ray may be wrong by.
+    tolerance: f64,
 }
 
 /// A ray does not meet the surface where it starts.
 const NEAR: f64 = 1e-5;
 
-/// Errors of meetings along the ray: a tenth of [`NEAR`], and far below the pixels.
-const TOLERANCE: f64 = 1e-6;
+impl Fractal {
+    /// The surface with heights above `base` multiplied by `rise`.
+    pub fn new(surface: impl Surface + Send + Sync + 'static, rise: f64, base: f64) -> Self {
+        // Errors along the ray: a tenth of `NEAR`, and far below the pixels.
+        Self { surface: Box::new(surface), rise, base, place: DVec3::ZERO, unit: 1.0, tolerance: 1e-6 }
+    }
 
-type Axle<const N: usize> = Cached<FixedSmooth<N, 3, 2>>;
+    /// The square `f̂(x) f̂(y)` of a function's integral, its heights multiplied by `rise`.
+    pub fn square<const N: usize>(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
+        let axis = || FixedSmooth::<N, 3, 2>::integral(slope, 0.0).map(Cached::new);
+        Ok(Self::new(HeightField::new(axis()?, axis()?), rise, 0.0))
+    }
+
+    /// Hits that may be wrong by this length, where it is less than a pixel.
+    pub fn within(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// A scene about this place whose unit is so long: rays of `f32` are exact at every zoom.
+    pub fn magnified(self, place: DVec3, unit: f64) -> Self {
+        Self { place, unit, ..self }
+    }
+
+    /// The surface as it is.
+    pub fn surface(&self) -> &(dyn Surface + Send + Sync) {
+        self.surface.as_ref()
+    }
+
+    /// The height at a point.
+    pub fn height(&self, p: DVec2) -> f64 {
+        (self.surface.evaluate(p.x, p.y, 1e-5).value - self.base) * self.rise
+    }
+
+    /// The first hit in front of `origin`; its normal points upwards, and is `z` where the surface has none.
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        let ray = self.ray(origin, direction);
+        let hit = self.surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), self.tolerance)?;
+        let slope = hit.gradient.unwrap_or(DVec2::ZERO) * self.rise;
+        let normal = DVec3::new(-slope.x, -slope.y, 1.0).normalize().as_vec3();
+        let position = (origin.as_dvec3() + direction.as_dvec3() * hit.t).as_vec3();
+        let tangent = (Vec3::X - normal * normal.x).normalize_or(Vec3::Y);
+        let tangents = [Vec3::new(1.0, 0.0, slope.x as f32), Vec3::new(0.0, 1.0, slope.y as f32)];
+        let uv = position.truncate();
+        Some(Hit { t: hit.t as f32, position, normal, tangent, uv, tangents, bend: Mat3::ZERO })
+    }
+
+    /// Any hit in front of `origin`, for shadows.
+    pub fn hides(&self, origin: Vec3, direction: Vec3) -> bool {
+        self.surface.hits_any(&self.ray(origin, direction), Interval::new(NEAR, f64::INFINITY))
+    }
+
+    /// The ray beside the surface of heights as they are.
+    fn ray(&self, origin: Vec3, direction: Vec3) -> Ray {
+        let (p, d) = (self.place + self.unit * origin.as_dvec3(), self.unit * direction.as_dvec3());
+        Ray {
+            origin: DVec3::new(p.x, p.y, p.z / self.rise + self.base),
+            direction: DVec3::new(d.x, d.y, d.z / self.rise),
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -71,13 +92,16 @@ mod tests {
 
     #[test]
     fn the_normal_is_that_of_the_raised_surface() {
-        let fractal = Fractal::new(paper::f().unwrap(), 0.25).unwrap();
-        let meeting = fractal.first_meeting(DVec3::new(1.0, 1.0, 5.0), DVec3::NEG_Z).unwrap();
-        assert!((meeting.t - 4.75).abs() < 1e-12);
+        let surface = || Fractal::square(paper::f().unwrap(), 0.25).unwrap();
+        let fractal = surface();
+        let hit = fractal.first_hit(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z).unwrap();
+        assert_eq!(hit.t, 4.75);
         // At (1, 1) both partial derivatives of f̂ f̂ are 1.
-        let expected = DVec3::new(-0.25, -0.25, 1.0).normalize();
-        assert!(meeting.normal.distance(expected) < 1e-12, "{}", meeting.normal);
-        assert!(fractal.hides(DVec3::new(1.0, 1.0, 1.0), DVec3::NEG_Z));
-        assert!(!fractal.hides(DVec3::new(1.0, 1.0, 1.0), DVec3::new(0.0, 0.0, -0.5)));
+        let expected = Vec3::new(-0.25, -0.25, 1.0).normalize();
+        assert!(hit.normal.distance(expected) < 1e-6, "{}", hit.normal);
+        assert!(fractal.hides(Vec3::ONE, Vec3::NEG_Z) && !fractal.hides(Vec3::ONE, Vec3::Z));
+        let near = surface().magnified(DVec3::new(1.0, 1.0, 0.25), 1e-3);
+        let hit = near.first_hit(Vec3::Z, Vec3::NEG_Z).unwrap();
+        assert!((hit.t - 1.0).abs() < 1e-6 && hit.normal.distance(expected) < 1e-6, "{hit:?}");
     }
 }

@@ -47,6 +47,19 @@ impl Mesh {
         Self { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
     }
 
+    /// Two triangles in every cell between rows and columns of vertices, at 0 and at the last of each.
+    pub fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Self {
+        let stride = columns + 1;
+        let vertices = (0..(rows + 1) * stride).map(|k| vertex(k / stride, k % stride)).collect();
+        let mut mesh = Self { vertices, triangles: Vec::new() };
+        for a in (0..rows * stride).filter(|a| a % stride < columns) {
+            let [a, b, c, d] = [a, a + 1, a + stride, a + stride + 1].map(|i| i as u32);
+            mesh.push_unless_degenerate([a, b, d]);
+            mesh.push_unless_degenerate([a, d, c]);
+        }
+        mesh
+    }
+
     /// Appends another mesh.
     pub fn append(&mut self, other: Self) {
         let first = self.vertices.len() as u32;
@@ -105,13 +118,17 @@ impl TracedMesh {
         let tangent = (along - normal * normal.dot(along)).normalize_or_zero();
         let slopes = Slopes::new(corners.map(|v| v.position));
         let [u, v] = [0, 1].map(|axis| slopes.gradient(corners.map(|corner| corner.uv[axis])));
+        let [by_u, by_v] = inverse(u, v).unwrap_or([tangent, normal.cross(tangent)]);
+        // The tangent of the vertices is that of u without the edges between triangles.
+        let along_u = by_u.length();
+        let by_u = if by_u.dot(tangent) > 0.9 * along_u { along_u * tangent } else { by_u };
         Some(Hit {
             t,
             position: blend(|v| v.position),
             normal,
             tangent,
             uv: corners.iter().zip(weights).fold(Vec2::ZERO, |sum, (v, w)| sum + v.uv * w),
-            tangents: inverse(u, v).unwrap_or([tangent, normal.cross(tangent)]),
+            tangents: [by_u, by_v],
             bend: Mat3::from_cols_array_2d(
                 &[0, 1, 2].map(|axis| slopes.gradient(corners.map(|v| v.normal[axis])).to_array()),
             )

@@ -1,4 +1,4 @@
-//! What a ray can meet: shapes, meshes and where they come from, and the camera that the rays start at.
+//! Geometry: shapes, meshes, rays with differentials, and cameras.
 
 pub mod camera;
 pub mod car;

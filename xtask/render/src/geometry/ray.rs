@@ -1,5 +1,6 @@
 //! Rays that know how far apart the rays of neighbouring pixels are: ray differentials.
 
+use asperity_shading::Footprint;
 use glam::Vec3;
 
 use crate::geometry::shape::Hit;
@@ -24,6 +25,28 @@ impl Ray {
             let moved = self.origin_by[k] + hit.t * self.direction_by[k];
             moved - along * moved.dot(hit.normal)
         })
+    }
+
+    /// The round footprint of a pixel at a hit: as wide as the ray's cone, drawn out by the slant.
+    pub fn footprint(&self, hit: &Hit) -> Footprint {
+        let [dx, dy] = [0, 1].map(|k| self.origin_by[k] + hit.t * self.direction_by[k]);
+        let cone = Footprint::from_derivatives(dx, dy).width();
+        Footprint::from_distance(1.0, cone, self.direction.dot(hit.normal))
+    }
+
+    /// The ray that goes on in a direction behind a hit, from `origin`: straight on, or refracted by the ratio of the sines.
+    pub fn transmitted(&self, hit: &Hit, direction: Vec3, origin: Vec3) -> Self {
+        let [before, behind] = [self.direction, direction].map(|d| d.cross(hit.normal).length());
+        // Within half a degree of the normal the sines do not tell; there rays hardly bend.
+        let eta = if before > 0.01 { (behind / before).clamp(0.25, 4.0) } else { 1.0 };
+        let straight =
+            Self { origin, direction, origin_by: self.spread(hit), direction_by: self.direction_by };
+        let m = (eta * self.direction - direction).try_normalize();
+        let m = m.map(|m| if m.dot(self.direction) > 0.0 { -m } else { m });
+        match m.and_then(|m| self.refracted(hit, m, eta, origin)) {
+            Some(bent) => Self { direction, ..bent },
+            None => straight,
+        }
     }
 
     /// The ray that a facet of normal `m` mirrors at a hit, from `origin`; it bends as the surface does.
@@ -70,7 +93,7 @@ impl Ray {
     }
 }
 
-/// How the unit normal turns over a step along the surface.
+/// Change of the unit normal over a step along the surface.
 fn turned(hit: &Hit, step: Vec3) -> Vec3 {
     let turn = hit.bend * step;
     turn - hit.normal * turn.dot(hit.normal)
@@ -81,7 +104,7 @@ mod tests {
     use super::*;
     use crate::geometry::{camera::Camera, shape::Shape};
 
-    /// What the ray of the pixel's point does at the sphere.
+    /// The ray of the pixel's point behind the sphere.
     fn after(camera: &Camera, x: f32, y: f32, eta: Option<f32>) -> Ray {
         let ray = camera.ray(x, y);
         let hit = Shape::Sphere.first_hit(ray.origin, ray.direction).unwrap();

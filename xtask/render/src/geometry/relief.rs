@@ -7,28 +7,15 @@ use glam::Vec3;
 use crate::geometry::mesh::{Mesh, Vertex};
 
 /// Rings and spokes.
-const CELLS: (u32, u32) = (160, 240);
+const CELLS: (usize, usize) = (160, 240);
 
 /// The surface `point(t, φ)` for `t` in `[0, 1]`, one point at `t = 0`, and `φ` once around counter-clockwise.
 pub fn relief(point: impl Fn(f32, f32) -> Vec3) -> Mesh {
-    let mut mesh = Mesh::default();
     let (rings, spokes) = CELLS;
-    for i in 0..=rings {
-        for j in 0..spokes {
-            let (t, phi) = (i as f32 / rings as f32, j as f32 / spokes as f32 * TAU);
-            mesh.vertices.push(vertex(&point, t, phi));
-        }
-    }
-    for i in 0..rings {
-        for j in 0..spokes {
-            let next = (j + 1) % spokes;
-            let [a, b] = [i * spokes + j, i * spokes + next];
-            let [c, d] = [a + spokes, b + spokes];
-            mesh.push_unless_degenerate([a, c, d]);
-            mesh.push_unless_degenerate([a, d, b]);
-        }
-    }
-    mesh
+    Mesh::grid(rings, spokes, |ring, spoke| {
+        // The last spoke is the first one, to the last bit.
+        vertex(&point, ring as f32 / rings as f32, (spoke % spokes) as f32 / spokes as f32 * TAU)
+    })
 }
 
 fn vertex(point: &impl Fn(f32, f32) -> Vec3, t: f32, phi: f32) -> Vertex {

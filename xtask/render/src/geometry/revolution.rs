@@ -4,7 +4,10 @@ use std::f32::consts::TAU;
 
 use glam::{Vec2, Vec3};
 
-use crate::geometry::mesh::{Mesh, Vertex};
+use crate::{
+    geometry::mesh::{Mesh, Vertex},
+    interpolation::catmull_rom,
+};
 
 /// Steps of a profile from one of its points to the next.
 const STEPS: usize = 16;
@@ -59,22 +62,7 @@ pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
 
 /// Triangles over rows of vertices; the last column lies where the first does, with texture coordinates of its own.
 fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Mesh {
-    let mut mesh = Mesh::default();
-    for row in 0..rows {
-        for column in 0..=columns {
-            mesh.vertices.push(vertex(row, column));
-        }
-    }
-    let index = |row: usize, column: usize| (row * (columns + 1) + column) as u32;
-    for row in 1..rows {
-        for column in 0..columns {
-            let (a, b) = (index(row - 1, column), index(row - 1, column + 1));
-            let (c, d) = (index(row, column), index(row, column + 1));
-            mesh.push_unless_degenerate([a, b, c]);
-            mesh.push_unless_degenerate([b, d, c]);
-        }
-    }
-    mesh
+    Mesh::grid(rows - 1, columns, |row, column| vertex(row, columns - column))
 }
 
 /// Points of the Catmull–Rom spline through the given ones, with its unit directions.
@@ -82,14 +70,10 @@ fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2)> {
     let point = |k: isize| Vec2::from(points[k.clamp(0, points.len() as isize - 1) as usize]);
     let mut out = Vec::new();
     for k in 0..points.len() as isize - 1 {
-        let [a, b, c, d] = [-1, 0, 1, 2].map(|by| point(k + by));
+        let around = [-1, 0, 1, 2].map(|by| point(k + by));
         let last = usize::from(k == points.len() as isize - 2);
         for step in 0..STEPS + last {
-            let t = step as f32 / STEPS as f32;
-            let (linear, square, cube) =
-                (0.5 * (c - a), a - 2.5 * b + 2.0 * c - 0.5 * d, 1.5 * (b - c) + 0.5 * (d - a));
-            let place = b + t * (linear + t * (square + t * cube));
-            let along = linear + t * (2.0 * square + t * 3.0 * cube);
+            let [place, along] = catmull_rom(around, step as f32 / STEPS as f32);
             out.push((place, along.normalize_or(Vec2::Y)));
         }
     }

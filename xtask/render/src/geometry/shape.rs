@@ -1,11 +1,11 @@
-//! What a ray can meet: a sphere, a plane or a mesh.
+//! Shapes that rays meet: a sphere, a plane, a mesh or a fractal surface.
 
-use asperity_shading::{Footprint, SurfacePoint};
+use asperity_shading::{PixelEllipse, SurfacePoint};
 use glam::{Mat3, Vec2, Vec3};
 
-use crate::geometry::mesh::TracedMesh;
+use crate::geometry::{fractal::Fractal, mesh::TracedMesh};
 
-/// Where a ray meets a shape.
+/// Hit of a ray on a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
     /// Ray parameter, the distance for a unit direction.
@@ -19,12 +19,12 @@ pub struct Hit {
     pub uv: Vec2,
     /// ∂P/∂u and ∂P/∂v.
     pub tangents: [Vec3; 2],
-    /// How the normal turns along the surface: dn = bend · dP, before it is made unit.
+    /// Curvature, by the turn of the normal along the surface: dn = bend · dP, before it is made unit.
     pub bend: Mat3,
 }
 
 impl Hit {
-    /// The same point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
+    /// The point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
     /// shaded like the outside.
     pub fn facing(mut self, direction: Vec3) -> Self {
         if self.normal.dot(direction) > 0.0 {
@@ -34,9 +34,9 @@ impl Hit {
         self
     }
 
-    /// Where a material is evaluated, of which a pixel sees so much.
-    pub fn point(&self, footprint: Footprint) -> SurfacePoint {
-        SurfacePoint::new(self.position, self.normal, footprint).with_uv(self.uv, self.tangents)
+    /// The point at which a material is evaluated, with its pixel.
+    pub fn point(&self, pixel: impl Into<PixelEllipse>) -> SurfacePoint {
+        SurfacePoint::new(self.position, self.normal, pixel).with_uv(self.uv, self.tangents)
     }
 }
 
@@ -50,6 +50,8 @@ pub enum Shape {
     Mesh(TracedMesh),
     /// Triangles on the unit disk of the plane z = 0.
     MeshOnDisk(TracedMesh),
+    /// A fractal height field.
+    Fractal(Fractal),
 }
 
 impl Shape {
@@ -63,6 +65,15 @@ impl Shape {
                 .first_hit(origin, direction)
                 .filter(|hit| hit.position.z > 0.0)
                 .or_else(|| plane(origin, direction).filter(|hit| hit.position.length_squared() < 1.0)),
+            Self::Fractal(fractal) => fractal.first_hit(origin, direction),
+        }
+    }
+
+    /// Any hit in front of `origin`, for shadows.
+    pub fn hides(&self, origin: Vec3, direction: Vec3) -> bool {
+        match self {
+            Self::Fractal(fractal) => fractal.hides(origin, direction),
+            _ => self.first_hit(origin, direction).is_some(),
         }
     }
 }

@@ -42,29 +42,13 @@ pub fn teapot() -> Mesh {
         for (point, &i) in control.iter_mut().zip(patch) {
             *point = data.vertices_xyz_z_up.get(i).map_or(DVec3::ZERO, |&p| DVec3::from(p) * widen);
         }
-        append(&mut mesh, &control, TUBES.contains(&index));
+        // Control points come by rows; u runs along a row, v across them.
+        mesh.append(Mesh::grid(CELLS.1, CELLS.0, |j, i| {
+            let (u, v) = (i as f64 / CELLS.0 as f64, j as f64 / CELLS.1 as f64);
+            vertex(&control, u, v, TUBES.contains(&index))
+        }));
     }
     mesh
-}
-
-/// Appends one patch. Control points come by rows; `u` runs along a row, `v` across them.
-fn append(mesh: &mut Mesh, control: &[DVec3; 16], tube: bool) {
-    let first = mesh.vertices.len() as u32;
-    for j in 0..=CELLS.1 {
-        for i in 0..=CELLS.0 {
-            let (u, v) = (i as f64 / CELLS.0 as f64, j as f64 / CELLS.1 as f64);
-            mesh.vertices.push(vertex(control, u, v, tube));
-        }
-    }
-    let stride = CELLS.0 as u32 + 1;
-    for j in 0..CELLS.1 as u32 {
-        for i in 0..CELLS.0 as u32 {
-            let [a, b] = [first + j * stride + i, first + j * stride + i + 1];
-            let [c, d] = [a + stride, b + stride];
-            mesh.push_unless_degenerate([a, b, d]);
-            mesh.push_unless_degenerate([a, d, c]);
-        }
-    }
 }
 
 /// Position, normal and tangent from the analytic derivatives.
@@ -79,18 +63,15 @@ fn vertex(control: &[DVec3; 16], u: f64, v: f64, tube: bool) -> Vertex {
     if p_u.length() < 1e-9 {
         p_u = tensor(control, du, dv);
     }
-    let tangent = if tube {
-        p_v
-    } else {
-        // All around the axis in the same sense, although the bottom's patches turn the other way.
-        p_u * DVec3::new(-p.y - p_v.y, p.x + p_v.x, 0.0).dot(p_u).signum()
-    };
+    // All around the axis in the same sense, although the bottom's patches turn the other way.
+    let sense = DVec3::new(-p.y - p_v.y, p.x + p_v.x, 0.0).dot(p_u).signum();
+    let (tangent, uv) = if tube { (p_v, DVec2::new(v, u)) } else { (p_u * sense, DVec2::new(u * sense, v)) };
     Vertex {
         // The two patches at an edge evaluate it in opposite senses; what differs in the last bits of f64 is one f32.
         position: p.as_vec3(),
         normal: p_u.cross(p_v).normalize_or_zero().as_vec3(),
         tangent: tangent.normalize_or_zero().as_vec3(),
-        uv: DVec2::new(u, v).as_vec2(),
+        uv: uv.as_vec2(),
     }
 }
 

@@ -18,7 +18,7 @@ pub struct ImageFile {
     pub height: usize,
     /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; PNG samples in [0, 1], OpenEXR's as they are.
     pub planes: Vec<(String, Vec<f32>)>,
-    /// Whether samples below 0 can be meant, as in OpenEXR.
+    /// Signed samples, as OpenEXR has them.
     pub signed: bool,
 }
 
@@ -145,9 +145,9 @@ pub enum ImageFileError {
     Truncated { width: usize, height: usize, bytes: usize },
     /// The file has no channel but alpha.
     OnlyAlpha,
-    /// What the PNG decoder says.
+    /// Error of the PNG decoder.
     Png(png::DecodingError),
-    /// What the OpenEXR decoder says.
+    /// Error of the OpenEXR decoder.
     Exr(exr::error::Error),
 }
 

@@ -1,8 +1,267 @@
-//! Radiance along rays, and pictures of it.
+//! Two integrators over one scene: direct light of lamps, and paths in light from all around.
 
 pub mod direct;
 pub mod hemisphere;
 pub mod path_tracer;
 pub mod pixels;
-pub mod request;
-pub mod swatch;
+
+use std::sync::atomic::AtomicBool;
+
+use asperity_shading::{
+    Frame, PixelEllipse, SurfacePoint,
+    reflectance::{Bsdf, Delta},
+};
+use glam::{Vec2, Vec3};
+use indicatif::ProgressBar;
+
+use crate::{
+    failure::Failure,
+    geometry::{camera::Camera, ray::Ray, shape::Hit},
+    image::Image,
+    integrator::pixels::{Sampling, render, render_paths},
+    sampling::{
+        low_discrepancy::r2_from,
+        sampler::{Sampler, hash},
+    },
+    scene::{Light, Scene},
+};
+
+/// The most round footprints of a pixel.
+const TAPS: u32 = 16;
+/// Mirrors in mirrors.
+const MIRRORS: u32 = 6;
+/// Places of a blurred mirror under lamps.
+const BLUR: u32 = 16;
+
+impl Scene<'_, '_> {
+    /// Draws it, in linear radiance.
+    pub fn draw(
+        &self,
+        sampling: Sampling,
+        camera: &Camera,
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+    ) -> Result<Image, Failure> {
+        let place = |x: f32, y: f32| [x / sampling.width as f32, y / sampling.height as f32];
+        match self.light {
+            Light::Lamps { .. } => render(sampling, progress, interrupted, |x, y| {
+                let mut sampler = Sampler::new(0, hash(x.to_bits() ^ hash(y.to_bits())));
+                self.seen(&camera.ray(x, y), place(x, y), &mut sampler).radiance
+            }),
+            Light::Around(_) => render_paths(sampling, progress, interrupted, |x, y, sampler| {
+                self.seen(&camera.ray(x, y), place(x, y), sampler).radiance
+            }),
+        }
+    }
+
+    /// The radiance along a ray of the camera, through a place of the picture whose sides are 1.
+    pub fn seen(&self, ray: &Ray, place: [f32; 2], sampler: &mut Sampler) -> Sight {
+        match self.first_hit(ray.origin, ray.direction) {
+            Some(meeting) => {
+                Sight { radiance: self.shade(ray, meeting, sampler, 0, 1), distance: meeting.1.t }
+            }
+            None => Sight { radiance: self.behind(ray, Some(place)), distance: f32::INFINITY },
+        }
+    }
+
+    fn radiance(&self, ray: &Ray, sampler: &mut Sampler, mirrors: u32, bounces: u32) -> Vec3 {
+        match self.first_hit(ray.origin, ray.direction) {
+            Some(meeting) => self.shade(ray, meeting, sampler, mirrors, bounces),
+            None => self.behind(ray, None),
+        }
+    }
+
+    /// The radiance from a hit along its ray, after so many mirrors and before so many bounces from object to object.
+    fn shade(
+        &self,
+        ray: &Ray,
+        (object, hit): (usize, Hit),
+        sampler: &mut Sampler,
+        mirrors: u32,
+        bounces: u32,
+    ) -> Vec3 {
+        let object = &self.objects[object];
+        let facing = hit.facing(ray.direction);
+        let step = self.start * hit.t.max(1e-3) * facing.normal;
+        let (above, below) = (hit.position + step, hit.position - step);
+        let outside = facing.normal == hit.normal;
+        // A body is seen from inside; of anything else the inside of a spout is shaded like the outside.
+        let hit = if object.body.is_some() { hit } else { facing };
+        let point = match self.light {
+            Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
+            Light::Lamps { .. } => hit.point(ray.footprint(&hit)),
+        };
+        let frame = point.frame();
+        let wo = frame.to_local(-ray.direction);
+        let bsdf = object.material.bsdf(&point, wo);
+        let spot = Spot { ray, hit: &hit, frame, wo, bsdf: &bsdf, start: above };
+        let mut sum = bsdf.emitted()
+            + match &self.light {
+                Light::Lamps { lamps, .. } => self.lit_by_lamps(lamps, &spot),
+                Light::Around(light) => self.lit_by_paths(*light, &spot, sampler, bounces),
+            };
+        let u = sampler.point();
+        // Lamps are for pictures without noise: slopes too fine for the pixel are seen in several places at once.
+        let paths = matches!(self.light, Light::Around(_));
+        let blurred = !paths && mirrors == 0 && bsdf.deltas(wo, u) != bsdf.deltas(wo, (u + 0.37).fract());
+        let count = if blurred { BLUR } else { 1 };
+        for k in 0..count {
+            let u = Vec2::from(r2_from(u.as_dvec2().to_array(), k).map(|x| x as f32));
+            let [mirrored, transmitted] = bsdf.deltas(wo, u);
+            sum += self.smooth(&spot, [mirrored, transmitted], [above, below], sampler, [mirrors, bounces])
+                / count as f32;
+        }
+        match object.body {
+            Some(tint) if !outside => tint.powf(hit.t) * sum,
+            _ => sum,
+        }
+    }
+
+    /// What a smooth surface mirrors and transmits, each along a ray from its own side.
+    fn smooth(
+        &self,
+        spot: &Spot<'_>,
+        [mut mirrored, mut transmitted]: [Delta; 2],
+        [above, below]: [Vec3; 2],
+        sampler: &mut Sampler,
+        [mirrors, bounces]: [u32; 2],
+    ) -> Vec3 {
+        let Spot { ray, hit, frame, wo, .. } = *spot;
+        let mut sum = Vec3::ZERO;
+        let [share, rest] = [mirrored, transmitted].map(|delta| delta.weight.max_element());
+        // Both ways once; further in one of them, as likely as there is light in it.
+        if share > 0.0 && rest > 0.0 && mirrors > 0 && matches!(self.light, Light::Around(_)) {
+            let (chosen, other, chance) = if sampler.point().x * (share + rest) < share {
+                (&mut mirrored, &mut transmitted, share / (share + rest))
+            } else {
+                (&mut transmitted, &mut mirrored, rest / (share + rest))
+            };
+            chosen.weight /= chance;
+            other.weight = Vec3::ZERO;
+        }
+        if mirrored.weight != Vec3::ZERO {
+            // What a bump mirrors into the surface would be mirrored out again.
+            let wi = mirrored.wi * Vec3::new(1.0, 1.0, (mirrored.wi.z * wo.z).signum());
+            let next = ray.mirrored(hit, frame.to_world((mirrored.wi + wo).normalize_or_zero()), above);
+            let next = Ray { direction: frame.to_world(wi).normalize(), ..next };
+            sum += mirrored.weight * self.followed(&next, mirrored.weight, sampler, mirrors, bounces);
+        }
+        if transmitted.weight != Vec3::ZERO {
+            let next = ray.transmitted(hit, frame.to_world(transmitted.wi), below);
+            sum += transmitted.weight * self.followed(&next, transmitted.weight, sampler, mirrors, bounces);
+        }
+        sum
+    }
+
+    /// The radiance along a ray from a smooth surface; a guess where there were many, or where it hardly counts.
+    fn followed(&self, ray: &Ray, weight: Vec3, sampler: &mut Sampler, mirrors: u32, bounces: u32) -> Vec3 {
+        match self.light {
+            _ if mirrors < MIRRORS && weight.max_element() >= 0.004 => {
+                self.radiance(ray, sampler, mirrors + 1, bounces)
+            }
+            Light::Around(_) => Vec3::splat(0.2),
+            Light::Lamps { .. } => self.behind(ray, None),
+        }
+    }
+}
+
+/// Radiance along a ray and the distance that it comes from, for a caller that puts something before it.
+#[derive(Clone, Copy, Debug)]
+pub struct Sight {
+    pub radiance: Vec3,
+    /// To the first hit; infinite where there is none.
+    pub distance: f32,
+}
+
+/// A point that is lit, as its material is.
+struct Spot<'a> {
+    ray: &'a Ray,
+    hit: &'a Hit,
+    frame: Frame,
+    /// To the eye, in the frame.
+    wo: Vec3,
+    bsdf: &'a Bsdf<'a>,
+    /// Origin of rays that leave it.
+    start: Vec3,
+}
+
+impl Spot<'_> {
+    /// `f cos θ` for light from a direction in the world.
+    fn scattered(&self, direction: Vec3) -> Vec3 {
+        self.bsdf.scattered(self.frame.to_local(direction), self.wo)
+    }
+}
+
+/// One of the round footprints that cover the pixel, by a random number: each of the pixel's samples sees another.
+fn tap(hit: &Hit, [dx, dy]: [Vec3; 2], u: f32) -> SurfacePoint {
+    let point = hit.point(PixelEllipse::from_derivatives(dx, dy));
+    let count = point.taps(TAPS).count();
+    point.taps(TAPS).nth((u * count as f32) as usize).unwrap_or(point)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f32::consts::PI;
+
+    use asperity_shading::{Dielectric, Lambert, material::Material, reflectance::Coat};
+
+    use super::*;
+    use crate::{
+        geometry::shape::Shape,
+        scene::{Backdrop, Object},
+    };
+
+    fn mean(scene: &Scene<'_, '_>) -> Vec3 {
+        let camera = Camera::new(Vec3::new(0.0, -5.0, 1.0), Vec3::ZERO, 0.2, 16, 16);
+        let sampling = Sampling { width: 16, height: 16, samples_per_pixel: 16, seed: 1 };
+        let image = scene.draw(sampling, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+        image.pixels.iter().sum::<Vec3>() / 256.0
+    }
+
+    fn sphere(material: impl Material + Sync + 'static, body: Option<Vec3>) -> Vec3 {
+        let mut object = Object::new(Shape::Sphere, material);
+        object.body = body;
+        mean(&Scene::new(vec![object], Light::Around(&Vec3::ONE), Backdrop::Colour(Vec3::ZERO)))
+    }
+
+    #[test]
+    fn nothing_white_is_seen_in_a_furnace() {
+        let chalk = sphere(Lambert::new(Vec3::new(1.0, 0.5, 0.2)).unwrap(), None);
+        // Standard error of 4096 samples, half of them weighted away from the cosine: 0.01.
+        assert!((chalk - Vec3::new(1.0, 0.5, 0.2)).abs().max_element() < 0.03, "{chalk}");
+        let glass = Dielectric::new(1.5).unwrap();
+        for (coat, body) in [
+            (Coat::pane(glass, Vec3::ONE), None),
+            (Coat::body(glass), Some(Vec3::ONE)),
+            (Coat::metal(Vec3::ONE), None),
+        ] {
+            let clear = sphere(coat, body);
+            assert!((clear - Vec3::ONE).abs().max_element() < 0.02, "{coat:?}: {clear}");
+        }
+    }
+
+    #[test]
+    fn a_lid_over_a_plane_takes_its_light() {
+        let objects = vec![
+            Object::new(Shape::Plane, Lambert::new(Vec3::splat(0.5)).unwrap()),
+            Object::shaded(Shape::Sphere, |_, wo| Bsdf::new(wo)),
+        ];
+        let mut scene = Scene::new(objects, Light::Around(&Vec3::ONE), Backdrop::Colour(Vec3::ZERO));
+        let camera = Camera::new(Vec3::new(0.0, -4.0, 6.0), Vec3::new(0.0, -1.15, 0.0), 0.002, 8, 8);
+        let at = |scene: &Scene<'_, '_>| {
+            let sampling = Sampling { width: 8, height: 8, samples_per_pixel: 64, seed: 1 };
+            let image =
+                scene.draw(sampling, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+            image.pixels.iter().sum::<Vec3>().x / 64.0
+        };
+        let shadowed = at(&scene);
+        scene.objects.truncate(1);
+        let open = at(&scene);
+        assert!((open - 0.5).abs() < 0.01, "{open}");
+        // The share of the sky, by the cosine, that a ball takes whose centre is on the plane, h of its radii away.
+        let h: f32 = 1.15;
+        let root = (h * h - 1.0).sqrt();
+        let hidden = ((1.0 / root).atan() - root / (h * h)) / PI;
+        assert!((shadowed - 0.5 * (1.0 - hidden)).abs() < 0.01, "{shadowed}, {hidden}");
+    }
+}

@@ -6,13 +6,16 @@ use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
-use crate::sampling::sampler::{Sampler, hash};
+use crate::sampling::{
+    low_discrepancy::r2_from,
+    sampler::{Sampler, hash},
+};
 use crate::{
     failure::{Failure, Interrupted},
     image::Image,
 };
 
-/// How a picture is sampled.
+/// Size and samples of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {
     pub width: u32,
@@ -23,7 +26,7 @@ pub struct Sampling {
 
 /// The mean of `radiance` over each pixel, at points given in pixels from the top left.
 ///
-/// The same image whatever the number of threads: a pixel's samples come from a hash of its place, and are summed in
+/// One image whatever the number of threads: a pixel's samples come from a hash of its place, and are summed in
 /// order.
 pub fn render(
     sampling: Sampling,
@@ -83,12 +86,10 @@ fn pixels(
     Ok(Image { width, height, pixels: rows?.concat() })
 }
 
-/// The `k`-th point of the R₂ sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"),
-/// shifted on the torus.
+/// The `k`-th point of the R₂ sequence, shifted on the torus.
 fn sample(k: u32, shift: Vec2) -> Vec2 {
-    const PLASTIC: f64 = 1.324_717_957_244_746;
-    let (x, y) = (f64::from(k) / PLASTIC, f64::from(k) / (PLASTIC * PLASTIC));
-    Vec2::new((x.fract() as f32 + shift.x).fract(), (y.fract() as f32 + shift.y).fract())
+    let [x, y] = r2_from([0.0; 2], k).map(|x| x as f32);
+    Vec2::new((x + shift.x).fract(), (y + shift.y).fract())
 }
 
 /// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.

@@ -2,13 +2,11 @@
 
 use glam::Vec3;
 
-use crate::image::tone::hex;
+use crate::{image::tone::hex, interpolation::smoothstep};
 
 /// The radiance behind the picture's point `(x, y)`, both in `[0, 1]` from the top left.
 pub fn background(x: f32, y: f32) -> Vec3 {
     let (dx, dy) = (x - 0.5, y - 0.42);
     let distance = (dx * dx + dy * dy).sqrt() / 0.75;
-    let t = distance.min(1.0);
-    let t = t * t * (3.0 - 2.0 * t);
-    hex(0x3c_4047).lerp(hex(0x1d_1f23), t)
+    hex(0x3c_4047).lerp(hex(0x1d_1f23), smoothstep(0.0, 1.0, distance))
 }

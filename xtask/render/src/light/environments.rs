@@ -5,8 +5,7 @@ use std::f32::consts::{PI, TAU};
 use asperity_shading::Environment;
 use glam::{Vec2, Vec3};
 
-use crate::image::tone::hex;
-use crate::light::lamps::direction;
+use crate::{image::tone::hex, interpolation::smoothstep, light::lamps::direction};
 
 /// A room with soft boxes: area lights far away.
 pub struct Studio {
@@ -45,7 +44,7 @@ impl SoftPanel {
         Self { centre, half, radiance: colour * (PI / lit), area, share: colour.element_sum() }
     }
 
-    /// Where a direction meets the panel, −1 … 1 along both sides.
+    /// Place on the panel that a direction meets, −1 … 1 along both sides.
     fn place(&self, direction: Vec3) -> Option<Vec2> {
         let depth = direction.dot(self.centre);
         if depth <= 0.0 {
@@ -101,8 +100,7 @@ impl Studio {
     }
 
     fn room(&self, direction: Vec3) -> Vec3 {
-        let t = (0.5 + 0.9 * direction.z).clamp(0.0, 1.0);
-        self.floor.lerp(self.ceiling, t * t * (3.0 - 2.0 * t))
+        self.floor.lerp(self.ceiling, smoothstep(0.0, 1.0, 0.5 + 0.9 * direction.z))
     }
 }
 

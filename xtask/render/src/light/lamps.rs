@@ -1,4 +1,4 @@
-//! Light from far away: single directions, and soft boxes made of them.
+//! Lamp from far away: single directions, and soft boxes made of them.
 
 use glam::Vec3;
 
@@ -6,10 +6,31 @@ use crate::image::tone::hex;
 
 /// A light that is far away.
 #[derive(Clone, Copy, Debug)]
-pub struct Light {
+pub struct Lamp {
     /// Unit, towards the light.
     pub direction: Vec3,
     pub colour: Vec3,
+}
+
+/// Lamps that cast one shadow, or none.
+#[derive(Clone, Debug)]
+pub enum Lamps {
+    /// Far away: a white matte surface that faces one has its colour. An object in the direction of `shadow` hides all of them.
+    Far { lights: Vec<Lamp>, shadow: Option<Vec3> },
+    /// A lamp at a place: a white matte surface that faces it at distance 1 has its colour.
+    Near { place: Vec3, colour: Vec3 },
+}
+
+impl Lamps {
+    /// Lights without shadows.
+    pub fn open(lights: Vec<Lamp>) -> Self {
+        Self::Far { lights, shadow: None }
+    }
+
+    /// One lamp far away, with its shadow.
+    pub fn one(direction: Vec3, colour: Vec3) -> Self {
+        Self::Far { lights: vec![Lamp { direction, colour }], shadow: Some(direction) }
+    }
 }
 
 /// A rectangle in the sky.
@@ -25,7 +46,7 @@ struct SoftBox {
 }
 
 impl SoftBox {
-    fn lights(&self) -> impl Iterator<Item = Light> {
+    fn lights(&self) -> impl Iterator<Item = Lamp> {
         let [columns, rows] = self.count;
         let centre = direction(self.azimuth, self.elevation);
         let right = Vec3::Z.cross(centre).normalize();
@@ -35,13 +56,13 @@ impl SoftBox {
         (0..columns * rows).map(move |k| {
             let place = |i: u32, n: u32| 2.0 * (i as f32 + 0.5) / n as f32 - 1.0;
             let (x, y) = (place(k % columns, columns) * half[0], place(k / columns, rows) * half[1]);
-            Light { direction: (centre + right * x + up * y).normalize(), colour }
+            Lamp { direction: (centre + right * x + up * y).normalize(), colour }
         })
     }
 }
 
 /// A warm key from the upper left, a cool fill from the right and a rim from behind, all times `scale`.
-pub fn studio(scale: Vec3) -> Vec<Light> {
+pub fn studio(scale: Vec3) -> Vec<Lamp> {
     let boxes = [
         SoftBox {
             azimuth: -132.0,

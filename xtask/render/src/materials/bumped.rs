@@ -2,83 +2,103 @@
 
 use std::sync::Arc;
 
+use asperity_ndf_sampling::NormalTable;
 use asperity_shading::{
-    Brdf, BumpField, Coordinates, Frame, LevelOfDetail, half_vector, ndf_sampling::inverse_phi, reflect,
+    BumpField, Coordinates, Frame, LevelOfDetail, Ndf, SurfacePoint,
+    bump::Facet,
+    half_vector,
+    material::Material,
+    reflectance::{Bsdf, Lobe},
+    shade_facet,
 };
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
-use crate::{
-    integrator::{
-        direct::SharedNdf,
-        path_tracer::{Appearance, Layer, Seen},
-    },
-    materials::field::Field,
-};
+use crate::{light::lamps::Lamp, materials::field::Field};
 
-/// Bumps of a density, shaded with it by a rule of level of detail, in this colour.
+/// A normal density function that rows of pixels may share.
+pub type SharedNdf = dyn Ndf + Send + Sync;
+
+/// Which facets a pixel is shaded with.
+#[derive(Clone, Copy)]
+pub enum Facets<'a> {
+    /// Drawn from the density itself, by one of the two rules.
+    Consistent(LevelOfDetail),
+    /// Looked up in a table L, which may belong to another density, and each shaded with the whole density: the
+    /// pipeline of the source. The table's entry at 0 must be the flat normal.
+    Table(&'a NormalTable),
+}
+
+impl Facets<'_> {
+    /// The facet in the frame of the surface.
+    fn facet(&self, ndf: &SharedNdf, coordinates: Coordinates) -> Frame {
+        match self {
+            Self::Consistent(rule) => Frame::from_normal(rule.normal(ndf, coordinates)),
+            Self::Table(table) => table.bilinear(coordinates.z * coordinates.fade),
+        }
+    }
+}
+
+/// Bumps of a density, shaded with it by a rule of level of detail.
+pub struct Bumped {
+    pub ndf: Arc<SharedNdf>,
+    pub rule: LevelOfDetail,
+    pub bumps: BumpField<Field>,
+    pub colour: Vec3,
+}
+
+impl Material for Bumped {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let coordinates = self.bumps.coordinates(point.position, point.footprint());
+        let lobe = Lobe::resolved(self.ndf.as_ref(), self.rule, coordinates).weighted(self.colour);
+        Bsdf::new(wo).with([Facet::FLAT], [lobe])
+    }
+}
+
+/// The source's own shading under lamps without shadows, which is no reflectance: the density at the half-vector is shown as it is.
 ///
 /// ```text
-/// f_r = colour · p(h | what is resolved)/(4 max(cos θ_i, cos θ_o))
+/// L = Σ_lamps colour · p(h) · max(0, n·l) + diffuse · sky(m)
 /// ```
 ///
-/// The source shows p(h) alone; the denominator makes a reciprocal reflectance of it that sends out no more light than comes in.
-pub fn bumped(
-    ndf: Arc<SharedNdf>,
-    rule: LevelOfDetail,
-    bumps: BumpField<Field>,
-    colour: Vec3,
-) -> impl Fn(&Seen) -> Appearance + Sync {
-    move |seen: &Seen| {
-        let point = &seen.point;
-        let coordinates = bumps.coordinates(point.position, point.footprint());
-        let facet = Frame::from_normal(rule.normal(ndf.as_ref(), coordinates));
-        let brdf = Resolved { ndf: Arc::clone(&ndf), rule, coordinates, facet, colour };
-        Appearance {
-            layers: vec![Layer { normal: point.normal, brdf: Box::new(brdf) }],
-            ..Default::default()
-        }
-    }
+/// The cosine with the surface's own normal lets each light end at its horizon without an edge, and is constant over a flat
+/// patch. The diffuse term, of the bump normal `m` under a soft sky, is the source's own suggestion (§6); it keeps the shape
+/// readable where no facet mirrors a light.
+pub struct Printed<'a> {
+    pub ndf: &'a SharedNdf,
+    pub facets: Facets<'a>,
+    pub bumps: BumpField<Field>,
+    pub lamps: Vec<Lamp>,
+    pub diffuse: Vec3,
 }
 
-/// A density of which some is resolved.
-struct Resolved {
-    ndf: Arc<SharedNdf>,
-    rule: LevelOfDetail,
-    coordinates: Coordinates,
-    /// The resolved facet.
-    facet: Frame,
-    colour: Vec3,
-}
-
-impl Brdf for Resolved {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        if wi.z <= 0.0 || wo.z <= 0.0 {
-            return Vec3::ZERO;
-        }
-        let p = self.rule.radiance(self.ndf.as_ref(), half_vector(wi, wo), self.coordinates);
-        self.colour * (p / (4.0 * wi.z.max(wo.z)))
-    }
-
-    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
-        let h = match self.rule {
-            LevelOfDetail::Exact => {
-                let gauss = |u: f32| inverse_phi(f64::from(u).max(1e-9)) as f32;
-                let Coordinates { z, share, .. } = self.coordinates;
-                let spread = (1.0 - share).max(0.0).sqrt() * Vec2::new(gauss(u.x), gauss(u.y));
-                self.ndf.from_gaussian(share.sqrt() * z + spread)
+impl Material for Printed<'_> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let coordinates = self.bumps.coordinates(point.position, point.footprint());
+        let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
+        let lit = self.lamps.iter().fold(Vec3::ZERO, |sum, lamp| {
+            let wi = frame.to_local(lamp.direction);
+            if wi.z <= 0.0 {
+                return sum;
             }
-            LevelOfDetail::Fractal => self.facet.to_world(self.ndf.sample(u)),
-        };
-        reflect(wo, h)
+            let h = half_vector(wi, wo);
+            let p = match self.facets {
+                Facets::Consistent(LevelOfDetail::Exact) => {
+                    LevelOfDetail::Exact.radiance(self.ndf, h, coordinates)
+                }
+                // One frame for all lamps.
+                Facets::Consistent(LevelOfDetail::Fractal) | Facets::Table(_) => {
+                    shade_facet(self.ndf, &facet, h)
+                }
+            };
+            sum + lamp.colour * (p * wi.z)
+        });
+        Bsdf::new(wo).with_emitted(lit + self.diffuse * sky(frame.to_world(facet.normal)))
     }
+}
 
-    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        let h = half_vector(wi, wo);
-        let cosine = match self.rule {
-            LevelOfDetail::Exact => h.z,
-            LevelOfDetail::Fractal => h.dot(self.facet.normal),
-        };
-        let p = self.rule.radiance(self.ndf.as_ref(), h, self.coordinates);
-        p * cosine.max(0.0) / (4.0 * wo.dot(h)).max(1e-6)
-    }
+/// Irradiance of a soft sky, brightest in the upper left front, on a surface with normal `m`, over π.
+pub fn sky(m: Vec3) -> Vec3 {
+    const ZENITH: Vec3 = Vec3::new(-0.42, -0.47, 0.776);
+    let t = 0.5 + 0.5 * m.dot(ZENITH);
+    Vec3::new(0.10, 0.09, 0.11).lerp(Vec3::new(0.98, 0.95, 0.92), t * t)
 }

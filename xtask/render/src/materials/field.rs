@@ -1,7 +1,7 @@
 //! The noises that bumps are made of, by name.
 
 use asperity_noise::{GaussianOctaves, Perlin2002, Simplex, Spectrum};
-use asperity_shading::{Coordinates, GaussianField, RemappedOctaves};
+use asperity_shading::{BumpField, Coordinates, GaussianField, RemappedOctaves};
 use glam::Vec3;
 
 use crate::failure::Failure;
@@ -15,6 +15,25 @@ pub enum NoiseKind {
     Perlin2002,
     /// Simplex noise, made Gaussian through its measured distribution.
     Simplex,
+}
+
+/// The noise that the bumps are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Bumps {
+    pub kind: NoiseKind,
+    /// Lattice cells of the first octave per unit of length.
+    pub frequency: f32,
+    /// The most octaves, up to 16.
+    pub octaves: u32,
+    /// Each octave's amplitude over the last one's.
+    pub gain: f32,
+}
+
+impl Bumps {
+    /// The bump map in space.
+    pub fn field(&self, seed: u32) -> Result<BumpField<Field>, Failure> {
+        Ok(BumpField::new(Field::new(self.kind, self.octaves, self.gain, seed)?, self.frequency)?)
+    }
 }
 
 /// Two independent channels of octaves of noise over space.

@@ -10,7 +10,7 @@ use asperity_shading::reflectance::Bsdf;
 pub(super) struct Light {
     /// The unit direction to it.
     pub(super) direction: Vec3,
-    /// What a white Lambertian surface that faces it sends to the eye.
+    /// Radiance of a white Lambertian surface that faces it.
     pub(super) radiance: f32,
 }
 
@@ -33,7 +33,7 @@ impl Sky {
         Self { lights: [lamp, sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)] }
     }
 
-    /// What a surface of this BSDF sends along `view`.
+    /// Radiance of a surface of this BSDF along `view`.
     pub(super) fn on(&self, bsdf: &Bsdf<'_>, view: Vec3) -> Vec3 {
         self.lights.iter().fold(bsdf.emitted(), |sum, light| {
             sum + PI * light.radiance * bsdf.scattered(light.direction, view)

@@ -1,4 +1,4 @@
-//! What one sample of a picture sees of a plane.
+//! Pixels of a plane: a sample with its derivatives and the eye.
 
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Footprint, PixelEllipse, SurfacePoint};
@@ -16,7 +16,7 @@ pub struct Pixel {
     pub eye: Eye,
 }
 
-/// Where a picture is seen from.
+/// Place of the eye.
 #[derive(Clone, Copy, Debug)]
 pub enum Eye {
     /// From infinity, in this unit direction.
@@ -68,7 +68,7 @@ impl Pixel {
         sum / count
     }
 
-    /// The same pixel of a plane whose surface is so many times as large.
+    /// The pixel of a plane whose surface is so many times as large.
     #[must_use]
     pub fn magnified(&self, by: f32) -> Self {
         let eye = match self.eye {

@@ -25,7 +25,7 @@ impl Subject {
         Self { name, width, radiance: Box::new(radiance) }
     }
 
-    /// What a sample sees of it under a sky.
+    /// Radiance of a sample under a sky.
     #[must_use]
     pub fn radiance(&self, pixel: &Pixel, sky: &Sky) -> Vec3 {
         (self.radiance)(pixel, sky)

@@ -94,9 +94,18 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "render",
         sources: "xtask/render/src",
-        rooms: &["random", "image", "geometry", "light", "materials", "scenes", "integrator"],
+        rooms: &[
+            "failure interpolation sampling",
+            "image",
+            "geometry",
+            "light",
+            "materials",
+            "scene integrator",
+            "scenes",
+            "shaded",
+        ],
         face: None,
-        held: false,
+        held: true,
     },
     House {
         name: "xtask",

@@ -22,9 +22,9 @@ const MOST_BYTES: u64 = 1 << 31;
 /// The axis that points up in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Up {
-    /// As glTF has it, and most of the others.
+    /// That of glTF and of most others.
     Y,
-    /// As in files of buildings and maps.
+    /// That of buildings and maps.
     Z,
 }
 

@@ -145,7 +145,7 @@ fn good() -> [(&'static str, Parser, Vec<u8>); 5] {
     ]
 }
 
-/// What every mesh keeps.
+/// Properties of every mesh.
 fn check(name: &str, mesh: &Mesh) {
     assert!(!mesh.triangles.is_empty(), "{name}");
     for triangle in &mesh.triangles {

@@ -2,16 +2,14 @@
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_render::{
-    geometry::shape::Hit,
-    integrator::{
-        direct::{Facets, Material, SharedNdf},
-        pixels::jitter,
+    integrator::pixels::jitter,
+    materials::{
+        SharedNdf,
+        field::{Field, NoiseKind},
     },
-    light::lamps::Light,
-    materials::field::{Field, NoiseKind},
 };
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
-use glam::{Mat3, Vec2, Vec3};
+use glam::Vec3;
 
 use crate::{
     failure::Failure,
@@ -89,15 +87,6 @@ fn measure(
     let footprint = Footprint::from_width(0.5 / zoom);
     // Slanted, so that no plane of the lattice is sampled alone.
     let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
-    let hit = Hit {
-        t: 1.0,
-        position: Vec3::ZERO,
-        normal: Vec3::Z,
-        tangent: Vec3::X,
-        uv: Vec2::ZERO,
-        tangents: [Vec3::X, Vec3::Y],
-        bend: Mat3::ZERO,
-    };
     let rows = context.rows(PIXELS as usize, |y| {
         let (y, mut sums) = (y as u32, [[[0.0; 2]; 2]; 3]);
         for x in 0..PIXELS {
@@ -108,16 +97,8 @@ fn measure(
             for (subject, sums) in subjects.iter().zip(&mut sums) {
                 for (look, sums) in subject.looks.iter().zip(sums) {
                     // Seen and lit from the half-vector itself.
-                    let lights = [Light { direction: look.h, colour: Vec3::ONE }];
                     for (rule, sum) in RULES.into_iter().zip(sums) {
-                        let material = Material {
-                            ndf: subject.ndf,
-                            facets: Facets::Consistent(rule),
-                            bumps,
-                            lights: &lights,
-                            diffuse: Vec3::ZERO,
-                        };
-                        *sum += f64::from(material.shade(&hit, look.h, coordinates).x);
+                        *sum += f64::from(rule.radiance(subject.ndf, look.h, coordinates) * look.h.z);
                     }
                 }
             }

@@ -1,14 +1,16 @@
 //! A wet street of cobbles to the horizon: a normal map made by hand, filtered by the slopes within each pixel.
 
+use std::f32::consts::PI;
+
 use asperity_render::{
     image::{Image, tone::hex},
     integrator::pixels::Sampling,
-    light::lamps::{Light, direction},
-    materials::cobbles::cobbles,
+    light::lamps::{Lamp, direction},
+    materials::{chalk, cobbles::cobbles},
 };
 use asperity_shading::{
-    Beckmann, Coordinates, Fresnel, Ndf, PixelEllipse, Schlick, SlopeLobes, SlopeMoments, SlopePyramid,
-    half_vector,
+    Beckmann, Brdf, Coordinates, Ndf, PixelEllipse, Schlick, SlopeLobes, SlopeMoments, SlopePyramid,
+    TorranceSparrow, bump::Facet, reflectance::Lobe,
 };
 use glam::{Vec2, Vec3};
 
@@ -153,8 +155,8 @@ impl View {
 }
 
 /// The sun, the glow above it and the sky.
-fn lights() -> Vec<Light> {
-    let light = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
+fn lights() -> Vec<Lamp> {
+    let light = |azimuth, elevation, colour| Lamp { direction: direction(azimuth, elevation), colour };
     vec![
         light(86.0, 13.0, hex(0xff_c890) * 0.3),
         light(86.0, 30.0, hex(0xe8_9c90) * 0.12),
@@ -176,7 +178,7 @@ struct Street {
     one: SlopePyramid<1>,
     wet: Beckmann,
     water: Schlick,
-    lights: Vec<Light>,
+    lights: Vec<Lamp>,
 }
 
 impl Street {
@@ -192,15 +194,28 @@ impl Street {
 
     /// Stone under water, with a density of facets and the mean of their slopes: the model of Torrance and Sparrow.
     fn shade(&self, slopes: SlopeMoments, wo: Vec3, density: impl Fn(Vec3) -> f32) -> Vec3 {
-        let normal = slopes.mean_normal();
-        let stone = hex(0x4e_4c50);
-        self.lights.iter().fold(Vec3::ZERO, |sum, light| {
-            let wi = light.direction;
-            let h = half_vector(wi, wo);
-            let cosine = wo.dot(h);
-            let masked = (1.0 / wo.z).min(2.0 * h.z / cosine).min(2.0 * h.z * wi.z / (cosine * wo.z));
-            let mirrored = 0.25 * density(h) * masked * self.water.reflectance_rgb(cosine);
-            sum + light.colour * (stone * normal.dot(wi).max(0.0) + std::f32::consts::PI * mirrored)
-        })
+        let water = TorranceSparrow::new(Facets(density), self.water);
+        let street = chalk(wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
+            .with([Facet::FLAT], [Lobe::from(&water as &dyn Brdf)]);
+        self.lights
+            .iter()
+            .fold(Vec3::ZERO, |sum, light| sum + PI * light.colour * street.scattered(light.direction, wo))
+    }
+}
+
+/// A density of normals that is looked up and never sampled.
+struct Facets<F>(F);
+
+impl<F: Fn(Vec3) -> f32> Ndf for Facets<F> {
+    fn density(&self, m: Vec3) -> f32 {
+        (self.0)(m)
+    }
+
+    fn from_gaussian(&self, _: Vec2) -> Vec3 {
+        Vec3::Z
+    }
+
+    fn to_gaussian(&self, _: Vec3) -> Vec2 {
+        Vec2::ZERO
     }
 }

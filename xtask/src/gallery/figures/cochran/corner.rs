@@ -1,21 +1,26 @@
 //! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one sample per pixel and with sixteen.
 
-use asperity_fif::{
-    glam::{DVec2, DVec3},
-    paper,
-};
+use asperity_fif::paper;
 use asperity_render::{
     geometry::{
         camera::Camera,
-        fractal::{Fractal, Meeting},
+        fractal::Fractal,
+        mesh::{Mesh, TracedMesh},
+        ray::Ray,
+        shape::Shape,
     },
     image::tone::hex,
     integrator::pixels::Sampling,
-    materials::pattern::{brick, checker, line, mix},
-    sampling::sampler::hash,
+    light::lamps::Lamps,
+    materials::{
+        chalk,
+        pattern::{checker, grid},
+    },
+    sampling::sampler::{Sampler, hash},
+    scene::{Backdrop, Light, Object, Scene},
 };
-use asperity_shading::{Schlick, reflect};
-use glam::Vec3;
+use asperity_shading::{Brick, Footprint, Schlick, SurfacePoint, reflectance::Coat};
+use glam::{Vec2, Vec3};
 
 use crate::{
     failure::Failure,
@@ -26,7 +31,7 @@ use crate::{
 const GRIDS: [u32; 2] = [1, 4];
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let corner = Corner { object: Fractal::new(paper::f()?, RISE)?, gloss: Schlick::new(GLOSS)? };
+    let scene = corner()?;
     let words = [
         ["one-sample", "1 sample per pixel", "The corner with its object in hard, grainy pixels"],
         [
@@ -41,10 +46,9 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
         let image = context.render(sampling, |x, y| {
             let rays = jittered([x as u32, y as u32], grid, context.seed);
-            let mut sum = Vec3::ZERO;
-            for [x, y] in rays {
-                sum += corner.radiance(camera.eye().as_dvec3(), camera.direction(x, y).as_dvec3(), 0);
-            }
+            let mut sampler = Sampler::new(0, 0);
+            let sum: Vec3 =
+                rays.map(|[x, y]| scene.seen(&camera.ray(x, y), [0.0; 2], &mut sampler).radiance).sum();
             sum / (grid * grid) as f32
         })?;
         panels.push(Panel::raster(stem, label, alt, image.exposed(EXPOSURE)));
@@ -72,99 +76,71 @@ fn jittered(pixel: [u32; 2], grid: u32, seed: u32) -> impl Iterator<Item = [f32;
     })
 }
 
-/// The walls stand at the far sides of the object's square.
-struct Corner {
-    object: Fractal,
-    gloss: Schlick,
+/// Side of the object's square, at whose far sides the walls stand.
+const SIDE: f32 = 2.0;
+const CEILING: f32 = 4.0;
+const LAMP: Vec3 = Vec3::new(-1.1, 0.1, 3.0);
+
+fn corner() -> Result<Scene<'static, 'static>, Failure> {
+    let gloss = Schlick::new(GLOSS)?;
+    // Schlick's reflectance is also that of a metal of this colour.
+    let mirror = Coat::metal(Vec3::splat(GLOSS));
+    let object = move |point: &SurfacePoint, wo: Vec3| {
+        let own = (1.0 - gloss.reflectance(wo.z)) * hex(0x2a_7d8c);
+        chalk(wo, Vec3::Z, own, own * around(point)).with_coat(mirror)
+    };
+    let flat = |corner: Vec3, sides| Shape::Mesh(TracedMesh::new(Mesh::parallelogram(corner, sides)));
+    let floor = flat(Vec3::new(-30.0, -30.0, 0.0), [Vec3::X * (30.0 + SIDE), Vec3::Y * (30.0 + SIDE)]);
+    let [long, high] = [-Vec3::splat(30.0 + SIDE), Vec3::Z * CEILING];
+    let right = flat(Vec3::new(SIDE, SIDE, 0.0), [Vec3::Y * long, high]);
+    let left = flat(Vec3::new(SIDE, SIDE, 0.0), [Vec3::X * long, high]);
+    // Bricks of 42 by 16 cm, with 2 cm of mortar.
+    let wall = Brick::new(0.394, 0.138, 0.022)?;
+    let matte = |point: &SurfacePoint, wo, colour: Vec3| chalk(wo, Vec3::Z, colour, colour * around(point));
+    let objects = vec![
+        Object::shaded(Shape::Fractal(Fractal::square(paper::f()?, RISE)?), object),
+        Object::shaded(floor, move |point, wo| matte(point, wo, tiles(point.position.truncate()))),
+        Object::shaded(right, move |point, wo| {
+            let Vec3 { y, z, .. } = point.position;
+            matte(point, wo, bricks(&wall, Vec2::new(y, z)))
+        }),
+        Object::shaded(left, move |point, wo| {
+            let Vec3 { x, z, .. } = point.position;
+            matte(point, wo, bricks(&wall, Vec2::new(-x, z)))
+        }),
+    ];
+    let lamps = vec![Lamps::Near { place: LAMP, colour: Vec3::new(6.0, 5.7, 5.2) }];
+    Ok(Scene::new(objects, Light::Lamps { lamps, room: &skylight }, Backdrop::Light))
 }
 
-/// Reflections of reflections end here.
-const BOUNCES: u32 = 3;
-
-const LAMP: DVec3 = DVec3::new(-1.1, 0.1, 3.0);
-
-impl Corner {
-    fn radiance(&self, origin: DVec3, direction: DVec3, depth: u32) -> Vec3 {
-        let room = self.room(origin, direction);
-        let object = self.object.first_meeting(origin, direction);
-        match (object, room) {
-            (Some(meeting), room) if room.is_none_or(|(wall, _)| meeting.t <= wall.t) => {
-                let (wi, normal) = (-direction.as_vec3(), meeting.normal.as_vec3());
-                let own = self.lit(&meeting) * hex(0x2a_7d8c);
-                if depth == BOUNCES {
-                    return own;
-                }
-                let share = self.gloss.reflectance(wi.dot(normal));
-                let mirrored = self.radiance(meeting.position, reflect(wi, normal).as_dvec3(), depth + 1);
-                mix(own, mirrored, share)
-            }
-            (_, Some((wall, colour))) => self.lit(&wall) * colour,
-            (_, None) => skylight(origin, direction),
-        }
-    }
-
-    /// The nearest of the floor and the two walls, with its colour.
-    fn room(&self, origin: DVec3, direction: DVec3) -> Option<(Meeting, Vec3)> {
-        let side = self.object.side();
-        let planes = [(DVec3::NEG_X, -side), (DVec3::NEG_Y, -side), (DVec3::Z, 0.0)];
-        let (t, normal) = planes
-            .into_iter()
-            .map(|(normal, offset)| ((offset - origin.dot(normal)) / direction.dot(normal), normal))
-            .filter(|(t, normal)| direction.dot(*normal) < 0.0 && *t > 1e-6)
-            .min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let position = origin + direction * t;
-        let colour = match normal {
-            DVec3::Z => tiles(DVec2::new(position.x, position.y)),
-            DVec3::NEG_X => bricks(DVec2::new(position.y, position.z)),
-            _ => bricks(DVec2::new(-position.x, position.z)),
-        };
-        (position.z < CEILING).then_some((Meeting { t, position, normal }, colour))
-    }
-
-    /// Light that a white matte surface would send back.
-    fn lit(&self, meeting: &Meeting) -> Vec3 {
-        let Meeting { position, normal, .. } = *meeting;
-        let towards = LAMP - position;
-        let cos_theta = towards.normalize().dot(normal).max(0.0) as f32;
-        let start = position + normal * 1e-4;
-        let lamp = if cos_theta > 0.0 && !self.object.hides(start, LAMP - start) {
-            Vec3::new(6.0, 5.7, 5.2) * (cos_theta / towards.length_squared() as f32)
-        } else {
-            Vec3::ZERO
-        };
-        // The open side of the room is bright; deep in the corner less of it is seen.
-        let open = normal.dot(DVec3::new(-0.5, -0.5, 0.707)) as f32;
-        let side = self.object.side();
-        let depth = (position.x - side).hypot(position.y - side).min(2.0) as f32;
-        lamp + Vec3::new(0.36, 0.38, 0.41) * ((0.6 + 0.4 * open) * (0.55 + 0.225 * depth))
-    }
+/// Light from the open side of the room, which is bright; deep in the corner less of it is seen.
+fn around(point: &SurfacePoint) -> Vec3 {
+    let open = point.normal.dot(Vec3::new(-0.5, -0.5, 0.707));
+    let depth = (point.position.truncate() - SIDE).length().min(2.0);
+    Vec3::new(0.36, 0.38, 0.41) * ((0.6 + 0.4 * open) * (0.55 + 0.225 * depth))
 }
-
-const CEILING: f64 = 4.0;
 
 /// Running bond with bricks of slightly different tones.
-fn bricks(p: DVec2) -> Vec3 {
-    let ([i, j], mortar) = brick(p / 0.16, 2.6, 0.14);
-    let tone = (hash(i as u32 ^ hash(j as u32)) >> 24) as f32 / 255.0;
-    mix(mix(hex(0xa5_7f6b), hex(0xcf_b29c), tone), hex(0xee_e9e0), mortar)
+fn bricks(wall: &Brick, p: Vec2) -> Vec3 {
+    let sample = wall.filtered(p, Footprint::from_width(0.003).into());
+    let tone = (hash(sample.cell[0] as u32 ^ hash(sample.cell[1] as u32)) >> 24) as f32 / 255.0;
+    hex(0xee_e9e0).lerp(hex(0xa5_7f6b).lerp(hex(0xcf_b29c), tone), sample.brick)
 }
 
 /// What a ray sees that leaves the corner: a window of panes overhead, a pale wall elsewhere.
-fn skylight(origin: DVec3, direction: DVec3) -> Vec3 {
-    let wall = hex(0xc9_c4ba) * 0.8;
-    let p = origin + direction * ((CEILING - origin.z) / direction.z);
-    if direction.z <= 0.0 || p.x.abs().max(p.y.abs()) > 6.0 {
-        return wall;
+fn skylight(ray: &Ray) -> Vec3 {
+    let p = ray.origin + ray.direction * ((CEILING - ray.origin.z) / ray.direction.z);
+    if ray.direction.z <= 0.0 || p.x.abs().max(p.y.abs()) > 6.0 {
+        return hex(0xc9_c4ba) * 0.8;
     }
-    let bars = line(p.x / 0.75, 0.12, 0.02).max(line(p.y / 0.75, 0.12, 0.02));
-    mix(hex(0xf6_faff) * 1.25, hex(0x55_636e), bars)
+    (hex(0xf6_faff) * 1.25).lerp(hex(0x55_636e), grid(p.truncate() / 0.75, 0.12, 0.02))
 }
 
 /// Dark and light tiles with a joint between them.
-fn tiles(p: DVec2) -> Vec3 {
+fn tiles(p: Vec2) -> Vec3 {
     let p = p / 0.4;
-    let tile = mix(hex(0xe9_e2d4), hex(0x6d_7684), checker(p));
-    mix(tile, hex(0xb8_b2a6), line(p.x, 0.03, 0.005).max(line(p.y, 0.03, 0.005)))
+    let tile = hex(0xe9_e2d4).lerp(hex(0x6d_7684), checker(p));
+    tile.lerp(hex(0xb8_b2a6), grid(p, 0.03, 0.005))
 }
 
 #[cfg(test)]

@@ -1,19 +1,26 @@
 //! Fractal objects under the illumination models of Cochran, Lewis and Hart: matte, Phong, Torrance–Sparrow, transparent.
 
-use std::f32::consts::{PI, TAU};
+use std::{f32::consts::PI, sync::Arc};
 
-use asperity_fif::{FixedFif, SystemError, glam::DVec3};
-use asperity_ndf_sampling::{Microfacet, Ndf};
+use asperity_fif::{FixedFif, SystemError};
 use asperity_render::{
-    geometry::{
-        camera::Camera,
-        fractal::{Fractal, Meeting},
-    },
+    geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape},
     image::tone::hex,
-    light::lamps::{Light, direction, studio},
-    materials::pattern::{checker, line, mix},
+    light::lamps::{Lamps, direction, studio},
+    materials::{
+        chalk,
+        pattern::{checker, grid},
+        shaded,
+    },
+    scene::{Backdrop, Light, Object, Scene, Surface},
 };
-use asperity_shading::{Beckmann, Conductor, Dielectric, Frame, half_vector, reflect};
+use asperity_shading::{
+    Beckmann, Brdf, Conductor, Dielectric, Fresnel, Phong, SurfacePoint, TorranceSparrow,
+    bump::Facet,
+    material::Material,
+    reflect,
+    reflectance::{Bsdf, Coat, Lobe},
+};
 use glam::Vec3;
 
 use crate::{
@@ -32,39 +39,21 @@ const TARGET: Vec3 = Vec3::new(1.0, 1.0, 0.2);
 const FIELD: f32 = 0.46;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let models = [
-        ("matte", Model::Matte(hex(0xe6_dac6))),
-        ("phong", Model::Phong { diffuse: hex(0x9c_2b22), gloss: 0.16, exponent: PHONG }),
-        (
-            "torrance-sparrow",
-            Model::TorranceSparrow { facets: Beckmann::new(ROUGHNESS, ROUGHNESS)?, metal: copper()? },
-        ),
-        ("glass", Model::Glass(Dielectric::new(GLASS)?)),
-    ];
-    let labels = ["Matte", "Phong", "Torrance\u{2013}Sparrow, copper", "Glass"];
     let sampling = context.square();
     let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
     let mut panels = Vec::new();
     for factor in FACTORS {
-        let mut scene = Scene {
-            object: Fractal::new(slope(factor)?, RISE)?,
-            model: Model::Matte(Vec3::ONE),
-            lamps: studio(Vec3::ONE),
-        };
-        for ((stem, model), label) in models.iter().zip(labels) {
-            scene.model = *model;
-            let image = context.render(sampling, |x, y| {
-                scene.radiance(camera.eye().as_dvec3(), camera.direction(x, y).as_dvec3(), 0)
-            })?;
+        let shape = Arc::new(Shape::Fractal(Fractal::square(slope(factor)?, RISE)?));
+        for (stem, label, object) in models(&shape)? {
+            let floor = Object::shaded(Shape::Plane, |point, wo| matte(point, wo, tiles(point)));
+            let objects = vec![object, floor];
+            let light = Light::Lamps { lamps: lamps(), room: &room };
+            let image = context.draw(&Scene::new(objects, light, Backdrop::Light), sampling, &camera)?;
             let alt =
                 format!("A square cushion with a fractal surface on a tiled floor: {}", label.to_lowercase());
             let label = format!("{label}; factors {factor}");
-            panels.push(Panel::raster(
-                &format!("{stem}-{}", (100.0 * factor).round()),
-                &label,
-                &alt,
-                image.exposed(1.0),
-            ));
+            let stem = format!("{stem}-{}", (100.0 * factor).round());
+            panels.push(Panel::raster(&stem, &label, &alt, image.exposed(1.0)));
         }
     }
     Ok(Drawn::new(4, panels)
@@ -91,188 +80,80 @@ fn copper() -> Result<[Conductor; 3], Failure> {
     Ok([Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?])
 }
 
-/// How the object answers to light.
-#[derive(Clone, Copy)]
-enum Model {
-    Matte(Vec3),
-    Phong { diffuse: Vec3, gloss: f32, exponent: f32 },
-    TorranceSparrow { facets: Beckmann, metal: [Conductor; 3] },
-    Glass(Dielectric),
+/// Name, label, and the object of this shape.
+type Model = (&'static str, &'static str, Object<'static>);
+
+fn models(shape: &Arc<Shape>) -> Result<[Model; 4], Failure> {
+    let object = |surface: Box<Surface<'static>>| Object::new(Arc::clone(shape), surface);
+    let matte = |colour| shaded(move |point, wo| matte(point, wo, colour));
+    let lacquer =
+        Glossy { lobe: Phong::new(Vec3::splat(0.16), PHONG)?, base: hex(0x9c_2b22), room: Vec3::splat(0.08) };
+    let copper = copper()?;
+    let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
+    let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
+    let glass =
+        object(Box::new(Coat::body(Dielectric::new(GLASS)?))).refracting(Vec3::new(0.7, 0.9, 0.84), 0.65);
+    Ok([
+        ("matte", "Matte", object(Box::new(matte(hex(0xe6_dac6))))),
+        ("phong", "Phong", object(Box::new(lacquer))),
+        ("torrance-sparrow", "Torrance\u{2013}Sparrow, copper", object(Box::new(copper))),
+        ("glass", "Glass", glass),
+    ])
 }
 
-struct Scene {
-    object: Fractal<4>,
-    model: Model,
-    /// The key light first, in several directions, then those that cast no shadow.
-    lamps: Vec<Light>,
+/// A lobe over a matte base, in a room as bright as this.
+struct Glossy<B> {
+    lobe: B,
+    base: Vec3,
+    room: Vec3,
 }
 
-/// Lights of the key, whose middle casts the shadow.
-const KEY: usize = 16;
-
-/// Meetings along one path.
-const BOUNCES: u32 = 6;
-
-impl Scene {
-    fn radiance(&self, origin: DVec3, direction: DVec3, depth: u32) -> Vec3 {
-        let floor = (direction.z < 0.0).then(|| -origin.z / direction.z).filter(|t| *t > 1e-9);
-        let meeting = self.object.first_meeting(origin, direction);
-        match (meeting, floor) {
-            (Some(meeting), floor) if floor.is_none_or(|t| meeting.t < t) => {
-                self.surface(&meeting, direction, depth)
-            }
-            (_, Some(t)) => self.floor(origin + direction * t),
-            (_, None) => sky(direction.as_vec3()),
-        }
-    }
-
-    fn surface(&self, meeting: &Meeting, towards: DVec3, depth: u32) -> Vec3 {
-        let (wi, normal) = (-towards.as_vec3(), meeting.normal.as_vec3());
-        match self.model {
-            Model::Glass(glass) => self.through(meeting, glass, towards, depth),
-            Model::Matte(colour) => {
-                self.gather(meeting, |light| colour * lambert(light, normal), colour * ambient(normal))
-            }
-            Model::Phong { diffuse, gloss, exponent } => {
-                let mirror = reflect(wi, normal);
-                // Normalised like a lobe of the cosine's power about the mirrored direction.
-                let scale = gloss * (exponent + 2.0) / TAU;
-                let lobe = |light: Vec3| {
-                    let shine =
-                        scale * light.dot(mirror).max(0.0).powf(exponent) * light.dot(normal).max(0.0);
-                    diffuse * lambert(light, normal) + Vec3::splat(shine)
-                };
-                self.gather(meeting, lobe, diffuse * ambient(normal) + 0.08 * sky(mirror))
-            }
-            Model::TorranceSparrow { facets, metal } => {
-                let frame = Frame::from_normal(normal);
-                let fresnel =
-                    |cos_theta: f32| Vec3::from_array(metal.map(|channel| channel.reflectance(cos_theta)));
-                let eye = frame.to_local(wi);
-                // D G F / (4 cos θ_l cos θ_e), times cos θ_l.
-                let lobe = |light: Vec3| {
-                    let (towards, h) = (frame.to_local(light), frame.to_local(half_vector(light, wi)));
-                    if towards.z <= 0.0 || eye.z <= 0.0 {
-                        return Vec3::ZERO;
-                    }
-                    fresnel(h.dot(eye)) * (facets.density(h) * facets.g2(towards, eye) / (4.0 * eye.z))
-                };
-                let room = fresnel(wi.dot(normal)) * 0.3 * sky(reflect(wi, normal));
-                self.gather(meeting, lobe, room)
-            }
-        }
-    }
-
-    /// Light of all lamps times `response`, the key's in the shadow of the object left out, and the rest.
-    fn gather(&self, meeting: &Meeting, response: impl Fn(Vec3) -> Vec3, ambient: Vec3) -> Vec3 {
-        let start = meeting.position + meeting.normal * 1e-5;
-        let shadowed = self.object.hides(start, key() * 10.0);
-        let first = if shadowed { KEY } else { 0 };
-        self.lamps
-            .iter()
-            .skip(first)
-            .fold(ambient, |sum, light| sum + light.colour * POWER * response(light.direction))
-    }
-
-    /// Reflected and refracted light of a smooth dielectric that stands on the floor without a gap.
-    fn through(&self, meeting: &Meeting, glass: Dielectric, towards: DVec3, depth: u32) -> Vec3 {
-        if depth == BOUNCES {
-            return sky(towards.as_vec3());
-        }
-        let (wi, normal) = (-towards.as_vec3(), meeting.normal.as_vec3());
-        // The normal looks back along the ray: from below the ray is inside.
-        let inside = meeting.normal.z < 0.0;
-        let glass = if inside { glass.reversed() } else { glass };
-        let share = glass.reflectance(wi.dot(normal));
-        let mirrored = self.radiance(meeting.position, reflect(wi, normal).as_dvec3(), depth + 1);
-        let highlight = if inside { Vec3::ZERO } else { self.glint(reflect(wi, normal)) * share };
-        let bent = refract(towards, meeting.normal, f64::from(glass.relative_index()));
-        let passed = bent.map_or(Vec3::ZERO, |direction| {
-            let tint = if inside { Vec3::ONE } else { Vec3::new(0.9, 0.97, 0.95) };
-            tint * self.radiance(meeting.position, direction, depth + 1)
-        });
-        mix(passed, mirrored, share) + highlight
-    }
-
-    /// The key light as a mirror shows it.
-    fn glint(&self, mirror: Vec3) -> Vec3 {
-        let near = ((mirror.dot(key().as_vec3()) - 0.98) / 0.012).clamp(0.0, 1.0);
-        Vec3::splat(6.0 * near)
-    }
-
-    /// Tiles, in the shadow of the object or under it.
-    fn floor(&self, p: DVec3) -> Vec3 {
-        let tile = mix(hex(0xe6_e1d6), hex(0x76_8592), checker((p / TILE).truncate()));
-        let joint = line(p.x / TILE, 0.05, 0.01).max(line(p.y / TILE, 0.05, 0.01));
-        let tile = mix(tile, hex(0xa9_a49a), joint);
-        let start = DVec3::new(p.x, p.y, 1e-5);
-        let dark = self.object.hides(start, key() * 10.0);
-        let glass = matches!(self.model, Model::Glass(_));
-        let light = match (dark, glass) {
-            (false, _) => 1.0,
-            (true, true) => 0.78,
-            (true, false) => 0.36,
-        };
-        let away = (p.truncate() - TARGET.as_dvec3().truncate()).length() as f32;
-        tile * (0.92 * light / (1.0 + away * away / 30.0))
+impl<B: Brdf> Material for Glossy<B> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let mirror = point.frame().to_world(reflect(wo, Vec3::Z));
+        matte(point, wo, self.base)
+            .with([Facet::FLAT], [Lobe::from(&self.lobe as &dyn Brdf)])
+            .with_emitted(self.room * sky(mirror))
     }
 }
 
-/// Side of a tile.
-const TILE: f64 = 0.4;
+/// The middle of the key light casts its shadow; the others cast none.
+fn lamps() -> Vec<Lamps> {
+    const KEY: usize = 16;
+    let mut key = studio(Vec3::splat(POWER / PI));
+    let others = key.split_off(KEY);
+    vec![Lamps::Far { lights: key, shadow: Some(direction(-132.0, 46.0)) }, Lamps::open(others)]
+}
 
 /// Of all lamps together.
 const POWER: f32 = 2.2;
 
-/// The middle of the key light.
-fn key() -> DVec3 {
-    direction(-132.0, 46.0).as_dvec3()
+fn matte(point: &SurfacePoint, wo: Vec3, colour: Vec3) -> Bsdf<'static> {
+    let around = Vec3::new(0.11, 0.12, 0.14) * (0.6 + 0.4 * point.normal.z);
+    chalk(wo, Vec3::Z, colour, colour * around)
 }
 
-/// A matte white surface, times the cosine.
-fn lambert(light: Vec3, normal: Vec3) -> Vec3 {
-    Vec3::splat(light.dot(normal).max(0.0) / PI)
+/// The colour of the floor, paler far away.
+fn tiles(point: &SurfacePoint) -> Vec3 {
+    let p = point.position.truncate() / 0.4;
+    let tile = hex(0xe6_e1d6).lerp(hex(0x76_8592), checker(p)).lerp(hex(0xa9_a49a), grid(p, 0.05, 0.01));
+    tile / (1.0 + (point.position - TARGET).truncate().length_squared() / 30.0)
 }
 
-/// Light from all around that a matte surface sends back.
-fn ambient(normal: Vec3) -> Vec3 {
-    Vec3::new(0.11, 0.12, 0.14) * (0.6 + 0.4 * normal.z)
+/// A pale room with a bright ceiling, and the key light as a mirror shows it.
+fn room(ray: &Ray) -> Vec3 {
+    let key = ((ray.direction.dot(direction(-132.0, 46.0)) - 0.98) / 0.012).clamp(0.0, 1.0);
+    sky(ray.direction) + 6.0 * key
 }
 
-/// A pale room with a bright ceiling.
 fn sky(direction: Vec3) -> Vec3 {
     let t = direction.z.clamp(0.0, 1.0);
     hex(0x8e_949c).lerp(hex(0xee_f1f4), t * (2.0 - t))
 }
 
-/// The direction behind an interface of relative index `eta`, by Snell's law; `normal` looks back along the ray.
-///
-/// `None` beyond the critical angle.
-fn refract(direction: DVec3, normal: DVec3, eta: f64) -> Option<DVec3> {
-    let cos_i = -direction.dot(normal);
-    let along = direction + normal * cos_i;
-    let sin2_t = along.length_squared() / (eta * eta);
-    (sin2_t < 1.0).then(|| along / eta - normal * (1.0 - sin2_t).sqrt())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn refraction_keeps_snell_s_law_and_reverses() {
-        let normal = DVec3::new(0.1, -0.2, 0.9).normalize();
-        for x in [-0.9, -0.3, 0.0, 0.5] {
-            let direction = DVec3::new(x, 0.2, -0.7).normalize();
-            let bent = refract(direction, normal, 1.5).unwrap();
-            assert!((bent.length() - 1.0).abs() < 1e-12);
-            let sines = [direction, bent].map(|d| d.cross(normal).length());
-            assert!((sines[0] - 1.5 * sines[1]).abs() < 1e-12);
-            let back = refract(-bent, -normal, 1.0 / 1.5).unwrap();
-            assert!(back.distance(-direction) < 1e-12);
-        }
-        assert!(refract(DVec3::new(0.9, 0.0, -0.435).normalize(), DVec3::Z, 1.0 / 1.5).is_none());
-    }
 
     #[test]
     fn the_object_touches_the_floor_without_an_edge() {

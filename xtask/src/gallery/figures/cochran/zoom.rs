@@ -1,14 +1,19 @@
 //! A fractal surface at seven zooms, each ten times the last.
 
 use asperity_fif::{
-    Cached, FastBuf, FixedFif, HeightField, Piece, Ray,
+    Cached, FastBuf, FixedFif, HeightField, Piece,
     glam::{DVec2, DVec3},
     paper,
 };
 use asperity_render::{
-    geometry::camera::Camera, image::tone::hex, integrator::pixels::Sampling, light::lamps::direction,
-    materials::pattern::mix,
+    geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape},
+    image::tone::hex,
+    integrator::pixels::Sampling,
+    light::lamps::{Lamps, direction},
+    materials::chalk,
+    scene::{Backdrop, Light, Object, Scene},
 };
+use asperity_shading::SurfacePoint;
 use glam::Vec3;
 
 use crate::{
@@ -27,7 +32,7 @@ const RISE: f64 = 0.4;
 const POINT: DVec2 = DVec2::new(38.0 / 63.0, 10.0 / 9.0);
 
 /// From the point to the camera at zoom 1, in the surface's units.
-const AWAY: DVec3 = DVec3::new(-1.9, -2.7, 3.5);
+const AWAY: Vec3 = Vec3::new(-1.9, -2.7, 3.5);
 
 const FIELD: f32 = 0.7;
 
@@ -40,8 +45,29 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = Sampling { width: side, height: side, samples_per_pixel, ..sampling };
     let mut panels = Vec::new();
     for power in 0..=POWERS {
-        let view = View::new(&surface, 10.0_f64.powi(-power), sampling);
-        let image = context.render(sampling, |x, y| view.radiance(x, y))?;
+        let scale = 10.0_f64.powi(-power);
+        let target = POINT.extend(surface.height(POINT));
+        // Rays meet it about the point, in lengths of the zoom: directions and colours stay what they are.
+        let shape = Fractal::new(HeightField::new(surface.axis.clone(), surface.axis.clone()), RISE, 0.0);
+        let shape = Shape::Fractal(shape.within(0.0).magnified(target, scale));
+        let camera = Camera::new(AWAY, Vec3::ZERO, FIELD, sampling.width, sampling.height);
+        let pixel = 2.0 * (0.5 * FIELD).tan() / sampling.height as f32;
+        let rock = |point: &SurfacePoint, wo: Vec3| {
+            let p = point.position;
+            let reach = 0.75 * pixel * p.distance(AWAY);
+            let at = target.truncate() + scale * p.truncate().as_dvec2();
+            let normal = surface.normal(at, scale * f64::from(reach)).as_vec3();
+            // Steep faces are bare.
+            let steep = ((0.83 - normal.z) / 0.2).clamp(0.0, 1.0);
+            let rock = hex(0xc6_b69c).lerp(hex(0x93_7a66), steep);
+            chalk(wo, point.frame().to_local(normal), rock, rock * hex(0x9f_b6d6) * (0.3 + 0.24 * normal.z))
+        };
+        let room = |ray: &Ray| ground(target + scale * ray.origin.as_dvec3(), ray.direction.as_dvec3());
+        let lamps = vec![Lamps::one(direction(-168.0, 36.0), hex(0xff_ecd0) * 2.3)];
+        let light = Light::Lamps { lamps, room: &room };
+        let mut scene = Scene::new(vec![Object::shaded(shape, rock)], light, Backdrop::Light);
+        scene.start = 1.125 * pixel;
+        let image = context.draw(&scene, sampling, &camera)?;
         let zoom = ["1", "10", "100", "1000", "10\u{2074}", "10\u{2075}", "10\u{2076}"];
         let zoom = zoom.get(power as usize).copied().unwrap_or_default();
         let label = format!("\u{d7}{zoom}");
@@ -69,13 +95,6 @@ impl Surface {
         RISE * self.values.value(p.x) * self.values.value(p.y)
     }
 
-    /// The ray's parameter at the first meeting beyond `start`.
-    fn meeting(&self, origin: DVec3, direction: DVec3, start: f64) -> Option<f64> {
-        let flat = |v: DVec3| DVec3::new(v.x, v.y, v.z / RISE);
-        let ray = Ray { origin: flat(origin), direction: flat(direction) };
-        Some(HeightField::new(&self.axis, &self.axis).first_hit_between(&ray, start, f64::INFINITY)?.t)
-    }
-
     /// The upward unit normal of the mean slope over a square of side `2 reach`.
     fn normal(&self, p: DVec2, reach: f64) -> DVec3 {
         let across = |step: DVec2| (self.height(p + step) - self.height(p - step)) / (2.0 * reach);
@@ -84,51 +103,11 @@ impl Surface {
     }
 }
 
-/// A camera near the point.
-struct View<'a> {
-    surface: &'a Surface,
-    camera: Camera,
-    /// Side of the picture over that at zoom 1.
-    scale: f64,
-    target: DVec3,
-    /// Side of a pixel at distance 1.
-    pixel: f64,
-}
-
-impl<'a> View<'a> {
-    fn new(surface: &'a Surface, scale: f64, sampling: Sampling) -> Self {
-        // Directions do not change with the zoom; the place of the eye needs `f64`.
-        let camera = Camera::new(AWAY.as_vec3(), Vec3::ZERO, FIELD, sampling.width, sampling.height);
-        let target = POINT.extend(surface.height(POINT));
-        let pixel = f64::from(2.0 * (0.5 * FIELD).tan() / sampling.height as f32);
-        Self { surface, camera, scale, target, pixel }
-    }
-
-    fn radiance(&self, x: f32, y: f32) -> Vec3 {
-        let eye = self.target + AWAY * self.scale;
-        let towards = self.camera.direction(x, y).as_dvec3();
-        let Some(t) = self.surface.meeting(eye, towards, 0.0) else { return ground(eye, towards) };
-        let p = eye + towards * t;
-        let reach = 0.75 * self.pixel * t;
-        let normal = self.surface.normal(p.truncate(), reach);
-        let sun = direction(-168.0, 36.0).as_dvec3();
-        let cos_theta = normal.dot(sun).max(0.0) as f32;
-        let start = p + DVec3::Z * (1.5 * reach);
-        let lit = cos_theta > 0.0 && self.surface.meeting(start, sun, 0.0).is_none();
-        let sun = if lit { hex(0xff_ecd0) * (2.3 * cos_theta) } else { Vec3::ZERO };
-        let sky = hex(0x9f_b6d6) * (0.3 + 0.24 * normal.z as f32);
-        // Steep faces are bare.
-        let steep = ((0.83 - normal.z as f32) / 0.2).clamp(0.0, 1.0);
-        let rock = mix(hex(0xc6_b69c), hex(0x93_7a66), steep);
-        rock * (sun + sky)
-    }
-}
-
 /// The table that the surface stands on, and the room behind it.
 fn ground(eye: DVec3, towards: DVec3) -> Vec3 {
     let p = eye.truncate() - towards.truncate() * (eye.z / towards.z.min(-1e-9));
     let away = ((p - 1.0).length() / 5.0).min(1.0) as f32;
-    mix(hex(0xcf_ccc6), hex(0x8d_949c), away)
+    hex(0xcf_ccc6).lerp(hex(0x8d_949c), away)
 }
 
 #[cfg(test)]

@@ -1,8 +1,22 @@
 //! Bevels along the edges of a plate.
 
-use asperity_render::{image::tone::hex, integrator::direct::sky, light::lamps::studio};
+use std::f32::consts::PI;
+
+use asperity_render::{
+    geometry::{camera::Camera, shape::Shape},
+    image::tone::hex,
+    light::lamps::{Lamps, studio},
+    materials::sky,
+    scene::{Backdrop, Light, Object, Scene},
+};
 use asperity_shading::{
-    Bevel, Brdf, CookTorrance, Edge, Frame, Ggx, SchlickF82, bumped_normal, surface_gradient,
+    Bevel, Brdf, CookTorrance, Edge, Ggx, SchlickF82, SurfacePoint,
+    bump::Facet,
+    bumped_normal,
+    material::Material,
+    reflect,
+    reflectance::{Bsdf, Lobe},
+    surface_gradient,
 };
 use glam::{Vec2, Vec3};
 
@@ -18,13 +32,14 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.square();
     let corners: Vec<Vec2> = (0..10)
         .map(|k| {
-            let angle = std::f32::consts::PI * (0.5 + 0.2 * k as f32);
+            let angle = PI * (0.5 + 0.2 * k as f32);
             Vec2::from_angle(angle) * if k % 2 == 0 { 0.95 } else { 0.5 }
         })
         .collect();
-    let steel = CookTorrance::new(Ggx::isotropic(0.3)?, SchlickF82::new(0.62, 0.9)?);
-    let lights = studio(Vec3::splat(2.4));
-    let side = sampling.width as f32;
+    let lamps = studio(Vec3::splat(2.4 / PI));
+    let eye = Vec3::new(0.0, 0.06, 6.0);
+    let field = 2.0 * (1.0_f32 / 6.0).atan();
+    let camera = Camera::new(eye, eye.with_z(0.0), field, sampling.width, sampling.height);
     let mut panels = Vec::new();
     for (stem, label, top, bottom) in [
         ("rolling", "top 0, bottom 1", 0.0, 1.0),
@@ -33,23 +48,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ("groove", "top and bottom \u{2212}1/2", -0.5, -0.5),
     ] {
         let bevel = Bevel::new(WIDTHS[0], WIDTHS[1], top, bottom)?;
-        let image = context.render(sampling, |x, y| {
-            let p = Vec2::new(2.0 * x / side - 1.0, 1.06 - 2.0 * y / side);
-            if !inside(&corners, p) {
-                return hex(0x2a_2d33);
-            }
-            let Some(edge) = Edge::nearest(&corners, p) else { return Vec3::ZERO };
-            let [_, slope] = bevel.profile(edge.distance);
-            let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], slope * edge.away);
-            let normal = bumped_normal(Vec3::Z, gradient);
-            let frame = Frame::from_normal_tangent(normal, Vec3::X);
-            let wo = frame.to_local(Vec3::new(-0.5 * p.x, -0.5 * p.y, 3.0).normalize());
-            let start = 0.55 * hex(0xc9_ced6) * sky(asperity_shading::reflect(frame.to_world(wo), normal));
-            lights.iter().fold(start, |sum, light| {
-                let wi = frame.to_local(light.direction);
-                sum + light.colour * steel.value(wi, wo) * wi.z.max(0.0)
-            })
-        })?;
+        let steel = CookTorrance::new(Ggx::isotropic(0.3)?, SchlickF82::new(0.62, 0.9)?);
+        let plate = Plate { corners: corners.clone(), bevel, steel };
+        let light = Light::lamps(vec![Lamps::open(lamps.clone())]);
+        let scene = Scene::new(vec![Object::new(Shape::Plane, plate)], light, Backdrop::Studio);
+        let image = context.draw(&scene, sampling, &camera)?;
         panels.push(Panel::raster(
             stem,
             label,
@@ -58,6 +61,26 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ));
     }
     Ok(Drawn::new(4, panels).fact("plateau", WIDTHS[0].to_string()).fact("ridge", WIDTHS[1].to_string()))
+}
+
+/// A plate of steel on a dark ground.
+struct Plate {
+    corners: Vec<Vec2>,
+    bevel: Bevel,
+    steel: CookTorrance<Ggx, SchlickF82>,
+}
+
+impl Material for Plate {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let bsdf = Bsdf::new(wo);
+        let edge = Edge::nearest(&self.corners, point.uv).filter(|_| inside(&self.corners, point.uv));
+        let Some(edge) = edge else { return bsdf.with_emitted(hex(0x2a_2d33)) };
+        let [_, slope] = self.bevel.profile(edge.distance);
+        let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], slope * edge.away);
+        let normal = bumped_normal(Vec3::Z, gradient);
+        bsdf.with([Facet::new(1.0, normal)], [Lobe::from(&self.steel as &dyn Brdf)])
+            .with_emitted(0.55 * hex(0xc9_ced6) * sky(reflect(wo, normal)))
+    }
 }
 
 /// By the parity of the edges to the right of the point.

@@ -1,7 +1,9 @@
 //! Bump-mapped brick, close by and to the horizon.
 
+use std::f32::consts::PI;
+
 use asperity_render::{
-    image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::pattern::mix,
+    image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::chalk,
     sampling::sampler::hash,
 };
 use asperity_shading::{Brick, PixelEllipse, bumped_normal, surface_gradient};
@@ -68,8 +70,9 @@ fn shade(wall: &Brick, uv: Vec2, widths: Vec2) -> Vec3 {
     wall.facets(uv, PixelEllipse::aligned(widths), |share, brick, slope| {
         let gradient = surface_gradient(Vec3::Z, [Vec3::X, Vec3::Y], DEPTH * slope);
         let normal = bumped_normal(Vec3::Z, gradient);
-        let lamp = 1.35 * normal.dot(sun).max(0.0);
-        light += share * mix(hex(0xb4_aea4), clay, brick) * (0.3 + lamp);
+        let colour = hex(0xb4_aea4).lerp(clay, brick);
+        let facet = chalk(Vec3::Z, normal, colour, 0.3 * colour);
+        light += share * (facet.emitted() + 1.35 * PI * facet.scattered(sun, Vec3::Z));
     });
     light
 }

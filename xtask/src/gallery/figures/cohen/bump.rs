@@ -1,17 +1,13 @@
 //! Bump mapping three ways, beside the surface that is really displaced.
 
 use asperity_render::{
-    geometry::{
-        camera::Camera,
-        mesh::TracedMesh,
-        relief::relief,
-        shape::{Hit, Shape},
-    },
-    integrator::direct::sky,
-    light::{background::background, lamps::direction},
+    geometry::{camera::Camera, mesh::TracedMesh, relief::relief, shape::Shape},
+    light::lamps::{Lamps, direction},
+    materials::{chalk, sky},
+    scene::{Backdrop, Light, Object, Scene},
 };
 use asperity_shading::{
-    bumped_normal, differences, displace,
+    SurfacePoint, bumped_normal, differences, displace,
     noise::{Normalisation, Octaves, Perlin2002, Sample, Spectrum},
     surface_gradient, tangential,
 };
@@ -29,8 +25,8 @@ const STEP: f32 = 2e-3;
 
 type Noise = Octaves<Perlin2002, 3>;
 
-/// The shading normal at a hit.
-type Normal<'a> = dyn Fn(&Hit) -> Vec3 + Sync + 'a;
+/// The shading normal at a point.
+type Normal<'a> = dyn Fn(&SurfacePoint) -> Vec3 + Sync + 'a;
 
 /// The height over the sphere, and its gradient in space.
 fn height(noise: &Noise, p: Vec3) -> (f32, Vec3) {
@@ -51,13 +47,14 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let p = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
         p * (1.0 + height(&noise, p).0)
     })));
-    let by_gradient =
-        |hit: &Hit| bumped_normal(hit.normal, tangential(hit.normal, height(&noise, hit.position).1));
-    let by_neighbours = |hit: &Hit| {
+    let by_gradient = |hit: &SurfacePoint| {
+        bumped_normal(hit.normal, tangential(hit.normal, height(&noise, hit.position).1))
+    };
+    let by_neighbours = |hit: &SurfacePoint| {
         let slope = differences(|uv| height(&noise, sphere(uv).0).0, hit.uv, STEP);
         bumped_normal(hit.normal, surface_gradient(hit.normal, hit.tangents, slope))
     };
-    let of_displaced = |hit: &Hit| {
+    let of_displaced = |hit: &SurfacePoint| {
         let n = hit.position.normalize_or(hit.normal);
         let uv = Vec2::new(n.y.atan2(n.x), n.z.clamp(-1.0, 1.0).asin());
         let (p, tangents) = sphere(uv);
@@ -66,29 +63,23 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         displace(p, n, tangents, tangents, height, slope).normal
     };
     let sampling = context.sampling([12, 12], 2);
-    let ways: [(&str, &str, &Shape, &Normal<'_>); 3] = [
-        ("gradient", "The noise's gradient along the surface", &Shape::Sphere, &by_gradient),
-        ("neighbours", "Heights of four neighbours", &Shape::Sphere, &by_neighbours),
-        ("displaced", "Displaced, with its own normal", &displaced, &of_displaced),
+    let ways: [(&str, &str, Shape, &Normal<'_>); 3] = [
+        ("gradient", "The noise's gradient along the surface", Shape::Sphere, &by_gradient),
+        ("neighbours", "Heights of four neighbours", Shape::Sphere, &by_neighbours),
+        ("displaced", "Displaced, with its own normal", displaced, &of_displaced),
     ];
     let mut panels = Vec::new();
     for (stem, label, shape, normal) in ways {
         let camera =
             Camera::new(Vec3::new(0.0, -4.9, 1.2), Vec3::ZERO, 0.47, sampling.width, sampling.height);
-        let lamp = direction(-132.0, 40.0);
-        let side = sampling.width as f32;
-        let image = context.render(sampling, |x, y| {
-            let towards = camera.direction(x, y);
-            let Some(hit) = shape.first_hit(camera.eye(), towards) else {
-                return background(x / side, y / side);
-            };
-            let hit = hit.facing(towards);
-            let m = normal(&hit);
-            let start = hit.position + 2e-3 * hit.normal;
-            let dark = shape.first_hit(start, lamp).is_some();
-            let lit = if dark { 0.0 } else { m.dot(lamp).max(0.0) };
-            Vec3::new(0.62, 0.58, 0.53) * (1.1 * lit + 0.28 * sky(m))
-        })?;
+        let clay = |point: &SurfacePoint, wo: Vec3| {
+            let (m, colour) = (normal(point), Vec3::new(0.62, 0.58, 0.53));
+            chalk(wo, point.frame().to_local(m), colour, 0.28 * colour * sky(m))
+        };
+        let lamps = vec![Lamps::one(direction(-132.0, 40.0), Vec3::splat(1.1))];
+        let objects = vec![Object::shaded(shape, clay)];
+        let image =
+            context.draw(&Scene::new(objects, Light::lamps(lamps), Backdrop::Studio), sampling, &camera)?;
         panels.push(Panel::raster(stem, label, "A sphere with hills and dales", image.exposed(1.0)));
     }
     Ok(Drawn::new(3, panels)

@@ -1,6 +1,6 @@
 //! Star wallpaper, and images that run.
 
-use asperity_render::{image::tone::hex, materials::pattern::mix};
+use asperity_render::image::tone::hex;
 use asperity_shading::{Footprint, Marble, PerturbedTexture, StarWallpaper};
 use glam::{Vec2, Vec3};
 
@@ -30,7 +30,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
                 "corrected" => wallpaper.coverage(uv, half),
                 _ => wallpaper.coverage(running.coordinates(Vec3::new(uv.x, uv.y, 0.37), uv), half),
             };
-            mix(ground, star, share)
+            ground.lerp(star, share)
         })?;
         panels.push(Panel::raster(stem, label, alt, image));
     }

@@ -8,16 +8,15 @@ use asperity_render::{
         shape::Shape,
     },
     image::tone::hex,
-    integrator::{
-        path_tracer::{Object, Stage},
-        pixels::render_paths,
-    },
+    integrator::pixels::render_paths,
     light::environments::Studio,
-    materials::{glazed, marble},
+    materials::glazed,
+    scene::{Backdrop, Light, Object, Scene},
     scenes::{Set, backdrop, ground},
 };
 use asperity_shading::{
     Gas, Marble, Steam, march,
+    material::PolishedMarble,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
 };
 use glam::Vec3;
@@ -49,19 +48,19 @@ const TEA: f32 = 0.84;
 pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
     let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
-    let stage = Stage {
-        objects: Set::Vase.objects(Box::new(marble(Marble::default(), 1.0, 2.6)?))?,
-        surroundings: &studio,
-        backdrop: Some(backdrop()),
-        splits: 1,
-    };
+    let objects = Set::Vase.objects(Box::new(PolishedMarble {
+        marble: Marble::default(),
+        brightness: 2.6,
+        polish: 0.12,
+    }))?;
+    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let mut panels = Vec::new();
     for (stem, label, eye, target) in [
         ("vase", "The vase", Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)),
         ("neck", "Its neck, from nearby", Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)),
     ] {
         let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
-        let image = stage.draw(sampling, &camera, context.progress, context.interrupted)?;
+        let image = context.draw(&scene, sampling, &camera)?;
         panels.push(Panel::raster(stem, label, "A tall vase with blue veins on a table", image.filmic(1.45)));
     }
     Ok(Drawn::new(2, panels).fact("cells of the first octave per unit", "2.5"))
@@ -78,22 +77,16 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
     );
     let studio = Studio::new(1.0);
     let mesh = |mesh| Shape::Mesh(TracedMesh::new(mesh));
-    let china = || glazed(0.1, |_| hex(0xf0_ede6));
-    let stage = Stage {
-        objects: vec![
-            Object::new(mesh(revolved(&CUP_PROFILE)), china()?),
-            Object::new(mesh(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065)), china()?),
-            Object::new(mesh(revolved(&SAUCER_PROFILE)), china()?),
-            Object::new(
-                mesh(revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]])),
-                glazed(0.05, |_| hex(0x7a_2f10))?,
-            ),
-            ground(0.0)?,
-        ],
-        surroundings: &studio,
-        backdrop: Some(backdrop()),
-        splits: 1,
-    };
+    let china = || glazed(0.1, hex(0xf0_ede6));
+    let tea = revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]]);
+    let objects = vec![
+        Object::new(mesh(revolved(&CUP_PROFILE)), china()),
+        Object::new(mesh(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065)), china()),
+        Object::new(mesh(revolved(&SAUCER_PROFILE)), china()),
+        Object::new(mesh(tea), glazed(0.05, hex(0x7a_2f10))),
+        ground(0.0)?,
+    ];
+    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
     let mut panels = Vec::new();
     for (exponent, densest) in [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)] {
@@ -110,12 +103,12 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
         };
         let image = render_paths(sampling, context.progress, context.interrupted, |x, y, sampler| {
             let ray = camera.ray(x, y);
-            let (behind, t) = stage.seen(&ray, sampler);
-            let range = [3.0, t.min(10.0)];
+            let behind = scene.seen(&ray, [0.0; 2], sampler);
+            let range = [3.0, behind.distance.min(10.0)];
             let seen = march(ray.origin, ray.direction, range, 0.06, sampler.point().x, extinction, |_| {
                 Vec3::new(0.78, 0.8, 0.82)
             });
-            seen.light + seen.transmittance * behind
+            seen.light + seen.transmittance * behind.radiance
         })?;
         panels.push(Panel::raster(
             &format!("exponent-{exponent}"),

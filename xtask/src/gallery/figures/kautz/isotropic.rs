@@ -1,13 +1,13 @@
 //! Two isotropic densities on the teapot.
 
+use std::sync::Arc;
+
 use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_render::{
     geometry::shape::Shape,
     image::tone::hex,
-    integrator::{
-        direct::SharedNdf,
-        request::{RenderRequest, Subject},
-    },
+    materials::SharedNdf,
+    scenes::{RenderRequest, Subject},
 };
 
 use crate::{
@@ -56,7 +56,7 @@ impl Look<'_> {
         request
     }
 
-    fn teapot(&self, context: &Context<'_>, shape: &Shape) -> Result<Panel, Failure> {
+    fn teapot(&self, context: &Context<'_>, shape: &Arc<Shape>) -> Result<Panel, Failure> {
         let alt = format!("The teapot with bumps and highlights of the density {}.", self.name);
         let words = [&format!("teapot-{}", self.stem) as &str, self.name, &alt];
         let mut panel = object_panel(context, &self.request(context), shape, words)?;

@@ -8,16 +8,16 @@ use asperity_render::{
         camera::Camera,
         mesh::{Mesh, TracedMesh},
         relief::relief,
-        shape::{Hit, Shape},
+        shape::Shape,
     },
     image::{Image, tone::hex},
-    integrator::{
-        direct::SharedNdf,
-        hemisphere::ember,
-        request::{peak, trace},
-    },
-    light::lamps::direction,
+    integrator::hemisphere::ember,
+    light::lamps::{Lamps, direction},
+    materials::{SharedNdf, chalk},
+    scene::{Backdrop, Light, Object, Scene},
+    scenes::peak,
 };
+use asperity_shading::SurfacePoint;
 use glam::Vec3;
 
 use crate::{
@@ -99,20 +99,19 @@ impl View<'_> {
         let sampling = context.sampling([12, 12], 4);
         let camera = Camera::new(self.eye, self.centre, 0.39, sampling.width, sampling.height);
         let shape = Shape::MeshOnDisk(TracedMesh::new(mesh));
-        let sun = direction(-122.0, 48.0);
-        let shade = |_: Vec3, hit: &Hit| {
-            let start = hit.position + hit.normal * 2e-3;
-            // The rim and its wall, a cell away, would shade themselves.
-            let shadow = shape.first_hit(start, sun).is_some_and(|other| other.t > 0.05);
-            let lit = if shadow { 0.0 } else { hit.normal.dot(sun).max(0.0) };
-            let sky = 0.5 + 0.5 * hit.normal.z;
-            self.colour(hit) * (0.95 * lit + 0.42 * sky)
+        let finish = |point: &SurfacePoint, wo: Vec3| {
+            let (normal, colour) = (point.normal, self.colour(point));
+            chalk(wo, Vec3::Z, colour, colour * (0.42 * (0.5 + 0.5 * normal.z)))
         };
-        let image = trace(sampling, &camera, &shape, context.progress, context.interrupted, shade)?;
-        Ok(image.exposed(1.0))
+        let lamps = vec![Lamps::one(direction(-122.0, 48.0), Vec3::splat(0.95))];
+        let mut scene =
+            Scene::new(vec![Object::shaded(shape, finish)], Light::lamps(lamps), Backdrop::Studio);
+        // The rim and its wall, a cell away, would shade themselves.
+        scene.start = 4e-3;
+        Ok(context.draw(&scene, sampling, &camera)?.exposed(1.0))
     }
 
-    fn colour(&self, hit: &Hit) -> Vec3 {
+    fn colour(&self, hit: &SurfacePoint) -> Vec3 {
         if hit.position.z <= 0.0 {
             return ground(hit.position);
         }

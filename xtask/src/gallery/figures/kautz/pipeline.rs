@@ -1,14 +1,16 @@
 //! The steps of the method: noise, look-up, shading.
 
+use std::sync::Arc;
+
 use asperity_ndf_sampling::{Ggx, NormalTable, phi};
 use asperity_render::{
-    geometry::shape::{Hit, Shape},
+    geometry::shape::Shape,
     image::{Image, tone::hex},
-    integrator::{
-        direct::{Facets, sky},
-        request::{RenderRequest, Subject, trace},
-    },
+    materials::{Facets, sky},
+    scene::{Backdrop, Light, Object, Scene},
+    scenes::{RenderRequest, Subject},
 };
+use asperity_shading::{SurfacePoint, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
 
 use crate::{
@@ -29,8 +31,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     request.facets = Facets::Table(&table);
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
-    let noise = steps(context, &request, &shape, |z, _| pair_colour(z))?;
-    let normals = steps(context, &request, &shape, |_, m| normal_colour(m))?;
+    let noise = steps(context, &request, &shape, &table, |z, _| pair_colour(z))?;
+    let normals = steps(context, &request, &shape, &table, |_, m| normal_colour(m))?;
     let panels = vec![
         Panel::raster("noise", "two channels of noise", "The teapot, mottled in four hues.", noise),
         Panel::raster(
@@ -64,22 +66,21 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
 fn steps(
     context: &Context<'_>,
     request: &RenderRequest<'_>,
-    shape: &Shape,
+    shape: &Arc<Shape>,
+    table: &NormalTable,
     colour: impl Fn(Vec2, Vec3) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
-    let camera = request.camera();
     let bumps = request.bumps.field(context.seed)?;
-    let Facets::Table(table) = request.facets else {
-        return Err("the pipeline looks its normals up".into());
-    };
-    let shade = |direction: Vec3, hit: &Hit| {
-        let coordinates = bumps.coordinates(hit.position, camera.footprint(direction, hit));
+    let colours = |point: &SurfacePoint, wo: Vec3| {
+        let coordinates = bumps.coordinates(point.position, point.footprint());
         let z = coordinates.z * coordinates.fade;
         // Some light from the sky, so that the shape stays readable.
-        colour(z, table.bilinear(z).normal) * (0.35 + 0.65 * sky(hit.normal))
+        let glow = colour(z, table.bilinear(z).normal) * (0.35 + 0.65 * sky(point.normal));
+        Bsdf::new(wo).with_emitted(glow)
     };
-    let image = trace(request.sampling, &camera, shape, context.progress, context.interrupted, shade)?;
-    Ok(image.exposed(1.0))
+    let objects = vec![Object::shaded(Arc::clone(shape), colours)];
+    let scene = Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio);
+    Ok(context.draw(&scene, request.sampling, &request.camera())?.exposed(1.0))
 }
 
 /// A pair of Gaussian numbers, made uniform, between four colours at the corners of the unit square.

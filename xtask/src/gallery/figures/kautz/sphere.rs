@@ -1,10 +1,10 @@
 //! A bump mapped sphere at four zooms beside its density, by both rules of level of detail.
 
 use asperity_ndf_sampling::Ggx;
-use asperity_render::integrator::{
-    direct::Facets,
-    hemisphere::hemisphere,
-    request::{RenderRequest, Subject, peak},
+use asperity_render::{
+    integrator::hemisphere::hemisphere,
+    materials::Facets,
+    scenes::{RenderRequest, Subject, peak},
 };
 use asperity_shading::{LevelOfDetail, conditional_density};
 use glam::Vec2;

@@ -1,9 +1,9 @@
 //! The teapot with an anisotropic density at three distances, and with normals that do not follow it.
 
 use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
-use asperity_render::integrator::{
-    direct::Facets,
-    request::{RenderRequest, Subject},
+use asperity_render::{
+    materials::Facets,
+    scenes::{RenderRequest, Subject},
 };
 
 use crate::{

@@ -1,7 +1,9 @@
 //! Existing normal maps: detail that keeps their density, and their density estimated and given back.
 
+use std::f32::consts::PI;
+
 use asperity_ndf_sampling::{
-    Frame, Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf, normal_map::NormalMapFormat,
+    Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf, normal_map::NormalMapFormat,
 };
 use asperity_noise::{GaussianOctaves, Spectrum};
 use asperity_render::{
@@ -10,8 +12,9 @@ use asperity_render::{
         tone::{hex, linear},
     },
     light::lamps::direction,
-    materials::cobbles::cobbles,
+    materials::{chalk, cobbles::cobbles},
 };
+use asperity_shading::{Brdf, CookTorrance, bump::Facet, reflectance::Lobe};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -100,13 +103,13 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
         .fact("first octave", format!("{CELLS_PER_TEXEL} cells per texel")))
 }
 
-/// A normal under one lamp and a sky: a matt surface with a faint gloss.
+/// A normal under one lamp and a sky, seen from above: a matt surface with a faint gloss.
 fn lit(n: Vec3) -> Vec3 {
-    let lamp = direction(135.0, 42.0);
-    let h = (lamp + Vec3::Z).normalize();
-    let gloss = Ggx::clamped(0.3, 0.3).density(Frame::from_normal(n).to_local(h));
-    let lambert = n.dot(lamp).max(0.0);
-    hex(0xb0_9a84) * (0.16 + 0.95 * lambert) + Vec3::splat(0.035 * gloss * lambert)
+    let (lamp, colour) = (direction(135.0, 42.0), hex(0xb0_9a84));
+    let gloss = CookTorrance::new(Ggx::clamped(0.3, 0.3), Vec3::splat(0.045));
+    let surface = chalk(Vec3::Z, n, colour, 0.16 * colour)
+        .with([Facet::new(1.0, n)], [Lobe::from(&gloss as &dyn Brdf)]);
+    surface.emitted() + 0.95 * PI * surface.scattered(lamp, Vec3::Z)
 }
 
 pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {

@@ -1,7 +1,7 @@
 //! Conditional densities: the part of a density that a pixel does not resolve, share by share.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
-use asperity_render::integrator::direct::SharedNdf;
+use asperity_render::materials::SharedNdf;
 use glam::{Vec2, Vec3};
 
 use crate::{

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Mixture, StudentT, Ward,
 };
 use asperity_render::{
-    image::tone::hex, integrator::direct::SharedNdf, light::background::background, sampling::random::Random,
+    image::tone::hex, light::background::background, materials::SharedNdf, sampling::random::Random,
 };
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -134,7 +134,7 @@ impl Residual {
                 let mut random = Random(u64::from(context.seed) << 32 | u64::from(part));
                 let mut counts = vec![0; BINS * BINS];
                 for _ in 0..NORMALS / PARTS {
-                    let m = ndf.from_gaussian(random.gaussians());
+                    let m = ndf.from_gaussian(Vec2::from(random.gaussians().map(|z| z as f32)));
                     let place = |n: f32| ((n * 0.5 + 0.5) * BINS as f32) as usize;
                     if let Some(count) =
                         counts.get_mut(place(m.y).min(BINS - 1) * BINS + place(m.x).min(BINS - 1))

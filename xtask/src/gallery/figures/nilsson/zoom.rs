@@ -52,7 +52,7 @@ fn surfaces() -> Result<[Surface; 6], Failure> {
         ..Default::default()
     })?;
     let paint = MetallicPaint::new(MetallicPaintParameters {
-        specular: Vec3::new(0.35, 0.55, 0.95),
+        specular: 0.16 * Vec3::new(0.35, 0.55, 0.95),
         pigment: Vec3::new(0.02, 0.05, 0.14),
         flakes: PaintFlakes::Counted { spacing: 4e-5, bin: 0.12 },
         flake_roughness: 0.3,
@@ -86,7 +86,7 @@ fn surfaces() -> Result<[Surface; 6], Failure> {
     // Of all but scratches the lamp is near the highlight; they catch the light that the surface mirrors past the eye.
     Ok([
         surface("carpet", 2.4, [-0.134, 0.094], Box::new(carpet)),
-        surface("paint", 0.16, [-0.134, 0.094], Box::new(paint)),
+        surface("paint", 1.0, [-0.134, 0.094], Box::new(paint)),
         surface("scratches", 0.26, [0.2, 0.25], Box::new(scratches)),
         surface("plastic", 0.45, [-0.134, 0.094], Box::new(plastic)),
         surface("glass", 25.0, [0.0, 0.0], Box::new(glass)),

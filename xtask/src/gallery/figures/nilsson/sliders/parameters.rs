@@ -1,17 +1,19 @@
 //! Every parameter of the materials: what it is varied over, beside what, and from where it is seen.
 
 use asperity_render::{
+    geometry::ray::Ray,
     image::tone::hex,
-    integrator::swatch::Form,
     light::{
         environments::Studio,
-        lamps::{Light, direction},
+        lamps::{Lamp, direction},
     },
-    materials::pattern::line,
+    materials::pattern::grid,
+    scenes::Form,
 };
 use asperity_shading::{
     CarpetParameters, Elimination, Environment, FibresParameters, GlassWaves, MetallicPaintParameters,
     ScratchesParameters, SeamPattern, TemperedGlassParameters, VariationsParameters,
+    material::{GlassBody, PaintFlakes},
 };
 use glam::{Vec2, Vec3};
 
@@ -54,7 +56,8 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         dark_area_strength: 0.0,
         ..plain
     };
-    let moon = ball.clone().lit_from_the_eye();
+    let rim = ball.clone().exposed(1.9);
+    let moon = ball.lit_from_the_eye();
     let grey = Vec3::splat;
     let fibres = |fibre_length| FibresParameters { fibre_length, ..Default::default() };
     strips! {
@@ -80,21 +83,25 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         near even fibre_bump_strength: [0.0, 0.15, 0.3, 0.6, 1.0];
         near even fibres: [0.002, 0.003, 0.004, 0.006, 0.01].map(fibres);
         moon matte roughness: [0.0, 0.25, 0.5, 0.8, 1.0];
-        ball plain fake_rim_light: [0.0, 0.15, 0.4, 0.7, 1.0];
-        ball soft fake_rim_light_width: [0.0, 0.2, 0.4, 0.7, 1.0];
+        rim plain fake_rim_light: [0.0, 0.15, 0.4, 0.7, 1.0];
+        rim soft fake_rim_light_width: [0.0, 0.2, 0.4, 0.7, 1.0];
+        rim soft fake_rim_light_colour: [Vec3::splat(0.4), Vec3::ONE, hex(0xff_d6a8), hex(0xb9_d0ff),
+            Vec3::new(1.0, 0.3, 0.2)];
+        seamed shining specular_roughness: [0.1, 0.2, 0.45, 0.7, 1.0];
         seamed base seed: [1, 2, 3, 4, 5];
     }
 }
 
 pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
     let base = MetallicPaintParameters::default();
-    let studio = |w: Vec3| Studio::new(1.0).radiance(w);
+    let studio = |ray: &Ray| Studio::new(1.0).radiance(ray.direction);
     let ball = View { mirrored: studio, ..View::ball(0.12, 0.126) }.lit(0.7);
     let peel = View { mirrored: studio, ..View::ball(0.16, 0.13) }.lit(0.15).exposed(2.5);
     let bead = View { mirrored: studio, ..View::ball(0.02, 0.013) }.lit(0.5);
     let sparkling =
         MetallicPaintParameters { flake_sparkle_boost: 0.8, flake_sparkle_elimination: 0.0, ..base };
     let sparse = MetallicPaintParameters { flake_sparkle_elimination: 0.9, ..sparkling };
+    let counted = |spacing| PaintFlakes::Counted { spacing, bin: 0.12 };
     let smart = |unit| Elimination::Adaptive { unit };
     let quiet = MetallicPaintParameters {
         flake_sparkle_elimination: 1.0,
@@ -121,21 +128,31 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
         bead passive passive_flake_size: [0.004, 0.006, 0.01, 0.016, 0.03];
         bead with_passive_flake_strength passive_flake_strength: [0.0, 0.3, 0.5, 0.75, 1.0];
         bead passive passive_flake_detail: [1, 2, 3, 4, 5];
+        ball base flake_roughness: [0.1, 0.2, 0.32, 0.5, 0.8];
+        bead base flakes: [PaintFlakes::Sparkling, counted(2e-4), counted(1e-4), counted(4e-5)];
+        ball base pigment: [Vec3::ZERO, base.pigment, Vec3::new(0.10, 0.01, 0.008),
+            Vec3::new(0.02, 0.1, 0.03), Vec3::splat(0.3)];
+        ball base coat_index: [1.0, 1.3, 1.5, 2.0, 3.0];
+        ball base coat_roughness: [0.0, 0.05, 0.1, 0.2, 0.4];
         bead sparkling seed: [1, 2, 3, 4, 5];
     }
 }
 
 /// Bright sky between bars that are 0.06 apart on a plane at distance 1, askew.
-fn lattice(w: Vec3) -> Vec3 {
+fn lattice(ray: &Ray) -> Vec3 {
+    let w = ray.direction;
+    if w.z <= 0.0 {
+        // Straight behind the pane.
+        return hex(0x4a_4642);
+    }
     let place = w.truncate() / w.z.max(1e-3) / 0.06;
-    let place = Vec2::from_angle(0.45).rotate(place).to_array();
-    let [x, y] = place.map(|x| line(f64::from(x) + 0.5, 0.16, 0.03));
+    let bars = grid(Vec2::from_angle(0.45).rotate(place) + 0.5, 0.16, 0.03);
     // As bright as lets four percent of it fill the range.
-    10.0 * hex(0xb9_d0ec).lerp(hex(0x24_2830), x.max(y))
+    10.0 * hex(0xb9_d0ec).lerp(hex(0x24_2830), bars)
 }
 
 pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
-    let base = TemperedGlassParameters::default();
+    let base = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let strong = TemperedGlassParameters { wave_amplitude: 2e-4, ..base };
     let noise = TemperedGlassParameters {
         waves: GlassWaves::Noise,
@@ -149,6 +166,7 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
         mirrored: lattice,
         exposure: 1.0,
     };
+    let lit = View { lamps: View::patch(1.0).lit(0.6).lamps, ..view.clone() };
     let directions =
         [Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y, Vec3::new(-1.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 1.0)];
     let with_waves = TemperedGlassParameters { waves: GlassWaves::Sine, ..noise };
@@ -157,6 +175,10 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
         view base wave_amplitude: [0.0, 5e-5, 1e-4, 2e-4, 4e-4];
         view strong wave_propagation_vector: directions;
         view with_waves waves: [GlassWaves::Sine, GlassWaves::Noise];
+        view base body: [GlassBody::Pane, GlassBody::Solid];
+        view base index: [1.2, 1.52, 1.8, 2.4, 4.0];
+        view base tint: [Vec3::ZERO, Vec3::splat(0.3), Vec3::ONE, Vec3::new(0.3, 0.8, 0.6)];
+        lit base roughness: [0.0, 0.05, 0.1, 0.2, 0.4];
         view noise seed: [1, 2, 3, 4, 5];
     }
 }
@@ -166,8 +188,8 @@ pub(super) fn variations() -> Vec<Strip<VariationsParameters>> {
     let glossy = |height: f32| View {
         form: Form::Patch { height, distance: 2.2 * height },
         lamps: vec![
-            Light { direction: direction(125.0, 68.0), colour: hex(0xff_f2e2) * 0.9 },
-            Light { direction: direction(-30.0, 40.0), colour: hex(0xb9_d0ff) * 0.3 },
+            Lamp { direction: direction(125.0, 68.0), colour: hex(0xff_f2e2) * 0.9 },
+            Lamp { direction: direction(-30.0, 40.0), colour: hex(0xb9_d0ff) * 0.3 },
         ],
         ..View::patch(height)
     };
@@ -200,16 +222,23 @@ pub(super) fn variations() -> Vec<Strip<VariationsParameters>> {
         wide dented dent_size: [0.03, 0.06, 0.1, 0.2, 0.4];
         wide dented dent_cover: [0.0, 0.1, 0.3, 0.6, 1.0];
         wide dented dent_detail: [1, 2, 3, 5, 8];
+        near base gloss_roughness: [0.1, 0.17, 0.25, 0.4, 0.7];
         wide base seed: [1, 2, 3, 4, 5];
     }
 }
 
 pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
-    let base = ScratchesParameters { scratch_width: 0.02, scratch_cover: 4.0, ..Default::default() };
+    let base = ScratchesParameters {
+        scratch_width: 0.02,
+        scratch_cover: 4.0,
+        specular: hex(0xc8_ccd2),
+        roughness: 0.2,
+        ..Default::default()
+    };
     // Half vectors a little beside the normal.
     let lamp = |x, y, colour| {
         let h = Vec3::new(x, y, 1.0).normalize();
-        Light { direction: 2.0 * h.z * h - Vec3::Z, colour }
+        Lamp { direction: 2.0 * h.z * h - Vec3::Z, colour }
     };
     let view = |height| View {
         lamps: vec![lamp(0.22, 0.26, hex(0xff_f2e2) * 0.5), lamp(-0.3, 0.1, hex(0xb9_d0ff) * 0.25)],
@@ -226,6 +255,9 @@ pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
         view combed scratch_direction: [Vec2::X, Vec2::new(2.0, 1.0), Vec2::ONE, Vec2::Y,
             Vec2::new(-1.0, 1.0)];
         view base scratch_spread: [0.0, 0.1, 0.25, 0.5, 1.0];
+        view base specular: [Vec3::splat(0.3), Vec3::splat(0.7), Vec3::new(0.95, 0.64, 0.54),
+            Vec3::new(1.0, 0.77, 0.34), hex(0x8a_a0c0)];
+        view base roughness: [0.1, 0.2, 0.3, 0.45, 0.7];
         view base seed: [1, 2, 3, 4, 5];
     }
 }

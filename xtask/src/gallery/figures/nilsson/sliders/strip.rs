@@ -1,18 +1,18 @@
 //! A strip: one parameter of a material varied, all others kept.
 
+use std::{fmt::Debug, sync::Arc};
+
 use asperity_render::{
+    geometry::ray::Ray,
     image::{Image, tone::hex},
-    integrator::{
-        path_tracer::{Appearance, Finish, Seen},
-        pixels::Sampling,
-        swatch::{Form, Swatch},
-    },
-    light::lamps::{Light, direction},
+    integrator::pixels::Sampling,
+    light::lamps::{Lamp, Lamps, direction},
+    materials::in_metres,
+    scene::{Backdrop, Light, Object, Scene},
+    scenes::Form,
 };
-
+use asperity_shading::{ParameterError, material::Material};
 use glam::Vec3;
-
-use std::fmt::Debug;
 
 use crate::{
     failure::Failure,
@@ -33,15 +33,15 @@ pub(super) struct Strip<P> {
 #[derive(Clone)]
 pub(super) struct View {
     pub(super) form: Form,
-    pub(super) lamps: Vec<Light>,
-    pub(super) mirrored: fn(Vec3) -> Vec3,
+    pub(super) lamps: Vec<Lamp>,
+    pub(super) mirrored: fn(&Ray) -> Vec3,
     pub(super) exposure: f32,
 }
 
 impl View {
     /// A patch so high, lit from the upper left, where bumps show, and a little from the right.
     pub(super) fn patch(height: f32) -> Self {
-        let lamp = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
+        let lamp = |azimuth, elevation, colour| Lamp { direction: direction(azimuth, elevation), colour };
         Self {
             form: Form::Patch { height, distance: 1e3 },
             lamps: vec![lamp(128.0, 42.0, hex(0xff_f2e2) * 1.1), lamp(-20.0, 60.0, hex(0xb9_d0ff) * 0.35)],
@@ -52,7 +52,7 @@ impl View {
 
     /// A ball of this diameter, of which so much is seen, lit from the upper left, from the right and from behind.
     pub(super) fn ball(diameter: f32, height: f32) -> Self {
-        let lamp = |azimuth, elevation, colour| Light { direction: direction(azimuth, elevation), colour };
+        let lamp = |azimuth, elevation, colour| Lamp { direction: direction(azimuth, elevation), colour };
         Self {
             form: Form::Ball { diameter, height },
             lamps: vec![
@@ -79,7 +79,7 @@ impl View {
 
     /// With one lamp beside the eye of a ball: a full moon, nearly.
     pub(super) fn lit_from_the_eye(self) -> Self {
-        Self { lamps: vec![Light { direction: direction(-104.0, 14.0), colour: hex(0xff_f2e2) }], ..self }
+        Self { lamps: vec![Lamp { direction: direction(-104.0, 14.0), colour: hex(0xff_f2e2) }], ..self }
     }
 
     /// Height of the visible part in words.
@@ -96,10 +96,10 @@ impl View {
 }
 
 /// All strips of a material.
-pub(super) fn draw<P: Copy + Debug + Default>(
+pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
     context: &Context<'_>,
     strips: &[Strip<P>],
-    material: impl Fn(P) -> Result<Box<Finish<'static>>, Failure>,
+    material: impl Fn(P) -> Result<M, ParameterError>,
 ) -> Result<Drawn, Failure> {
     let panels = strips.iter().map(|strip| strip.panel(context, &material)).collect::<Result<_, _>>()?;
     Ok(Drawn::new(2, panels).fact("samples per pixel", samples(context).to_string()))
@@ -110,18 +110,11 @@ fn samples(context: &Context<'_>) -> u32 {
     context.samples_per_pixel.saturating_mul(2)
 }
 
-/// A finish as the figures keep it.
-pub(super) fn boxed(
-    finish: Result<impl Fn(&Seen) -> Appearance + Sync + 'static, Failure>,
-) -> Result<Box<Finish<'static>>, Failure> {
-    Ok(Box::new(finish?))
-}
-
 impl<P: Copy + Debug + Default> Strip<P> {
-    fn panel(
+    fn panel<M: Material + Sync>(
         &self,
         context: &Context<'_>,
-        material: &impl Fn(P) -> Result<Box<Finish<'static>>, Failure>,
+        material: &impl Fn(P) -> Result<M, ParameterError>,
     ) -> Result<Panel, Failure> {
         let (across, gap) = (context.size * 3 / 2, (context.size / 96).max(1));
         // As high as one of five is wide.
@@ -129,13 +122,15 @@ impl<P: Copy + Debug + Default> Strip<P> {
         let count = self.options.len() as u32;
         let width = (across - (count - 1) * gap) / count;
         let sampling = Sampling { width, height, samples_per_pixel: samples(context), seed: context.seed };
-        let swatch = Swatch { form: self.view.form, lamps: &self.view.lamps, mirrored: &self.view.mirrored };
-        let size = [width as f32, height as f32];
+        let View { form, lamps, mirrored, exposure } = &self.view;
+        let shape = Arc::new(form.shape());
         let mut pictures = Vec::new();
         for &parameters in &self.options {
-            let finish = material(parameters)?;
-            let picture = context.render(sampling, |x, y| swatch.radiance(finish.as_ref(), [x, y], size))?;
-            pictures.push(picture.filmic(self.view.exposure));
+            let objects =
+                vec![Object::new(Arc::clone(&shape), in_metres(material(parameters)?, form.metres()))];
+            let light = Light::Lamps { lamps: vec![Lamps::open(lamps.clone())], room: mirrored };
+            let scene = Scene::new(objects, light, Backdrop::Studio);
+            pictures.push(context.draw(&scene, sampling, &form.camera([width, height]))?.filmic(*exposure));
         }
         let image = side_by_side(&pictures, gap, hex(0x1d_1f23));
         let values = varied(&self.values());

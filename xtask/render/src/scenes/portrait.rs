@@ -1,34 +1,28 @@
 //! One picture of one object: everything that decides it, with defaults that look well.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, atomic::AtomicBool};
 
-use asperity_shading::{BumpField, LevelOfDetail};
-use glam::{Vec2, Vec3};
+use asperity_shading::LevelOfDetail;
+use glam::Vec3;
 use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
+    geometry::{camera::Camera, mesh::TracedMesh, shape::Shape, teapot::teapot},
     image::{Image, tone::hex},
-};
-use crate::{
-    geometry::{
-        camera::Camera,
-        mesh::TracedMesh,
-        shape::{Hit, Shape},
-        teapot::teapot,
+    integrator::pixels::Sampling,
+    light::lamps::studio,
+    materials::{
+        Facets, Printed, SharedNdf,
+        field::{Bumps, NoiseKind},
     },
-    integrator::{
-        direct::{Facets, Material, SharedNdf},
-        pixels::{Sampling, render},
-    },
-    light::{background::background, lamps::studio},
-    materials::field::{Field, NoiseKind},
+    scene::{Backdrop, Light, Object, Scene},
 };
 
 /// The share of the tint that is diffuse.
 const DIFFUSE: f32 = 0.13;
 
-/// What is drawn.
+/// Objects of portraits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The unit sphere; the tangents go around its upright axis.
@@ -39,32 +33,13 @@ pub enum Subject {
     Plane,
 }
 
-/// The noise that the bumps are made of.
-#[derive(Clone, Copy, Debug)]
-pub struct Bumps {
-    pub kind: NoiseKind,
-    /// Lattice cells of the first octave per unit of length.
-    pub frequency: f32,
-    /// The most octaves, up to 16.
-    pub octaves: u32,
-    /// Each octave's amplitude over the last one's.
-    pub gain: f32,
-}
-
-impl Bumps {
-    /// The bump map in space.
-    pub fn field(&self, seed: u32) -> Result<BumpField<Field>, Failure> {
-        Ok(BumpField::new(Field::new(self.kind, self.octaves, self.gain, seed)?, self.frequency)?)
-    }
-}
-
 /// One picture.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
-    view: View,
+    view: Approach,
     pub ndf: &'a SharedNdf,
     pub facets: Facets<'a>,
-    /// How many times closer than the view of the whole object.
+    /// Magnification over the view of the whole object.
     pub zoom: f32,
     pub bumps: Bumps,
     /// Reflectance of the surface in linear RGB.
@@ -82,15 +57,15 @@ impl<'a> RenderRequest<'a> {
             Subject::Teapot => 16.0,
             Subject::Plane => 24.0,
         };
-        Self::seen(View::of(subject), frequency, ndf, sampling)
+        Self::seen(Approach::of(subject), frequency, ndf, sampling)
     }
 
-    /// The same of a mesh in the unit ball.
+    /// A copper-coloured picture of a mesh in the unit ball.
     pub fn of_mesh(mesh: &TracedMesh, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
-        Self::seen(View::of_mesh(mesh), 24.0, ndf, sampling)
+        Self::seen(Approach::of_mesh(mesh), 24.0, ndf, sampling)
     }
 
-    fn seen(view: View, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
+    fn seen(view: Approach, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
         Self {
             view,
             ndf,
@@ -104,28 +79,23 @@ impl<'a> RenderRequest<'a> {
     }
 
     /// The subject as the ray caster takes it; to be shared between pictures.
-    pub fn shape(subject: Subject) -> Shape {
-        match subject {
+    pub fn shape(subject: Subject) -> Arc<Shape> {
+        Arc::new(match subject {
             Subject::Sphere => Shape::Sphere,
             Subject::Plane => Shape::Plane,
             Subject::Teapot => Shape::Mesh(TracedMesh::new(teapot())),
-        }
+        })
     }
 
-    /// The camera: towards the whole object at zoom 1, and from there straight to a point of its surface.
+    /// The camera of the picture.
     pub fn camera(&self) -> Camera {
-        let view = self.view;
-        let near = 1.0 / self.zoom;
-        // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
-        let aim = view.focus + (view.centre - view.focus) * near * near;
-        let eye = view.focus + (view.eye - view.focus) * near;
-        Camera::new(eye, aim, view.field.to_radians(), self.sampling.width, self.sampling.height)
+        self.view.camera(self.zoom, self.sampling)
     }
 
     /// Draws it, toned for the screen.
     pub fn draw(
         &self,
-        shape: &Shape,
+        shape: &Arc<Shape>,
         progress: &ProgressBar,
         interrupted: &AtomicBool,
     ) -> Result<Image, Failure> {
@@ -135,48 +105,27 @@ impl<'a> RenderRequest<'a> {
     /// Draws it, in linear radiance.
     pub fn radiance(
         &self,
-        shape: &Shape,
+        shape: &Arc<Shape>,
         progress: &ProgressBar,
         interrupted: &AtomicBool,
     ) -> Result<Image, Failure> {
+        self.scene(shape)?.draw(self.sampling, &self.camera(), progress, interrupted)
+    }
+
+    /// The object with its material under the lamps.
+    pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
         let bumps = self.bumps.field(self.sampling.seed)?;
-        let lights = studio(self.tint * (self.exposure / peak(self.ndf)));
-        let material = Material {
-            ndf: self.ndf,
-            facets: self.facets,
-            bumps: &bumps,
-            lights: &lights,
-            diffuse: self.tint * DIFFUSE,
-        };
-        let camera = self.camera();
-        let shade =
-            |direction: Vec3, hit: &Hit| material.radiance(hit, -direction, camera.footprint(direction, hit));
-        trace(self.sampling, &camera, shape, progress, interrupted, shade)
+        let lamps = studio(self.tint * (self.exposure / peak(self.ndf)));
+        let (ndf, facets) = (self.ndf, self.facets);
+        let material = Printed { ndf, facets, bumps, lamps, diffuse: self.tint * DIFFUSE };
+        let objects = vec![Object::new(Arc::clone(shape), material)];
+        Ok(Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio))
     }
 }
 
-/// The shape before the background, each hit shaded by `shade(ray's direction, hit)`, in linear radiance.
-pub fn trace(
-    sampling: Sampling,
-    camera: &Camera,
-    shape: &Shape,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
-    shade: impl Fn(Vec3, &Hit) -> Vec3 + Sync,
-) -> Result<Image, Failure> {
-    let size = Vec2::new(sampling.width as f32, sampling.height as f32);
-    render(sampling, progress, interrupted, |x, y| {
-        let direction = camera.direction(x, y);
-        match shape.first_hit(camera.eye(), direction) {
-            Some(hit) => shade(direction, &hit.facing(direction)),
-            None => background(x / size.x, y / size.y),
-        }
-    })
-}
-
-/// Where the camera stands for the whole object, and the point of the surface that it comes close to.
+/// Way of a camera from the whole object to a point of its surface.
 #[derive(Clone, Copy)]
-struct View {
+pub struct Approach {
     eye: Vec3,
     centre: Vec3,
     focus: Vec3,
@@ -184,7 +133,7 @@ struct View {
     field: f32,
 }
 
-impl View {
+impl Approach {
     fn of(subject: Subject) -> Self {
         match subject {
             Subject::Sphere => Self {
@@ -207,7 +156,7 @@ impl View {
 
     /// The unit ball from the front, a little from the right and from above, just inside the picture; nearby, the
     /// point that is in its middle, or else the corner that is nearest to the eye.
-    fn of_mesh(mesh: &TracedMesh) -> Self {
+    pub fn of_mesh(mesh: &TracedMesh) -> Self {
         let eye = Vec3::new(1.3, -4.0, 1.7);
         let field = 27.0_f32;
         let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
@@ -216,6 +165,15 @@ impl View {
             None => mesh.nearest_corner(eye),
         };
         Self { eye, centre: Vec3::ZERO, focus, field }
+    }
+
+    /// The camera: towards the whole object at zoom 1, and from there straight to a point of its surface.
+    pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
+        let near = 1.0 / zoom;
+        // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
+        let aim = self.focus + (self.centre - self.focus) * near * near;
+        let eye = self.focus + (self.eye - self.focus) * near;
+        Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
     }
 }
 

@@ -1,5 +1,11 @@
 //! The builder's scenes: what stands where, and from where it is seen.
 
+use asperity_shading::{
+    Brdf, EnergyPreservingOrenNayar, Lambert, SurfacePoint, TemperedGlass, TemperedGlassParameters,
+    bump::Facet,
+    material::Material,
+    reflectance::{Bsdf, Coat, DiffuseError, Lobe},
+};
 use glam::{Vec2, Vec3};
 
 use crate::{failure::Failure, image::tone::hex};
@@ -12,14 +18,12 @@ use crate::{
         shape::Shape,
         teapot::teapot,
     },
-    integrator::{
-        path_tracer::{Appearance, Finish, Layer, Object, Seen},
-        pixels::Sampling,
-    },
-    materials,
+    integrator::pixels::Sampling,
+    materials::glazed,
+    scene::{Object, Surface},
 };
 
-/// What is seen.
+/// Sets of objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Set {
     /// A ball of radius 1 on the ground.
@@ -38,7 +42,7 @@ pub enum Set {
     Vase,
 }
 
-/// Where the camera is.
+/// Place and angle of a camera.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub eye: Vec3,
@@ -75,13 +79,13 @@ pub const VASE_PROFILE: [[f32; 2]; 12] = [
     [0.34, 2.12],
 ];
 
-/// What the camera sees behind everything.
+/// Colour behind everything.
 pub fn backdrop() -> Vec3 {
     hex(0x2a_2d33)
 }
 
 impl Set {
-    /// How many metres a unit of the scene is.
+    /// Length of the scene's unit in metres.
     pub const fn metres(self) -> f32 {
         match self {
             Self::Sphere => 0.15,
@@ -105,41 +109,37 @@ impl Set {
     }
 
     /// The objects, of which the first has the subject's material.
-    pub fn objects(self, subject: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+    pub fn objects(self, subject: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
         let mesh = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
-        let with = |shape: Shape, finish: Box<Finish<'static>>| Object::new(shape, move |seen| finish(seen));
         Ok(match self {
             Self::Sphere => {
                 let ball = mesh(ball(Vec3::Z, 1.0));
-                vec![with(ball, subject), ground(0.0)?]
+                vec![Object::new(ball, subject), ground(0.0)?]
             }
             Self::Teapot => {
-                vec![with(mesh(teapot()), subject), ground(0.0)?]
+                vec![Object::new(mesh(teapot()), subject), ground(0.0)?]
             }
             Self::Vase => {
                 let vase = mesh(revolved(&VASE_PROFILE));
-                vec![with(vase, subject), ground(0.0)?]
+                vec![Object::new(vase, subject), ground(0.0)?]
             }
-            Self::Plane => vec![with(Shape::Plane, subject)],
+            Self::Plane => vec![Object::new(Shape::Plane, subject)],
             Self::Car => car(subject)?,
             Self::Room => {
                 let floor = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::X * 3.0, Vec3::Y * 2.9]);
                 let back = Mesh::parallelogram(Vec3::new(-1.0, 1.3, 0.0), [Vec3::X * 3.0, Vec3::Z * 1.6]);
                 let left = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::Y * 2.9, Vec3::Z * 1.6]);
                 vec![
-                    with(mesh(floor), subject),
-                    Object::new(mesh(back), materials::matte(hex(0xb9_b2a6))?),
-                    Object::new(mesh(left), materials::matte(hex(0xa9_a49c))?),
-                    Object::new(
-                        mesh(ball(Vec3::new(-0.42, 0.72, 0.2), 0.2)),
-                        materials::glazed(0.08, |_| hex(0xc9_4a2c))?,
-                    ),
+                    Object::new(mesh(floor), subject),
+                    Object::new(mesh(back), Lambert::new(hex(0xb9_b2a6))?),
+                    Object::new(mesh(left), Lambert::new(hex(0xa9_a49c))?),
+                    Object::new(mesh(ball(Vec3::new(-0.42, 0.72, 0.2), 0.2)), glazed(0.08, hex(0xc9_4a2c))),
                 ]
             }
             Self::Wall => {
                 let wall = Mesh::parallelogram(Vec3::new(-2.0, 0.0, 0.0), [Vec3::X * 60.0, Vec3::Z * 4.0]);
                 let floor = Mesh::parallelogram(Vec3::new(-2.0, -9.0, 0.0), [Vec3::X * 60.0, Vec3::Y * 9.0]);
-                vec![with(mesh(wall), subject), Object::new(mesh(floor), materials::cloth(hex(0x6b_665e))?)]
+                vec![Object::new(mesh(wall), subject), Object::new(mesh(floor), cloth(hex(0x6b_665e))?)]
             }
         })
     }
@@ -150,36 +150,21 @@ pub fn ground(height: f32) -> Result<Object<'static>, Failure> {
     faded_disc(height, hex(0x8d_8377), [2.5, 6.0])
 }
 
+/// A rough colour.
+fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, DiffuseError> {
+    EnergyPreservingOrenNayar::new(colour, 0.8)
+}
+
 /// A disc of cloth that fades into the backdrop from one radius on, over another.
 fn faded_disc(height: f32, colour: Vec3, [from, over]: [f32; 2]) -> Result<Object<'static>, Failure> {
-    let cloth = materials::cloth(colour)?;
+    let cloth = cloth(colour)?;
     let disc = revolved(&[[60.0, height], [9.0, height], [0.0, height]]);
-    Ok(Object::new(Shape::Mesh(TracedMesh::new(disc)), move |seen: &Seen| {
-        let distance = seen.point.position.truncate().length();
-        faded(cloth(seen), (-((distance - from).max(0.0) / over).powi(2)).exp())
+    Ok(Object::shaded(Shape::Mesh(TracedMesh::new(disc)), move |point, wo| {
+        let distance = point.position.truncate().length();
+        let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
+        let lobe = Lobe::from(cloth).weighted(Vec3::splat(kept));
+        Bsdf::new(wo).with([Facet::FLAT], [lobe]).with_emitted((1.0 - kept) * backdrop())
     }))
-}
-
-/// An appearance of which so much is left before the backdrop.
-fn faded(appearance: Appearance, kept: f32) -> Appearance {
-    let share = |Layer { normal, brdf }: Layer| Layer { normal, brdf: Box::new(Share { brdf, kept }) };
-    Appearance {
-        layers: appearance.layers.into_iter().map(share).collect(),
-        glow: appearance.glow + (1.0 - kept) * backdrop(),
-        ..appearance
-    }
-}
-
-/// A part of a reflectance.
-struct Share {
-    brdf: Box<dyn asperity_shading::Brdf>,
-    kept: f32,
-}
-
-impl asperity_shading::Brdf for Share {
-    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        self.kept * self.brdf.value(wi, wo)
-    }
 }
 
 /// A ball.
@@ -198,26 +183,31 @@ fn ball(centre: Vec3, radius: f32) -> Mesh {
     mesh
 }
 
-/// The car: paint, windows and tyres.
-fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
-    let pane = materials::pane(asperity_shading::TemperedGlassParameters::default(), 1.0, Vec3::ZERO)?;
-    let seal = materials::matte(hex(0x16_1618))?;
-    let body = move |seen: &Seen| {
-        let depth = window(seen.point.position, seen.point.normal);
+/// The body of the car: paint, windows over the dark within, and seals.
+struct Body {
+    paint: Box<Surface<'static>>,
+    pane: TemperedGlass,
+    seal: Lambert,
+}
+
+impl Material for Body {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let depth = window(point.position, point.normal);
         if depth > 0.012 {
-            // Dark within.
-            let mut glass = pane(seen);
-            if let Some(coat) = &mut glass.coat {
-                coat.behind = crate::integrator::path_tracer::Behind::Layers;
-            }
-            glass.layers = seal(seen).layers;
-            glass
-        } else if depth > 0.0 || arch(seen.point.position) {
-            seal(seen)
+            let seal = Lobe::from(&self.seal as &dyn Brdf);
+            self.pane.bsdf(point, wo).with([Facet::FLAT], [seal])
+        } else if depth > 0.0 || arch(point.position) {
+            self.seal.bsdf(point, wo)
         } else {
-            paint(seen)
+            self.paint.bsdf(point, wo)
         }
-    };
+    }
+}
+
+/// The car: paint, windows and tyres.
+fn car(paint: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+    let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
+    let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
     let mut objects = vec![Object::new(Shape::Mesh(TracedMesh::new(car_body())), body)];
     objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
     let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
@@ -229,7 +219,7 @@ fn car(paint: Box<Finish<'static>>) -> Result<Vec<Object<'static>>, Failure> {
         }
     }
     let shape = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
-    objects.push(Object::new(shape(tyres), materials::cloth(hex(0x2a_2a2c))?));
-    objects.push(Object::new(shape(discs), materials::chrome(Vec3::new(0.62, 0.63, 0.65))?));
+    objects.push(Object::new(shape(tyres), cloth(hex(0x2a_2a2c))?));
+    objects.push(Object::new(shape(discs), Coat::metal(Vec3::new(0.62, 0.63, 0.65))));
     Ok(objects)
 }

@@ -1,0 +1,61 @@
+//! Materials that functions of a point give, and materials in other units.
+
+use asperity_shading::{
+    Brdf, Dielectric, EnergyPreservingOrenNayar, SurfacePoint,
+    bump::Facet,
+    material::Material,
+    reflectance::{Bsdf, Coat, Lobe},
+};
+use glam::Vec3;
+
+/// A material whose BSDF a function gives.
+pub struct Shaded<F>(F);
+
+/// The material with this BSDF at a point for the direction to the eye, in the frame of the surface.
+pub fn shaded<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>>(bsdf: F) -> Shaded<F> {
+    Shaded(bsdf)
+}
+
+impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        (self.0)(point, wo)
+    }
+}
+
+/// Reflectances that are added, the same everywhere.
+pub struct Layers(pub Vec<Box<dyn Brdf + Sync>>);
+
+impl Material for Layers {
+    fn bsdf(&self, _: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        Bsdf::new(wo).with([Facet::FLAT], self.0.iter().map(|brdf| Lobe::from(brdf.as_ref() as &dyn Brdf)))
+    }
+}
+
+/// A matte colour about a bump normal in the frame of the surface, and light that it sends besides.
+pub fn chalk(wo: Vec3, normal: Vec3, colour: Vec3, sent: Vec3) -> Bsdf<'static> {
+    let diffuse = EnergyPreservingOrenNayar::clamped(colour, 0.0);
+    Bsdf::new(wo).with([Facet::new(1.0, normal)], [diffuse.into()]).with_emitted(sent)
+}
+
+/// A material that is laid out in metres, in a scene whose unit is so many.
+pub struct InMetres<M> {
+    material: M,
+    metres: f32,
+}
+
+/// The material in a scene whose unit is so many metres.
+pub fn in_metres<M: Material>(material: M, metres: f32) -> InMetres<M> {
+    InMetres { material, metres }
+}
+
+impl<M: Material> Material for InMetres<M> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        self.material.bsdf(&point.scaled(self.metres), wo)
+    }
+}
+
+/// A matte colour under a glaze of this roughness.
+pub fn glazed(roughness: f32, colour: Vec3) -> impl Material + Sync {
+    let glaze = Coat::varnish(Dielectric::clamped(1.5)).rough(roughness);
+    shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, colour, Vec3::ZERO).with_coat(glaze))
+}

@@ -1,0 +1,113 @@
+//! A scene: shapes of materials, the light that falls on them, and what is behind them.
+
+use std::sync::Arc;
+
+use asperity_shading::{Environment, SurfacePoint, material::Material, reflectance::Bsdf};
+use glam::Vec3;
+
+use crate::{
+    geometry::{
+        ray::Ray,
+        shape::{Hit, Shape},
+    },
+    light::{background::background, lamps::Lamps},
+    materials::shaded,
+};
+
+/// A material that threads may share.
+pub type Surface<'a> = dyn Material + Sync + 'a;
+
+/// A shape with its material.
+pub struct Object<'a> {
+    pub shape: Arc<Shape>,
+    pub material: Box<Surface<'a>>,
+    /// The share of light that goes through it to what is in its shadow: of glass all, or some.
+    pub passes: f32,
+    /// Of a body that refracts, the share of light that is left after a unit of length; anything else is the same on both sides.
+    pub body: Option<Vec3>,
+}
+
+impl<'a> Object<'a> {
+    /// An object that casts a shadow.
+    pub fn new(shape: impl Into<Arc<Shape>>, material: impl Material + Sync + 'a) -> Self {
+        Self { shape: shape.into(), material: Box::new(material), passes: 0.0, body: None }
+    }
+
+    /// An object whose BSDF a function gives.
+    pub fn shaded(
+        shape: impl Into<Arc<Shape>>,
+        bsdf: impl Fn(&SurfacePoint, Vec3) -> Bsdf<'static> + Sync + 'a,
+    ) -> Self {
+        Self::new(shape, shaded(bsdf))
+    }
+
+    /// A body of this tint, in whose shadow is so much of the light.
+    pub fn refracting(self, body: Vec3, passes: f32) -> Self {
+        Self { passes, body: Some(body), ..self }
+    }
+}
+
+/// Light of a scene, which decides on the integrator.
+pub enum Light<'a> {
+    /// Lamps, by [`direct`](crate::integrator::direct), and the room that mirrors show.
+    Lamps { lamps: Vec<Lamps>, room: &'a (dyn Fn(&Ray) -> Vec3 + Sync) },
+    /// Light from all around, by [`path_tracer`](crate::integrator::path_tracer).
+    Around(&'a (dyn Environment + Sync)),
+}
+
+impl Light<'_> {
+    /// Lamps in a dark room.
+    pub fn lamps(lamps: Vec<Lamps>) -> Self {
+        Self::Lamps { lamps, room: &|_| Vec3::ZERO }
+    }
+}
+
+/// Background of the camera.
+#[derive(Clone, Copy)]
+pub enum Backdrop {
+    /// A gradient over the picture.
+    Studio,
+    /// A colour.
+    Colour(Vec3),
+    /// The light from all around, or the room.
+    Light,
+}
+
+/// Shapes of materials in a light.
+pub struct Scene<'m, 'l> {
+    pub objects: Vec<Object<'m>>,
+    pub light: Light<'l>,
+    pub backdrop: Backdrop,
+    /// Offset of rays from what they leave, over its distance from the eye.
+    pub start: f32,
+}
+
+impl<'m, 'l> Scene<'m, 'l> {
+    /// A scene for rays that start three ten-thousandths of their length from what they leave.
+    pub fn new(objects: Vec<Object<'m>>, light: Light<'l>, backdrop: Backdrop) -> Self {
+        Self { objects, light, backdrop, start: 3e-4 }
+    }
+
+    /// The nearest hit, and the object's number.
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<(usize, Hit)> {
+        let hits = self.objects.iter().enumerate();
+        hits.filter_map(|(k, object)| Some((k, object.shape.first_hit(origin, direction)?)))
+            .min_by(|a, b| a.1.t.total_cmp(&b.1.t))
+    }
+
+    /// The share of the light from a direction that comes to a point.
+    pub fn open(&self, origin: Vec3, direction: Vec3) -> f32 {
+        let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(origin, direction);
+        self.objects.iter().filter(hides).map(|object| object.passes).product()
+    }
+
+    /// Radiance behind the objects: along a ray of the camera through a place of the picture, or along any other ray.
+    pub fn behind(&self, ray: &Ray, place: Option<[f32; 2]>) -> Vec3 {
+        match (self.backdrop, place, &self.light) {
+            (Backdrop::Studio, Some([x, y]), _) => background(x, y),
+            (Backdrop::Colour(colour), Some(_), _) => colour,
+            (.., Light::Around(light)) => light.radiance(ray.direction),
+            (.., Light::Lamps { room, .. }) => room(ray),
+        }
+    }
+}

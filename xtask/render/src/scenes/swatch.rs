@@ -1,0 +1,56 @@
+//! Small pictures of a material: a flat patch or a ball.
+
+use glam::{Vec2, Vec3};
+
+use crate::geometry::{camera::Camera, shape::Shape};
+
+/// Form of a piece of a material; lengths are in metres.
+#[derive(Clone, Copy, Debug)]
+pub enum Form {
+    /// A patch of the plane z = 0 that fills the picture, as high as this, seen from straight above by an eye at this distance.
+    Patch { height: f32, distance: f32 },
+    /// A ball of this diameter, of which so much fits the picture's height, seen along y by an eye far away.
+    Ball { diameter: f32, height: f32 },
+}
+
+/// Middle of a patch, off the lattices of noises.
+const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
+
+/// From here on an eye is infinitely far away.
+const FAR: f32 = 100.0;
+
+impl Form {
+    /// Length of the scene's unit in metres.
+    pub fn metres(self) -> f32 {
+        match self {
+            Self::Patch { .. } => 1.0,
+            Self::Ball { diameter, .. } => 0.5 * diameter,
+        }
+    }
+
+    /// The shape.
+    pub fn shape(self) -> Shape {
+        match self {
+            Self::Patch { .. } => Shape::Plane,
+            Self::Ball { .. } => Shape::Sphere,
+        }
+    }
+
+    /// The camera of a picture of so many columns and rows.
+    pub fn camera(self, [width, height]: [u32; 2]) -> Camera {
+        match self {
+            Self::Patch { height: extent, distance } => {
+                let target = CENTRE.extend(0.0);
+                let eye = target + Vec3::Z * distance.min(1.0);
+                if distance > FAR {
+                    return Camera::parallel(eye, target, extent, width, height);
+                }
+                let field = 2.0 * (0.5 * extent / distance).atan();
+                Camera::new(target + Vec3::Z * distance, target, field, width, height)
+            }
+            Self::Ball { height: extent, .. } => {
+                Camera::parallel(Vec3::NEG_Y * 4.0, Vec3::ZERO, extent / self.metres(), width, height)
+            }
+        }
+    }
+}
