@@ -1,6 +1,8 @@
 //! `cargo xtask tidy`: who may know whom, the order of rooms, the files' heads, and the words that do not belong.
 
 mod comparisons;
+#[cfg(test)]
+mod documents;
 mod edges;
 mod graph;
 mod imports;

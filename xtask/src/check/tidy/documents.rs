@@ -1,6 +1,8 @@
-//! Modules and tests that the documents name are there.
+//! Modules, tests and orders of rooms that the documents name are there.
 
 use std::{fs, path::Path};
+
+use super::rooms::{HOUSES, House};
 
 /// Every path that `a::{b, c::{d, e}}` stands for.
 fn expanded(text: &str) -> Vec<String> {
@@ -27,24 +29,18 @@ fn quoted(text: &str) -> Vec<String> {
     text.split('`').skip(1).step_by(2).flat_map(expanded).collect()
 }
 
-/// The folder of a crate's sources by its name in paths.
-fn sources(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "noise" => "crates/noise/src",
-        "ndf_sampling" => "crates/ndf-sampling/src",
-        "fif" => "crates/fif/src",
-        "shading" => "crates/shading/src",
-        "render" => "xtask/render/src",
-        "xtask" => "xtask/src",
-        _ => return None,
-    })
+/// The crate that a path begins with, in the order that data takes through them, and its modules.
+fn house(path: &str) -> Option<(usize, &'static House, &str)> {
+    let (name, modules) = path.split_once("::").unwrap_or((path, ""));
+    let index = HOUSES.iter().position(|house| house.name.replace('-', "_") == name)?;
+    Some((index, &HOUSES[index], modules))
 }
 
 /// Why a path into the crates' modules leads nowhere; its last part may be a name that the module defines.
 fn astray(root: &Path, path: &str) -> Option<String> {
-    let mut parts = path.split("::");
-    let mut place = root.join(sources(parts.next()?)?);
-    for part in parts {
+    let (_, house, modules) = house(path)?;
+    let mut place = root.join(house.sources);
+    for part in modules.split("::").filter(|part| !part.is_empty()) {
         let next = place.join(part);
         if next.is_dir() || next.with_extension("rs").is_file() {
             place = next;
@@ -90,6 +86,45 @@ fn modules_of_the_architecture_are_there() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let lost: Vec<_> = quoted(&page).iter().filter_map(|path| astray(root(), path)).collect();
     assert!(lost.is_empty(), "{lost:#?}");
+}
+
+/// The place of a path in the order of crates and rooms.
+fn place(path: &str) -> Option<(usize, usize)> {
+    let (index, house, modules) = house(path)?;
+    let module = modules.replace("::", "/");
+    let within = |name: &str| module == name || module.starts_with(&format!("{name}/"));
+    let rooms = house.rooms.iter().enumerate();
+    let named = rooms.flat_map(|(room, names)| names.split(' ').map(move |name| (room, name)));
+    let (room, _) = named.filter(|(_, name)| within(name)).max_by_key(|(_, name)| name.len())?;
+    Some((index, room))
+}
+
+#[test]
+fn the_ways_of_data_run_in_the_order_of_the_rooms() {
+    let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let (_, section) = page.split_once("## The five ways of data through the code").unwrap();
+    let section = section.split("\n## ").next().unwrap();
+    let ways: Vec<_> = section.split("\n- ").skip(1).collect();
+    assert_eq!(ways.len(), 5);
+    for way in ways {
+        let steps = quoted(way);
+        assert!(steps.len() >= 4, "{way}");
+        let places: Vec<_> = steps
+            .iter()
+            .map(|step| place(step).unwrap_or_else(|| panic!("`{step}` is in no room")))
+            .collect();
+        assert!(places.is_sorted(), "{steps:?}: {places:?}");
+    }
+}
+
+#[test]
+fn the_picture_of_the_rooms_is_their_order() {
+    let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    for house in HOUSES {
+        let line = format!("{}: {}", house.name, house.rooms.join(" → "));
+        assert!(page.contains(&line), "ARCHITECTURE.md must have `{line}`");
+    }
 }
 
 #[test]
