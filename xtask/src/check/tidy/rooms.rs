@@ -78,7 +78,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: &[
-            "math",
+            "math direction",
             "pixel",
             "bump",
             "level_of_detail",
@@ -88,8 +88,8 @@ pub(super) const HOUSES: &[House] = &[
             "texture",
             "material",
         ],
-        face: Some(60),
-        held: false,
+        face: Some(152),
+        held: true,
     },
     House {
         name: "render",
