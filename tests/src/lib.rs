@@ -1,5 +1,8 @@
 //! Shared statistics of the tests.
 
+pub use approx;
+
+pub mod assertions;
 pub mod chi_square;
 pub mod disk_bins;
 pub mod facets;

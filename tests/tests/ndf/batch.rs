@@ -4,6 +4,7 @@ use asperity_ndf_sampling::{
     Beckmann, Ggx, Microfacet,
     simd::{ClosedForm, Level},
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 
@@ -143,7 +144,8 @@ fn registers_have_the_bits_of_one_lane() {
             assert_eq!(wide.bits(), single.bits(), "{x} {y}");
             for k in 0..LEN {
                 for m in [&wide.normals, &wide.samples, &wide.visible].map(|m| Vec3::from(at(m, k))) {
-                    assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{x} {y}, {k}: {m}");
+                    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{x} {y}, {k}: {m}");
+                    assert!(m.z > 0.0, "{x} {y}, {k}: {m}");
                 }
                 assert!(
                     wide.coordinates.iter().chain(&wide.densities).all(|c| c[k].is_finite()),

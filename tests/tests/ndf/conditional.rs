@@ -5,6 +5,7 @@ use asperity_ndf_sampling::{
     Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, conditional_density,
     level_of_detail::OffsetBeckmann,
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
@@ -169,7 +170,12 @@ fn resolving_more_keeps_the_mean() {
                     gaussian_mean(8, |eta| conditional_density(&*ndf, h, z_b * kept + eta * new, finer));
                 let seen = f64::from(conditional_density(&*ndf, h, z_b, s));
                 worst = worst.max((mean / seen - 1.0).abs());
-                assert!((mean / seen - 1.0).abs() < 2e-5, "{name} at {h}, {s} to {finer}: {mean} != {seen}");
+                assert_abs_diff_eq!(
+                    mean / seen,
+                    1.0,
+                    epsilon = 2e-5,
+                    "{name} at {h}, {s} to {finer}: {mean} != {seen}"
+                );
             }
         }
     }
@@ -183,7 +189,7 @@ fn density_of_the_rest_integrates_to_one() {
         for z_b in COORDINATES {
             let split = GaussianSplit::new(z_b, s);
             let total = gaussian_mean(8, |z| split.weigh(1.0, z));
-            assert!((total - 1.0).abs() < 1e-5, "s = {s}, z_b = {z_b}: {total}");
+            assert_abs_diff_eq!(total, 1.0, epsilon = 1e-5, "s = {s}, z_b = {z_b}: {total}");
         }
     }
 }
@@ -217,7 +223,7 @@ fn beckmann_equals_the_split_of_its_slopes() {
         let error = f64::from(slopes.density(h)) * cos2 * cos2 / expected - 1.0;
         worst_of_slopes = worst_of_slopes.max(error.abs());
         // Nothing cancels but the slopes themselves, rounded to f32.
-        assert!(error.abs() < 3e-5, "{row:?}: {error:e}");
+        assert_abs_diff_eq!(error, 0.0, epsilon = 3e-5, "{row:?}: {error:e}");
     }
     println!(
         "worst relative error to the split of slopes: {worst:e}, in slopes {worst_of_slopes:e}, over {compared}"
@@ -237,8 +243,8 @@ fn share_near_one_is_a_narrow_lobe_on_the_facet() {
         let peak = at(s, ggx.from_gaussian(z_b * s.sqrt()));
         let z = z_b * s.sqrt();
         let there = ggx.density(ggx.from_gaussian(z)) * (0.5 * z.length_squared()).exp() / (1.0 - s);
-        assert!((peak / there - 1.0).abs() < 1e-3, "s = {s}: {peak} != {there}");
-        assert!((there * (1.0 - s) / expected - 1.0).abs() < 0.05);
+        assert_abs_diff_eq!(peak / there, 1.0, epsilon = 1e-3, "s = {s}: {peak} != {there}");
+        assert_abs_diff_eq!(there * (1.0 - s) / expected, 1.0, epsilon = 0.05);
     }
     assert!(at(1.0, facet).is_finite() && at(1.0, facet) > 1e5 * ggx.density(facet));
     assert_eq!(at(1.0, ggx.from_gaussian(-z_b)), 0.0);

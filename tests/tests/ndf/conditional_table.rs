@@ -5,6 +5,7 @@ use asperity_ndf_sampling::{
     StudentT, inverse_phi,
 };
 use asperity_render::sampling::low_discrepancy::r2;
+use asperity_tests::assert_abs_diff_eq;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -91,7 +92,7 @@ fn mean_of_the_look_up_over_the_surface_is_its_far_field() {
                         row.sum::<f64>()
                     })
                     .sum();
-                assert!((mean / far - 1.0).abs() < 1e-6, "{name} at {h}, s = {s}: {mean} {far}");
+                assert_abs_diff_eq!(mean / far, 1.0, epsilon = 1e-6, "{name} at {h}, s = {s}: {mean} {far}");
             }
         }
     }

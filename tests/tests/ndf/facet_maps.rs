@@ -3,6 +3,7 @@
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Microfacet, Mixture, Ndf, Rotated, StudentT, Ward,
 };
+use asperity_tests::assert_abs_diff_eq;
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -99,7 +100,8 @@ fn ends_of_the_square_are_normals() {
             let mut normals = vec![ndf.sample(u)];
             normals.extend(views.map(|v| ndf.sample_visible(v, u)));
             for m in normals {
-                assert!((m.length() - 1.0).abs() < 4e-7 && m.z > 0.0, "{name} at {u}: {m}");
+                assert_abs_diff_eq!(m.length(), 1.0, epsilon = 4e-7, "{name} at {u}: {m}");
+                assert!(m.z > 0.0, "{name} at {u}: {m}");
             }
         }
     }

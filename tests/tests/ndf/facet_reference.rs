@@ -1,6 +1,7 @@
 //! Every parametric density, Smith term and sampling map against the reference values.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, Ndf, StudentT, Ward};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::reference::{self, numbers, rows};
 use glam::{DVec3, Vec2, Vec3};
 use serde_json::Value;
@@ -56,8 +57,10 @@ fn densities() {
             let fall = if expected > 0.0 { (peak / expected).ln().max(0.0) + 4.0 } else { 0.0 };
             let relative = 1e-6 + 8.0 * ROUNDING * fall;
             // Below 1e-37 f32 has no digits left.
-            assert!(
-                (got - expected).abs() <= relative * expected + 1e-37,
+            assert_abs_diff_eq!(
+                got,
+                expected,
+                epsilon = relative * expected + 1e-37,
                 "{} at {m}: {got:e} != {expected:e}",
                 item["model"]
             );

@@ -1,6 +1,7 @@
 //! Maps from and to Gaussian coordinates, Φ and Φ⁻¹: reference values and inversion.
 
 use asperity_ndf_sampling::{Beckmann, Ggx, Ndf, inverse_phi, phi};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::reference::{self, numbers, rows};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -27,7 +28,13 @@ fn gaussian_maps_equal_the_reference() {
                 worst = worst.max(error);
                 assert!(error < 2e-6, "{item:?} at {z}: {got:e} != {expected:e}", item = item["model"]);
             }
-            assert!(ndf.to_gaussian(expected).abs_diff_eq(z, 4e-6), "{z}: {}", ndf.to_gaussian(expected));
+            assert_abs_diff_eq!(
+                ndf.to_gaussian(expected),
+                z,
+                epsilon = 4e-6,
+                "{z}: {}",
+                ndf.to_gaussian(expected)
+            );
             compared += 1;
         }
     }
@@ -91,7 +98,7 @@ fn smooth_at_the_origin() {
             for radius in [1e-8_f32, 1e-6, 1e-5, 1.1e-5, 1e-3] {
                 let m = ndf.from_gaussian(Vec2::new(cos, sin) * radius);
                 let slope = Vec2::new(m.x / m.z / 0.3, m.y / m.z / 0.6) * std::f32::consts::SQRT_2 / radius;
-                assert!(slope.abs_diff_eq(Vec2::new(cos, sin), 2e-6), "{k} {radius}: {slope}");
+                assert_abs_diff_eq!(slope, Vec2::new(cos, sin), epsilon = 2e-6, "{k} {radius}: {slope}");
             }
         }
     }

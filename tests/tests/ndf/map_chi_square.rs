@@ -1,6 +1,7 @@
 //! Normals sampled from images against their density: χ² with pooled bins, significance 0.001 over the number of cases.
 
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
@@ -44,7 +45,7 @@ impl Image {
         let probabilities =
             bins.integrate(2, |x, y| 0.25 * map.cdf().density([0.5 + 0.5 * x, 0.5 + 0.5 * y]));
         let total: f64 = probabilities.iter().sum();
-        assert!((total - 1.0).abs() < 1e-5, "{}: the density integrates to {total}", self.name);
+        assert_abs_diff_eq!(total, 1.0, epsilon = 1e-5, "{}: the density integrates to {total}", self.name);
         probabilities
     }
 
@@ -53,7 +54,8 @@ impl Image {
         let (mut counts, mut random) = (vec![0; self.bins * self.bins], Random(seed));
         for _ in 0..SAMPLES {
             let m = sample(Vec2::new(random.uniform() as f32, random.uniform() as f32));
-            assert!(m.z > 0.0 && (m.length() - 1.0).abs() < 1e-6, "{m}");
+            assert!(m.z > 0.0, "{m}");
+            assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{m}");
             if let Some(bin) = bins.index(f64::from(m.x), f64::from(m.y)) {
                 counts[bin] += 1;
             }

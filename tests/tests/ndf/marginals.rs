@@ -1,6 +1,7 @@
 //! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
 
 use asperity_ndf_sampling::{Beckmann, BlinnPhong, Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{self, numbers, rows};
 use glam::{Vec2, Vec3};
@@ -121,10 +122,10 @@ fn empty_rows_are_uniform_on_the_chord() {
     let map = image(16, Reconstruction::Constant, |i, _| f32::from(i == 3 || i == 12));
     let x = 0.5;
     assert_eq!(map.cdf().marginal(x), 0.0);
-    assert!((map.cdf().marginal_cdf(x) - 0.5).abs() < 1e-14);
+    assert_abs_diff_eq!(map.cdf().marginal_cdf(x), 0.5, epsilon = 1e-14);
     for u in [0.0, 0.25, 0.5, 0.75] {
-        assert!((map.cdf().conditional_inverse(x, u) - u).abs() < 1e-15, "{u}");
-        assert!((map.cdf().conditional_cdf(x, u) - u).abs() < 1e-15, "{u}");
+        assert_abs_diff_eq!(map.cdf().conditional_inverse(x, u), u, epsilon = 1e-15, "{u}");
+        assert_abs_diff_eq!(map.cdf().conditional_cdf(x, u), u, epsilon = 1e-15, "{u}");
     }
     let [_, y] = map.cdf().inverse([0.5, 0.3]);
     assert!((0.0..=1.0).contains(&y));
@@ -173,7 +174,7 @@ fn small_weights_beside_large_ones_are_kept() {
     assert!((0.75..0.875).contains(&x), "{x}");
     let n = Vec3::new(0.6, -0.2, (1.0_f32 - 0.36 - 0.04).sqrt());
     let expected = 1e-12 * 64.0 / 4.0;
-    assert!((map.density(n) / expected - 1.0).abs() < 1e-5, "{:e}", map.density(n));
+    assert_abs_diff_eq!(map.density(n) / expected, 1.0, epsilon = 1e-5, "{:e}", map.density(n));
 }
 
 proptest! {

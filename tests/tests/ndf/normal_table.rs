@@ -5,6 +5,7 @@ use asperity_ndf_sampling::{
     normal_table::{Chart, Spacing, TableLayout, unpack_frame},
 };
 use asperity_render::sampling::low_discrepancy::r2;
+use asperity_tests::assert_abs_diff_eq;
 use glam::{Vec2, Vec3};
 
 const SPACINGS: [Spacing; 3] = [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped];
@@ -35,8 +36,10 @@ fn quantile_error_of_the_slopes() {
 fn frames_are_orthonormal_in_every_layout() {
     let orthonormal = |frame: &Frame, at: Vec2| {
         let (t, b, n) = (frame.tangent, frame.bitangent, frame.normal);
-        assert!((t.cross(b) - n).length() < 1e-6 && t.dot(b).abs() < 1e-6, "{at}: {frame:?}");
-        assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{at}: {n}");
+        assert!((t.cross(b) - n).length() < 1e-6, "{at}: {frame:?}");
+        assert_abs_diff_eq!(t.dot(b), 0.0, epsilon = 1e-6, "{at}: {frame:?}");
+        assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{at}: {n}");
+        assert!(n.z >= 0.0, "{at}: {n}");
     };
     for (spacing, chart) in SPACINGS.into_iter().flat_map(|spacing| CHARTS.map(|chart| (spacing, chart))) {
         for alpha in [0.01, 0.3, 1.0] {

@@ -1,6 +1,7 @@
 //! Packed maps: the same density as the map's, the same samples, and every edge.
 
 use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
 
@@ -82,7 +83,8 @@ fn samples_are_those_of_the_map_to_rounding() {
                 }
             }
             let m = packed.sample(u);
-            assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {u}: {m}");
+            assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {u}: {m}");
+            assert!(m.z > 0.0, "{name} {u}: {m}");
             // Touching zeros the density may vanish at a sample; a constant one does not.
             assert!(packed.density(m) > 0.0 || name.contains("Bilinear"), "{name} {u}: no density at {n}");
         }
@@ -143,7 +145,8 @@ fn total_on_every_input() {
         let packed = PackedMapRef::new(&array).expect("packed");
         for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
             let m = packed.sample(Vec2::new(x, y));
-            assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{name} {x} {y}: {m}");
+            assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{name} {x} {y}: {m}");
+            assert!(m.z > 0.0, "{name} {x} {y}: {m}");
             assert!(packed.from_gaussian(Vec2::new(x, y)).z > 0.0, "{name} {x} {y}");
             let u = packed.forward(Vec2::new(x, y));
             assert!((0.0..=1.0).contains(&u.x) && (0.0..=1.0).contains(&u.y), "{name} {x} {y}: {u}");

@@ -1,5 +1,6 @@
 //! Projected areas, Λ and the densities of visible normals against integrals of the textbooks' densities.
 
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::facets::Facets;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -52,9 +53,15 @@ fn densities_integrate_to_one() {
             // The projected area of the view from the zenith is the area of the macro surface.
             let density = |m: DVec3| f64::from((facets.crate_density)(m.as_vec3()));
             let total = facets.projected(DVec3::Z, density);
-            assert!((total - 1.0).abs() < 1e-5, "{}: ∫ D cos θ = {total}", facets.name);
+            assert_abs_diff_eq!(total, 1.0, epsilon = 1e-5, "{}: ∫ D cos θ = {total}", facets.name);
             let exact = facets.projected(DVec3::Z, &facets.density);
-            assert!((exact - 1.0).abs() < 1e-5, "{}: the textbook's ∫ D cos θ = {exact}", facets.name);
+            assert_abs_diff_eq!(
+                exact,
+                1.0,
+                epsilon = 1e-5,
+                "{}: the textbook's ∫ D cos θ = {exact}",
+                facets.name
+            );
             let mut worst = (total - 1.0).abs();
             for angle in ANGLES {
                 let v = view(angle);

@@ -2,6 +2,7 @@
 
 use asperity_noise::{Normalisation, Rotation, Spectrum};
 use asperity_tests::{
+    assert_abs_diff_eq,
     noise_any::{AnyNoise, VisitAny, any_kind, thinning},
     random::Random,
 };
@@ -63,10 +64,20 @@ impl VisitAny for Others {
                 continue;
             }
             let [values, squares] = correlations(name, |p| [value(p, 5), value(map(p), seed)]);
-            assert!(values.abs() < LIMIT, "{name} and {how}: correlation of {values} standard errors");
+            assert_abs_diff_eq!(
+                values,
+                0.0,
+                epsilon = LIMIT,
+                "{name} and {how}: correlation of {values} standard errors"
+            );
             // Other kinds have a variance that depends on the place in the cell.
             if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
-                assert!(squares.abs() < LIMIT, "{name} and {how}: squares' correlation of {squares}");
+                assert_abs_diff_eq!(
+                    squares,
+                    0.0,
+                    epsilon = LIMIT,
+                    "{name} and {how}: squares' correlation of {squares}"
+                );
             }
         }
         // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
@@ -77,7 +88,12 @@ impl VisitAny for Others {
                 (q[0], q[N - 1]) = (-p[0], -p[N - 1]);
                 [value(p, 5), value(q, 5)]
             });
-            assert!(values.abs() < LIMIT, "{name} and two reflected axes: {values} standard errors");
+            assert_abs_diff_eq!(
+                values,
+                0.0,
+                epsilon = LIMIT,
+                "{name} and two reflected axes: {values} standard errors"
+            );
         }
         for axis in [0, N - 1] {
             for distance in if name.contains("Catmull-Rom") { [4.0, -5.0] } else { [2.0, -3.0] } {
@@ -86,7 +102,12 @@ impl VisitAny for Others {
                     q[axis] += distance;
                     [value(p, 5), value(q, 5)]
                 });
-                assert!(values.abs() < LIMIT, "{name}, {distance} cells along axis {axis}: {values}");
+                assert_abs_diff_eq!(
+                    values,
+                    0.0,
+                    epsilon = LIMIT,
+                    "{name}, {distance} cells along axis {axis}: {values}"
+                );
             }
         }
     }
@@ -110,10 +131,20 @@ impl VisitAny for OctavesApart {
             for (first, second) in [(1.0, 2.0), (2.0, 3.0), (1.0, 3.0)] {
                 let [values, squares] = correlations(name, |p| [octave(p, first), octave(p, second)]);
                 let case = format!("{name} {rotation:?}, octaves {first} and {second}");
-                assert!(values.abs() < LIMIT, "{case}: correlation of {values} standard errors");
+                assert_abs_diff_eq!(
+                    values,
+                    0.0,
+                    epsilon = LIMIT,
+                    "{case}: correlation of {values} standard errors"
+                );
                 // Lattices apart, even the variances that depend on the place do.
                 if rotation == Rotation::Random && N > 1 {
-                    assert!(squares.abs() < LIMIT, "{case}: squares' correlation of {squares}");
+                    assert_abs_diff_eq!(
+                        squares,
+                        0.0,
+                        epsilon = LIMIT,
+                        "{case}: squares' correlation of {squares}"
+                    );
                 }
             }
         }
@@ -131,7 +162,7 @@ impl VisitAny for SumsApart {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
         let [values, _] = correlations(name, |p| sums.each_ref().map(|sum| sum.value(p, 2.5)));
-        assert!(values.abs() < LIMIT, "{name}: correlation of {values} standard errors");
+        assert_abs_diff_eq!(values, 0.0, epsilon = LIMIT, "{name}: correlation of {values} standard errors");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Variance and excess kurtosis of octave sums against exact moments.
 
 use asperity_noise::Spectrum;
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::reference::{read, rows};
 
 #[test]
@@ -12,8 +13,13 @@ fn moments_of_blended_sums_are_the_reference_s() {
         let count = (octaves - 1.0 + weight) as f32;
         let deviation = f64::from(spectrum.root_sum_of_squares(count));
         // The weight comes back from octaves − 1 + weight with the rounding of a number below 8: 2.4e-7.
-        assert!((deviation * deviation / variance - 1.0).abs() < 4e-6, "{row:?}: {deviation}");
-        assert!((f64::from(spectrum.kurtosis_ratio(count)) / kurtosis - 1.0).abs() < 4e-6, "{row:?}");
+        assert_abs_diff_eq!(deviation * deviation / variance, 1.0, epsilon = 4e-6, "{row:?}: {deviation}");
+        assert_abs_diff_eq!(
+            f64::from(spectrum.kurtosis_ratio(count)) / kurtosis,
+            1.0,
+            epsilon = 4e-6,
+            "{row:?}"
+        );
         compared += 1;
     }
     assert_eq!(compared, 48);

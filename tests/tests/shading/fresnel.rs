@@ -1,6 +1,7 @@
 //! Fresnel reflectances against references of 20 digits (Born and Wolf's formulas, unpolarised).
 
 use asperity_shading::{Conductor, Dielectric, Schlick};
+use asperity_tests::assert_abs_diff_eq;
 use serde::Deserialize;
 
 /// Absolute, on a share in [0, 1]. Measured worst cases: dielectric 2.6e-7, conductor 2.2e-7, Schlick 1.0e-7.
@@ -75,7 +76,13 @@ fn dielectric_equals_its_references() {
         let mut rounded = Vec::new();
         for (&c, &expected) in reference.cos_theta.iter().zip(&case.reflectance) {
             let plain = plain_dielectric(case.eta, c);
-            assert!((plain - expected).abs() < 1e-12, "eta = {}, cos = {c}: {plain} != {expected}", case.eta);
+            assert_abs_diff_eq!(
+                plain,
+                expected,
+                epsilon = 1e-12,
+                "eta = {}, cos = {c}: {plain} != {expected}",
+                case.eta
+            );
             rounded.push(plain_dielectric(f64::from(case.eta as f32), f64::from(c as f32)));
         }
         let dielectric = Dielectric::new(case.eta as f32).unwrap();
