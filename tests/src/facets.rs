@@ -11,7 +11,7 @@ use glam::{DVec3, Vec2, Vec3};
 pub struct Facets {
     /// The density and its parameters.
     pub name: String,
-    /// How wide it is along x and y: the slopes of the bins and of the quadrature are counted in it.
+    /// Width along x and y: the slopes of the bins and of the quadrature are counted in it.
     pub width: [f64; 2],
     /// The density by the textbook.
     pub density: Box<dyn Fn(DVec3) -> f64 + Sync + Send>,

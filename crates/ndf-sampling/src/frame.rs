@@ -15,6 +15,10 @@ use crate::math;
 /// assert_eq!(Frame::from_normal(Vec3::Z).to_local(h), h);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "tangent space")]
+#[doc(alias = "orthonormal basis")]
+#[doc(alias = "onb")]
+#[doc(alias = "tbn")]
 pub struct Frame {
     /// Unit tangent **t**, the local x axis.
     pub tangent: Vec3,

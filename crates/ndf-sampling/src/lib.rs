@@ -77,7 +77,6 @@ compile_error!("asperity-ndf-sampling needs a float backend: enable the feature 
 #[cfg(feature = "approx")]
 mod approx;
 mod batch_error;
-mod delegate;
 mod density;
 mod frame;
 pub mod level_of_detail;

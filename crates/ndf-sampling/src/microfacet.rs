@@ -32,6 +32,14 @@ use crate::ndf::Ndf;
 ///
 /// Smith 1967; Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 43 (G₁), 83 (D_v) and
 /// 99 (G₂); <https://jcgt.org/published/0003/02/03/>.
+#[diagnostic::on_unimplemented(
+    message = "masking and visible normals of `{Self}` are not known",
+    label = "`Microfacet` is not implemented for this",
+    note = "analytic densities such as `Ggx` implement it; maps and tables of normals are an `Ndf` only"
+)]
+#[doc(alias = "smith")]
+#[doc(alias = "masking")]
+#[doc(alias = "shadowing")]
 pub trait Microfacet: Ndf {
     /// Smith's `Λ(v)`: the hidden per visible projected area of the facets, in `[0, ∞]`.
     #[must_use]
@@ -43,11 +51,13 @@ pub trait Microfacet: Ndf {
 
     /// A normal with the density [`visible_density`](Self::visible_density) over solid angle, for a uniform `u` in `[0, 1)²`.
     #[must_use]
+    #[doc(alias = "vndf")]
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3;
 
     /// `D_v(m) = D(m) max(0, v·m)/σ(v)`: the density of visible normals, in sr⁻¹.
     #[inline]
     #[must_use]
+    #[doc(alias = "vndf")]
     fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
         let v = above(v);
         let density = self.density(m) * v.dot(m).max(0.0) / self.projected_area(v);

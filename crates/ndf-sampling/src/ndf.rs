@@ -40,6 +40,15 @@ pub(crate) const FARTHEST: f32 = 13.0;
 /// density over the map of normals is D itself, not `D/cos θ` or `D cos θ`, follows from sampling a bump map uniformly over
 /// the macro surface.
 #[expect(clippy::wrong_self_convention, reason = "from_gaussian is T of this NDF, not a constructor")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no normal density",
+    label = "`Ndf` is not implemented for this",
+    note = "pass `Ggx`, `Beckmann`, `NdfMap` or a reference to one, or implement `density`, `from_gaussian` and `to_gaussian`",
+    note = "directions and coordinates are those of `asperity_ndf_sampling::glam`"
+)]
+#[doc(alias = "normal distribution function")]
+#[doc(alias = "importance sampling")]
+#[doc(alias = "pdf")]
 pub trait Ndf {
     /// The density `D(m)` of facet normals, in sr⁻¹, with `∫ D cos θ dω = 1`.
     #[must_use]
@@ -72,6 +81,7 @@ pub trait Ndf {
     /// it, and a NaN is read as 0.
     #[inline]
     #[must_use]
+    #[doc(alias = "importance sampling")]
     fn sample(&self, u: Vec2) -> Vec3 {
         let z = unit_square(u).to_array().map(|u| inverse_phi(f64::from(u)) as f32);
         self.from_gaussian(Vec2::from(z))
@@ -80,6 +90,7 @@ pub trait Ndf {
     /// `D(m) m_z`: the density of [`sample`](Self::sample) over solid angle, in sr⁻¹.
     #[inline]
     #[must_use]
+    #[doc(alias = "pdf")]
     fn sample_density(&self, m: Vec3) -> f32 {
         // Below the horizon and for NaN the density is 0, and `max` takes the number.
         self.density(m) * m.z.max(0.0)

@@ -8,7 +8,7 @@ use crate::ndf::Ndf;
 /// E(t) = −ln P(tan θ > t) = |T⁻¹(m)|²/2   for m tilted by tan θ = t
 /// ```
 ///
-/// Where there is an exponent, `T` keeps directions: `T(z)` is tilted towards `z`. Mixtures of such densities have a
+/// With an exponent `T` keeps directions: `T(z)` is tilted towards `z`. Mixtures of such densities have a
 /// bijection of their own, see [`Mixture`](crate::Mixture).
 ///
 /// ```
@@ -19,6 +19,10 @@ use crate::ndf::Ndf;
 /// assert_eq!(Ggx::new(0.2, 0.4)?.exponent(0.2), None);
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` may depend on the azimuth",
+    note = "for a sum of any densities, without a map from Gaussian coordinates, take `Blend`"
+)]
 pub trait Radial: Ndf {
     /// `E(t)` for the slope `t ≥ 0`, increasing from 0; `None` if the density depends on the azimuth.
     #[must_use]

@@ -28,7 +28,7 @@ fn known_noise_becomes_gaussian() {
     assert!(distance < 1.95 / f64::from(samples).sqrt(), "{distance}");
 }
 
-/// What the measured tables of the noise crate say of each kind.
+/// Measured tables of the noise crate, of each kind.
 #[derive(Default)]
 struct Measured {
     rows: Vec<String>,

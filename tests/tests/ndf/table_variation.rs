@@ -22,7 +22,7 @@ const BINS: usize = 32;
 /// The share of the exact normals that counts as the tail.
 const BEYOND: f64 = 1e-3;
 
-/// What `sample` makes of the points.
+/// The points as `sample` maps them.
 #[derive(Clone, Copy, Debug)]
 struct Measured {
     variation: f64,
@@ -81,7 +81,7 @@ fn beckmann_quantile(t2: f64) -> f64 {
     -(-t2).exp_m1()
 }
 
-/// What the points themselves differ by: they are Beckmann slopes in `f64` up to a scale.
+/// Difference of the points themselves: they are Beckmann slopes in `f64` up to a scale.
 static FLOOR: LazyLock<Measured> = LazyLock::new(|| {
     let slopes = |z: Vec2| Vec3::new(z.x, z.y, std::f32::consts::SQRT_2);
     measure(&POINTS, slopes, beckmann_quantile, [1.0, 1.0])

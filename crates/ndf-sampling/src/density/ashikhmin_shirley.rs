@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use crate::density::blinn_phong::{MAX_EXPONENT, roughness};
 use crate::density::ggx::Ggx;
 use crate::density::roughness::Roughness;
-use crate::density::student_distribution::Student;
+use crate::density::student_distribution::StudentDistribution;
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
@@ -49,6 +49,7 @@ use crate::simd::lanes::Scalar;
 /// Ashikhmin and Shirley 2000, "An Anisotropic Phong BRDF Model", eq. 4. The map is ours: the azimuth of `d` has the density
 /// `∝ 1/((nu+2) cos² φ + (nv+2) sin² φ)`, as theirs in eq. 9 with 2 for 1, and given it `cos^(e+2) θ` is uniform.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "phong")]
 pub struct AshikhminShirley {
     n_u: f32,
     n_v: f32,
@@ -121,7 +122,7 @@ impl AshikhminShirley {
             // 1/|d|² of the direction ψ is e + 2.
             let power = 1.0 / (x * x / nu + y * y / nv);
             let k = steepest * cos_t * math::sqrt_f64(power);
-            let student = Student::new(power - 1.0);
+            let student = StudentDistribution::new(power - 1.0);
             let root = math::sqrt_f64(power - 1.0);
             k * student.tail(root * up / k) / (root * student.peak()) * c / (length * length)
         };

@@ -42,6 +42,7 @@ use crate::simd::lanes::Lanes;
 ///
 /// Walter et al. 2007, eq. 25, in its anisotropic form.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "gaussian slopes")]
 pub struct Beckmann {
     pub(crate) alpha: Roughness,
 }

@@ -1,6 +1,6 @@
 //! The Blinn–Phong normal density: powers of the cosine.
 
-use crate::delegate::delegate_ndf;
+use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::MIN_ALPHA;
 use crate::density::student_t::StudentT;
 use crate::math;
@@ -36,6 +36,9 @@ pub(crate) const MAX_EXPONENT: f32 = 2e12;
 /// Blinn 1977; Walter et al. 2007, eq. 30 (`D`) and section 5.3 (`α`). That the slopes are Student's follows from
 /// `cos² θ = 1/(1 + |s|²)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "phong")]
+#[doc(alias = "cosine power")]
+#[doc(alias = "lambert")]
 pub struct BlinnPhong {
     exponent: f32,
     facets: StudentT,

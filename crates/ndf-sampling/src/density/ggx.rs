@@ -40,6 +40,10 @@ use crate::simd::lanes::{Lanes, Scalar};
 /// Walter et al. 2007, eq. 33; anisotropic form Burley 2012, eq. 13. The map is the radial Gaussian map of that slope density:
 /// `P(|s/α| ≤ t) = t²/(1 + t²) = 1 − exp(−ρ²/2)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "trowbridge")]
+#[doc(alias = "reitz")]
+#[doc(alias = "trowbridge-reitz")]
+#[doc(alias = "specular")]
 pub struct Ggx {
     pub(crate) alpha: Roughness,
 }

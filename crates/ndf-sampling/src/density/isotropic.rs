@@ -8,7 +8,7 @@ use core::fmt;
 use glam::{Vec2, Vec3};
 
 #[cfg(feature = "alloc")]
-use crate::delegate::delegate_ndf;
+use crate::density::delegate::delegate_ndf;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
 use crate::math;
@@ -72,7 +72,7 @@ impl Isotropic {
     /// The density that is proportional to `density(cos θ)` at `nodes` cosines from 0 to 1, and linear between.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn from_fn(nodes: usize, density: impl Fn(f32) -> f32) -> Result<Self, IsotropicError> {
         if !(2..=MAX_NODES).contains(&nodes) {
             return Err(IsotropicError::Nodes { got: nodes });
@@ -139,7 +139,7 @@ impl<'a> IsotropicRef<'a> {
         if !(2..=MAX_NODES).contains(&nodes) {
             return Err(IsotropicError::Nodes { got: nodes });
         }
-        if packed.len() % PER_NODE != 0 {
+        if !packed.len().is_multiple_of(PER_NODE) {
             return Err(IsotropicError::Storage { expected: PER_NODE * nodes, got: packed.len() });
         }
         let mut last = 0.0;
@@ -247,13 +247,13 @@ impl Radial for IsotropicRef<'_> {
     }
 }
 
-/// Why a table was refused.
+/// Refusal of a table over the cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IsotropicError {
     /// The table has fewer than 2 or more than 2²⁰ nodes.
     Nodes {
-        /// How many.
+        /// Number of nodes.
         got: usize,
     },
     /// The storage has another length than three numbers for each node.

@@ -31,7 +31,7 @@ impl Cell {
     }
 }
 
-/// Where an increasing function on [0, 1], given with its derivative, is `value`; bracketed Newton.
+/// Inverse at `value` of an increasing function on [0, 1], given with its derivative; bracketed Newton.
 pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high, mut x) = (0.0, 1.0, 0.5);
     for _ in 0..60 {

@@ -5,6 +5,7 @@ pub(crate) mod beckmann;
 pub(crate) mod blend;
 pub(crate) mod blinn_phong;
 pub(crate) mod closed_form;
+pub(crate) mod delegate;
 pub(crate) mod gaussian_lanes;
 pub(crate) mod ggx;
 pub(crate) mod isotropic;

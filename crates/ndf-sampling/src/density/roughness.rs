@@ -61,7 +61,7 @@ macro_rules! roughness_parameters {
             /// The isotropic density with the roughness `alpha`.
             ///
             /// # Errors
-            /// As [`Self::new`]; the error names `alpha_x`.
+            /// A roughness that [`Self::new`] refuses; the error names `alpha_x`.
             #[inline]
             pub fn isotropic(alpha: f32) -> Result<Self, $crate::range_error::RangeError> {
                 Self::new(alpha, alpha)

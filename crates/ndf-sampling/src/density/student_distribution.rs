@@ -14,14 +14,14 @@ use crate::numeric::normal_distribution::inverse_phi;
 ///
 /// Accuracy: 1e-13 relative for the density, the tail and the excess, for `ν` from 1 to 10¹³.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Student {
+pub(crate) struct StudentDistribution {
     /// The degrees of freedom ν.
     freedom: f64,
     /// `f(0)`.
     peak: f64,
 }
 
-impl Student {
+impl StudentDistribution {
     /// The distribution with `freedom` degrees of freedom, which must be positive.
     pub(crate) fn new(freedom: f64) -> Self {
         Self { freedom, peak: gamma_ratio(0.5 * freedom) / math::sqrt_f64(PI * freedom) }
@@ -66,7 +66,7 @@ impl Student {
 
     /// The `u`-quantile of the slope that a view sees, whose density is proportional to `(b + x) f(x)` for `x ≥ −b`.
     ///
-    /// As [`visible_slope`](crate::density::visible_slopes::visible_slope), with `x` stretched by arsinh, where power laws are
+    /// Like [`visible_slope`](crate::density::visible_slopes::visible_slope), with `x` stretched by arsinh, where power laws are
     /// straight. `ν > 1`; in `u` within 1e-12.
     pub(crate) fn visible_slope(self, b: f64, u: f64) -> f64 {
         let b = if b < ZENITH { b } else { ZENITH };
@@ -98,7 +98,7 @@ impl Student {
         self.solve(self.guess(u.max(LEAST_U)), -FARTHEST, u, side)
     }
 
-    /// Where the share to the left is `u`, from `start` and not below `least`.
+    /// Quantile of `u`: the point with this share to its left, from `start` and not below `least`.
     fn solve(self, start: f64, least: f64, u: f64, side: impl Fn(f64) -> Side) -> f64 {
         let u = u.max(LEAST_U);
         let (mut low, mut high, mut x) = (least, FARTHEST, start.min(FARTHEST));
@@ -141,7 +141,7 @@ impl Student {
         if z < 0.0 { -t } else { t }
     }
 
-    /// Where the series at 0 gives way to the continued fraction: both take some 30 terms there.
+    /// Point at which the series at 0 gives way to the continued fraction: both take some 30 terms there.
     fn seam(self) -> f64 {
         math::sqrt_f64(9.0 * self.freedom / (self.freedom + 18.0))
     }
@@ -193,7 +193,7 @@ impl Student {
     }
 }
 
-/// What a quantile is solved by: the share on the smaller side of a point, and the density there.
+/// Values by which a quantile is solved: the share on the smaller side of a point, and the density there.
 struct Side {
     share: f64,
     density: f64,
@@ -265,17 +265,17 @@ mod tests {
     fn tails_equal_their_closed_forms() {
         for z in (1..400).map(|k| 0.02 * f64::from(k)) {
             for nu in 1..=4 {
-                let (got, expected) = (Student::new(f64::from(nu)).tail(z), closed(nu, z));
+                let (got, expected) = (StudentDistribution::new(f64::from(nu)).tail(z), closed(nu, z));
                 // The closed forms are differences.
                 assert!(
                     (got - expected).abs() < 1e-13 * expected + 1e-15,
                     "{nu} {z}: {got:e} != {expected:e}"
                 );
             }
-            let (got, expected) = (Student::new(1e13).tail(z), phi(-z));
+            let (got, expected) = (StudentDistribution::new(1e13).tail(z), phi(-z));
             assert!((got / expected - 1.0).abs() < 1e-12 + z.powi(4) / 3e13, "{z}: {got:e} != {expected:e}");
         }
-        let student = Student::new(5.0);
+        let student = StudentDistribution::new(5.0);
         assert_eq!([0.0, -f64::INFINITY, f64::INFINITY].map(|z| student.tail(z)), [0.5, 1.0, 0.0]);
         assert!((student.tail(-0.7) + student.tail(0.7) - 1.0).abs() < 1e-15);
     }
@@ -283,7 +283,7 @@ mod tests {
     #[test]
     fn both_expansions_meet() {
         for nu in [1.0, 1.5, 2.0, 5.0, 20.0, 1e3, 1e6, 1e13] {
-            let student = Student::new(nu);
+            let student = StudentDistribution::new(nu);
             let seam = student.seam();
             let (left, right) = (seam * (1.0 - 1e-6), seam);
             let slope = (student.tail(left) - student.tail(right)) / (right - left) / student.density(seam);
@@ -298,18 +298,18 @@ mod tests {
         for z in (1..600).map(|k| 0.02 * f64::from(k)) {
             let root = (2.0 + z * z).sqrt();
             // √(2 + z²)/2 − z/2
-            let (got, expected) = (Student::new(2.0).excess(z), 1.0 / (root + z));
+            let (got, expected) = (StudentDistribution::new(2.0).excess(z), 1.0 / (root + z));
             assert!((got / expected - 1.0).abs() < 1e-13, "{z}: {got:e} != {expected:e}");
-            let (got, expected) = (Student::new(1e13).excess(z), visible_slopes::excess(z));
+            let (got, expected) = (StudentDistribution::new(1e13).excess(z), visible_slopes::excess(z));
             assert!((got / expected - 1.0).abs() < 1e-11 + z.powi(4) / 3e13, "{z}: {got:e} != {expected:e}");
         }
-        assert_eq!([f64::INFINITY, f64::NAN].map(|z| Student::new(3.0).excess(z)), [0.0, 0.0]);
+        assert_eq!([f64::INFINITY, f64::NAN].map(|z| StudentDistribution::new(3.0).excess(z)), [0.0, 0.0]);
     }
 
     #[test]
     fn quantiles_invert_the_tail() {
         for nu in [1.5, 2.0, 3.0, 7.5, 100.0, 1e6] {
-            let student = Student::new(nu);
+            let student = StudentDistribution::new(nu);
             for k in 0..=200 {
                 let u = if k < 24 { 0.5_f64.powi(26 - k) } else { f64::from(k - 23) / 178.0 };
                 let x = student.quantile(u);
@@ -321,7 +321,7 @@ mod tests {
     #[test]
     fn visible_slopes_invert_their_distribution() {
         for nu in [1.02, 1.5, 2.0, 3.0, 10.0, 200.0, 1e9] {
-            let student = Student::new(nu);
+            let student = StudentDistribution::new(nu);
             for b in [0.0, 1e-3, 0.3, 1.0, 4.0, 30.0, 1e4, 1e12, f64::INFINITY] {
                 let total = b * student.tail(-b) + student.beyond(b);
                 for k in 0..=100 {

@@ -5,7 +5,7 @@ use core::f64::consts::SQRT_2;
 use glam::{Vec2, Vec3};
 
 use crate::density::roughness::{Roughness, roughness_accessors};
-use crate::density::student_distribution::Student;
+use crate::density::student_distribution::StudentDistribution;
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
@@ -44,13 +44,15 @@ use crate::simd::lanes::Scalar;
 /// Ribardière et al. 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs", eq. 12 for `D`. Their Λ
 /// approximates the integral by a rational function; here it is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "std")]
+#[doc(alias = "gtr")]
 pub struct StudentT {
     alpha: Roughness,
     gamma: f32,
     /// The slopes along a direction, in units of α/√2.
-    along: Student,
+    along: StudentDistribution,
     /// The slopes across, given those along.
-    across: Student,
+    across: StudentDistribution,
 }
 
 roughness_accessors!(StudentT);
@@ -82,7 +84,12 @@ impl StudentT {
 
     fn with(alpha: Roughness, gamma: f32) -> Self {
         let freedom = 2.0 * f64::from(gamma) - 2.0;
-        Self { alpha, gamma, along: Student::new(freedom), across: Student::new(freedom + 1.0) }
+        Self {
+            alpha,
+            gamma,
+            along: StudentDistribution::new(freedom),
+            across: StudentDistribution::new(freedom + 1.0),
+        }
     }
 
     /// The exponent γ.

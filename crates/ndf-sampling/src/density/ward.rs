@@ -4,8 +4,8 @@ use core::f32::consts::PI;
 
 use glam::Vec3;
 
-use crate::delegate::delegate_ndf;
 use crate::density::beckmann::Beckmann;
+use crate::density::delegate::delegate_ndf;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::math;
 

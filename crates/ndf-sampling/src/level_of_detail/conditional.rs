@@ -47,6 +47,10 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 /// `D` with itself: the mean over a surface is not the far field.
 #[inline]
 #[must_use]
+#[doc(alias = "toksvig")]
+#[doc(alias = "lean")]
+#[doc(alias = "filtering")]
+#[doc(alias = "antialiasing")]
 pub fn conditional_density<N: Ndf + ?Sized>(ndf: &N, h: Vec3, z_b: Vec2, s: f32) -> f32 {
     let density = ndf.density(h);
     if density > 0.0 { GaussianSplit::new(z_b, s).weigh(density, ndf.to_gaussian(h)) } else { 0.0 }

@@ -34,13 +34,15 @@ use crate::ndf::Ndf;
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "toksvig")]
+#[doc(alias = "lean")]
 pub struct ConditionalNdf<N> {
     ndf: N,
     split: GaussianSplit,
 }
 
 impl<N: Ndf> ConditionalNdf<N> {
-    /// What is left of `ndf` where the coordinates `z_b` are resolved with their share `s` of the variance; total.
+    /// The rest of `ndf` where the coordinates `z_b` are resolved with their share `s` of the variance; total.
     #[inline]
     #[must_use]
     pub fn new(ndf: N, z_b: Vec2, s: f32) -> Self {

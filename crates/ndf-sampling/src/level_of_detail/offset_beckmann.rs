@@ -42,6 +42,9 @@ use crate::ndf::{Ndf, bounded};
 ///
 /// Olano, Baker 2010, "LEAN Mapping", eq. 5, in the normalisation `∫ D cos θ dω = 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "lean")]
+#[doc(alias = "leadr")]
+#[doc(alias = "toksvig")]
 pub struct OffsetBeckmann {
     mean: Vec2,
     /// `L`: its first column, and the last entry.
@@ -76,7 +79,7 @@ impl OffsetBeckmann {
         }
     }
 
-    /// What a pixel sees of a Beckmann surface that resolves the coordinates `z_b` with their share `s` of the variance; total,
+    /// The conditional density of a Beckmann surface for a pixel that resolves the coordinates `z_b` with their share `s` of the variance; total,
     /// as [`conditional_density`](crate::conditional_density), which it equals.
     #[inline]
     #[must_use]
@@ -142,7 +145,7 @@ impl Ndf for OffsetBeckmann {
     }
 }
 
-/// Why numbers are no mean and covariance of slopes.
+/// Refusal of numbers that are no mean and covariance of slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OffsetBeckmannError {

@@ -58,7 +58,7 @@ pub struct ConditionalTable {
     entries: Vec<[f32; 3]>,
 }
 
-/// What a [`ConditionalTable`] loses, over 64 × 64 quantiles of the density.
+/// Accuracy of a [`ConditionalTable`], over 64 × 64 quantiles of the density.
 ///
 /// At the share `s` the coordinates' error shifts the lobe by `√s` of itself; its width is `√(1 − s)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -122,7 +122,7 @@ impl ConditionalTable {
         ConditionalTableRef::of(self.size, self.stretch, &self.entries)
     }
 
-    /// What the look-up loses against `ndf`, of which the table is; see [`ConditionalAccuracy`].
+    /// Accuracy of the look-up against `ndf`, of which the table is; see [`ConditionalAccuracy`].
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> ConditionalAccuracy {
         let quantile = |k: usize| inverse_phi((k as f64 + 0.5) / QUANTILES as f64) as f32;

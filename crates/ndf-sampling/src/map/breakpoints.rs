@@ -1,11 +1,11 @@
-//! Where the marginal of a map goes from one formula to the next.
+//! Breakpoints of the marginal of a map: the places between its formulas.
 
 use alloc::vec::Vec;
 
 use crate::map::disk::half_chord;
 use crate::map::reconstruction::Reconstruction;
 
-/// Cuts nearer to one another than this are one.
+/// Breakpoints nearer to one another than this are one.
 const MERGED: f64 = 1e-12;
 
 /// Cosine and sine of the longest piece of the rim, 2√3/1024, whose chord is 1.43e-6 of the radius away from its arc.
@@ -20,9 +20,9 @@ const LONGEST_CHORD: f64 = 1.144_408_088_294_274_3e-5;
 /// the grid's own lines;  ½ ± c(y) of its lines across;  ½;  and where these leave more, an angle of 2√3/1024 after another
 /// ```
 ///
-/// The cuts after ½ mirror those before it.
+/// The breakpoints after ½ mirror those before it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Cuts {
+pub(crate) struct Breakpoints {
     pub(crate) places: Vec<f64>,
     /// Half the disk's chord there.
     pub(crate) half_chords: Vec<f64>,
@@ -30,14 +30,14 @@ pub(crate) struct Cuts {
     pub(crate) cells: Vec<u32>,
 }
 
-impl Cuts {
+impl Breakpoints {
     pub(crate) fn new(width: usize, height: usize, kind: Reconstruction) -> Self {
         let (columns, rows) = (kind.cells(width), kind.cells(height));
         // An angle of π in pieces of the longest, and one more for each line.
         let expected = columns + rows + 932;
         let [places, half_chords] = [(); 2].map(|()| Vec::with_capacity(expected));
-        let mut cuts = Self { places, half_chords, cells: Vec::with_capacity(expected) };
-        cuts.push(0.0, 0.0, 0);
+        let mut breakpoints = Self { places, half_chords, cells: Vec::with_capacity(expected) };
+        breakpoints.push(0.0, 0.0, 0);
         let mut across = (0..rows.div_ceil(2)).rev().map(|j| half_chord(kind.line(j, height).max(0.0)));
         let mut next_across = move || across.next().map_or(0.5, |c| 0.5 - c);
         let (mut y, mut passed) = (next_across(), 0);
@@ -45,19 +45,19 @@ impl Cuts {
             let line = kind.line(passed + 1, width).min(0.5);
             // What differs from another by rounding alone would leave pieces without a width.
             while y < line - MERGED {
-                if y > cuts.places.last().map_or(0.0, |&last| last + MERGED) {
-                    cuts.extend_to(y, passed as u32);
+                if y > breakpoints.places.last().map_or(0.0, |&last| last + MERGED) {
+                    breakpoints.extend_to(y, passed as u32);
                 }
                 y = next_across();
             }
             passed += usize::from(kind.line(passed + 1, width) <= 0.5);
-            cuts.extend_to(line, passed as u32);
+            breakpoints.extend_to(line, passed as u32);
             if line >= 0.5 {
                 break;
             }
         }
-        cuts.mirror(width, kind);
-        cuts
+        breakpoints.mirror(width, kind);
+        breakpoints
     }
 
     fn push(&mut self, place: f64, half_chord: f64, cell: u32) {
@@ -66,7 +66,7 @@ impl Cuts {
         self.cells.push(cell);
     }
 
-    /// Cuts at `place`, and before as often as the rim needs it.
+    /// Breakpoints at `place`, and before as often as the rim needs it.
     fn extend_to(&mut self, place: f64, cell: u32) {
         let (half_chord_there, before) = (half_chord(place), self.cells.last().copied().unwrap_or(0));
         let from = self.places.last().zip(self.half_chords.last());
@@ -83,7 +83,7 @@ impl Cuts {
         self.push(place, half_chord_there, cell);
     }
 
-    /// Continues cuts that end at ½.
+    /// Continues breakpoints that end at ½.
     fn mirror(&mut self, width: usize, kind: Reconstruction) {
         let (count, cells) = (self.places.len(), kind.cells(width));
         for k in (1..count).rev() {
@@ -111,7 +111,7 @@ mod tests {
     fn cuts_increase_and_are_never_far_apart() {
         for (width, height) in [(1, 1), (2, 2), (10, 7), (64, 256), (5, 5), (256, 256)] {
             for kind in KINDS {
-                let Cuts { places, half_chords, .. } = Cuts::new(width, height, kind);
+                let Breakpoints { places, half_chords, .. } = Breakpoints::new(width, height, kind);
                 assert_eq!((places.first(), places.last()), (Some(&0.0), Some(&1.0)));
                 for (x, c) in places.windows(2).zip(half_chords.windows(2)) {
                     let (dx, dy) = (x[1] - x[0], c[1] - c[0]);
@@ -130,7 +130,7 @@ mod tests {
     fn pieces_lie_in_one_column_and_their_chords_end_in_one_row() {
         for (width, height) in [(1, 1), (2, 3), (10, 7), (64, 256), (93, 49), (256, 256)] {
             for kind in KINDS {
-                let Cuts { places, half_chords, cells } = Cuts::new(width, height, kind);
+                let Breakpoints { places, half_chords, cells } = Breakpoints::new(width, height, kind);
                 for k in 1..places.len() {
                     let cell = kind.cell(places[k - 1], width);
                     assert_eq!(cells[k - 1] as usize, cell, "{width} × {height} {k}");

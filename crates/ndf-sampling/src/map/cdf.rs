@@ -2,19 +2,19 @@
 
 use alloc::vec::Vec;
 
-use crate::map::breakpoints::Cuts;
+use crate::map::breakpoints::Breakpoints;
 use crate::map::columns::{Columns, Strip};
 use crate::map::disk::to_normal;
-use crate::map::piece::Slab;
-use crate::map::pieces::slabs;
+use crate::map::piece::Piece;
+use crate::map::pieces::pieces;
 use crate::map::prefix_sums::WINDOW;
 use crate::map::quantiles::row_of;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::row_guide::RowGuide;
 use crate::math;
 use crate::numeric::bernstein::cubic;
-use crate::numeric::compensated_sum::Sum;
-use crate::numeric::guide_table::Guide;
+use crate::numeric::compensated_sum::CompensatedSum;
+use crate::numeric::guide_table::GuideTable;
 
 /// The largest `f64` below 1: `u = 1` counts as this, so that inversion ends inside the density.
 pub(crate) const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
@@ -29,8 +29,8 @@ pub(crate) const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 /// The density is constant on each texel, or bilinear between their centres, **and clipped to the disk**: a texel at the rim
 /// counts with the part of it that is inside, so no sample leaves the disk.
 ///
-/// The disk's rim is cut where it crosses a line of the grid, and where that leaves more, at every 2√3/1024 of angle. At the cuts
-/// `M` is that of the circle. Between two cuts the rim is a straight chord: `m` is a polynomial of degree 3 (1 for constant texels), `M` of
+/// The disk's rim is cut where it crosses a line of the grid, and where that leaves more, at every 2√3/1024 of angle. At the breakpoints
+/// `M` is that of the circle. Between two breakpoints the rim is a straight chord: `m` is a polynomial of degree 3 (1 for constant texels), `M` of
 /// degree 4, inverted by bracketed Newton steps from the closed form for a linear `m`; the conditional is linear in `y` for
 /// constant texels, else quadratic, and inverted in closed form. The chords leave out less than 1.5e-6 of the disk's radius
 /// and 1.91e-6 of its area; their pieces' weight is that of the circle, so what is left out is spread over the same piece.
@@ -54,15 +54,15 @@ pub(crate) const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cdf {
     columns: Columns,
-    /// What a value is multiplied with for the integral over the disk to be 1.
+    /// Factor of the values by which the integral over the disk is 1.
     scale: f64,
-    slabs: Vec<Slab>,
-    /// Where the slabs begin, and 1.
+    pieces: Vec<Piece>,
+    /// Beginnings of the pieces, and 1.
     places: Vec<f64>,
     /// `M` there.
     cumulative: Vec<f64>,
-    by_place: Guide,
-    by_weight: Guide,
+    by_place: GuideTable,
+    by_weight: GuideTable,
     by_quantile: RowGuide,
 }
 
@@ -70,10 +70,10 @@ impl Cdf {
     /// The functions of columns of values that are finite and not negative; nothing if no weight is in the disk.
     pub(crate) fn new(columns: Columns) -> Option<Self> {
         let height = columns.height() as f64;
-        let cuts = Cuts::new(columns.width(), columns.height(), columns.kind());
-        let (slabs, masses) = slabs(&columns, &cuts);
-        let places = cuts.places;
-        let mut sum = Sum::default();
+        let breakpoints = Breakpoints::new(columns.width(), columns.height(), columns.kind());
+        let (pieces, masses) = pieces(&columns, &breakpoints);
+        let places = breakpoints.places;
+        let mut sum = CompensatedSum::default();
         let mut cumulative = Vec::with_capacity(places.len());
         cumulative.push(0.0);
         cumulative.extend(masses.iter().map(|&mass| {
@@ -88,17 +88,17 @@ impl Cdf {
         for sum in &mut cumulative {
             *sum = (*sum * per_total).min(1.0);
         }
-        // Every slab after the last weight ends at exactly 1.
+        // Every piece after the last weight ends at exactly 1.
         for sum in cumulative.iter_mut().rev().take_while(|sum| **sum >= BELOW_ONE) {
             *sum = 1.0;
         }
         if let Some(last) = cumulative.last_mut() {
             *last = 1.0;
         }
-        let (by_place, by_weight) = (Guide::new(&places), Guide::new(&cumulative));
+        let (by_place, by_weight) = (GuideTable::new(&places), GuideTable::new(&cumulative));
         let by_quantile = RowGuide::new(&columns);
         let scale = height * per_total;
-        Some(Self { columns, scale, slabs, places, cumulative, by_place, by_weight, by_quantile })
+        Some(Self { columns, scale, pieces, places, cumulative, by_place, by_weight, by_quantile })
     }
 
     /// The number of texels along x.
@@ -115,7 +115,7 @@ impl Cdf {
         self.columns.height()
     }
 
-    /// What the density is between the texels' centres.
+    /// Reconstruction between the texels' centres.
     #[inline]
     #[must_use]
     pub const fn reconstruction(&self) -> Reconstruction {
@@ -133,8 +133,8 @@ impl Cdf {
     #[must_use]
     pub fn marginal(&self, x: f64) -> f64 {
         let x = coordinate(x);
-        match self.slabs.get(self.slab(x)) {
-            Some(slab) => cubic(slab.marginal, slab.place(x)) * self.scale / self.height() as f64,
+        match self.pieces.get(self.piece(x)) {
+            Some(piece) => cubic(piece.marginal, piece.place(x)) * self.scale / self.height() as f64,
             None => 0.0,
         }
     }
@@ -143,9 +143,9 @@ impl Cdf {
     #[must_use]
     pub fn marginal_cdf(&self, x: f64) -> f64 {
         let x = coordinate(x);
-        let k = self.slab(x);
-        match self.slabs.get(k) {
-            Some(slab) if x < 1.0 => self.cumulative_at(k, slab, slab.place(x)),
+        let k = self.piece(x);
+        match self.pieces.get(k) {
+            Some(piece) if x < 1.0 => self.cumulative_at(k, piece, piece.place(x)),
             _ => 1.0,
         }
     }
@@ -160,14 +160,16 @@ impl Cdf {
     #[must_use]
     pub fn conditional_cdf(&self, x: f64, y: f64) -> f64 {
         let x = coordinate(x);
-        self.slabs.get(self.slab(x)).map_or(0.5, |slab| self.conditional(slab, slab.place(x), x, y))
+        self.pieces.get(self.piece(x)).map_or(0.5, |piece| self.conditional(piece, piece.place(x), x, y))
     }
 
     /// `C⁻¹(u|x)`, on the chord `½ ± √(x(1−x))`.
     #[must_use]
     pub fn conditional_inverse(&self, x: f64, u: f64) -> f64 {
         let x = coordinate(x);
-        self.slabs.get(self.slab(x)).map_or(0.5, |slab| self.invert_conditional(slab, slab.place(x), x, u))
+        self.pieces
+            .get(self.piece(x))
+            .map_or(0.5, |piece| self.invert_conditional(piece, piece.place(x), x, u))
     }
 
     /// `(u₁, u₂) = (M(x), C(y|x))`.
@@ -175,26 +177,26 @@ impl Cdf {
     #[must_use]
     pub fn forward(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let x = coordinate(x);
-        let k = self.slab(x);
-        let Some(slab) = self.slabs.get(k) else { return [0.5; 2] };
-        let s = slab.place(x);
-        [if x < 1.0 { self.cumulative_at(k, slab, s) } else { 1.0 }, self.conditional(slab, s, x, y)]
+        let k = self.piece(x);
+        let Some(piece) = self.pieces.get(k) else { return [0.5; 2] };
+        let s = piece.place(x);
+        [if x < 1.0 { self.cumulative_at(k, piece, s) } else { 1.0 }, self.conditional(piece, s, x, y)]
     }
 
     /// `(x, y)` with `x = M⁻¹(u₁)`, `y = C⁻¹(u₂|x)`; it has the density `f` if `u` is uniform on the square.
     #[inline]
     #[must_use]
     pub fn inverse(&self, [u1, u2]: [f64; 2]) -> [f64; 2] {
-        let Some((slab, s, x)) = self.find(probability(u1)) else { return [0.5; 2] };
-        [x, self.invert_conditional(slab, s, x, u2)]
+        let Some((piece, s, x)) = self.find(probability(u1)) else { return [0.5; 2] };
+        [x, self.invert_conditional(piece, s, x, u2)]
     }
 
     pub(crate) const fn columns(&self) -> &Columns {
         &self.columns
     }
 
-    pub(crate) fn slabs(&self) -> &[Slab] {
-        &self.slabs
+    pub(crate) fn pieces(&self) -> &[Piece] {
+        &self.pieces
     }
 
     pub(crate) fn cumulative(&self) -> &[f64] {
@@ -210,61 +212,61 @@ impl Cdf {
         self.columns.value(at) * self.scale
     }
 
-    /// The slab that holds `x`.
+    /// The piece that holds `x`.
     #[inline]
-    fn slab(&self, x: f64) -> usize {
-        self.by_place.find(&self.places, x).min(self.slabs.len().saturating_sub(1))
+    fn piece(&self, x: f64) -> usize {
+        self.by_place.find(&self.places, x).min(self.pieces.len().saturating_sub(1))
     }
 
-    /// `M` at a place of slab `k`.
+    /// `M` at a place of piece `k`.
     #[inline]
-    fn cumulative_at(&self, k: usize, slab: &Slab, s: f64) -> f64 {
+    fn cumulative_at(&self, k: usize, piece: &Piece, s: f64) -> f64 {
         match self.cumulative.get(k..) {
-            Some(&[from, to, ..]) => (from + (to - from) * slab.share(s)).min(to),
+            Some(&[from, to, ..]) => (from + (to - from) * piece.share(s)).min(to),
             _ => 1.0,
         }
     }
 
-    /// The slab in which `M` is `u`, the place in it, and `x`.
+    /// The piece in which `M` is `u`, the place in it, and `x`.
     #[inline]
-    fn find(&self, u: f64) -> Option<(&Slab, f64, f64)> {
-        let k = self.by_weight.find(&self.cumulative, u).min(self.slabs.len().saturating_sub(1));
-        let (slab, &[from, to]) = (self.slabs.get(k)?, self.cumulative.get(k..k + 2)?.first_chunk()?);
-        let (s, x) = slab.inverse((u - from) / (to - from), to - from);
-        Some((slab, s, x))
+    fn find(&self, u: f64) -> Option<(&Piece, f64, f64)> {
+        let k = self.by_weight.find(&self.cumulative, u).min(self.pieces.len().saturating_sub(1));
+        let (piece, &[from, to]) = (self.pieces.get(k)?, self.cumulative.get(k..k + 2)?.first_chunk()?);
+        let (s, x) = piece.inverse((u - from) / (to - from), to - from);
+        Some((piece, s, x))
     }
 
-    fn conditional(&self, slab: &Slab, s: f64, x: f64, y: f64) -> f64 {
-        let (c, y) = (slab.half_chord(s), coordinate(y));
+    fn conditional(&self, piece: &Piece, s: f64, x: f64, y: f64) -> f64 {
+        let (c, y) = (piece.half_chord(s), coordinate(y));
         let y = y.clamp(0.5 - c, 0.5 + c);
-        let marginal = cubic(slab.marginal, s);
+        let marginal = cubic(piece.marginal, s);
         if marginal < f64::MIN_POSITIVE {
             return if c > 0.0 { ((y - 0.5) / c * 0.5 + 0.5).clamp(0.0, 1.0) } else { 0.5 };
         }
         let kind = self.reconstruction();
-        let strip = self.columns.strip(slab.column as usize);
-        let t = place_in_column(kind, x, self.width(), slab.column as usize);
-        let row = kind.cell(y, self.height()).clamp(slab.rows[0] as usize, slab.rows[1] as usize);
+        let strip = self.columns.strip(piece.column as usize);
+        let t = place_in_column(kind, x, self.width(), piece.column as usize);
+        let row = kind.cell(y, self.height()).clamp(piece.rows[0] as usize, piece.rows[1] as usize);
         let q = (y * self.height() as f64 + kind.offset() - row as f64).clamp(0.0, 1.0);
         let [a, b] = strip.row(t, row);
         let sum = strip.sum(t, row) + q * ((1.0 - 0.5 * q) * a + 0.5 * q * b);
-        ((sum + cubic(slab.below, s)) / marginal).clamp(0.0, 1.0)
+        ((sum + cubic(piece.below, s)) / marginal).clamp(0.0, 1.0)
     }
 
-    fn invert_conditional(&self, slab: &Slab, s: f64, x: f64, u: f64) -> f64 {
-        let (u, c) = (probability(u), slab.half_chord(s));
+    fn invert_conditional(&self, piece: &Piece, s: f64, x: f64, u: f64) -> f64 {
+        let (u, c) = (probability(u), piece.half_chord(s));
         let (low, high) = (0.5 - c, 0.5 + c);
-        let marginal = cubic(slab.marginal, s);
+        let marginal = cubic(piece.marginal, s);
         if marginal < f64::MIN_POSITIVE {
             return low + (high - low) * u;
         }
         let kind = self.reconstruction();
-        let column = slab.column as usize;
-        let (strip, rows) = (self.columns.strip(column), slab.rows.map(|row| row as usize));
+        let column = piece.column as usize;
+        let (strip, rows) = (self.columns.strip(column), piece.rows.map(|row| row as usize));
         let t = place_in_column(kind, x, self.width(), column);
         // Rounding may put the target beyond the weight at either end.
         let top = strip.sum(t, rows[1] + 1);
-        let target = (u * marginal - cubic(slab.below, s)).max(strip.sum(t, rows[0])).min(top);
+        let target = (u * marginal - cubic(piece.below, s)).max(strip.sum(t, rows[0])).min(top);
         let row = if target < top {
             find_row(strip, t, target, rows, self.by_quantile.line(column, u))
         } else {
@@ -297,7 +299,7 @@ fn find_row(strip: Strip<'_>, t: f64, target: f64, rows: [usize; 2], from: usize
     row_of(|row| strip.sum(t, row) <= target, rows, line)
 }
 
-/// How far `x` is from the left to the right side of a column of cells; 0 if its density is the same on both.
+/// Place of `x` from the left to the right side of a column of cells; 0 if its density is the same on both.
 #[inline]
 pub(crate) fn place_in_column(kind: Reconstruction, x: f64, width: usize, column: usize) -> f64 {
     match kind {
@@ -339,11 +341,11 @@ mod tests {
             assert!((cdf.density([0.3, 0.6]) - 4.0 / core::f64::consts::PI).abs() < 1e-13);
             assert!((cdf.marginal_cdf(0.5) - 0.5).abs() < 1e-15);
             assert!((cdf.marginal_inverse(0.5) - 0.5).abs() < 1e-15);
-            // At a cut M is that of the circle, (θ − sin θ cos θ)/π; between two it differs by less than their segment.
-            let cut = cdf.places[100];
-            let theta = (1.0 - 2.0 * cut).acos();
+            // At a breakpoint M is that of the circle, (θ − sin θ cos θ)/π; between two it differs by less than their segment.
+            let breakpoint = cdf.places[100];
+            let theta = (1.0 - 2.0 * breakpoint).acos();
             let circle = (theta - theta.sin() * theta.cos()) / core::f64::consts::PI;
-            assert!((cdf.marginal_cdf(cut) - circle).abs() < 1e-14);
+            assert!((cdf.marginal_cdf(breakpoint) - circle).abs() < 1e-14);
             let [x, y] = cdf.inverse([0.0, 0.0]);
             assert!(x > 0.0 && x < 1e-6 && (y - 0.5).abs() < 1e-3, "{x} {y}");
             let [x, y] = cdf.inverse([1.0, 1.0]);
@@ -356,7 +358,7 @@ mod tests {
         let mut texels = vec![0.0; 16];
         texels[4 + 2] = 3.0;
         let cdf = constant(4, 4, &texels).unwrap();
-        let c = cdf.slabs[cdf.slab(0.8)].half_chord(cdf.slabs[cdf.slab(0.8)].place(0.8));
+        let c = cdf.pieces[cdf.piece(0.8)].half_chord(cdf.pieces[cdf.piece(0.8)].place(0.8));
         assert_eq!(cdf.marginal(0.8), 0.0);
         assert!((cdf.conditional_inverse(0.8, 0.25) - (0.5 - 0.5 * c)).abs() < 1e-15);
         assert!((cdf.conditional_cdf(0.8, 0.5 - 0.5 * c) - 0.25).abs() < 1e-15);

@@ -1,6 +1,6 @@
 //! The columns of a map: their values along y and the integrals of these.
 
-use crate::map::prefix_sums::{Integrals, WINDOW};
+use crate::map::prefix_sums::{PrefixSums, WINDOW};
 use crate::map::reconstruction::Reconstruction;
 
 /// Values along y, and for every line of the grid their integral from the middle of the map, in cells.
@@ -9,10 +9,10 @@ pub(crate) struct Columns {
     width: usize,
     height: usize,
     kind: Reconstruction,
-    integrals: Integrals,
+    integrals: PrefixSums,
 }
 
-/// What a column of cells has on its left and right side.
+/// Values and integrals on the left and right side of a column of cells.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip<'a> {
     sums: [&'a [f64]; 2],
@@ -26,7 +26,12 @@ pub(crate) type Corners = [[f64; 2]; 2];
 
 impl Columns {
     /// The columns of an image's integrals.
-    pub(crate) const fn new(width: usize, height: usize, kind: Reconstruction, integrals: Integrals) -> Self {
+    pub(crate) const fn new(
+        width: usize,
+        height: usize,
+        kind: Reconstruction,
+        integrals: PrefixSums,
+    ) -> Self {
         Self { width, height, kind, integrals }
     }
 
@@ -42,7 +47,7 @@ impl Columns {
         self.kind
     }
 
-    /// How many values a column has.
+    /// Number of values of a column.
     const fn stride(&self) -> usize {
         match self.kind {
             Reconstruction::Constant => self.height,
@@ -67,7 +72,7 @@ impl Columns {
     /// The values at a cell's corners, and the integrals to a line on its column's sides.
     #[inline(always)]
     pub(crate) fn at(&self, cell: usize, row: usize, line: usize) -> (Corners, [f64; 2]) {
-        let Integrals { values, sums, .. } = &self.integrals;
+        let PrefixSums { values, sums, .. } = &self.integrals;
         let (stride, lines) = (self.stride(), self.kind.cells(self.height) + 1);
         let sum = |column: usize| sums.get(column * lines + line).copied().unwrap_or(0.0);
         match self.kind {
@@ -139,7 +144,7 @@ impl<'a> Strip<'a> {
         mix(left, right, t)
     }
 
-    /// How many of the [`WINDOW`] lines from `line` on have integrals of at most `target`; nothing if there are not as many lines.
+    /// Number of the [`WINDOW`] lines from `line` on have integrals of at most `target`; nothing if there are not as many lines.
     #[inline]
     pub(crate) fn passed(self, t: f64, line: usize, target: f64) -> Option<usize> {
         let [left, right] =

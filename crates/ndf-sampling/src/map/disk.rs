@@ -45,14 +45,14 @@ pub(crate) fn meets([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> bool {
 /// Eight Gauss–Legendre nodes on each piece between the kinks, with the variable bent by 3t² − 2t³, which smooths the
 /// square-root ends at the rim. Accuracy: 1e-5 relative at the rim, 1e-12 inside. Rectangles that do not meet the disk give 1.
 pub(crate) fn mean_secant([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> f64 {
-    let mut cuts = [x0, x1, x0, x0, x0, x0];
-    for (cuts, y) in cuts[2..].chunks_exact_mut(2).zip([y0, y1]) {
+    let mut breakpoints = [x0, x1, x0, x0, x0, x0];
+    for (breakpoints, y) in breakpoints[2..].chunks_exact_mut(2).zip([y0, y1]) {
         let w = math::sqrt_f64((1.0 - y * y).max(0.0));
-        cuts.copy_from_slice(&[(-w).clamp(x0, x1), w.clamp(x0, x1)]);
+        breakpoints.copy_from_slice(&[(-w).clamp(x0, x1), w.clamp(x0, x1)]);
     }
-    cuts.sort_unstable_by(f64::total_cmp);
+    breakpoints.sort_unstable_by(f64::total_cmp);
     let (mut solid_angle, mut area) = (0.0, 0.0);
-    for piece in cuts.windows(2) {
+    for piece in breakpoints.windows(2) {
         let &[from, to] = piece else { continue };
         if to <= from {
             continue;

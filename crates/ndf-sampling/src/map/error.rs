@@ -18,9 +18,9 @@ pub enum NdfMapError {
     },
     /// The slice has not `width · height` texels.
     Texels {
-        /// How many it needs.
+        /// Number that it needs.
         expected: usize,
-        /// How many it has.
+        /// Number that it has.
         got: usize,
     },
     /// A texel is NaN, infinite or negative.

@@ -49,6 +49,8 @@ const POINTS: usize = 4;
 ///
 /// Kautz, Heidrich, Seidel 2001, section 4. The paper draws a texel and uses its centre; here the density is sampled exactly.
 #[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "distribution 2d")]
+#[doc(alias = "tabulated")]
 pub struct NdfMap {
     cdf: Cdf,
 }
@@ -80,7 +82,7 @@ impl NdfMap {
     /// The function gets unit normals with `n.z > 0`.
     ///
     /// # Errors
-    /// As [`NdfMap::from_texels`], for these values.
+    /// The errors of [`NdfMap::from_texels`], for these values.
     pub fn from_fn(
         width: usize,
         height: usize,
@@ -104,7 +106,7 @@ impl NdfMap {
     /// The map of another normal density, by [`NdfMap::from_fn`].
     ///
     /// # Errors
-    /// As [`NdfMap::from_fn`].
+    /// The errors of [`NdfMap::from_fn`].
     pub fn from_ndf<N: Ndf + ?Sized>(
         width: usize,
         height: usize,

@@ -3,16 +3,16 @@
 use crate::map::columns::mix;
 use crate::numeric::bernstein::{Cubic, inverse_share, kept_away, share};
 
-/// What a sample leaves on either side of it where the marginal vanishes at that end of the piece.
+/// Weight that a sample leaves on either side of it where the marginal vanishes at that end of the piece.
 ///
-/// As at the two ends of the disk, the conditional's support would otherwise shrink to a point there, and `u₂` could not be
+/// Like at the two ends of the disk, the conditional's support would otherwise shrink to a point there, and `u₂` could not be
 /// found again. With it `u₂` is found to 10⁻¹⁰, as `u₁` is.
 const LEAST_MASS: f64 = 9e-11;
 
 /// A piece of x that lies in one column of cells and in which either end of the chord stays in one row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Slab {
-    /// Where it begins and ends.
+pub(crate) struct Piece {
+    /// Beginning and end.
     pub(crate) x: [f64; 2],
     /// Half the chord there; it is linear between.
     pub(crate) half_chord: [f64; 2],
@@ -26,8 +26,8 @@ pub(crate) struct Slab {
     pub(crate) rows: [u32; 2],
 }
 
-impl Slab {
-    /// Where `x` is in the piece, from 0 to 1.
+impl Piece {
+    /// Place of `x` in the piece, from 0 to 1.
     #[inline]
     pub(crate) fn place(&self, x: f64) -> f64 {
         ((x - self.x[0]) / (self.x[1] - self.x[0])).clamp(0.0, 1.0)

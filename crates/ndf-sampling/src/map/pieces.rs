@@ -2,44 +2,44 @@
 
 use alloc::vec::Vec;
 
-use crate::map::breakpoints::Cuts;
+use crate::map::breakpoints::Breakpoints;
 use crate::map::columns::{Columns, mix};
 use crate::map::disk::segment;
-use crate::map::piece::Slab;
+use crate::map::piece::Piece;
 use crate::numeric::bernstein::Cubic;
-use crate::simd::transpose::Turn;
+use crate::simd::transpose::Transpose;
 
 /// Pieces that are worked out together.
-const PIECES: usize = 32;
+const BLOCK: usize = 32;
 
-/// The pieces between the cuts, and the integral of the density inside the circle on each.
-pub(crate) fn slabs(columns: &Columns, cuts: &Cuts) -> (Vec<Slab>, Vec<f64>) {
+/// The pieces between the breakpoints, and the integral of the density inside the circle on each.
+pub(crate) fn pieces(columns: &Columns, breakpoints: &Breakpoints) -> (Vec<Piece>, Vec<f64>) {
     #[cfg(feature = "simd")]
-    return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => all(simd, columns, cuts));
+    return fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => all(simd, columns, breakpoints));
     #[cfg(not(feature = "simd"))]
-    all((), columns, cuts)
+    all((), columns, breakpoints)
 }
 
 #[inline(always)]
-fn all<S: Turn>(s: S, columns: &Columns, cuts: &Cuts) -> (Vec<Slab>, Vec<f64>) {
-    let count = cuts.places.len().saturating_sub(1);
-    let (mut slabs, mut masses) = (Vec::with_capacity(count + PIECES), Vec::with_capacity(count + PIECES));
+fn all<S: Transpose>(s: S, columns: &Columns, breakpoints: &Breakpoints) -> (Vec<Piece>, Vec<f64>) {
+    let count = breakpoints.places.len().saturating_sub(1);
+    let (mut pieces, mut masses) = (Vec::with_capacity(count + BLOCK), Vec::with_capacity(count + BLOCK));
     let map = Map::new(columns);
-    let mut pieces = Pieces::default();
-    for from in (0..count).step_by(PIECES) {
-        pieces.read(cuts, from);
-        pieces.place(&map);
-        pieces.look_up(columns);
-        pieces.integrate(&map);
-        pieces.append(s, &mut slabs);
-        masses.extend_from_slice(&pieces.mass);
+    let mut block = PieceBlock::default();
+    for from in (0..count).step_by(BLOCK) {
+        block.read(breakpoints, from);
+        block.place(&map);
+        block.look_up(columns);
+        block.integrate(&map);
+        block.append(s, &mut pieces);
+        masses.extend_from_slice(&block.mass);
     }
-    slabs.truncate(count);
+    pieces.truncate(count);
     masses.truncate(count);
-    (slabs, masses)
+    (pieces, masses)
 }
 
-/// What all pieces of a map have in common.
+/// Numbers that all pieces of a map have in common.
 struct Map {
     width: f64,
     height: f64,
@@ -68,44 +68,44 @@ impl Map {
     }
 }
 
-/// One number of each piece.
-type Numbers = [f64; PIECES];
+/// One number of each piece of a block.
+type Numbers = [f64; BLOCK];
 
-/// Pieces, each number of all beside one another.
-struct Pieces {
+/// A block of pieces, each number of all beside one another.
+struct PieceBlock {
     x: [Numbers; 2],
     half_chord: [Numbers; 2],
     /// The places of the ends in their column of cells.
     t: [Numbers; 2],
-    cells: [u32; PIECES],
-    rows: [[u32; PIECES]; 2],
+    cells: [u32; BLOCK],
+    rows: [[u32; BLOCK]; 2],
     sides: [Sides; 2],
     marginal: [Numbers; 4],
     below: [Numbers; 4],
     mass: Numbers,
 }
 
-/// What is on one side of the middle of the map.
+/// Integrals on one side of the middle of the map.
 #[derive(Clone, Copy)]
 struct Sides {
     /// The values at the corners of the cell in which the chord ends: left and right, each at its beginning and its end.
     corners: [[Numbers; 2]; 2],
     /// The integral over the cells between it and the middle, on the left and on the right.
     whole: [Numbers; 2],
-    /// Where the cell begins.
+    /// Beginning of the cell.
     begin: Numbers,
 }
 
-impl Default for Pieces {
+impl Default for PieceBlock {
     fn default() -> Self {
-        let none = [0.0; PIECES];
+        let none = [0.0; BLOCK];
         let sides = Sides { corners: [[none; 2]; 2], whole: [none; 2], begin: none };
         Self {
             x: [none; 2],
             half_chord: [none; 2],
             t: [none; 2],
-            cells: [0; PIECES],
-            rows: [[0; PIECES]; 2],
+            cells: [0; BLOCK],
+            rows: [[0; BLOCK]; 2],
             sides: [sides; 2],
             marginal: [none; 4],
             below: [none; 4],
@@ -114,21 +114,21 @@ impl Default for Pieces {
     }
 }
 
-impl Pieces {
+impl PieceBlock {
     /// The pieces from `from` on; beyond the last one they are what was there before.
     #[inline(always)]
-    fn read(&mut self, cuts: &Cuts, from: usize) {
+    fn read(&mut self, breakpoints: &Breakpoints, from: usize) {
         for side in 0..2 {
-            copy(&mut self.x[side], &cuts.places, from + side);
-            copy(&mut self.half_chord[side], &cuts.half_chords, from + side);
+            copy(&mut self.x[side], &breakpoints.places, from + side);
+            copy(&mut self.half_chord[side], &breakpoints.half_chords, from + side);
         }
-        copy(&mut self.cells, &cuts.cells, from);
+        copy(&mut self.cells, &breakpoints.cells, from);
     }
 
     /// Finds the rows in which their chords end.
     #[inline(always)]
     fn place(&mut self, map: &Map) {
-        for k in 0..PIECES {
+        for k in 0..BLOCK {
             let cell = f64::from(self.cells[k]);
             let mean = 0.5 * (self.half_chord[0][k] + self.half_chord[1][k]) * map.height;
             // A chord without length in the middle of the map begins below it nevertheless.
@@ -145,7 +145,7 @@ impl Pieces {
     #[inline(always)]
     fn look_up(&mut self, columns: &Columns) {
         let rows = columns.kind().cells(columns.height());
-        for k in 0..PIECES {
+        for k in 0..BLOCK {
             let cell = self.cells[k] as usize;
             for (side, all) in self.sides.iter_mut().enumerate() {
                 let row = self.rows[side][k] as usize;
@@ -164,7 +164,7 @@ impl Pieces {
     #[inline(always)]
     fn integrate(&mut self, map: &Map) {
         let Map { height, middle, .. } = *map;
-        for k in 0..PIECES {
+        for k in 0..BLOCK {
             let t = [self.t[0][k], self.t[1][k]];
             let c = [self.half_chord[0][k], self.half_chord[1][k]];
             let x = [self.x[0][k], self.x[1][k]];
@@ -187,14 +187,14 @@ impl Pieces {
     }
 
     #[inline(always)]
-    fn append<S: Turn>(&self, s: S, slabs: &mut Vec<Slab>) {
+    fn append<S: Transpose>(&self, s: S, pieces: &mut Vec<Piece>) {
         let [x, c] = [&self.x, &self.half_chord];
-        for quad in 0..PIECES / 4 {
+        for quad in 0..BLOCK / 4 {
             let four = |numbers: &Numbers| numbers.as_chunks::<4>().0[quad];
-            let ends = s.turn([four(&x[0]), four(&x[1]), four(&c[0]), four(&c[1])]);
-            let marginal = s.turn([0, 1, 2, 3].map(|i| four(&self.marginal[i])));
-            let below = s.turn([0, 1, 2, 3].map(|i| four(&self.below[i])));
-            slabs.extend_from_slice(&[0, 1, 2, 3].map(|k| Slab {
+            let ends = s.transpose([four(&x[0]), four(&x[1]), four(&c[0]), four(&c[1])]);
+            let marginal = s.transpose([0, 1, 2, 3].map(|i| four(&self.marginal[i])));
+            let below = s.transpose([0, 1, 2, 3].map(|i| four(&self.below[i])));
+            pieces.extend_from_slice(&[0, 1, 2, 3].map(|k| Piece {
                 x: [ends[k][0], ends[k][1]],
                 half_chord: [ends[k][2], ends[k][3]],
                 marginal: marginal[k],
@@ -208,7 +208,7 @@ impl Pieces {
 
 /// Copies what there is from a place on.
 #[inline(always)]
-fn copy<T: Copy>(to: &mut [T; PIECES], from: &[T], at: usize) {
+fn copy<T: Copy>(to: &mut [T; BLOCK], from: &[T], at: usize) {
     let from = from.get(at..).unwrap_or_default();
     match from.first_chunk() {
         Some(from) => *to = *from,
@@ -287,26 +287,29 @@ mod tests {
             for (width, height) in [(1, 1), (2, 3), (5, 4), (9, 16), (12, 7)] {
                 let texels: Vec<f32> = (0..width * height).map(|k| ((k * 7 + 3) % 11) as f32).collect();
                 let columns = columns_of_texels(width, height, &texels, Measure::Normals, kind).unwrap();
-                let cuts = Cuts::new(width, height, kind);
-                let (slabs, masses) = slabs(&columns, &cuts);
-                assert_eq!((slabs.len(), masses.len()), (cuts.places.len() - 1, cuts.places.len() - 1));
-                for (slab, mass) in slabs.iter().zip(masses) {
+                let breakpoints = Breakpoints::new(width, height, kind);
+                let (pieces, masses) = pieces(&columns, &breakpoints);
+                assert_eq!(
+                    (pieces.len(), masses.len()),
+                    (breakpoints.places.len() - 1, breakpoints.places.len() - 1)
+                );
+                for (piece, mass) in pieces.iter().zip(masses) {
                     for s in [0.25, 0.75] {
-                        let x = slab.x[0] + s * (slab.x[1] - slab.x[0]);
-                        let c = slab.half_chord(s);
+                        let x = piece.x[0] + s * (piece.x[1] - piece.x[0]);
+                        let c = piece.half_chord(s);
                         let below = integral(&columns, x, [0.5 - c, 0.5]);
                         let above = integral(&columns, x, [0.5, 0.5 + c]);
                         // Next to a line of the grid the chord may end in the row beside, by rounding.
                         let close = |a: f64, b: f64| (a - b).abs() < 1e-11;
-                        assert!(close(cubic(slab.below, s), below), "{kind:?} {width} × {height} {x}");
+                        assert!(close(cubic(piece.below, s), below), "{kind:?} {width} × {height} {x}");
                         assert!(
-                            close(cubic(slab.marginal, s), below + above),
+                            close(cubic(piece.marginal, s), below + above),
                             "{kind:?} {width} × {height} {x}"
                         );
                     }
-                    let mean = 0.25 * slab.marginal.iter().sum::<f64>() * (slab.x[1] - slab.x[0]);
+                    let mean = 0.25 * piece.marginal.iter().sum::<f64>() * (piece.x[1] - piece.x[0]);
                     // Half the density at both rims, at most 10, over the segments.
-                    let beyond = 20.0 * height as f64 * segment(slab.x, slab.half_chord);
+                    let beyond = 20.0 * height as f64 * segment(piece.x, piece.half_chord);
                     assert!(
                         (mean..=mean + beyond + 1e-16).contains(&mass),
                         "{kind:?} {width} × {height}: {mass}"

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use crate::map::reconstruction::Reconstruction;
-use crate::numeric::compensated_sum::Sums;
-use crate::simd::transpose::{Turn, TurnSquare};
+use crate::numeric::compensated_sum::CompensatedSums;
+use crate::simd::transpose::{Transpose, TransposeSquare};
 
 /// Columns that go through the image together.
 const LANES: usize = 8;
@@ -26,10 +26,10 @@ pub(crate) struct Image<'a> {
 
 /// A map's values along its columns, and for every line of the grid their integral from the middle of the map, in cells.
 ///
-/// Integrals begin in the middle because every chord of the disk does: what lies beyond a chord's ends, be it a million times
+/// Prefix sums begin in the middle because every chord of the disk does: what lies beyond a chord's ends, be it a million times
 /// brighter, is never subtracted from what lies on it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Integrals {
+pub(crate) struct PrefixSums {
     /// Column by column; bilinear columns repeat their first and their last value.
     pub(crate) values: Vec<f32>,
     pub(crate) sums: Vec<f64>,
@@ -37,7 +37,7 @@ pub(crate) struct Integrals {
     pub(crate) landmarks: Vec<f64>,
 }
 
-impl Integrals {
+impl PrefixSums {
     /// The columns of an image, whose texels without a part inside the disk do not count; nothing if one that has is negative or
     /// not finite.
     pub(crate) fn new(image: Image<'_>, kind: Reconstruction) -> Option<Self> {
@@ -51,7 +51,7 @@ impl Integrals {
 }
 
 #[inline(always)]
-fn columns_of<S: Turn>(s: S, image: Image<'_>, kind: Reconstruction) -> Option<Integrals> {
+fn columns_of<S: Transpose>(s: S, image: Image<'_>, kind: Reconstruction) -> Option<PrefixSums> {
     let wide = image.width >= LANES;
     match kind {
         Reconstruction::Constant if wide => Block::<LANES, false>::new(image).integrate(s),
@@ -85,7 +85,7 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
 
     /// All columns of the image.
     #[inline(always)]
-    fn integrate<S: Turn>(mut self, s: S) -> Option<Integrals> {
+    fn integrate<S: Transpose>(mut self, s: S) -> Option<PrefixSums> {
         let width = self.image.width;
         let mut values = Vec::with_capacity(width * self.values.len());
         let mut sums = Vec::with_capacity(width * self.sums.len());
@@ -105,7 +105,7 @@ impl<'a, const N: usize, const BILINEAR: bool> Block<'a, N, BILINEAR> {
             }
             self.from += N;
         }
-        Some(Integrals { values, sums, landmarks })
+        Some(PrefixSums { values, sums, landmarks })
     }
 
     /// Finds the rows inside the disk.
@@ -214,9 +214,9 @@ fn negative<const N: usize>(numbers: [f64; N]) -> [f64; N] {
     numbers.map(|number| -number)
 }
 
-/// What goes from row to row.
+/// State that goes from row to row.
 struct State<const N: usize, const BILINEAR: bool> {
-    sums: Sums<N>,
+    sums: CompensatedSums<N>,
     before: [f32; N],
     least: [f32; N],
 }
@@ -224,7 +224,7 @@ struct State<const N: usize, const BILINEAR: bool> {
 impl<const N: usize, const BILINEAR: bool> State<N, BILINEAR> {
     #[inline(always)]
     fn new(row: [f32; N], integral: [f64; N]) -> Self {
-        let mut sums = Sums::default();
+        let mut sums = CompensatedSums::default();
         sums.add(integral);
         Self { sums, before: row, least: row }
     }
@@ -253,7 +253,7 @@ impl<const N: usize, const BILINEAR: bool> State<N, BILINEAR> {
 
 /// Appends the lanes of the rows after the first `skipped`, one after the other.
 #[inline(always)]
-fn append<S: TurnSquare<T>, T: Copy + Default, const N: usize>(
+fn append<S: TransposeSquare<T>, T: Copy + Default, const N: usize>(
     s: S,
     to: &mut Vec<T>,
     rows: &[[T; N]],
@@ -273,7 +273,7 @@ fn append<S: TurnSquare<T>, T: Copy + Default, const N: usize>(
         let mut targets = [(); 4].map(|()| columns.next().unwrap_or_default().as_chunks_mut::<4>());
         let [a, b, c, d] = targets.each_mut().map(|(quads, _)| quads.iter_mut());
         for (square, (((a, b), c), d)) in squares.iter().zip(a.zip(b).zip(c).zip(d)) {
-            [*a, *b, *c, *d] = s.turn([0, 1, 2, 3].map(|k| square[k].as_chunks::<4>().0[group]));
+            [*a, *b, *c, *d] = s.transpose([0, 1, 2, 3].map(|k| square[k].as_chunks::<4>().0[group]));
         }
         for (lane, (_, end)) in targets.iter_mut().enumerate() {
             for (to, row) in end.iter_mut().zip(rest) {
@@ -302,15 +302,15 @@ mod tests {
         (0..width * height).map(texel).collect()
     }
 
-    fn integrals(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> Option<Integrals> {
-        Integrals::new(Image { width, height, texels, inside: &rows_inside(width, height) }, kind)
+    fn integrals(width: usize, height: usize, texels: &[f32], kind: Reconstruction) -> Option<PrefixSums> {
+        PrefixSums::new(Image { width, height, texels, inside: &rows_inside(width, height) }, kind)
     }
 
     #[test]
     fn integrals_are_those_of_the_columns_one_by_one() {
         for ([width, height], kind) in SIZES.into_iter().flat_map(|size| KINDS.map(|kind| (size, kind))) {
             let texels = texels(width, height);
-            let Integrals { values, sums, landmarks } = integrals(width, height, &texels, kind).unwrap();
+            let PrefixSums { values, sums, landmarks } = integrals(width, height, &texels, kind).unwrap();
             let (step, cells) = (usize::from(kind == Reconstruction::Bilinear), kind.cells(height));
             let (stride, lines) = (height + 2 * step, cells + 1);
             assert_eq!((values.len(), sums.len()), (width * stride, width * lines));

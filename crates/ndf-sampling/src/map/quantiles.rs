@@ -1,4 +1,4 @@
-//! Where to begin to look for the row of a conditional quantile.
+//! Rows of conditional quantiles, from which a search begins.
 
 use alloc::vec::Vec;
 

@@ -1,6 +1,6 @@
-//! How the values of a map become a density between them.
+//! Reconstruction of a density between the texels of a map.
 
-/// What a map of values is between its values.
+/// Reconstruction of a density between the texels of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Reconstruction {
@@ -12,7 +12,7 @@ pub enum Reconstruction {
 }
 
 impl Reconstruction {
-    /// How far, in cells, the first line of the reconstruction's grid lies before the map's border.
+    /// Distance, in cells, by which the first line of the reconstruction's grid lies before the map's border.
     pub(crate) const fn offset(self) -> f64 {
         match self {
             Self::Constant => 0.0,
@@ -20,7 +20,7 @@ impl Reconstruction {
         }
     }
 
-    /// How many cells the reconstruction's grid has where the map has `n` texels.
+    /// Number of cells of the reconstruction's grid on a map of `n` texels.
     pub(crate) const fn cells(self, n: usize) -> usize {
         match self {
             Self::Constant => n,
@@ -29,7 +29,7 @@ impl Reconstruction {
     }
 
     #[cfg(feature = "alloc")]
-    /// Where line `k` of the grid is on a map of `n` texels.
+    /// Place of line `k` of the grid on a map of `n` texels.
     pub(crate) fn line(self, k: usize, n: usize) -> f64 {
         (k as f64 - self.offset()) / n as f64
     }

@@ -6,10 +6,10 @@ use alloc::vec::Vec;
 use crate::map::columns::Columns;
 use crate::map::disk::{mean_secant, meets, to_normal};
 use crate::map::error::NdfMapError;
-use crate::map::prefix_sums::{Image, Integrals};
+use crate::map::prefix_sums::{Image, PrefixSums};
 use crate::map::reconstruction::Reconstruction;
 
-/// What the values of a map are densities over.
+/// Measure over which the texels of a map are densities: projected normals or solid angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Measure {
@@ -39,7 +39,7 @@ pub(crate) fn columns_of_texels(
     };
     let counted = if measure == Measure::Normals { texels } else { &weighed };
     let image = Image { width, height, texels: counted, inside: &inside };
-    match Integrals::new(image, kind) {
+    match PrefixSums::new(image, kind) {
         Some(integrals) => Ok(Columns::new(width, height, kind, integrals)),
         None => Err(culprit(width, height, texels, &inside)),
     }

@@ -1,4 +1,4 @@
-//! What the distribution of any noise offers: from its values to Gaussian and uniform numbers and back.
+//! The trait of the distribution of a noise: from its values to Gaussian and uniform numbers and back.
 
 use crate::numeric::normal_distribution::{inverse_phi, phi};
 use crate::range_error::RangeError;
@@ -25,6 +25,10 @@ use crate::range_error::RangeError;
 #[expect(
     clippy::wrong_self_convention,
     reason = "from_gaussian is a map of this distribution, not a constructor"
+)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no distribution of a noise",
+    note = "pass `GaussianNoise`, `KurtoticNoise` or a `NoiseCdfRef` of measured values"
 )]
 pub trait NoiseDistribution {
     /// `Φ⁻¹(G(r))`: the noise value as a standard Gaussian.

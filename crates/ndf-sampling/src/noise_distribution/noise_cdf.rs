@@ -35,6 +35,8 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 /// Kautz, Heidrich, Seidel 2001, section 4, assumes a Gaussian `G` for every noise; measured, the noises differ from it by
 /// up to 0.03 in the Kolmogorov–Smirnov distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "histogram")]
+#[doc(alias = "remap")]
 pub struct NoiseCdfRef<'a> {
     low: f32,
     high: f32,
@@ -184,7 +186,7 @@ impl NoiseDistribution for NoiseCdfRef<'_> {
     }
 }
 
-/// Why a table is not the distribution of a noise.
+/// Refusal of a table that is no distribution of a noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoiseCdfError {
@@ -202,7 +204,7 @@ pub enum NoiseCdfError {
     },
     /// The table has fewer than two entries.
     Entries {
-        /// How many it has.
+        /// Number that it has.
         got: usize,
     },
     /// An entry is NaN, outside [0, 1] or smaller than the one before.

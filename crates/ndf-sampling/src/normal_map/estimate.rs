@@ -206,6 +206,7 @@ impl Extend<Vec3> for NdfEstimator {
 /// assert!((estimate.density(Vec3::Z) / beckmann.density(Vec3::Z) - 1.0).abs() < 0.05);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "histogram")]
 pub fn estimate_ndf(normals: &[Vec3]) -> Result<NdfMap, EstimateError> {
     let mut estimator = NdfEstimator::suited(normals);
     estimator.extend(normals.iter().copied());
@@ -220,7 +221,7 @@ fn counts(n: Vec3) -> bool {
     n.x * n.x + n.y * n.y <= 1.0 + 1e-5
 }
 
-/// Why normals have no density.
+/// Refusal of normals that have no density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EstimateError {

@@ -28,7 +28,7 @@ pub enum Zero {
     Half,
 }
 
-/// What the third channel says.
+/// Content of the third channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Blue {
@@ -39,7 +39,7 @@ pub enum Blue {
     Reconstructed,
 }
 
-/// How the texels of a normal map are to be read.
+/// Encoding of the texels of a normal map.
 ///
 /// ```text
 /// c = 2v/(2ᵇ − 1) − 1 or (v − 2ᵇ⁻¹)/(2ᵇ⁻¹ − 1);   n_y = ∓c_g;   n_z = c_b or √(1 − n_x² − n_y²);   n/|n|
@@ -60,12 +60,15 @@ pub enum Blue {
 /// assert!(directx.decode_u16(directx.encode_u16(n)).abs_diff_eq(n, 4e-5));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[doc(alias = "opengl")]
+#[doc(alias = "directx")]
+#[doc(alias = "unpack")]
 pub struct NormalMapFormat {
     /// Which way the green channel points.
     pub tangent_space: TangentSpace,
     /// Which number stands for 0.
     pub zero: Zero,
-    /// What the blue channel says.
+    /// Content of the blue channel.
     pub blue: Blue,
 }
 

@@ -1,4 +1,4 @@
-//! What the look-ups of a table of normals lose against the density of which it is a table.
+//! Accuracy of a table of normals: the angles between its look-ups and the exact normals.
 
 use alloc::vec::Vec;
 
@@ -20,7 +20,7 @@ pub struct Deviation {
     pub rms: f32,
 }
 
-/// What a [`NormalTable`] loses, measured where it loses most: in the middle between each four neighbouring entries.
+/// Accuracy of a [`NormalTable`], measured where it is least: in the middle between each four neighbouring entries.
 ///
 /// ```text
 /// largest = max ∠(looked up, T(z)),   rms² = Σ w ∠²/Σ w,   w = Gaussian weight of the cell between the entries
@@ -52,7 +52,7 @@ pub struct TableAccuracy {
 }
 
 impl NormalTable {
-    /// What the look-ups lose against `ndf`, of which the table is.
+    /// Accuracy of the look-ups against `ndf`, of which the table is.
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
         TableAccuracy::measure(self, |z| ndf.from_gaussian(z))
@@ -73,7 +73,8 @@ impl TableAccuracy {
                 weight: phi(f64::from(to)) - phi(f64::from(from)),
             })
             .collect();
-        let (mut nearest, mut bilinear, mut half) = (Sum::default(), Sum::default(), Sum::default());
+        let (mut nearest, mut bilinear, mut half) =
+            (AngleSum::default(), AngleSum::default(), AngleSum::default());
         for row in &cells {
             for column in &cells {
                 let z = Vec2::new(column.middle, row.middle);
@@ -102,13 +103,13 @@ struct Cell {
 
 /// Of weighted angles, the largest and the sum of squares.
 #[derive(Default)]
-struct Sum {
+struct AngleSum {
     largest: f64,
     squares: f64,
     weight: f64,
 }
 
-impl Sum {
+impl AngleSum {
     fn add(&mut self, angle: f64, weight: f64) {
         self.largest = self.largest.max(angle);
         self.squares += angle * angle * weight;

@@ -1,4 +1,4 @@
-//! Look-ups of many normals at once: the work in passes over short pieces, which the compiler turns into vector code.
+//! Look-ups of many normals at once: the work in passes over short blocks, which the compiler turns into vector code.
 
 use glam::{Vec2, Vec3};
 
@@ -9,7 +9,7 @@ use crate::normal_table::spacing::Spacing;
 use crate::normal_table::table_ref::NormalTableRef;
 
 /// Normals per pass: their numbers fit the first cache beside the table.
-const PIECE: usize = 64;
+const BLOCK: usize = 64;
 
 impl<E: TableEntry> NormalTableRef<'_, E> {
     /// [`NormalTableRef::nearest_normal`] of many coordinates at once, with the same results.
@@ -18,7 +18,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// Arrays of different lengths; nothing is written then.
     pub fn nearest_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check(&[("z", &z)], ("m", &m))?;
-        self.in_pieces(z, m, |place| self.position(place), |x, y| self.nearest_point(x, y));
+        self.in_blocks(z, m, |place| self.position(place), |x, y| self.nearest_point(x, y));
         Ok(())
     }
 
@@ -40,23 +40,23 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     /// ```
     pub fn bilinear_normals(self, z: [&[f32]; 2], m: [&mut [f32]; 3]) -> Result<(), BatchError> {
         BatchError::check(&[("z", &z)], ("m", &m))?;
-        self.in_pieces(z, m, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
+        self.in_blocks(z, m, |place| self.cell(self.position(place)), |x, y| self.bilinear_point(x, y));
         Ok(())
     }
 
-    /// Places among the entries, points and normals in turn, each for a whole piece.
+    /// Places among the entries, points and normals in turn, each for a whole block.
     #[inline]
-    fn in_pieces<P: Copy + Default>(
+    fn in_blocks<P: Copy + Default>(
         self,
         [z1, z2]: [&[f32]; 2],
         [x, y, z]: [&mut [f32]; 3],
         position: impl Fn(f32) -> P,
         point: impl Fn(P, P) -> Vec2,
     ) {
-        let mut positions = [[P::default(); PIECE]; 2];
-        let mut points = [[0.0_f32; PIECE]; 2];
-        let inputs = z1.chunks(PIECE).zip(z2.chunks(PIECE));
-        let outputs = x.chunks_mut(PIECE).zip(y.chunks_mut(PIECE)).zip(z.chunks_mut(PIECE));
+        let mut positions = [[P::default(); BLOCK]; 2];
+        let mut points = [[0.0_f32; BLOCK]; 2];
+        let inputs = z1.chunks(BLOCK).zip(z2.chunks(BLOCK));
+        let outputs = x.chunks_mut(BLOCK).zip(y.chunks_mut(BLOCK)).zip(z.chunks_mut(BLOCK));
         for ((z1, z2), ((x, y), z)) in inputs.zip(outputs) {
             let [columns, rows] = &mut positions;
             self.positions(z1, columns, &position);
@@ -73,7 +73,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     }
 
     #[inline]
-    fn positions<P>(self, z: &[f32], positions: &mut [P; PIECE], position: impl Fn(f32) -> P) {
+    fn positions<P>(self, z: &[f32], positions: &mut [P; BLOCK], position: impl Fn(f32) -> P) {
         // One loop for each spacing, so that the choice is made once.
         match self.layout().spacing {
             Spacing::Coordinates => fill(z, positions, |z| position(Spacing::Coordinates.place(z))),
@@ -83,7 +83,7 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
     }
 
     #[inline]
-    fn normals(self, p: &[f32; PIECE], q: &[f32; PIECE], normals: [&mut [f32]; 3]) {
+    fn normals(self, p: &[f32; BLOCK], q: &[f32; BLOCK], normals: [&mut [f32]; 3]) {
         let chart = self.layout().chart;
         // Points that are not of the chart are rare and need a branch: one test for all of them.
         if p.iter().zip(q).fold(true, |all, (&p, &q)| all & chart.holds(Vec2::new(p, q))) {
@@ -99,14 +99,14 @@ impl<E: TableEntry> NormalTableRef<'_, E> {
 }
 
 #[inline]
-fn fill<P>(z: &[f32], positions: &mut [P; PIECE], position: impl Fn(f32) -> P) {
+fn fill<P>(z: &[f32], positions: &mut [P; BLOCK], position: impl Fn(f32) -> P) {
     for (&z, place) in z.iter().zip(positions) {
         *place = position(z);
     }
 }
 
 #[inline]
-fn normals_by(p: &[f32; PIECE], q: &[f32; PIECE], [x, y, z]: [&mut [f32]; 3], normal: impl Fn(Vec2) -> Vec3) {
+fn normals_by(p: &[f32; BLOCK], q: &[f32; BLOCK], [x, y, z]: [&mut [f32]; 3], normal: impl Fn(Vec2) -> Vec3) {
     for ((((&p, &q), x), y), z) in p.iter().zip(q).zip(x).zip(y).zip(z) {
         let n = normal(Vec2::new(p, q));
         (*x, *y, *z) = (n.x, n.y, n.z);

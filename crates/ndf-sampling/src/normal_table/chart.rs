@@ -12,7 +12,7 @@ use crate::math;
 /// Stereographic  p = (n_x, n_y)/(1 + n_z)            n = (2p, 1 − |p|²)/(1 + |p|²)
 /// ```
 ///
-/// What is interpolated between entries of a table is `p`, so the chart decides the error:
+/// Between entries of a table `p` is interpolated, so the chart decides the error:
 ///
 /// - **Projected** bends at the horizon, where the root has an infinite slope, and loses tilt: a fifteenth of the far tail of
 ///   GGX with roughness 1 at 128².

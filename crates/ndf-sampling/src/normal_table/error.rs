@@ -16,9 +16,9 @@ pub enum NormalTableError {
     },
     /// The slice has not `size · size` entries.
     Entries {
-        /// How many it needs.
+        /// Number that it needs.
         expected: usize,
-        /// How many it has.
+        /// Number that it has.
         got: usize,
     },
 }

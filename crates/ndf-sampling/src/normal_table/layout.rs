@@ -7,12 +7,12 @@ use crate::normal_table::chart::Chart;
 use crate::normal_table::spacing::Spacing;
 use crate::numeric::binary16::from_half;
 
-/// How a [`NormalTable`](crate::NormalTable) is indexed and what its entries are.
+/// Layout of a [`NormalTable`](crate::NormalTable): its index and its entries.
 ///
 /// The default, Gaussian coordinates and stereographic entries, is the recommended one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct TableLayout {
-    /// Where the entries lie along both coordinates.
+    /// Spacing of the entries along both coordinates.
     pub spacing: Spacing,
     /// Which two numbers of the normals they hold.
     pub chart: Chart,

@@ -1,4 +1,4 @@
-//! Where the entries of a table of normals lie along a Gaussian coordinate.
+//! Spacing of the entries of a table of normals along a Gaussian coordinate.
 
 use crate::math;
 use crate::numeric::normal_distribution::{inverse_phi, phi};

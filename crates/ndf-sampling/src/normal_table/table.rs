@@ -55,6 +55,8 @@ use crate::numeric::binary16::to_half;
 /// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside and looks up the nearest
 /// entry; this table is indexed by `z`, so that one table serves every noise. [`NormalTable::from_fn`] makes the paper's.
 #[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "lut")]
+#[doc(alias = "texture")]
 pub struct NormalTable {
     size: usize,
     layout: TableLayout,
@@ -82,7 +84,7 @@ impl NormalTable {
     /// The table of `ndf` with `size · size` entries in this layout.
     ///
     /// # Errors
-    /// As [`NormalTable::new`].
+    /// The errors of [`NormalTable::new`].
     pub fn with_layout<N: Ndf + ?Sized>(
         ndf: &N,
         size: usize,
@@ -103,7 +105,7 @@ impl NormalTable {
     /// values in units of their standard deviation `σ`.
     ///
     /// # Errors
-    /// As [`NormalTable::new`].
+    /// The errors of [`NormalTable::new`].
     pub fn from_fn(
         size: usize,
         layout: TableLayout,
@@ -129,7 +131,7 @@ impl NormalTable {
         self.size
     }
 
-    /// How the table is indexed and what its entries are.
+    /// Index and entries of the table.
     #[inline]
     #[must_use]
     pub const fn layout(&self) -> TableLayout {

@@ -72,7 +72,7 @@ impl<'a, E> NormalTableRef<'a, E> {
         self.size
     }
 
-    /// How the table is indexed and what its entries are.
+    /// Index and entries of the table.
     #[inline]
     #[must_use]
     pub const fn layout(self) -> TableLayout {

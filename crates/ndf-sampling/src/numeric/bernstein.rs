@@ -29,7 +29,7 @@ pub(crate) fn kept_away(marginal: Cubic, share: f64, least: f64) -> f64 {
     share.max(if begin < faint { least } else { 0.0 }).min(if end < faint { 1.0 - least } else { 1.0 })
 }
 
-/// Where the share `share` is reached, in closed form for a linear polynomial, else by bracketed Newton steps from there.
+/// Inverse of [`share`]: the place at which it is reached, in closed form for a linear polynomial, else by bracketed Newton steps from there.
 pub(crate) fn inverse_share(marginal: Cubic, share: f64) -> f64 {
     let [begin, .., end] = marginal;
     let sums = partial_sums(marginal);

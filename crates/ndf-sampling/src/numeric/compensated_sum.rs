@@ -2,12 +2,12 @@
 
 /// Neumaier's compensated sum: its error does not grow with the number of terms.
 #[derive(Default)]
-pub(crate) struct Sum {
+pub(crate) struct CompensatedSum {
     sum: f64,
     lost: f64,
 }
 
-impl Sum {
+impl CompensatedSum {
     pub(crate) fn add(&mut self, term: f64) {
         // What rounding takes from either, whichever is the larger: Knuth's exact sum of two.
         let sum = self.sum + term;
@@ -23,18 +23,18 @@ impl Sum {
 
 /// Compensated sums in lanes, of terms that are not negative.
 #[derive(Clone, Copy)]
-pub(crate) struct Sums<const N: usize> {
+pub(crate) struct CompensatedSums<const N: usize> {
     sums: [f64; N],
     lost: [f64; N],
 }
 
-impl<const N: usize> Default for Sums<N> {
+impl<const N: usize> Default for CompensatedSums<N> {
     fn default() -> Self {
         Self { sums: [0.0; N], lost: [0.0; N] }
     }
 }
 
-impl<const N: usize> Sums<N> {
+impl<const N: usize> CompensatedSums<N> {
     #[inline(always)]
     pub(crate) fn add(&mut self, terms: [f64; N]) {
         for ((before, lost), term) in self.sums.iter_mut().zip(&mut self.lost).zip(terms) {
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn small_terms_survive_a_large_one() {
-        let mut sum = Sum::default();
+        let mut sum = CompensatedSum::default();
         for term in [1.0, 1e100, 1.0, -1e100] {
             sum.add(term);
         }
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn lanes_have_the_bits_of_single_sums() {
-        let (mut single, mut lanes) = (Sum::default(), Sums::<2>::default());
+        let (mut single, mut lanes) = (CompensatedSum::default(), CompensatedSums::<2>::default());
         for k in 0..1000 {
             let term = f64::from(k * 7919 % 1009).powi(9);
             single.add(term);

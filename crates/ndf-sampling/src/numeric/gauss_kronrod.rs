@@ -7,8 +7,8 @@
 pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut ends = cuts.iter().zip(cuts.iter().skip(1));
     // One part less than cuts; the last place stays empty.
-    let parts: [Option<Part>; N] = core::array::from_fn(|_| {
-        ends.next().filter(|(from, to)| from < to).map(|(&from, &to)| Part::new(from, to, &f))
+    let parts: [Option<Segment>; N] = core::array::from_fn(|_| {
+        ends.next().filter(|(from, to)| from < to).map(|(&from, &to)| Segment::new(from, to, &f))
     });
     let whole: f64 = parts.iter().flatten().map(|part| part.long).sum();
     let allowed = tolerance * whole.abs();
@@ -19,14 +19,14 @@ pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl 
 const DEPTH: u32 = 14;
 
 /// An interval with the integral over it by 15 nodes and by 7 of them.
-struct Part {
+struct Segment {
     from: f64,
     to: f64,
     long: f64,
     short: f64,
 }
 
-impl Part {
+impl Segment {
     fn new(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> Self {
         let (long, short) = rule(from, to, f);
         Self { from, to, long, short }

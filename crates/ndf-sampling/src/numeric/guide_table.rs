@@ -10,11 +10,11 @@ use alloc::vec::Vec;
 ///
 /// Chen and Asau 1974, "On Generating Random Variates from an Empirical Distribution".
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Guide {
+pub(crate) struct GuideTable {
     starts: Vec<u32>,
 }
 
-impl Guide {
+impl GuideTable {
     /// The guide to nondecreasing `keys`, the first of which is 0.
     pub(crate) fn new(keys: &[f64]) -> Self {
         let mut starts = vec![0; (2 * keys.len()).next_power_of_two()];
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn every_interval_is_found() {
         let keys = [0.0, 0.0, 1e-9, 0.3, 0.3, 0.31, 0.999, 1.0];
-        let guide = Guide::new(&keys);
+        let guide = GuideTable::new(&keys);
         for k in 0..=10_000 {
             let value = f64::from(k) / 10_000.0;
             let expected = keys.iter().filter(|&&key| key <= value).count() - 1;

@@ -21,6 +21,8 @@ use crate::math;
 ///
 /// Cody 1969, "Rational Chebyshev Approximations for the Error Function", in the arrangement of his ANORM 1993.
 #[must_use]
+#[doc(alias = "erf")]
+#[doc(alias = "normal cdf")]
 pub fn phi(z: f64) -> f64 {
     phi_and_density(z).0
 }
@@ -59,6 +61,9 @@ pub(crate) fn phi_and_density(z: f64) -> (f64, f64) {
 ///
 /// Wichura 1988, "Algorithm AS 241: The Percentage Points of the Normal Distribution", PPND16.
 #[must_use]
+#[doc(alias = "probit")]
+#[doc(alias = "erfinv")]
+#[doc(alias = "quantile")]
 pub fn inverse_phi(u: f64) -> f64 {
     let q = u - 0.5;
     if q.abs() <= 0.425 {

@@ -6,6 +6,10 @@ use crate::simd::dispatch::{Kernel, Level};
 use crate::simd::lanes::Lanes;
 
 /// The closed forms of a density, in lanes; sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no closed form in SIMD lanes",
+    note = "`Ggx` and `Beckmann` have; call other densities one by one"
+)]
 pub trait ClosedForm: Ndf {
     #[doc(hidden)]
     fn normal<S: Lanes>(&self, s: S, z: [S::F; 2]) -> [S::F; 3];

@@ -2,9 +2,9 @@
 
 use crate::simd::lanes::{Lanes, Scalar};
 #[cfg(feature = "simd")]
-use crate::simd::register_pair::Twice;
+use crate::simd::register_pair::RegisterPair;
 #[cfg(feature = "simd")]
-use crate::simd::registers::Wide;
+use crate::simd::registers::Registers;
 
 #[cfg(feature = "simd")]
 type Instructions = fearless_simd::Level;
@@ -40,7 +40,7 @@ pub struct Level {
 }
 
 impl Level {
-    /// As many lanes as this machine has; without `std`, as the program was built for; one without the feature `simd`.
+    /// The widest lanes that this machine has; without `std`, as the program was built for; one without the feature `simd`.
     #[must_use]
     pub fn best() -> Self {
         #[cfg(feature = "simd")]
@@ -67,9 +67,9 @@ impl Level {
             #[cfg(feature = "simd")]
             Some(level) => {
                 fearless_simd::dispatch!(level, simd => {
-                    let pair = Twice(Wide(simd));
+                    let pair = RegisterPair(Registers(simd));
                     if K::LONG {
-                        fill(Twice(pair), kernel, inputs, outputs);
+                        fill(RegisterPair(pair), kernel, inputs, outputs);
                     } else {
                         fill(pair, kernel, inputs, outputs);
                     }

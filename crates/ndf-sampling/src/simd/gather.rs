@@ -1,11 +1,11 @@
-//! Lanes that pick their numbers from arrays, each where it wants.
+//! Gathers: lanes that read their numbers from arrays, each at its own index.
 
 use core::num::Wrapping;
 
 use crate::simd::lanes::{Lanes, Scalar};
 
 /// Lanes that are taken apart and put together; `N` is their number.
-pub(crate) trait Picking<const N: usize>: Lanes {
+pub(crate) trait Gather<const N: usize>: Lanes {
     /// The word of every lane.
     fn words(self, x: Self::U) -> [u32; N];
     /// The float of every lane.
@@ -15,16 +15,16 @@ pub(crate) trait Picking<const N: usize>: Lanes {
     /// The lanes of an array.
     fn of_floats(self, x: &[f32; N]) -> Self::F;
     /// Four numbers of every lane.
-    fn turned(self, rows: &[&[f32; 4]; N]) -> [Self::F; 4];
-    /// The same of numbers that do not lie together.
-    fn turned_values(self, rows: &[[f32; 4]; N]) -> [Self::F; 4];
+    fn transposed(self, rows: &[&[f32; 4]; N]) -> [Self::F; 4];
+    /// Four numbers of every lane that do not lie together.
+    fn transposed_values(self, rows: &[[f32; 4]; N]) -> [Self::F; 4];
     /// The rows of every lane, each times its factor, added up; the last number is the first row's.
     fn mixed(self, rows: &[&[[f32; 4]; 4]; N], factors: &[[f32; N]; 4]) -> [Self::F; 4];
     /// Whether the mask holds in a lane.
     fn any(self, mask: Self::M) -> bool;
     /// The rows of every lane of two, each times its factor, added up.
     fn blended(self, rows: [&[&[f32; 4]; N]; 2], factors: [Self::F; 2]) -> [Self::F; 4];
-    /// How many of the even numbers of `r left + t right` are at most `limit`, and the four numbers that begin with the last of
+    /// Number of the even numbers of `r left + t right` are at most `limit`, and the four numbers that begin with the last of
     /// these; with one side `left`.
     fn reached<const SIDES: usize>(
         self,
@@ -50,7 +50,7 @@ pub(crate) trait Picking<const N: usize>: Lanes {
 /// 2²³: a float from here on counts whole numbers.
 const SHIFT: f32 = 8_388_608.0;
 
-impl Picking<1> for Scalar {
+impl Gather<1> for Scalar {
     #[inline(always)]
     fn words(self, x: Wrapping<u32>) -> [u32; 1] {
         [x.0]
@@ -68,11 +68,11 @@ impl Picking<1> for Scalar {
         x
     }
     #[inline(always)]
-    fn turned(self, &[&row]: &[&[f32; 4]; 1]) -> [f32; 4] {
+    fn transposed(self, &[&row]: &[&[f32; 4]; 1]) -> [f32; 4] {
         row
     }
     #[inline(always)]
-    fn turned_values(self, &[row]: &[[f32; 4]; 1]) -> [f32; 4] {
+    fn transposed_values(self, &[row]: &[[f32; 4]; 1]) -> [f32; 4] {
         row
     }
     #[inline(always)]

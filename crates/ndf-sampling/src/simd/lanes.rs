@@ -56,9 +56,9 @@ pub trait Lanes: Copy {
     /// One truth value per lane.
     type M: Copy;
 
-    /// The same float in every lane.
+    /// One float in every lane.
     fn float(self, x: f32) -> Self::F;
-    /// The same word in every lane.
+    /// One word in every lane.
     fn word(self, x: u32) -> Self::U;
     /// The first floats of a slice, zeros if it has fewer than `LEN`.
     fn load(self, slice: &[f32]) -> Self::F;

@@ -1,4 +1,4 @@
-//! Two registers in step: while one waits for a result, the other is at work.
+//! Pairs of registers in step: while one waits for a result, the other is at work.
 
 use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Sub};
 
@@ -6,7 +6,7 @@ use crate::simd::lanes::Lanes;
 
 /// The lanes of two registers of `S`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Twice<S>(pub(crate) S);
+pub(crate) struct RegisterPair<S>(pub(crate) S);
 
 /// One value for each of the two registers.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ impl<T: Neg<Output = T>> Neg for Pair<T> {
     }
 }
 
-impl<S: Lanes> Lanes for Twice<S> {
+impl<S: Lanes> Lanes for RegisterPair<S> {
     const LEN: usize = 2 * S::LEN;
     type F = Pair<S::F>;
     type U = Pair<S::U>;

@@ -4,16 +4,16 @@ use fearless_simd::{
     Bytes, Select, Simd, SimdBase, SimdCombine, SimdFloat, SimdMask, f32x4, f32x8, mask32x8, u32x8,
 };
 
-use crate::simd::gather::{Picking, four};
+use crate::simd::gather::{Gather, four};
 use crate::simd::lanes::{Lanes, MOST};
 
-/// As many lanes as a register of the SIMD level has.
+/// The lanes of one register of the SIMD level.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wide<S>(pub(crate) S);
+pub(crate) struct Registers<S>(pub(crate) S);
 
 /// Eight lanes, in as many registers as they need.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Eight<S>(pub(crate) S);
+pub(crate) struct EightLanes<S>(pub(crate) S);
 
 macro_rules! lanes {
     ($lanes:ident, $floats:ty, $words:ty, $mask:ty) => {
@@ -86,10 +86,10 @@ macro_rules! lanes {
         }
     };
 }
-lanes!(Wide, S::f32s, S::u32s, S::mask32s);
-lanes!(Eight, f32x8<S>, u32x8<S>, mask32x8<S>);
+lanes!(Registers, S::f32s, S::u32s, S::mask32s);
+lanes!(EightLanes, f32x8<S>, u32x8<S>, mask32x8<S>);
 
-impl<S: Simd> Picking<8> for Eight<S> {
+impl<S: Simd> Gather<8> for EightLanes<S> {
     #[inline(always)]
     fn words(self, x: Self::U) -> [u32; 8] {
         x.into()
@@ -107,20 +107,20 @@ impl<S: Simd> Picking<8> for Eight<S> {
         f32x8::from_slice(self.0, x)
     }
     #[inline(always)]
-    fn turned(self, rows: &[&[f32; 4]; 8]) -> [Self::F; 4] {
+    fn transposed(self, rows: &[&[f32; 4]; 8]) -> [Self::F; 4] {
         let mut quads = [f32x4::splat(self.0, 0.0); 8];
         for k in 0..8 {
             quads[k] = f32x4::from_slice(self.0, rows[k]);
         }
-        turned(quads)
+        transposed(quads)
     }
     #[inline(always)]
-    fn turned_values(self, rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
+    fn transposed_values(self, rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
         let mut quads = [f32x4::splat(self.0, 0.0); 8];
         for k in 0..8 {
             quads[k] = f32x4::from_slice(self.0, &rows[k]);
         }
-        turned(quads)
+        transposed(quads)
     }
     #[inline(always)]
     fn mixed(self, rows: &[&[[f32; 4]; 4]; 8], factors: &[[f32; 8]; 4]) -> [Self::F; 4] {
@@ -133,7 +133,7 @@ impl<S: Simd> Picking<8> for Eight<S> {
             quads[k] =
                 (quad(&rows[0]) * first + quad(&rows[1]) * b) + (quad(&rows[2]) * c + quad(&rows[3]) * d);
         }
-        turned(quads)
+        transposed(quads)
     }
     #[inline(always)]
     fn any(self, mask: Self::M) -> bool {
@@ -147,7 +147,7 @@ impl<S: Simd> Picking<8> for Eight<S> {
             let (left, right) = (f32x4::from_slice(self.0, left[k]), f32x4::from_slice(self.0, right[k]));
             quads[k] = left * r[k] + right * t[k];
         }
-        turned(quads)
+        transposed(quads)
     }
     #[inline(always)]
     fn reached<const SIDES: usize>(
@@ -173,7 +173,7 @@ impl<S: Simd> Picking<8> for Eight<S> {
 }
 
 #[inline(always)]
-fn halves<S: Simd>(lanes: Eight<S>, numbers: &[f32; 16]) -> (f32x8<S>, f32x8<S>) {
+fn halves<S: Simd>(lanes: EightLanes<S>, numbers: &[f32; 16]) -> (f32x8<S>, f32x8<S>) {
     let (low, high) = numbers.split_at(8);
     (f32x8::from_slice(lanes.0, low), f32x8::from_slice(lanes.0, high))
 }
@@ -186,7 +186,7 @@ fn even(low: u64, high: u64) -> u32 {
 
 /// The columns of eight rows.
 #[inline(always)]
-fn turned<S: Simd>([a, b, c, d, e, f, g, h]: [f32x4<S>; 8]) -> [f32x8<S>; 4] {
+fn transposed<S: Simd>([a, b, c, d, e, f, g, h]: [f32x4<S>; 8]) -> [f32x8<S>; 4] {
     let (low, high) = (columns([a, b, c, d]), columns([e, f, g, h]));
     [low[0].combine(high[0]), low[1].combine(high[1]), low[2].combine(high[2]), low[3].combine(high[3])]
 }

@@ -1,21 +1,21 @@
-//! Squares of numbers turned about their diagonal in registers.
+//! Transposes 4 × 4 blocks in SIMD registers.
 
 /// Instructions that turn squares of four by four; without the feature `simd` the unit type.
-pub(crate) trait Turn: TurnSquare<f32> + TurnSquare<f64> {}
+pub(crate) trait Transpose: TransposeSquare<f32> + TransposeSquare<f64> {}
 
-impl<S: TurnSquare<f32> + TurnSquare<f64>> Turn for S {}
+impl<S: TransposeSquare<f32> + TransposeSquare<f64>> Transpose for S {}
 
 /// Turns squares of `T`.
-pub(crate) trait TurnSquare<T>: Copy {
-    fn turn(self, rows: [[T; 4]; 4]) -> [[T; 4]; 4];
+pub(crate) trait TransposeSquare<T>: Copy {
+    fn transpose(self, rows: [[T; 4]; 4]) -> [[T; 4]; 4];
 }
 
 #[cfg(feature = "simd")]
-macro_rules! turn_by {
+macro_rules! transpose_by {
     ($type:ty, $interleave:ident) => {
-        impl<S: fearless_simd::Simd> TurnSquare<$type> for S {
+        impl<S: fearless_simd::Simd> TransposeSquare<$type> for S {
             #[inline(always)]
-            fn turn(self, rows: [[$type; 4]; 4]) -> [[$type; 4]; 4] {
+            fn transpose(self, rows: [[$type; 4]; 4]) -> [[$type; 4]; 4] {
                 let [a, b, c, d] = rows.map(|row| fearless_simd::SimdInto::simd_into(row, self));
                 let ((p, q), (r, s)) = (self.$interleave(a, c), self.$interleave(b, d));
                 let ((a, b), (c, d)) = (self.$interleave(p, r), self.$interleave(q, s));
@@ -26,13 +26,13 @@ macro_rules! turn_by {
 }
 
 #[cfg(feature = "simd")]
-turn_by!(f32, interleave_f32x4);
+transpose_by!(f32, interleave_f32x4);
 #[cfg(feature = "simd")]
-turn_by!(f64, interleave_f64x4);
+transpose_by!(f64, interleave_f64x4);
 
 #[cfg(not(feature = "simd"))]
-impl<T: Copy> TurnSquare<T> for () {
-    fn turn(self, rows: [[T; 4]; 4]) -> [[T; 4]; 4] {
+impl<T: Copy> TransposeSquare<T> for () {
+    fn transpose(self, rows: [[T; 4]; 4]) -> [[T; 4]; 4] {
         [0, 1, 2, 3].map(|lane| rows.map(|row| row[lane]))
     }
 }
@@ -41,11 +41,14 @@ impl<T: Copy> TurnSquare<T> for () {
 mod tests {
     use super::*;
 
-    fn check<S: Turn>(s: S) {
+    fn check<S: Transpose>(s: S) {
         let rows = [0_u8, 4, 8, 12].map(|from| [0, 1, 2, 3].map(|k| f64::from(from + k)));
-        let turned = [0_u8, 1, 2, 3].map(|from| [0, 4, 8, 12].map(|k| f64::from(from + k)));
-        assert_eq!(s.turn(rows), turned);
-        assert_eq!(s.turn(rows.map(|row| row.map(|x| x as f32))), turned.map(|row| row.map(|x| x as f32)));
+        let transposed = [0_u8, 1, 2, 3].map(|from| [0, 4, 8, 12].map(|k| f64::from(from + k)));
+        assert_eq!(s.transpose(rows), transposed);
+        assert_eq!(
+            s.transpose(rows.map(|row| row.map(|x| x as f32))),
+            transposed.map(|row| row.map(|x| x as f32))
+        );
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::batch_error::BatchError;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
-use crate::simd::gather::Picking;
+use crate::simd::gather::Gather;
 
 impl PackedMapRef<'_> {
     /// First two coordinates of the normals `n = (M, C)⁻¹(u)`: [`inverse`](Self::inverse) of many. The third is √(1 − n_x² − n_y²).
@@ -47,9 +47,9 @@ impl PackedMapRef<'_> {
     }
 }
 
-/// What is done to a pair of numbers.
-pub(crate) trait Picked<const OUT: usize>: Copy {
-    fn apply<P: Picking<N>, const N: usize>(self, p: P, inputs: [P::F; 2]) -> [P::F; OUT];
+/// A function of a pair of numbers, in lanes.
+pub(crate) trait PairKernel<const OUT: usize>: Copy {
+    fn apply<P: Gather<N>, const N: usize>(self, p: P, inputs: [P::F; 2]) -> [P::F; OUT];
 }
 
 #[derive(Clone, Copy)]
@@ -61,41 +61,41 @@ pub(crate) struct Forward<'a, const SIDES: usize>(pub(crate) &'a PackedMapRef<'a
 #[derive(Clone, Copy)]
 pub(crate) struct Densities<'a, const SIDES: usize>(pub(crate) &'a PackedMapRef<'a>);
 
-impl<const SIDES: usize> Picked<2> for Samples<'_, SIDES> {
+impl<const SIDES: usize> PairKernel<2> for Samples<'_, SIDES> {
     #[inline(always)]
-    fn apply<P: Picking<N>, const N: usize>(self, p: P, u: [P::F; 2]) -> [P::F; 2] {
+    fn apply<P: Gather<N>, const N: usize>(self, p: P, u: [P::F; 2]) -> [P::F; 2] {
         self.0.inverse_in::<P, N, SIDES>(p, u)
     }
 }
 
-impl<const SIDES: usize> Picked<2> for Forward<'_, SIDES> {
+impl<const SIDES: usize> PairKernel<2> for Forward<'_, SIDES> {
     #[inline(always)]
-    fn apply<P: Picking<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 2] {
+    fn apply<P: Gather<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 2] {
         self.0.forward_in::<P, N, SIDES>(p, n)
     }
 }
 
-impl<const SIDES: usize> Picked<1> for Densities<'_, SIDES> {
+impl<const SIDES: usize> PairKernel<1> for Densities<'_, SIDES> {
     #[inline(always)]
-    fn apply<P: Picking<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 1] {
+    fn apply<P: Gather<N>, const N: usize>(self, p: P, n: [P::F; 2]) -> [P::F; 1] {
         [self.0.density_in::<P, N, SIDES>(p, n)]
     }
 }
 
 /// Applies work to arrays of one length.
-fn fill<const OUT: usize>(work: impl Picked<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
+fn fill<const OUT: usize>(work: impl PairKernel<OUT>, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
     #[cfg(feature = "simd")]
     fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => {
-        each(crate::simd::registers::Eight(simd), work, inputs, outputs);
+        each(crate::simd::registers::EightLanes(simd), work, inputs, outputs);
     });
     #[cfg(not(feature = "simd"))]
     each(crate::simd::lanes::Scalar, work, inputs, outputs);
 }
 
 #[inline(always)]
-fn each<P: Picking<N>, const N: usize, const OUT: usize>(
+fn each<P: Gather<N>, const N: usize, const OUT: usize>(
     p: P,
-    work: impl Picked<OUT>,
+    work: impl PairKernel<OUT>,
     [x, y]: [&[f32]; 2],
     mut outputs: [&mut [f32]; OUT],
 ) {

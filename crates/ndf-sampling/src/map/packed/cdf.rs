@@ -4,13 +4,13 @@ use crate::map::packed::fetch::mixed;
 use crate::map::packed::grid::Grid;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{BEFORE, BEGIN, BELOW, MARGINAL, WEIGHT, WIDE};
-use crate::simd::gather::Picking;
+use crate::simd::gather::Gather;
 use crate::simd::lanes::Scalar;
 
 impl PackedMapRef<'_> {
     /// `(M, C)`.
     #[inline(always)]
-    pub(crate) fn forward_in<P: Picking<N>, const N: usize, const SIDES: usize>(
+    pub(crate) fn forward_in<P: Gather<N>, const N: usize, const SIDES: usize>(
         &self,
         p: P,
         n: [P::F; 2],
@@ -20,19 +20,19 @@ impl PackedMapRef<'_> {
         let Grid { density, origin, last, .. } = self.grid;
         let x = nx * p.float(density[0]);
         let before = p.float(origin[0]);
-        let (piece, at) = p.below(p.at_most(x + before, last[0]));
-        let within = p.at_most(p.at_least(x - (piece - before), 0.0), 1.0);
+        let (bin, at) = p.below(p.at_most(x + before, last[0]));
+        let within = p.at_most(p.at_least(x - (bin - before), 0.0), 1.0);
         let at = p.words(at);
         let mut parts = mixed(p, &self.cubics(&at), within);
         parts[WEIGHT] = within * parts[WEIGHT];
         if p.any(p.less(parts[BEFORE], zero)) {
             let (within, parts_of) = (p.floats(within), parts.map(|part| p.floats(part)));
-            parts = self.in_slabs(&at, &within, parts_of).map(|part| p.of_floats(&part));
+            parts = self.in_pieces(&at, &within, parts_of).map(|part| p.of_floats(&part));
         }
         let [weight, marginal, below, before] = parts;
         let u1 = p.at_most(before + weight, 1.0);
 
-        let (column, t) = self.column(p, piece, within);
+        let (column, t) = self.column(p, bin, within);
         let y = ny * p.float(density[1]);
         let middle = p.float(origin[1]);
         let (row, rows) = p.below(p.at_most(y + middle, last[1]));
@@ -52,7 +52,7 @@ impl PackedMapRef<'_> {
 
     /// The densities `D`.
     #[inline(always)]
-    pub(crate) fn density_in<P: Picking<N>, const N: usize, const SIDES: usize>(
+    pub(crate) fn density_in<P: Gather<N>, const N: usize, const SIDES: usize>(
         &self,
         p: P,
         [nx, ny]: [P::F; 2],
@@ -69,29 +69,29 @@ impl PackedMapRef<'_> {
         p.at_least(p.select(inside, p.float(0.25) * value, p.float(0.0)), 0.0)
     }
 
-    /// The parts of places in pieces, those of pieces with several slabs found anew.
+    /// The parts of places in bins, those of bins with several pieces found anew.
     #[cold]
-    fn in_slabs<const N: usize>(
+    fn in_pieces<const N: usize>(
         &self,
         at: &[u32; N],
         within: &[f32; N],
         mut parts: [[f32; N]; 4],
     ) -> [[f32; N]; 4] {
         for k in 0..N {
-            let (count, Some(piece)) = (-parts[BEFORE][k], self.cubics.get(at[k] as usize)) else { continue };
+            let (count, Some(bin)) = (-parts[BEFORE][k], self.cubics.get(at[k] as usize)) else { continue };
             if count > 0.0 {
-                let first = (piece[0][MARGINAL] as usize).saturating_add(piece[0][BELOW] as usize);
-                let slabs = self.cubics.get(first..).and_then(|slabs| slabs.get(..count as usize));
-                let slabs = slabs.unwrap_or_default();
-                let before = slabs.partition_point(|slab| slab[BEGIN][BEFORE] <= within[k]);
-                let Some(slab) = slabs.get(before.saturating_sub(1)) else { continue };
-                let (begin, wide) = (slab[BEGIN][BEFORE], slab[WIDE][BEFORE]);
+                let first = (bin[0][MARGINAL] as usize).saturating_add(bin[0][BELOW] as usize);
+                let pieces = self.cubics.get(first..).and_then(|pieces| pieces.get(..count as usize));
+                let pieces = pieces.unwrap_or_default();
+                let before = pieces.partition_point(|piece| piece[BEGIN][BEFORE] <= within[k]);
+                let Some(piece) = pieces.get(before.saturating_sub(1)) else { continue };
+                let (begin, wide) = (piece[BEGIN][BEFORE], piece[WIDE][BEFORE]);
                 let s = ((within[k] - begin) / wide.max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-                let mixed = mixed(Scalar, &[slab], s);
+                let mixed = mixed(Scalar, &[piece], s);
                 parts[WEIGHT][k] = s * mixed[WEIGHT];
                 parts[MARGINAL][k] = mixed[MARGINAL];
                 parts[BELOW][k] = mixed[BELOW];
-                parts[BEFORE][k] = slab[0][BEFORE];
+                parts[BEFORE][k] = piece[0][BEFORE];
             }
         }
         parts

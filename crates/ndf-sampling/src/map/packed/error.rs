@@ -20,9 +20,9 @@ pub enum PackedMapError {
     },
     /// The array has no header, or is not as long as its header says.
     Length {
-        /// How long it should be.
+        /// Length that it should have.
         expected: u64,
-        /// How long it is.
+        /// Length that it has.
         got: usize,
     },
 }

@@ -1,21 +1,16 @@
-//! What the lanes of a packed map pick from its parts.
+//! Gathers from the parts of a packed map, one for each lane.
 
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{LEAF, Rows};
-use crate::simd::gather::Picking;
+use crate::simd::gather::Gather;
 
 impl PackedMapRef<'_> {
-    /// The column of a piece, and how far a place in the piece is from the column's left side.
+    /// The column of a bin, and how far a place in the bin is from the column's left side.
     #[inline(always)]
-    pub(crate) fn column<P: Picking<N>, const N: usize>(
-        &self,
-        p: P,
-        piece: P::F,
-        within: P::F,
-    ) -> (P::U, P::F) {
+    pub(crate) fn column<P: Gather<N>, const N: usize>(&self, p: P, bin: P::F, within: P::F) -> (P::U, P::F) {
         let per = p.float(self.grid.per_split);
-        let (column, word) = p.below((piece + p.float(0.5)) * per);
-        (word, ((piece - column * p.float(self.grid.split)) + within) * per)
+        let (column, word) = p.below((bin + p.float(0.5)) * per);
+        (word, ((bin - column * p.float(self.grid.split)) + within) * per)
     }
 
     /// Cubics by their numbers.
@@ -32,7 +27,7 @@ impl PackedMapRef<'_> {
 
     /// The integral and the value where rows begin, and where they end, `t` of the way from the left to the right side.
     #[inline(always)]
-    pub(crate) fn nodes<P: Picking<N>, const N: usize, const SIDES: usize>(
+    pub(crate) fn nodes<P: Gather<N>, const N: usize, const SIDES: usize>(
         &self,
         p: P,
         column: P::U,
@@ -45,13 +40,13 @@ impl PackedMapRef<'_> {
         for k in 0..N {
             (left[k], right[k]) = sides::<4, SIDES>(self.nodes, at[k], stride);
         }
-        if SIDES == 1 { p.turned(&left) } else { p.blended([&left, &right], [p.float(1.0) - t, t]) }
+        if SIDES == 1 { p.transposed(&left) } else { p.blended([&left, &right], [p.float(1.0) - t, t]) }
     }
 }
 
 /// Four numbers of leaves.
 #[inline(always)]
-pub(crate) fn quads<P: Picking<N>, const N: usize>(
+pub(crate) fn quads<P: Gather<N>, const N: usize>(
     p: P,
     leaves: &[&[f32; LEAF]; N],
     quad: usize,
@@ -62,12 +57,12 @@ pub(crate) fn quads<P: Picking<N>, const N: usize>(
             rows[k] = row;
         }
     }
-    p.turned(&rows)
+    p.transposed(&rows)
 }
 
 /// The polynomials of cubics at the places `s`.
 #[inline(always)]
-pub(crate) fn mixed<P: Picking<N>, const N: usize>(p: P, cubics: &[&Rows; N], s: P::F) -> [P::F; 4] {
+pub(crate) fn mixed<P: Gather<N>, const N: usize>(p: P, cubics: &[&Rows; N], s: P::F) -> [P::F; 4] {
     let r = p.float(1.0) - s;
     let (r2, s2) = (r * r, s * s);
     p.mixed(cubics, &[p.floats(r2 * r), p.floats(r2 * s), p.floats(r * s2), p.floats(s2 * s)])

@@ -1,23 +1,23 @@
-//! Where the pieces, columns and rows of a packed map lie on the disk.
+//! Grid of a packed map: its bins, columns and rows on the disk.
 
 use crate::map::packed::layout::Layout;
 
-/// What a layout says of places, as floats.
+/// Places that a layout states, as floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
-    /// Pieces, and rows, per unit of a normal's coordinate, and the reverse.
+    /// Bins, and rows, per unit of a normal's coordinate, and the reverse.
     pub(crate) density: [f32; 2],
     pub(crate) size: [f32; 2],
-    /// The pieces before `n_x = 0`, and the rows before `n_y = 0`.
+    /// The bins before `n_x = 0`, and the rows before `n_y = 0`.
     pub(crate) origin: [f32; 2],
-    /// The middles of the last piece and of the last row.
+    /// The middles of the last bin and of the last row.
     pub(crate) last: [f32; 2],
-    /// What a sample keeps from the lines between pieces and between rows, from which it might round across.
+    /// Margin of a sample from the lines between bins and between rows, from which it might round across.
     pub(crate) margin: [f32; 2],
-    /// Pieces of a column, and the reverse.
+    /// Bins of a column, and the reverse.
     pub(crate) split: f32,
     pub(crate) per_split: f32,
-    /// The weight of a piece as wide as others is this times its mean marginal.
+    /// The weight of a bin as wide as others is this times its mean marginal.
     pub(crate) weight_per_marginal: f32,
     /// Entries of the guide, and of a column's quantiles less one.
     pub(crate) guide: f32,
@@ -38,7 +38,7 @@ impl Grid {
             density: counts.map(|n| 0.5 * n),
             size: counts.map(|n| 2.0 / n),
             origin: [0.5 * counts[0] + offset * split, 0.5 * counts[1] + offset],
-            last: [layout.pieces() as f32 - 0.5, rows as f32 - 0.5],
+            last: [layout.bins() as f32 - 0.5, rows as f32 - 0.5],
             margin: counts.map(|n| (2.0 * f32::EPSILON * n).min(0.25)),
             split,
             per_split: 1.0 / split,

@@ -7,18 +7,18 @@ use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{LEAF, MANY_STEPS, MARGINAL, Rows};
 use crate::math;
 use crate::numeric::bernstein::{inverse_share, kept_away};
-use crate::simd::gather::Picking;
+use crate::simd::gather::Gather;
 
 /// The largest `f32` below 1.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
-/// What a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
+/// Weight that a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
 const LEAST_MASS: f64 = 1e-7;
 
 impl PackedMapRef<'_> {
     /// `(M, C)⁻¹`. `SIDES`: how many columns of values a cell lies between.
     #[inline(always)]
-    pub(crate) fn inverse_in<P: Picking<N>, const N: usize, const SIDES: usize>(
+    pub(crate) fn inverse_in<P: Gather<N>, const N: usize, const SIDES: usize>(
         &self,
         p: P,
         u: [P::F; 2],
@@ -35,7 +35,7 @@ impl PackedMapRef<'_> {
         }
         let [from, per, c0, c1] = quads(p, &leaves, 0);
         let [c2, c3, begin, wide] = quads(p, &leaves, 1);
-        let [cubic, piece, steps, _] = quads(p, &leaves, 2);
+        let [cubic, bin, steps, _] = quads(p, &leaves, 2);
         let cubics = self.cubics(&p.words(p.bits(cubic)));
 
         let share = p.at_most(p.at_least((u1 - from) * per, 0.0), 1.0);
@@ -52,12 +52,12 @@ impl PackedMapRef<'_> {
         let [_, marginal, below, _] = mixed(p, &cubics, s);
 
         let Grid { size, origin, margin, .. } = self.grid;
-        // Not on a line, from which the normal might round into the next piece.
+        // Not on a line, from which the normal might round into the next bin.
         let within = p.at_most(p.at_least(begin + wide * s, margin[0]), 1.0 - margin[0]);
-        let piece = p.float_of_word(p.bits(piece));
-        let x = ((piece - p.float(origin[0])) + within) * p.float(size[0]);
+        let bin = p.float_of_word(p.bits(bin));
+        let x = ((bin - p.float(origin[0])) + within) * p.float(size[0]);
         let x = p.at_most(p.at_least(x, -1.0), 1.0);
-        let (column, t) = self.column(p, piece, within);
+        let (column, t) = self.column(p, bin, within);
         let target = u2 * marginal - below;
 
         let r = one - t;
@@ -104,7 +104,7 @@ impl PackedMapRef<'_> {
 
     /// The rows in which conditionals reach their targets.
     #[inline(always)]
-    fn rows<P: Picking<N>, const N: usize, const SIDES: usize>(
+    fn rows<P: Gather<N>, const N: usize, const SIDES: usize>(
         &self,
         p: P,
         column: P::U,
@@ -120,7 +120,7 @@ impl PackedMapRef<'_> {
             let ([before, after], _) = sides::<2, 1>(self.quantiles, ranks[k], 0);
             pairs[k] = [*before, *after, 0.0, 0.0];
         }
-        let [before, after, ..] = p.turned_values(&pairs);
+        let [before, after, ..] = p.transposed_values(&pairs);
         let guess = before + (after - before) * (place - part) - p.float((LINES / 2 - 1) as f32);
         let (_, first) = p.below(guess);
         let stride = self.grid.stride;
@@ -145,7 +145,7 @@ impl PackedMapRef<'_> {
                 }
             }
         }
-        (p.of_words(&row), p.turned_values(&nodes))
+        (p.of_words(&row), p.transposed_values(&nodes))
     }
 
     /// The last row that begins at or below `target` and has weight, by halving, and its nodes.

@@ -1,4 +1,4 @@
-//! Where the parts of a packed map lie in its array.
+//! Layout of a packed map: its parts in their order.
 
 use crate::map::packed::error::PackedMapError;
 use crate::map::packed::record::{CUBIC, HEADER, LEAF};
@@ -19,11 +19,11 @@ pub(crate) struct Layout {
     pub(crate) width: usize,
     pub(crate) height: usize,
     pub(crate) kind: Reconstruction,
-    /// Pieces of a column of cells: a power of two.
+    /// Bins of a column of cells: a power of two.
     pub(crate) split: usize,
-    /// Cubics of pieces, and of the slabs of those that have more than one.
+    /// Cubics of bins, and of the pieces of those that have more than one.
     pub(crate) cubics: usize,
-    /// Pieces and slabs that are one cubic.
+    /// Bins and pieces that are one cubic.
     pub(crate) leaves: usize,
     /// Entries of the guide to the leaves: a power of two.
     pub(crate) guide: usize,
@@ -59,7 +59,7 @@ impl Layout {
         }
         let [width, height, split, cubics, leaves, guide, quantiles] = sizes;
         let layout = Self { width, height, kind, split, cubics, leaves, guide, quantiles };
-        if cubics < layout.pieces() {
+        if cubics < layout.bins() {
             return Err(PackedMapError::Header { index: 5, value: cubics as u32 });
         }
         // With every size at most 2²⁴ this fits in 64 bits, and where it does not in usize, no slice is as long.
@@ -87,7 +87,7 @@ impl Layout {
         header
     }
 
-    /// How long the parts are, in their order: the guide, weights, leaves, cubics, quantiles, nodes.
+    /// Lengths of the parts, in their order: the guide, weights, leaves, cubics, quantiles, nodes.
     pub(crate) fn parts(&self) -> [Option<u64>; 6] {
         let [width, cubics, leaves, guide, quantiles] =
             [self.width, self.cubics, self.leaves, self.guide, self.quantiles].map(|size| size as u64);
@@ -104,8 +104,8 @@ impl Layout {
         ]
     }
 
-    /// Pieces of all columns.
-    pub(crate) const fn pieces(&self) -> usize {
+    /// Bins of all columns.
+    pub(crate) const fn bins(&self) -> usize {
         self.kind.cells(self.width).saturating_mul(self.split)
     }
 

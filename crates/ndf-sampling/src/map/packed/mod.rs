@@ -1,6 +1,8 @@
 //! A map of normals in one borrowed array of `f32`.
 
 pub(crate) mod batch;
+#[cfg(feature = "alloc")]
+pub(crate) mod bins;
 pub(crate) mod cdf;
 pub(crate) mod error;
 pub(crate) mod fetch;
@@ -9,7 +11,5 @@ pub(crate) mod inverse_cdf;
 pub(crate) mod layout;
 #[cfg(feature = "alloc")]
 pub(crate) mod pack;
-#[cfg(feature = "alloc")]
-pub(crate) mod pack_pieces;
 pub(crate) mod packed_map;
 pub(crate) mod record;

@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 
 use crate::map::ndf_map::NdfMap;
+use crate::map::packed::bins::Bins;
 use crate::map::packed::layout::{KEYS, LINES, Layout};
-use crate::map::packed::pack_pieces::Pieces;
 use crate::map::packed::record::LEAF;
 use crate::map::quantiles::Quantiles;
 
@@ -17,26 +17,26 @@ impl NdfMap {
     pub fn pack(&self) -> Vec<f32> {
         let cdf = self.cdf();
         let columns = cdf.columns();
-        let (pieces, quantiles) = (Pieces::new(cdf), Quantiles::new(columns));
+        let (bins, quantiles) = (Bins::new(cdf), Quantiles::new(columns));
         let kind = columns.kind();
         let layout = Layout {
             width: columns.width(),
             height: columns.height(),
             kind,
-            split: pieces.split,
-            cubics: pieces.cubics.len(),
-            leaves: pieces.leaves.len(),
-            guide: (2 * pieces.leaves.len()).next_power_of_two(),
+            split: bins.split,
+            cubics: bins.cubics.len(),
+            leaves: bins.leaves.len(),
+            guide: (2 * bins.leaves.len()).next_power_of_two(),
             quantiles: quantiles.parts(),
         };
         let scale = cdf.scale();
         let mut packed = Vec::with_capacity(layout.len().map_or(0, |len| len as usize));
         packed.extend(layout.header());
-        extend_guide(&mut packed, &pieces.leaves, layout.guide);
-        packed.extend(pieces.leaves.iter().skip(1).map(|leaf| leaf[0]));
+        extend_guide(&mut packed, &bins.leaves, layout.guide);
+        packed.extend(bins.leaves.iter().skip(1).map(|leaf| leaf[0]));
         packed.extend([2.0; KEYS + 1]);
-        packed.extend(pieces.leaves.as_flattened());
-        packed.extend(pieces.cubics.as_flattened().as_flattened());
+        packed.extend(bins.leaves.as_flattened());
+        packed.extend(bins.cubics.as_flattened().as_flattened());
         packed.extend(quantiles.rows());
         let border = kind.cells(layout.width) - layout.width;
         let all =

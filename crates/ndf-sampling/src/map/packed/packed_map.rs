@@ -38,6 +38,8 @@ use crate::simd::lanes::Scalar;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "gpu")]
+#[doc(alias = "flash")]
 pub struct PackedMapRef<'a> {
     pub(crate) layout: Layout,
     pub(crate) grid: Grid,
@@ -88,7 +90,7 @@ impl<'a> PackedMapRef<'a> {
         self.layout.height
     }
 
-    /// What the density is between the texels' centres.
+    /// Reconstruction between the texels' centres.
     #[inline]
     #[must_use]
     pub const fn reconstruction(&self) -> Reconstruction {

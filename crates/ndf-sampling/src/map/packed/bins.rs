@@ -1,4 +1,4 @@
-//! The pieces of the marginal of a packed map: parts of columns where one cubic does, and slabs where none does.
+//! The bins of the marginal of a packed map: parts of columns where one cubic does, and pieces where none does.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -8,124 +8,124 @@ use crate::map::disk::half_chord;
 use crate::map::packed::record::{
     BEFORE, BEGIN, BELOW, CUBIC_OF, END, LEAF, MANY_STEPS, MARGINAL, ONE_STEP, Rows, WIDE,
 };
-use crate::map::piece::Slab;
+use crate::map::piece::Piece;
 use crate::numeric::bernstein::{Cubic, cubic, inverse_share, kept_away, share};
 
-/// Columns are cut into more pieces while the map has fewer than this,
+/// Columns are cut into more bins while the map has fewer than this,
 const PIECES: usize = 1024;
 
-/// and more weight than this is in pieces where no cubic does.
+/// and more weight than this is in bins where no cubic does.
 const IN_SLABS: f32 = 1.0 / 32.0;
 
-/// How far off, of the whole chord's weight, a cubic may be for the weight below and above the middle.
+/// Largest error of a cubic, of the whole chord's weight, for the weight below and above the middle.
 const FIT: f64 = 5e-7;
 
-/// How far off, in u, the inverse of a piece's weight may be.
+/// Largest error, in u, of the inverse of a bin's weight.
 const INVERSE: f64 = 3e-8;
 
-/// The pieces of all columns, in their order.
-pub(crate) struct Pieces {
-    /// Pieces of a column.
+/// The bins of all columns, in their order.
+pub(crate) struct Bins {
+    /// Bins of a column.
     pub(crate) split: usize,
-    /// Pieces.
+    /// Bins.
     count: usize,
-    /// Those of pieces first, then those of slabs.
+    /// Cubics of bins first, then those of pieces.
     pub(crate) cubics: Vec<Rows>,
     /// In the order of x.
     pub(crate) leaves: Vec<[f32; LEAF]>,
 }
 
 /// A cubic with all that is needed of it.
-struct Piece {
+struct Bin {
     marginal: Cubic,
     below: Cubic,
-    /// Where it begins and ends, in pieces.
+    /// Beginning and end, in bins.
     place: [f64; 2],
     /// `M` there.
     weights: [f64; 2],
 }
 
-impl Pieces {
+impl Bins {
     pub(crate) fn new(cdf: &Cdf) -> Self {
-        let mut pieces = Self::split(cdf, 1);
-        while pieces.in_slabs() > IN_SLABS && 2 * pieces.split * cdf.width() <= PIECES {
-            pieces = Self::split(cdf, 2 * pieces.split);
+        let mut bins = Self::split(cdf, 1);
+        while bins.in_pieces() > IN_SLABS && 2 * bins.split * cdf.width() <= PIECES {
+            bins = Self::split(cdf, 2 * bins.split);
         }
-        pieces
+        bins
     }
 
-    /// The weight of pieces that have several slabs.
-    fn in_slabs(&self) -> f32 {
-        let slabs = self.leaves.iter().filter(|leaf| leaf[CUBIC_OF].to_bits() as usize >= self.count);
-        slabs.map(|leaf| leaf[END] - leaf[0]).sum()
+    /// The weight of bins that have several pieces.
+    fn in_pieces(&self) -> f32 {
+        let pieces = self.leaves.iter().filter(|leaf| leaf[CUBIC_OF].to_bits() as usize >= self.count);
+        pieces.map(|leaf| leaf[END] - leaf[0]).sum()
     }
 
     fn split(cdf: &Cdf, split: usize) -> Self {
         let (width, kind) = (cdf.width(), cdf.reconstruction());
         let count = kind.cells(width) * split;
-        let line =
-            |piece: usize| ((piece as f64 / split as f64 - kind.offset()) / width as f64).clamp(0.0, 1.0);
+        let line = |bin: usize| ((bin as f64 / split as f64 - kind.offset()) / width as f64).clamp(0.0, 1.0);
         let mut cubics = Vec::with_capacity(count);
-        let (mut slabs, mut leaves) = (Vec::new(), Vec::new());
+        let (mut pieces, mut leaves) = (Vec::new(), Vec::new());
         let (mut first, mut before) = (0, 0.0);
-        for piece in 0..count {
-            let x = [line(piece), line(piece + 1)];
-            let range = overlapping(cdf.slabs(), first, x);
+        for bin in 0..count {
+            let x = [line(bin), line(bin + 1)];
+            let range = overlapping(cdf.pieces(), first, x);
             first = range.start;
-            let weights = [before, if piece + 1 < count { cdf.marginal_cdf(x[1]) } else { 1.0 }];
+            let weights = [before, if bin + 1 < count { cdf.marginal_cdf(x[1]) } else { 1.0 }];
             before = weights[1];
-            // The pieces at either end of the map may begin or end outside it.
-            let inside = piece >= split && piece + split < count;
-            if let Some(whole) = inside.then(|| fit(cdf, piece / split, x, weights)).flatten() {
+            // The bins at either end of the map may begin or end outside it.
+            let inside = bin >= split && bin + split < count;
+            if let Some(whole) = inside.then(|| fit(cdf, bin / split, x, weights)).flatten() {
                 if weights[1] > weights[0] {
-                    leaves.push(whole.leaf(piece, piece));
+                    leaves.push(whole.leaf(bin, bin));
                 }
                 cubics.push(whole.rows());
                 continue;
             }
-            let parts = range.filter_map(|k| Piece::of_slab(cdf, k, split, piece));
-            let before = slabs.len();
+            let parts = range.filter_map(|k| Bin::of_piece(cdf, k, split, bin));
+            let before = pieces.len();
             for part in parts {
                 if part.weights[1] > part.weights[0] {
-                    leaves.push(part.leaf(count + slabs.len(), piece));
+                    leaves.push(part.leaf(count + pieces.len(), bin));
                 }
-                slabs.push(part.rows_of_slab());
+                pieces.push(part.rows_of_piece());
             }
-            cubics.push(link(count + before, slabs.len() - before));
+            cubics.push(link(count + before, pieces.len() - before));
         }
-        cubics.append(&mut slabs);
+        cubics.append(&mut pieces);
         Self { split, count, cubics, leaves }
     }
 }
 
-impl Piece {
-    /// What of a slab lies in a piece.
-    fn of_slab(cdf: &Cdf, slab: usize, split: usize, piece: usize) -> Option<Self> {
+impl Bin {
+    /// The part of a piece that lies in a bin.
+    fn of_piece(cdf: &Cdf, piece: usize, split: usize, bin: usize) -> Option<Self> {
         let (width, kind) = (cdf.width() as f64, cdf.reconstruction());
-        let weights: &[f64; 2] = cdf.cumulative().get(slab..slab + 2)?.as_array()?;
-        let slab = cdf.slabs().get(slab)?;
-        let place = slab.x.map(|x| (x * width + kind.offset()) * split as f64 - piece as f64);
+        let weights: &[f64; 2] = cdf.cumulative().get(piece..piece + 2)?.as_array()?;
+        let piece = cdf.pieces().get(piece)?;
+        let place = piece.x.map(|x| (x * width + kind.offset()) * split as f64 - bin as f64);
         let within = [0.0, 1.0].map(|end: f64| ((end - place[0]) / (place[1] - place[0])).clamp(0.0, 1.0));
         let at = |s: f64| match s {
             0.0 => (place[0], weights[0]),
             1.0 => (place[1], weights[1]),
             _ => (
                 place[0] + (place[1] - place[0]) * s,
-                weights[0] + (weights[1] - weights[0]) * share(slab.marginal, s),
+                weights[0] + (weights[1] - weights[0]) * share(piece.marginal, s),
             ),
         };
         let (begin, end) = (at(within[0]), at(within[1]));
-        let [marginal, below] = [slab.marginal, slab.below].map(|b| part(b, within).map(|b| b * cdf.scale()));
+        let [marginal, below] =
+            [piece.marginal, piece.below].map(|b| part(b, within).map(|b| b * cdf.scale()));
         Some(Self { marginal, below, place: [begin.0, end.0], weights: [begin.1, end.1] })
     }
 
-    fn leaf(&self, cubic: usize, piece: usize) -> [f32; LEAF] {
+    fn leaf(&self, cubic: usize, bin: usize) -> [f32; LEAF] {
         let ([from, to], [begin, end]) = (self.weights, self.place);
         let ([c0, c1, c2, c3], steps) = inverse(self.marginal, to - from);
-        let [cubic, piece] = [cubic, piece].map(|k| f32::from_bits(k as u32));
+        let [cubic, bin] = [cubic, bin].map(|k| f32::from_bits(k as u32));
         let per = (1.0 / (f64::from(to as f32) - f64::from(from as f32))).min(f64::from(f32::MAX));
         let (begin, wide) = (begin as f32, (end - begin) as f32);
-        [from as f32, per as f32, c0, c1, c2, c3, begin, wide, cubic, piece, steps, to as f32]
+        [from as f32, per as f32, c0, c1, c2, c3, begin, wide, cubic, bin, steps, to as f32]
     }
 
     fn rows(&self) -> Rows {
@@ -144,7 +144,7 @@ impl Piece {
         rows
     }
 
-    fn rows_of_slab(&self) -> Rows {
+    fn rows_of_piece(&self) -> Rows {
         let mut rows = self.rows();
         rows[BEGIN][BEFORE] = self.place[0] as f32;
         rows[WIDE][BEFORE] = (self.place[1] - self.place[0]) as f32;
@@ -152,7 +152,7 @@ impl Piece {
     }
 }
 
-/// The cubic on a part of its piece.
+/// The cubic on a part of its bin.
 fn part([b0, b1, b2, b3]: Cubic, [from, to]: [f64; 2]) -> Cubic {
     if [from, to] == [0.0, 1.0] {
         return [b0, b1, b2, b3];
@@ -166,7 +166,7 @@ fn part([b0, b1, b2, b3]: Cubic, [from, to]: [f64; 2]) -> Cubic {
     [blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)]
 }
 
-/// The rows of a piece with several slabs.
+/// The rows of a bin with several pieces.
 fn link(first: usize, count: usize) -> Rows {
     let mut rows = [[0.0; 4]; 4];
     rows[0][BEFORE] = -(count as f32);
@@ -177,17 +177,17 @@ fn link(first: usize, count: usize) -> Rows {
     rows
 }
 
-/// The slabs that have a part between two places, looked for from `first` on; the nearest one if there is none.
-fn overlapping(slabs: &[Slab], first: usize, [begin, end]: [f64; 2]) -> Range<usize> {
-    let rest = slabs.get(first..).unwrap_or_default();
-    let last = slabs.len().saturating_sub(1);
-    let start = (first + rest.iter().take_while(|slab| slab.x[1] <= begin).count()).min(last);
-    let within = slabs.get(start..).unwrap_or_default().iter().take_while(|slab| slab.x[0] < end).count();
+/// The pieces that have a part between two places, looked for from `first` on; the nearest one if there is none.
+fn overlapping(pieces: &[Piece], first: usize, [begin, end]: [f64; 2]) -> Range<usize> {
+    let rest = pieces.get(first..).unwrap_or_default();
+    let last = pieces.len().saturating_sub(1);
+    let start = (first + rest.iter().take_while(|piece| piece.x[1] <= begin).count()).min(last);
+    let within = pieces.get(start..).unwrap_or_default().iter().take_while(|piece| piece.x[0] < end).count();
     start..start + within.max(1)
 }
 
-/// A whole piece of a column as one cubic, if that is good enough.
-fn fit(cdf: &Cdf, column: usize, x: [f64; 2], weights: [f64; 2]) -> Option<Piece> {
+/// A whole bin of a column as one cubic, if that is good enough.
+fn fit(cdf: &Cdf, column: usize, x: [f64; 2], weights: [f64; 2]) -> Option<Bin> {
     let at = |s: f64| chord(cdf, column, x[0] + (x[1] - x[0]) * s);
     let nodes = [0.0, 0.25, 0.75, 1.0].map(at);
     let below = through(nodes.map(|[below, _]| below));
@@ -199,7 +199,7 @@ fn fit(cdf: &Cdf, column: usize, x: [f64; 2], weights: [f64; 2]) -> Option<Piece
     };
     let marginal = [0, 1, 2, 3].map(|k| below[k] + above[k]);
     let sound = below.iter().chain(&above).all(|&b| b >= 0.0) && (1..16).all(|k| good(f64::from(k) / 16.0));
-    sound.then_some(Piece { marginal, below, place: [0.0, 1.0], weights })
+    sound.then_some(Bin { marginal, below, place: [0.0, 1.0], weights })
 }
 
 /// The integrals of `f` over the parts of the circle's chord at `x` below and above the middle of the map, as in the sums.
@@ -296,26 +296,26 @@ mod tests {
     }
 
     #[test]
-    fn leaves_cover_all_weight_and_links_lead_to_slabs() {
+    fn leaves_cover_all_weight_and_links_lead_to_pieces() {
         for (width, kind) in
             [(1, Reconstruction::Constant), (5, Reconstruction::Bilinear), (600, Reconstruction::Bilinear)]
         {
             let map = NdfMap::from_ndf(width, 40, kind, &Ggx::new(0.3, 0.5).unwrap()).unwrap();
-            let pieces = Pieces::new(map.cdf());
-            let (first, last) = (pieces.leaves[0], pieces.leaves[pieces.leaves.len() - 1]);
+            let bins = Bins::new(map.cdf());
+            let (first, last) = (bins.leaves[0], bins.leaves[bins.leaves.len() - 1]);
             assert_eq!((first[0], last[END]), (0.0, 1.0));
-            for pair in pieces.leaves.windows(2) {
+            for pair in bins.leaves.windows(2) {
                 assert_eq!(pair[0][END], pair[1][0], "{width}");
             }
-            assert_eq!(pieces.count, kind.cells(width) * pieces.split);
-            let mut next = pieces.count;
-            for piece in &pieces.cubics[..pieces.count] {
-                if piece[0][BEFORE] < 0.0 {
-                    assert_eq!((piece[0][MARGINAL] + piece[0][BELOW]) as usize, next, "{width}");
-                    next += -piece[0][BEFORE] as usize;
+            assert_eq!(bins.count, kind.cells(width) * bins.split);
+            let mut next = bins.count;
+            for bin in &bins.cubics[..bins.count] {
+                if bin[0][BEFORE] < 0.0 {
+                    assert_eq!((bin[0][MARGINAL] + bin[0][BELOW]) as usize, next, "{width}");
+                    next += -bin[0][BEFORE] as usize;
                 }
             }
-            assert_eq!(next, pieces.cubics.len(), "{width}");
+            assert_eq!(next, bins.cubics.len(), "{width}");
         }
     }
 }

@@ -25,7 +25,7 @@ macro_rules! delegate_ndf {
             }
         }
 
-        $($crate::delegate::delegate_ndf!(@$and $density, $to);)*
+        $($crate::density::delegate::delegate_ndf!(@$and $density, $to);)*
     };
     (@Microfacet $density:ty, $to:ident) => {
         impl $crate::microfacet::Microfacet for $density {
