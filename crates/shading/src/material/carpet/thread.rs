@@ -4,7 +4,7 @@ use asperity_noise::{Kernel, Normalisation, Octaves, Sample, Simplex, Spectrum, 
 use glam::Vec3;
 
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::material::parameter::{ParameterError, SIZES, within};
+use crate::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 
 /// The threads of a carpet together: rough noise that is added to the diffuse colour.
@@ -22,7 +22,8 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.2.2, *Diffuse map*.
 ///
 /// ```
-/// use asperity_shading::{DiffuseThreads, Footprint, glam::Vec3};
+/// use asperity_shading::material::DiffuseThreads;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let threads = DiffuseThreads::new(0.01, 1)?;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
@@ -79,7 +80,8 @@ impl DiffuseThreads {
 /// Nilsson 2008, §4.2.2, *Specular map*.
 ///
 /// ```
-/// use asperity_shading::{Footprint, SpecularThreads, glam::Vec3};
+/// use asperity_shading::material::SpecularThreads;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let threads = SpecularThreads::new(0.01, 1)?;
 /// let far = threads.value(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));
