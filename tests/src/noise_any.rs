@@ -3,7 +3,9 @@
 use std::any::Any;
 
 use asperity_noise::{
-    Kernel, LaneSample, Lanes, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
+    Field, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
+    glam::{Vec2, Vec3, Vec4},
+    simd::{Kernel, LaneSample, Lanes, Sealed},
 };
 
 use crate::noise_kinds::{Testable, Visit, every_dimension, every_kind, every_variant};
@@ -35,20 +37,20 @@ pub trait AnySum<const N: usize> {
     fn value(&self, p: [f32; N], octaves: f32) -> f32;
 }
 
-fn at<V: Point<N>, const N: usize>(sample: Sample<V>) -> At<N> {
+fn at<V: Point<Coordinates = [f32; N]>, const N: usize>(sample: Sample<V>) -> At<N> {
     Sample { value: sample.value, gradient: sample.gradient.coordinates() }
 }
 
 /// A noise or sum at points `V`.
 struct Points<T, V>(T, std::marker::PhantomData<fn(V)>);
 
-impl<V: Point<N> + 'static, K: Testable<V, N>, const N: usize> AnyNoise<N> for Points<K, V> {
+impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnyNoise<N> for Points<K, V> {
     fn sample(&self, p: [f32; N], seed: u32) -> At<N> {
-        at(self.0.sample(V::from_coordinates(p), seed))
+        at(self.0.with_seed(seed).sample(V::from_coordinates(p)))
     }
 
     fn value(&self, p: [f32; N], seed: u32) -> f32 {
-        self.0.value(V::from_coordinates(p), seed)
+        self.0.with_seed(seed).value(V::from_coordinates(p))
     }
 
     fn statistics(&self) -> &'static Statistics {
@@ -56,26 +58,29 @@ impl<V: Point<N> + 'static, K: Testable<V, N>, const N: usize> AnyNoise<N> for P
     }
 
     fn standard_deviation(&self) -> f32 {
-        self.0.standard_deviation()
+        Noise::<V>::standard_deviation(&self.0)
     }
 
     fn absolute_moments(&self) -> [f32; 4] {
-        self.0.absolute_moments()
+        Noise::<V>::absolute_moments(&self.0)
     }
 
     fn octaves(&self, normalisation: Normalisation, rotation: Rotation, seed: u32) -> Box<dyn AnySum<N>> {
-        let octaves = Octaves::<K, N>::new(self.0, Spectrum::default(), normalisation, seed);
-        Box::new(Points::<_, V>(octaves.with_rotation(rotation), std::marker::PhantomData))
+        let octaves = Octaves::<K, N>::new(self.0.with_seed(seed), Spectrum::default());
+        let octaves = octaves.with_normalisation(normalisation).with_rotation(rotation);
+        Box::new(Points::<_, V>(octaves, std::marker::PhantomData))
     }
 }
 
-impl<V: Point<N>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Octaves<K, N>, V> {
+impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum<N>
+    for Points<Octaves<K, N>, V>
+{
     fn sample(&self, p: [f32; N], octaves: f32) -> At<N> {
-        at(self.0.sample(V::from_coordinates(p), octaves))
+        at(self.0.detail(octaves).sample(V::from_coordinates(p)))
     }
 
     fn value(&self, p: [f32; N], octaves: f32) -> f32 {
-        self.0.value(V::from_coordinates(p), octaves)
+        self.0.detail(octaves).value(V::from_coordinates(p))
     }
 }
 
@@ -83,7 +88,15 @@ impl<V: Point<N>, K: Testable<V, N>, const N: usize> AnySum<N> for Points<Octave
 #[derive(Clone, Copy)]
 pub struct AnyKernel<'a, const N: usize>(pub &'a dyn AnyNoise<N>);
 
+impl<const N: usize> Sealed<N> for AnyKernel<'_, N> {}
+
 impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
+    type RowScratch = ();
+
+    fn seed(&self) -> u32 {
+        0
+    }
+
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         s.floats(|lane| self.0.value(p.map(|x| s.lane(x, lane)), seed))
     }
@@ -118,12 +131,22 @@ impl<const N: usize> Default for Coordinates<N> {
     }
 }
 
-impl<const N: usize> Point<N> for Coordinates<N> {
+impl<const N: usize> Point for Coordinates<N> {
+    type Coordinates = [f32; N];
+    type Matrix = [[f32; N]; N];
+    type Array<T> = [T; N];
+
     fn coordinates(self) -> [f32; N] {
         self.0
     }
     fn from_coordinates(coordinates: [f32; N]) -> Self {
         Self(coordinates)
+    }
+    fn array<T>(make: impl FnMut(usize) -> T) -> [T; N] {
+        std::array::from_fn(make)
+    }
+    fn from_axes(make: impl FnMut(usize) -> f32) -> Self {
+        Self(std::array::from_fn(make))
     }
 }
 
@@ -145,7 +168,11 @@ struct Named<const N: usize>(String, Box<dyn AnyNoise<N>>);
 struct Collection(Vec<Box<dyn Any>>);
 
 impl Visit for Collection {
-    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
+        &mut self,
+        name: &str,
+        noise: K,
+    ) {
         let noise = Box::new(Points::<_, V>(noise, std::marker::PhantomData));
         self.0.push(Box::new(Named(name.to_owned(), noise)));
     }
@@ -185,7 +212,8 @@ pub fn any_variant(visitor: &mut impl VisitAny) {
 /// Visits one kind of the test's own.
 pub fn any_dimension<K>(visitor: &mut impl VisitAny, name: &str, noise: K)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync + 'static,
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync + 'static,
 {
     let mut collection = Collection::default();
     every_dimension(&mut collection, name, noise);

@@ -12,13 +12,13 @@ pub fn coordinate(random: &mut Random) -> f32 {
 
 /// A random point in ±4096, divided by a power of two.
 #[must_use]
-pub fn point<V: Point<N>, const N: usize>(random: &mut Random, divisor: f32) -> V {
+pub fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random, divisor: f32) -> V {
     V::from_coordinates([(); N].map(|()| coordinate(random) / divisor))
 }
 
 /// The worst errors of value and gradient at points of ±4096 divided by a power of two.
 #[must_use]
-pub fn errors<V: Point<N>, const N: usize>(
+pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     kind: Kind,
     scale: f64,
     divisor: f32,
@@ -32,7 +32,7 @@ pub fn errors<V: Point<N>, const N: usize>(
 /// # Panics
 /// If nearly no gradient could be compared.
 #[must_use]
-pub fn errors_on<V: Point<N>, const N: usize>(
+pub fn errors_on<V: Point<Coordinates = [f32; N]>, const N: usize>(
     lattice: &impl Lattice,
     kind: Kind,
     scale: f64,

@@ -1,26 +1,32 @@
 //! Every kind of noise in every dimension, for tests that hold for all of them.
 
 use asperity_noise::{
-    Gaussian, Kernel, Noise, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom,
-    ValueGradient, White,
+    Gaussian, Noise, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
+    White,
     glam::{Vec2, Vec3, Vec4},
+    simd::Kernel,
 };
 
 /// A kind of noise that can be tested at points `V` in N dimensions.
-pub trait Testable<V, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync + 'static {}
+pub trait Testable<V: Point, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync + 'static {}
 
-impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V, const N: usize> Testable<V, N> for K {}
+impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
 /// What is done with each kind in each dimension.
 pub trait Visit {
     /// One kind in one dimension.
-    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K);
+    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
+        &mut self,
+        name: &str,
+        noise: K,
+    );
 }
 
 /// Visits one kind in 1 to 4 dimensions.
 pub fn every_dimension<K>(visitor: &mut impl Visit, name: &str, noise: K)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync + 'static,
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync + 'static,
 {
     visitor.visit::<f32, K, 1>(&format!("{name} 1-D"), noise);
     visitor.visit::<Vec2, K, 2>(&format!("{name} 2-D"), noise);
@@ -36,8 +42,8 @@ pub fn every_kind(visitor: &mut impl Visit) {
     every_dimension(visitor, "Perlin 1985", Perlin1985::default());
     every_dimension(visitor, "Perlin 2002", Perlin2002::default());
     every_dimension(visitor, "value-gradient", ValueGradient::default());
-    every_dimension(visitor, "simplex", Simplex::CONTINUOUS);
-    every_dimension(visitor, "wide simplex", Simplex::WIDE);
+    every_dimension(visitor, "simplex", Simplex::new(0));
+    every_dimension(visitor, "wide simplex", Simplex::wide(0));
     every_dimension(visitor, "sparse", Sparse::default());
     every_dimension(visitor, "Gaussian", Gaussian::default());
 }
@@ -48,11 +54,11 @@ pub fn every_kind(visitor: &mut impl Visit) {
 /// Never: the parameters are in range.
 pub fn every_variant(visitor: &mut impl Visit) {
     for weight in [0.0, 0.25, 0.6, 1.0] {
-        let noise = ValueGradient::new(weight).expect("a weight in [0, 1]");
+        let noise = ValueGradient::default().with_weight(weight).expect("a weight in [0, 1]");
         every_dimension(visitor, &format!("value-gradient of weight {weight}"), noise);
     }
     for impulses in 2..=Sparse::MAX_IMPULSES {
-        let noise = Sparse::new(impulses).expect("a count in range");
+        let noise = Sparse::default().with_impulses(impulses).expect("a count in range");
         every_dimension(visitor, &format!("sparse of {impulses}"), noise);
     }
 }

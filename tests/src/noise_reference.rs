@@ -1,6 +1,9 @@
 //! Every kind of noise once more, in plain `f64` and in any dimension: slow, literal, and sharing only the lattice's words.
 
-use asperity_noise::{IntegerHash, Lattice, edge_gradient, gaussian_corner, unit_gradient};
+use asperity_noise::{
+    IntegerHash, Lattice,
+    lattice::{edge_gradient, gaussian_corner, unit_gradient},
+};
 use statrs::function::gamma::gamma;
 
 /// A kind of noise, before the scaling to its range.

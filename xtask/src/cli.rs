@@ -50,7 +50,7 @@ pub(crate) enum Command {
   cargo xtask bench --peers
   cargo xtask bench --peers --only fill_grid/3-d --only value/ --rounds 41
   FASTNOISE2_LIB_DIR=/path/to/lib cargo xtask bench --peers --ship
-  cargo bench --package asperity-noise --bench perlin -- fill_grid/3-d
+  cargo bench --package asperity-noise -- 3-d/perlin
 
 The benches of noise have every kind at every SIMD level and take a quarter of an hour to build; the last
 example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names

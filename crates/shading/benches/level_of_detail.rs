@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves, shade_facet};
-use asperity_shading::noise::{GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::{
-    Beckmann, Conductor, Dielectric, Frame, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
+    Beckmann, Conductor, Coordinates, Dielectric, Frame, GaussianField, Ggx, LevelOfDetail, Ndf,
+    RemappedOctaves, Schlick, far_field, half_vector, shade_facet,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -29,7 +29,7 @@ fn rules(c: &mut Criterion) {
 
 /// A pixel of a bump map by either rule: noise of four octaves, and so many lights.
 fn pixels(c: &mut Criterion) {
-    let field = GaussianOctaves::<3>::new(Spectrum::default(), 1);
+    let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
     let ndf: &dyn Ndf = &Ggx::new(0.2, 0.4).expect("roughness in range");
     let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
     for lights in [1_u8, 8, 32] {
@@ -59,7 +59,7 @@ fn pixels(c: &mut Criterion) {
 }
 
 fn fields(c: &mut Criterion) {
-    let gaussian = GaussianOctaves::<3>::new(Spectrum::default(), 1);
+    let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
     let perlin = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 1).expect("a distribution");
     let fields: [(&str, &dyn GaussianField); 2] = [("gaussian", &gaussian), ("perlin_2002", &perlin)];
     for (name, field) in fields {

@@ -3,9 +3,11 @@
 
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_noise::{GaussianOctaves, Noise, Perlin2002, Spectrum};
-use asperity_shading::level_of_detail::Coordinates;
-use asperity_shading::{LevelOfDetail, far_field, glam::{Vec2, Vec3}};
+use asperity_noise::{Field, Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::{
+    Coordinates, LevelOfDetail, far_field,
+    glam::{Vec2, Vec3},
+};
 
 /// Takes the part of libc that a freestanding program lacks.
 #[cfg(not(test))]
@@ -33,11 +35,11 @@ pub fn run() -> i32 {
 /// Perlin noise is 0 at lattice points; unresolved Gaussian noise is 0, resolved it is not.
 fn noise() -> bool {
     let Ok(spectrum) = Spectrum::new(2.17, 0.5, 8) else { return false };
-    let field = GaussianOctaves::new(spectrum, 1);
+    let field = GaussianOctaves::new(Gaussian::new(1), spectrum);
     let p = Vec3::new(0.3, -4.2, 7.9);
-    let [a, b] = field.pair(p, 4.5);
-    Perlin2002::default().sample(Vec3::new(3.0, -2.0, 5.0), 1).value == 0.0
-        && field.sample(p, 0.0).value == 0.0
+    let [a, b] = field.detail(4.5).pair(p);
+    Perlin2002::new(1).sample(Vec3::new(3.0, -2.0, 5.0)).value == 0.0
+        && field.detail(0.0).sample(p).value == 0.0
         && a.value != b.value
         && a.value.is_finite()
 }

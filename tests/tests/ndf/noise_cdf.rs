@@ -1,7 +1,7 @@
 //! G: monotone, total, inverse to itself, and right for a noise whose distribution is known.
 
 use asperity_ndf_sampling::{KurtoticNoise, NoiseCdfRef, phi};
-use asperity_noise::{Kernel, Point};
+use asperity_noise::{Point, simd::Kernel};
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
@@ -35,7 +35,11 @@ struct Measured {
 }
 
 impl Visit for Measured {
-    fn visit<V: Point<N> + 'static, K: Testable<V, N>, const N: usize>(&mut self, name: &str, noise: K) {
+    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
+        &mut self,
+        name: &str,
+        noise: K,
+    ) {
         let statistics = Kernel::<N>::statistics(&noise);
         let g = NoiseCdfRef::new(4.0, statistics.cdf).expect("a distribution");
         for k in -350..=350 {

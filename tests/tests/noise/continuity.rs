@@ -1,7 +1,7 @@
 //! Values and gradients are continuous across cell borders and the faces of simplices, on both sides of the origin.
 
 use asperity_noise::{
-    Noise, Simplex,
+    Field, Simplex,
     glam::{Vec2, Vec3},
 };
 use asperity_tests::{
@@ -177,12 +177,12 @@ fn greatest_leap(field: impl Fn(f32, u32) -> (f32, f32)) -> f32 {
 fn the_wide_simplex_kernel_leaps_at_faces() {
     let planar = greatest_leap(|t, seed| {
         let direction = Vec2::new(0.8, 0.6);
-        let sample = Simplex::WIDE.sample(direction * t, seed);
+        let sample = Simplex::wide(seed).sample(direction * t);
         (sample.value, sample.gradient.dot(direction))
     });
     let spatial = greatest_leap(|t, seed| {
         let direction = Vec3::new(0.48, 0.6, -0.64);
-        let sample = Simplex::WIDE.sample(direction * t, seed);
+        let sample = Simplex::wide(seed).sample(direction * t);
         (sample.value, sample.gradient.dot(direction))
     });
     assert!(planar > 1e-3 && planar < 0.006, "2-D: {planar}");

@@ -1,7 +1,7 @@
 //! Gaussian noise is N(0, 1): over space for every count of octaves, at every place of the cell, in both channels.
 
 use asperity_noise::{
-    Batch, Field, FirstGaussianOctaves, Gaussian, GaussianOctaves, Noise, Point, Spectrum,
+    Field, Gaussian, GaussianOctaves, Noise, Point, Spectrum,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::random::Random;
@@ -64,36 +64,35 @@ impl Histogram {
 const POINTS: usize = 2048;
 
 /// The values of a sum at points.
-type Fill<const N: usize> = fn(&FirstGaussianOctaves<'_, N>, [&[f32]; N], &mut [f32]);
+type Fill<V> = fn(&dyn Field<V>, &[V], &mut [f32]);
 
-/// In lanes, which are compiled for every level.
-fn in_batches<const N: usize>(sum: &FirstGaussianOctaves<'_, N>, points: [&[f32]; N], values: &mut [f32]) {
-    Batch::new().fill_points(sum, points, values).expect("lists of one length");
+fn in_batches<V: Point>(sum: &dyn Field<V>, points: &[V], values: &mut [f32]) {
+    sum.values(points, values).expect("lists of one length");
 }
 
-fn one_by_one<V: Point<N>, const N: usize>(
-    sum: &FirstGaussianOctaves<'_, N>,
-    points: [&[f32]; N],
-    values: &mut [f32],
-) {
-    for (i, value) in values.iter_mut().enumerate() {
-        *value = sum.value(V::from_coordinates(points.map(|list| list[i])));
+fn one_by_one<V: Point>(sum: &dyn Field<V>, points: &[V], values: &mut [f32]) {
+    for (value, &p) in values.iter_mut().zip(points) {
+        *value = sum.value(p);
     }
 }
 
 /// The values of sums at 4.2 million points, of 2048 seeds, a histogram for each count of octaves.
-fn histograms<const N: usize>(counts: &[f32], fill: Fill<N>) -> Vec<Histogram> {
+fn histograms<V: Point<Coordinates = [f32; N]>, const N: usize>(
+    counts: &[f32],
+    fill: Fill<V>,
+) -> Vec<Histogram> {
     let empty = || vec![Histogram::new(); counts.len()];
     (0..2048_u32)
         .into_par_iter()
         .fold(empty, |mut histograms, seed| {
-            let noise = GaussianOctaves::<N>::new(Spectrum::default(), seed);
+            let noise = GaussianOctaves::<N>::new(Gaussian::new(seed), Spectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 7);
             let lists: [Vec<f32>; N] =
                 std::array::from_fn(|_| (0..POINTS).map(|_| coordinate(&mut random) / 100.0).collect());
+            let points: Vec<V> = (0..POINTS).map(|i| V::from_axes(|axis| lists[axis][i])).collect();
             let mut values = vec![0.0; POINTS];
             for (histogram, &count) in histograms.iter_mut().zip(counts) {
-                fill(&noise.first(count), lists.each_ref().map(Vec::as_slice), &mut values);
+                fill(&noise.first(count), &points, &mut values);
                 values.iter().for_each(|&value| histogram.add(value));
             }
             histograms
@@ -102,7 +101,7 @@ fn histograms<const N: usize>(counts: &[f32], fill: Fill<N>) -> Vec<Histogram> {
 }
 
 /// The distance of sums with counts of octaves; at n = 4.2 million its floor is 2.3/√n = 0.0011 at significance 0.001/7.
-fn assert_gaussian<const N: usize>(counts: &[f32], fill: Fill<N>) {
+fn assert_gaussian<V: Point<Coordinates = [f32; N]>, const N: usize>(counts: &[f32], fill: Fill<V>) {
     for (octaves, histogram) in counts.iter().zip(histograms(counts, fill)) {
         let distance = histogram.distance();
         assert!(distance <= 0.001, "{N}-D, {octaves} octaves: {distance}");
@@ -111,10 +110,10 @@ fn assert_gaussian<const N: usize>(counts: &[f32], fill: Fill<N>) {
 
 #[test]
 fn every_count_of_octaves_and_every_blend_is_gaussian() {
-    assert_gaussian(&[1.1], one_by_one::<f32, 1>);
-    assert_gaussian(&[2.5, 8.0], in_batches::<2>);
-    assert_gaussian(&[1.0, 1.5, 2.75], in_batches::<3>);
-    assert_gaussian(&[1.25], one_by_one::<Vec4, 4>);
+    assert_gaussian(&[1.1], one_by_one::<f32>);
+    assert_gaussian(&[2.5, 8.0], in_batches::<Vec2>);
+    assert_gaussian(&[1.0, 1.5, 2.75], in_batches::<Vec3>);
+    assert_gaussian(&[1.25], one_by_one::<Vec4>);
 }
 
 #[test]
@@ -125,7 +124,7 @@ fn the_second_channel_is_gaussian_too() {
             let (noise, mut random) = (Gaussian::default(), Random(u64::from(seed) << 32 | 8));
             for _ in 0..POINTS {
                 let p = Vec2::new(coordinate(&mut random), coordinate(&mut random)) / 512.0;
-                histogram.add(noise.pair(p, seed)[1].value);
+                histogram.add(noise.with_seed(seed).pair(p)[1].value);
             }
             histogram
         })
@@ -135,7 +134,7 @@ fn the_second_channel_is_gaussian_too() {
 }
 
 /// The variance over a quarter of a million cells at a place of the cell, whose coordinates are multiples of 1/8.
-fn variance<V: Point<N>, const N: usize>(place: V) -> f64
+fn variance<V: Point<Coordinates = [f32; N]>, const N: usize>(place: V) -> f64
 where
     Gaussian: Noise<V>,
 {
@@ -144,7 +143,7 @@ where
         let mut random = Random(u64::from(seed) << 32 | 9);
         let mut value = || {
             let p = place.map(|x| coordinate(&mut random).floor() + x);
-            f64::from(Gaussian::default().value(V::from_coordinates(p), seed))
+            f64::from(Gaussian::new(seed).value(V::from_coordinates(p)))
         };
         (0..POINTS).map(|_| value().powi(2)).sum::<f64>()
     });
@@ -152,7 +151,7 @@ where
 }
 
 /// One percent is 3.6 standard errors of the variance of a quarter of a million values. Worst seen 0.8 %.
-fn assert_unit_variance<V: Point<N>, const N: usize>(places: &[V])
+fn assert_unit_variance<V: Point<Coordinates = [f32; N]>, const N: usize>(places: &[V])
 where
     Gaussian: Noise<V>,
 {
@@ -180,14 +179,14 @@ fn the_variance_is_one_all_over_the_cell() {
 }
 
 /// Mean, variance, mean fourth power, and the channels' correlation and correlation of squares.
-fn moments<V: Point<N> + Sync + Send, const N: usize>(place: V) -> [f64; 5] {
+fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place: V) -> [f64; 5] {
     const SEEDS: u32 = 100_000;
     let sums = (0..SEEDS / 1000)
         .into_par_iter()
         .map(|block| {
             let mut sums = [0.0; 5];
             for seed in block * 1000..(block + 1) * 1000 {
-                let [a, b] = Gaussian::default().pair(place, seed).map(|channel| f64::from(channel.value));
+                let [a, b] = Gaussian::new(seed).pair(place).map(|channel| f64::from(channel.value));
                 let terms =
                     [a + b, a * a + b * b, a.powi(4) + b.powi(4), 2.0 * a * b, (a * a - 1.0) * (b * b - 1.0)];
                 for (sum, term) in sums.iter_mut().zip(terms) {
@@ -278,9 +277,9 @@ fn chi_square<F: FnMut(u32) -> [f32; 2]>(field: impl Fn(u32) -> F + Sync) -> f64
 fn channels_are_independent_bin_by_bin() {
     let octaves = |count: f32| {
         chi_square(move |seed| {
-            let noise = GaussianOctaves::<3>::new(Spectrum::default(), seed);
+            let noise = GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
             let mut random = Random(u64::from(seed) << 32 | 10);
-            move |_| noise.pair(point3(&mut random), count).map(|channel| channel.value)
+            move |_| noise.detail(count).pair(point3(&mut random)).map(|channel| channel.value)
         })
     };
     let (lattice_point, centre) = (Vec3::new(1.0, -2.0, 3.0), Vec2::new(0.5, -2.5));
@@ -289,11 +288,13 @@ fn channels_are_independent_bin_by_bin() {
         // There single words show.
         (
             "at a lattice point",
-            chi_square(|block| move |i| noise.pair(lattice_point, block * 1000 + i).map(|c| c.value)),
+            chi_square(|block| {
+                move |i| noise.with_seed(block * 1000 + i).pair(lattice_point).map(|c| c.value)
+            }),
         ),
         (
             "in the centre of a cell of the plane",
-            chi_square(|block| move |i| noise.pair(centre, block * 1000 + i).map(|c| c.value)),
+            chi_square(|block| move |i| noise.with_seed(block * 1000 + i).pair(centre).map(|c| c.value)),
         ),
         ("one octave", octaves(1.0)),
         ("three octaves", octaves(2.5)),
@@ -307,11 +308,11 @@ fn channels_are_independent_bin_by_bin() {
 fn sums_of_other_seeds_are_independent() {
     const COUNT: u32 = 200_000;
     let (mut product, mut squares) = (0.0, 0.0);
-    let noises = [1, 2].map(|seed| GaussianOctaves::<3>::new(Spectrum::default(), seed));
+    let noises = [1, 2].map(|seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default()));
     let mut random = Random(9);
     for _ in 0..COUNT {
         let p = point3(&mut random);
-        let [a, b] = [0, 1].map(|k| f64::from(noises[k].sample(p, 2.5).value));
+        let [a, b] = [0, 1].map(|k| f64::from(noises[k].detail(2.5).sample(p).value));
         product += a * b / f64::from(COUNT);
         squares += (a * a - 1.0) * (b * b - 1.0) / 2.0 / f64::from(COUNT);
     }
@@ -322,14 +323,14 @@ fn sums_of_other_seeds_are_independent() {
 
 #[test]
 fn gradients_of_sums_equal_differences() {
-    let noise = GaussianOctaves::<3>::new(Spectrum::default(), 3);
+    let noise = GaussianOctaves::<3>::new(Gaussian::new(3), Spectrum::default());
     let mut random = Random(10);
     for _ in 0..2000 {
         let p = point3(&mut random) / 32.0;
         let h = 1.0 / 1024.0;
         for channel in 0..2 {
-            let at = |q: Vec3| f64::from(noise.pair(q, 3.25)[channel].value);
-            let gradient = noise.pair(p, 3.25)[channel].gradient.to_array();
+            let at = |q: Vec3| f64::from(noise.detail(3.25).pair(q)[channel].value);
+            let gradient = noise.detail(3.25).pair(p)[channel].gradient.to_array();
             for (axis, got) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(gradient) {
                 let difference = (at(p + axis * h) - at(p - axis * h)) / (2.0 * f64::from(h));
                 // The difference errs by h² z‴/6 and by rounding, 1e-6/h; worst seen 0.009.
@@ -341,10 +342,13 @@ fn gradients_of_sums_equal_differences() {
 
 #[test]
 fn the_first_octave_is_whole_and_its_share_fades() {
-    let noise = GaussianOctaves::<3>::new(Spectrum::default(), 4);
+    let noise = GaussianOctaves::<3>::new(Gaussian::new(4), Spectrum::default());
     let p = Vec3::new(0.2, 0.7, -1.3);
-    assert_eq!(noise.sample(p, 1e-40), noise.sample(p, 1.0));
-    assert_eq!(noise.sample(p, 0.0).value, 0.0);
-    assert_eq!([0.0, 0.5, 1.0, 1.5, 2.0].map(|o| noise.share(o)), [0.0, 0.1875, 0.75, 0.796_875, 0.9375]);
-    assert!(noise.share(f32::INFINITY) < 1.0);
+    assert_eq!(noise.detail(1e-40).sample(p), noise.detail(1.0).sample(p));
+    assert_eq!(noise.detail(0.0).sample(p).value, 0.0);
+    assert_eq!(
+        [0.0, 0.5, 1.0, 1.5, 2.0].map(|o| noise.detail(o).share()),
+        [0.0, 0.1875, 0.75, 0.796_875, 0.9375]
+    );
+    assert!(noise.detail(f32::INFINITY).share() < 1.0);
 }

@@ -1,7 +1,7 @@
 //! Values and analytic gradients against a plain `f64` evaluation and its central differences; ranges.
 
 use asperity_noise::{
-    Gaussian, Kernel, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
+    Field, Gaussian, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
     White,
     glam::{Vec2, Vec3, Vec4},
 };
@@ -15,13 +15,19 @@ const FAR: f32 = 1.0;
 /// The errors of a kind that is given in every dimension, asserted.
 fn close<K>(name: &str, noise: K, kind: Kind, scales: [f64; 4], divisor: f32, tolerances: [[f64; 2]; 4])
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
     let worst = [
-        errors::<f32, 1>(kind, scales[0], divisor, |p, seed| noise.sample(p, seed)),
-        errors::<Vec2, 2>(kind, scales[1], divisor, |p, seed| noise.sample(p, seed)),
-        errors::<Vec3, 3>(kind, scales[2], divisor, |p, seed| noise.sample(p, seed)),
-        errors::<Vec4, 4>(kind, scales[3], divisor, |p, seed| noise.sample(p, seed)),
+        errors::<f32, 1>(kind, scales[0], divisor, |p, seed| Noise::<f32>::with_seed(noise, seed).sample(p)),
+        errors::<Vec2, 2>(kind, scales[1], divisor, |p, seed| {
+            Noise::<Vec2>::with_seed(noise, seed).sample(p)
+        }),
+        errors::<Vec3, 3>(kind, scales[2], divisor, |p, seed| {
+            Noise::<Vec3>::with_seed(noise, seed).sample(p)
+        }),
+        errors::<Vec4, 4>(kind, scales[3], divisor, |p, seed| {
+            Noise::<Vec4>::with_seed(noise, seed).sample(p)
+        }),
     ];
     for (dimension, ([v, g], [value, gradient])) in (1..).zip(worst.into_iter().zip(tolerances)) {
         assert!(v < value && g < gradient, "{name} {dimension}-D: {v:e}, {g:e}");
@@ -97,7 +103,8 @@ fn value_noises_equal_the_reference_scaled_to_their_range() {
     let tolerances = [[6e-7, 1.2e-6], [5e-7, 1.2e-6], [5e-7, 1e-6], [3e-7, 6e-7]];
     close("value, Catmull-Rom", ValueCatmullRom::default(), kind, scales(kind), NEAR, tolerances);
     for weight in [0.0, 0.5, 0.8125, 1.0] {
-        let (noise, kind) = (ValueGradient::new(weight).unwrap(), Kind::ValueGradient(weight.into()));
+        let (noise, kind) =
+            (ValueGradient::default().with_weight(weight).unwrap(), Kind::ValueGradient(weight.into()));
         // 9.4e-7, 8.9e-7, 1.1e-6, 7.9e-7; 2.0e-6, 2.4e-6, 2.6e-6, 2.7e-6.
         let tolerances = [[2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 5e-6], [2e-6, 5e-6]];
         close(&format!("value-gradient {weight}"), noise, kind, scales(kind), NEAR, tolerances);
@@ -107,7 +114,7 @@ fn value_noises_equal_the_reference_scaled_to_their_range() {
 #[test]
 fn sparse_noises_equal_the_reference_of_unit_variance() {
     for impulses in 1..=Sparse::MAX_IMPULSES {
-        let noise = Sparse::new(impulses).unwrap();
+        let noise = Sparse::default().with_impulses(impulses).unwrap();
         // 5.3e-7, 6.7e-7, 6.5e-7, 1.0e-6; 1.1e-6, 2.6e-6, 1.8e-6, 2.1e-6.
         let tolerances = [[1.2e-6, 2.5e-6], [1.5e-6, 5e-6], [1.5e-6, 4e-6], [2e-6, 5e-6]];
         close(&format!("sparse {impulses}"), noise, Kind::Sparse(impulses), [1.0; 4], NEAR, tolerances);
@@ -119,9 +126,9 @@ fn simplex_noises_equal_the_reference_scaled_to_their_range() {
     // Corners are rounded by up to 8·2⁻²² = 2e-6 there, and second derivatives reach 30. Worst seen 1.8e-6 and 1.3e-5.
     let tolerances = [[4e-6, 3e-5]; 4];
     let kind = Kind::Simplex(0.5);
-    close("simplex", Simplex::CONTINUOUS, kind, scales(kind), NEAREST, tolerances);
+    close("simplex", Simplex::new(0), kind, scales(kind), NEAREST, tolerances);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    close("wide simplex", Simplex::WIDE, kind, scales(kind), NEAREST, tolerances);
+    close("wide simplex", Simplex::wide(0), kind, scales(kind), NEAREST, tolerances);
 }
 
 #[test]
@@ -131,10 +138,10 @@ fn both_channels_of_gaussian_noise_equal_the_reference() {
     close("Gaussian", Gaussian::default(), Kind::Gaussian(0), [1.0; 4], NEAR, tolerances);
     let (noise, second) = (Gaussian::default(), Kind::Gaussian(1));
     for worst in [
-        errors::<f32, 1>(second, 1.0, NEAR, |p, seed| noise.pair(p, seed)[1]),
-        errors::<Vec2, 2>(second, 1.0, NEAR, |p, seed| noise.pair(p, seed)[1]),
-        errors::<Vec3, 3>(second, 1.0, NEAR, |p, seed| noise.pair(p, seed)[1]),
-        errors::<Vec4, 4>(second, 1.0, NEAR, |p, seed| noise.pair(p, seed)[1]),
+        errors::<f32, 1>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec2, 2>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec3, 3>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec4, 4>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
     ] {
         assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "second channel: {worst:?}");
     }
@@ -143,10 +150,10 @@ fn both_channels_of_gaussian_noise_equal_the_reference() {
 #[test]
 fn far_from_the_origin_noises_equal_the_reference_still() {
     let (gaussian, simplex) = (Kind::Gaussian(0), Kind::Simplex(0.5));
-    let worst = errors::<Vec3, 3>(gaussian, 1.0, FAR, |p, seed| Gaussian::default().sample(p, seed));
+    let worst = errors::<Vec3, 3>(gaussian, 1.0, FAR, |p, seed| Gaussian::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");
     // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second derivatives 30.
     let scale = (1.0 - 2e-6) / 0.013_007_157_182_859_35;
-    let worst = errors::<Vec3, 3>(simplex, scale, FAR, |p, seed| Simplex::CONTINUOUS.sample(p, seed));
+    let worst = errors::<Vec3, 3>(simplex, scale, FAR, |p, seed| Simplex::new(seed).sample(p));
     assert!(worst[0] < 0.007 && worst[1] < 0.05, "simplex: {worst:?}");
 }

@@ -1,8 +1,8 @@
 //! Hessians against differences of a plain `f64` evaluation, and those of sums against differences of gradients.
 
 use asperity_noise::{
-    Curved, CurvedField, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation,
-    Simplex, Spectrum, Value, ValueGradient,
+    Curved, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation, Simplex,
+    Spectrum, Value, ValueGradient,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -11,18 +11,26 @@ use asperity_tests::{
 };
 
 /// Coordinates in ±32 with twelve bits of fraction.
-fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
     V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 262_144.0).round() as f32 / 4096.0))
 }
 
 /// The worst error of the Hessian, relative to the greatest entry seen; value and gradient have the sample's bits.
-fn error<V: Point<N>, K: Curved<N> + Noise<V>, const N: usize>(noise: &K, kind: Kind, scale: f64) -> f64 {
+fn error<
+    V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
+    K: Curved<V> + Noise<V> + Copy,
+    const N: usize,
+>(
+    noise: &K,
+    kind: Kind,
+    scale: f64,
+) -> f64 {
     const H: f64 = 1e-4;
     let mut random = Random(7);
     let (mut worst, mut greatest, mut compared) = (0.0_f64, 0.0_f64, 0);
     for seed in 0..400 {
         let p: V = point(&mut random);
-        let (jet, sample) = (noise.jet(p, seed), noise.sample(p, seed));
+        let (jet, sample) = (noise.with_seed(seed).second_order(p), noise.with_seed(seed).sample(p));
         assert_eq!((jet.value, jet.gradient), (sample.value, sample.gradient));
         let wide = p.coordinates().map(f64::from);
         let moved = |axis: usize, step: f64| {
@@ -58,7 +66,8 @@ fn error<V: Point<N>, K: Curved<N> + Noise<V>, const N: usize>(noise: &K, kind: 
 /// Errors in 1 to 4 dimensions, asserted. The scales are those that the tests of the values derive.
 fn close<K>(name: &str, noise: &K, kind: Kind, scales: [f64; 4], tolerance: f64)
 where
-    K: Curved<1> + Curved<2> + Curved<3> + Curved<4>,
+    K: Curved<f32> + Curved<Vec2> + Curved<Vec3> + Curved<Vec4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
     let errors = [
         error::<f32, K, 1>(noise, kind, scales[0]),
@@ -84,26 +93,27 @@ fn hessians_are_second_derivatives() {
     let greatest = [0.5, 1.0, 1.036_353_8, 1.536_582_3];
     close("Perlin 2002", &Perlin2002::default(), Kind::Perlin2002, inverses(greatest), CELLS);
     let greatest = [0.009_196_735, 0.014_255_562, 0.013_007_157, 0.015_929_222];
-    close("simplex", &Simplex::CONTINUOUS, Kind::Simplex(0.5), inverses(greatest), SIMPLICES);
+    close("simplex", &Simplex::new(0), Kind::Simplex(0.5), inverses(greatest), SIMPLICES);
     let greatest = [0.020_895_276, 0.040_844_663, 0.030_584_887, 0.036_730_024];
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    close("wide simplex", &Simplex::WIDE, kind, inverses(greatest), SIMPLICES);
+    close("wide simplex", &Simplex::wide(0), kind, inverses(greatest), SIMPLICES);
     close("Gaussian", &Gaussian::default(), Kind::Gaussian(0), [1.0; 4], CELLS);
     close("value", &Value::default(), Kind::Value, [margin; 4], CELLS);
     for weight in [0.0, 0.5, 1.0] {
-        let (noise, kind) = (ValueGradient::new(weight).unwrap(), Kind::ValueGradient(weight.into()));
+        let (noise, kind) =
+            (ValueGradient::default().with_weight(weight).unwrap(), Kind::ValueGradient(weight.into()));
         close(&format!("value-gradient {weight}"), &noise, kind, [margin; 4], CELLS);
     }
 }
 
 /// The Hessian of a sum against central differences of its gradient, relative to its greatest entry.
-fn sum_error<F: CurvedField<3>>(field: &F) -> f64 {
+fn sum_error<F: Curved<Vec3>>(field: &F) -> f64 {
     const H: f32 = 1.0 / 2048.0;
     let mut random = Random(8);
     let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
     for _ in 0..200 {
         let p: Vec3 = point(&mut random);
-        let jet = field.jet(p);
+        let jet = field.second_order(p);
         for (axis, row) in jet.hessian.iter().enumerate() {
             let [ahead, behind] = [H, -H].map(|h| {
                 let mut q = p;
@@ -124,12 +134,12 @@ fn hessians_of_sums_are_differences_of_gradients() {
     // At the borders of cells third derivatives leap, by up to 120, times 2.17³/2 in the second octave: H/4 of that is 0.07, of
     // entries that reach 30. Gradients are rounded by 3e-6, over H. Worst seen 2.4e-3.
     for rotation in [Rotation::Random, Rotation::Aligned] {
-        let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Default::default(), 5);
+        let octaves = Octaves::new(Perlin2002::new(5), Spectrum::default());
         let error = sum_error(&octaves.with_rotation(rotation).first(2.5));
         println!("{rotation:?}: {error:.1e}");
         assert!(error < 4e-3, "{rotation:?}: {error:e}");
     }
-    let error = sum_error(&GaussianOctaves::<3>::new(Spectrum::default(), 5).first(2.5));
+    let error = sum_error(&GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::default()).first(2.5));
     println!("Gaussian: {error:.1e}");
     assert!(error < 4e-3, "Gaussian: {error:e}");
 }

@@ -1,9 +1,10 @@
 //! Noise on lattices other than the default, tables and those that repeat, against the reference on the same words.
 
 use asperity_noise::{
-    ChainedTable, Gaussian, IntegerHash, Kernel, Lattice, Noise, Perlin1985, Perlin2002, PermutationTable,
-    Simplex, Sparse, Tiled, TiledSimplex, Value, ValueCatmullRom, ValueGradient, White,
+    Field, Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Tiled,
+    TiledSimplex, Value, ValueCatmullRom, ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
+    lattice::{ChainedTable, PermutationTable},
 };
 use asperity_tests::{noise_errors::errors_on, noise_reference::Kind};
 
@@ -45,14 +46,22 @@ fn assert_close(name: &str, dimension: usize, [value, gradient]: [f64; 2]) {
 /// The errors of a kind in every dimension, asserted.
 fn close<K>(name: &str, noise: &K, lattice: &impl Lattice, kind: Kind, scales: [f64; 4])
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
     let [line, plane, space, hyper] = scales;
     let errors = [
-        errors_on(lattice, kind, line, DIVISOR, |p: f32, seed| noise.sample(p, seed)),
-        errors_on(lattice, kind, plane, DIVISOR, |p: Vec2, seed| noise.sample(p, seed)),
-        errors_on(lattice, kind, space, DIVISOR, |p: Vec3, seed| noise.sample(p, seed)),
-        errors_on(lattice, kind, hyper, DIVISOR, |p: Vec4, seed| noise.sample(p, seed)),
+        errors_on(lattice, kind, line, DIVISOR, |p: f32, seed| {
+            Noise::<f32>::with_seed(*noise, seed).sample(p)
+        }),
+        errors_on(lattice, kind, plane, DIVISOR, |p: Vec2, seed| {
+            Noise::<Vec2>::with_seed(*noise, seed).sample(p)
+        }),
+        errors_on(lattice, kind, space, DIVISOR, |p: Vec3, seed| {
+            Noise::<Vec3>::with_seed(*noise, seed).sample(p)
+        }),
+        errors_on(lattice, kind, hyper, DIVISOR, |p: Vec4, seed| {
+            Noise::<Vec4>::with_seed(*noise, seed).sample(p)
+        }),
     ];
     errors.into_iter().enumerate().for_each(|(i, errors)| assert_close(name, i + 1, errors));
 }
@@ -61,19 +70,43 @@ where
 fn every_kind<L: Lattice + Copy>(name: &str, lattice: L, reference: &impl Lattice) {
     let all = |scale: f64| [scale; 4];
     let named = |kind: &str| format!("{kind} {name}");
-    close(&named("white"), &White(lattice), reference, Kind::White, all(1.0));
-    close(&named("value"), &Value(lattice), reference, Kind::Value, all(MARGIN));
+    close(&named("white"), &White::default().with_lattice(lattice), reference, Kind::White, all(1.0));
+    close(&named("value"), &Value::default().with_lattice(lattice), reference, Kind::Value, all(MARGIN));
     let spline = [0.8, 0.64, 0.512, 0.4096].map(|scale| scale * MARGIN);
-    close(&named("Catmull-Rom"), &ValueCatmullRom(lattice), reference, Kind::CatmullRom, spline);
+    close(
+        &named("Catmull-Rom"),
+        &ValueCatmullRom::default().with_lattice(lattice),
+        reference,
+        Kind::CatmullRom,
+        spline,
+    );
     let noise = ValueGradient::default().with_lattice(lattice);
     close(&named("value-gradient"), &noise, reference, Kind::ValueGradient(0.5), all(MARGIN));
     let unit = [1.0, 2.0, 3.0, 4.0].map(|n: f64| MARGIN * 2.0 / n.sqrt());
-    close(&named("Perlin 1985"), &Perlin1985(lattice), reference, Kind::Perlin1985, unit);
+    close(
+        &named("Perlin 1985"),
+        &Perlin1985::default().with_lattice(lattice),
+        reference,
+        Kind::Perlin1985,
+        unit,
+    );
     let edge = [0.5, 1.0, 1.036_353_8, 1.536_582_3].map(|greatest| MARGIN / greatest);
-    close(&named("Perlin 2002"), &Perlin2002(lattice), reference, Kind::Perlin2002, edge);
+    close(
+        &named("Perlin 2002"),
+        &Perlin2002::default().with_lattice(lattice),
+        reference,
+        Kind::Perlin2002,
+        edge,
+    );
     let noise = Sparse::default().with_lattice(lattice);
     close(&named("sparse"), &noise, reference, Kind::Sparse(1), all(1.0));
-    close(&named("Gaussian"), &Gaussian(lattice), reference, Kind::Gaussian(0), all(1.0));
+    close(
+        &named("Gaussian"),
+        &Gaussian::default().with_lattice(lattice),
+        reference,
+        Kind::Gaussian(0),
+        all(1.0),
+    );
 }
 
 #[test]
@@ -85,16 +118,18 @@ fn every_kind_tiles_with_the_words_of_the_first_tile() {
 #[test]
 fn simplex_noise_tiles_on_the_line_and_in_space() {
     for (noise, radius_squared, greatest) in [
-        (Simplex::CONTINUOUS, 0.5, [0.009_196_735, 0.013_007_157]),
-        (Simplex::WIDE, f64::from(0.6_f32), [0.020_895_276, 0.030_584_887]),
+        (Simplex::new(0), 0.5, [0.009_196_735, 0.013_007_157]),
+        (Simplex::wide(0), f64::from(0.6_f32), [0.020_895_276, 0.030_584_887]),
     ] {
         let kind = Kind::Simplex(radius_squared);
         let [line, space] = greatest.map(|greatest| MARGIN / greatest);
         let tiled = noise.with_lattice(Tiled::new(IntegerHash, [5]).unwrap());
-        let errors = errors_on(&Wrapped([5; 4]), kind, line, DIVISOR, |p: f32, seed| tiled.sample(p, seed));
+        let errors =
+            errors_on(&Wrapped([5; 4]), kind, line, DIVISOR, |p: f32, seed| tiled.with_seed(seed).sample(p));
         assert_close("simplex", 1, errors);
         let (tiled, periods) = (TiledSimplex::new(noise, [3, 9, 6]).unwrap(), WrappedCorners([3, 9, 6]));
-        let errors = errors_on(&periods, kind, space, DIVISOR, |p: Vec3, seed| tiled.sample(p, seed));
+        let errors =
+            errors_on(&periods, kind, space, DIVISOR, |p: Vec3, seed| tiled.with_seed(seed).sample(p));
         assert_close("simplex", 3, errors);
     }
 }
@@ -105,5 +140,11 @@ fn tables_take_the_place_of_the_hash() {
     every_kind("by permutation", table, &table);
     let chained = ChainedTable(table);
     let unit = [1.0, 2.0, 3.0, 4.0].map(|n: f64| MARGIN * 2.0 / n.sqrt());
-    close("Perlin 1985, chained", &Perlin1985(chained), &chained, Kind::Perlin1985, unit);
+    close(
+        "Perlin 1985, chained",
+        &Perlin1985::default().with_lattice(chained),
+        &chained,
+        Kind::Perlin1985,
+        unit,
+    );
 }

@@ -1,8 +1,10 @@
 //! The noises of Ebert (ed.) 1994 and the chained look-ups of Nilsson 2008 against transcriptions of their listings.
 
 use asperity_noise::{
-    ChainedTable, Gnoise, Lattice, LectureTables, Noise, Perlin1985, PermutationTable, Sample, Vgnoise,
-    Vnoise, glam::Vec3, unit_gradient,
+    Field, Lattice, Perlin1985, Sample,
+    glam::Vec3,
+    lattice::{ChainedTable, PermutationTable, unit_gradient},
+    printed::{Gnoise, LectureTables, Vgnoise, Vnoise},
 };
 use asperity_tests::random::Random;
 
@@ -179,8 +181,8 @@ fn perlin_1985_on_a_permutation_is_gnoise() {
     }
     // The noise is short of the bound by 2e-6, against rounding.
     let scale = 2.0 / 3.0_f64.sqrt() * (1.0 - 2e-6);
-    let noise = Perlin1985(permutation);
-    close("Perlin 1985", errors(|p| noise.sample(p, seed), |p| scale * listing.gnoise(p)));
+    let noise = Perlin1985::default().with_lattice(permutation);
+    close("Perlin 1985", errors(|p| noise.with_seed(seed).sample(p), |p| scale * listing.gnoise(p)));
 }
 
 /// The thesis's listing in `f32`, with a texture of bytes that is sampled at points and repeats.

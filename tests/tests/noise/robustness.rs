@@ -1,9 +1,11 @@
 //! Every kind and sum is defined everywhere: huge points, points beyond all cells, points that are not finite.
 
 use asperity_noise::{
-    Batch, Field, Gaussian, GaussianOctaves, Grid, Level, Normalisation, Octaves, Perlin2002,
-    PermutationTable, Point, Rotation, Sample, Seeded, Simplex, Spectrum,
+    Field, Gaussian, GaussianOctaves, Grid, Normalisation, Octaves, Perlin2002, Point, Rotation, Sample,
+    Simplex, Spectrum,
     glam::{Vec2, Vec3, Vec4},
+    lattice::PermutationTable,
+    simd::{Batch, Level},
 };
 use asperity_tests::{
     noise_any::{AnyNoise, VisitAny, any_dimension, any_kind, any_variant},
@@ -34,21 +36,25 @@ impl VisitAny for NotFinite {
 fn points_that_are_not_finite_give_zero() {
     any_kind(&mut NotFinite);
     any_variant(&mut NotFinite);
-    any_dimension(&mut NotFinite, "Perlin 2002 by permutation", Perlin2002(PermutationTable::new(1)));
+    any_dimension(
+        &mut NotFinite,
+        "Perlin 2002 by permutation",
+        Perlin2002::default().with_lattice(PermutationTable::new(1)),
+    );
 }
 
 #[test]
 fn both_channels_are_zero_at_points_that_are_not_finite() {
-    fn zero<V: Point<N>, const N: usize>() {
-        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
+    fn zero<V: Point<Coordinates = [f32; N]>, const N: usize>() {
+        let octaves = GaussianOctaves::<N>::new(Gaussian::new(1), Spectrum::default());
         for bad in NOT_FINITE {
             for axis in 0..N {
                 let mut p = [0.3; N];
                 p[axis] = bad;
                 let p = V::from_coordinates(p);
                 let zero = Sample { value: 0.0, gradient: V::default() };
-                assert_eq!(octaves.pair(p, 3.5), [zero; 2], "Gaussian octaves at {p:?}");
-                assert_eq!(Gaussian::default().pair(p, 1), [zero; 2], "Gaussian at {p:?}");
+                assert_eq!(octaves.detail(3.5).pair(p), [zero; 2], "Gaussian octaves at {p:?}");
+                assert_eq!(Gaussian::new(1).pair(p), [zero; 2], "Gaussian at {p:?}");
             }
         }
     }
@@ -108,17 +114,21 @@ impl VisitAny for Huge {
 fn huge_points_give_finite_samples_in_range() {
     any_kind(&mut Huge);
     any_variant(&mut Huge);
-    any_dimension(&mut Huge, "Perlin 2002 by permutation", Perlin2002(PermutationTable::new(1)));
+    any_dimension(
+        &mut Huge,
+        "Perlin 2002 by permutation",
+        Perlin2002::default().with_lattice(PermutationTable::new(1)),
+    );
 }
 
 #[test]
 fn huge_points_give_finite_pairs_of_gaussian_octaves() {
-    fn finite<V: Point<N>, const N: usize>() {
-        let octaves = GaussianOctaves::<N>::new(Spectrum::default(), 1);
+    fn finite<V: Point<Coordinates = [f32; N]>, const N: usize>() {
+        let octaves = GaussianOctaves::<N>::new(Gaussian::new(1), Spectrum::default());
         let mut random = Random(4);
         for _ in 0..200 {
             let p = V::from_coordinates(huge_point(&mut random));
-            for sample in octaves.pair(p, 10.0) {
+            for sample in octaves.detail(10.0).pair(p) {
                 let finite = sample.gradient.coordinates().into_iter().all(f32::is_finite);
                 assert!(sample.value.is_finite() && finite, "{p:?}: {sample:?}");
             }
@@ -261,16 +271,16 @@ fn nothing_shows_at_the_origin_or_where_cells_wrap() {
 
 #[test]
 fn octaves_take_any_count_and_stay_in_range() {
-    let noise = Octaves::new(Simplex::CONTINUOUS, Spectrum::default(), Normalisation::Range, 1);
+    let noise = Octaves::new(Simplex::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
     let mut random = Random(12);
     for i in 0..2000_u16 {
         let p = Vec3::from_array([(); 3].map(|()| ((random.uniform() - 0.5) * 50.0) as f32));
         let octaves = f32::from(i) / 180.0;
-        assert!(noise.sample(p, octaves).value.abs() <= 1.0, "{octaves} octaves at {p}");
+        assert!(noise.detail(octaves).sample(p).value.abs() <= 1.0, "{octaves} octaves at {p}");
         for nothing in [0.0, -1.0, f32::NAN, f32::NEG_INFINITY] {
-            assert_eq!(noise.sample(p, nothing), Sample::default());
+            assert_eq!(noise.detail(nothing).sample(p), Sample::default());
         }
-        assert_eq!(noise.sample(p, f32::INFINITY), noise.sample(p, 10.0));
+        assert_eq!(noise.detail(f32::INFINITY).sample(p), noise.detail(10.0).sample(p));
     }
 }
 
@@ -278,10 +288,14 @@ fn octaves_take_any_count_and_stay_in_range() {
 fn a_lone_octave_stays_as_it_is_however_small_its_weight() {
     let p = Vec3::new(0.3, -1.7, 2.4);
     for normalisation in [Normalisation::Range, Normalisation::Variance] {
-        let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), normalisation, 3);
+        let noise = Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(normalisation);
         for octaves in [1e-45, 1e-40, 1e-39, 1e-30, 3e-23, 0.5] {
-            assert_eq!(noise.sample(p, octaves), noise.sample(p, 1.0), "{normalisation:?} {octaves}");
-            let [lone, whole] = [octaves, 1.0].map(|o| noise.standard_deviation(o));
+            assert_eq!(
+                noise.detail(octaves).sample(p),
+                noise.detail(1.0).sample(p),
+                "{normalisation:?} {octaves}"
+            );
+            let [lone, whole] = [octaves, 1.0].map(|o| noise.detail(o).standard_deviation());
             assert_eq!(lone, whole, "{normalisation:?} {octaves}");
         }
     }
@@ -291,14 +305,14 @@ fn a_lone_octave_stays_as_it_is_however_small_its_weight() {
 #[test]
 fn the_end_of_a_wide_row_has_the_scalar_bits() {
     const WIDTH: usize = 40_000_000;
-    let field = Seeded(Simplex::CONTINUOUS, 7);
+    let field: &dyn Field<Vec2> = &Simplex::new(7);
     let grid = Grid {
         origin: Vec2::new(-0.2 * (WIDTH as f32 - 10_000.0), 0.3),
         step: Vec2::new(0.2, 0.1),
         size: [WIDTH, 1],
     };
     let mut values = vec![0.0; WIDTH];
-    Batch::with_level(Level::Scalar).fill_grid(&field, &grid, &mut values).unwrap();
+    Batch::with_level(Level::Scalar).grid_values(field, &grid, &mut values).unwrap();
     for (i, value) in values.iter().enumerate().skip(WIDTH - 20_000) {
         let p = grid.point([i, 0]);
         assert_eq!(value.to_bits(), field.value(p).to_bits(), "point {i}, {p}");

@@ -1,9 +1,10 @@
 //! Turbulence and its like: against their octaves, against differences, their measured means, the clamp.
 
 use asperity_noise::{
-    Billow, Field, Kernel, Normalisation, Octaves, Perlin2002, Plasma, Point, Power, Ridged,
-    RidgedMultifractal, Rotation, Shape, Signed, Simplex, Spectrum, Turbulence,
+    Billow, Field, Normalisation, Octaves, Perlin2002, Plasma, Point, Power, Ridged, RidgedMultifractal,
+    Rotation, Shape, Signed, Simplex, Spectrum, Turbulence,
     glam::{Vec2, Vec3},
+    simd::Kernel,
 };
 use asperity_tests::{
     noise_any::{AnyKernel, AnyNoise, Coordinates, VisitAny, any_kind, thinning},
@@ -11,7 +12,7 @@ use asperity_tests::{
 };
 
 /// Coordinates in ±8 with twelve bits of fraction.
-fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
     V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 65_536.0).round() as f32 / 4096.0))
 }
 
@@ -35,10 +36,14 @@ fn ridged(n: f64) -> [f64; 2] {
 }
 
 /// Value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
-fn octave<V: Point<N>, K: Kernel<N>, const N: usize>(signed: &Octaves<K, N>, p: V, i: u8) -> (f64, [f64; N]) {
+fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
+    signed: &Octaves<K, N>,
+    p: V,
+    i: u8,
+) -> (f64, [f64; N]) {
     let spectrum = signed.spectrum();
     let sum = |count: u8| {
-        let sample = signed.sample(p, f32::from(count));
+        let sample = signed.detail(f32::from(count)).sample(p);
         let norm = f64::from(spectrum.sum_of_amplitudes(f32::from(count)));
         let g = sample.gradient.coordinates().map(|g| norm * f64::from(g));
         (norm * f64::from(sample.value), g)
@@ -57,7 +62,9 @@ fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape:
     let range = f64::from(noise.statistics().range).max(1.0);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for seed in 0..40 / thinning::<N>(name) {
-            let signed = Octaves::new(AnyKernel(noise), spectrum, Normalisation::Range, seed);
+            let signed = Octaves::new(AnyKernel(noise), spectrum)
+                .with_seed(seed)
+                .with_normalisation(Normalisation::Range);
             let signed = signed.with_rotation(rotation);
             let p: Coordinates<N> = point(&mut random);
             let octaves: Vec<_> = (0..4).map(|i| octave(&signed, p, i)).collect();
@@ -74,7 +81,7 @@ fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape:
                     gradient[axis] += amplitude * slope * g[axis];
                 }
             }
-            let sample = signed.with_shape(shape).sample(p, 3.5);
+            let sample = signed.with_shape(shape).detail(3.5).sample(p);
             let error = (f64::from(sample.value) - value / norm).abs();
             assert!(error < 4e-6 * range, "{shape:?} {name} at {p:?}: {error:e}");
             for (got, slope) in sample.gradient.coordinates().into_iter().zip(gradient) {
@@ -106,7 +113,7 @@ fn shaped_sums_are_sums_of_shaped_octaves() {
 }
 
 /// The greatest difference of a field's gradient and central differences, over points where no crease is near.
-fn by_differences<V: Point<N>, F: Field<N>, const N: usize>(field: &F) -> f64 {
+fn by_differences<V: Point<Coordinates = [f32; N]>, F: Field<V>, const N: usize>(field: &F) -> f64 {
     const H: f32 = 1.0 / 512.0;
     let mut random = Random(5);
     let mut errors = Vec::new();
@@ -138,21 +145,21 @@ fn by_differences<V: Point<N>, F: Field<N>, const N: usize>(field: &F) -> f64 {
 fn gradients_are_limits_of_differences() {
     // Rounding of values, 4e-7, over H = 1/512, and H²/6 times third derivatives, which reach 3000 for the third octave.
     // Worst seen 1.6e-3, for ridged simplex noise.
-    fn check<V: Point<N>, F: Field<N>, const N: usize>(name: &str, field: &F) {
+    fn check<V: Point<Coordinates = [f32; N]>, F: Field<V>, const N: usize>(name: &str, field: &F) {
         let error = by_differences::<V, F, N>(field);
         println!("{name}: {error:.1e}");
         assert!(error < 3e-3, "{name}: {error:e}");
     }
     let spectrum = Spectrum::CLOUD;
-    let octaves = Octaves::<_, 2>::new(Simplex::CONTINUOUS, spectrum, Normalisation::Range, 1);
+    let octaves = Octaves::<_, 2>::new(Simplex::new(1), spectrum).with_normalisation(Normalisation::Range);
     check::<Vec2, _, 2>("turbulence", &octaves.with_shape(Turbulence).first(2.5));
     check::<Vec2, _, 2>("clamped turbulence", &octaves.with_shape(Turbulence).first(2.5).clamped(0.2));
     check::<Vec2, _, 2>("ridged", &octaves.with_shape(Ridged).first(2.5));
-    let octaves = Octaves::<_, 3>::new(Perlin2002::default(), spectrum, Normalisation::Range, 1);
+    let octaves = Octaves::<_, 3>::new(Perlin2002::new(1), spectrum).with_normalisation(Normalisation::Range);
     check::<Vec3, _, 3>("plasma", &octaves.with_shape(Plasma).first(2.5));
     check::<Vec3, _, 3>("billow", &octaves.with_shape(Billow).first(2.5));
     check::<Vec3, _, 3>("threads", &Power(octaves.with_shape(Plasma).first(2.5), 7));
-    let ridges = RidgedMultifractal::<_, 3>::new(Perlin2002::default(), spectrum, 0.8, 1).unwrap();
+    let ridges = RidgedMultifractal::<_, 3>::new(Perlin2002::new(1), spectrum, 0.8).unwrap();
     check::<Vec3, _, 3>("ridged multifractal", &ridges.first(2.5));
 }
 
@@ -165,9 +172,11 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
         let (mut means, mut squares, mut clamped) = (Vec::new(), Vec::new(), Vec::new());
         let mut stated = [0.0; 2];
         for seed in 0..SEEDS {
-            let sum =
-                Octaves::new(AnyKernel(noise), Spectrum::THREADS, normalisation, seed).with_shape(shape);
-            stated = [sum.mean(3.0), sum.standard_deviation(3.0)].map(f64::from);
+            let sum = Octaves::new(AnyKernel(noise), Spectrum::THREADS)
+                .with_seed(seed)
+                .with_normalisation(normalisation)
+                .with_shape(shape);
+            stated = [sum.first(3.0).mean(), sum.detail(3.0).standard_deviation()].map(f64::from);
             let (whole, part) = (sum.first(3.0), sum.first(3.0).clamped(0.15));
             let (mut mean, mut square, mut mean_clamped) = (0.0, 0.0, 0.0);
             for _ in 0..POINTS {
@@ -224,18 +233,19 @@ fn sums_have_their_means_and_deviations() {
 
 #[test]
 fn clamping_takes_the_finest_octaves_first() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::CLOUD, Normalisation::Range, 2);
+    let octaves =
+        Octaves::<_, 2>::new(Perlin2002::new(2), Spectrum::CLOUD).with_normalisation(Normalisation::Range);
     let sum = octaves.with_shape(Turbulence);
     let p = Vec2::new(0.3, 5.25);
     // Frequencies 1, 2, 4: at 0.15 the third is removed altogether, the second by smoothstep(0.3) = 0.15625, the first not.
     let parts: Vec<f64> = (0..3).map(|i| octave(&octaves, p, i).0.abs()).collect();
-    let mean = f64::from(sum.mean(3.0));
+    let mean = f64::from(sum.first(3.0).mean());
     let expected = (parts[0] + 0.5 * (parts[1] + 0.15625 * (mean - parts[1])) + 0.25 * mean) / 1.75;
     let clamped = sum.first(3.0).clamped(0.15).sample(p);
     assert!((f64::from(clamped.value) - expected).abs() < 1e-6, "{} is not {expected}", clamped.value);
     // Without a footprint nothing changes, not a bit; with an endless one the mean remains.
     for footprint in [0.0, -1.0, f32::NAN] {
-        assert_eq!(sum.first(3.0).clamped(footprint).sample(p), sum.sample(p, 3.0), "{footprint}");
+        assert_eq!(sum.first(3.0).clamped(footprint).sample(p), sum.detail(3.0).sample(p), "{footprint}");
     }
     let far = sum.first(3.0).clamped(f32::INFINITY).sample(p);
     assert!((f64::from(far.value) - mean).abs() < 1e-7 && far.gradient == Vec2::ZERO);
@@ -248,10 +258,13 @@ fn ranges_hold_for_every_gain() {
     for (gain, lacunarity) in [(0.5, 2.0), (1.0, 2.0), (2.7, 2.4)] {
         let spectrum = Spectrum::new(lacunarity, gain, 6).unwrap();
         for seed in 0..200 {
-            let sum = Octaves::<_, 2>::new(Perlin2002::default(), spectrum, Normalisation::Range, seed);
+            let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum)
+                .with_normalisation(Normalisation::Range);
             let p: Vec2 = point(&mut random);
-            assert!(sum.value(p, 5.5).abs() <= 1.0);
-            for value in [sum.with_shape(Turbulence).value(p, 5.5), sum.with_shape(Ridged).value(p, 5.5)] {
+            assert!(sum.detail(5.5).value(p).abs() <= 1.0);
+            for value in
+                [sum.with_shape(Turbulence).detail(5.5).value(p), sum.with_shape(Ridged).detail(5.5).value(p)]
+            {
                 assert!((-1e-6..=1.0 + 1e-6).contains(&value), "gain {gain}: {value}");
             }
             let threads = Power(sum.with_shape(Plasma).first(4.0), 7).value(p);

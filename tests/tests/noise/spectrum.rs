@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use asperity_noise::{Batch, GaussianOctaves, Spectrum, glam::Vec2};
+use asperity_noise::{Field, Gaussian, GaussianOctaves, Grid, Spectrum, glam::Vec2};
 
 const LENGTH: usize = 4096;
 /// Points per cell of the first octave.
@@ -34,8 +34,10 @@ fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
     let mut power = vec![0.0; LENGTH / 2];
     let mut row = [0.0; LENGTH];
     for line in 0..LINES {
-        let noise = GaussianOctaves::<2>::new(spectrum, line);
-        Batch::new().fill_row(&noise.first(octaves), Vec2::new(0.0, 0.37), 1.0 / RESOLUTION, &mut row);
+        let noise = GaussianOctaves::<2>::new(Gaussian::new(line), spectrum);
+        let grid =
+            Grid { origin: Vec2::new(0.0, 0.37), step: Vec2::splat(1.0 / RESOLUTION), size: [LENGTH, 1] };
+        noise.first(octaves).grid_values(&grid, &mut row).expect("a row of that length");
         let windowed: Vec<[f64; 2]> = row
             .iter()
             .enumerate()

@@ -1,8 +1,8 @@
 //! The shipped statistics of each kind against a fresh measurement, the sums normalised by them, and how tight ranges are.
 
 use asperity_noise::{
-    Gaussian, IntegerHash, Lattice, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Rotation,
-    Simplex, Spectrum, Value, ValueCatmullRom, ValueGradient, White,
+    Field, Gaussian, IntegerHash, Lattice, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point,
+    Rotation, Simplex, Spectrum, Value, ValueCatmullRom, ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
@@ -156,14 +156,16 @@ fn the_gaussian_table_is_phi() {
 fn sums_have_the_stated_deviation_and_kurtosis() {
     for count in [0.4, 1.0, 1.25, 2.5, 8.0] {
         for normalisation in [Normalisation::Range, Normalisation::Variance] {
-            let build =
-                |seed| Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), normalisation, seed);
+            let build = |seed| {
+                Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default())
+                    .with_normalisation(normalisation)
+            };
             let sums = values(SEEDS, |seed| {
                 let sum = build(seed);
-                move |p: [f32; 3]| sum.value(Vec3::from_array(p), count)
+                move |p: [f32; 3]| sum.detail(count).value(Vec3::from_array(p))
             });
-            let name = format!("{count} octaves, {normalisation:?}");
-            assert_moments(&name, &sums, build(0).standard_deviation(count), build(0).excess_kurtosis(count));
+            let (name, sum) = (format!("{count} octaves, {normalisation:?}"), build(0).first(count));
+            assert_moments(&name, &sums, sum.standard_deviation(), sum.excess_kurtosis());
         }
     }
 }
@@ -212,7 +214,7 @@ fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
 }
 
 /// The noise over its range at its greatest place, if the words of the lattice happen to be the best ones.
-fn reached<V: Point<D>, K: Noise<V>, const D: usize>(
+fn reached<V: Point<Coordinates = [f32; D]>, K: Noise<V>, const D: usize>(
     kind: Kind,
     noise: impl Fn(Best) -> K,
     words: u32,
@@ -220,7 +222,7 @@ fn reached<V: Point<D>, K: Noise<V>, const D: usize>(
     let place = greatest_place::<D>(kind).map(|x| f64::from(x as f32));
     let words: Vec<u32> = (0..words as i32).map(|i| IntegerHash.word([i], 1)).collect();
     let noise = noise(Best::new(kind, place, &words));
-    noise.value(V::from_coordinates(place.map(|x| x as f32)), 1) / noise.statistics().range
+    noise.value(V::from_coordinates(place.map(|x| x as f32))) / noise.statistics().range
 }
 
 macro_rules! assert_reached {
@@ -237,24 +239,29 @@ macro_rules! assert_reached {
 
 #[test]
 fn ranges_are_reached() {
-    assert_reached!("white", Kind::White, White, 20_000);
-    assert_reached!("value", Kind::Value, Value, 20_000);
-    assert_reached!("value, Catmull-Rom", Kind::CatmullRom, ValueCatmullRom, 20_000);
-    assert_reached!("Perlin 1985", Kind::Perlin1985, Perlin1985, 20_000);
-    assert_reached!("Perlin 2002", Kind::Perlin2002, Perlin2002, 20_000);
+    assert_reached!("white", Kind::White, |best| White::new(0).with_lattice(best), 20_000);
+    assert_reached!("value", Kind::Value, |best| Value::new(0).with_lattice(best), 20_000);
+    assert_reached!(
+        "value, Catmull-Rom",
+        Kind::CatmullRom,
+        |best| ValueCatmullRom::new(0).with_lattice(best),
+        20_000
+    );
+    assert_reached!("Perlin 1985", Kind::Perlin1985, |best| Perlin1985::new(0).with_lattice(best), 20_000);
+    assert_reached!("Perlin 2002", Kind::Perlin2002, |best| Perlin2002::new(0).with_lattice(best), 20_000);
     let even = ValueGradient::default();
     // Few words have both the greatest number and the best gradient.
     assert_reached!("value-gradient", Kind::ValueGradient(0.5), |best| even.with_lattice(best), 400_000);
-    let gradients = ValueGradient::new(1.0).unwrap();
+    let gradients = ValueGradient::default().with_weight(1.0).unwrap();
     assert_reached!("gradient part", Kind::ValueGradient(1.0), |best| gradients.with_lattice(best), 20_000);
-    assert_reached!("simplex", Kind::Simplex(0.5), |best| Simplex::CONTINUOUS.with_lattice(best), 20_000);
+    assert_reached!("simplex", Kind::Simplex(0.5), |best| Simplex::new(0).with_lattice(best), 20_000);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    assert_reached!("wide simplex", kind, |best| Simplex::WIDE.with_lattice(best), 20_000);
+    assert_reached!("wide simplex", kind, |best| Simplex::wide(0).with_lattice(best), 20_000);
 }
 
 #[test]
 fn the_gaussian_range_is_that_of_the_outermost_variates() {
-    fn bound<V: Point<N>, const N: usize>() -> (f64, f64)
+    fn bound<V: Point<Coordinates = [f32; N]>, const N: usize>() -> (f64, f64)
     where
         Gaussian: Noise<V>,
     {

@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 
 use asperity_noise::{
-    Gaussian, GaussianOctaves, Kernel, LaneSample, Lanes, Noise, Normalisation, Octaves, Perlin1985,
-    Perlin2002, Point, Rotation, Sample, Simplex, Spectrum, Statistics,
+    Field, Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Rotation,
+    Sample, Simplex, Spectrum, Statistics,
     glam::{Vec2, Vec3, Vec4},
+    simd::{Kernel, LaneSample, Lanes, Sealed},
 };
 use asperity_tests::{
     noise_reference::{Kind, difference},
@@ -15,7 +16,15 @@ use asperity_tests::{
 /// A noise that is 0 and notes where an octave asks for it, and with which seed.
 struct Notes<'a, const N: usize>(&'a RefCell<Vec<(u32, [f32; N])>>);
 
+impl<const N: usize> Sealed<N> for Notes<'_, N> {}
+
 impl<const N: usize> Kernel<N> for Notes<'_, N> {
+    type RowScratch = ();
+
+    fn seed(&self) -> u32 {
+        0
+    }
+
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         self.0.borrow_mut().push((seed, p.map(|x| s.lane(x, 0))));
         s.float(0.0)
@@ -38,17 +47,20 @@ struct Octave<const N: usize> {
 }
 
 /// The octaves of a sum, without an error in their matrices.
-fn octaves<V: Point<N>, const N: usize>(
+fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
     spectrum: Spectrum,
     rotation: Rotation,
     seed: u32,
     count: usize,
 ) -> Vec<Octave<N>> {
     let notes = RefCell::new(Vec::new());
-    let sum = Octaves::new(Notes(&notes), spectrum, Normalisation::Range, seed).with_rotation(rotation);
+    let sum = Octaves::new(Notes(&notes), spectrum)
+        .with_seed(seed)
+        .with_normalisation(Normalisation::Range)
+        .with_rotation(rotation);
     let noted = |p: [f32; N]| {
         notes.borrow_mut().clear();
-        let _ = sum.value(V::from_coordinates(p), count as f32);
+        let _ = sum.detail(count as f32).value(V::from_coordinates(p));
         notes.take()
     };
     let along = |axis: usize, x: f32| {
@@ -90,7 +102,7 @@ fn amplitudes(spectrum: &Spectrum, count: f32, normalisation: Normalisation, sig
 }
 
 /// The worst errors of value and gradient of a sum; gradients are relative to the greatest.
-fn errors<V: Point<N>, const N: usize>(
+fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     octaves: &[Octave<N>],
     (amplitudes, norm): &(Vec<f64>, f64),
     kind: Kind,
@@ -138,16 +150,24 @@ fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
     );
 }
 
-fn sum<V: Point<N>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K, kind: Kind, scale: f64) {
+fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(
+    name: &str,
+    noise: K,
+    kind: Kind,
+    scale: f64,
+) {
     let spectrum = Spectrum::default();
     let sigma = f64::from(noise.statistics().standard_deviation);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         for normalisation in [Normalisation::Range, Normalisation::Variance] {
             for (seed, count) in [(3, 4.5), (4, 1.0)] {
-                let sum = Octaves::<K, N>::new(noise, spectrum, normalisation, seed).with_rotation(rotation);
+                let sum = Octaves::<K, N>::new(noise, spectrum)
+                    .with_seed(seed)
+                    .with_normalisation(normalisation)
+                    .with_rotation(rotation);
                 let octaves = octaves::<V, N>(spectrum, rotation, seed, f32::ceil(count) as usize);
                 let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
-                let worst = errors(&octaves, &amplitudes, kind, scale, |p: V| sum.sample(p, count));
+                let worst = errors(&octaves, &amplitudes, kind, scale, |p: V| sum.detail(count).sample(p));
                 assert_close(&format!("{name} {N}-D {rotation:?} {normalisation:?}"), worst);
             }
         }
@@ -155,18 +175,19 @@ fn sum<V: Point<N>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K, k
 }
 
 /// The scale of a kind is that of its values: the reference is not scaled.
-fn scale<V: Point<N>, K: Noise<V>, const N: usize>(noise: &K, kind: Kind) -> f64 {
+fn scale<V: Point<Coordinates = [f32; N]>, K: Noise<V> + Copy, const N: usize>(noise: &K, kind: Kind) -> f64 {
     let p = [0.37, -0.61, 0.23, 0.54];
     let p: [f32; N] = std::array::from_fn(|axis| p[axis]);
     // The seed where the noise is greatest, for the least error.
     let at = |seed| kind.value(p.map(f64::from), seed);
     let seed = (0..200).max_by(|&a, &b| at(a).abs().total_cmp(&at(b).abs())).unwrap_or(0);
-    f64::from(noise.value(V::from_coordinates(p), seed)) / at(seed)
+    f64::from(noise.with_seed(seed).value(V::from_coordinates(p))) / at(seed)
 }
 
 fn sums<K>(name: &str, noise: K, kind: Kind)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy,
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
     sum::<f32, K, 1>(name, noise, kind, scale::<f32, K, 1>(&noise, kind));
     sum::<Vec2, K, 2>(name, noise, kind, scale::<Vec2, K, 2>(&noise, kind));
@@ -182,19 +203,20 @@ fn sums_of_gradient_noise_equal_the_reference() {
 
 #[test]
 fn sums_of_simplex_and_gaussian_noise_equal_the_reference() {
-    sums("simplex", Simplex::CONTINUOUS, Kind::Simplex(0.5));
+    sums("simplex", Simplex::new(0), Kind::Simplex(0.5));
     sums("Gaussian", Gaussian::default(), Kind::Gaussian(0));
 }
 
-fn gaussian_sum<V: Point<N>, const N: usize>() {
+fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
     let spectrum = Spectrum::default();
     for (seed, count) in [(3, 4.5), (4, 1.0), (5, 2.25)] {
-        let sum = GaussianOctaves::<N>::new(spectrum, seed);
+        let sum = GaussianOctaves::<N>::new(Gaussian::new(seed), spectrum);
         let octaves = octaves::<V, N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
         let amplitudes = amplitudes(&spectrum, count, Normalisation::Variance, 1.0);
-        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), 1.0, |p: V| sum.sample(p, count));
+        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), 1.0, |p: V| sum.detail(count).sample(p));
         assert_close(&format!("Gaussian octaves {N}-D"), worst);
-        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(1), 1.0, |p: V| sum.pair(p, count)[1]);
+        let worst =
+            errors(&octaves, &amplitudes, Kind::Gaussian(1), 1.0, |p: V| sum.detail(count).pair(p)[1]);
         assert_close(&format!("Gaussian octaves {N}-D, second channel"), worst);
     }
 }

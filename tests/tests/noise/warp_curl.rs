@@ -1,8 +1,9 @@
 //! Domain warping and curl noise: gradients and Jacobians against differences, and no divergence but rounding.
 
 use asperity_noise::{
-    Curl2, Curl3, CurlPotential, CurvedField, Field, GaussianOctaves, Octaves, Perlin2002, Point, Rotation,
-    Seeded, Simplex, Spectrum, Turbulence, Warp,
+    Curved, Field, Gaussian, GaussianOctaves, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
+    Turbulence, Warp,
+    curl::{Curl2, Curl3, CurlPotential},
     glam::{Vec2, Vec3},
 };
 use asperity_tests::random::Random;
@@ -12,12 +13,12 @@ const H: f32 = 1.0 / 512.0;
 const U: f64 = f64::EPSILON * 268_435_456.0;
 
 /// Coordinates in ±8 with twelve bits of fraction.
-fn point<V: Point<N>, const N: usize>(random: &mut Random) -> V {
+fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
     V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 65_536.0).round() as f32 / 4096.0))
 }
 
 /// The worst difference of a Jacobian, row by row, and central differences of a map, relative to the greatest entry.
-fn jacobian_error<V: Point<N>, const N: usize, const M: usize>(
+fn jacobian_error<V: Point<Coordinates = [f32; N]>, const N: usize, const M: usize>(
     map: impl Fn(V) -> [f32; M],
     jacobian: impl Fn(V) -> [[f32; N]; M],
 ) -> f64 {
@@ -52,17 +53,16 @@ fn assert_close(name: &str, error: f64) {
 
 #[test]
 fn warps_have_exact_gradients_and_jacobians() {
-    let by = [1, 2, 3]
-        .map(|seed| Octaves::<_, 3>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
-    let field = Seeded(Perlin2002::default(), 4);
+    let by = [1, 2, 3].map(|seed| Octaves::<_, 3>::new(Simplex::new(seed), Spectrum::CLOUD));
+    let field = Perlin2002::new(4);
     let warp = Warp::new(field, by.each_ref().map(|octaves| octaves.first(1.0)), 0.2).unwrap();
     let gradient = |p: Vec3| [warp.sample(p).gradient.to_array()];
     assert_close("warp", jacobian_error(|p: Vec3| [warp.value(p)], gradient));
     let place = |p: Vec3| warp.displacement(p).point.to_array();
     assert_close("displacement", jacobian_error(place, |p: Vec3| warp.displacement(p).jacobian));
 
-    let by = [5, 6].map(|seed| Seeded(Perlin2002::default(), seed));
-    let inner = Warp::new(Seeded(Simplex::CONTINUOUS, 7), by, 0.3).unwrap();
+    let by = [5, 6].map(|seed| Perlin2002::new(seed));
+    let inner = Warp::new(Simplex::new(7), by, 0.3).unwrap();
     let twice = Warp::new(inner, by, 0.3).unwrap();
     let gradient = |p: Vec2| [twice.sample(p).gradient.to_array()];
     assert_close("warp of a warp", jacobian_error(|p: Vec2| [twice.value(p)], gradient));
@@ -71,22 +71,22 @@ fn warps_have_exact_gradients_and_jacobians() {
 
 #[test]
 fn a_warp_looks_up_the_displaced_point() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::CLOUD, Default::default(), 4);
+    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::CLOUD);
     let field = octaves.with_shape(Turbulence);
-    let by = [1, 2].map(|seed| Seeded(Simplex::CONTINUOUS, seed));
+    let by = [1, 2].map(|seed| Simplex::new(seed));
     let warp = Warp::new(field.first(3.0), by, 0.7).unwrap();
     let mut random = Random(1);
     for _ in 0..100 {
         let p: Vec2 = point(&mut random);
         let q = p + 0.7 * Vec2::new(by[0].value(p), by[1].value(p));
         assert_eq!(warp.displacement(p).point, q);
-        assert_eq!(warp.value(p), field.value(q, 3.0));
+        assert_eq!(warp.value(p), field.detail(3.0).value(q));
     }
 }
 
 #[test]
 fn flows_in_the_plane_have_no_divergence() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::default(), Default::default(), 4);
+    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::default());
     let flow = Curl2(octaves.first(1.5));
     let jacobian = |p: Vec2| flow.velocity_and_jacobian(p).jacobian;
     assert_close("flow in the plane", jacobian_error(|p: Vec2| flow.velocity(p).to_array(), jacobian));
@@ -111,14 +111,14 @@ fn traces(name: &str, jacobian: impl Fn(Vec3) -> [[f32; 3]; 3], bound: impl Fn(V
     assert!(greatest <= 1.0 && rounded > 0, "{name}: {greatest}");
 }
 
-fn cross_product_has_no_divergence<A: CurvedField<3>, B: CurvedField<3>>(name: &str, a: A, b: B) {
+fn cross_product_has_no_divergence<A: Curved<Vec3>, B: Curved<Vec3>>(name: &str, a: A, b: B) {
     let flow = Curl3(a, b);
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close(name, jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
     // The trace is a sum of twelve rounded products that cancel in pairs, bit for bit. What is left is the rounding of at most
     // four sums over each of them: the difference of a cross product, the sum of two, and the trace's own two.
     let bound = |p: Vec3| {
-        let (a, b) = (flow.0.jet(p), flow.1.jet(p));
+        let (a, b) = (flow.0.second_order(p), flow.1.second_order(p));
         let mut sum = 0.0;
         for (hessian, gradient) in [(a.hessian, b.gradient), (b.hessian, a.gradient)] {
             for (j, row) in hessian.iter().enumerate() {
@@ -134,34 +134,26 @@ fn cross_product_has_no_divergence<A: CurvedField<3>, B: CurvedField<3>>(name: &
 
 #[test]
 fn flows_in_space_have_no_divergence_but_rounding() {
-    let [a, b] = [1, 2].map(|seed| {
-        Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), Default::default(), seed)
-    });
+    let [a, b] = [1, 2].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
     cross_product_has_no_divergence(
         "pair of octaves",
         a.first(1.5),
         b.with_rotation(Rotation::Aligned).first(1.5),
     );
-    let [a, b] = [1, 2].map(|seed| GaussianOctaves::<3>::new(Spectrum::default(), seed));
+    let [a, b] = [1, 2].map(|seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default()));
     cross_product_has_no_divergence("pair of Gaussian octaves", a.first(1.5), b.first(1.5));
-    cross_product_has_no_divergence(
-        "pair of noises",
-        Seeded(Perlin2002::default(), 1),
-        Seeded(Simplex::CONTINUOUS, 2),
-    );
+    cross_product_has_no_divergence("pair of noises", Perlin2002::new(1), Simplex::new(2));
 }
 
 #[test]
 fn curls_of_potentials_have_no_divergence_but_rounding() {
-    let potential = [1, 2, 3].map(|seed| {
-        Octaves::<_, 3>::new(Perlin2002::default(), Spectrum::default(), Default::default(), seed)
-    });
+    let potential = [1, 2, 3].map(|seed| Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default()));
     let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(1.5)));
     let jacobian = |p: Vec3| flow.velocity_and_jacobian(p).jacobian;
     assert_close("potential", jacobian_error(|p: Vec3| flow.velocity(p).to_array(), jacobian));
     // Six entries that cancel in pairs, each rounded in its difference and in the trace's two sums.
     let bound = |p: Vec3| {
-        let [a, b, c] = flow.0.each_ref().map(|field| field.jet(p).hessian);
+        let [a, b, c] = flow.0.each_ref().map(|field| field.second_order(p).hessian);
         let entries = [c[0][1], b[0][2], a[1][2], c[1][0], b[2][0], a[2][1]];
         3.001 * U * entries.iter().map(|&x| f64::from(x.abs())).sum::<f64>()
     };

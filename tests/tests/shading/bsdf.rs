@@ -8,7 +8,7 @@ use asperity_shading::material::{
     TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, Wallpaper,
 };
 use asperity_shading::ndf_sampling::Ggx;
-use asperity_shading::noise::{GaussianOctaves, Spectrum};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Brdf, Coat, Delta, Dielectric, Lambert};
 use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
@@ -56,7 +56,7 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
     let tiles = BevelledTiles { bevel, side: 0.2, colour: white, roughness: 0.5 };
     let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white };
     let marble = PolishedMarble { marble: Marble::default(), brightness: 100.0, polish: 0.3 };
-    let field = GaussianOctaves::<3>::new(Spectrum::new(2.17, 0.8, 3).expect(VALID), 7);
+    let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 3).expect(VALID));
     let bumps = |rule| BumpMapped {
         ndf: Ggx::new(0.3, 0.5).expect(VALID),
         bumps: BumpField::new(field, 20.0).expect(VALID),
@@ -85,7 +85,7 @@ fn point(at: Vec2, width: f32) -> SurfacePoint {
     SurfacePoint::new(at.extend(0.3), Vec3::Z, Footprint::from_width(width)).with_uv(at, [Vec3::X, Vec3::Y])
 }
 
-/// Albedo of the smooth coat, the mean over its facets.
+/// What the smooth coat sends, the mean over its facets.
 fn coat(bsdf: &asperity_shading::reflectance::Bsdf<'_>, wo: Vec3) -> f64 {
     let sum: f32 = (0..256_u16)
         .map(|k| {

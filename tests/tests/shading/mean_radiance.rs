@@ -1,10 +1,9 @@
 //! The mean radiance of a surface at every zoom, measured from the real noise: `Exact` keeps it, `Fractal` does not.
 
 use asperity_shading::glam::Vec3;
-use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
-use asperity_shading::noise::{GaussianOctaves, Spectrum};
-use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::{Beckmann, GaussianField, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Patches, each with a seed of its own; the standard errors come from their spread.
@@ -72,7 +71,7 @@ fn ratios(rule: LevelOfDetail, octaves: f32, stride: usize) -> Vec<(f64, f64)> {
         .iter()
         .flat_map(|case| case.half_vectors.map(|h| f64::from(far_field(&*case.ndf, h))))
         .collect();
-    let field = |seed| GaussianOctaves::<3>::new(Spectrum::default(), seed);
+    let field = |seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
     let patches = patch_means(SEEDS, stride, field, |field, p, sums: &mut [f64; 15]| {
         let coordinates = field.coordinates(p, octaves);
         let radiances = cases

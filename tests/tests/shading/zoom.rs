@@ -1,10 +1,12 @@
 //! Zooming in: no pop, nothing seen from afar becomes untrue, and the far field where the pixel resolves nothing.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
 use asperity_shading::ndf_sampling::NormalTable;
-use asperity_shading::noise::{GaussianOctaves, Spectrum};
-use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::{
+    Beckmann, BumpField, Coordinates, Footprint, Frame, GaussianField, Ggx, LevelOfDetail, Ndf,
+    facet_coordinates, far_field, shade_facet,
+};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
@@ -26,7 +28,7 @@ fn changes(rule: LevelOfDetail, before: f32, after: f32) -> [(f64, f64); 8] {
     let ndf = Ggx::new(0.2, 0.4).expect("roughness in range");
     let h = half_vector();
     let far = f64::from(far_field(&ndf, h));
-    let field = |seed| GaussianOctaves::<3>::new(Spectrum::default(), seed);
+    let field = |seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default());
     let patches = patch_means(128, 4, field, |field, p, sums: &mut [f64; 8]| {
         let (coarse, fine) = (field.coordinates(p, before), field.coordinates(p, after));
         let change = rule.radiance(&ndf, h, fine) - rule.radiance(&ndf, h, coarse);
@@ -65,8 +67,8 @@ fn exact_rule_is_a_martingale_in_zoom() {
 /// The largest change of the radiance between neighbouring footprints, over `steps` of them and a few points.
 fn largest_jump(rule: LevelOfDetail, steps: u32) -> f32 {
     let ndf = Beckmann::isotropic(0.3).expect("roughness in range");
-    let bumps =
-        BumpField::new(GaussianOctaves::new(Spectrum::default(), 11), 3.0).expect("frequency in range");
+    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(11), Spectrum::default()), 3.0)
+        .expect("frequency in range");
     let mut largest = 0.0_f32;
     for k in 0..8 {
         let p = Vec3::new(0.37, -1.21, 0.83) * k as f32;
@@ -94,7 +96,7 @@ fn radiance_is_continuous_in_the_footprint() {
 #[test]
 fn pixel_above_the_first_octave_shows_the_far_field_to_the_bit() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
-    let bumps = BumpField::new(GaussianOctaves::new(Spectrum::default(), 5), 10.0).unwrap();
+    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(5), Spectrum::default()), 10.0).unwrap();
     for width in [0.05, 0.0501, 1.0, f32::INFINITY, f32::NAN] {
         let coordinates = bumps.coordinates(Vec3::new(0.3, 0.9, -2.0), Footprint::from_width(width));
         assert_eq!(coordinates, Coordinates::FAR, "width = {width}");
@@ -115,7 +117,7 @@ fn pixel_above_the_first_octave_shows_the_far_field_to_the_bit() {
 fn table_of_normals_serves_the_fractal_rule() {
     let ndf = Ggx::new(0.2, 0.4).unwrap();
     let table = NormalTable::standard(&ndf);
-    let field = GaussianOctaves::<3>::new(Spectrum::default(), 2);
+    let field = GaussianOctaves::<3>::new(Gaussian::new(2), Spectrum::default());
     let mut worst = 0.0_f32;
     for k in 0..2000 {
         let coordinates = field.coordinates(Vec3::new(1.9, -0.7, 1.3) * k as f32, 0.02 * (k % 200) as f32);
@@ -132,7 +134,7 @@ fn table_of_normals_serves_the_fractal_rule() {
 #[test]
 fn bump_normals_make_orthonormal_frames() {
     let ndf = Ggx::new(0.2, 0.9).unwrap();
-    let bumps = BumpField::new(GaussianOctaves::new(Spectrum::default(), 9), 4.0).unwrap();
+    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(9), Spectrum::default()), 4.0).unwrap();
     for k in 0..2000 {
         let p = Vec3::new(0.31, 0.17, -0.23) * k as f32;
         let coordinates = bumps.coordinates(p, Footprint::from_width(0.2 * 0.998_f32.powi(k)));

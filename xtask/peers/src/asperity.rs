@@ -1,11 +1,12 @@
 //! Asperity itself: batches at every SIMD level of this machine, and single calls.
 
-use std::{array, hint::black_box};
+use std::hint::black_box;
 
 use asperity_noise::{
-    self as ours, Batch, Field, Kernel, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Seeded,
-    Simplex, Spectrum, Value,
+    self as ours, Field, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
+    Value,
     glam::{Vec2, Vec3, Vec4},
+    simd::{self, Batch, Kernel},
 };
 
 use crate::{
@@ -30,61 +31,56 @@ pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
 
 fn of_dimension<V, const N: usize>(row: Row, step: f32) -> Vec<Contender>
 where
-    V: Point<N> + 'static,
+    V: Point<Coordinates = [f32; N]>,
     Perlin2002: Kernel<N> + Noise<V>,
     Simplex: Kernel<N> + Noise<V>,
     Value: Kernel<N> + Noise<V>,
 {
     match row.kind {
-        Kind::Perlin => of_kind::<V, N>(row, step, Perlin2002::default()),
-        Kind::Simplex => of_kind::<V, N>(row, step, Simplex::CONTINUOUS),
-        Kind::Value => of_kind::<V, N>(row, step, Value::default()),
+        Kind::Perlin => of_kind::<V, N>(row, step, Perlin2002::new(SEED)),
+        Kind::Simplex => of_kind::<V, N>(row, step, Simplex::new(SEED)),
+        Kind::Value => of_kind::<V, N>(row, step, Value::new(SEED)),
         Kind::Octaves => match Spectrum::new(2.0, 0.5, 5) {
             Ok(spectrum) => {
-                let sum = Octaves::<_, N>::new(Perlin2002::default(), spectrum, Normalisation::Range, SEED);
-                // A field of octaves borrows its sum; this one lives as long as the program.
-                let sum = Box::leak(Box::new(sum.with_rotation(Rotation::Aligned)));
-                batches::<V, N>(row.form, step, sum.first(5.0))
+                let sum = Octaves::<_, N>::new(Perlin2002::new(SEED), spectrum);
+                let sum = sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned);
+                batches::<V, N>(row.form, step, sum)
             }
             Err(_) => Vec::new(),
         },
     }
 }
 
-fn of_kind<V, const N: usize>(
-    row: Row,
-    step: f32,
-    noise: impl Kernel<N> + Noise<V> + Copy + 'static,
-) -> Vec<Contender>
+fn of_kind<V, const N: usize>(row: Row, step: f32, noise: impl Noise<V> + Copy + 'static) -> Vec<Contender>
 where
-    V: Point<N> + 'static,
+    V: Point<Coordinates = [f32; N]>,
 {
     match row.form {
         Form::Calls => {
-            let call = move |p| noise.value(V::from_coordinates(p), SEED);
+            let call = move |p| noise.value(V::from_coordinates(p));
             vec![values(NAME, row.form, step, call)]
         }
         Form::CallsGradients => {
             let call = move |p| {
-                let sample = noise.sample(V::from_coordinates(p), SEED);
+                let sample = noise.sample(V::from_coordinates(p));
                 (sample.value, sample.gradient.coordinates())
             };
             vec![derivatives(NAME, row.form, step, call)]
         }
         Form::Grid | Form::GridGradients | Form::Points | Form::PointsGradients => {
-            batches::<V, N>(row.form, step, Seeded(noise, SEED))
+            batches::<V, N>(row.form, step, noise)
         }
     }
 }
 
 /// One contender per level.
-fn batches<V, const N: usize>(form: Form, step: f32, field: impl Field<N> + Copy + 'static) -> Vec<Contender>
+fn batches<V, const N: usize>(form: Form, step: f32, field: impl Field<V> + Copy + 'static) -> Vec<Contender>
 where
-    V: Point<N> + 'static,
+    V: Point<Coordinates = [f32; N]>,
 {
-    ours::Level::available()
+    simd::Level::available()
         .map(|at| {
-            let level = if at == ours::Level::Scalar { Level::Scalar } else { Level::Simd(at.name()) };
+            let level = if at == simd::Level::Scalar { Level::Scalar } else { Level::Simd(at.name()) };
             let samples = match form {
                 Form::Grid | Form::GridGradients => Grid::<N>::new(step).samples(),
                 _ => POINTS,
@@ -103,31 +99,32 @@ fn pass<V, const N: usize>(
     form: Form,
     step: f32,
     batch: Batch,
-    field: impl Field<N> + 'static,
+    field: impl Field<V> + 'static,
 ) -> Box<dyn FnMut()>
 where
-    V: Point<N> + 'static,
+    V: Point<Coordinates = [f32; N]>,
 {
     let field = black_box(field);
     let grid = Grid::<N>::new(step);
     let (origin, size) = (V::from_coordinates(grid.origin), grid.size);
-    let grid = ours::Grid { origin, step: V::from_coordinates([grid.step; N]), size };
+    let grid = ours::Grid { origin, step: V::from_axes(|_| grid.step), size: V::array(|axis| size[axis]) };
     let points = inputs::points::<N>();
     let samples = if matches!(form, Form::Grid | Form::GridGradients) { grid.len() } else { POINTS };
     let mut values = vec![0.0; samples];
-    let mut slopes: [Vec<f32>; N] = array::from_fn(|_| vec![0.0; samples]);
+    let mut slopes = V::array(|_| vec![0.0; samples]);
     Box::new(move || {
-        let slots = slopes.each_mut().map(Vec::as_mut_slice);
-        let points = points.each_ref().map(Vec::as_slice);
+        let mut slots = slopes.as_mut().iter_mut();
+        let slots = V::array(|_| slots.next().map(Vec::as_mut_slice).unwrap_or_default());
+        let points = V::array(|axis| &points[axis][..]);
         let done = match form {
-            Form::Grid => batch.fill_grid(&field, &grid, &mut values),
-            Form::GridGradients => batch.fill_grid_with_gradients(&field, &grid, &mut values, slots),
-            Form::PointsGradients => batch.fill_points_with_gradients(&field, points, &mut values, slots),
+            Form::Grid => batch.grid_values(&field, &grid, &mut values),
+            Form::GridGradients => batch.grid_samples(&field, &grid, &mut values, slots),
+            Form::PointsGradients => batch.list_samples(&field, points, &mut values, slots),
             Form::Points | Form::Calls | Form::CallsGradients => {
-                batch.fill_points(&field, points, &mut values)
+                batch.list_values(&field, points, &mut values)
             }
         };
         done.expect("every array is as long as the grid or the list of points");
-        black_box((&mut values, &mut slopes));
+        black_box(&mut values);
     })
 }

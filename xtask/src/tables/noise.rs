@@ -1,8 +1,9 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
 
 use asperity_noise::{
-    Gaussian, IntegerHash, Kernel, Lattice, Perlin1985, Perlin2002, PermutationTable, Simplex, Statistics,
-    gaussian_corner,
+    Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Statistics,
+    lattice::{PermutationTable, gaussian_corner},
+    simd::Kernel,
 };
 use asperity_render::image::formats::npy;
 use serde_json::{Map, json};
@@ -46,8 +47,8 @@ pub(super) fn distributions() -> Result<Made, Failure> {
     let mut kinds = Vec::new();
     in_every_dimension(&mut kinds, "perlin_1985", &Perlin1985::default());
     in_every_dimension(&mut kinds, "perlin_2002", &Perlin2002::default());
-    in_every_dimension(&mut kinds, "simplex_continuous", &Simplex::CONTINUOUS);
-    in_every_dimension(&mut kinds, "simplex_wide", &Simplex::WIDE);
+    in_every_dimension(&mut kinds, "simplex_continuous", &Simplex::new(0));
+    in_every_dimension(&mut kinds, "simplex_wide", &Simplex::wide(0));
     in_every_dimension(&mut kinds, "gaussian", &Gaussian::default());
     let mut statistics = Map::new();
     let mut files = Vec::new();

@@ -3,10 +3,12 @@
 use std::{f64::consts::PI, fmt::Write};
 
 use asperity_noise::{
-    Batch, Field, Kernel, Normalisation, Octaves, Perlin1985, Perlin2002, Seeded, Simplex, Sparse, Spectrum,
-    Value, ValueCatmullRom, ValueGradient, White,
+    Field, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Simplex, Sparse, Spectrum, Value,
+    ValueCatmullRom, ValueGradient, White,
+    simd::{Batch, Kernel},
 };
 use asperity_render::sampling::random::Random;
+use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
 use super::noise_levels::phi;
@@ -34,14 +36,14 @@ pub(crate) fn noise_statistics_source() -> String {
     let mut kinds = Kinds(&mut text);
     kinds.measure("PERLIN_1985", Perlin1985::default());
     kinds.measure("PERLIN_2002", Perlin2002::default());
-    kinds.measure("SIMPLEX_CONTINUOUS", Simplex::CONTINUOUS);
-    kinds.measure("SIMPLEX_WIDE", Simplex::WIDE);
+    kinds.measure("SIMPLEX_CONTINUOUS", Simplex::new(0));
+    kinds.measure("SIMPLEX_WIDE", Simplex::wide(0));
     kinds.measure("WHITE", White::default());
     kinds.measure("VALUE", Value::default());
     kinds.measure("VALUE_CATMULL_ROM", ValueCatmullRom::default());
     kinds.measure("VALUE_GRADIENT", ValueGradient::default());
     for impulses in 1..=Sparse::MAX_IMPULSES {
-        if let Ok(noise) = Sparse::new(impulses) {
+        if let Ok(noise) = Sparse::default().with_impulses(impulses) {
             kinds.measure(&format!("SPARSE_{impulses}"), noise);
         }
     }
@@ -61,41 +63,45 @@ impl Kinds<'_> {
     /// One table for each of the four dimensions.
     fn measure<K>(&mut self, name: &str, noise: K)
     where
-        K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync,
+        K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+        K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
     {
         table(self.0, name, |text| {
-            measured::<K, 1>(text, name, noise);
-            measured::<K, 2>(text, name, noise);
-            measured::<K, 3>(text, name, noise);
-            measured::<K, 4>(text, name, noise);
+            measured::<K, f32, 1>(text, name, noise);
+            measured::<K, Vec2, 2>(text, name, noise);
+            measured::<K, Vec3, 3>(text, name, noise);
+            measured::<K, Vec4, 4>(text, name, noise);
         });
     }
 }
 
 /// A field's values at the random points of a seed.
-fn values<F: Field<N>, const N: usize>(field: &F, seed: u32) -> Vec<f32> {
+fn values<V: Point>(field: &dyn Field<V>, seed: u32) -> Vec<f32> {
     let mut random = Random(u64::from(seed) << 32);
-    let mut points = vec![[0.0; POINTS]; N];
+    let mut points = V::array(|_| [0.0; POINTS]);
     for i in 0..POINTS {
-        for axis in &mut points {
+        for axis in points.as_mut() {
             axis[i] = random.coordinate();
         }
     }
     let mut values = vec![0.0; POINTS];
-    let points: [&[f32]; N] = std::array::from_fn(|axis| &points[axis][..]);
     // The lists are all `POINTS` long.
-    let _ = Batch::new().fill_points(field, points, &mut values);
+    let _ = Batch::new().list_values(field, V::array(|axis| &points.as_ref()[axis][..]), &mut values);
     values
 }
 
 /// A kind that is scaled to [−1, 1], measured.
-fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(text: &mut String, name: &str, noise: K) {
+fn measured<K, V, const N: usize>(text: &mut String, name: &str, noise: K)
+where
+    K: Noise<V> + Kernel<N> + Copy + Sync,
+    V: Point<Coordinates = [f32; N]>,
+{
     // A point of sparse convolution in 4-D sees up to 324 impulses.
     let share = if name.starts_with("SPARSE") { 8 } else { 1 };
     let moments: Vec<[f64; 2]> = (0..MOMENT_SEEDS / share)
         .into_par_iter()
         .map(|seed| {
-            values(&Seeded(noise, seed), seed).into_iter().fold([0.0; 2], |[second, fourth], value| {
+            values::<V>(&noise.with_seed(seed), seed).into_iter().fold([0.0; 2], |[second, fourth], value| {
                 let square = f64::from(value).powi(2);
                 [second + square, fourth + square * square]
             })
@@ -112,9 +118,10 @@ fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(text: &mut String, name:
     let histogram = (0..CDF_SEEDS / share)
         .into_par_iter()
         .map(|seed| {
-            let octaves = Octaves::<K, N>::new(noise, spectrum, Normalisation::Range, seed);
+            let octaves = Octaves::<K, N>::new(noise.with_seed(seed), spectrum)
+                .with_normalisation(Normalisation::Range);
             let mut bins = [0_u64; BINS + 1];
-            for value in values(&octaves.first(8.0), seed) {
+            for value in values::<V>(&octaves.first(8.0), seed) {
                 let r = f64::from(value).abs() * unnormalise / sigma;
                 bins[((r * BINS as f64 / REACH) as usize).min(BINS)] += 1;
             }

@@ -3,9 +3,10 @@
 use std::fmt::Write;
 
 use asperity_noise::{
-    Batch, Kernel, Perlin1985, Perlin2002, Seeded, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
+    Noise, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient, simd::Batch,
 };
 use asperity_render::sampling::random::Random;
+use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
 /// Points per seed.
@@ -25,19 +26,19 @@ pub(crate) fn absolute_moments_source() -> String {
     );
     kind(&mut text, "PERLIN_1985", Perlin1985::default());
     kind(&mut text, "PERLIN_2002", Perlin2002::default());
-    kind(&mut text, "SIMPLEX_CONTINUOUS", Simplex::CONTINUOUS);
-    kind(&mut text, "SIMPLEX_WIDE", Simplex::WIDE);
+    kind(&mut text, "SIMPLEX_CONTINUOUS", Simplex::new(0));
+    kind(&mut text, "SIMPLEX_WIDE", Simplex::wide(0));
     kind(&mut text, "VALUE", Value::default());
     kind(&mut text, "VALUE_CATMULL_ROM", ValueCatmullRom::default());
     for quarters in 0..=4_u8 {
         // A quarter of each number is in [0, 1].
-        if let Ok(noise) = ValueGradient::new(f32::from(quarters) / 4.0) {
+        if let Ok(noise) = ValueGradient::default().with_weight(f32::from(quarters) / 4.0) {
             table(&mut text, &format!("VALUE_GRADIENT_{quarters}"), noise, FEW_SEEDS);
         }
     }
     for impulses in 1..=Sparse::MAX_IMPULSES {
         // Each number of impulses up to the maximum is one.
-        if let Ok(noise) = Sparse::new(impulses) {
+        if let Ok(noise) = Sparse::default().with_impulses(impulses) {
             table(&mut text, &format!("SPARSE_{impulses}"), noise, FEW_SEEDS);
         }
     }
@@ -47,7 +48,7 @@ pub(crate) fn absolute_moments_source() -> String {
 /// One kind in 1 to 4 dimensions.
 fn kind<K>(text: &mut String, name: &str, noise: K)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
 {
     table(text, name, noise, SEEDS);
 }
@@ -55,14 +56,14 @@ where
 /// One kind in 1 to 4 dimensions, by so many seeds.
 fn table<K>(text: &mut String, name: &str, noise: K, seeds: u32)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy + Sync,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
 {
     let _ = writeln!(text, "\n#[rustfmt::skip]\npub(crate) static {name}: [[f32; 4]; 4] = [");
     for (moments, error) in [
-        measured::<K, 1>(noise, seeds),
-        measured::<K, 2>(noise, seeds),
-        measured::<K, 3>(noise, seeds),
-        measured::<K, 4>(noise, seeds),
+        measured::<K, f32>(noise, seeds),
+        measured::<K, Vec2>(noise, seeds),
+        measured::<K, Vec3>(noise, seeds),
+        measured::<K, Vec4>(noise, seeds),
     ] {
         let moments: Vec<String> = moments.iter().map(|&moment| format!("{:?}", moment as f32)).collect();
         let _ = writeln!(text, "    [{}], // ±{error:.0e}", moments.join(", "));
@@ -71,9 +72,9 @@ where
 }
 
 /// The moments, and the largest of their relative standard errors.
-fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(noise: K, seeds: u32) -> ([f64; 4], f64) {
+fn measured<K: Noise<V> + Copy + Sync, V: Point>(noise: K, seeds: u32) -> ([f64; 4], f64) {
     let means: Vec<[f64; 4]> =
-        (0..seeds).into_par_iter().map(|seed| means_of_seed::<K, N>(noise, seed)).collect();
+        (0..seeds).into_par_iter().map(|seed| means_of_seed::<K, V>(noise, seed)).collect();
     let count = f64::from(seeds);
     let mut moments = [0.0; 4];
     let mut worst = 0.0_f64;
@@ -85,13 +86,16 @@ fn measured<K: Kernel<N> + Copy + Sync, const N: usize>(noise: K, seeds: u32) ->
     (moments, worst)
 }
 
-fn means_of_seed<K: Kernel<N> + Copy, const N: usize>(noise: K, seed: u32) -> [f64; 4] {
+fn means_of_seed<K: Noise<V> + Copy, V: Point>(noise: K, seed: u32) -> [f64; 4] {
     let mut random = Random(u64::from(seed) << 32);
-    let mut points = [[0.0; POINTS]; N];
-    points.iter_mut().flatten().for_each(|x| *x = random.coordinate());
+    let mut points = V::array(|_| [0.0; POINTS]);
+    points.as_mut().iter_mut().flatten().for_each(|x| *x = random.coordinate());
     let mut values = [0.0; POINTS];
-    let filled =
-        Batch::new().fill_points(&Seeded(noise, seed), points.each_ref().map(|x| &x[..]), &mut values);
+    let filled = Batch::new().list_values(
+        &noise.with_seed(seed),
+        V::array(|axis| &points.as_ref()[axis][..]),
+        &mut values,
+    );
     debug_assert!(filled.is_ok(), "lists of equal length");
     let mut sums = [0.0; 4];
     for value in values {
@@ -119,7 +123,7 @@ mod tests {
 
     #[test]
     fn moments_of_a_seed_are_those_of_numbers_in_the_unit_interval() {
-        let [first, second, third, fourth] = means_of_seed::<_, 2>(Perlin2002::default(), 1);
+        let [first, second, third, fourth] = means_of_seed::<_, Vec2>(Perlin2002::default(), 1);
         assert!(first > second && second > third && third > fourth && fourth > 0.0);
         assert!(second > first * first);
     }

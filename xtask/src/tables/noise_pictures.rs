@@ -3,9 +3,9 @@
 //! The documentation of a crate can show only what lies in its own text, so the lines hold their PNG as a data URL.
 
 use asperity_noise::{
-    Billow, Field, Gaussian, IntegerHash, Kernel, Noise, Normalisation, Octaves, Perlin1985, Perlin2002,
-    Plasma, Power, Ridged, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value,
-    ValueCatmullRom, ValueGradient, Warp, White,
+    Billow, Field, Gaussian, IntegerHash, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma,
+    Power, Ridged, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom,
+    ValueGradient, Warp, White,
 };
 use glam::Vec2;
 use png::{BitDepth, ColorType, Compression, Encoder};
@@ -26,26 +26,29 @@ pub(super) fn noise_pictures() -> Result<Vec<(String, Vec<u8>)>, Failure> {
     files.kind("perlin_1985", &Perlin1985::default(), 0.75)?;
     files.kind("perlin_2002", &Perlin2002::default(), 0.75)?;
     files.kind("value_gradient", &ValueGradient::default(), 0.6)?;
-    files.kind("simplex", &Simplex::CONTINUOUS, 1.0)?;
+    files.kind("simplex", &Simplex::new(0), 1.0)?;
     files.kind("sparse", &Sparse::default(), 2.5)?;
     files.kind("gaussian", &Gaussian::default(), 2.5)?;
-    let tiled = Perlin2002(Tiled::new(IntegerHash, [3, 3])?);
-    files.add("tiled", [-0.75, 0.75], |p| tiled.value(p * 1.5, SEED))?;
+    let tiled = Perlin2002::new(SEED).with_lattice(Tiled::new(IntegerHash, [3, 3])?);
+    files.add("tiled", [-0.75, 0.75], |p| tiled.value(p * 1.5))?;
 
-    let sum = |spectrum| Octaves::<_, 2>::new(Simplex::CONTINUOUS, spectrum, Normalisation::Range, SEED);
-    let (clouds, threads) = (sum(Spectrum::CLOUD), sum(Spectrum::THREADS));
-    files.add("octaves", [-0.6, 0.6], |p| clouds.value(p, OCTAVES))?;
-    files.add("turbulence", [0.0, 0.8], |p| clouds.with_shape(Turbulence).value(p, OCTAVES))?;
-    files.add("plasma", [0.2, 1.0], |p| clouds.with_shape(Plasma).value(p, OCTAVES))?;
-    files.add("billow", [-1.0, 0.6], |p| clouds.with_shape(Billow).value(p, OCTAVES))?;
-    files.add("ridged", [0.0, 1.0], |p| clouds.with_shape(Ridged).value(p, OCTAVES))?;
+    let sum = |spectrum| {
+        Octaves::<_, 2>::new(Simplex::new(SEED), spectrum).with_normalisation(Normalisation::Range)
+    };
+    let (clouds, threads) = (sum(Spectrum::CLOUD).first(OCTAVES), sum(Spectrum::THREADS));
+    files.add("octaves", [-0.6, 0.6], |p| clouds.value(p))?;
+    files.add("turbulence", [0.0, 0.8], |p| clouds.with_shape(Turbulence).value(p))?;
+    files.add("plasma", [0.2, 1.0], |p| clouds.with_shape(Plasma).value(p))?;
+    files.add("billow", [-1.0, 0.6], |p| clouds.with_shape(Billow).value(p))?;
+    files.add("ridged", [0.0, 1.0], |p| clouds.with_shape(Ridged).value(p))?;
     let threads = threads.with_shape(Plasma);
-    files.add("power", [0.0, 0.5], |p| Power(threads.first(3.0), 7).value(p))?;
-    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, 2.0, SEED)?;
+    files.add("power", [0.0, 0.5], |p| Power(threads, 7).value(p))?;
+    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(SEED), Spectrum::CLOUD, 2.0)?;
     files.add("ridged_multifractal", [0.0, 1.0], |p| ridges.first(OCTAVES).value(p))?;
-    let by = [1, 2]
-        .map(|k| Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, SEED + k));
-    let warp = Warp::new(clouds.first(OCTAVES), by.each_ref().map(|by| by.first(3.0)), 0.45)?;
+    let by = [1, 2].map(|k| {
+        Octaves::<_, 2>::new(Simplex::new(SEED + k), Spectrum::CLOUD).with_normalisation(Normalisation::Range)
+    });
+    let warp = Warp::new(clouds, by.map(|by| by.first(3.0)), 0.45)?;
     files.add("warp", [-0.6, 0.6], |p| warp.value(p))?;
     Ok(files.0)
 }
@@ -54,8 +57,8 @@ struct Files(Vec<(String, Vec<u8>)>);
 
 impl Files {
     /// A kind of noise over 4 × 4 cells, black and white at ∓`white`.
-    fn kind<K: Kernel<2>>(&mut self, stem: &str, noise: &K, white: f32) -> Result<(), Failure> {
-        self.add(stem, [-white, white], |p| noise.value(p, SEED))
+    fn kind<K: Noise<Vec2> + Copy>(&mut self, stem: &str, noise: &K, white: f32) -> Result<(), Failure> {
+        self.add(stem, [-white, white], |p| noise.with_seed(SEED).value(p))
     }
 
     /// A function over 4 × 4 cells, in grey between what is black and what is white.

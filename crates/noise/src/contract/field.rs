@@ -1,178 +1,216 @@
-//! What a batch evaluates: a noise with its seed, or a sum of octaves with its number of octaves.
+//! Fields: values and gradients at points, one by one, in lists and on grids.
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample, Row, put, put_sample, samples, values},
-    contract::point::Point,
-    contract::sample::Sample,
-    kinds::cell::rows::Stretch,
-    row::scratch::Scratch,
-    simd::lanes::{Lanes, Scalar},
+    contract::batch::{Batch, BatchError},
+    point::Point,
+    row::grid::Grid,
+    row::points::{Points, Target},
+    sample::{Sample, SecondOrder},
 };
 
-/// A function of points in N dimensions that [`Batch`](crate::Batch) can fill grids and lists of points with.
+/// A function of points `V` with its gradient: a noise, a sum of octaves, a warp, a blend of others, or your own.
 ///
-/// Sealed in effect: its methods work in lanes, which only this crate can make.
-pub trait Field<const N: usize> {
-    /// The values at any points.
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F;
-
-    /// Values and gradients at any points.
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N>;
-
+/// It is dyn-compatible: `Box<dyn Field<Vec3>>` and `&dyn Field<Vec3>` are fields too, on grids as fast as what is in them. The kinds of
+/// this crate are evaluated on grids and in lists with all SIMD lanes of the machine, and what is composed of them is; a field of
+/// one's own needs [`sample`](Self::sample) alone and is evaluated point by point. Every way gives a point the same bits.
+///
+/// Fields of this crate are total. A point with an infinite or NaN coordinate gives value 0 and gradient 0 for a kind. From
+/// |x| = 2²³ on `f32` holds integers only, so noise is seen at its lattice points; from 2³¹ on cells wrap modulo 2³².
+///
+/// ```
+/// use asperity_noise::{Add, Field, Grid, Octaves, Perlin2002, Sample, Spectrum, glam::Vec2};
+///
+/// /// A field of one's own: dunes along x.
+/// struct Dunes;
+///
+/// impl Field<Vec2> for Dunes {
+///     fn sample(&self, p: Vec2) -> Sample<Vec2> {
+///         let t = p.x - p.x.floor();
+///         Sample { value: t * (1.0 - t), gradient: Vec2::new(1.0 - 2.0 * t, 0.0) }
+///     }
+/// }
+///
+/// fn land(seed: u32, rough: bool) -> Box<dyn Field<Vec2>> {
+///     let noise = Octaves::new(Perlin2002::new(seed), Spectrum::default());
+///     if rough { Box::new(Add(Dunes, noise)) } else { Box::new(Dunes) }
+/// }
+///
+/// let (land, p) = (land(42, true), Vec2::new(0.5, 0.25));
+/// assert_eq!(land.value(p), land.sample(p).value);
+///
+/// let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.25), size: [64, 48] };
+/// let mut heights = vec![0.0; grid.len()];
+/// land.grid_values(&grid, &mut heights)?;
+/// assert_eq!(heights[64 + 2], land.value(p));
+/// # Ok::<(), asperity_noise::BatchError>(())
+/// ```
+#[doc(alias("noise", "heightmap", "terrain", "NoiseFn"))]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a field over points `{V}`",
+    note = "kinds, sums and transforms are fields over `f32` and over `Vec2`, `Vec3` and `Vec4` of `asperity_noise::glam`",
+    note = "an array becomes such a vector by `Vec3::from(array)`, a vector of another version of glam by `Vec3::from(v.to_array())`",
+    note = "a field of your own implements `fn sample(&self, p: V) -> Sample<V>`"
+)]
+pub trait Field<V: Point> {
     /// Value and gradient at a point.
     #[must_use]
-    #[inline]
-    fn sample<V: Point<N>>(&self, p: V) -> Sample<V> {
-        let (value, gradient) = self.lane_samples(Scalar, p.coordinates());
-        Sample { value, gradient: V::from_coordinates(gradient) }
-    }
+    fn sample(&self, p: V) -> Sample<V>;
 
     /// The value at a point, the same bits as [`sample`](Self::sample)'s.
     #[must_use]
     #[inline]
-    fn value<V: Point<N>>(&self, p: V) -> f32 {
-        self.lane_values(Scalar, p.coordinates())
+    fn value(&self, p: V) -> f32 {
+        self.sample(p).value
     }
 
-    /// How many times a grid is gone through; every pass but the first adds to the values.
-    #[inline(always)]
-    fn passes(&self) -> usize {
-        1
+    /// Lower and upper bound of all values, as they are documented; ±∞ where none is known.
+    #[must_use]
+    fn range(&self) -> [f32; 2] {
+        [f32::NEG_INFINITY, f32::INFINITY]
     }
 
-    /// The values along a row in one of the passes.
-    #[inline(always)]
-    fn pass_values<S: Lanes>(
+    /// The values at points.
+    ///
+    /// # Errors
+    ///
+    /// If `values` is not as long as `points`.
+    fn values(&self, points: &[V], values: &mut [f32]) -> Result<(), BatchError> {
+        Batch::new().values(self, points, values)
+    }
+
+    /// Values and gradients at points.
+    ///
+    /// # Errors
+    ///
+    /// If `samples` is not as long as `points`.
+    fn samples(&self, points: &[V], samples: &mut [Sample<V>]) -> Result<(), BatchError> {
+        Batch::new().samples(self, points, samples)
+    }
+
+    /// The values on a grid, the first axis running fastest.
+    ///
+    /// # Errors
+    ///
+    /// If `values` does not hold as many numbers as the grid has points.
+    fn grid_values(&self, grid: &Grid<V>, values: &mut [f32]) -> Result<(), BatchError> {
+        Batch::new().grid_values(self, grid, values)
+    }
+
+    /// Values and gradients on a grid, the first axis running fastest; one slice for each component of the gradient.
+    ///
+    /// ```
+    /// use asperity_noise::{Field, Grid, Perlin2002, glam::Vec2};
+    ///
+    /// let noise = Perlin2002::new(1);
+    /// let grid = Grid { origin: Vec2::new(-3.0, 5.0), step: Vec2::splat(0.05), size: [100, 80] };
+    /// let (mut values, mut dx, mut dy) = ([0.0; 8000], [0.0; 8000], [0.0; 8000]);
+    /// noise.grid_samples(&grid, &mut values, [&mut dx, &mut dy])?;
+    ///
+    /// let sample = noise.sample(grid.point([7, 3]));
+    /// assert_eq!((values[307], dx[307], dy[307]), (sample.value, sample.gradient.x, sample.gradient.y));
+    /// # Ok::<(), asperity_noise::BatchError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If `values` or a component of `gradients` does not hold as many numbers as the grid has points.
+    fn grid_samples<'a>(
         &self,
-        s: S,
-        _pass: usize,
-        row: &Row<N, false>,
-        scratch: &mut Scratch<N>,
-        values: &mut [f32],
-    ) {
-        self.row_values(s, row, scratch, values);
+        grid: &Grid<V>,
+        values: &'a mut [f32],
+        gradients: V::Array<&'a mut [f32]>,
+    ) -> Result<(), BatchError> {
+        Batch::new().grid_samples(self, grid, values, gradients)
     }
 
-    /// Values and gradients along a row in one of the passes, `gradients` as long as `values` or longer.
-    #[inline(always)]
-    fn pass_samples<S: Lanes>(
-        &self,
-        s: S,
-        _pass: usize,
-        row: &Row<N, false>,
-        scratch: &mut Scratch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        self.row_samples(s, row, scratch, values, gradients);
-    }
-
-    /// The values along a row.
-    #[inline(always)]
-    fn row_values<S: Lanes>(&self, s: S, row: &Row<N, false>, _scratch: &mut Scratch<N>, values: &mut [f32]) {
-        for i in (0..values.len()).step_by(S::LEN) {
-            put(s, self.lane_values(s, row.points(s, i)), values, i, values.len());
+    /// What lists and grids are evaluated by: point by point, unless a field of this crate knows better.
+    #[doc(hidden)]
+    fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
+        let width = points.width();
+        for row in 0..points.rows() {
+            let (values, mut gradients) = target.row(row, width);
+            for (column, value) in values.iter_mut().enumerate() {
+                let p = points.point(row, column);
+                if let Some(gradients) = &mut gradients {
+                    let sample = self.sample(p);
+                    *value = sample.value;
+                    let components = sample.gradient.coordinates();
+                    for (g, x) in gradients.as_mut().iter_mut().zip(components.as_ref()) {
+                        g[column] = *x;
+                    }
+                } else {
+                    *value = self.value(p);
+                }
+            }
         }
     }
+}
 
-    /// Values and gradients along a row, `gradients` as long as `values` or longer.
-    #[inline(always)]
-    fn row_samples<S: Lanes>(
-        &self,
-        s: S,
-        row: &Row<N, false>,
-        _scratch: &mut Scratch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        for i in (0..values.len()).step_by(S::LEN) {
-            put_sample(s, self.lane_samples(s, row.points(s, i)), values, gradients, i);
+/// A field that knows its second derivatives.
+///
+/// [`Perlin1985`](crate::Perlin1985), [`Perlin2002`](crate::Perlin2002), [`Simplex`](crate::Simplex),
+/// [`Gaussian`](crate::Gaussian), [`Value`](crate::Value) and [`ValueGradient`](crate::ValueGradient) do, in 1 to 4 dimensions, and the sums of
+/// their octaves. Value and gradient have the bits of [`Field::sample`].
+///
+/// ```text
+/// H = Σ wᵢ aᵢ Mᵢᵀ Hᵢ(Mᵢ p + oᵢ) Mᵢ / N,   Mᵢ = fᵢ Rᵢ,   of a sum of octaves
+/// ```
+///
+/// - **Continuity:** quintic weights are C², so that the Hessians of Perlin's noise of 2002 and of Gaussian noise are continuous;
+///   that of simplex noise with r² = ½ is even smooth. Cubic weights are C¹ only: the Hessian of
+///   [`Perlin1985`](crate::Perlin1985) leaps at the borders of cells, where w″ goes from −6 to 6. On a border the cell above it
+///   counts. Wide simplex noise leaps itself.
+/// - Points that are not finite give 0, as everywhere.
+///
+/// ```
+/// use asperity_noise::{Curved, Field, Perlin2002, glam::Vec2};
+///
+/// let (noise, p, h) = (Perlin2002::new(1), Vec2::new(0.4, -2.7), 1e-3);
+/// let there = noise.second_order(p);
+/// assert_eq!(there.gradient, noise.sample(p).gradient);
+///
+/// let [ahead, behind] = [h, -h].map(|h| noise.sample(p + Vec2::new(h, 0.0)).gradient);
+/// let difference = (ahead - behind) / (2.0 * h);
+/// assert!((there.hessian[0][0] - difference.x).abs() < 0.01 && (there.hessian[0][1] - difference.y).abs() < 0.01);
+/// ```
+#[doc(alias("hessian", "second derivative"))]
+pub trait Curved<V: Point>: Field<V> {
+    /// Value, gradient and Hessian at a point.
+    #[must_use]
+    fn second_order(&self, p: V) -> SecondOrder<V>;
+}
+
+macro_rules! pointer {
+    ($(#[$attribute:meta])* $pointer:ty) => {
+        $(#[$attribute])*
+        impl<V: Point, F: Field<V> + ?Sized> Field<V> for $pointer {
+            #[inline]
+            fn sample(&self, p: V) -> Sample<V> {
+                (**self).sample(p)
+            }
+            #[inline]
+            fn value(&self, p: V) -> f32 {
+                (**self).value(p)
+            }
+            fn range(&self) -> [f32; 2] {
+                (**self).range()
+            }
+            fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+                (**self).fill(points, target);
+            }
         }
-    }
+
+        $(#[$attribute])*
+        impl<V: Point, F: Curved<V> + ?Sized> Curved<V> for $pointer {
+            #[inline]
+            fn second_order(&self, p: V) -> SecondOrder<V> {
+                (**self).second_order(p)
+            }
+        }
+    };
 }
 
-/// A kind of noise with its seed.
-///
-/// ```
-/// use asperity_noise::{Batch, Grid, Perlin2002, Seeded, glam::Vec2};
-///
-/// let grid = Grid { origin: Vec2::ZERO, step: Vec2::splat(0.1), size: [8, 4] };
-/// let mut values = [0.0; 32];
-/// Batch::new().fill_grid(&Seeded(Perlin2002::default(), 7), &grid, &mut values)?;
-/// # Ok::<(), asperity_noise::BatchError>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Seeded<K>(
-    /// The kind.
-    pub K,
-    /// The seed.
-    pub u32,
-);
-
-impl<K: Kernel<N>, const N: usize> Field<N> for Seeded<K> {
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        values(&self.0, s, p, self.1)
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        samples(&self.0, s, p, self.1)
-    }
-
-    #[inline(always)]
-    fn row_values<S: Lanes>(&self, s: S, row: &Row<N, false>, scratch: &mut Scratch<N>, out: &mut [f32]) {
-        row_values(&self.0, s, row, self.1, &mut scratch.columns, out);
-    }
-
-    #[inline(always)]
-    fn row_samples<S: Lanes>(
-        &self,
-        s: S,
-        row: &Row<N, false>,
-        scratch: &mut Scratch<N>,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        row_samples(&self.0, s, row, self.1, &mut scratch.columns, values, gradients);
-    }
-}
-
-/// The values along any row.
-#[inline(always)]
-pub(crate) fn row_values<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: bool>(
-    kernel: &K,
-    s: S,
-    row: &Row<N, SCALED>,
-    seed: u32,
-    columns: &mut Stretch<N>,
-    out: &mut [f32],
-) {
-    if row.is_within(K::REACH, out.len()) {
-        kernel.rows::<S, SCALED, false>(s, row, seed, columns, out, None);
-        return;
-    }
-    for i in (0..out.len()).step_by(S::LEN) {
-        put(s, values(kernel, s, row.points(s, i), seed), out, i, out.len());
-    }
-}
-
-/// Values and gradients along any row.
-#[inline(always)]
-pub(crate) fn row_samples<K: Kernel<N>, S: Lanes, const N: usize, const SCALED: bool>(
-    kernel: &K,
-    s: S,
-    row: &Row<N, SCALED>,
-    seed: u32,
-    columns: &mut Stretch<N>,
-    values: &mut [f32],
-    gradients: &mut [&mut [f32]; N],
-) {
-    if row.is_within(K::REACH, values.len()) {
-        kernel.rows::<S, SCALED, true>(s, row, seed, columns, values, Some(gradients));
-        return;
-    }
-    for i in (0..values.len()).step_by(S::LEN) {
-        put_sample(s, samples(kernel, s, row.points(s, i), seed), values, gradients, i);
-    }
-}
+pointer!(&F);
+pointer!(#[cfg(feature = "alloc")] alloc::boxed::Box<F>);
+pointer!(#[cfg(feature = "alloc")] alloc::rc::Rc<F>);
+pointer!(#[cfg(feature = "alloc")] alloc::sync::Arc<F>);

@@ -1,22 +1,37 @@
-//! A kind of noise as lanes see it: what each kind implements once, and single points and batches share.
+//! The SIMD-generic interface that every kind of noise implements once; single points, rows and lists share it.
 
 use crate::{
-    kinds::cell::rows::Stretch,
+    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
+    lanes::level::{Instructions, Task},
     lattice::lattice::{REACH, is_within, wrapped},
-    simd::lanes::{LANES, Lanes, Scalar},
+    point::Point,
+    row::points::{Points, Source, Target, buffers, by_axes},
+    row::row::{Row, put, put_sample},
     statistics::statistics::Statistics,
 };
 
-/// A value in lanes, and its gradient.
-pub type LaneSample<S, const N: usize> = (<S as Lanes>::F, [<S as Lanes>::F; N]);
+/// Kinds of noise of this crate. Not for users: its methods may change in any release.
+#[doc(hidden)]
+pub trait Sealed<const N: usize> {}
 
 /// A kind of noise in N dimensions, written over [`Lanes`].
 ///
-/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits.
-pub trait Kernel<const N: usize> {
+/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits. Sealed: a field of one's
+/// own implements [`Field`](crate::Field).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no kind of noise in {N} dimensions",
+    note = "octaves are summed of the kinds of this crate, `Perlin2002` for instance; any field can be added, multiplied, \
+            blended, clamped, mapped and warped"
+)]
+pub trait Kernel<const N: usize>: Sealed<N> {
     /// Where Σ |xᵢ| reaches this the noise is 0. By default coordinates go on to ∞ with their cells modulo 2³².
-    #[doc(hidden)]
     const REACH: f32 = REACH;
+
+    /// What rows of a grid share, from row to row.
+    type RowScratch: Default;
+
+    /// The seed of the noise by itself; octaves have seeds of their own.
+    fn seed(&self) -> u32;
 
     /// The values at points.
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F;
@@ -28,16 +43,16 @@ pub trait Kernel<const N: usize> {
     ///
     /// `gradients` are there if `GRADIENTS`, and as long as `values` or longer.
     #[inline(always)]
-    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+    fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         seed: u32,
-        _stretch: &mut Stretch<N>,
+        _scratch: &mut Self::RowScratch,
         values: &mut [f32],
         gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        by_lanes::<Self, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+        by_lanes::<Self, S, N, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     /// The measured statistics of the kind in this dimension.
@@ -55,118 +70,6 @@ pub trait Kernel<const N: usize> {
     fn absolute_moments(&self) -> [f32; 4] {
         gaussian_moments(self.standard_deviation())
     }
-}
-
-/// Points at equal steps along the first axis: xᵢ = x₀ + step·i; if `SCALED`, frequency·(x₀ + step·i) + offset.
-///
-/// Every operation is rounded, as where the points are computed one by one.
-#[derive(Clone, Copy, Debug)]
-pub struct Row<const N: usize, const SCALED: bool> {
-    /// x₀ and the other coordinates, which are those of all points.
-    origin: [f32; N],
-    step: f32,
-    /// The index of the first point.
-    start: usize,
-    frequency: f32,
-    offset: f32,
-}
-
-impl<const N: usize> Row<N, false> {
-    #[inline(always)]
-    pub(crate) fn new(origin: [f32; N], step: f32, start: usize) -> Self {
-        // −0 + 0 = 0, so that no point's first coordinate is −0.
-        Self { origin: origin.map(|x| x + 0.0), step, start, frequency: 1.0, offset: 0.0 }
-    }
-
-    /// The row in the coordinates of an octave; the offset must not be −0.
-    #[inline(always)]
-    pub(crate) fn scaled(&self, frequency: [f32; N], offset: [f32; N]) -> Row<N, true> {
-        let mut origin = self.origin;
-        for axis in 1..N {
-            origin[axis] = frequency[axis] * self.origin[axis] + offset[axis];
-        }
-        Row { origin, step: self.step, start: self.start, frequency: frequency[0], offset: offset[0] }
-    }
-}
-
-impl<const N: usize, const SCALED: bool> Row<N, SCALED> {
-    /// The row from point `start` on.
-    #[inline(always)]
-    pub(crate) fn after(&self, start: usize) -> Self {
-        Self { start: self.start + start, ..*self }
-    }
-
-    /// What the first coordinates depend on.
-    #[inline(always)]
-    pub(crate) fn key(&self) -> RowKey {
-        let x = [self.origin[0], self.step, self.frequency, self.offset];
-        RowKey { x: x.map(f32::to_bits), start: self.start, scaled: SCALED }
-    }
-
-    /// The index of point i in the whole row.
-    #[inline(always)]
-    pub(crate) fn index(&self, i: usize) -> usize {
-        self.start + i
-    }
-
-    /// The coordinates of point i.
-    #[inline(always)]
-    pub(crate) fn point(&self, i: usize) -> [f32; N] {
-        let mut p = self.origin;
-        p[0] = self.x(i);
-        p
-    }
-
-    /// The first coordinate of point i.
-    #[inline(always)]
-    pub(crate) fn x(&self, i: usize) -> f32 {
-        let x = self.origin[0] + self.step * ((self.start + i) as i32 as f32);
-        if SCALED { self.frequency * x + self.offset } else { x }
-    }
-
-    /// The first coordinates of as many points as there are lanes, from point i on.
-    #[inline(always)]
-    pub(crate) fn xs<S: Lanes>(&self, s: S, i: usize) -> S::F {
-        let index = s.word((self.start + i) as u32) + s.iota();
-        let x = s.float(self.origin[0]) + s.float(self.step) * s.real(index);
-        if SCALED { s.float(self.frequency) * x + s.float(self.offset) } else { x }
-    }
-
-    /// As many points as there are lanes, from point i on.
-    #[inline(always)]
-    pub(crate) fn points<S: Lanes>(&self, s: S, i: usize) -> [S::F; N] {
-        let mut p = [self.xs(s, i); N];
-        for axis in 1..N {
-            p[axis] = s.float(self.origin[axis]);
-        }
-        p
-    }
-
-    /// The coordinates of the first point; the first one is of no meaning in a scaled row.
-    #[inline(always)]
-    pub(crate) fn origin(&self) -> [f32; N] {
-        self.origin
-    }
-
-    /// How far apart points are, but for rounding.
-    #[inline(always)]
-    pub(crate) fn stride(&self) -> f32 {
-        if SCALED { self.frequency * self.step } else { self.step }
-    }
-
-    /// Whether all of `count` points are within reach.
-    #[inline(always)]
-    pub(crate) fn is_within(&self, reach: f32, count: usize) -> bool {
-        [0, count].into_iter().all(|i| is_within(Scalar, &self.point(i), reach))
-    }
-}
-
-/// What the first coordinates of a row depend on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct RowKey {
-    x: [u32; 4],
-    start: usize,
-    scaled: bool,
 }
 
 /// E|n|ᵏ of N(0, σ²), k = 1 … 4.
@@ -213,55 +116,6 @@ pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
     (s.floats(|lane| far[lane % LANES].0), gradient)
 }
 
-/// Values along a row, and gradients if `GRADIENTS`, from as many single points at once as there are lanes.
-#[inline(always)]
-pub(crate) fn by_lanes<K, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
-    s: S,
-    kernel: &K,
-    row: &Row<N, SCALED>,
-    seed: u32,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
-) where
-    K: Kernel<N> + ?Sized,
-{
-    for i in (0..values.len()).step_by(S::LEN) {
-        let p = row.points(s, i);
-        match &mut gradients {
-            Some(gradients) if GRADIENTS => {
-                put_sample(s, kernel.lane_samples(s, p, seed), values, gradients, i);
-            }
-            _ => put(s, kernel.lane_values(s, p, seed), values, i, values.len()),
-        }
-    }
-}
-
-/// Writes the lanes for the points from `i` to `count`.
-#[inline(always)]
-pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usize) {
-    if let Some(out) = out.get_mut(i..i + S::LEN) {
-        s.store(x, out);
-    } else if let Some(out) = out.get_mut(i..count) {
-        s.store(x, out);
-    }
-}
-
-/// Writes values and gradients in lanes for the points from `i` to the end of `values`.
-#[inline(always)]
-pub(crate) fn put_sample<S: Lanes, const N: usize>(
-    s: S,
-    (value, gradient): LaneSample<S, N>,
-    values: &mut [f32],
-    gradients: &mut [&mut [f32]; N],
-    i: usize,
-) {
-    let count = values.len();
-    put(s, value, values, i, count);
-    for axis in 0..N {
-        put(s, gradient[axis], gradients[axis], i, count);
-    }
-}
-
 /// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
 #[inline]
 pub(crate) fn evaluated<K: Kernel<N> + ?Sized, const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
@@ -284,4 +138,176 @@ fn far_value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -
 #[inline(never)]
 fn far_sample<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> (f32, [f32; N]) {
     evaluated::<K, N>(p).map_or((0.0, [0.0; N]), |p| kernel.lane_samples(Scalar, p, seed))
+}
+
+/// Values along a row, and gradients if `GRADIENTS`, from as many single points at once as there are lanes.
+#[inline(always)]
+pub(crate) fn by_lanes<K, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    kernel: &K,
+    row: &Row<N>,
+    seed: u32,
+    values: &mut [f32],
+    mut gradients: Option<&mut [&mut [f32]; N]>,
+) where
+    K: Kernel<N> + ?Sized,
+{
+    for i in (0..values.len()).step_by(S::LEN) {
+        let p = row.points(s, i);
+        match &mut gradients {
+            Some(gradients) if GRADIENTS => {
+                put_sample(s, kernel.lane_samples(s, p, seed), values, gradients, i);
+            }
+            _ => put(s, kernel.lane_values(s, p, seed), values, i, values.len()),
+        }
+    }
+}
+
+/// A row of a kind, or of one of its octaves.
+pub(crate) struct FillRow<'a, K: Kernel<N>, const N: usize> {
+    pub(crate) kernel: &'a K,
+    pub(crate) seed: u32,
+    pub(crate) row: Row<N>,
+    pub(crate) scratch: &'a mut K::RowScratch,
+    pub(crate) values: &'a mut [f32],
+    /// As long as `values`.
+    pub(crate) gradients: Option<[&'a mut [f32]; N]>,
+}
+
+impl<K: Kernel<N>, const N: usize> FillRow<'_, K, N> {
+    /// The row at a SIMD level: all that is compiled for rows of a kind.
+    pub(crate) fn at(self, instructions: Instructions) {
+        if self.row.is_within(K::REACH, self.values.len()) {
+            instructions.run(self);
+        } else {
+            self.far(instructions);
+        }
+    }
+
+    /// A row of which some points are beyond the kind's reach, as a list.
+    #[cold]
+    #[inline(never)]
+    fn far(mut self, instructions: Instructions) {
+        const COUNT: usize = 64;
+        let mut points = [[0.0; COUNT]; N];
+        for start in (0..self.values.len()).step_by(COUNT) {
+            let part = start..self.values.len().min(start + COUNT);
+            for i in part.clone() {
+                let p = self.row.point(i);
+                for axis in 0..N {
+                    points[axis][i - start] = p[axis];
+                }
+            }
+            let points = points.each_ref().map(|x| &x[..part.len()]);
+            let gradients = self.gradients.as_mut();
+            let gradients =
+                gradients.map(|g| g.each_mut().map(|g| g.get_mut(part.clone()).unwrap_or_default()));
+            let (kernel, seed) = (self.kernel, self.seed);
+            FillList { kernel, seed, points, values: &mut self.values[part.clone()], gradients }
+                .at(instructions);
+        }
+    }
+}
+
+impl<K: Kernel<N>, const N: usize> Task for FillRow<'_, K, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { kernel, seed, row, scratch, values, gradients } = self;
+        match gradients {
+            Some(mut gradients) => {
+                kernel.rows::<S, true>(s, &row, seed, scratch, values, Some(&mut gradients));
+            }
+            None => kernel.rows::<S, false>(s, &row, seed, scratch, values, None),
+        }
+    }
+}
+
+/// Points of a kind, or of one of its octaves, from lists of their coordinates.
+pub(crate) struct FillList<'a, K: Kernel<N>, const N: usize> {
+    pub(crate) kernel: &'a K,
+    pub(crate) seed: u32,
+    pub(crate) points: [&'a [f32]; N],
+    pub(crate) values: &'a mut [f32],
+    /// As long as `values`.
+    pub(crate) gradients: Option<[&'a mut [f32]; N]>,
+}
+
+impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
+    /// The list at a SIMD level: all that is compiled for lists of a kind.
+    pub(crate) fn at(self, instructions: Instructions) {
+        instructions.run(self);
+    }
+}
+
+impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { kernel, seed, points, values: out, gradients } = self;
+        let count = out.len();
+        match gradients {
+            Some(mut gradients) => {
+                for i in (0..count).step_by(S::LEN) {
+                    let sample = samples(kernel, s, load(s, &points, i), seed);
+                    put_sample(s, sample, out, &mut gradients, i);
+                }
+            }
+            None => {
+                for i in (0..count).step_by(S::LEN) {
+                    put(s, values(kernel, s, load(s, &points, i), seed), out, i, count);
+                }
+            }
+        }
+    }
+}
+
+/// As many points as there are lanes, from index `i` on.
+#[inline(always)]
+pub(crate) fn load<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], i: usize) -> [S::F; N] {
+    let mut p = [s.float(0.0); N];
+    for axis in 0..N {
+        p[axis] = s.load_part(points[axis].get(i..).unwrap_or_default());
+    }
+    p
+}
+
+/// From so many points on rows share enough to pay for the room that it takes.
+pub(crate) const FEW_POINTS: usize = 256;
+
+/// A kind at the points of a batch.
+pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usize>(
+    kernel: &K,
+    points: &Points<'_, V>,
+    mut target: Target<'_, V>,
+) {
+    let seed = kernel.seed();
+    let instructions = target.instructions;
+    if let Source::Lists(lists) = &points.0 {
+        let (values, gradients) = target.row(0, points.width());
+        let points = core::array::from_fn(|axis| lists.as_ref()[axis]);
+        let gradients = gradients.map(by_axes::<V, N>);
+        FillList { kernel, seed, points, values, gradients }.at(instructions);
+    } else if points.len() < FEW_POINTS {
+        let mut lists = buffers::<V, FEW_POINTS>();
+        points.write(lists.as_mut());
+        let width = points.width().max(1);
+        for row in 0..points.rows() {
+            let part = row * width..(row + 1) * width;
+            let points = core::array::from_fn(|axis| &lists.as_ref()[axis][part.clone()]);
+            let (values, gradients) = target.row(row, width);
+            let gradients = gradients.map(by_axes::<V, N>);
+            FillList { kernel, seed, points, values, gradients }.at(instructions);
+        }
+    } else {
+        let mut scratch = K::RowScratch::default();
+        for block in points.blocks(usize::MAX) {
+            let part = points.part(&block);
+            let Source::Window(window) = &part.0 else { return };
+            let mut target = target.part(&block);
+            for (r, row) in window.rows(0..block.rows.len()) {
+                let (values, gradients) = target.row(r, block.width());
+                let gradients = gradients.map(by_axes::<V, N>);
+                FillRow { kernel, seed, row, scratch: &mut scratch, values, gradients }.at(instructions);
+            }
+        }
+    }
 }

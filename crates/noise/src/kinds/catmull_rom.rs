@@ -4,10 +4,11 @@
 //! change along a row of a grid; between them runs a cubic.
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample, Row, by_lanes, put, put_sample},
+    contract::kernel::{Kernel, by_lanes},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::{Lattice, cell},
     row::cells::{end_of_cell, has_columns},
-    simd::lanes::{Lanes, Scalar},
+    row::row::{Row, put, put_sample},
 };
 
 /// What a noise draws at lattice points.
@@ -216,16 +217,10 @@ type Numbers = [f32; COLUMNS + SPARE];
 
 /// The values along a row, and the gradients if `GRADIENTS`.
 #[inline(always)]
-pub(crate) fn spline_rows<
-    K: SplineNoise<N> + Kernel<N>,
-    S: Lanes,
-    const N: usize,
-    const SCALED: bool,
-    const GRADIENTS: bool,
->(
+pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
-    row: &Row<N, SCALED>,
+    row: &Row<N>,
     seed: u32,
     values: &mut [f32],
     mut gradients: Option<&mut [&mut [f32]; N]>,
@@ -265,7 +260,7 @@ pub(crate) fn spline_rows<
         }
         return;
     }
-    by_lanes::<K, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+    by_lanes::<K, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
 }
 
 /// The cubics of as many cells of a row, from `leftmost` on.

@@ -1,15 +1,17 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
 use crate::{
-    contract::kernel::LaneSample,
-    contract::point::Point,
-    contract::sample::Sample,
-    kinds::cell::corner::{CellNoise, Corner, normalised, parts},
+    contract::noise::{kind, noise},
+    kinds::cell::corner::{CellNoise, Corner, normalised},
+    kinds::cell::corners::Place,
+    kinds::cell::kernel::parts,
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, REACH, is_within, wrapped},
     lattice::variates::gaussian_variates,
-    simd::lanes::{Lanes, Scalar},
+    point::Point,
+    sample::Sample,
     statistics::statistics::Statistics,
     statistics::tables,
 };
@@ -32,49 +34,52 @@ use crate::{
 /// - **Range:** all of ℝ up to the variates' 12 bits: |s| ≤ 5.35, |g| ≤ 3.78.
 ///
 /// ```
-/// use asperity_noise::{Gaussian, Noise, glam::Vec3};
+/// use asperity_noise::{Field, Gaussian, glam::Vec3};
 ///
-/// let noise = Gaussian::default();
-/// let mean_square = (0..10_000).map(|seed| noise.value(Vec3::ZERO, seed).powi(2)).sum::<f32>() / 10_000.0;
+/// let mean_square = (0..10_000).map(|seed| Gaussian::new(seed).value(Vec3::ZERO).powi(2)).sum::<f32>() / 10_000.0;
 /// assert!((mean_square - 1.0).abs() < 0.05);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Gaussian<L = IntegerHash>(
-    /// The lattice that the variates are drawn from.
-    pub L,
-);
-
-impl Default for Gaussian {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
+pub struct Gaussian<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
 }
+
+kind!(Gaussian);
+noise!(Gaussian, curved);
 
 impl<L: Lattice> Gaussian<L> {
     /// Two channels from one walk of the lattice, independent of each other.
     ///
-    /// The first is [`sample`](crate::Noise::sample)'s; the second has its own variates at each corner. Cells, weights and
+    /// The first is [`sample`](crate::Field::sample)'s; the second has its own variates at each corner. Cells, weights and
     /// hashes are shared, so that the pair costs less than two noises.
     #[must_use]
     #[inline]
-    pub fn pair<V: Point<N>, const N: usize>(&self, p: V, seed: u32) -> [Sample<V>; 2] {
-        self.channels(p.coordinates(), seed)
+    pub fn pair<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
+        self.channels(p.coordinates(), self.seed)
             .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
-    /// The noise before normalisation, n, and its variance, v, each with its gradient.
-    ///
-    /// Both are 0 where p is not finite.
+    /// n, the noise before normalisation, with its gradient; both 0 where p is not finite.
     #[must_use]
     #[inline]
-    pub fn with_variance<V: Point<N>, const N: usize>(&self, p: V, seed: u32) -> (Sample<V>, Sample<V>) {
-        let Some(p) = wrapped(p.coordinates()) else {
-            return Default::default();
-        };
-        let (noise, variance) = parts(Scalar, self, p, seed);
-        let [noise, variance] = [noise, variance]
-            .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) });
-        (noise, variance)
+    pub fn unnormalised<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
+        self.parts_at(p)[0]
+    }
+
+    /// v, the variance of n over all seeds, with its gradient; both 0 where p is not finite.
+    #[must_use]
+    #[inline]
+    pub fn variance<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> Sample<V> {
+        self.parts_at(p)[1]
+    }
+
+    fn parts_at<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
+        wrapped(p.coordinates()).map_or([Sample::default(); 2], |p| {
+            let (noise, variance) = parts(Scalar, self, p, self.seed);
+            [noise, variance]
+                .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
+        })
     }
 
     /// Both channels at any point.
@@ -86,8 +91,13 @@ impl<L: Lattice> Gaussian<L> {
     /// Both channels where every coordinate has a cell.
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
-        let (first, variance) = parts(Scalar, self, p, seed);
-        let (second, _) = parts(Scalar, &Second(&self.0), p, seed);
+        let place = Place::new(Scalar, self, &p, 0);
+        let both = place.corners(Scalar, self, seed, [Corner::nothing(Scalar); 2], |word| {
+            [corner::<Scalar, N, 0>(Scalar, word), corner::<Scalar, N, 1>(Scalar, word)]
+        });
+        let channel = |k: usize| both.map(|ends| ends.map(|corners| corners.map(|pair| pair[k])));
+        let (first, variance) = place.parts_of::<Self>(Scalar, &channel(0));
+        let (second, _) = place.parts_of::<Self>(Scalar, &channel(1));
         [normalised(Scalar, first, variance), normalised(Scalar, second, variance)]
     }
 
@@ -107,7 +117,12 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
 
     #[inline(always)]
     fn lattice(&self) -> &L {
-        &self.0
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     #[inline(always)]
@@ -117,30 +132,6 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
 
     fn statistics(&self) -> &'static Statistics {
         &tables::GAUSSIAN[N - 1]
-    }
-}
-
-/// The second channel of Gaussian noise on a lattice.
-struct Second<'a, L>(&'a L);
-
-impl<L: Lattice, const N: usize> CellNoise<N> for Second<'_, L> {
-    type Lattice = L;
-    const HAS_VALUE: bool = true;
-    const HAS_GRADIENT: bool = true;
-    const FADE: Fade = Fade::Quintic;
-
-    #[inline(always)]
-    fn lattice(&self) -> &L {
-        self.0
-    }
-
-    #[inline(always)]
-    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
-        corner::<S, N, 1>(s, word)
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        CellNoise::<N>::statistics(&Gaussian(IntegerHash))
     }
 }
 
@@ -157,7 +148,7 @@ fn corner<S: Lanes, const N: usize, const CHANNEL: u32>(s: S, word: S::U) -> Cor
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contract::noise::Noise;
+    use crate::contract::field::Field;
     use glam::{Vec2, Vec3};
 
     #[test]
@@ -165,9 +156,9 @@ mod tests {
         let noise = Gaussian::default();
         for i in 0..100_u8 {
             let p = Vec3::new(0.37 * f32::from(i), -0.21 * f32::from(i), 3.1);
-            let [first, second] = noise.pair(p, 5);
-            assert_eq!(first, noise.sample(p, 5));
-            assert_eq!(first.value, noise.value(p, 5));
+            let [first, second] = noise.with_seed(5).pair(p);
+            assert_eq!(first, noise.with_seed(5).sample(p));
+            assert_eq!(first.value, noise.with_seed(5).value(p));
             assert_ne!(first.value, second.value);
         }
     }
@@ -175,19 +166,20 @@ mod tests {
     #[test]
     fn the_normalised_noise_is_the_quotient() {
         let p = Vec2::new(1.3, -2.6);
-        let (n, v) = Gaussian::default().with_variance(p, 3);
-        let z = Gaussian::default().sample(p, 3).value;
+        let (n, v) = (Gaussian::new(3).unnormalised(p), Gaussian::new(3).variance(p));
+        let z = Gaussian::new(3).sample(p).value;
         assert!((n.value / v.value.sqrt() - z).abs() < 1e-6);
-        let (_, corner) = Gaussian::default().with_variance(Vec2::new(4.0, 7.0), 3);
+        let corner = Gaussian::new(3).variance(Vec2::new(4.0, 7.0));
         assert_eq!(corner.value, 1.0);
     }
 
     #[test]
     fn far_points_and_points_that_are_none_are_defined() {
         let noise = Gaussian::default();
-        assert_eq!(noise.pair(Vec2::new(f32::NAN, 1.0), 1), [Sample::default(); 2]);
-        assert_eq!(noise.with_variance(Vec2::new(f32::INFINITY, 1.0), 1), Default::default());
-        let far = noise.pair(Vec3::new(2e9, -2e9, 1e30), 1);
+        assert_eq!(noise.with_seed(1).pair(Vec2::new(f32::NAN, 1.0)), [Sample::default(); 2]);
+        let nowhere = Vec2::new(f32::INFINITY, 1.0);
+        assert_eq!([noise.unnormalised(nowhere), noise.variance(nowhere)], [Sample::default(); 2]);
+        let far = noise.with_seed(1).pair(Vec3::new(2e9, -2e9, 1e30));
         assert!(far.iter().all(|sample| sample.value.is_finite() && sample.value != 0.0));
     }
 }

@@ -1,12 +1,13 @@
 //! Gradient noise on the integer lattice, in Perlin's two forms.
 
 use crate::{
+    contract::noise::{kind, noise},
     kinds::cell::corner::{CellNoise, Corner},
+    lanes::lanes::Lanes,
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::{edge_direction, unit_direction},
-    simd::lanes::Lanes,
     statistics::absolute_moments,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -28,16 +29,15 @@ use crate::{
 /// Perlin 1985, "An Image Synthesizer"; Ebert (ed.) 1994, "Texturing and Modeling".
 ///
 /// ```
-/// use asperity_noise::{Noise, Perlin1985, glam::Vec2};
+/// use asperity_noise::{Field, Perlin1985, glam::Vec2};
 ///
-/// let noise = Perlin1985::default();
-/// assert_eq!(noise.sample(Vec2::new(3.0, -2.0), 9).value, 0.0);
+/// assert_eq!(Perlin1985::new(9).value(Vec2::new(3.0, -2.0)), 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Perlin1985<L = IntegerHash>(
-    /// The lattice that the gradients are drawn from.
-    pub L,
-);
+pub struct Perlin1985<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
+}
 
 /// Perlin's noise of 2002: gradients to the edges of a cube, quintic weights; C².
 ///
@@ -52,28 +52,22 @@ pub struct Perlin1985<L = IntegerHash>(
 /// to fill a table of sixteen; and the range is made tight.
 ///
 /// ```
-/// use asperity_noise::{Noise, Perlin2002, glam::Vec3};
+/// use asperity_noise::{Field, Perlin2002, glam::Vec3};
 ///
-/// let sample = Perlin2002::default().sample(Vec3::new(0.5, 0.5, 0.5), 2);
+/// let sample = Perlin2002::new(2).sample(Vec3::new(0.5, 0.5, 0.5));
 /// assert!(sample.value.abs() <= 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Perlin2002<L = IntegerHash>(
-    /// The lattice that the gradients are drawn from.
-    pub L,
-);
-
-impl Default for Perlin1985 {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
+pub struct Perlin2002<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
 }
 
-impl Default for Perlin2002 {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
-}
+kind!(Perlin1985);
+noise!(Perlin1985, curved);
+
+kind!(Perlin2002);
+noise!(Perlin2002, curved);
 
 /// Keeps rounding from crossing 1.
 const MARGIN: f32 = 1.0 - 2e-6;
@@ -91,7 +85,12 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
 
     #[inline(always)]
     fn lattice(&self) -> &L {
-        &self.0
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     #[inline(always)]
@@ -116,7 +115,12 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
 
     #[inline(always)]
     fn lattice(&self) -> &L {
-        &self.0
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     #[inline(always)]

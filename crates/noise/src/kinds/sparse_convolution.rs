@@ -3,14 +3,15 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample, Row, by_lanes, put, put_sample},
+    contract::kernel::{Kernel, Sealed, by_lanes},
+    contract::noise::noise,
     kinds::cell::blend::splat,
-    kinds::cell::rows::Stretch,
+    lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
     row::cells::{end_of_cell, has_columns},
-    simd::lanes::Lanes,
+    row::row::{Row, put, put_sample},
     statistics::absolute_moments,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -36,16 +37,15 @@ use crate::{
 /// which spares empty regions.
 ///
 /// ```
-/// use asperity_noise::{Noise, Sparse, glam::Vec3};
+/// use asperity_noise::{Field, Sparse, glam::Vec3};
 ///
-/// let noise = Sparse::new(1)?;
-/// let mean_square = (0..4000).map(|seed| noise.value(Vec3::splat(0.3), seed).powi(2)).sum::<f32>() / 4000.0;
+/// let mean_square = (0..4000).map(|seed| Sparse::new(seed).value(Vec3::splat(0.3)).powi(2)).sum::<f32>() / 4000.0;
 /// assert!((mean_square - 1.0).abs() < 0.1);
-/// assert!(Sparse::new(0).is_err());
-/// # Ok::<(), asperity_noise::SparseError>(())
+/// assert!(Sparse::new(1).with_impulses(0).is_err());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sparse<L = IntegerHash> {
+    seed: u32,
     impulses: u8,
     lattice: L,
 }
@@ -54,32 +54,46 @@ impl Sparse {
     /// The most impulses per cell.
     pub const MAX_IMPULSES: u32 = 4;
 
-    /// The noise of so many impulses per cell; the more, the closer to Gaussian, and the slower.
-    ///
-    /// # Errors
-    ///
-    /// If the count is not from 1 to [`MAX_IMPULSES`](Self::MAX_IMPULSES).
-    pub const fn new(impulses: u32) -> Result<Self, SparseError> {
-        if impulses >= 1 && impulses <= Self::MAX_IMPULSES {
-            Ok(Self { impulses: impulses as u8, lattice: IntegerHash })
-        } else {
-            Err(SparseError::ImpulsesOutOfRange(impulses))
-        }
+    /// The noise that `seed` selects, of one impulse per cell.
+    #[must_use]
+    pub const fn new(seed: u32) -> Self {
+        Self { seed, impulses: 1, lattice: IntegerHash }
     }
 }
 
 impl Default for Sparse {
-    /// One impulse per cell.
+    /// Seed 0, one impulse per cell.
     fn default() -> Self {
-        Self { impulses: 1, lattice: IntegerHash }
+        Self::new(0)
     }
 }
 
+noise!(Sparse);
+
 impl<L> Sparse<L> {
-    /// The same noise on another lattice.
+    /// So many impulses per cell; the more, the closer to Gaussian, and the slower.
+    ///
+    /// # Errors
+    ///
+    /// If the count is not from 1 to [`MAX_IMPULSES`](Sparse::MAX_IMPULSES).
+    pub fn with_impulses(self, impulses: u32) -> Result<Self, SparseError> {
+        if (1..=Sparse::MAX_IMPULSES).contains(&impulses) {
+            Ok(Self { impulses: impulses as u8, ..self })
+        } else {
+            Err(SparseError::ImpulsesOutOfRange { impulses })
+        }
+    }
+
+    /// Its words drawn from another lattice.
     #[must_use]
     pub fn with_lattice<M>(self, lattice: M) -> Sparse<M> {
-        Sparse { impulses: self.impulses, lattice }
+        Sparse { seed: self.seed, impulses: self.impulses, lattice }
+    }
+
+    /// Another seed.
+    #[must_use]
+    pub fn with_seed(self, seed: u32) -> Self {
+        Self { seed, ..self }
     }
 
     /// K, the number of impulses per cell.
@@ -312,10 +326,10 @@ impl<const N: usize> Columns<N> {
 
 /// The values along a row, and the gradients if `GRADIENTS`.
 #[inline(always)]
-fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+fn rows<L: Lattice, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &Sparse<L>,
-    row: &Row<N, SCALED>,
+    row: &Row<N>,
     seed: u32,
     values: &mut [f32],
     mut gradients: Option<&mut [&mut [f32]; N]>,
@@ -364,10 +378,19 @@ fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENT
         }
         return;
     }
-    by_lanes::<Sparse<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+    by_lanes::<Sparse<L>, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
 }
 
+impl<L: Lattice, const N: usize> Sealed<N> for Sparse<L> {}
+
 impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
+    type RowScratch = ();
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
+    }
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         self.sum::<S, N, false>(s, p, seed).0
@@ -379,16 +402,16 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     }
 
     #[inline(always)]
-    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+    fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         seed: u32,
-        _stretch: &mut Stretch<N>,
+        _scratch: &mut (),
         values: &mut [f32],
         gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        rows::<L, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+        rows::<L, S, N, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {
@@ -412,14 +435,17 @@ impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
 #[non_exhaustive]
 pub enum SparseError {
     /// The number of impulses per cell is not from 1 to [`Sparse::MAX_IMPULSES`].
-    ImpulsesOutOfRange(u32),
+    ImpulsesOutOfRange {
+        /// The number.
+        impulses: u32,
+    },
 }
 
 impl fmt::Display for SparseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ImpulsesOutOfRange(impulses) => {
-                write!(f, "{impulses} impulses per cell are not from 1 to {}", Sparse::MAX_IMPULSES)
+            Self::ImpulsesOutOfRange { impulses } => {
+                write!(f, "`impulses` must be from 1 to {}, got {impulses}", Sparse::MAX_IMPULSES)
             }
         }
     }
@@ -430,31 +456,34 @@ impl Error for SparseError {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contract::noise::Noise;
+    use crate::contract::field::Field;
     use glam::{Vec2, Vec3, Vec4};
 
     #[test]
     fn only_counts_in_range_are_accepted() {
         for impulses in 1..=4 {
-            assert_eq!(Sparse::new(impulses).unwrap().impulses(), impulses);
+            assert_eq!(Sparse::default().with_impulses(impulses).unwrap().impulses(), impulses);
         }
         for impulses in [0, 5, 256, 257, u32::MAX] {
-            assert_eq!(Sparse::new(impulses), Err(SparseError::ImpulsesOutOfRange(impulses)));
+            assert_eq!(
+                Sparse::default().with_impulses(impulses),
+                Err(SparseError::ImpulsesOutOfRange { impulses })
+            );
         }
     }
 
     #[test]
     fn the_variance_is_one_at_every_place_of_the_cell() {
         for impulses in [1, 3] {
-            let noise = Sparse::new(impulses).unwrap();
+            let noise = Sparse::default().with_impulses(impulses).unwrap();
             let square =
                 |f: &dyn Fn(u32) -> f32| (0..4000).map(|seed| f(seed) * f(seed)).sum::<f32>() / 4000.0;
             let squares = [
-                square(&|seed| noise.value(0.0, seed)),
-                square(&|seed| noise.value(Vec2::ZERO, seed)),
-                square(&|seed| noise.value(Vec2::splat(0.5), seed)),
-                square(&|seed| noise.value(Vec3::new(0.0, 0.5, 0.0), seed)),
-                square(&|seed| noise.value(Vec4::new(0.9, 0.5, 0.0, 0.3), seed)),
+                square(&|seed| noise.with_seed(seed).value(0.0)),
+                square(&|seed| noise.with_seed(seed).value(Vec2::ZERO)),
+                square(&|seed| noise.with_seed(seed).value(Vec2::splat(0.5))),
+                square(&|seed| noise.with_seed(seed).value(Vec3::new(0.0, 0.5, 0.0))),
+                square(&|seed| noise.with_seed(seed).value(Vec4::new(0.9, 0.5, 0.0, 0.3))),
             ];
             // The kurtosis is at most 6: 4.5 standard errors of the mean square.
             let tolerance = 4.5 * (5.0_f32 / 4000.0).sqrt();
@@ -464,14 +493,15 @@ mod tests {
 
     #[test]
     fn gradients_are_differences() {
-        let noise = Sparse::new(2).unwrap();
+        let noise = Sparse::default().with_impulses(2).unwrap();
         let h = 1.0 / 256.0;
         for i in 0..60_i16 {
             let p = Vec4::new(0.37 * f32::from(i), 11.3 - 0.61 * f32::from(i), 0.23, -0.83 * f32::from(i));
-            let gradient = noise.sample(p, 1).gradient;
+            let gradient = noise.with_seed(1).sample(p).gradient;
             for axis in 0..4 {
                 let step = h * Vec4::AXES[axis];
-                let difference = (noise.value(p + step, 1) - noise.value(p - step, 1)) / (2.0 * h);
+                let difference =
+                    (noise.with_seed(1).value(p + step) - noise.with_seed(1).value(p - step)) / (2.0 * h);
                 // h² max |n‴|/6, n‴ of an impulse at most 25, and rounding 2⁻²³ · 5/h; worst seen 7e-4.
                 assert!((gradient[axis] - difference).abs() < 2e-3, "{p}, axis {axis}: {difference}");
             }
@@ -490,11 +520,12 @@ mod tests {
     #[test]
     fn a_kernel_reaches_as_far_as_its_radius() {
         // One impulse lies at −2⁻¹⁷, one at 2⁻¹⁷, and so on at ±1.
-        let noise = Sparse { impulses: 1, lattice: Heap };
-        let (here, there) = (noise.value(0.0, 0), noise.value(1.0, 0));
+        let noise = Sparse { seed: 0, impulses: 1, lattice: Heap };
+        let (here, there) = (noise.value(0.0), noise.value(1.0));
         let weight = |word: u32| {
-            let word = crate::Scalar.word(word);
-            uniform(crate::Scalar, further::<_, 1>(crate::Scalar, word)) * AMPLITUDE[0][0]
+            let word = crate::lanes::lanes::Scalar.word(word);
+            uniform(crate::lanes::lanes::Scalar, further::<_, 1>(crate::lanes::lanes::Scalar, word))
+                * AMPLITUDE[0][0]
         };
         assert!((here - (weight(0xffff_0000) + weight(0))).abs() < 1e-4, "{here}");
         assert!((there - weight(0)).abs() < 1e-4, "{there}");

@@ -1,15 +1,16 @@
 //! Value noise: random numbers at lattice points, interpolated in two ways.
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample, Row},
+    contract::kernel::{Kernel, Sealed},
+    contract::noise::{kind, noise},
     kinds::catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
     kinds::cell::corner::{CellNoise, Corner},
-    kinds::cell::rows::Stretch,
+    lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::uniform,
-    simd::lanes::Lanes,
+    row::row::Row,
     statistics::absolute_moments,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -31,17 +32,17 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling"; weights of Perlin 2002.
 ///
 /// ```
-/// use asperity_noise::{Noise, Value, glam::Vec3};
+/// use asperity_noise::{Field, Value, glam::Vec3};
 ///
-/// let sample = Value::default().sample(Vec3::new(4.0, -1.0, 7.0), 2);
+/// let sample = Value::new(2).sample(Vec3::new(4.0, -1.0, 7.0));
 /// assert!(sample.value.abs() <= 1.0);
 /// assert_eq!(sample.gradient, Vec3::ZERO);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Value<L = IntegerHash>(
-    /// The lattice that the numbers are drawn from.
-    pub L,
-);
+pub struct Value<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
+}
 
 /// Value noise through the 4ⁿ lattice points around a point, by Catmull–Rom splines; C¹.
 ///
@@ -57,32 +58,26 @@ pub struct Value<L = IntegerHash>(
 /// - **Range:** [−1, 1]. The spline overshoots: Σ |s| = 1 + t − t² ≤ 5/4, so max |Σ| = (5/4)ⁿ, attained in cell centres;
 ///   the noise is divided by it.
 ///
-/// Ebert (ed.) 1994, "Texturing and Modeling", `vnoise`, which does not divide; [`Vnoise`](crate::Vnoise) is that.
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vnoise`, which does not divide; [`Vnoise`](crate::printed::Vnoise) is that.
 ///
 /// ```
-/// use asperity_noise::{Noise, ValueCatmullRom, glam::Vec2};
+/// use asperity_noise::{Field, ValueCatmullRom, glam::Vec2};
 ///
-/// let noise = ValueCatmullRom::default();
-/// let (before, after) = (noise.sample(Vec2::new(2.9999, 0.5), 1), noise.sample(Vec2::new(3.0001, 0.5), 1));
+/// let noise = ValueCatmullRom::new(1);
+/// let (before, after) = (noise.sample(Vec2::new(2.9999, 0.5)), noise.sample(Vec2::new(3.0001, 0.5)));
 /// assert!((before.gradient - after.gradient).length() < 1e-2);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ValueCatmullRom<L = IntegerHash>(
-    /// The lattice that the numbers are drawn from.
-    pub L,
-);
-
-impl Default for Value {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
+pub struct ValueCatmullRom<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
 }
 
-impl Default for ValueCatmullRom {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
-}
+kind!(Value);
+noise!(Value, curved);
+
+kind!(ValueCatmullRom);
+noise!(ValueCatmullRom);
 
 /// Keeps rounding from crossing 1.
 const MARGIN: f32 = 1.0 - 2e-6;
@@ -97,7 +92,12 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
 
     #[inline(always)]
     fn lattice(&self) -> &L {
-        &self.0
+        &self.lattice
+    }
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     #[inline(always)]
@@ -119,7 +119,7 @@ impl<L: Lattice, const N: usize> SplineNoise<N> for ValueCatmullRom<L> {
 
     #[inline(always)]
     fn lattice(&self) -> &L {
-        &self.0
+        &self.lattice
     }
 
     #[inline(always)]
@@ -128,7 +128,16 @@ impl<L: Lattice, const N: usize> SplineNoise<N> for ValueCatmullRom<L> {
     }
 }
 
+impl<L: Lattice, const N: usize> Sealed<N> for ValueCatmullRom<L> {}
+
 impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
+    type RowScratch = ();
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
+    }
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         spline_values(s, self, p, seed)
@@ -140,16 +149,16 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     }
 
     #[inline(always)]
-    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+    fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         seed: u32,
-        _stretch: &mut Stretch<N>,
+        _scratch: &mut (),
         values: &mut [f32],
         gradients: Option<&mut [&mut [f32]; N]>,
     ) {
-        spline_rows::<Self, S, N, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+        spline_rows::<Self, S, N, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {
@@ -164,7 +173,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{contract::noise::Noise, simd::lanes::Scalar};
+    use crate::{contract::field::Field, lanes::lanes::Scalar};
     use glam::{Vec2, Vec3, Vec4};
 
     #[test]
@@ -174,8 +183,8 @@ mod tests {
             let (x, y, z) = (i, 3 * i - 5, -i);
             let p = Vec3::new(f32::from(x), f32::from(y), f32::from(z));
             let expected = number([x.into(), y.into(), z.into()]);
-            assert_eq!(Value::default().value(p, 7), expected * MARGIN);
-            assert!((ValueCatmullRom::default().value(p, 7) - 0.512 * expected).abs() < 2e-6);
+            assert_eq!(Value::new(7).value(p), expected * MARGIN);
+            assert!((ValueCatmullRom::new(7).value(p) - 0.512 * expected).abs() < 2e-6);
         }
     }
 
@@ -191,17 +200,17 @@ mod tests {
 
     #[test]
     fn the_bound_is_attained_in_the_centre() {
-        let noise = ValueCatmullRom(Alternating);
+        let noise = ValueCatmullRom::default().with_lattice(Alternating);
         let values = [
-            noise.value(0.5, 0),
-            noise.value(Vec2::splat(0.5), 0),
-            noise.value(Vec3::splat(0.5), 0),
-            noise.value(Vec4::splat(0.5), 0),
+            noise.value(0.5),
+            noise.value(Vec2::splat(0.5)),
+            noise.value(Vec3::splat(0.5)),
+            noise.value(Vec4::splat(0.5)),
         ];
         assert!(values.iter().all(|&value| value <= 1.0 && value > 1.0 - 4e-6), "{values:?}");
         for i in 0..=100_u8 {
             let p = Vec2::new(f32::from(i) / 100.0, f32::from(i % 11) / 11.0);
-            assert!(noise.value(p, 0) <= values[1]);
+            assert!(noise.value(p) <= values[1]);
         }
     }
 
@@ -220,8 +229,8 @@ mod tests {
                 }
             };
             let pair = |sample: crate::Sample<Vec4>| (sample.value, sample.gradient);
-            close(&|p| pair(Value::default().sample(p, 1)));
-            close(&|p| pair(ValueCatmullRom::default().sample(p, 1)));
+            close(&|p| pair(Value::new(1).sample(p)));
+            close(&|p| pair(ValueCatmullRom::new(1).sample(p)));
         }
     }
 }

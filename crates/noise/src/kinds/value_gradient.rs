@@ -3,13 +3,14 @@
 use core::{error::Error, fmt};
 
 use crate::{
+    contract::noise::noise,
     kinds::cell::corner::{CellNoise, Corner},
+    lanes::lanes::Lanes,
     lattice::fade::Fade,
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::Lattice,
     lattice::variates::{uniform, unit_direction},
     math,
-    simd::lanes::Lanes,
     statistics::absolute_moments,
     statistics::statistics::Statistics,
     statistics::tables,
@@ -29,51 +30,64 @@ use crate::{
 /// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres.
 /// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
 ///
-/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::Vgnoise) is the
+/// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::printed::Vgnoise) is the
 /// original.
 ///
 /// ```
-/// use asperity_noise::{Noise, ValueGradient, glam::Vec3};
+/// use asperity_noise::{Field, ValueGradient, glam::Vec3};
 ///
-/// let noise = ValueGradient::new(0.6)?;
-/// let sample = noise.sample(Vec3::new(4.0, -1.0, 7.0), 2);
+/// let noise = ValueGradient::new(2).with_weight(0.6)?;
+/// let sample = noise.sample(Vec3::new(4.0, -1.0, 7.0));
 /// assert!(sample.value != 0.0 && sample.gradient != Vec3::ZERO);
-/// assert!(ValueGradient::new(1.5).is_err());
+/// assert!(ValueGradient::default().with_weight(1.5).is_err());
 /// # Ok::<(), asperity_noise::ValueGradientError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ValueGradient<L = IntegerHash> {
+    seed: u32,
     weight: f32,
     lattice: L,
 }
 
 impl ValueGradient {
-    /// The noise with the weight `weight` of gradient noise, and the rest of value noise.
-    ///
-    /// # Errors
-    ///
-    /// If the weight is not in [0, 1].
-    pub const fn new(weight: f32) -> Result<Self, ValueGradientError> {
-        if weight >= 0.0 && weight <= 1.0 {
-            Ok(Self { weight, lattice: IntegerHash })
-        } else {
-            Err(ValueGradientError::WeightOutOfRange(weight))
-        }
+    /// The noise that `seed` selects, of equal weights.
+    #[must_use]
+    pub const fn new(seed: u32) -> Self {
+        Self { seed, weight: 0.5, lattice: IntegerHash }
     }
 }
 
 impl Default for ValueGradient {
-    /// Equal weights.
+    /// Seed 0, equal weights.
     fn default() -> Self {
-        Self { weight: 0.5, lattice: IntegerHash }
+        Self::new(0)
     }
 }
 
 impl<L> ValueGradient<L> {
-    /// The same noise on another lattice.
+    /// The weight `weight` of gradient noise, and the rest of value noise.
+    ///
+    /// # Errors
+    ///
+    /// If the weight is not in [0, 1].
+    pub fn with_weight(self, weight: f32) -> Result<Self, ValueGradientError> {
+        if weight >= 0.0 && weight <= 1.0 {
+            Ok(Self { weight, ..self })
+        } else {
+            Err(ValueGradientError::WeightOutOfRange { weight })
+        }
+    }
+
+    /// Its words drawn from another lattice.
     #[must_use]
     pub fn with_lattice<M>(self, lattice: M) -> ValueGradient<M> {
-        ValueGradient { weight: self.weight, lattice }
+        ValueGradient { seed: self.seed, weight: self.weight, lattice }
+    }
+
+    /// Another seed.
+    #[must_use]
+    pub fn with_seed(self, seed: u32) -> Self {
+        Self { seed, ..self }
     }
 
     /// μ, the weight of gradient noise.
@@ -82,6 +96,8 @@ impl<L> ValueGradient<L> {
         self.weight
     }
 }
+
+noise!(ValueGradient, curved);
 
 /// Keeps rounding from crossing 1.
 const MARGIN: f32 = 1.0 - 2e-6;
@@ -97,6 +113,11 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
     #[inline(always)]
     fn lattice(&self) -> &L {
         &self.lattice
+    }
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     #[inline(always)]
@@ -152,15 +173,16 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
 #[non_exhaustive]
 pub enum ValueGradientError {
     /// The weight is not in [0, 1].
-    WeightOutOfRange(f32),
+    WeightOutOfRange {
+        /// The weight.
+        weight: f32,
+    },
 }
 
 impl fmt::Display for ValueGradientError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::WeightOutOfRange(weight) => {
-                write!(f, "the weight {weight} of gradient noise is not in [0, 1]")
-            }
+            Self::WeightOutOfRange { weight } => write!(f, "`weight` must be in [0, 1], got {weight}"),
         }
     }
 }
@@ -170,26 +192,29 @@ impl Error for ValueGradientError {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contract::noise::Noise;
+    use crate::contract::field::Field;
     use glam::{Vec2, Vec3};
 
     #[test]
     fn only_weights_are_accepted() {
         for weight in [-0.0, 0.0, 0.3, 1.0] {
-            assert_eq!(ValueGradient::new(weight).unwrap().weight(), weight);
+            assert_eq!(ValueGradient::default().with_weight(weight).unwrap().weight(), weight);
         }
         for weight in [-1e-9, 1.000_001, f32::INFINITY] {
-            assert_eq!(ValueGradient::new(weight), Err(ValueGradientError::WeightOutOfRange(weight)));
+            assert_eq!(
+                ValueGradient::default().with_weight(weight),
+                Err(ValueGradientError::WeightOutOfRange { weight })
+            );
         }
-        assert!(ValueGradient::new(f32::NAN).is_err());
+        assert!(ValueGradient::default().with_weight(f32::NAN).is_err());
     }
 
     #[test]
     fn the_sum_is_linear_in_the_weight() {
-        let noise = |weight| ValueGradient::new(weight).unwrap();
+        let noise = |weight| ValueGradient::default().with_weight(weight).unwrap();
         for i in 0..100_i16 {
             let p = Vec3::new(0.37 * f32::from(i), 3.0 - 0.61 * f32::from(i), 0.23 * f32::from(i));
-            let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).sample(p, 4));
+            let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).with_seed(4).sample(p));
             assert!((0.75 * value.value + 0.25 * gradient.value - both.value).abs() < 1e-6, "{p}");
             let sum = 0.75 * value.gradient + 0.25 * gradient.gradient;
             assert!((sum - both.gradient).length() < 5e-6, "{p}");
@@ -199,8 +224,11 @@ mod tests {
     #[test]
     fn parts_alone_are_0_or_flat_at_lattice_points() {
         let p = Vec2::new(3.0, -2.0);
-        assert_eq!(ValueGradient::new(1.0).unwrap().value(p, 1), 0.0);
-        assert_eq!(ValueGradient::new(0.0).unwrap().sample(p, 1).gradient, Vec2::ZERO);
+        assert_eq!(ValueGradient::default().with_weight(1.0).unwrap().with_seed(1).value(p), 0.0);
+        assert_eq!(
+            ValueGradient::default().with_weight(0.0).unwrap().with_seed(1).sample(p).gradient,
+            Vec2::ZERO
+        );
     }
 
     /// The corners of cell 0 on the line have gradients toward each other.
@@ -214,10 +242,10 @@ mod tests {
 
     #[test]
     fn the_bound_of_the_gradient_part_is_attained_in_the_centre() {
-        let noise = ValueGradient::new(1.0).unwrap().with_lattice(Facing);
-        assert!((noise.value(0.5, 0) - MARGIN).abs() < 1e-7);
+        let noise = ValueGradient::default().with_weight(1.0).unwrap().with_lattice(Facing);
+        assert!((noise.value(0.5) - MARGIN).abs() < 1e-7);
         for i in 0..=100_u8 {
-            assert!(noise.value(f32::from(i) / 100.0, 0) <= MARGIN);
+            assert!(noise.value(f32::from(i) / 100.0) <= MARGIN);
         }
     }
 }

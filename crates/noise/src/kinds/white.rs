@@ -1,11 +1,12 @@
 //! White noise: one random number per cell.
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample},
+    contract::kernel::{Kernel, Sealed},
+    contract::noise::{kind, noise},
+    lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
-    simd::lanes::Lanes,
     statistics::statistics::Statistics,
     statistics::tables,
 };
@@ -25,33 +26,39 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling".
 ///
 /// ```
-/// use asperity_noise::{Noise, White, glam::Vec2};
+/// use asperity_noise::{Field, White, glam::Vec2};
 ///
-/// let noise = White::default();
-/// assert_eq!(noise.sample(Vec2::new(0.1, -0.1), 3), noise.sample(Vec2::new(0.9, -0.9), 3));
-/// assert_ne!(noise.value(Vec2::new(0.1, 0.1), 3), noise.value(Vec2::new(0.1, -0.1), 3));
+/// let noise = White::new(3);
+/// assert_eq!(noise.sample(Vec2::new(0.1, -0.1)), noise.sample(Vec2::new(0.9, -0.9)));
+/// assert_ne!(noise.value(Vec2::new(0.1, 0.1)), noise.value(Vec2::new(0.1, -0.1)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct White<L = IntegerHash>(
-    /// The lattice that the numbers are drawn from.
-    pub L,
-);
-
-impl Default for White {
-    fn default() -> Self {
-        Self(IntegerHash)
-    }
+pub struct White<L = IntegerHash> {
+    seed: u32,
+    lattice: L,
 }
 
+kind!(White);
+noise!(White);
+
+impl<L: Lattice, const N: usize> Sealed<N> for White<L> {}
+
 impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
+    type RowScratch = ();
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.seed
+    }
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
         let mut terms = [s.word(0); N];
         for axis in 0..N {
             let (cell, _) = cell(s, p[axis]);
-            terms[axis] = self.0.term(s, axis, cell);
+            terms[axis] = self.lattice.term(s, axis, cell);
         }
-        uniform(s, self.0.words(s, terms, seed))
+        uniform(s, self.lattice.words(s, terms, seed))
     }
 
     #[inline(always)]
@@ -72,7 +79,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contract::noise::Noise;
+    use crate::contract::field::Field;
     use glam::{Vec3, Vec4};
 
     #[test]
@@ -80,12 +87,12 @@ mod tests {
         let noise = White::default();
         for i in 0..50_i16 {
             let corner = Vec3::new(f32::from(i) - 25.0, 3.0 - f32::from(i), f32::from(i % 7));
-            let value = noise.value(corner, 1);
+            let value = noise.with_seed(1).value(corner);
             assert!(value.abs() < 1.0);
-            assert_eq!(value, noise.value(corner + Vec3::new(0.99, 0.01, 0.5), 1));
-            assert_ne!(value, noise.value(corner + Vec3::X, 1));
-            assert_ne!(value, noise.value(corner, 2));
-            assert_eq!(noise.sample(corner, 1).gradient, Vec3::ZERO);
+            assert_eq!(value, noise.with_seed(1).value(corner + Vec3::new(0.99, 0.01, 0.5)));
+            assert_ne!(value, noise.with_seed(1).value(corner + Vec3::X));
+            assert_ne!(value, noise.with_seed(2).value(corner));
+            assert_eq!(noise.with_seed(1).sample(corner).gradient, Vec3::ZERO);
         }
     }
 
@@ -95,7 +102,7 @@ mod tests {
         let mut bins = [0_u16; 16];
         for i in 0..4096_u16 {
             let p = Vec4::new(f32::from(i & 15), f32::from(i >> 4 & 15), f32::from(i >> 8), -3.0);
-            bins[((noise.value(p, 5) + 1.0) * 8.0) as usize] += 1;
+            bins[((noise.with_seed(5).value(p) + 1.0) * 8.0) as usize] += 1;
         }
         let chi_square: f32 =
             bins.iter().map(|&n| (f32::from(n) - 256.0) * (f32::from(n) - 256.0) / 256.0).sum();
@@ -106,8 +113,11 @@ mod tests {
     #[test]
     fn far_points_and_points_that_are_none_are_defined() {
         let noise = White::default();
-        assert_eq!(noise.value(Vec3::new(f32::NAN, 0.0, 0.0), 1), 0.0);
-        assert_eq!(noise.value(f32::NEG_INFINITY, 1), 0.0);
-        assert_eq!(noise.value(4_294_967_296.0_f32 + 1024.0, 1), noise.value(1024.0_f32, 1));
+        assert_eq!(noise.with_seed(1).value(Vec3::new(f32::NAN, 0.0, 0.0)), 0.0);
+        assert_eq!(noise.with_seed(1).value(f32::NEG_INFINITY), 0.0);
+        assert_eq!(
+            noise.with_seed(1).value(4_294_967_296.0_f32 + 1024.0),
+            noise.with_seed(1).value(1024.0_f32)
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! The weights that a noise blends the ends of a cell with, and their derivatives.
 
-use crate::simd::lanes::Lanes;
+use crate::lanes::lanes::{Lanes, Scalar};
 
 /// A weight w(t) that rises from 0 to 1 over a cell, with w′ and w″.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,10 +43,32 @@ impl Fade {
     }
 }
 
+/// A place along an axis of the cell: t, w(t) and w′(t).
+#[derive(Clone, Copy)]
+pub(crate) struct Along<S: Lanes> {
+    pub(crate) place: S::F,
+    pub(crate) weight: S::F,
+    pub(crate) slope: S::F,
+}
+
+impl<S: Lanes> Along<S> {
+    #[inline(always)]
+    pub(crate) fn new(s: S, fade: Fade, t: S::F) -> Self {
+        Self { place: t, weight: fade.weight(s, t), slope: fade.slope(s, t) }
+    }
+}
+
+impl Along<Scalar> {
+    /// The same in every lane.
+    #[inline(always)]
+    pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
+        Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::lanes::Scalar;
 
     #[test]
     fn derivatives_are_derivatives() {

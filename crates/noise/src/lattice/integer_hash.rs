@@ -1,8 +1,8 @@
 //! An integer hash of cell and seed without visible period: the default lattice.
 
 use crate::{
+    lanes::lanes::{Lanes, Scalar},
     lattice::lattice::Lattice,
-    simd::lanes::{Lanes, Scalar},
 };
 
 /// A 32-bit hash of cell and seed.

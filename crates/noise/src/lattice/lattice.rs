@@ -1,19 +1,19 @@
 //! The source of a lattice's random words, and the cell that a point lies in.
 
-use crate::simd::lanes::Lanes;
+use crate::lanes::lanes::Lanes;
 #[cfg(test)]
-use crate::simd::lanes::Scalar;
+use crate::lanes::lanes::Scalar;
 
 /// A hash of lattice points, the only randomness of every noise of this crate.
 ///
 /// All 32 bits of a word must look independent of one another, of the words of other points and of other seeds.
-/// [`IntegerHash`](crate::IntegerHash) is the default; [`PermutationTable`](crate::PermutationTable) and
-/// [`ChainedTable`](crate::ChainedTable) reproduce the sources; [`Tiled`](crate::Tiled) repeats any of them.
+/// [`IntegerHash`](crate::IntegerHash) is the default; [`PermutationTable`](crate::lattice::PermutationTable) and
+/// [`ChainedTable`](crate::lattice::ChainedTable) reproduce the sources; [`Tiled`](crate::Tiled) repeats any of them.
 ///
-/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`] follow from it.
+/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`](crate::simd::Lanes) follow from it.
 ///
 /// ```
-/// use asperity_noise::{IntegerHash, Lattice, Noise, Perlin2002, glam::Vec2};
+/// use asperity_noise::{Field, IntegerHash, Lattice, Perlin2002, glam::Vec2};
 ///
 /// /// Only one row of cells matters.
 /// struct Stripes;
@@ -24,8 +24,8 @@ use crate::simd::lanes::Scalar;
 ///     }
 /// }
 ///
-/// let noise = Perlin2002(Stripes);
-/// assert_eq!(noise.value(Vec2::new(0.4, 0.25), 1), noise.value(Vec2::new(0.4, 7.25), 1));
+/// let noise = Perlin2002::new(1).with_lattice(Stripes);
+/// assert_eq!(noise.value(Vec2::new(0.4, 0.25)), noise.value(Vec2::new(0.4, 7.25)));
 /// ```
 pub trait Lattice {
     /// The random word of a lattice point in N dimensions.

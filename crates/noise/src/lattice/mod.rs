@@ -1,4 +1,4 @@
-//! Lattice points: where their bits come from, and the numbers that kinds make of them.
+//! Lattices: where the bits of lattice points come from, and the numbers that kinds make of them.
 
 pub(crate) mod chained_table;
 pub(crate) mod fade;
@@ -8,3 +8,7 @@ pub(crate) mod lattice;
 pub(crate) mod permutation_table;
 pub(crate) mod tiled;
 pub(crate) mod variates;
+
+pub use chained_table::ChainedTable;
+pub use permutation_table::{PermutationTable, PermutationTableError};
+pub use variates::{edge_gradient, gaussian_corner, unit_gradient};

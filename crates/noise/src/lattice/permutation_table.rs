@@ -17,7 +17,7 @@ use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
 /// Ebert (ed.) 1994, "Texturing and Modeling"; Perlin 1985.
 ///
 /// ```
-/// use asperity_noise::{Lattice, PermutationTable};
+/// use asperity_noise::{Lattice, lattice::PermutationTable};
 ///
 /// let table = PermutationTable::new(7);
 /// assert_eq!(table.word([1, 2, 3], 0), table.word([1 + 256, 2 - 256, 3], 0));
@@ -49,7 +49,7 @@ impl PermutationTable {
     /// If a number occurs twice, so that another is missing.
     ///
     /// ```
-    /// use asperity_noise::PermutationTable;
+    /// use asperity_noise::lattice::PermutationTable;
     ///
     /// let reversed = core::array::from_fn(|i| 255 - i as u8);
     /// assert_eq!(PermutationTable::from_entries(reversed)?.index(1, 0, 0), 254);

@@ -2,7 +2,7 @@
 
 use core::{error::Error, fmt};
 
-use crate::{lattice::lattice::Lattice, simd::lanes::Lanes};
+use crate::{lanes::lanes::Lanes, lattice::lattice::Lattice};
 
 /// A lattice that repeats along the first N axes with a period of its own along each.
 ///
@@ -20,13 +20,14 @@ use crate::{lattice::lattice::Lattice, simd::lanes::Lanes};
 /// plane and in 4-D no step along an axis maps the simplicial lattice onto itself, since its shear is irrational.
 ///
 /// ```
-/// use asperity_noise::{IntegerHash, Noise, Perlin2002, Tiled, glam::Vec2};
+/// use asperity_noise::{Field, IntegerHash, Perlin2002, Tiled, glam::Vec2};
 ///
-/// let noise = Perlin2002(Tiled::new(IntegerHash, [8, 3])?);
+/// let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 3])?);
 /// let p = Vec2::new(1.25, -0.5);
-/// assert_eq!(noise.sample(p, 1), noise.sample(p + Vec2::new(8.0, -3.0), 1));
+/// assert_eq!(noise.sample(p), noise.sample(p + Vec2::new(8.0, -3.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())
 /// ```
+#[doc(alias("seamless", "tileable", "periodic"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiled<L, const N: usize> {
     lattice: L,
@@ -119,10 +120,10 @@ impl fmt::Display for TiledError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::PeriodOutOfRange { axis, period } => {
-                write!(f, "the period {period} along axis {axis} is not from 1 to the longest period")
+                write!(f, "`periods[{axis}]` must be from 1 to {}, got {period}", 1 << 21)
             }
             Self::NoMultiple { axis, period, factor } => {
-                write!(f, "the period {period} along axis {axis} is not a multiple of {factor}")
+                write!(f, "`periods[{axis}]` must be a multiple of {factor}, got {period}")
             }
         }
     }
@@ -134,9 +135,10 @@ impl Error for TiledError {}
 mod tests {
     use super::*;
     use crate::{
-        ChainedTable, Gaussian, IntegerHash, Kernel, Noise, Perlin1985, Perlin2002, PermutationTable,
-        Simplex, Sparse, Value, ValueCatmullRom, ValueGradient, White, contract::point::Point,
-        lattice::lattice::word_by_terms, simd::lanes::Scalar,
+        Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom,
+        ValueGradient, White,
+        lanes::lanes::Scalar,
+        lattice::{ChainedTable, PermutationTable, lattice::word_by_terms},
     };
     use glam::{Vec2, Vec3, Vec4};
 
@@ -179,7 +181,7 @@ mod tests {
         assert_eq!(word_by_terms(&table, [77, -8, 3], 3), table.word([2, 4, 3], 3));
     }
 
-    fn tiles<K: Kernel<N> + Noise<V>, V: Point<N>, const N: usize>(noise: &K, periods: [u32; N]) {
+    fn tiles<V: Point<Coordinates = [f32; N]>, const N: usize>(noise: &impl Field<V>, periods: [u32; N]) {
         for i in 0..60_u8 {
             let mut axis = 0;
             let p = periods.map(|period| {
@@ -187,12 +189,12 @@ mod tests {
                 // Eighths, so that sums are exact; across the border of a period and on it.
                 (f32::from(i) * [0.625, -0.375, 1.125, -0.875][axis - 1]) % (2.0 * period as f32)
             });
-            let here = noise.sample(V::from_coordinates(p), 4);
+            let here = noise.sample(V::from_coordinates(p));
             for axis in 0..N {
                 for turns in [1.0, -2.0, 1000.0] {
                     let mut q = p;
                     q[axis] += turns * periods[axis] as f32;
-                    let there = noise.sample(V::from_coordinates(q), 4);
+                    let there = noise.sample(V::from_coordinates(q));
                     let bits = |x: V| x.coordinates().map(f32::to_bits);
                     assert_eq!(here.value.to_bits(), there.value.to_bits(), "{p:?} and {q:?}");
                     assert_eq!(bits(here.gradient), bits(there.gradient), "{p:?} and {q:?}");
@@ -205,30 +207,31 @@ mod tests {
     fn every_kind_on_the_integer_lattice_tiles_bit_for_bit() {
         fn kind<K>(noise: &K)
         where
-            K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+            K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
         {
-            tiles::<_, f32, 1>(noise, [7]);
-            tiles::<_, Vec2, 2>(noise, [7, 1]);
-            tiles::<_, Vec3, 3>(noise, [7, 1, 12]);
-            tiles::<_, Vec4, 4>(noise, [7, 1, 12, 2]);
+            tiles::<f32, 1>(noise, [7]);
+            tiles::<Vec2, 2>(noise, [7, 1]);
+            tiles::<Vec3, 3>(noise, [7, 1, 12]);
+            tiles::<Vec4, 4>(noise, [7, 1, 12, 2]);
         }
         let lattice = Tiled::new(IntegerHash, [7, 1, 12, 2]).unwrap();
-        kind(&White(lattice));
-        kind(&Value(lattice));
-        kind(&ValueCatmullRom(lattice));
-        kind(&ValueGradient::default().with_lattice(lattice));
-        kind(&Perlin1985(lattice));
-        kind(&Perlin2002(lattice));
-        kind(&Gaussian(lattice));
-        kind(&Sparse::default().with_lattice(lattice));
-        kind(&Perlin2002(Tiled::new(PermutationTable::new(1), [7, 1, 12, 2]).unwrap()));
-        kind(&Perlin2002(Tiled::new(ChainedTable(PermutationTable::new(1)), [7, 1, 12, 2]).unwrap()));
+        kind(&White::new(4).with_lattice(lattice));
+        kind(&Value::new(4).with_lattice(lattice));
+        kind(&ValueCatmullRom::new(4).with_lattice(lattice));
+        kind(&ValueGradient::new(4).with_lattice(lattice));
+        kind(&Perlin1985::new(4).with_lattice(lattice));
+        kind(&Perlin2002::new(4).with_lattice(lattice));
+        kind(&Gaussian::new(4).with_lattice(lattice));
+        kind(&Sparse::new(4).with_lattice(lattice));
+        let table = PermutationTable::new(1);
+        kind(&Perlin2002::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
+        kind(&Perlin2002::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));
     }
 
     #[test]
     fn simplex_noise_tiles_on_the_line() {
         let lattice = Tiled::new(IntegerHash, [7]).unwrap();
-        tiles::<_, f32, 1>(&Simplex::CONTINUOUS.with_lattice(lattice), [7]);
-        tiles::<_, f32, 1>(&Simplex::WIDE.with_lattice(lattice), [7]);
+        tiles::<f32, 1>(&Simplex::new(4).with_lattice(lattice), [7]);
+        tiles::<f32, 1>(&Simplex::wide(4).with_lattice(lattice), [7]);
     }
 }

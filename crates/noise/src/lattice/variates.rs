@@ -1,9 +1,9 @@
 //! Directions and Gaussian variates from the bits of a lattice word, without logarithm or trigonometry of a library.
 
 use crate::{
+    lanes::lanes::{Lanes, Scalar},
     lattice::gaussian_levels::POSITIVE_LEVELS,
     lattice::integer_hash::further,
-    simd::lanes::{Lanes, Scalar},
 };
 
 /// The top bit of a word, the sign of a float.

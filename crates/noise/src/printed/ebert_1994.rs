@@ -1,23 +1,23 @@
 //! The noises of Ebert (ed.) 1994 with their tables, for reproduction: `vnoise`, `gnoise` and `vgnoise`.
 
-use glam::Vec3;
-
 use crate::{
-    contract::field::{Field, row_samples, row_values},
-    contract::kernel::{Kernel, LaneSample, Row, samples, values},
-    contract::sample::Sample,
+    contract::field::Field,
+    contract::kernel::{self, Kernel, Sealed, samples, values},
     kinds::catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
     kinds::cell::corner::{CellNoise, Corner},
-    kinds::cell::rows::Stretch,
     kinds::value_gradient::ValueGradientError,
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Fade,
     lattice::lattice::Lattice,
     lattice::permutation_table::PermutationTable,
     math,
-    row::scratch::Scratch,
-    simd::lanes::{Lanes, Scalar},
+    point::Point,
+    row::points::{Points, Target},
+    row::row::Row,
+    sample::Sample,
     statistics::statistics::Statistics,
     statistics::tables,
+    transforms::pointwise::{self, Combine},
 };
 
 /// The three tables of 256 entries: a permutation, numbers in [−1, 1] and unit gradients.
@@ -33,7 +33,7 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling", noise by D. Peachey; Cohen's lecture "Procedural Bump Mapping and Noise".
 ///
 /// ```
-/// use asperity_noise::{LectureTables, PermutationTable};
+/// use asperity_noise::{lattice::PermutationTable, printed::LectureTables};
 ///
 /// let stream = || {
 ///     let mut state = 665_u32;
@@ -155,7 +155,7 @@ impl Lattice for Bytes {
 /// - **Period:** 256 along each axis.
 ///
 /// ```
-/// use asperity_noise::{LectureTables, PermutationTable, Vnoise, glam::Vec3};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{LectureTables, Vnoise}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
 /// assert_eq!(Vnoise(&tables).value(Vec3::new(3.0, -1.0, 2.0)), 0.5);
@@ -174,7 +174,7 @@ pub struct Vnoise<'a>(
 /// - **Period:** 256 along each axis.
 ///
 /// ```
-/// use asperity_noise::{Gnoise, LectureTables, PermutationTable, glam::Vec3};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{Gnoise, LectureTables}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.5);
 /// let gradient = Gnoise(&tables).sample(Vec3::new(3.0, -1.0, 2.0)).gradient;
@@ -189,7 +189,7 @@ pub struct Gnoise<'a>(
 /// `vgnoise`: (1 − μ) `vnoise` + μ `gnoise`, on the same lattice; C¹.
 ///
 /// ```
-/// use asperity_noise::{LectureTables, PermutationTable, Vgnoise, glam::Vec3};
+/// use asperity_noise::{Field, glam::Vec3, lattice::PermutationTable, printed::{LectureTables, Vgnoise}};
 ///
 /// let tables = LectureTables::new(PermutationTable::new(1), || 0.25, || 0.25);
 /// assert_eq!(Vgnoise::new(&tables, 0.5)?.value(Vec3::new(3.0, -1.0, 2.0)), 0.25);
@@ -211,7 +211,7 @@ impl<'a> Vgnoise<'a> {
         if weight >= 0.0 && weight <= 1.0 {
             Ok(Self { tables, weight })
         } else {
-            Err(ValueGradientError::WeightOutOfRange(weight))
+            Err(ValueGradientError::WeightOutOfRange { weight })
         }
     }
 
@@ -222,88 +222,64 @@ impl<'a> Vgnoise<'a> {
     }
 }
 
-macro_rules! at_a_point {
-    ($noise:ty) => {
-        impl $noise {
-            /// Value and gradient at `p`; both 0 where it is not finite.
-            #[must_use]
-            pub fn sample(&self, p: Vec3) -> Sample<Vec3> {
-                let (value, gradient) = self.lane_samples(Scalar, p.to_array());
-                Sample { value, gradient: Vec3::from_array(gradient) }
-            }
-
-            /// The value alone, the same bits as [`sample`](Self::sample)'s.
-            #[must_use]
-            pub fn value(&self, p: Vec3) -> f32 {
-                self.lane_values(Scalar, p.to_array())
-            }
-        }
-    };
-}
-
-at_a_point!(Vnoise<'_>);
-at_a_point!(Gnoise<'_>);
-at_a_point!(Vgnoise<'_>);
-
 macro_rules! field_of_kernel {
-    ($noise:ty, $kernel:ident) => {
-        impl Field<3> for $noise {
-            #[inline(always)]
-            fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3]) -> S::F {
-                values(&$kernel(self.0), s, p, 0)
+    ($noise:ty, $kernel:ident, $range:expr) => {
+        /// Value and gradient are both 0 where a point is not finite.
+        impl<V: Point<Coordinates = [f32; 3]>> Field<V> for $noise {
+            fn sample(&self, p: V) -> Sample<V> {
+                let (value, gradient) = samples(&$kernel(self.0), Scalar, p.coordinates(), 0);
+                Sample { value, gradient: V::from_coordinates(gradient) }
             }
 
-            #[inline(always)]
-            fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3]) -> LaneSample<S, 3> {
-                samples(&$kernel(self.0), s, p, 0)
+            fn value(&self, p: V) -> f32 {
+                values(&$kernel(self.0), Scalar, p.coordinates(), 0)
             }
 
-            #[inline(always)]
-            fn row_values<S: Lanes>(
-                &self,
-                s: S,
-                row: &Row<3, false>,
-                scratch: &mut Scratch<3>,
-                out: &mut [f32],
-            ) {
-                row_values(&$kernel(self.0), s, row, 0, &mut scratch.columns, out);
+            fn range(&self) -> [f32; 2] {
+                [-$range, $range]
             }
 
-            #[inline(always)]
-            fn row_samples<S: Lanes>(
-                &self,
-                s: S,
-                row: &Row<3, false>,
-                scratch: &mut Scratch<3>,
-                out: &mut [f32],
-                gradients: &mut [&mut [f32]; 3],
-            ) {
-                row_samples(&$kernel(self.0), s, row, 0, &mut scratch.columns, out, gradients);
+            fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+                kernel::fill(&$kernel(self.0), points, target);
             }
         }
     };
 }
 
-field_of_kernel!(Vnoise<'_>, Splines);
-field_of_kernel!(Gnoise<'_>, Gradients);
+field_of_kernel!(Vnoise<'_>, Splines, 125.0 / 64.0);
+field_of_kernel!(Gnoise<'_>, Gradients, 0.866_025_4);
 
-impl Field<3> for Vgnoise<'_> {
+impl Combine<1> for Vgnoise<'_> {
     #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3]) -> S::F {
-        let value = values(&Splines(self.tables), s, p, 0);
-        let gradient = values(&Gradients(self.tables), s, p, 0);
-        s.float(1.0 - self.weight) * value + s.float(self.weight) * gradient
+    fn combined(&self, value: f32, [gradient]: [f32; 1]) -> f32 {
+        (1.0 - self.weight) * value + self.weight * gradient
+    }
+    #[inline(always)]
+    fn slope(&self, _: f32, _: [f32; 1], slope: f32, [steep]: [f32; 1]) -> f32 {
+        (1.0 - self.weight) * slope + self.weight * steep
+    }
+}
+
+impl<V: Point<Coordinates = [f32; 3]>> Field<V> for Vgnoise<'_> {
+    fn sample(&self, p: V) -> Sample<V> {
+        let (value, slope) = samples(&Splines(self.tables), Scalar, p.coordinates(), 0);
+        let (gradient, steep) = samples(&Gradients(self.tables), Scalar, p.coordinates(), 0);
+        let slope = |axis: usize| self.slope(value, [gradient], slope[axis], [steep[axis]]);
+        Sample { value: Combine::combined(self, value, [gradient]), gradient: V::from_axes(slope) }
     }
 
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3]) -> LaneSample<S, 3> {
-        let (rest, weight) = (s.float(1.0 - self.weight), s.float(self.weight));
-        let (value, mut slope) = samples(&Splines(self.tables), s, p, 0);
-        let (gradient, steep) = samples(&Gradients(self.tables), s, p, 0);
-        for axis in 0..3 {
-            slope[axis] = rest * slope[axis] + weight * steep[axis];
-        }
-        (rest * value + weight * gradient, slope)
+    fn value(&self, p: V) -> f32 {
+        let value = values(&Splines(self.tables), Scalar, p.coordinates(), 0);
+        Combine::combined(self, value, [values(&Gradients(self.tables), Scalar, p.coordinates(), 0)])
+    }
+
+    fn range(&self) -> [f32; 2] {
+        let range = Combine::combined(self, 125.0 / 64.0, [0.866_025_4]);
+        [-range, range]
+    }
+
+    fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+        pointwise::fill(self, &Vnoise(self.tables), [&Gnoise(self.tables)], points, target);
     }
 }
 
@@ -324,7 +300,15 @@ impl SplineNoise<3> for Splines<'_> {
     }
 }
 
+impl Sealed<3> for Splines<'_> {}
+
 impl Kernel<3> for Splines<'_> {
+    type RowScratch = ();
+
+    fn seed(&self) -> u32 {
+        0
+    }
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
         spline_values(s, self, p, seed)
@@ -336,16 +320,16 @@ impl Kernel<3> for Splines<'_> {
     }
 
     #[inline(always)]
-    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+    fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        row: &Row<3, SCALED>,
+        row: &Row<3>,
         seed: u32,
-        _stretch: &mut Stretch<3>,
+        _scratch: &mut (),
         values: &mut [f32],
         gradients: Option<&mut [&mut [f32]; 3]>,
     ) {
-        spline_rows::<Self, S, 3, SCALED, GRADIENTS>(s, self, row, seed, values, gradients);
+        spline_rows::<Self, S, 3, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {
@@ -367,6 +351,10 @@ impl CellNoise<3> for Gradients<'_> {
         &self.0.permutation
     }
 
+    fn seed(&self) -> u32 {
+        0
+    }
+
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, 3> {
         let mut gradient = [s.float(0.0); 3];
@@ -386,6 +374,7 @@ impl CellNoise<3> for Gradients<'_> {
 mod tests {
     use super::*;
     use crate::lattice::integer_hash::mix;
+    use glam::Vec3;
 
     fn tables() -> LectureTables {
         let stream = |start: u64| {

@@ -1,10 +1,9 @@
 //! The cells that a row's points lie in, and the points' places and weights there: the same in all rows of a grid.
 
 use crate::{
-    contract::kernel::{Row, RowKey},
-    kinds::cell::blend::Along,
-    lattice::fade::Fade,
-    simd::lanes::{LANES, Lanes, Scalar},
+    lanes::lanes::{LANES, Lanes, Scalar},
+    lattice::fade::{Along, Fade},
+    row::row::{Row, RowKey},
 };
 
 /// Points of a row that are planned at once.
@@ -21,11 +20,7 @@ pub(crate) const ZEROS: Numbers = [[0.0; LANES]; POINTS / LANES + 1];
 
 /// Whether cells hold several points each, and where they begin can be computed.
 #[inline(always)]
-pub(crate) fn has_columns<const N: usize, const SCALED: bool>(
-    row: &Row<N, SCALED>,
-    count: usize,
-    longest: f32,
-) -> bool {
+pub(crate) fn has_columns<const N: usize>(row: &Row<N>, count: usize, longest: f32) -> bool {
     let step = row.stride().abs();
     let reach = row.x(0).abs().max(row.x(count).abs());
     step < longest && step > reach * 1e-6 && count < 1 << 24
@@ -79,11 +74,11 @@ impl Plan {
 
     /// Plans the first `points` points of a row, and tells whether that changed anything.
     #[inline(always)]
-    pub(crate) fn make<S: Lanes, const N: usize, const SCALED: bool>(
+    pub(crate) fn make<S: Lanes, const N: usize>(
         &mut self,
         s: S,
         fade: Fade,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         points: usize,
     ) -> bool {
         let key = Some((row.key(), fade, points));
@@ -119,25 +114,6 @@ impl Plan {
             cell = if self.descending { cell.wrapping_sub(1) } else { cell.wrapping_add(1) };
         }
         true
-    }
-
-    /// The first coordinates of a row's points, instead of a plan.
-    #[inline(always)]
-    pub(crate) fn coordinates<S: Lanes, const N: usize, const SCALED: bool>(
-        &mut self,
-        s: S,
-        row: &Row<N, SCALED>,
-        points: usize,
-    ) -> &Numbers {
-        // Sums know no weights; any fade tells rows from one another.
-        let key = Some((row.key(), Fade::Cubic, points));
-        if self.key != key {
-            self.key = key;
-            for i in (0..points).step_by(S::LEN) {
-                s.store(row.xs(s, i), &mut self.place.as_flattened_mut()[i..]);
-            }
-        }
-        &self.place
     }
 
     /// Writes places from point `i` on, and their weights.
@@ -209,8 +185,8 @@ impl Plan {
 
 /// The index after the last point from `i` on that lies in the cell at `floor`.
 #[inline(always)]
-pub(crate) fn end_of_cell<const N: usize, const SCALED: bool>(
-    row: &Row<N, SCALED>,
+pub(crate) fn end_of_cell<const N: usize>(
+    row: &Row<N>,
     floor: f32,
     inverse: f32,
     i: usize,

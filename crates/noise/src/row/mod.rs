@@ -1,4 +1,6 @@
 //! Rows of points: the cells that they cross, and the memory that rows of a grid share.
 
 pub(crate) mod cells;
-pub(crate) mod scratch;
+pub(crate) mod grid;
+pub(crate) mod points;
+pub(crate) mod row;

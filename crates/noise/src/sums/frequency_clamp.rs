@@ -1,6 +1,6 @@
 //! Frequency clamping: octaves that a pixel cannot resolve give way to their mean.
 
-use crate::contract::point::Point;
+use crate::point::Point;
 
 /// The share of an octave that is removed for a footprint: 0 up to a fifth of a period, 1 from three fifths on.
 ///
@@ -51,9 +51,9 @@ pub fn removed_share(footprint: f32, frequency: f32) -> f32 {
 /// assert_eq!(pixel_footprint(Vec2::new(0.1, -0.5), Vec2::new(0.25, 0.0)), 0.5);
 /// ```
 #[must_use]
-pub fn pixel_footprint<V: Point<N>, const N: usize>(ddx: V, ddy: V) -> f32 {
+pub fn pixel_footprint<V: Point>(ddx: V, ddy: V) -> f32 {
     let (dx, dy) = (ddx.coordinates(), ddy.coordinates());
-    dx.iter().chain(&dy).fold(0.0, |greatest: f32, x| greatest.max(x.abs()))
+    dx.as_ref().iter().chain(dy.as_ref()).fold(0.0, |greatest: f32, x| greatest.max(x.abs()))
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Octaves and their sums.
 
 pub(crate) mod frequency_clamp;
-pub(crate) mod gaussian_octaves;
 pub(crate) mod octave;
 pub(crate) mod octaves;
+pub(crate) mod pass;
 pub(crate) mod ridged_multifractal;
 pub(crate) mod shape;
 pub(crate) mod spectrum;

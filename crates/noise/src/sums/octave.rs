@@ -1,10 +1,9 @@
 //! The place of one octave: its own seed and offset, and its rotation, times its frequency.
 
 use crate::{
-    contract::kernel::LaneSample,
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::mix,
     lattice::variates::{gaussian_corner, unit_direction},
-    simd::lanes::{Lanes, Scalar},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
 

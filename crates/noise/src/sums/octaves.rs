@@ -1,14 +1,18 @@
 //! Sums of octaves of any noise, with a real number of octaves.
 
 use crate::{
-    contract::field::{Field, row_samples, row_values},
-    contract::kernel::{Kernel, LaneSample, Row, samples, values},
-    contract::point::Point,
-    contract::sample::Sample,
-    row::scratch::{STRETCH, Scratch},
-    simd::lanes::{LANES, Lanes, Scalar},
+    contract::field::{Curved, Field},
+    contract::hessian::{self, CurvedKernel, Jet, mirror},
+    contract::kernel::{Kernel, samples, values},
+    kinds::gaussian::Gaussian,
+    lanes::lanes::{LaneSample, Scalar},
+    lattice::lattice::Lattice,
+    point::Point,
+    row::points::{Points, Target},
+    sample::{Sample, SecondOrder},
     sums::frequency_clamp::removed_share,
     sums::octave::{Layer, Rotation},
+    sums::pass::Passes,
     sums::shape::{Shape, Signed},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
@@ -25,7 +29,7 @@ pub enum Normalisation {
     Variance,
 }
 
-/// A sum of octaves of one kind of noise: fractional Brownian motion, and with another [`Shape`] turbulence and its like.
+/// Fractional Brownian motion: a sum of octaves of one kind of noise; with another [`Shape`] turbulence and its like.
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/octaves.md"))]
 ///
@@ -36,20 +40,55 @@ pub enum Normalisation {
 /// with the weights, amplitudes and frequencies of a [`Spectrum`], N by [`Normalisation`], and an own seed, offset oᵢ and
 /// rotation Rᵢ for every octave, so that octaves, and sums of different seeds, do not share lattice points. φ is the
 /// identity until [`with_shape`](Self::with_shape) gives another.
-/// No octaves give 0. As `octaves` → 0⁺ the first octave stays as it is, because it is normalised: fade it by
-/// [`Spectrum::share`]. An octave whose coordinates overflow adds φ(0).
+///
+/// All octaves of the spectrum take part until [`first`](Self::first) says how many. No octaves give 0. As they become fewer than one
+/// the first stays as it is, because it is normalised: fade it by [`share`](Self::share). An octave whose coordinates overflow adds φ(0).
 ///
 /// Nilsson 2008, "Procedural Generation of Natural Variations"; lacunarity after Ebert (ed.) 1994.
 ///
 /// ```
-/// use asperity_noise::{Normalisation, Octaves, Perlin2002, Spectrum, glam::Vec3};
+/// use asperity_noise::{Field, Normalisation, Octaves, Perlin2002, Spectrum, glam::Vec3};
 ///
-/// let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 5);
-/// let sample = noise.sample(Vec3::new(0.4, 0.1, -3.0), 4.5);
+/// let noise = Octaves::new(Perlin2002::new(5), Spectrum::default()).with_normalisation(Normalisation::Range);
+/// let sample = noise.first(4.5).sample(Vec3::new(0.4, 0.1, -3.0));
 /// assert!(sample.value.abs() <= 1.0);
 /// ```
+#[doc(alias("fbm", "fractal", "terrain", "clouds"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octaves<K, const N: usize, T = Signed> {
+    terms: Terms<K, N, T>,
+    active: Active,
+}
+
+/// A sum of octaves of Gaussian noise: N(0, 1) at every point, for every real number of octaves.
+///
+/// ```text
+/// z(p) = Σ wᵢ aᵢ zᵢ(fᵢ Rᵢ p + oᵢ) / √Σ wᵢ² aᵢ²,   zᵢ = nᵢ/√vᵢ ~ N(0, 1)
+/// ```
+///
+/// Each octave is normalised by itself, so the share of the variance that an octave has is the same at every point,
+/// wᵢ² aᵢ² / Σ wⱼ² aⱼ².
+///
+/// ```
+/// use asperity_noise::{Field, Gaussian, GaussianOctaves, Spectrum, glam::Vec3};
+///
+/// let noise = GaussianOctaves::new(Gaussian::new(42), Spectrum::default()).first(6.5);
+/// let [first, second] = noise.pair(Vec3::new(0.1, 0.2, 0.3));
+/// assert_eq!(first, noise.sample(Vec3::new(0.1, 0.2, 0.3)));
+/// assert!(first != second && noise.share() < 1.0);
+/// ```
+pub type GaussianOctaves<const N: usize> = Octaves<Gaussian, N>;
+
+/// A sum of octaves seen with another number of octaves, as [`Octaves::detail`] gives it.
+#[derive(Clone, Copy, Debug)]
+pub struct Detail<'a, K, const N: usize, T = Signed> {
+    terms: &'a Terms<K, N, T>,
+    active: Active,
+}
+
+/// All octaves of a sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Terms<K, const N: usize, T> {
     noise: K,
     spectrum: Spectrum,
     normalisation: Normalisation,
@@ -59,142 +98,10 @@ pub struct Octaves<K, const N: usize, T = Signed> {
     shape: T,
 }
 
-impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
-    /// The sum of octaves of `noise` that `seed` selects, each randomly rotated.
-    #[must_use]
-    pub fn new(noise: K, spectrum: Spectrum, normalisation: Normalisation, seed: u32) -> Self {
-        let rotation = Rotation::Random;
-        let layers = Layer::all(&spectrum, rotation, seed);
-        Self { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }
-    }
-
-    /// The excess kurtosis of the sum, from the measured one of the kind.
-    #[must_use]
-    pub fn excess_kurtosis(&self, octaves: f32) -> f32 {
-        self.noise.statistics().excess_kurtosis * self.spectrum.kurtosis_ratio(octaves)
-    }
-}
-
-impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
-    /// The same sum with octaves that are rotated or not.
-    #[must_use]
-    pub fn with_rotation(self, rotation: Rotation) -> Self {
-        Self { rotation, layers: Layer::all(&self.spectrum, rotation, self.seed), ..self }
-    }
-
-    /// The same octaves in another shape: [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma) and others.
-    #[must_use]
-    pub fn with_shape<U: Shape>(self, shape: U) -> Octaves<K, N, U> {
-        let Self { noise, spectrum, normalisation, rotation, seed, layers, .. } = self;
-        Octaves { noise, spectrum, normalisation, rotation, seed, layers, shape }
-    }
-
-    /// The noise of every octave.
-    #[must_use]
-    pub const fn noise(&self) -> &K {
-        &self.noise
-    }
-
-    /// The spectrum of the sum.
-    #[must_use]
-    pub const fn spectrum(&self) -> &Spectrum {
-        &self.spectrum
-    }
-
-    /// What the sum is divided by.
-    #[must_use]
-    pub const fn normalisation(&self) -> Normalisation {
-        self.normalisation
-    }
-
-    /// Value and gradient of the first `octaves` octaves at `p`.
-    #[must_use]
-    #[inline]
-    pub fn sample<V: Point<N>>(&self, p: V, octaves: f32) -> Sample<V> {
-        let (value, gradient) = self.first(octaves).lane_samples(Scalar, p.coordinates());
-        Sample { value, gradient: V::from_coordinates(gradient) }
-    }
-
-    /// The value alone, the same bits as [`sample`](Self::sample)'s.
-    #[must_use]
-    #[inline]
-    pub fn value<V: Point<N>>(&self, p: V, octaves: f32) -> f32 {
-        self.first(octaves).lane_values(Scalar, p.coordinates())
-    }
-
-    /// The sum of the first `octaves` octaves, for a [`Batch`](crate::Batch) or to be clamped to a footprint.
-    #[must_use]
-    #[inline]
-    pub fn first(&self, octaves: f32) -> FirstOctaves<'_, K, N, T> {
-        let octaves = lone_whole(octaves);
-        let mut amplitudes = [0.0; MAX_OCTAVES as usize];
-        let mut count = 0;
-        for (amplitude, (_, weighted)) in amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
-            *amplitude = weighted;
-            count += 1;
-        }
-        let mean = match self.normalisation {
-            Normalisation::Range => 0.0,
-            Normalisation::Variance => self.moments()[0],
-        };
-        // From 0, so that shapes of mean 0 start from 0 and not from −0.
-        let constant = amplitudes.iter().fold(0.0, |sum, amplitude| sum - mean * amplitude);
-        FirstOctaves { sum: self, amplitudes, count, constant: constant + 0.0, factor: self.factor(octaves) }
-    }
-
-    /// The measured mean of the sum: that of the shape under [`Normalisation::Range`], else 0; 0 without octaves.
-    #[must_use]
-    pub fn mean(&self, octaves: f32) -> f32 {
-        match self.normalisation {
-            Normalisation::Range if octaves > 0.0 => self.moments()[0],
-            _ => 0.0,
-        }
-    }
-
-    /// The measured standard deviation of the sum: 1 under [`Normalisation::Variance`], 0 without octaves.
-    #[must_use]
-    pub fn standard_deviation(&self, octaves: f32) -> f32 {
-        let octaves = lone_whole(octaves);
-        self.factor(octaves) * self.moments()[1] * self.spectrum.root_sum_of_squares(octaves)
-    }
-
-    /// Mean and standard deviation of one octave of amplitude 1.
-    #[inline]
-    fn moments(&self) -> [f32; 2] {
-        let deviation = self.noise.standard_deviation();
-        self.shape.mean_and_deviation(deviation, self.noise.absolute_moments())
-    }
-
-    /// 1/N, or 0 without octaves.
-    #[inline]
-    fn factor(&self, octaves: f32) -> f32 {
-        let norm = match self.normalisation {
-            Normalisation::Range => self.spectrum.sum_of_amplitudes(octaves),
-            Normalisation::Variance => self.moments()[1] * self.spectrum.root_sum_of_squares(octaves),
-        };
-        if norm > 0.0 { 1.0 / norm } else { 0.0 }
-    }
-}
-
-/// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
-#[inline]
-pub(crate) fn lone_whole(octaves: f32) -> f32 {
-    if octaves > 0.0 { octaves.max(1.0) } else { 0.0 }
-}
-
-/// A sum of octaves with its number of octaves, as [`Octaves::first`] gives it.
-///
-/// ```
-/// use asperity_noise::{Batch, Octaves, Perlin2002, Spectrum, glam::Vec2};
-///
-/// let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), Default::default(), 5);
-/// let mut row = [0.0; 100];
-/// Batch::new().fill_row(&noise.first(6.5), Vec2::new(0.0, 0.7), 0.125, &mut row);
-/// assert_eq!(row[8], noise.value(Vec2::new(1.0, 0.7), 6.5));
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct FirstOctaves<'a, K, const N: usize, T = Signed> {
-    sum: &'a Octaves<K, N, T>,
+/// The octaves that take part, and what they are divided by: computed once, not at every point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Active {
+    octaves: f32,
     /// wᵢ aᵢ, less what a footprint has removed.
     amplitudes: [f32; MAX_OCTAVES as usize],
     /// How many octaves take part.
@@ -202,225 +109,410 @@ pub struct FirstOctaves<'a, K, const N: usize, T = Signed> {
     /// What is added to the sum before it is normalised.
     constant: f32,
     factor: f32,
+    /// Lower and upper bound of the sum.
+    range: [f32; 2],
 }
 
-impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
-    /// The sum as a pixel of this footprint resolves it: octaves that are too fine give way to their mean.
-    ///
-    /// ```text
-    /// φ(nᵢ) becomes φ(nᵢ) + kᵢ (μ − φ(nᵢ)),   kᵢ = smoothstep(0.2, 0.6, footprint·fᵢ)
-    /// ```
-    ///
-    /// μ is the mean of the shape, 0 for signed noise and measured for the others. The sum keeps its mean and loses the variance
-    /// of what is removed; the normalisation stays that of all octaves. Octaves that are removed altogether are not evaluated.
-    /// The gradient is that for a footprint that is the same at all points, see [`removed_share`] and
-    /// [`pixel_footprint`](crate::pixel_footprint).
-    ///
-    /// Nilsson 2008, section 4.1.6, with the means of the noises here: 0 is the mean of signed noise only.
-    ///
-    /// ```
-    /// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec2};
-    ///
-    /// let noise = Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, 5).with_shape(Turbulence);
-    /// let p = Vec2::new(0.3, 4.1);
-    /// assert_eq!(noise.first(6.0).clamped(1e-3).sample(p), noise.sample(p, 6.0));
-    ///
-    /// let far = noise.first(6.0).clamped(1.0).sample(p);
-    /// assert!((far.value - noise.mean(6.0)).abs() < 1e-6 && far.gradient == Vec2::ZERO);
-    /// ```
-    #[must_use]
-    pub fn clamped(mut self, footprint: f32) -> Self {
-        let [mean, _] = self.sum.moments();
-        let mut frequency = 1.0;
-        for amplitude in self.amplitudes.iter_mut().take(self.count) {
-            let removed = removed_share(footprint, frequency);
-            self.constant += *amplitude * removed * mean;
-            *amplitude *= 1.0 - removed;
-            frequency *= self.sum.spectrum.lacunarity();
+/// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
+#[inline]
+fn lone_whole(octaves: f32) -> f32 {
+    if octaves > 0.0 { octaves.max(1.0) } else { 0.0 }
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
+    #[inline]
+    fn active(&self, octaves: f32) -> Active {
+        let octaves = lone_whole(octaves);
+        let mut active = Active {
+            octaves,
+            amplitudes: [0.0; MAX_OCTAVES as usize],
+            count: 0,
+            constant: 0.0,
+            factor: 0.0,
+            range: self.shape.range(self.noise.statistics().range),
+        };
+        for (amplitude, (_, weighted)) in active.amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
+            *amplitude = weighted;
+            active.count += 1;
         }
-        self.count = self.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
-        self
+        let norm = match self.normalisation {
+            Normalisation::Range => self.spectrum.sum_of_amplitudes(octaves),
+            Normalisation::Variance => {
+                let [mean, deviation] = self.moments();
+                // From 0, so that shapes of mean 0 start from 0 and not from −0.
+                let constant = active.amplitudes.iter().fold(0.0, |sum, amplitude| sum - mean * amplitude);
+                active.constant = constant + 0.0;
+                deviation * self.spectrum.root_sum_of_squares(octaves)
+            }
+        };
+        active.factor = if norm > 0.0 { 1.0 / norm } else { 0.0 };
+        let amplitudes = self.spectrum.sum_of_amplitudes(octaves);
+        active.range = active.range.map(|bound| (active.constant + bound * amplitudes) * active.factor);
+        active
     }
 
-    /// Octave i with its amplitude, if it takes part.
-    #[inline(always)]
-    pub(crate) fn octave(&self, i: usize) -> Option<(f32, &Layer<N>)> {
-        if i < self.count { self.amplitudes.get(i).copied().zip(self.sum.layers.get(i)) } else { None }
+    /// Mean and standard deviation of one octave of amplitude 1.
+    #[inline]
+    fn moments(&self) -> [f32; 2] {
+        if T::IS_IDENTITY {
+            return [0.0, self.noise.standard_deviation()];
+        }
+        self.shape.mean_and_deviation(self.noise.standard_deviation(), self.noise.absolute_moments())
+    }
+
+    fn clamped(&self, mut active: Active, footprint: f32) -> Active {
+        let [mean, _] = self.moments();
+        let mut frequency = 1.0;
+        for amplitude in active.amplitudes.iter_mut().take(active.count) {
+            let removed = removed_share(footprint, frequency);
+            active.constant += *amplitude * removed * mean;
+            *amplitude *= 1.0 - removed;
+            frequency *= self.spectrum.lacunarity();
+        }
+        active.count = active.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
+        active
     }
 
     /// The octaves that take part, each with its amplitude.
     #[inline(always)]
-    pub(crate) fn active(&self) -> impl Iterator<Item = (f32, &Layer<N>)> {
-        self.amplitudes.iter().copied().take(self.count).zip(&self.sum.layers)
+    fn octaves<'a>(&'a self, active: &'a Active) -> impl Iterator<Item = (f32, &'a Layer<N>)> {
+        active.amplitudes.iter().copied().take(active.count).zip(&self.layers)
     }
 
     #[inline(always)]
-    pub(crate) fn noise(&self) -> &K {
-        &self.sum.noise
-    }
-
-    #[inline(always)]
-    pub(crate) fn rotation(&self) -> Rotation {
-        self.sum.rotation
-    }
-
-    #[inline(always)]
-    pub(crate) fn factor(&self) -> f32 {
-        self.factor
-    }
-}
-
-impl<K: Kernel<N>, const N: usize, T: Shape> Field<N> for FirstOctaves<'_, K, N, T> {
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        let mut sum = s.float(self.constant);
-        for (amplitude, layer) in self.active() {
-            let p = match self.sum.rotation {
-                Rotation::Random => layer.points(s, p),
-                Rotation::Aligned => layer.aligned(s, p),
+    fn value(&self, active: &Active, p: [f32; N]) -> f32 {
+        let mut sum = active.constant;
+        for (amplitude, layer) in self.octaves(active) {
+            let p = match self.rotation {
+                Rotation::Random => layer.points(Scalar, p),
+                Rotation::Aligned => layer.aligned(Scalar, p),
             };
-            let value = self.sum.shape.value(s, values(&self.sum.noise, s, p, layer.seed));
-            sum = sum + s.float(amplitude) * value;
+            sum += amplitude * self.shape.value(values(&self.noise, Scalar, p, layer.seed));
         }
-        sum * s.float(self.factor)
+        sum * active.factor
     }
 
     #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        let mut sum = (s.float(self.constant), [s.float(0.0); N]);
-        for (amplitude, layer) in self.active() {
-            let amplitude = s.float(amplitude);
-            match self.sum.rotation {
-                Rotation::Random => {
-                    let sample = samples(&self.sum.noise, s, layer.points(s, p), layer.seed);
-                    layer.accumulate(s, &mut sum, amplitude, self.sum.shape.sample(s, sample));
-                }
-                Rotation::Aligned => {
-                    let sample = samples(&self.sum.noise, s, layer.aligned(s, p), layer.seed);
-                    layer.accumulate_aligned(s, &mut sum, amplitude, self.sum.shape.sample(s, sample));
-                }
+    fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
+        let mut sum = (active.constant, [0.0; N]);
+        for (amplitude, layer) in self.octaves(active) {
+            let aligned = self.rotation == Rotation::Aligned;
+            let p = if aligned { layer.aligned(Scalar, p) } else { layer.points(Scalar, p) };
+            let (n, gradient) = samples(&self.noise, Scalar, p, layer.seed);
+            let slope = self.shape.slope(n);
+            let sample = (self.shape.value(n), gradient.map(|g| slope * g));
+            if aligned {
+                layer.accumulate_aligned(Scalar, &mut sum, amplitude, sample);
+            } else {
+                layer.accumulate(Scalar, &mut sum, amplitude, sample);
             }
         }
-        let factor = s.float(self.factor);
-        scaled(s, sum, factor)
+        (sum.0 * active.factor, sum.1.map(|g| g * active.factor))
     }
 
-    #[inline(always)]
-    fn passes(&self) -> usize {
-        match self.sum.rotation {
-            Rotation::Random => 1,
-            Rotation::Aligned => self.count.max(1),
-        }
-    }
-
-    #[inline(always)]
-    fn pass_values<S: Lanes>(
-        &self,
-        s: S,
-        pass: usize,
-        row: &Row<N, false>,
-        scratch: &mut Scratch<N>,
-        out: &mut [f32],
-    ) {
-        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, self.octave(pass)) else {
-            self.row_values(s, row, scratch, out);
-            return;
-        };
-        let Scratch { columns, octave, .. } = scratch;
-        let frequencies = layer.frequencies();
-        for (stretch, out) in out.chunks_mut(STRETCH).enumerate() {
-            let octave = &mut octave[..out.len()];
-            let row = row.after(stretch * STRETCH).scaled(frequencies, layer.offset);
-            row_values(&self.sum.noise, s, &row, layer.seed, columns, octave);
-            let (octaves, octave) = octave.as_chunks::<LANES>();
-            let (blocks, rest) = out.as_chunks_mut::<LANES>();
-            // Registers that are known to be whole take no checks.
-            for (octave, sum) in octaves.iter().zip(blocks) {
-                for k in (0..LANES).step_by(S::LEN) {
-                    let octave = self.sum.shape.value(s, s.load(&octave[k..]));
-                    self.accumulate(s, pass, &mut sum[k..k + S::LEN], self.constant, amplitude, octave);
-                }
-            }
-            for (octave, sum) in octave.chunks(S::LEN).zip(rest.chunks_mut(S::LEN)) {
-                let octave = self.sum.shape.value(s, s.load_part(octave));
-                self.accumulate(s, pass, sum, self.constant, amplitude, octave);
-            }
+    fn passes<'a>(&'a self, active: &'a Active) -> Passes<'a, K, N, T> {
+        Passes {
+            noise: &self.noise,
+            shape: self.shape,
+            rotation: self.rotation,
+            layers: &self.layers,
+            amplitudes: active.amplitudes.get(..active.count).unwrap_or_default(),
+            constant: active.constant,
+            factor: active.factor,
         }
     }
 
-    #[inline(always)]
-    fn pass_samples<S: Lanes>(
-        &self,
-        s: S,
-        pass: usize,
-        row: &Row<N, false>,
-        scratch: &mut Scratch<N>,
-        out: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        let (Rotation::Aligned, Some((amplitude, layer))) = (self.sum.rotation, self.octave(pass)) else {
-            self.row_samples(s, row, scratch, out, gradients);
-            return;
-        };
-        let Scratch { columns, octave, slopes } = scratch;
-        let frequencies = layer.frequencies();
-        for (stretch, out) in out.chunks_mut(STRETCH).enumerate() {
-            let (start, count) = (stretch * STRETCH, out.len());
-            let octave = &mut octave[..count];
-            let row = row.after(start).scaled(frequencies, layer.offset);
-            let mut rows = slopes.each_mut().map(|slope| &mut slope[..count]);
-            row_samples(&self.sum.noise, s, &row, layer.seed, columns, octave, &mut rows);
-            let mut i = 0;
-            for (sum, octave) in out.chunks_mut(S::LEN).zip(octave.chunks(S::LEN)) {
-                let mut sample = (s.load_part(octave), [s.float(0.0); N]);
-                for axis in 0..N {
-                    sample.1[axis] = s.load_part(slopes[axis].get(i..).unwrap_or_default());
-                }
-                let (value, gradient) = self.sum.shape.sample(s, sample);
-                self.accumulate(s, pass, sum, self.constant, amplitude, value);
-                let end = start + count.min(i + S::LEN);
-                for axis in 0..N {
-                    let slope = s.float(frequencies[axis]) * gradient[axis];
-                    let sum = gradients[axis].get_mut(start + i..end).unwrap_or_default();
-                    self.accumulate(s, pass, sum, 0.0, amplitude, slope);
-                }
-                i += S::LEN;
+    fn mean(&self, active: &Active) -> f32 {
+        match self.normalisation {
+            Normalisation::Range if active.octaves > 0.0 => self.moments()[0],
+            _ => 0.0,
+        }
+    }
+
+    fn standard_deviation(&self, active: &Active) -> f32 {
+        active.factor * self.moments()[1] * self.spectrum.root_sum_of_squares(active.octaves)
+    }
+}
+
+impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
+    /// factor · Σ amplitude · octave.
+    fn jet(&self, active: &Active, p: [f32; N]) -> Jet<N> {
+        let (mut sum, mut hessian) = ((0.0, [0.0; N]), [[0.0; N]; N]);
+        for (amplitude, layer) in active.amplitudes.iter().copied().take(active.count).zip(&self.layers) {
+            let octave;
+            if self.rotation == Rotation::Random {
+                octave = hessian::at(&self.noise, layer.points(Scalar, p), layer.seed);
+                layer.accumulate(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
+            } else {
+                octave = hessian::at(&self.noise, layer.aligned(Scalar, p), layer.seed);
+                layer.accumulate_aligned(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
             }
+            // M as the rows of what it makes of the axes: H M, then Mᵀ (H M).
+            let turned = octave.hessian.map(|row| layer.pull_back(Scalar, row));
+            for i in 0..N {
+                for j in i..N {
+                    let entry = (0..N).fold(0.0, |entry, k| entry + layer.matrix[k][i] * turned[k][j]);
+                    hessian[i][j] += amplitude * entry;
+                }
+            }
+        }
+        mirror(&mut hessian);
+        let factor = active.factor;
+        Jet {
+            value: sum.0 * factor,
+            gradient: sum.1.map(|g| g * factor),
+            hessian: hessian.map(|row| row.map(|x| x * factor)),
         }
     }
 }
 
-impl<K: Kernel<N>, const N: usize, T: Shape> FirstOctaves<'_, K, N, T> {
-    /// sum + amplitude · octave, times the factor in the last pass; before the first pass the sum is `constant`.
-    #[inline(always)]
-    fn accumulate<S: Lanes>(
-        &self,
-        s: S,
-        pass: usize,
-        sum: &mut [f32],
-        constant: f32,
-        amplitude: f32,
-        octave: S::F,
-    ) {
-        let before = if pass == 0 { s.float(constant) } else { s.load_part(sum) };
-        let mut total = before + s.float(amplitude) * octave;
-        if pass + 1 == self.count {
-            total = total * s.float(self.factor);
+impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
+    #[inline]
+    fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
+        let mut sums = [(0.0, [0.0; N]); 2];
+        for (amplitude, layer) in self.octaves(active) {
+            let aligned = self.rotation == Rotation::Aligned;
+            let p = p.coordinates();
+            let p = if aligned { layer.aligned(Scalar, p) } else { layer.points(Scalar, p) };
+            for (sum, sample) in sums.iter_mut().zip(self.noise.channels(p, layer.seed)) {
+                if aligned {
+                    layer.accumulate_aligned(Scalar, sum, amplitude, sample);
+                } else {
+                    layer.accumulate(Scalar, sum, amplitude, sample);
+                }
+            }
         }
-        s.store(total, sum);
+        sums.map(|(value, gradient)| Sample {
+            value: value * active.factor,
+            gradient: V::from_coordinates(gradient.map(|g| g * active.factor)),
+        })
     }
 }
 
-/// factor · sample.
-#[inline(always)]
-pub(crate) fn scaled<S: Lanes, const N: usize>(
-    _: S,
-    sample: LaneSample<S, N>,
-    factor: S::F,
-) -> LaneSample<S, N> {
-    let (value, mut gradient) = sample;
-    for axis in 0..N {
-        gradient[axis] = gradient[axis] * factor;
+impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
+    /// The sum of octaves of `noise` that its seed selects, each randomly rotated, of variance 1.
+    #[must_use]
+    pub fn new(noise: K, spectrum: Spectrum) -> Self {
+        let (rotation, normalisation) = (Rotation::Random, Normalisation::Variance);
+        let seed = noise.seed();
+        let layers = Layer::all(&spectrum, rotation, seed);
+        Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
-    (value * factor, gradient)
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
+    /// The sum of all octaves.
+    fn all(self) -> Octaves<K, N, T> {
+        let octaves = self.spectrum.max_octaves() as f32;
+        Octaves { active: self.active(octaves), terms: self }
+    }
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
+    /// Octaves that are rotated or not.
+    #[must_use]
+    pub fn with_rotation(self, rotation: Rotation) -> Self {
+        let layers = Layer::all(&self.terms.spectrum, rotation, self.terms.seed);
+        Self { terms: Terms { rotation, layers, ..self.terms }, ..self }
+    }
+
+    /// The sum that another seed selects.
+    #[must_use]
+    pub fn with_seed(self, seed: u32) -> Self {
+        let layers = Layer::all(&self.terms.spectrum, self.terms.rotation, seed);
+        Self { terms: Terms { seed, layers, ..self.terms }, ..self }
+    }
+
+    /// Another normalisation, of as many octaves; before [`clamped`](Self::clamped).
+    #[must_use]
+    pub fn with_normalisation(self, normalisation: Normalisation) -> Self {
+        Terms { normalisation, ..self.terms }.all().first(self.active.octaves)
+    }
+
+    /// Another shape, of as many octaves: [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma) and others; before
+    /// [`clamped`](Self::clamped).
+    #[must_use]
+    pub fn with_shape<U: Shape>(self, shape: U) -> Octaves<K, N, U> {
+        let Terms { noise, spectrum, normalisation, rotation, seed, layers, .. } = self.terms;
+        Terms { noise, spectrum, normalisation, rotation, seed, layers, shape }
+            .all()
+            .first(self.active.octaves)
+    }
+
+    /// The first `octaves` octaves; with a fraction, the last one at part of its amplitude.
+    ///
+    /// ```
+    /// use asperity_noise::{Field, Grid, Octaves, Perlin2002, Spectrum, glam::Vec2};
+    ///
+    /// let noise = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(6.5);
+    /// let grid = Grid { origin: Vec2::new(0.0, 0.7), step: Vec2::splat(0.125), size: [100, 3] };
+    /// let mut values = [0.0; 300];
+    /// noise.grid_values(&grid, &mut values)?;
+    /// assert_eq!(values[8], noise.value(Vec2::new(1.0, 0.7)));
+    /// # Ok::<(), asperity_noise::BatchError>(())
+    /// ```
+    #[must_use]
+    pub fn first(self, octaves: f32) -> Self {
+        Self { active: self.terms.active(octaves), ..self }
+    }
+
+    /// The first `octaves` octaves, borrowed: for a number of octaves that changes from point to point.
+    #[doc(alias("lod", "level of detail"))]
+    #[must_use]
+    #[inline]
+    pub fn detail(&self, octaves: f32) -> Detail<'_, K, N, T> {
+        Detail { terms: &self.terms, active: self.terms.active(octaves) }
+    }
+}
+
+/// What a sum and a sum with another number of octaves have in common.
+macro_rules! sum {
+    ($sum:ty) => {
+        impl<K: Kernel<N>, const N: usize, T: Shape> $sum {
+            /// The noise of every octave.
+            #[must_use]
+            pub const fn noise(&self) -> &K {
+                &self.terms.noise
+            }
+
+            /// The spectrum of the sum.
+            #[must_use]
+            pub const fn spectrum(&self) -> &Spectrum {
+                &self.terms.spectrum
+            }
+
+            /// What the sum is divided by.
+            #[must_use]
+            pub const fn normalisation(&self) -> Normalisation {
+                self.terms.normalisation
+            }
+
+            /// The number of octaves that take part, 0 or at least 1.
+            #[must_use]
+            pub const fn octaves(&self) -> f32 {
+                self.active.octaves
+            }
+
+            /// Frequency clamping: the sum as a pixel of this footprint resolves it; octaves too fine for it give way to their mean.
+            ///
+            /// ```text
+            /// φ(nᵢ) becomes φ(nᵢ) + kᵢ (μ − φ(nᵢ)),   kᵢ = smoothstep(0.2, 0.6, footprint·fᵢ)
+            /// ```
+            ///
+            /// μ is the mean of the shape, 0 for signed noise and measured for the others. The sum keeps its mean and loses the
+            /// variance of what is removed; the normalisation stays that of all octaves. Octaves that are removed altogether are
+            /// not evaluated. The gradient is that for a footprint that is the same at all points, see [`removed_share`] and
+            /// [`pixel_footprint`](crate::pixel_footprint).
+            ///
+            /// Nilsson 2008, section 4.1.6, with the means of the noises here: 0 is the mean of signed noise only.
+            ///
+            /// ```
+            /// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec2};
+            ///
+            /// let noise = Octaves::new(Simplex::new(5), Spectrum::CLOUD).with_shape(Turbulence);
+            /// let noise = noise.with_normalisation(Normalisation::Range).first(6.0);
+            /// let p = Vec2::new(0.3, 4.1);
+            /// assert_eq!(noise.clamped(1e-3).sample(p), noise.sample(p));
+            ///
+            /// let far = noise.clamped(1.0).sample(p);
+            /// assert!((far.value - noise.mean()).abs() < 1e-6 && far.gradient == Vec2::ZERO);
+            /// ```
+            #[doc(alias("antialiasing", "anti-aliasing"))]
+            #[must_use]
+            pub fn clamped(self, footprint: f32) -> Self {
+                Self { active: self.terms.clamped(self.active, footprint), ..self }
+            }
+
+            /// The measured mean of the sum: that of the shape under [`Normalisation::Range`], else 0; 0 without octaves.
+            #[must_use]
+            pub fn mean(&self) -> f32 {
+                self.terms.mean(&self.active)
+            }
+
+            /// The measured standard deviation of the sum: 1 under [`Normalisation::Variance`], 0 without octaves.
+            ///
+            /// Of the sum before it is [`clamped`](Self::clamped).
+            #[must_use]
+            pub fn standard_deviation(&self) -> f32 {
+                self.terms.standard_deviation(&self.active)
+            }
+
+            /// The share in [0, 1) of the endless spectrum's variance that the octaves resolve, [`Spectrum::share`].
+            #[must_use]
+            #[inline]
+            pub fn share(&self) -> f32 {
+                self.terms.spectrum.share(self.active.octaves)
+            }
+        }
+
+        impl<V, K, const N: usize, T> Field<V> for $sum
+        where
+            V: Point<Coordinates = [f32; N]>,
+            K: Kernel<N>,
+            T: Shape,
+        {
+            #[inline]
+            fn sample(&self, p: V) -> Sample<V> {
+                let (value, gradient) = self.terms.sample(&self.active, p.coordinates());
+                Sample { value, gradient: V::from_coordinates(gradient) }
+            }
+
+            #[inline]
+            fn value(&self, p: V) -> f32 {
+                self.terms.value(&self.active, p.coordinates())
+            }
+
+            fn range(&self) -> [f32; 2] {
+                self.active.range
+            }
+
+            fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+                self.terms.passes(&self.active).fill(points, target);
+            }
+        }
+    };
+}
+
+sum!(Octaves<K, N, T>);
+sum!(Detail<'_, K, N, T>);
+
+macro_rules! signed_sum {
+    ($sum:ident $(, $lifetime:lifetime)?) => {
+        impl<K: Kernel<N>, const N: usize> $sum<$($lifetime,)? K, N> {
+            /// The excess kurtosis of the sum, from the measured one of the kind.
+            #[must_use]
+            pub fn excess_kurtosis(&self) -> f32 {
+                self.terms.noise.statistics().excess_kurtosis * self.terms.spectrum.kurtosis_ratio(self.active.octaves)
+            }
+        }
+
+        impl<L: Lattice, const N: usize> $sum<$($lifetime,)? Gaussian<L>, N> {
+            /// Two channels from one walk of the lattices, independent of each other; the first is [`sample`](Field::sample)'s.
+            #[must_use]
+            #[inline]
+            pub fn pair<V: Point<Coordinates = [f32; N]>>(&self, p: V) -> [Sample<V>; 2] {
+                self.terms.pair(&self.active, p)
+            }
+        }
+
+        impl<V, K, const N: usize> Curved<V> for $sum<$($lifetime,)? K, N>
+        where
+            V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
+            K: CurvedKernel<N>,
+        {
+            fn second_order(&self, p: V) -> SecondOrder<V> {
+                self.terms.jet(&self.active, p.coordinates()).at()
+            }
+        }
+    };
+}
+
+signed_sum!(Octaves);
+signed_sum!(Detail, '_);
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
+    /// The octaves that take part, for sums that weight them otherwise.
+    pub(crate) fn parts(&self) -> Passes<'_, K, N, T> {
+        self.terms.passes(&self.active)
+    }
 }

@@ -4,9 +4,15 @@ use core::{error::Error, fmt};
 
 use crate::{
     contract::field::Field,
-    contract::kernel::{Kernel, LaneSample, samples, values},
-    simd::lanes::Lanes,
-    sums::octaves::{FirstOctaves, Normalisation, Octaves, scaled},
+    contract::kernel::{FillList, Kernel, samples, values},
+    lanes::lanes::{Lanes, Scalar},
+    lanes::level::Task,
+    point::Point,
+    row::points::{Points, Target},
+    sample::Sample,
+    sums::octave::{Layer, Rotation},
+    sums::octaves::{Normalisation, Octaves},
+    sums::pass::{LIST, Lists, Move, copy_out},
     sums::shape::Shape,
     sums::spectrum::Spectrum,
     sums::turbulence::Ridged,
@@ -30,7 +36,7 @@ use crate::{
 /// ```
 /// use asperity_noise::{Field, Perlin2002, RidgedMultifractal, Spectrum, glam::Vec2};
 ///
-/// let mountains = RidgedMultifractal::new(Perlin2002::default(), Spectrum::CLOUD, 2.0, 1)?;
+/// let mountains = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::CLOUD, 2.0)?;
 /// let sample = mountains.first(7.5).sample(Vec2::new(0.3, 0.8));
 /// assert!((0.0..=1.0).contains(&sample.value));
 /// # Ok::<(), asperity_noise::FeedbackError>(())
@@ -42,17 +48,24 @@ pub struct RidgedMultifractal<K, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
-    /// The sum of octaves of `noise` that `seed` selects, each randomly rotated.
+    /// The sum of octaves of `noise` that its seed selects, each randomly rotated.
     ///
     /// # Errors
     ///
     /// If `feedback` is not a finite number from 0 on.
-    pub fn new(noise: K, spectrum: Spectrum, feedback: f32, seed: u32) -> Result<Self, FeedbackError> {
+    pub fn new(noise: K, spectrum: Spectrum, feedback: f32) -> Result<Self, FeedbackError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
-            return Err(FeedbackError::FeedbackNegative(feedback));
+            return Err(FeedbackError { feedback });
         }
-        let octaves = Octaves::new(noise, spectrum, Normalisation::Range, seed).with_shape(Ridged);
+        let octaves =
+            Octaves::new(noise, spectrum).with_shape(Ridged).with_normalisation(Normalisation::Range);
         Ok(Self { octaves, feedback })
+    }
+
+    /// The first `octaves` octaves; with a fraction, the last one at part of its amplitude.
+    #[must_use]
+    pub fn first(self, octaves: f32) -> Self {
+        Self { octaves: self.octaves.first(octaves), ..self }
     }
 
     /// The factor from an octave to the weight of the next.
@@ -60,74 +73,148 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     pub const fn feedback(&self) -> f32 {
         self.feedback
     }
-
-    /// The sum of the first `octaves` octaves.
-    #[must_use]
-    #[inline]
-    pub fn first(&self, octaves: f32) -> FirstRidges<'_, K, N> {
-        FirstRidges { octaves: self.octaves.first(octaves), feedback: self.feedback }
-    }
 }
 
-/// A ridged multifractal with its number of octaves, as [`RidgedMultifractal::first`] gives it.
-#[derive(Clone, Copy, Debug)]
-pub struct FirstRidges<'a, K, const N: usize> {
-    octaves: FirstOctaves<'a, K, N, Ridged>,
-    feedback: f32,
-}
-
-impl<K: Kernel<N>, const N: usize> Field<N> for FirstRidges<'_, K, N> {
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        let one = s.float(1.0);
-        let (mut sum, mut weight) = (s.float(0.0), one);
-        for (amplitude, layer) in self.octaves.active() {
-            let value = Ridged.value(s, values(self.octaves.noise(), s, layer.points(s, p), layer.seed));
-            let ridge = weight * value;
-            sum = sum + s.float(amplitude) * ridge;
-            let next = s.float(self.feedback) * ridge;
-            weight = s.select(s.less(next, one), next, one);
-        }
-        sum * s.float(self.octaves.factor())
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        let (zero, one, feedback) = (s.float(0.0), s.float(1.0), s.float(self.feedback));
-        let (mut sum, mut weight) = ((zero, [zero; N]), (one, [zero; N]));
-        for (amplitude, layer) in self.octaves.active() {
-            let sample = samples(self.octaves.noise(), s, layer.points(s, p), layer.seed);
-            let (value, slopes) = Ridged.sample(s, sample);
-            let slopes = layer.pull_back(s, slopes);
+impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> for RidgedMultifractal<K, N> {
+    fn sample(&self, p: V) -> Sample<V> {
+        let (p, passes) = (p.coordinates(), self.octaves.parts());
+        let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
+        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
+            let (n, slopes) = samples(passes.noise, Scalar, layer.points(Scalar, p), layer.seed);
+            let (value, slope) = (Ridged.value(n), Ridged.slope(n));
+            let slopes = layer.pull_back(Scalar, slopes.map(|g| slope * g));
             let ridge = weight.0 * value;
-            sum.0 = sum.0 + s.float(amplitude) * ridge;
-            let next = feedback * ridge;
-            let below = s.less(next, one);
+            sum.0 += amplitude * ridge;
+            let next = self.feedback * ridge;
             for axis in 0..N {
                 let slope = weight.0 * slopes[axis] + weight.1[axis] * value;
-                sum.1[axis] = sum.1[axis] + s.float(amplitude) * slope;
-                weight.1[axis] = s.select(below, feedback * slope, zero);
+                sum.1[axis] += amplitude * slope;
+                weight.1[axis] = if next < 1.0 { self.feedback * slope } else { 0.0 };
             }
-            weight.0 = s.select(below, next, one);
+            weight.0 = if next < 1.0 { next } else { 1.0 };
         }
-        let factor = s.float(self.octaves.factor());
-        scaled(s, sum, factor)
+        let gradient = V::from_coordinates(sum.1.map(|g| g * passes.factor));
+        Sample { value: sum.0 * passes.factor, gradient }
+    }
+
+    fn value(&self, p: V) -> f32 {
+        let (p, passes) = (p.coordinates(), self.octaves.parts());
+        let (mut sum, mut weight) = (0.0, 1.0);
+        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
+            let n = values(passes.noise, Scalar, layer.points(Scalar, p), layer.seed);
+            let ridge = weight * Ridged.value(n);
+            sum += amplitude * ridge;
+            let next = self.feedback * ridge;
+            weight = if next < 1.0 { next } else { 1.0 };
+        }
+        sum * passes.factor
+    }
+
+    fn range(&self) -> [f32; 2] {
+        Field::<V>::range(&self.octaves)
+    }
+
+    fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
+        let (instructions, wanted) = (target.instructions, target.gradients.is_some());
+        let (passes, feedback) = (self.octaves.parts(), self.feedback);
+        for block in points.blocks(LIST) {
+            let count = block.len();
+            let (mut from, mut to) = ([[0.0; LIST]; N], [[0.0; LIST]; N]);
+            let (mut octave, mut slopes) = ([0.0; LIST], [[0.0; LIST]; N]);
+            let mut sums = Sums::empty();
+            points.part(&block).write(&mut from);
+            for (&amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
+                instructions.run(Move { layer, rotation: Rotation::Random, from: &from, to: &mut to, count });
+                let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
+                let (kernel, seed, points) = (passes.noise, layer.seed, to.each_ref().map(|x| &x[..count]));
+                FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
+                let (octave, slopes, sums) = (&octave, wanted.then_some(&slopes), &mut sums);
+                instructions.run(Add { layer, amplitude, feedback, octave, slopes, sums, count });
+            }
+            for value in sums.value.iter_mut().chain(sums.gradient.as_flattened_mut()) {
+                *value *= passes.factor;
+            }
+            copy_out(&mut target.part(&block), &block, &sums.value, &sums.gradient);
+        }
     }
 }
 
-/// Why a [`RidgedMultifractal`] was refused.
+/// The sums at the points of a list, and the weights of their next octave.
+struct Sums<const N: usize> {
+    value: [f32; LIST],
+    gradient: Lists<N>,
+    weight: [f32; LIST],
+    slope: Lists<N>,
+}
+
+impl<const N: usize> Sums<N> {
+    #[inline(always)]
+    fn empty() -> Self {
+        Self { value: [0.0; LIST], gradient: [[0.0; LIST]; N], weight: [1.0; LIST], slope: [[0.0; LIST]; N] }
+    }
+}
+
+/// Adds an octave by its weights, and weights the next.
+struct Add<'a, const N: usize> {
+    layer: &'a Layer<N>,
+    amplitude: f32,
+    feedback: f32,
+    octave: &'a [f32; LIST],
+    slopes: Option<&'a Lists<N>>,
+    sums: &'a mut Sums<N>,
+    count: usize,
+}
+
+impl<const N: usize> Task for Add<'_, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { layer, octave, slopes, sums, count, .. } = self;
+        let [amplitude, feedback] = [self.amplitude, self.feedback].map(|x| s.float(x));
+        let (zero, one) = (s.float(0.0), s.float(1.0));
+        let (mut ridges, mut bends) = ([0.0; LIST], [0.0; LIST]);
+        for (ridge, n) in ridges.iter_mut().zip(octave) {
+            *ridge = Ridged.value(*n);
+        }
+        if slopes.is_some() {
+            for (bend, n) in bends.iter_mut().zip(octave) {
+                *bend = Ridged.slope(*n);
+            }
+        }
+        for i in (0..count.min(LIST)).step_by(S::LEN) {
+            let (value, weight) = (s.load(&ridges[i..]), s.load(&sums.weight[i..]));
+            let ridge = weight * value;
+            s.store(s.load(&sums.value[i..]) + amplitude * ridge, &mut sums.value[i..]);
+            let next = feedback * ridge;
+            let below = s.less(next, one);
+            if let Some(slopes) = slopes {
+                let mut slope = [zero; N];
+                for axis in 0..N {
+                    slope[axis] = s.load(&bends[i..]) * s.load(&slopes[axis][i..]);
+                }
+                let slope = layer.pull_back(s, slope);
+                for axis in 0..N {
+                    let slope = weight * slope[axis] + s.load(&sums.slope[axis][i..]) * value;
+                    let gradient = s.load(&sums.gradient[axis][i..]) + amplitude * slope;
+                    s.store(gradient, &mut sums.gradient[axis][i..]);
+                    s.store(s.select(below, feedback * slope, zero), &mut sums.slope[axis][i..]);
+                }
+            }
+            s.store(s.select(below, next, one), &mut sums.weight[i..]);
+        }
+    }
+}
+
+/// A feedback that is not a finite number from 0 on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum FeedbackError {
-    /// The feedback is negative, infinite or not a number.
-    FeedbackNegative(f32),
+pub struct FeedbackError {
+    /// The feedback.
+    pub feedback: f32,
 }
 
 impl fmt::Display for FeedbackError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::FeedbackNegative(value) => write!(f, "feedback {value} is not a finite number from 0 on"),
-        }
+        write!(f, "`feedback` must be a finite number from 0 on, got {}", self.feedback)
     }
 }
 
@@ -141,29 +228,29 @@ mod tests {
 
     #[test]
     fn only_finite_feedback_from_zero_on_is_taken() {
-        let new = |feedback| {
-            RidgedMultifractal::<_, 2>::new(Perlin2002::default(), Spectrum::default(), feedback, 1)
-        };
+        let new =
+            |feedback| RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::default(), feedback);
         for feedback in [-1.0, f32::INFINITY] {
-            assert_eq!(new(feedback), Err(FeedbackError::FeedbackNegative(feedback)));
+            assert_eq!(new(feedback), Err(FeedbackError { feedback }));
         }
         assert!(new(f32::NAN).is_err() && new(0.0).is_ok());
     }
 
     #[test]
     fn one_octave_is_one_ridged_octave() {
-        let ridges = RidgedMultifractal::new(Perlin2002::default(), Spectrum::default(), 1.0, 1).unwrap();
-        let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 1);
+        let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 1.0).unwrap();
+        let octaves =
+            Octaves::new(Perlin2002::new(1), Spectrum::default()).with_normalisation(Normalisation::Range);
         let octaves = octaves.with_shape(Ridged);
         let p = Vec3::new(0.2, 7.1, -3.4);
-        assert_eq!(ridges.first(1.0).sample(p), octaves.sample(p, 1.0));
-        assert_ne!(ridges.first(2.0).sample(p), octaves.sample(p, 2.0));
+        assert_eq!(ridges.first(1.0).sample(p), octaves.first(1.0).sample(p));
+        assert_ne!(ridges.first(2.0).sample(p), octaves.first(2.0).sample(p));
         assert_eq!(ridges.first(5.0).value(p), ridges.first(5.0).sample(p).value);
     }
 
     #[test]
     fn without_feedback_only_the_first_octave_counts() {
-        let ridges = RidgedMultifractal::new(Perlin2002::default(), Spectrum::default(), 0.0, 1).unwrap();
+        let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 0.0).unwrap();
         let p = Vec3::new(0.2, 7.1, -3.4);
         let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));
         assert!((three * 1.75 - one).abs() < 1e-6);

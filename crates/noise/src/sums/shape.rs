@@ -1,41 +1,72 @@
-//! What is made of an octave before it is summed.
+//! Shapes: functions that every octave of a sum goes through before it is added.
 
 use core::fmt::Debug;
 
-use crate::{contract::kernel::LaneSample, simd::lanes::Lanes};
-
-/// A function φ that every octave of a sum goes through: the noise itself, or one of the shapes with creases.
+/// A function φ that every octave of a sum goes through: the noise itself, one of the shapes with creases, or one of your own.
 ///
 /// The shapes are [`Signed`], which is the noise itself, [`Turbulence`](crate::Turbulence), [`Plasma`](crate::Plasma),
 /// [`Billow`](crate::Billow) and [`Ridged`](crate::Ridged). A shape has no size and costs what its arithmetic costs.
-pub trait Shape: Copy + Debug + Default + PartialEq {
-    /// φ(n).
-    fn value<S: Lanes>(self, s: S, n: S::F) -> S::F;
+///
+/// ```
+/// use asperity_noise::{Field, Octaves, Shape, Simplex, Spectrum, glam::Vec2};
+///
+/// /// n², dark where an octave is 0, without a crease.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Squares;
+///
+/// impl Shape for Squares {
+///     fn value(self, n: f32) -> f32 { n * n }
+///     fn slope(self, n: f32) -> f32 { 2.0 * n }
+///     fn range(self, bound: f32) -> [f32; 2] { [0.0, bound * bound] }
+///     fn mean_and_deviation(self, _: f32, [_, second, _, fourth]: [f32; 4]) -> [f32; 2] {
+///         [second, (fourth - second * second).sqrt()]
+///     }
+/// }
+///
+/// let sum = Octaves::new(Simplex::new(5), Spectrum::CLOUD).with_shape(Squares);
+/// assert!(sum.value(Vec2::new(0.4, 0.1)).is_finite());
+/// ```
+pub trait Shape: Copy + Debug {
+    /// Whether φ(n) = n, so that nothing need be computed.
+    const IS_IDENTITY: bool = false;
 
-    /// φ(n) and its gradient φ′(n) ∇n.
-    fn sample<S: Lanes, const N: usize>(self, s: S, sample: LaneSample<S, N>) -> LaneSample<S, N>;
+    /// φ(n).
+    fn value(self, n: f32) -> f32;
+
+    /// φ′(n); at a crease the mean of the slopes of both sides.
+    fn slope(self, n: f32) -> f32;
+
+    /// Lower and upper bound of φ(n) for |n| ≤ `bound`.
+    fn range(self, bound: f32) -> [f32; 2];
 
     /// Mean and standard deviation of φ(n), from those of n and from its absolute moments.
     ///
-    /// `moments` are E|n|, E|n|², E|n|³ and E|n|⁴ as [`Kernel::absolute_moments`](crate::Kernel::absolute_moments) has them.
+    /// `moments` are E|n|, E|n|², E|n|³ and E|n|⁴ as [`Noise::absolute_moments`](crate::Noise::absolute_moments) has them.
     fn mean_and_deviation(self, standard_deviation: f32, moments: [f32; 4]) -> [f32; 2];
 }
 
-/// φ(n) = n: fractional Brownian motion.
+/// Fractional Brownian motion, φ(n) = n.
 ///
 /// The cloud pattern of Nilsson 2008, section 4.1.5, is this with [`Spectrum::CLOUD`](crate::Spectrum::CLOUD).
+#[doc(alias = "fbm")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Signed;
 
 impl Shape for Signed {
+    const IS_IDENTITY: bool = true;
+
     #[inline(always)]
-    fn value<S: Lanes>(self, _: S, n: S::F) -> S::F {
+    fn value(self, n: f32) -> f32 {
         n
     }
 
     #[inline(always)]
-    fn sample<S: Lanes, const N: usize>(self, _: S, sample: LaneSample<S, N>) -> LaneSample<S, N> {
-        sample
+    fn slope(self, _: f32) -> f32 {
+        1.0
+    }
+
+    fn range(self, bound: f32) -> [f32; 2] {
+        [-bound, bound]
     }
 
     fn mean_and_deviation(self, standard_deviation: f32, _: [f32; 4]) -> [f32; 2] {

@@ -2,8 +2,8 @@
 
 use core::{error::Error, fmt};
 
-/// The most octaves that a sum can have.
-pub const MAX_OCTAVES: u32 = 16;
+/// [`Spectrum::MAX_OCTAVES`].
+pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 
 /// Lacunarity, gain and the greatest number of octaves of a sum of noises.
 ///
@@ -36,6 +36,9 @@ impl Default for Spectrum {
 }
 
 impl Spectrum {
+    /// The most octaves that a sum can have.
+    pub const MAX_OCTAVES: u32 = 16;
+
     /// Clouds: lacunarity 2, gain 0.5, ten octaves, after Nilsson 2008, section 4.1.5.
     pub const CLOUD: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 10 };
 
@@ -52,24 +55,24 @@ impl Spectrum {
     /// # Errors
     ///
     /// If `lacunarity` is not above 1 or so large that the highest frequency overflows, if `gain` is not a finite number above 0
-    /// or so large that the fourth powers of the amplitudes overflow, or if `max_octaves` is not from 1 to [`MAX_OCTAVES`].
+    /// or so large that the fourth powers of the amplitudes overflow, or if `max_octaves` is not from 1 to [`MAX_OCTAVES`](Self::MAX_OCTAVES).
     pub fn new(lacunarity: f32, gain: f32, max_octaves: u32) -> Result<Self, SpectrumError> {
         if !(lacunarity > 1.0 && lacunarity.is_finite()) {
-            return Err(SpectrumError::LacunarityNotAboveOne(lacunarity));
+            return Err(SpectrumError::LacunarityNotAboveOne { lacunarity });
         }
         if !(gain > 0.0 && gain.is_finite()) {
-            return Err(SpectrumError::GainNotPositive(gain));
+            return Err(SpectrumError::GainNotPositive { gain });
         }
         if !(1..=MAX_OCTAVES).contains(&max_octaves) {
-            return Err(SpectrumError::OctavesOutOfRange(max_octaves));
+            return Err(SpectrumError::OctavesOutOfRange { max_octaves });
         }
         let spectrum = Self { lacunarity, gain, max_octaves };
         if !spectrum.frequency(max_octaves - 1).is_finite() {
-            return Err(SpectrumError::FrequencyOverflow(lacunarity));
+            return Err(SpectrumError::FrequencyOverflow { lacunarity });
         }
         let squares = spectrum.sum_of_squares(max_octaves as f32);
         if !(squares * squares).is_finite() {
-            return Err(SpectrumError::AmplitudeOverflow(gain));
+            return Err(SpectrumError::AmplitudeOverflow { gain });
         }
         Ok(spectrum)
     }
@@ -195,30 +198,47 @@ fn power(base: f32, i: u32) -> f32 {
 #[non_exhaustive]
 pub enum SpectrumError {
     /// The lacunarity is not a finite number above 1.
-    LacunarityNotAboveOne(f32),
+    LacunarityNotAboveOne {
+        /// The value.
+        lacunarity: f32,
+    },
     /// The gain is not a finite number above 0.
-    GainNotPositive(f32),
-    /// The number of octaves is 0 or above [`MAX_OCTAVES`].
-    OctavesOutOfRange(u32),
+    GainNotPositive {
+        /// The value.
+        gain: f32,
+    },
+    /// The number of octaves is 0 or above [`Spectrum::MAX_OCTAVES`].
+    OctavesOutOfRange {
+        /// The value.
+        max_octaves: u32,
+    },
     /// The lacunarity is so large that the highest octave's frequency is infinite.
-    FrequencyOverflow(f32),
+    FrequencyOverflow {
+        /// The value.
+        lacunarity: f32,
+    },
     /// The gain is so large that the fourth powers of the amplitudes have an infinite sum.
-    AmplitudeOverflow(f32),
+    AmplitudeOverflow {
+        /// The value.
+        gain: f32,
+    },
 }
 
 impl fmt::Display for SpectrumError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::LacunarityNotAboveOne(value) => {
-                write!(f, "lacunarity {value} is not a finite number above 1")
+            Self::LacunarityNotAboveOne { lacunarity } => {
+                write!(f, "`lacunarity` must be a finite number above 1, got {lacunarity}")
             }
-            Self::GainNotPositive(value) => write!(f, "gain {value} is not a finite number above 0"),
-            Self::OctavesOutOfRange(value) => write!(f, "max_octaves {value} is not from 1 to {MAX_OCTAVES}"),
-            Self::FrequencyOverflow(value) => {
-                write!(f, "lacunarity {value} makes the frequency of the last octave infinite")
+            Self::GainNotPositive { gain } => write!(f, "`gain` must be a finite number above 0, got {gain}"),
+            Self::OctavesOutOfRange { max_octaves } => {
+                write!(f, "`max_octaves` must be from 1 to {MAX_OCTAVES}, got {max_octaves}")
             }
-            Self::AmplitudeOverflow(value) => {
-                write!(f, "gain {value} makes the fourth powers of the amplitudes infinite")
+            Self::FrequencyOverflow { lacunarity } => {
+                write!(f, "`lacunarity` must leave the last frequency finite, got {lacunarity}")
+            }
+            Self::AmplitudeOverflow { gain } => {
+                write!(f, "`gain` must leave the fourth powers of amplitudes finite, got {gain}")
             }
         }
     }
@@ -233,19 +253,19 @@ mod tests {
     #[test]
     fn broken_rules_are_named() {
         for lacunarity in [1.0, 0.5, 0.0, -2.0, f32::INFINITY] {
-            let error = SpectrumError::LacunarityNotAboveOne(lacunarity);
+            let error = SpectrumError::LacunarityNotAboveOne { lacunarity };
             assert_eq!(Spectrum::new(lacunarity, 0.5, 8), Err(error));
         }
-        assert!(matches!(Spectrum::new(f32::NAN, 0.5, 8), Err(SpectrumError::LacunarityNotAboveOne(_))));
+        assert!(matches!(Spectrum::new(f32::NAN, 0.5, 8), Err(SpectrumError::LacunarityNotAboveOne { .. })));
         for gain in [0.0, -0.5, f32::INFINITY] {
-            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainNotPositive(gain)));
+            assert_eq!(Spectrum::new(2.0, gain, 8), Err(SpectrumError::GainNotPositive { gain }));
         }
-        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainNotPositive(_))));
-        assert_eq!(Spectrum::new(2.0, 1e3, 8), Err(SpectrumError::AmplitudeOverflow(1e3)));
+        assert!(matches!(Spectrum::new(2.0, f32::NAN, 8), Err(SpectrumError::GainNotPositive { .. })));
+        assert_eq!(Spectrum::new(2.0, 1e3, 8), Err(SpectrumError::AmplitudeOverflow { gain: 1e3 }));
         assert!(Spectrum::new(2.0, 1e3, 4).is_ok() && Spectrum::new(1.5, 2.7, MAX_OCTAVES).is_ok());
-        assert_eq!(Spectrum::new(2.0, 0.5, 0), Err(SpectrumError::OctavesOutOfRange(0)));
-        assert_eq!(Spectrum::new(2.0, 0.5, 17), Err(SpectrumError::OctavesOutOfRange(17)));
-        assert_eq!(Spectrum::new(1e4, 0.5, 16), Err(SpectrumError::FrequencyOverflow(1e4)));
+        assert_eq!(Spectrum::new(2.0, 0.5, 0), Err(SpectrumError::OctavesOutOfRange { max_octaves: 0 }));
+        assert_eq!(Spectrum::new(2.0, 0.5, 17), Err(SpectrumError::OctavesOutOfRange { max_octaves: 17 }));
+        assert_eq!(Spectrum::new(1e4, 0.5, 16), Err(SpectrumError::FrequencyOverflow { lacunarity: 1e4 }));
         assert!(Spectrum::new(1e4, 0.5, 9).is_ok());
     }
 

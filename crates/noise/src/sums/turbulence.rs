@@ -3,7 +3,7 @@
 //! All are functions of |n|, whose gradient is sign(n) ∇n: the sum has a crease where an octave passes through 0. On the
 //! crease itself sign(0) = 0, the mean of the slopes of both sides.
 
-use crate::{contract::kernel::LaneSample, math, simd::lanes::Lanes, sums::shape::Shape};
+use crate::{math, sums::shape::Shape};
 
 /// φ(n) = |n|: turbulence, with dark veins where an octave is 0.
 ///
@@ -18,10 +18,10 @@ use crate::{contract::kernel::LaneSample, math, simd::lanes::Lanes, sums::shape:
 /// Perlin 1985; Nilsson 2008, section 4.1.5.
 ///
 /// ```
-/// use asperity_noise::{Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec3};
+/// use asperity_noise::{Field, Normalisation, Octaves, Simplex, Spectrum, Turbulence, glam::Vec3};
 ///
-/// let noise = Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, 5).with_shape(Turbulence);
-/// let sample = noise.sample(Vec3::new(0.4, 0.1, -3.0), 4.5);
+/// let noise = Octaves::new(Simplex::new(5), Spectrum::CLOUD).with_shape(Turbulence);
+/// let sample = noise.with_normalisation(Normalisation::Range).sample(Vec3::new(0.4, 0.1, -3.0));
 /// assert!((0.0..=1.0).contains(&sample.value));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,128 +64,74 @@ pub struct Billow;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ridged;
 
-/// φ and φ′/sign(n) as functions of |n|, and what that makes of the moments.
-trait Crease: Copy {
-    fn value<S: Lanes>(s: S, size: S::F) -> S::F;
-    fn slope<S: Lanes>(s: S, size: S::F) -> S::F;
-    fn mean_and_variance(moments: [f32; 4]) -> [f32; 2];
-}
-
 /// x with the sign of n, 0 where n is ±0.
 #[inline(always)]
-fn with_sign_of<S: Lanes>(s: S, n: S::F, x: S::F) -> S::F {
-    let zero = s.float(0.0);
-    let positive = s.select(s.less(zero, n), x, zero);
-    s.select(s.less(n, zero), -x, positive)
+fn with_sign_of(n: f32, x: f32) -> f32 {
+    let positive = if n > 0.0 { x } else { 0.0 };
+    if n < 0.0 { -x } else { positive }
 }
 
+/// φ and φ′/sign(n) as functions of |n|, lower and upper bound for |n| up to a bound, mean and variance from the moments.
 macro_rules! shape {
-    ($name:ident) => {
+    ($name:ident, |$size:ident| $value:expr, $slope:expr, |$bound:ident| $range:expr, |$m:ident| $moments:expr) => {
         impl Shape for $name {
             #[inline(always)]
-            fn value<S: Lanes>(self, s: S, n: S::F) -> S::F {
-                <Self as Crease>::value(s, s.abs(n))
+            fn value(self, n: f32) -> f32 {
+                let $size = n.abs();
+                $value
             }
 
             #[inline(always)]
-            fn sample<S: Lanes, const N: usize>(
-                self,
-                s: S,
-                (n, mut g): LaneSample<S, N>,
-            ) -> LaneSample<S, N> {
-                let size = s.abs(n);
-                let slope = with_sign_of(s, n, <Self as Crease>::slope(s, size));
-                for axis in 0..N {
-                    g[axis] = slope * g[axis];
-                }
-                (<Self as Crease>::value(s, size), g)
+            fn slope(self, n: f32) -> f32 {
+                let $size = n.abs();
+                let _ = $size;
+                with_sign_of(n, $slope)
             }
 
-            fn mean_and_deviation(self, _: f32, moments: [f32; 4]) -> [f32; 2] {
-                let [mean, variance] = Self::mean_and_variance(moments);
+            fn range(self, $bound: f32) -> [f32; 2] {
+                $range
+            }
+
+            fn mean_and_deviation(self, _: f32, $m: [f32; 4]) -> [f32; 2] {
+                let [mean, variance] = $moments;
                 [mean, math::sqrt(variance.max(0.0))]
             }
         }
     };
 }
 
-shape!(Turbulence);
-shape!(Plasma);
-shape!(Billow);
-shape!(Ridged);
-
-impl Crease for Turbulence {
-    #[inline(always)]
-    fn value<S: Lanes>(_: S, size: S::F) -> S::F {
-        size
-    }
-    #[inline(always)]
-    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
-        s.float(1.0)
-    }
-    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
-        [first, second - first * first]
-    }
-}
-
-impl Crease for Plasma {
-    #[inline(always)]
-    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
-        s.float(1.0) - size
-    }
-    #[inline(always)]
-    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
-        s.float(-1.0)
-    }
-    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
-        [1.0 - first, second - first * first]
-    }
-}
-
-impl Crease for Billow {
-    #[inline(always)]
-    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
-        (size + size) - s.float(1.0)
-    }
-    #[inline(always)]
-    fn slope<S: Lanes>(s: S, _: S::F) -> S::F {
-        s.float(2.0)
-    }
-    fn mean_and_variance([first, second, ..]: [f32; 4]) -> [f32; 2] {
-        [2.0 * first - 1.0, 4.0 * (second - first * first)]
-    }
-}
-
-impl Crease for Ridged {
-    #[inline(always)]
-    fn value<S: Lanes>(s: S, size: S::F) -> S::F {
-        let rest = s.float(1.0) - size;
-        rest * rest
-    }
-    #[inline(always)]
-    fn slope<S: Lanes>(s: S, size: S::F) -> S::F {
-        let rest = size - s.float(1.0);
-        rest + rest
-    }
-    fn mean_and_variance([first, second, third, fourth]: [f32; 4]) -> [f32; 2] {
-        let mean = 1.0 - 2.0 * first + second;
-        let square = 1.0 - 4.0 * first + 6.0 * second - 4.0 * third + fourth;
+shape!(Turbulence, |size| size, 1.0, |bound| [0.0, bound], |m| [m[0], m[1] - m[0] * m[0]]);
+shape!(Plasma, |size| 1.0 - size, -1.0, |bound| [1.0 - bound, 1.0], |m| [1.0 - m[0], m[1] - m[0] * m[0]]);
+shape!(Billow, |size| (size + size) - 1.0, 2.0, |bound| [-1.0, 2.0 * bound - 1.0], |m| {
+    [2.0 * m[0] - 1.0, 4.0 * (m[1] - m[0] * m[0])]
+});
+shape!(
+    Ridged,
+    |size| (1.0 - size) * (1.0 - size),
+    (size - 1.0) + (size - 1.0),
+    |bound| [
+        if bound < 1.0 { (1.0 - bound) * (1.0 - bound) } else { 0.0 },
+        1.0_f32.max((1.0 - bound) * (1.0 - bound))
+    ],
+    |m| {
+        let mean = 1.0 - 2.0 * m[0] + m[1];
+        let square = 1.0 - 4.0 * m[0] + 6.0 * m[1] - 4.0 * m[2] + m[3];
         [mean, square - mean * mean]
     }
-}
+);
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::lanes::Scalar;
 
     fn check<T: Shape>(shape: T, phi: impl Fn(f32) -> f32) {
         let h = 1.0 / 1024.0;
         for i in -31..=31_i8 {
             let n = f32::from(i) / 32.0;
-            let (value, [slope]) = shape.sample(Scalar, (n, [1.0]));
+            let (value, slope) = (shape.value(n), shape.slope(n));
             assert_eq!(value, phi(n), "{shape:?} at {n}");
-            assert_eq!(value, shape.value(Scalar, n));
+            let [low, high] = shape.range(1.0);
+            assert!((low..=high).contains(&value), "{shape:?} at {n}");
             // All are polynomials of degree 2 on either side, on multiples of 2⁻¹⁰: the difference is exact, and at
             // the crease it is the mean of both sides.
             let difference = (phi(n + h) - phi(n - h)) / (2.0 * h);
@@ -200,8 +146,7 @@ mod tests {
         check(Plasma, |n| 1.0 - n.abs());
         check(Billow, |n| 2.0 * n.abs() - 1.0);
         check(Ridged, |n| (1.0 - n.abs()) * (1.0 - n.abs()));
-        let (_, [slope]) = Ridged.sample(Scalar, (-0.0, [3.0]));
-        assert_eq!(slope, 0.0);
+        assert_eq!(Ridged.slope(-0.0), 0.0);
     }
 
     /// Eight equally likely n.
@@ -213,7 +158,7 @@ mod tests {
 
     fn moments_follow<T: Shape>(shape: T) {
         let moments = [1, 2, 3, 4].map(|k| mean(|n| (0..k).fold(1.0, |x, _| x * n.abs())));
-        let phi = |n| shape.value(Scalar, n);
+        let phi = |n| shape.value(n);
         let [m, d] = shape.mean_and_deviation(0.0, moments);
         let expected = mean(phi);
         assert!((m - expected).abs() < 1e-6, "{shape:?}: {m}, not {expected}");

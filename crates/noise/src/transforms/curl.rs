@@ -2,16 +2,19 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::{contract::field::Field, contract::hessian::CurvedField};
+use crate::{
+    contract::field::{Curved, Field},
+    point::Point,
+};
 
 /// A velocity and how it changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Velocity<V, const N: usize> {
+pub struct Velocity<V: Point> {
     /// The velocity v.
     pub velocity: V,
     /// ∂v/∂p by rows: row i holds the gradient of component i. Its trace is the divergence of v.
-    pub jacobian: [[f32; N]; N],
+    pub jacobian: V::Matrix,
 }
 
 /// The flow along the level lines of a field ψ in the plane.
@@ -25,9 +28,9 @@ pub struct Velocity<V, const N: usize> {
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
 /// ```
-/// use asperity_noise::{Curl2, Perlin2002, Seeded, glam::Vec2};
+/// use asperity_noise::{Perlin2002, curl::Curl2, glam::Vec2};
 ///
-/// let flow = Curl2(Seeded(Perlin2002::default(), 1)).velocity_and_jacobian(Vec2::new(0.3, 1.4));
+/// let flow = Curl2(Perlin2002::new(1)).velocity_and_jacobian(Vec2::new(0.3, 1.4));
 /// assert_eq!(flow.jacobian[0][0] + flow.jacobian[1][1], 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,7 +39,7 @@ pub struct Curl2<F>(
     pub F,
 );
 
-impl<F: Field<2>> Curl2<F> {
+impl<F: Field<Vec2>> Curl2<F> {
     /// The velocity at a point.
     #[must_use]
     #[inline]
@@ -46,14 +49,14 @@ impl<F: Field<2>> Curl2<F> {
     }
 }
 
-impl<F: CurvedField<2>> Curl2<F> {
+impl<F: Curved<Vec2>> Curl2<F> {
     /// Velocity and Jacobian at a point.
     #[must_use]
     #[inline]
-    pub fn velocity_and_jacobian(&self, p: Vec2) -> Velocity<Vec2, 2> {
-        let jet = self.0.jet(p);
-        let [[xx, xy], [_, yy]] = jet.hessian;
-        Velocity { velocity: Vec2::new(jet.gradient.y, -jet.gradient.x), jacobian: [[xy, yy], [-xx, -xy]] }
+    pub fn velocity_and_jacobian(&self, p: Vec2) -> Velocity<Vec2> {
+        let psi = self.0.second_order(p);
+        let [[xx, xy], [_, yy]] = psi.hessian;
+        Velocity { velocity: Vec2::new(psi.gradient.y, -psi.gradient.x), jacobian: [[xy, yy], [-xx, -xy]] }
     }
 }
 
@@ -69,10 +72,10 @@ impl<F: CurvedField<2>> Curl2<F> {
 /// DeWolf 2005, "Divergence-Free Noise".
 ///
 /// ```
-/// use asperity_noise::{Curl3, Octaves, Simplex, Spectrum, glam::Vec3};
+/// use asperity_noise::{Octaves, Simplex, Spectrum, curl::Curl3, glam::Vec3};
 ///
-/// let [a, b] = [1, 2].map(|seed| Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
-/// let flow = Curl3(a.first(2.0), b.first(2.0)).velocity_and_jacobian(Vec3::new(0.3, 1.4, -0.2));
+/// let [a, b] = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+/// let flow = Curl3(a, b).velocity_and_jacobian(Vec3::new(0.3, 1.4, -0.2));
 /// let divergence = flow.jacobian[0][0] + flow.jacobian[1][1] + flow.jacobian[2][2];
 /// assert!(divergence.abs() < 1e-4);
 /// ```
@@ -84,7 +87,7 @@ pub struct Curl3<A, B>(
     pub B,
 );
 
-impl<A: Field<3>, B: Field<3>> Curl3<A, B> {
+impl<A: Field<Vec3>, B: Field<Vec3>> Curl3<A, B> {
     /// The velocity at a point.
     #[must_use]
     #[inline]
@@ -93,12 +96,12 @@ impl<A: Field<3>, B: Field<3>> Curl3<A, B> {
     }
 }
 
-impl<A: CurvedField<3>, B: CurvedField<3>> Curl3<A, B> {
+impl<A: Curved<Vec3>, B: Curved<Vec3>> Curl3<A, B> {
     /// Velocity and Jacobian at a point.
     #[must_use]
     #[inline]
-    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3, 3> {
-        let (a, b) = (self.0.jet(p), self.1.jet(p));
+    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
+        let (a, b) = (self.0.second_order(p), self.1.second_order(p));
         let (da, db) = (a.gradient.to_array(), b.gradient.to_array());
         let mut jacobian = [[0.0; 3]; 3];
         for j in 0..3 {
@@ -122,10 +125,10 @@ impl<A: CurvedField<3>, B: CurvedField<3>> Curl3<A, B> {
 /// Bridson, Hourihan, Nordenstam 2007, "Curl-Noise for Procedural Fluid Flow".
 ///
 /// ```
-/// use asperity_noise::{CurlPotential, Octaves, Simplex, Spectrum, glam::Vec3};
+/// use asperity_noise::{Octaves, Simplex, Spectrum, curl::CurlPotential, glam::Vec3};
 ///
-/// let potential = [1, 2, 3].map(|seed| Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
-/// let flow = CurlPotential(potential.each_ref().map(|octaves| octaves.first(2.0)));
+/// let potential = [1, 2, 3].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+/// let flow = CurlPotential(potential);
 /// assert!(flow.velocity(Vec3::new(0.3, 1.4, -0.2)).is_finite());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -134,7 +137,7 @@ pub struct CurlPotential<F>(
     pub [F; 3],
 );
 
-impl<F: Field<3>> CurlPotential<F> {
+impl<F: Field<Vec3>> CurlPotential<F> {
     /// The velocity at a point.
     #[must_use]
     #[inline]
@@ -144,12 +147,12 @@ impl<F: Field<3>> CurlPotential<F> {
     }
 }
 
-impl<F: CurvedField<3>> CurlPotential<F> {
+impl<F: Curved<Vec3>> CurlPotential<F> {
     /// Velocity and Jacobian at a point.
     #[must_use]
     #[inline]
-    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3, 3> {
-        let [a, b, c] = self.0.each_ref().map(|field| field.jet(p));
+    pub fn velocity_and_jacobian(&self, p: Vec3) -> Velocity<Vec3> {
+        let [a, b, c] = self.0.each_ref().map(|field| field.second_order(p));
         let velocity =
             Vec3::new(c.gradient.y - b.gradient.z, a.gradient.z - c.gradient.x, b.gradient.x - a.gradient.y);
         let [a, b, c] = [a.hessian, b.hessian, c.hessian];
@@ -171,11 +174,11 @@ fn cross(u: [f32; 3], v: [f32; 3]) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{contract::field::Seeded, kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
+    use crate::{kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
 
     #[test]
     fn velocities_stand_on_the_gradients() {
-        let fields = [1, 2, 3].map(|seed| Seeded(Perlin2002::default(), seed));
+        let fields = [1, 2, 3].map(|seed| Perlin2002::new(seed));
         for i in 0..20_u8 {
             let p = Vec3::new(0.31 * f32::from(i), 1.7, -0.4 * f32::from(i));
             let [a, b, _] = fields.map(|field| field.sample(p).gradient);
@@ -190,7 +193,7 @@ mod tests {
 
     #[test]
     fn both_ways_give_one_velocity() {
-        let fields = [1, 2, 3].map(|seed| Seeded(Simplex::CONTINUOUS, seed));
+        let fields = [1, 2, 3].map(|seed| Simplex::new(seed));
         let p = Vec3::new(0.2, -1.3, 5.5);
         let pair = Curl3(fields[0], fields[1]);
         assert_eq!(pair.velocity(p), pair.velocity_and_jacobian(p).velocity);

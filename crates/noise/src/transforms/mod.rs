@@ -1,5 +1,8 @@
 //! Fields made of fields.
 
+pub(crate) mod arithmetic;
 pub(crate) mod curl;
+pub(crate) mod pointwise;
 pub(crate) mod power;
+pub(crate) mod unit;
 pub(crate) mod warp;

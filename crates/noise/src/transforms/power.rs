@@ -1,6 +1,13 @@
 //! A field to an integer power, which draws its high parts out.
 
-use crate::{contract::field::Field, contract::kernel::LaneSample, simd::lanes::Lanes};
+use crate::{
+    contract::field::Field,
+    point::Point,
+    row::points::{Points, Target},
+    sample::Sample,
+    transforms::arithmetic::combined,
+    transforms::pointwise::{self, Combine},
+};
 
 /// fᵏ with the gradient k fᵏ⁻¹ ∇f.
 ///
@@ -13,8 +20,8 @@ use crate::{contract::field::Field, contract::kernel::LaneSample, simd::lanes::L
 /// use asperity_noise::{Field, Normalisation, Octaves, Plasma, Power, Simplex, Spectrum, glam::Vec2};
 ///
 /// // Threads: plasma of three equal octaves to the seventh power (Nilsson 2008, section 4.2.2).
-/// let plasma = Octaves::new(Simplex::CONTINUOUS, Spectrum::THREADS, Normalisation::Range, 3).with_shape(Plasma);
-/// let threads = Power(plasma.first(3.0), 7);
+/// let plasma = Octaves::new(Simplex::new(3), Spectrum::THREADS).with_shape(Plasma);
+/// let threads = Power(plasma.with_normalisation(Normalisation::Range), 7);
 /// assert!((0.0..=1.0).contains(&threads.value(Vec2::new(0.2, 0.7))));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,42 +32,41 @@ pub struct Power<F>(
     pub u8,
 );
 
-impl<F: Field<N>, const N: usize> Field<N> for Power<F> {
+impl<F> Power<F> {
+    /// xᵏ⁻¹ and xᵏ.
     #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        let value = self.0.lane_values(s, p);
-        let mut power = s.float(1.0);
-        for _ in 0..self.1 {
-            power = power * value;
-        }
-        power
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        let (value, mut gradient) = self.0.lane_samples(s, p);
-        let (mut power, mut before) = (s.float(1.0), s.float(0.0));
-        for _ in 0..self.1 {
-            before = power;
-            power = power * value;
-        }
-        let slope = s.float(f32::from(self.1)) * before;
-        for axis in 0..N {
-            gradient[axis] = slope * gradient[axis];
-        }
-        (power, gradient)
+    fn powers(&self, x: f32) -> [f32; 2] {
+        (0..self.1).fold([0.0, 1.0], |[_, power], _| [power, power * x])
     }
 }
+
+impl<F> Combine<0> for Power<F> {
+    #[inline(always)]
+    fn combined(&self, x: f32, _: [f32; 0]) -> f32 {
+        self.powers(x)[1]
+    }
+    #[inline(always)]
+    fn slope(&self, x: f32, _: [f32; 0], dx: f32, _: [f32; 0]) -> f32 {
+        f32::from(self.1) * self.powers(x)[0] * dx
+    }
+}
+
+combined!([F] Power<F>, , |self| self.0, [], {
+    let [low, high] = self.0.range();
+    let [a, b] = [low, high].map(|bound| Combine::combined(self, bound, []));
+    let through_zero = self.1 > 0 && self.1.is_multiple_of(2) && low < 0.0 && high > 0.0;
+    [if through_zero { 0.0 } else { a.min(b) }, a.max(b)]
+});
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{contract::field::Seeded, kinds::perlin::Perlin2002};
+    use crate::kinds::perlin::Perlin2002;
     use glam::Vec2;
 
     #[test]
     fn powers_are_powers() {
-        let (field, p) = (Seeded(Perlin2002::default(), 3), Vec2::new(0.3, 1.8));
+        let (field, p) = (Perlin2002::new(3), Vec2::new(0.3, 1.8));
         let n = field.sample(p);
         let [one, itself, cube] = [0, 1, 3].map(|k| Power(field, k).sample(p));
         assert_eq!((one.value, one.gradient), (1.0, Vec2::ZERO));

@@ -4,9 +4,9 @@ use core::{error::Error, fmt};
 
 use crate::{
     contract::field::Field,
-    contract::kernel::LaneSample,
-    contract::point::Point,
-    simd::lanes::{Lanes, Scalar},
+    point::Point,
+    row::points::{Buffer, Points, Target, buffers},
+    sample::Sample,
 };
 
 /// A field seen through a warp: f(q), q = p + s·w(p).
@@ -23,16 +23,17 @@ use crate::{
 /// Ebert (ed.) 1994, "Texturing and Modeling": textures perturbed by noise.
 ///
 /// ```
-/// use asperity_noise::{Field, Octaves, Perlin2002, Seeded, Simplex, Spectrum, Warp, glam::Vec2};
+/// use asperity_noise::{Field, Octaves, Perlin2002, Simplex, Spectrum, Warp, glam::Vec2};
 ///
-/// let by = [1, 2].map(|seed| Octaves::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Default::default(), seed));
-/// let warp = Warp::new(Seeded(Perlin2002::default(), 3), by.each_ref().map(|octaves| octaves.first(4.0)), 0.25)?;
+/// let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(4.0));
+/// let warp = Warp::new(Perlin2002::new(3), by, 0.25)?;
 ///
 /// let p = Vec2::new(0.4, -1.7);
-/// let [q, f] = [warp.displacement(p).point, p].map(|p| Seeded(Perlin2002::default(), 3).value(p));
+/// let [q, f] = [warp.displacement(p).point, p].map(|p| Perlin2002::new(3).value(p));
 /// assert!(warp.value(p) == q && q != f);
 /// # Ok::<(), asperity_noise::WarpError>(())
 /// ```
+#[doc(alias("domain warp", "distortion", "turbulence"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Warp<F, W, const N: usize> {
     field: F,
@@ -43,25 +44,21 @@ pub struct Warp<F, W, const N: usize> {
 /// Where a [`Warp`] takes a point, and how it stretches and turns what lies around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Displacement<V, const N: usize> {
+pub struct Displacement<V: Point> {
     /// q = p + s·w(p).
     pub point: V,
     /// ∂q/∂p by rows: row i holds the gradient of coordinate i of q.
-    pub jacobian: [[f32; N]; N],
+    pub jacobian: V::Matrix,
 }
 
-impl<F: Field<N>, W: Field<N>, const N: usize> Warp<F, W, N> {
+impl<F, W, const N: usize> Warp<F, W, N> {
     /// `field` warped by `by`, `strength` times.
     ///
     /// # Errors
     ///
     /// If `strength` is not finite.
     pub fn new(field: F, by: [W; N], strength: f32) -> Result<Self, WarpError> {
-        if strength.is_finite() {
-            Ok(Self { field, by, strength })
-        } else {
-            Err(WarpError::StrengthNotFinite(strength))
-        }
+        if strength.is_finite() { Ok(Self { field, by, strength }) } else { Err(WarpError { strength }) }
     }
 
     /// s.
@@ -72,67 +69,110 @@ impl<F: Field<N>, W: Field<N>, const N: usize> Warp<F, W, N> {
 
     /// q and ∂q/∂p at a point.
     #[must_use]
-    pub fn displacement<V: Point<N>>(&self, p: V) -> Displacement<V, N> {
-        let (q, jacobian) = self.displaced(Scalar, p.coordinates());
+    pub fn displacement<V>(&self, p: V) -> Displacement<V>
+    where
+        V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
+        W: Field<V>,
+    {
+        let (q, jacobian) = self.displaced(p);
         Displacement { point: V::from_coordinates(q), jacobian }
     }
 
     #[inline(always)]
-    fn displaced<S: Lanes>(&self, s: S, p: [S::F; N]) -> ([S::F; N], [[S::F; N]; N]) {
-        let strength = s.float(self.strength);
-        let (mut q, mut jacobian) = (p, [p; N]);
+    fn displaced<V: Point<Coordinates = [f32; N]>>(&self, p: V) -> ([f32; N], [[f32; N]; N])
+    where
+        W: Field<V>,
+    {
+        let (mut q, mut jacobian) = (p.coordinates(), [[0.0; N]; N]);
         for row in 0..N {
-            let (value, gradient) = self.by[row].lane_samples(s, p);
-            q[row] = p[row] + strength * value;
+            let Sample { value, gradient } = self.by[row].sample(p);
+            let gradient = gradient.coordinates();
+            q[row] += self.strength * value;
             for column in 0..N {
-                let unit = s.float(if row == column { 1.0 } else { 0.0 });
-                jacobian[row][column] = unit + strength * gradient[column];
+                let unit = if row == column { 1.0 } else { 0.0 };
+                jacobian[row][column] = unit + self.strength * gradient[column];
             }
         }
         (q, jacobian)
     }
 }
 
-impl<F: Field<N>, W: Field<N>, const N: usize> Field<N> for Warp<F, W, N> {
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N]) -> S::F {
-        let strength = s.float(self.strength);
-        let mut q = p;
-        for axis in 0..N {
-            q[axis] = p[axis] + strength * self.by[axis].lane_values(s, p);
-        }
-        self.field.lane_values(s, q)
+/// Points that are moved at once.
+const BLOCK: usize = 256;
+
+impl<V: Point<Coordinates = [f32; N]>, F: Field<V>, W: Field<V>, const N: usize> Field<V> for Warp<F, W, N> {
+    #[inline]
+    fn sample(&self, p: V) -> Sample<V> {
+        let (q, jacobian) = self.displaced(p);
+        let Sample { value, gradient } = self.field.sample(V::from_coordinates(q));
+        let inner = gradient.coordinates();
+        let gradient = V::from_axes(|column| {
+            (1..N).fold(jacobian[0][column] * inner[0], |sum, row| sum + jacobian[row][column] * inner[row])
+        });
+        Sample { value, gradient }
     }
 
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N]) -> LaneSample<S, N> {
-        let (q, jacobian) = self.displaced(s, p);
-        let (value, inner) = self.field.lane_samples(s, q);
-        let mut gradient = inner;
-        for column in 0..N {
-            let mut sum = jacobian[0][column] * inner[0];
-            for row in 1..N {
-                sum = sum + jacobian[row][column] * inner[row];
-            }
-            gradient[column] = sum;
+    #[inline]
+    fn value(&self, p: V) -> f32 {
+        let mut q = p.coordinates();
+        for axis in 0..N {
+            q[axis] += self.strength * self.by[axis].value(p);
         }
-        (value, gradient)
+        self.field.value(V::from_coordinates(q))
+    }
+
+    fn range(&self) -> [f32; 2] {
+        self.field.range()
+    }
+
+    fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
+        let (instructions, wanted) = (target.instructions, target.gradients.is_some());
+        let mut moved = buffers::<V, BLOCK>();
+        let mut by: [Buffer<V, BLOCK>; N] = core::array::from_fn(|_| Buffer::empty());
+        let mut inner = Buffer::<V, BLOCK>::empty();
+        for block in points.blocks(BLOCK) {
+            let (points, width, count) = (points.part(&block), block.width(), block.len());
+            points.write(moved.as_mut());
+            for ((by, w), list) in by.iter_mut().zip(&self.by).zip(moved.as_mut()) {
+                w.fill(&points, by.target(instructions, width, wanted));
+                for (x, w) in list.iter_mut().zip(&by.values) {
+                    *x += self.strength * w;
+                }
+            }
+            self.field.fill(&Points::buffered(&moved, count), inner.target(instructions, count, wanted));
+            let mut target = target.part(&block);
+            for row in 0..block.rows.len() {
+                let part = row * width..(row + 1) * width;
+                let (values, gradients) = target.row(row, width);
+                values.copy_from_slice(&inner.values[part.clone()]);
+                let Some(mut gradients) = gradients else { continue };
+                for (column, gradient) in gradients.as_mut().iter_mut().enumerate() {
+                    for row in 0..N {
+                        let unit = if row == column { 1.0 } else { 0.0 };
+                        let slopes = &by[row].gradients.as_ref()[column][part.clone()];
+                        let outer = &inner.gradients.as_ref()[row][part.clone()];
+                        for ((sum, slope), outer) in gradient.iter_mut().zip(slopes).zip(outer) {
+                            let product = (unit + self.strength * slope) * outer;
+                            *sum = if row == 0 { product } else { *sum + product };
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 
-/// Why a [`Warp`] was refused.
+/// A strength that is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum WarpError {
-    /// The strength is infinite or not a number.
-    StrengthNotFinite(f32),
+pub struct WarpError {
+    /// The strength.
+    pub strength: f32,
 }
 
 impl fmt::Display for WarpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::StrengthNotFinite(value) => write!(f, "strength {value} is not finite"),
-        }
+        write!(f, "`strength` must be finite, got {}", self.strength)
     }
 }
 
@@ -141,13 +181,13 @@ impl Error for WarpError {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{contract::field::Seeded, kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
+    use crate::{kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
     use glam::{Vec2, Vec3};
 
     #[test]
     fn a_warp_of_strength_zero_is_the_field() {
-        let field = Seeded(Perlin2002::default(), 1);
-        let warp = Warp::new(field, [2, 3, 4].map(|seed| Seeded(Simplex::CONTINUOUS, seed)), 0.0).unwrap();
+        let field = Perlin2002::new(1);
+        let warp = Warp::new(field, [2, 3, 4].map(|seed| Simplex::new(seed)), 0.0).unwrap();
         let p = Vec3::new(0.3, -4.1, 7.7);
         assert_eq!(warp.sample(p), field.sample(p));
         assert_eq!(warp.displacement(p).jacobian, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
@@ -155,9 +195,9 @@ mod tests {
 
     #[test]
     fn strengths_must_be_finite_and_points_need_not() {
-        let field = Seeded(Perlin2002::default(), 1);
+        let field = Perlin2002::new(1);
         for strength in [f32::INFINITY, f32::NEG_INFINITY] {
-            assert_eq!(Warp::new(field, [field; 2], strength), Err(WarpError::StrengthNotFinite(strength)));
+            assert_eq!(Warp::new(field, [field; 2], strength), Err(WarpError { strength }));
         }
         assert!(Warp::new(field, [field; 2], f32::NAN).is_err());
         let warp = Warp::new(field, [field; 2], 1.0).unwrap();

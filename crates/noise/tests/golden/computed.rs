@@ -1,11 +1,11 @@
 //! What the golden bits are bits of: every kind and sum in every dimension. Needs neither std nor an allocator.
 
 use asperity_noise::{
-    Batch, Field, Gaussian, GaussianOctaves, IntegerHash, Kernel, Lattice, Level, Noise, Normalisation,
-    Octaves, Perlin1985, Perlin2002, PermutationTable, Point, Rotation, Sample, Seeded, Simplex, Sparse,
-    Spectrum, Value, ValueCatmullRom, ValueGradient, White, edge_gradient, gaussian_corner,
+    Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Normalisation, Octaves, Perlin1985, Perlin2002,
+    Point, Rotation, Sample, Simplex, Sparse, Spectrum, Value, ValueCatmullRom, ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
-    unit_gradient,
+    lattice::{PermutationTable, edge_gradient, gaussian_corner, unit_gradient},
+    simd::{Batch, Kernel, Level},
 };
 
 /// The bits of one thing: of its sample at [`POINT`], and a digest of those at many points.
@@ -46,7 +46,7 @@ fn point<const N: usize>(i: u32) -> [f32; N] {
 }
 
 /// The golden bits of a field of points `V`.
-fn golden<V: Point<N>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden {
+fn golden<V: Point<Coordinates = [f32; N]>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden {
     let bits = |p: [f32; N]| {
         let sample = field(V::from_coordinates(p));
         let mut bits = [sample.value.to_bits(), 0, 0, 0, 0];
@@ -65,15 +65,20 @@ fn golden<V: Point<N>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden
 }
 
 /// The digest of a field by a batch at a level.
-fn batch_digest<F: Field<N>, const N: usize>(field: &F, level: Level) -> u32 {
+fn batch_digest<V, const N: usize>(field: &dyn Field<V>, level: Level) -> u32
+where
+    V: Point<Coordinates = [f32; N]>,
+{
     let (mut values, mut lists, mut gradients) = ([0.0; POINTS], [[0.0; POINTS]; N], [[0.0; POINTS]; N]);
     for i in 0..POINTS {
         for (list, x) in lists.iter_mut().zip(point::<N>(i as u32)) {
             list[i] = x;
         }
     }
-    let (lists, slopes) = (lists.each_ref().map(|list| &list[..]), gradients.each_mut().map(|g| &mut g[..]));
-    if Batch::with_level(level).fill_points_with_gradients(field, lists, &mut values, slopes).is_err() {
+    let mut slopes = gradients.iter_mut();
+    let slopes = V::array(|_| slopes.next().map(|g| &mut g[..]).unwrap_or_default());
+    let lists = V::array(|axis| &lists[axis][..]);
+    if Batch::with_level(level).list_samples(field, lists, &mut values, slopes).is_err() {
         return 0;
     }
     let mut hash = START;
@@ -88,8 +93,8 @@ fn batch_digest<F: Field<N>, const N: usize>(field: &F, level: Level) -> u32 {
 }
 
 /// The golden bits of a field that batches take too; the digest is that of the first level with other bits, if one has.
-fn batched<V: Point<N>, F: Field<N>, const N: usize>(field: &F, sample: impl Fn(V) -> Sample<V>) -> Golden {
-    let golden = golden(sample);
+fn batched<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Field<V>) -> Golden {
+    let golden = golden(|p: V| field.sample(p));
     let other =
         Level::available().map(|level| batch_digest(field, level)).find(|&hash| hash != golden.digest);
     Golden { digest: other.unwrap_or(golden.digest), ..golden }
@@ -98,12 +103,12 @@ fn batched<V: Point<N>, F: Field<N>, const N: usize>(field: &F, sample: impl Fn(
 /// A kind in every dimension.
 fn kind<K>(name: &'static str, noise: &K, tell: &mut impl FnMut(&'static str, Golden))
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
 {
-    tell(name, golden(|p: f32| noise.sample(p, 17)));
-    tell(name, golden(|p: Vec2| noise.sample(p, 17)));
-    tell(name, golden(|p: Vec3| noise.sample(p, 17)));
-    tell(name, golden(|p: Vec4| noise.sample(p, 17)));
+    tell(name, golden(|p: f32| noise.sample(p)));
+    tell(name, golden(|p: Vec2| noise.sample(p)));
+    tell(name, golden(|p: Vec3| noise.sample(p)));
+    tell(name, golden(|p: Vec4| noise.sample(p)));
 }
 
 /// A sum of octaves in every dimension; a sum of unit variance has bits of the shipped statistics.
@@ -113,13 +118,17 @@ fn sum(
     rotation: Rotation,
     tell: &mut impl FnMut(&'static str, Golden),
 ) {
-    fn octaves<V: Point<N>, const N: usize>(normalisation: Normalisation, rotation: Rotation) -> Golden
+    fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
+        normalisation: Normalisation,
+        rotation: Rotation,
+    ) -> Golden
     where
         Perlin2002: Kernel<N>,
     {
-        let noise = Octaves::<_, N>::new(Perlin2002::default(), Spectrum::default(), normalisation, 17);
+        let noise =
+            Octaves::<_, N>::new(Perlin2002::new(17), Spectrum::default()).with_normalisation(normalisation);
         let noise = noise.with_rotation(rotation);
-        golden(|p: V| noise.sample(p, 6.5))
+        golden(|p: V| noise.detail(6.5).sample(p))
     }
     tell(name, octaves::<f32, 1>(normalisation, rotation));
     tell(name, octaves::<Vec2, 2>(normalisation, rotation));
@@ -127,30 +136,32 @@ fn sum(
     tell(name, octaves::<Vec4, 4>(normalisation, rotation));
 }
 
-fn gaussian_sum<V: Point<N>, const N: usize>(tell: &mut impl FnMut(&'static str, Golden)) {
-    let noise = GaussianOctaves::<N>::new(Spectrum::default(), 17);
-    tell("Gaussian octaves", golden(|p: V| noise.sample(p, 6.5)));
-    tell("Gaussian octaves, second channel", golden(|p: V| noise.pair(p, 6.5)[1]));
-    tell("Gaussian, second channel", golden(|p: V| Gaussian::default().pair(p, 17)[1]));
-    tell("Gaussian, not normalised", golden(|p: V| Gaussian::default().with_variance(p, 17).0));
-    tell("variance of Gaussian", golden(|p: V| Gaussian::default().with_variance(p, 17).1));
+fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
+    tell: &mut impl FnMut(&'static str, Golden),
+) {
+    let noise = GaussianOctaves::<N>::new(Gaussian::new(17), Spectrum::default());
+    tell("Gaussian octaves", golden(|p: V| noise.detail(6.5).sample(p)));
+    tell("Gaussian octaves, second channel", golden(|p: V| noise.detail(6.5).pair(p)[1]));
+    tell("Gaussian, second channel", golden(|p: V| Gaussian::new(17).pair(p)[1]));
+    tell("Gaussian, not normalised", golden(|p: V| Gaussian::new(17).unnormalised(p)));
+    tell("variance of Gaussian", golden(|p: V| Gaussian::new(17).variance(p)));
 }
 
 /// Tells the golden bits of every kind and sum in every dimension.
 pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     let table = PermutationTable::new(17);
-    kind("Perlin 1985", &Perlin1985::default(), tell);
-    kind("Perlin 2002", &Perlin2002::default(), tell);
-    kind("Perlin 2002 by permutation", &Perlin2002(table), tell);
-    kind("simplex", &Simplex::CONTINUOUS, tell);
-    kind("wide simplex", &Simplex::WIDE, tell);
-    kind("wide simplex by permutation", &Simplex::WIDE.with_lattice(table), tell);
-    kind("Gaussian", &Gaussian::default(), tell);
-    kind("white", &White::default(), tell);
-    kind("value", &Value::default(), tell);
-    kind("value, Catmull-Rom", &ValueCatmullRom::default(), tell);
-    kind("value-gradient", &ValueGradient::default(), tell);
-    kind("sparse", &Sparse::default(), tell);
+    kind("Perlin 1985", &Perlin1985::new(17), tell);
+    kind("Perlin 2002", &Perlin2002::new(17), tell);
+    kind("Perlin 2002 by permutation", &Perlin2002::new(17).with_lattice(table), tell);
+    kind("simplex", &Simplex::new(17), tell);
+    kind("wide simplex", &Simplex::wide(17), tell);
+    kind("wide simplex by permutation", &Simplex::wide(17).with_lattice(table), tell);
+    kind("Gaussian", &Gaussian::new(17), tell);
+    kind("white", &White::new(17), tell);
+    kind("value", &Value::new(17), tell);
+    kind("value, Catmull-Rom", &ValueCatmullRom::new(17), tell);
+    kind("value-gradient", &ValueGradient::new(17), tell);
+    kind("sparse", &Sparse::new(17), tell);
     sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
     sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
     sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);
@@ -162,12 +173,11 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
 
 /// Tells the golden bits of what batches fill, which are those of the same kinds and sums above.
 pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
-    let (perlin, simplex, gaussian) = (Perlin2002::default(), Simplex::CONTINUOUS, Gaussian::default());
-    tell("Perlin 2002", batched(&Seeded(perlin, 17), |p: Vec3| perlin.sample(p, 17)));
-    tell("simplex", batched(&Seeded(simplex, 17), |p: Vec2| simplex.sample(p, 17)));
-    tell("Gaussian", batched(&Seeded(gaussian, 17), |p: Vec4| gaussian.sample(p, 17)));
-    let sum = GaussianOctaves::<2>::new(Spectrum::default(), 17);
-    tell("Gaussian octaves", batched(&sum.first(6.5), |p: Vec2| sum.sample(p, 6.5)));
+    tell("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
+    tell("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
+    tell("Gaussian", batched::<Vec4, 4>(&Gaussian::new(17)));
+    let sum = GaussianOctaves::<2>::new(Gaussian::new(17), Spectrum::default());
+    tell("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
 }
 
 /// The digest of what is drawn from a word.

@@ -1,6 +1,9 @@
 //! Batches at every SIMD level against single points, bit by bit.
 
-use asperity_noise::{Batch, Field, Grid, Level, Point, Sample};
+use asperity_noise::{
+    Field, Grid, Point, Sample,
+    simd::{Batch, Level},
+};
 
 /// The linear congruential generator of Numerical Recipes, of which the upper bits are used.
 #[derive(Clone, Debug)]
@@ -20,37 +23,39 @@ impl Random {
 }
 
 /// Value and gradient, bit by bit.
-fn bits<V: Point<N>, const N: usize>(sample: Sample<V>) -> [u32; 5] {
+fn bits<V: Point>(sample: Sample<V>) -> [u32; 5] {
     let mut bits = [sample.value.to_bits(), 0, 0, 0, 0];
-    for (to, x) in bits[1..].iter_mut().zip(sample.gradient.coordinates()) {
+    for (to, x) in bits[1..].iter_mut().zip(sample.gradient.coordinates().as_ref()) {
         *to = x.to_bits();
     }
     bits
 }
 
 /// What a batch fills: values alone, and values with gradients.
-struct Filled<const N: usize> {
+struct Filled<V: Point> {
     alone: Vec<f32>,
     values: Vec<f32>,
-    gradients: [Vec<f32>; N],
+    gradients: V::Array<Vec<f32>>,
 }
 
-impl<const N: usize> Filled<N> {
+impl<V: Point> Filled<V> {
     fn new(count: usize) -> Self {
         // Not a number that a noise gives, so that a place left out is seen.
-        let empty = vec![f32::NAN; count];
-        Self {
-            alone: empty.clone(),
-            values: empty.clone(),
-            gradients: std::array::from_fn(|_| empty.clone()),
-        }
+        let empty = || vec![f32::NAN; count];
+        Self { alone: empty(), values: empty(), gradients: V::array(|_| empty()) }
+    }
+
+    /// The values, and one slice for each component of the gradient.
+    fn slices(&mut self) -> (&mut [f32], V::Array<&mut [f32]>) {
+        let mut gradients = self.gradients.as_mut().iter_mut();
+        (&mut self.values, V::array(|_| gradients.next().map(Vec::as_mut_slice).unwrap_or_default()))
     }
 
     fn assert_bits(&self, expected: &[[u32; 5]], what: &dyn Fn(usize) -> String) {
         for (i, bits) in expected.iter().enumerate() {
             assert_eq!(self.alone[i].to_bits(), bits[0], "{}: value alone", what(i));
             assert_eq!(self.values[i].to_bits(), bits[0], "{}: value", what(i));
-            for (axis, gradient) in self.gradients.iter().enumerate() {
+            for (axis, gradient) in self.gradients.as_ref().iter().enumerate() {
                 assert_eq!(gradient[i].to_bits(), bits[axis + 1], "{}: gradient {axis}", what(i));
             }
         }
@@ -61,29 +66,23 @@ impl<const N: usize> Filled<N> {
 ///
 /// # Panics
 /// If a bit differs.
-pub fn grid<V: Point<N>, F: Field<N>, const N: usize>(
-    name: &str,
-    field: &F,
-    sample: &impl Fn(V) -> Sample<V>,
-    grid: &Grid<V, N>,
-) {
-    let index = |mut i: usize| {
-        grid.size.map(|n| {
+pub fn grid<V: Point>(name: &str, field: &dyn Field<V>, grid: &Grid<V>) {
+    let point = |mut i: usize| {
+        grid.point(V::array(|axis| {
+            let n = grid.size.as_ref()[axis];
             let along = i % n;
             i /= n;
             along
-        })
+        }))
     };
-    let expected: Vec<_> = (0..grid.len()).map(|i| bits(sample(grid.point(index(i))))).collect();
+    let expected: Vec<_> = (0..grid.len()).map(|i| bits(field.sample(point(i)))).collect();
     for level in Level::available() {
         let batch = Batch::with_level(level);
-        let mut filled = Filled::<N>::new(grid.len());
-        batch.fill_grid(field, grid, &mut filled.alone).expect("lists of one length");
-        let gradients = filled.gradients.each_mut().map(Vec::as_mut_slice);
-        batch
-            .fill_grid_with_gradients(field, grid, &mut filled.values, gradients)
-            .expect("lists of one length");
-        filled.assert_bits(&expected, &|i| format!("{name}, {level}, {:?}", grid.point(index(i))));
+        let mut filled = Filled::<V>::new(grid.len());
+        batch.grid_values(field, grid, &mut filled.alone).expect("lists of one length");
+        let (values, gradients) = filled.slices();
+        batch.grid_samples(field, grid, values, gradients).expect("lists of one length");
+        filled.assert_bits(&expected, &|i| format!("{name}, {level}, {:?}", point(i)));
     }
 }
 
@@ -109,55 +108,51 @@ pub fn coordinate(random: &mut Random) -> f32 {
 ///
 /// # Panics
 /// If a bit differs.
-pub fn points<V: Point<N>, F: Field<N>, const N: usize>(
-    name: &str,
-    field: &F,
-    sample: &impl Fn(V) -> Sample<V>,
-    count: usize,
-) {
+pub fn points<V: Point>(name: &str, field: &dyn Field<V>, count: usize) {
     let mut random = Random(count as u32);
     // The first half is near the origin, so that whole registers take the way of near points.
-    let coordinates: [Vec<f32>; N] = std::array::from_fn(|_| {
+    let coordinates = V::array(|_| -> Vec<f32> {
         (0..count)
             .map(|i| if i < count / 2 { (random.uniform() - 0.5) * 64.0 } else { coordinate(&mut random) })
             .collect()
     });
-    let point = |i: usize| V::from_coordinates(std::array::from_fn(|axis| coordinates[axis][i]));
-    let expected: Vec<_> = (0..count).map(|i| bits(sample(point(i)))).collect();
+    let points: Vec<V> = (0..count).map(|i| V::from_axes(|axis| coordinates.as_ref()[axis][i])).collect();
+    let expected: Vec<_> = points.iter().map(|&p| bits(field.sample(p))).collect();
     for level in Level::available() {
         let batch = Batch::with_level(level);
-        let mut filled = Filled::<N>::new(count);
-        let lists = coordinates.each_ref().map(Vec::as_slice);
-        batch.fill_points(field, lists, &mut filled.alone).expect("lists of one length");
-        let gradients = filled.gradients.each_mut().map(Vec::as_mut_slice);
-        batch
-            .fill_points_with_gradients(field, lists, &mut filled.values, gradients)
-            .expect("lists of one length");
-        filled.assert_bits(&expected, &|i| format!("{name}, {level}, point {:?}", point(i)));
+        let mut filled = Filled::<V>::new(count);
+        let lists = || V::array(|axis| coordinates.as_ref()[axis].as_slice());
+        batch.list_values(field, lists(), &mut filled.alone).expect("lists of one length");
+        let (values, gradients) = filled.slices();
+        batch.list_samples(field, lists(), values, gradients).expect("lists of one length");
+        filled.assert_bits(&expected, &|i| format!("{name}, {level}, point {:?}", points[i]));
+        let mut samples = vec![Sample::default(); count];
+        batch.values(field, &points, &mut filled.alone).expect("lists of one length");
+        batch.samples(field, &points, &mut samples).expect("lists of one length");
+        filled.assert_bits(&expected, &|i| format!("{name}, {level}, point {:?} of a slice", points[i]));
+        for (i, sample) in samples.into_iter().enumerate() {
+            assert_eq!(bits(sample), expected[i], "{name}, {level}, sample at {:?}", points[i]);
+        }
     }
 }
 
 const SIZES: [[usize; 4]; 4] = [[301, 1, 1, 1], [103, 5, 1, 1], [43, 4, 3, 1], [23, 3, 2, 2]];
 
-/// The first N of four.
+/// The first coordinates of four.
 #[must_use]
-pub fn cut<const N: usize, T: Copy>(all: [T; 4]) -> [T; N] {
-    std::array::from_fn(|axis| all[axis])
+pub fn cut<V: Point>(all: [f32; 4]) -> V {
+    V::from_axes(|axis| all[axis])
 }
 
 /// Grids of an origin and steps each.
 ///
 /// # Panics
 /// If a bit differs.
-pub fn grids<V: Point<N>, F: Field<N>, const N: usize>(
-    name: &str,
-    field: &F,
-    sample: &impl Fn(V) -> Sample<V>,
-    cases: &[([f32; 4], [f32; 4])],
-) {
+pub fn grids<V: Point>(name: &str, field: &dyn Field<V>, cases: &[([f32; 4], [f32; 4])]) {
+    let dimension = V::default().coordinates().as_ref().len();
     for &(origin, step) in cases {
-        let [origin, step] = [origin, step].map(|all| V::from_coordinates(cut(all)));
-        grid(name, field, sample, &Grid { origin, step, size: cut(SIZES[N - 1]) });
+        let size = V::array(|axis| SIZES[dimension - 1][axis]);
+        grid(name, field, &Grid { origin: cut(origin), step: cut(step), size });
     }
 }
 
@@ -209,23 +204,20 @@ pub fn far_cases() -> Vec<([f32; 4], [f32; 4])> {
 ///
 /// # Panics
 /// If a bit differs.
-pub fn lengths<V: Point<N>, F: Field<N>, const N: usize>(
-    name: &str,
-    field: &F,
-    sample: &impl Fn(V) -> Sample<V>,
-) {
-    let [origin, step] = [ORIGIN, [0.013, 0.3, 0.2, 0.1]].map(|all| V::from_coordinates(cut(all)));
+pub fn lengths<V: Point>(name: &str, field: &dyn Field<V>) {
     for length in (0..36).chain(255..274).chain([511, 512, 513, 1500]) {
-        let mut size = [1; N];
-        size[0] = length;
-        if N > 1 && length % 3 == 1 {
-            size[1] = 256 / length + 1;
-        }
+        let size = || {
+            V::array(|axis| match axis {
+                0 => length,
+                1 if length % 3 == 1 => 256 / length + 1,
+                _ => 1,
+            })
+        };
+        let origin = cut(ORIGIN);
         if !(36..=1000).contains(&length) {
-            grid(name, field, sample, &Grid { origin, step, size });
+            grid(name, field, &Grid { origin, step: cut([0.013, 0.3, 0.2, 0.1]), size: size() });
         }
         // Backwards too, and in steps of many cells.
-        let step = V::from_coordinates(cut([-0.7, 0.3, 0.2, 0.1]));
-        grid(name, field, sample, &Grid { origin, step, size });
+        grid(name, field, &Grid { origin, step: cut([-0.7, 0.3, 0.2, 0.1]), size: size() });
     }
 }

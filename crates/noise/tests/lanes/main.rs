@@ -5,84 +5,79 @@ mod compare;
 mod shapes;
 
 use asperity_noise::{
-    Batch, Field, Grid, Level, Noise, Normalisation, Octaves, Perlin2002, Rotation, Seeded, Simplex,
-    Spectrum, Value,
+    Field, Grid, Normalisation, Octaves, Perlin2002, Rotation, Simplex, Spectrum, Value,
     glam::{Vec2, Vec3},
+    simd::{Batch, Level},
 };
 use compare::{far_cases, grid, grids, lengths, near_cases, points};
 
 #[test]
 fn grids_of_gradient_noise_have_the_scalar_bits() {
-    let noise = Perlin2002::default();
-    let (field, sample) = (Seeded(noise, 7), |p: Vec2| noise.sample(p, 7));
-    grids("Perlin 2002 2-D", &field, &sample, &near_cases());
-    grids("Perlin 2002 2-D", &field, &sample, &far_cases());
-    lengths("Perlin 2002 2-D", &field, &sample);
+    let field: &dyn Field<Vec2> = &Perlin2002::new(7);
+    grids("Perlin 2002 2-D", field, &near_cases());
+    grids("Perlin 2002 2-D", field, &far_cases());
+    lengths("Perlin 2002 2-D", field);
 }
 
 #[test]
 fn grids_of_simplex_noise_have_the_scalar_bits() {
-    let noise = Simplex::CONTINUOUS;
-    let (field, sample) = (Seeded(noise, 7), |p: Vec2| noise.sample(p, 7));
-    grids("simplex 2-D", &field, &sample, &near_cases());
-    grids("simplex 2-D", &field, &sample, &far_cases());
-    lengths("simplex 2-D", &field, &sample);
+    let field: &dyn Field<Vec2> = &Simplex::new(7);
+    grids("simplex 2-D", field, &near_cases());
+    grids("simplex 2-D", field, &far_cases());
+    lengths("simplex 2-D", field);
 }
 
 /// Where a kernel ends between two points, rounding is all that tells which of them it reaches.
 #[test]
 fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
     for seed in 0..40 {
-        let field = Seeded(Simplex::CONTINUOUS, seed);
         let (origin, step) = (Vec2::new(-0.004_261_506_7, -2.063_24), Vec2::new(5.195_842e-9, 1e-8));
-        grid("simplex 2-D", &field, &|p: Vec2| field.sample(p), &Grid { origin, step, size: [300, 1] });
+        grid("simplex 2-D", &Simplex::new(seed), &Grid { origin, step, size: [300, 1] });
     }
 }
 
 #[test]
 fn grids_in_space_have_the_scalar_bits() {
-    let noise = Value::default();
-    grids("value 3-D", &Seeded(noise, 7), &|p: Vec3| noise.sample(p, 7), &near_cases());
+    grids("value 3-D", &Value::new(7) as &dyn Field<Vec3>, &near_cases());
 }
 
 #[test]
 fn points_of_simplex_noise_have_the_scalar_bits() {
-    let noise = Simplex::CONTINUOUS;
     for count in (0..20).chain([4001]) {
-        points("simplex 3-D", &Seeded(noise, 7), &|p: Vec3| noise.sample(p, 7), count);
+        points("simplex 3-D", &Simplex::new(7) as &dyn Field<Vec3>, count);
     }
 }
 
 #[test]
 fn aligned_sums_have_the_scalar_bits() {
-    let sum = Octaves::<_, 2>::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 3);
-    let sum = sum.with_rotation(Rotation::Aligned);
-    let (field, sample) = (sum.first(3.4), |p: Vec2| sum.sample(p, 3.4));
-    grids("octaves 2-D", &field, &sample, &near_cases()[..4]);
-    grids("octaves 2-D", &field, &sample, &far_cases());
+    let sum = Octaves::<_, 2>::new(Perlin2002::new(3), Spectrum::default()).first(3.4);
+    let sum = sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned);
+    let field: &dyn Field<Vec2> = &sum;
+    grids("octaves 2-D", field, &near_cases()[..4]);
+    grids("octaves 2-D", field, &far_cases());
 }
 
 #[test]
-fn a_row_is_that_of_a_grid() {
-    let field = Seeded(Perlin2002::default(), 7);
+fn fields_take_the_best_level_by_themselves() {
+    let field = Perlin2002::new(7);
+    let grid = Grid { origin: Vec2::new(-3.0, 0.7), step: Vec2::new(0.13, 1.0), size: [300, 2] };
+    let (mut values, mut forced) = (vec![0.0; 600], vec![0.0; 600]);
+    field.grid_values(&grid, &mut values).unwrap();
     for level in Level::available() {
-        let (mut row, mut values) = ([0.0; 300], [0.0; 300]);
-        let (origin, step) = (Vec2::new(-3.0, 0.7), Vec2::new(0.13, 1.0));
-        Batch::with_level(level).fill_row(&field, origin, step.x, &mut row);
-        Batch::with_level(level)
-            .fill_grid(&field, &Grid { origin, step, size: [300, 1] }, &mut values)
-            .unwrap();
-        assert_eq!(row, values, "{level}");
+        Batch::with_level(level).grid_values(&field, &grid, &mut forced).unwrap();
+        assert_eq!(values, forced, "{level}");
     }
+    assert_eq!(Batch::default().level(), Level::best());
+    let error = field.grid_values(&grid, &mut values[1..]).unwrap_err();
+    assert_eq!(error.to_string(), "`values` must have 600 elements, got 599");
 }
 
 #[test]
 fn an_unavailable_level_falls_back_to_the_same_bits() {
-    let (noise, p) = (Perlin2002::default(), [0.3, 1.7, -2.4]);
+    let (noise, p) = (Perlin2002::new(1), [0.3_f32, 1.7, -2.4]);
     for level in [Level::Scalar, Level::Sse2, Level::Avx512, Level::Neon, Level::Wasm128] {
         let mut values = [0.0; 3];
-        Batch::with_level(level).fill_points(&Seeded(noise, 1), [&p], &mut values).unwrap();
-        let expected = p.map(|x| noise.value(x, 1));
-        assert_eq!(values, expected, "{level}");
+        Batch::with_level(level).values(&noise, &p, &mut values).unwrap();
+        assert_eq!(values, p.map(|x| noise.value(x)), "{level}");
     }
 }

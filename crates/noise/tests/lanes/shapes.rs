@@ -1,76 +1,112 @@
-//! Batches of turbulence and its like against single points, bit by bit, at every SIMD level.
+//! Lists and grids of turbulence and its like, and of fields that are composed, against single points, bit by bit.
 
+use crate::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
-    Batch, Field, Grid, Kernel, LaneSample, Lanes, Level, Normalisation, Octaves, Power, RidgedMultifractal,
-    Rotation, Spectrum, Statistics, Turbulence, White, glam::Vec2,
+    Add, Affine, Blend, Clamp, Field, Map, Multiply, Octaves, Perlin2002, Power, RidgedMultifractal,
+    Rotation, Sample, Simplex, Spectrum, Turbulence, Unit, Warp, glam::Vec2,
 };
 
-/// The points of a grid.
-const SIZE: [usize; 2] = [53, 4];
-const COUNT: usize = SIZE[0] * SIZE[1];
-
-fn grid() -> Grid<Vec2, 2> {
-    Grid { origin: Vec2::new(-3.3, 7.1), step: Vec2::new(0.043, 0.61), size: SIZE }
-}
-
-/// What a batch has filled against single points, bit for bit.
-fn same_bits<F: Field<2>>(name: &str, field: &F, got: [&[f32]; 4]) {
-    for k in 0..COUNT {
-        let sample = field.sample(grid().point([k % SIZE[0], k / SIZE[0]]));
-        let expected = [sample.value, sample.value, sample.gradient.x, sample.gradient.y];
-        assert_eq!(got.map(|list| list[k].to_bits()), expected.map(f32::to_bits), "{name}, point {k}");
-    }
-}
-
-/// Bumps in cells, equal for all seeds: as little code as a kind can have, for what is compiled at every level.
-#[derive(Clone, Copy)]
-struct Bumps;
-
-impl Kernel<2> for Bumps {
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 2], seed: u32) -> S::F {
-        self.lane_samples(s, p, seed).0
-    }
-
-    fn lane_samples<S: Lanes>(&self, s: S, [x, y]: [S::F; 2], _: u32) -> LaneSample<S, 2> {
-        let (x, y) = (x - s.floor(x), y - s.floor(y));
-        let (one, two, four) = (s.float(1.0), s.float(2.0), s.float(4.0));
-        (four * (x * (one - x) - y * (one - y)), [four * (one - two * x), four * (two * y - one)])
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        Kernel::<2>::statistics(&White::default())
-    }
+/// Grids, rows of many lengths and lists, at every level.
+fn same_bits(name: &str, field: &dyn Field<Vec2>) {
+    grids(name, field, &near_cases()[..4]);
+    grids(name, field, &far_cases());
+    lengths(name, field);
+    points(name, field, 700);
 }
 
 #[test]
-fn grids_of_shaped_sums_have_the_bits_of_single_points() {
-    let octaves = Octaves::<_, 2>::new(Bumps, Spectrum::default(), Normalisation::Variance, 4);
+fn batches_of_shaped_sums_have_the_bits_of_single_points() {
+    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::default()).first(3.5);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let turbulence = octaves.with_rotation(rotation).with_shape(Turbulence);
         for footprint in [0.0, 0.1, 9.0] {
-            let field = turbulence.first(3.5).clamped(footprint);
-            for level in Level::available() {
-                let batch = Batch::with_level(level);
-                let [mut values, mut alone, mut dx, mut dy] = [[0.0_f32; COUNT]; 4];
-                batch.fill_grid(&field, &grid(), &mut alone).unwrap();
-                batch.fill_grid_with_gradients(&field, &grid(), &mut values, [&mut dx, &mut dy]).unwrap();
-                let name = format!("{rotation:?}, footprint {footprint}, {level}");
-                same_bits(&name, &field, [&alone, &values, &dx, &dy]);
-            }
+            let name = format!("{rotation:?}, footprint {footprint}");
+            grids(&name, &turbulence.clamped(footprint) as &dyn Field<Vec2>, &near_cases()[..4]);
         }
+    }
+    same_bits("turned turbulence", &octaves.with_shape(Turbulence));
+    same_bits("aligned turbulence", &octaves.with_rotation(Rotation::Aligned).with_shape(Turbulence));
+}
+
+#[test]
+fn batches_of_a_ridged_multifractal_have_the_bits_of_single_points() {
+    let ridges = RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::CLOUD, 2.0).unwrap();
+    same_bits("ridged multifractal, squared", &Power(ridges.first(3.5), 2));
+}
+
+/// A user's field: a plane wave, point by point.
+struct Wave;
+
+impl Field<Vec2> for Wave {
+    fn sample(&self, p: Vec2) -> Sample<Vec2> {
+        Sample { value: (2.0 * p.x + p.y).sin(), gradient: Vec2::new(2.0, 1.0) * (2.0 * p.x + p.y).cos() }
+    }
+}
+
+/// Fields that own what they are made of, chosen at run time.
+fn composed(which: usize) -> Box<dyn Field<Vec2>> {
+    let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
+    let noise = || Perlin2002::new(7);
+    match which {
+        0 => Box::new(Add(noise(), Wave)),
+        1 => Box::new(Multiply(Wave, noise())),
+        2 => Box::new(Blend(noise(), Wave, Unit(Simplex::new(5)))),
+        3 => Box::new(Clamp(noise(), -0.2, 0.1)),
+        4 => Box::new(Map(noise(), |n: f32| n * n * n, |n: f32| 3.0 * (n * n))),
+        5 => Box::new(Affine(noise(), -2.0, 3.0)),
+        6 => Box::new(Warp::new(noise(), by, 0.3).unwrap()),
+        7 => Box::new(Warp::new(composed(6), [composed(0), composed(3)], 0.2).unwrap()),
+        _ => Box::new(Add(composed(6), Multiply(composed(2), composed(4)))),
     }
 }
 
 #[test]
-fn points_of_a_ridged_multifractal_have_the_bits_of_single_points() {
-    let ridges = RidgedMultifractal::<_, 2>::new(Bumps, Spectrum::CLOUD, 2.0, 1).unwrap();
-    let field = Power(ridges.first(3.5), 2);
-    let points: Vec<Vec2> = (0..COUNT).map(|k| grid().point([k % SIZE[0], k / SIZE[0]])).collect();
-    let [x, y]: [Vec<f32>; 2] = [0, 1].map(|axis| points.iter().map(|p| p[axis]).collect());
-    for level in Level::available() {
-        let [mut values, mut dx, mut dy] = [[0.0_f32; COUNT]; 3];
-        let batch = Batch::with_level(level);
-        batch.fill_points_with_gradients(&field, [&x, &y], &mut values, [&mut dx, &mut dy]).unwrap();
-        same_bits(&level.to_string(), &field, [&values, &values, &dx, &dy]);
+fn batches_of_composed_fields_have_the_bits_of_single_points() {
+    for which in 0..9 {
+        let field = composed(which);
+        grids(&format!("composed {which}"), field.as_ref(), &near_cases()[..3]);
+        lengths(&format!("composed {which}"), field.as_ref());
+        points(&format!("composed {which}"), field.as_ref(), 700);
+    }
+}
+
+#[test]
+fn gradients_of_composed_fields_are_differences() {
+    const H: f32 = 1.0 / 512.0;
+    for which in (0..9).filter(|&which| which != 3) {
+        let field = composed(which);
+        let mut worst = 0.0_f32;
+        for i in 0..200_u16 {
+            let p = Vec2::new(0.037 * f32::from(i) - 3.0, 2.0 - 0.0213 * f32::from(i));
+            let gradient = field.sample(p).gradient;
+            let slope = |d: Vec2| (field.value(p + d) - field.value(p - d)) / (2.0 * H);
+            let difference = Vec2::new(slope(Vec2::new(H, 0.0)), slope(Vec2::new(0.0, H)));
+            worst = worst.max((gradient - difference).length() / (1.0 + gradient.length()));
+        }
+        // H²/6 times third derivatives, which reach a few hundred, and the rounding of values, 4e-7, over H. A clamp in a warp
+        // leaps where it sets in, by H times a slope.
+        assert!(worst < if which > 6 { 0.05 } else { 4e-3 }, "composed {which}: {worst:e}");
+    }
+    let (clamped, whole) = (Clamp(Perlin2002::new(7), -0.2, 0.1), Perlin2002::new(7));
+    for i in 0..200_u16 {
+        let p = Vec2::new(0.037 * f32::from(i), 0.41);
+        let (cut, full) = (clamped.sample(p), whole.sample(p));
+        let inside = full.value > -0.2 && full.value < 0.1;
+        assert_eq!(cut.gradient, if inside { full.gradient } else { Vec2::ZERO });
+    }
+}
+
+#[test]
+fn ranges_of_composed_fields_hold_all_values() {
+    for which in 0..9 {
+        let field = composed(which);
+        let [low, high] = field.range();
+        let unit = Unit(&field);
+        for i in 0..400_u16 {
+            let p = Vec2::new(0.137 * f32::from(i) - 3.0, 2.0 - 0.213 * f32::from(i));
+            let value = field.value(p);
+            assert!((low..=high).contains(&value), "composed {which}: {value}");
+            assert!((0.0..=1.0).contains(&unit.value(p)), "composed {which}");
+        }
     }
 }

@@ -3,8 +3,7 @@
 use glam::Vec3;
 
 use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
-use crate::parameter::ParameterError;
-use crate::pixel::{Footprint, FrequencyClamp};
+use crate::pixel::{Footprint, FrequencyClamp, FrequencyClampError};
 
 /// A Gaussian field laid into space with a given size of bumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,9 +18,9 @@ impl<F: GaussianField> BumpField<F> {
     /// Lacunarity and greatest count of octaves are the field's own.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `frequency` is finite and positive; the other two where the field
+    /// [`FrequencyClampError::Frequency`] unless `frequency` is finite and positive; the other two where the field
     /// breaks its promise.
-    pub fn new(field: F, frequency: f32) -> Result<Self, ParameterError> {
+    pub fn new(field: F, frequency: f32) -> Result<Self, FrequencyClampError> {
         let clamp = FrequencyClamp::new(frequency, field.lacunarity(), field.max_octaves())?;
         Ok(Self { field, clamp })
     }
@@ -32,7 +31,7 @@ impl<F: GaussianField> BumpField<F> {
         &self.field
     }
 
-    /// Frequency clamp of the field: how many octaves each footprint resolves.
+    /// How many octaves each footprint resolves.
     #[must_use]
     pub const fn clamp(&self) -> &FrequencyClamp {
         &self.clamp
@@ -60,11 +59,11 @@ impl<F: GaussianField> BumpField<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_noise::{GaussianOctaves, Spectrum};
+    use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 
     #[test]
     fn field_is_seen_at_its_scale_with_its_own_octaves() {
-        let field = GaussianOctaves::new(Spectrum::new(3.0, 0.6, 5).unwrap(), 4);
+        let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::new(3.0, 0.6, 5).unwrap());
         let bumps = BumpField::new(field, 8.0).unwrap();
         let p = Vec3::new(0.21, -1.3, 0.77);
         // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
@@ -77,11 +76,8 @@ mod tests {
     #[test]
     fn refuses_what_is_no_frequency() {
         for bad in [f32::NAN, f32::INFINITY, 0.0, -2.0] {
-            let refused = BumpField::new(GaussianOctaves::new(Spectrum::default(), 0), bad);
-            assert!(
-                matches!(refused, Err(ParameterError::NotPositive { parameter: "frequency", .. })),
-                "{bad}"
-            );
+            let refused = BumpField::new(GaussianOctaves::new(Gaussian::new(0), Spectrum::default()), bad);
+            assert!(matches!(refused, Err(FrequencyClampError::Frequency(_))), "{bad}");
         }
     }
 }

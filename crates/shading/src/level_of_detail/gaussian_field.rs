@@ -15,7 +15,7 @@ pub struct Coordinates {
 }
 
 impl Coordinates {
-    /// Coordinates of a pixel that resolves nothing.
+    /// What a pixel sees that resolves nothing.
     pub const FAR: Self = Self { z: Vec2::ZERO, share: 0.0, fade: 0.0 };
 }
 
@@ -49,11 +49,10 @@ pub trait GaussianField {
 /// Exactly Gaussian at every point, so that the `Exact` rule's mean is exact.
 ///
 /// ```
-/// use asperity_shading::level_of_detail::{Coordinates, GaussianField};
-/// use asperity_shading::glam::Vec3;
-/// use asperity_shading::noise::{GaussianOctaves, Spectrum};
+/// use asperity_shading::{Coordinates, GaussianField, glam::Vec3};
+/// use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 ///
-/// let field = GaussianOctaves::<3>::new(Spectrum::default(), 7);
+/// let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
 /// let p = Vec3::new(0.3, 1.7, -2.2);
 /// assert_eq!(field.coordinates(p, 0.0), Coordinates::FAR);
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
@@ -61,10 +60,10 @@ pub trait GaussianField {
 /// ```
 impl GaussianField for GaussianOctaves<3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
-        let [x, y] = self.pair(p, octaves);
+        let [x, y] = self.detail(octaves).pair(p);
         Coordinates {
             z: Vec2::new(x.value, y.value),
-            share: self.share(octaves),
+            share: self.spectrum().share(octaves),
             fade: self.spectrum().weight(octaves, 0),
         }
     }
@@ -95,11 +94,11 @@ impl<F: GaussianField + ?Sized> GaussianField for &F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_noise::Spectrum;
+    use asperity_noise::{Gaussian, Spectrum};
 
     #[test]
     fn every_point_and_count_gives_finite_coordinates() {
-        let field = GaussianOctaves::<3>::new(Spectrum::default(), 1);
+        let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
         for octaves in [f32::NAN, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
             for p in
                 [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::splat(-1e30), Vec3::new(0.5, f32::NAN, 2.0)]

@@ -1,7 +1,7 @@
 //! Classic lattice noise as Gaussian coordinates, through its measured distribution.
 
 use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef};
-use asperity_noise::{Kernel, Normalisation, Octaves, Spectrum};
+use asperity_noise::{Field, Octaves, Spectrum, simd::Kernel};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
@@ -9,7 +9,7 @@ use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
 /// The noise value, in standard deviations, at either end of the measured distributions.
 const RANGE: f32 = 4.0;
 
-/// Difference of the second channel's seed: 2³²/φ, which no one counts by.
+/// What the second channel's seed differs by: 2³²/φ, which no one counts by.
 const SECOND: u32 = 0x9E37_79B9;
 
 /// Two sums of octaves of a classic noise, made Gaussian by the noise's measured distribution `G`.
@@ -28,8 +28,7 @@ const SECOND: u32 = 0x9E37_79B9;
 /// The channels have own seeds, offsets and rotations in every octave, so that they share no lattice.
 ///
 /// ```
-/// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
-/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{GaussianField, RemappedOctaves, glam::Vec3};
 /// use asperity_shading::noise::{Perlin2002, Spectrum};
 ///
 /// let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 3)?;
@@ -50,8 +49,8 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     /// [`NoiseCdfError`] where the noise's measured distribution is none; those of `asperity-noise` are.
     pub fn new(noise: K, spectrum: Spectrum, seed: u32) -> Result<Self, NoiseCdfError> {
         let cdf = NoiseCdfRef::new(RANGE, noise.statistics().cdf)?;
-        let first = Octaves::new(noise.clone(), spectrum, Normalisation::Variance, seed);
-        let second = Octaves::new(noise, spectrum, Normalisation::Variance, seed.wrapping_add(SECOND));
+        let first = Octaves::new(noise.clone(), spectrum).with_seed(seed);
+        let second = Octaves::new(noise, spectrum).with_seed(seed.wrapping_add(SECOND));
         Ok(Self { channels: [first, second], cdf })
     }
 
@@ -70,7 +69,8 @@ impl<K: Kernel<3> + Clone> GaussianField for RemappedOctaves<K> {
         if fade == 0.0 {
             return Coordinates::FAR;
         }
-        let [x, y] = self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.value(p, octaves)));
+        let [x, y] =
+            self.channels.each_ref().map(|channel| self.cdf.gaussian(channel.detail(octaves).value(p)));
         Coordinates { z: Vec2::new(x, y), share: spectrum.share(octaves), fade }
     }
 
@@ -127,10 +127,7 @@ mod tests {
     fn channels_and_seeds_differ() {
         let p = Vec3::new(0.3, 1.7, -2.2);
         let at = |seed| {
-            RemappedOctaves::new(Simplex::CONTINUOUS, Spectrum::default(), seed)
-                .unwrap()
-                .coordinates(p, 3.0)
-                .z
+            RemappedOctaves::new(Simplex::new(0), Spectrum::default(), seed).unwrap().coordinates(p, 3.0).z
         };
         let values = [at(0).x, at(0).y, at(1).x, at(1).y];
         for (i, a) in values.iter().enumerate() {

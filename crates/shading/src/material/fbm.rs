@@ -1,11 +1,11 @@
 //! Octaves of simplex noise by position, as a pixel sees them.
 
 use asperity_noise::{
-    Field, Kernel, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
+    Field, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share, simd::Kernel,
 };
 use glam::Vec3;
 
-use crate::parameter::{ParameterError, within};
+use crate::material::parameter::{ParameterError, within};
 use crate::pixel::Footprint;
 
 /// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷ points.
@@ -41,7 +41,7 @@ pub(crate) struct Fbm<K = Simplex> {
 impl Fbm {
     /// The octaves of a spectrum, all of them, the first of this size.
     pub(crate) fn new(spectrum: Spectrum, size: f32, seed: u32) -> Self {
-        Self::of(Simplex::CONTINUOUS, spectrum, size, seed)
+        Self::of(Simplex::new(0), spectrum, size, seed)
     }
 
     /// A single octave.
@@ -58,19 +58,19 @@ impl Fbm {
 impl<K: Kernel<3>> Fbm<K> {
     /// The octaves of a spectrum of any kind of noise.
     pub(crate) fn of(noise: K, spectrum: Spectrum, size: f32, seed: u32) -> Self {
-        let octaves = Octaves::new(noise, spectrum, Normalisation::Range, seed);
+        let octaves = Octaves::new(noise, spectrum).with_seed(seed).with_normalisation(Normalisation::Range);
         Self { octaves, count: spectrum.max_octaves() as f32, frequency: 1.0 / size }
     }
 
     /// Value, and gradient by p/size, with the octaves that the pixel cannot resolve faded to 0, their mean.
     pub(crate) fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
-        let clamped = self.octaves.first(self.count).clamped(footprint.width() * self.frequency);
+        let clamped = self.octaves.detail(self.count).clamped(footprint.width() * self.frequency);
         clamped.sample(position * self.frequency)
     }
 
     /// The value without any fading.
     pub(crate) fn value(&self, position: Vec3) -> f32 {
-        self.octaves.value(position * self.frequency, self.count)
+        self.octaves.detail(self.count).value(position * self.frequency)
     }
 
     /// The share of the first octave that the pixel cannot resolve.

@@ -1,12 +1,13 @@
 //! Gas as a density in space, shaped into steam, and light through it.
 
+use core::fmt;
+
 use asperity_noise::{
-    Field, Kernel, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, removed_share,
+    Field, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, removed_share, simd::Kernel,
 };
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
-use crate::parameter::{ParameterError, positive};
 use crate::pixel::Footprint;
 
 /// Gas: turbulence, raised to a power.
@@ -19,8 +20,7 @@ use crate::pixel::Footprint;
 /// there the sum is not divided, which only scales `max_density`.
 ///
 /// ```
-/// use asperity_shading::texture::Gas;
-/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{Gas, glam::Vec3};
 ///
 /// let gas = Gas::default();
 /// let density = gas.density(Vec3::new(0.3, 1.2, -0.4));
@@ -38,7 +38,8 @@ pub struct Gas<K = Perlin2002> {
 /// Five octaves of Perlin's noise at lacunarity 2.17, densest 2, exponent 3.
 impl Default for Gas {
     fn default() -> Self {
-        let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 0);
+        let octaves =
+            Octaves::new(Perlin2002::new(0), Spectrum::default()).with_normalisation(Normalisation::Range);
         Self {
             turbulence: octaves.with_shape(Turbulence),
             octaves: 5.0,
@@ -53,19 +54,22 @@ impl<K: Kernel<3>> Gas<K> {
     /// The gas of the first `octaves` octaves of a turbulence.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
+    /// [`GasError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
         turbulence: Octaves<K, 3, Turbulence>,
         octaves: f32,
         max_density: f32,
         exponent: f32,
-    ) -> Result<Self, ParameterError> {
-        positive("max_density", max_density)?;
-        positive("exponent", exponent)?;
+    ) -> Result<Self, GasError> {
+        for (name, value) in [("max_density", max_density), ("exponent", exponent)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GasError { name, value });
+            }
+        }
         Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
     }
 
-    /// Gas with veins: the sine of the turbulence.
+    /// The same gas with veins: the sine of the turbulence.
     #[must_use]
     pub fn with_veins(self) -> Self {
         Self { veins: true, ..self }
@@ -74,7 +78,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// The density at a point, at least 0; that of no turbulence where the point is not finite.
     #[must_use]
     pub fn density(&self, p: Vec3) -> f32 {
-        self.of(self.turbulence.value(p, self.octaves))
+        self.of(self.turbulence.detail(self.octaves).value(p))
     }
 
     /// The density as a pixel of this footprint sees it: the mean over what octaves that it does not resolve would add.
@@ -85,8 +89,8 @@ impl<K: Kernel<3>> Gas<K> {
     #[must_use]
     pub fn clamped_density(&self, p: Vec3, footprint: Footprint) -> f32 {
         let footprint = footprint.width();
-        let field = self.turbulence.first(self.octaves).clamped(footprint);
-        let mean = Field::<3>::value(&field, p);
+        let field = self.turbulence.detail(self.octaves).clamped(footprint);
+        let mean = Field::<Vec3>::value(&field, p);
         let apart = sqrt(3.0 * self.removed(footprint));
         if apart > 0.0 {
             let sides = self.of((mean - apart).max(0.0)) + self.of(mean + apart);
@@ -123,6 +127,23 @@ impl<K: Kernel<3>> Gas<K> {
     }
 }
 
+/// A parameter of a [`Gas`] or of [`Steam`] is not finite and positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GasError {
+    /// Which one.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f32,
+}
+
+impl fmt::Display for GasError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}, not finite and positive", self.name, self.value)
+    }
+}
+
+impl core::error::Error for GasError {}
+
 /// The room over a cup in which gas is steam: a slab that thins out from its axis and with the height.
 ///
 /// ```text
@@ -133,13 +154,12 @@ impl<K: Kernel<3>> Gas<K> {
 /// "Placing and Shaping Gas": attenuated by the distance from the centre of the tea's surface and by the height above it.
 ///
 /// ```
-/// use asperity_shading::texture::Steam;
-/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{Steam, glam::Vec3};
 ///
 /// let steam = Steam::new(Vec3::new(0.0, 0.0, 0.8), 0.5, 1.5)?;
 /// assert_eq!(steam.share(Vec3::new(0.0, 0.0, 0.8)), 1.0);
 /// assert_eq!(steam.share(Vec3::new(0.6, 0.0, 1.0)), 0.0);
-/// # Ok::<(), asperity_shading::ParameterError>(())
+/// # Ok::<(), asperity_shading::GasError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steam {
@@ -152,9 +172,14 @@ impl Steam {
     /// Steam over the surface of tea with this centre; z points up.
     ///
     /// # Errors
-    /// [`ParameterError`] unless radius and height are finite and positive.
-    pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
-        Ok(Self { centre, radius: positive("radius", radius)?, height: positive("height", height)? })
+    /// [`GasError`] unless radius and height are finite and positive.
+    pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, GasError> {
+        for (name, value) in [("radius", radius), ("height", height)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GasError { name, value });
+            }
+        }
+        Ok(Self { centre, radius, height })
     }
 
     /// The share of gas that is left at a point, in `[0, 1]`; 0 where the point is not finite.
@@ -171,7 +196,7 @@ impl Steam {
     }
 }
 
-/// Light and transmittance along a ray through gas.
+/// What a ray sees through gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// The light that the gas adds, in the unit of what `light` returns.
@@ -194,8 +219,7 @@ pub struct Seen {
 /// - **Accuracy:** exact where extinction and light are constant; otherwise of second order in the step for an offset of 1/2.
 ///
 /// ```
-/// use asperity_shading::texture::march;
-/// use asperity_shading::glam::Vec3;
+/// use asperity_shading::{march, glam::Vec3};
 ///
 /// // Fog of extinction 0.5 over a length of 2 lets 1/e through, whatever the step.
 /// let seen = march(Vec3::ZERO, Vec3::X, [1.0, 3.0], 0.3, 0.5, |_| 0.5, |_| Vec3::ONE);
@@ -261,7 +285,7 @@ mod tests {
         let gas = Gas::default();
         for i in 0..100 {
             let p = Vec3::new(0.37 * i as f32, 1.1, -0.21 * i as f32);
-            let t = gas.turbulence.value(p, 5.0);
+            let t = gas.turbulence.detail(5.0).value(p);
             assert!((gas.density(p) - (2.0 * t).powi(3)).abs() <= 1e-6 * gas.density(p) + 1e-9);
             let veins = gas.with_veins().density(p);
             let expected = (1.0 + (t * core::f32::consts::PI).sin()).powi(3);
@@ -337,10 +361,10 @@ mod tests {
     fn refuses_what_is_no_gas() {
         let turbulence = Gas::default().turbulence;
         for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-            assert_eq!(Gas::new(turbulence, 5.0, bad, 1.0).unwrap_err().parameter(), "max_density");
-            assert_eq!(Gas::new(turbulence, 5.0, 1.0, bad).unwrap_err().parameter(), "exponent");
-            assert_eq!(Steam::new(Vec3::ZERO, bad, 1.0).unwrap_err().parameter(), "radius");
-            assert_eq!(Steam::new(Vec3::ZERO, 1.0, bad).unwrap_err().parameter(), "height");
+            assert_eq!(Gas::new(turbulence, 5.0, bad, 1.0).unwrap_err().name, "max_density");
+            assert_eq!(Gas::new(turbulence, 5.0, 1.0, bad).unwrap_err().name, "exponent");
+            assert_eq!(Steam::new(Vec3::ZERO, bad, 1.0).unwrap_err().name, "radius");
+            assert_eq!(Steam::new(Vec3::ZERO, 1.0, bad).unwrap_err().name, "height");
         }
     }
 }

@@ -16,8 +16,7 @@ use crate::pixel::Footprint;
 /// channel has a seed of its own beside the offset, because channels on one lattice are not independent.
 ///
 /// ```
-/// use asperity_shading::texture::PerturbedTexture;
-/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::{PerturbedTexture, glam::{Vec2, Vec3}};
 ///
 /// let running = PerturbedTexture::default();
 /// let moved = running.coordinates(Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));
@@ -29,7 +28,7 @@ pub struct PerturbedTexture<N = Perlin2002> {
     pub noise: N,
     /// Cells of the noise per unit of the positions.
     pub scale: f32,
-    /// Greatest displacement of either coordinate.
+    /// How far either coordinate is moved at most.
     pub strength: Vec2,
     /// Which noise.
     pub seed: u32,
@@ -51,23 +50,23 @@ pub struct PerturbedLookUp {
     pub spread: Vec2,
 }
 
-impl<N: Noise<Vec3>> PerturbedTexture<N> {
-    /// Perturbed texture coordinates for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
+impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
+    /// Where to look up the texture for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, uv: Vec2) -> Vec2 {
         let q = p * self.scale;
-        let second = self.noise.value(q + Vec3::new(1.5, 6.7, 3.4), self.seed.wrapping_add(1));
-        uv + self.strength * Vec2::new(self.noise.value(q, self.seed), second)
+        let second =
+            self.noise.clone().with_seed(self.seed.wrapping_add(1)).value(q + Vec3::new(1.5, 6.7, 3.4));
+        uv + self.strength * Vec2::new(self.noise.clone().with_seed(self.seed).value(q), second)
     }
 
-    /// Perturbed texture coordinates as a pixel of this footprint sees them, with the deviations of their spread.
+    /// Where to look up the texture as a pixel of this footprint sees it, and by which deviations its coordinates are spread there.
     ///
     /// Noise that the pixel does not resolve fades to 0, and what it moved the texture by is a blur: a box that is
     /// `√(width² + 12 spread²)` wide sees both.
     ///
     /// ```
-    /// use asperity_shading::texture::PerturbedTexture;
-    /// use asperity_shading::{Footprint, glam::{Vec2, Vec3}};
+    /// use asperity_shading::{Footprint, PerturbedTexture, glam::{Vec2, Vec3}};
     ///
     /// let running = PerturbedTexture::default();
     /// let (p, uv) = (Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));

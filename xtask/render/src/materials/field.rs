@@ -1,8 +1,7 @@
 //! The noises that bumps are made of, by name.
 
-use asperity_noise::{GaussianOctaves, Perlin2002, Simplex, Spectrum};
-use asperity_shading::BumpField;
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
+use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
+use asperity_shading::{BumpField, Coordinates, GaussianField, RemappedOctaves};
 use glam::Vec3;
 
 use crate::failure::Failure;
@@ -56,11 +55,11 @@ impl Field {
         }
         let spectrum = Spectrum::new(LACUNARITY, gain, octaves)?;
         Ok(match kind {
-            NoiseKind::Gaussian => Self::Gaussian(GaussianOctaves::new(spectrum, seed)),
+            NoiseKind::Gaussian => Self::Gaussian(GaussianOctaves::new(Gaussian::new(seed), spectrum)),
             NoiseKind::Perlin2002 => {
                 Self::Perlin2002(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?)
             }
-            NoiseKind::Simplex => Self::Simplex(RemappedOctaves::new(Simplex::CONTINUOUS, spectrum, seed)?),
+            NoiseKind::Simplex => Self::Simplex(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?),
         })
     }
 }

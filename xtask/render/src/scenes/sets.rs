@@ -1,11 +1,10 @@
 //! The builder's scenes: what stands where, and from where it is seen.
 
 use asperity_shading::{
-    Brdf, EnergyPreservingOrenNayar, Lambert, ParameterError, SurfacePoint, TemperedGlass,
-    TemperedGlassParameters,
+    Brdf, EnergyPreservingOrenNayar, Lambert, SurfacePoint, TemperedGlass, TemperedGlassParameters,
     bump::Facet,
     material::Material,
-    reflectance::{Bsdf, Coat, Lobe},
+    reflectance::{Bsdf, Coat, DiffuseError, Lobe},
 };
 use glam::{Vec2, Vec3};
 
@@ -152,7 +151,7 @@ pub fn ground(height: f32) -> Result<Object<'static>, Failure> {
 }
 
 /// A rough colour.
-fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
+fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, DiffuseError> {
     EnergyPreservingOrenNayar::new(colour, 0.8)
 }
 

@@ -2,12 +2,11 @@
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::material::{BumpMapped, GlassWaves, Material, PaintFlakes};
-use asperity_shading::material::{FibresParameters, SeamPattern};
-use asperity_shading::noise::{GaussianOctaves, Spectrum};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{
-    BumpField, Carpet, CarpetParameters, Ggx, LevelOfDetail, MetallicPaint, MetallicPaintParameters,
-    Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
-    VariationsParameters,
+    BumpField, Carpet, CarpetParameters, FibresParameters, Ggx, LevelOfDetail, MetallicPaint,
+    MetallicPaintParameters, Scratches, ScratchesParameters, SeamPattern, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters, Variations, VariationsParameters,
 };
 
 use crate::shaded::Subject;
@@ -146,7 +145,7 @@ fn scratches() -> Boxed {
 
 fn bumps(name: &'static str, rule: LevelOfDetail) -> Subject {
     let spectrum = Spectrum::new(2.17, 0.8, 3).expect("three octaves");
-    let bumps = BumpField::new(GaussianOctaves::<3>::new(spectrum, 7), 20.0).expect(VALID);
+    let bumps = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(7), spectrum), 20.0).expect(VALID);
     let material = BumpMapped { ndf: Ggx::new(0.3, 0.5).expect(VALID), bumps, rule, colour: Vec3::ONE };
     // The mean over a pixel still shows octaves above the limit of its frequency.
     subject(name, 0.8, material, |point| SurfacePoint { pixel: point.pixel.scaled(0.5), ..point })

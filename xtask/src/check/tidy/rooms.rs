@@ -78,7 +78,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: &[
-            "math direction parameter",
+            "math direction",
             "pixel",
             "bump",
             "level_of_detail",
@@ -88,7 +88,7 @@ pub(super) const HOUSES: &[House] = &[
             "texture",
             "material",
         ],
-        face: Some(60),
+        face: Some(152),
         held: true,
     },
     House {

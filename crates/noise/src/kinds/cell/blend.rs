@@ -1,9 +1,9 @@
 //! Blends along the first two axes of a cell: columns into edges, edges into the value.
 
 use crate::{
-    contract::kernel::LaneSample,
     kinds::cell::corner::CellNoise,
-    simd::lanes::{Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes},
+    lattice::fade::Along,
 };
 
 #[inline(always)]
@@ -64,29 +64,6 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     pub(crate) fn empty(s: S) -> Self {
         let line = Line { value: s.float(0.0), slope: s.float(0.0) };
         Self { line, derivatives: [line; N] }
-    }
-}
-
-/// A place along an axis of the cell: t, w(t) and w′(t).
-#[derive(Clone, Copy)]
-pub(crate) struct Along<S: Lanes> {
-    pub(crate) place: S::F,
-    pub(crate) weight: S::F,
-    pub(crate) slope: S::F,
-}
-
-impl<S: Lanes> Along<S> {
-    #[inline(always)]
-    pub(crate) fn new<K: CellNoise<N>, const N: usize>(s: S, t: S::F) -> Self {
-        Self { place: t, weight: K::FADE.weight(s, t), slope: K::FADE.slope(s, t) }
-    }
-}
-
-impl Along<Scalar> {
-    /// The same in every lane.
-    #[inline(always)]
-    pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
-        Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }
     }
 }
 

@@ -10,14 +10,10 @@
 //! ```
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample, Row, gaussian_moments},
-    kinds::cell::blend::blend_values,
-    kinds::cell::corners::Place,
-    kinds::cell::rows::{Stretch, rows},
-    kinds::cell::variance::axis_variance,
+    contract::kernel::gaussian_moments,
+    lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
     lattice::lattice::Lattice,
-    simd::lanes::Lanes,
     statistics::statistics::Statistics,
 };
 
@@ -26,6 +22,13 @@ use crate::{
 pub(crate) struct Corner<S: Lanes, const N: usize> {
     pub(crate) value: S::F,
     pub(crate) gradient: [S::F; N],
+}
+
+impl<S: Lanes, const N: usize> Corner<S, N> {
+    #[inline(always)]
+    pub(crate) fn nothing(s: S) -> Self {
+        Self { value: s.float(0.0), gradient: [s.float(0.0); N] }
+    }
 }
 
 /// What a noise draws at the corners of its cells, and how it blends them.
@@ -42,6 +45,7 @@ pub(crate) trait CellNoise<const N: usize> {
     const NORMALISED: bool = false;
 
     fn lattice(&self) -> &Self::Lattice;
+    fn seed(&self) -> u32;
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
     fn statistics(&self) -> &'static Statistics;
     fn standard_deviation(&self) -> f32 {
@@ -50,18 +54,6 @@ pub(crate) trait CellNoise<const N: usize> {
     fn absolute_moments(&self) -> [f32; 4] {
         gaussian_moments(self.standard_deviation())
     }
-}
-
-/// n and its gradient, and v and its gradient where the noise is normalised.
-#[inline(always)]
-pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize>(
-    s: S,
-    noise: &K,
-    p: [S::F; N],
-    seed: u32,
-) -> (LaneSample<S, N>, LaneSample<S, N>) {
-    let place = Place::new(s, noise, &p, 0);
-    place.parts::<K>(s, &place.drawn_edges(s, noise, seed))
 }
 
 /// n/√v and its gradient.
@@ -79,48 +71,4 @@ pub(crate) fn normalised<S: Lanes, const N: usize>(
         dz[axis] = gradient[axis] * inverse - factor * dv[axis];
     }
     (z, dz)
-}
-
-impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        let place = Place::new(s, self, &p, 0);
-        let value = blend_values::<K, S, N>(s, &place.drawn_edges(s, self, seed), place.along[1 % N]);
-        if !K::NORMALISED {
-            return value;
-        }
-        let v = place.variance(s).value(axis_variance(s, &place.along[0]));
-        value * (s.float(1.0) / s.sqrt(v))
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let (sample, variance) = parts(s, self, p, seed);
-        if K::NORMALISED { normalised(s, sample, variance) } else { sample }
-    }
-
-    #[inline(always)]
-    fn rows<S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        row: &Row<N, SCALED>,
-        seed: u32,
-        stretch: &mut Stretch<N>,
-        values: &mut [f32],
-        gradients: Option<&mut [&mut [f32]; N]>,
-    ) {
-        rows::<K, S, N, SCALED, GRADIENTS>(s, self, row, seed, stretch, values, gradients);
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        CellNoise::statistics(self)
-    }
-
-    fn standard_deviation(&self) -> f32 {
-        CellNoise::standard_deviation(self)
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        CellNoise::absolute_moments(self)
-    }
 }

@@ -3,12 +3,12 @@
 use core::num::Wrapping;
 
 use crate::{
-    contract::kernel::LaneSample,
-    kinds::cell::blend::{Along, Column, Edge, blend_edges, edge, ends, lerp},
+    kinds::cell::blend::{Column, Edge, blend_edges, edge, ends, lerp},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
-    simd::lanes::{Lanes, Scalar},
 };
 
 /// The corners at one end of the first two axes, by the number of dimensions.
@@ -40,7 +40,7 @@ impl<const N: usize> Place<Scalar, N> {
 }
 
 /// The corners of a cell, by the ends along the first axis and the second, and by the others' in the bits of an index.
-pub(crate) type Corners<S, const N: usize> = [[[Corner<S, N>; 4]; 2]; 2];
+pub(crate) type Corners<T> = [[[T; 4]; 2]; 2];
 
 impl<S: Lanes, const N: usize> Place<S, N> {
     /// Where a point lies, from axis `first` on; nowhere along those before.
@@ -52,40 +52,46 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         for axis in first..N {
             let (cell, t) = cell(s, p[axis]);
             place.terms[axis] = noise.lattice().terms(s, axis, cell);
-            place.along[axis] = Along::new::<K, N>(s, t);
+            place.along[axis] = Along::new(s, K::FADE, t);
         }
         place
     }
 
-    /// What the lattice draws at corner `k` of the column whose terms of the first axes are `first` and `second`.
+    /// The word of corner `k` of the column whose terms of the first axes are `first` and `second`.
     ///
     /// Bit i of k tells the end along axis i + 2.
     #[inline(always)]
-    pub(crate) fn corner<K: CellNoise<N>>(
+    fn word<K: CellNoise<N>>(
         &self,
         s: S,
         noise: &K,
         [first, second]: [S::U; 2],
         k: usize,
         seed: u32,
-    ) -> Corner<S, N> {
+    ) -> S::U {
         let mut terms = [first; N];
         for axis in 1..N {
             terms[axis] = if axis == 1 { second } else { self.terms[axis][k >> (axis - 2) & 1] };
         }
-        noise.corner(s, noise.lattice().words(s, terms, seed))
+        noise.lattice().words(s, terms, seed)
     }
 
-    /// What the lattice draws at the corners of the cell.
+    /// What is drawn of the words at the corners of the cell.
     #[inline(always)]
-    pub(crate) fn corners<K: CellNoise<N>>(&self, s: S, noise: &K, seed: u32) -> Corners<S, N> {
-        let nothing = Corner { value: s.float(0.0), gradient: [s.float(0.0); N] };
+    pub(crate) fn corners<K: CellNoise<N>, T: Copy>(
+        &self,
+        s: S,
+        noise: &K,
+        seed: u32,
+        nothing: T,
+        draw: impl Fn(S::U) -> T,
+    ) -> Corners<T> {
         let mut corners = [[[nothing; 4]; 2]; 2];
         for i in 0..2 {
             for j in 0..ends::<N>() {
                 for k in 0..CORNERS[N] {
                     let terms = [self.terms[0][i], self.terms[1 % N][j]];
-                    corners[i][j][k] = self.corner(s, noise, terms, k, seed);
+                    corners[i][j][k] = draw(self.word(s, noise, terms, k, seed));
                 }
             }
         }
@@ -101,9 +107,9 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         terms: [S::U; 2],
         seed: u32,
     ) -> Column<S, N> {
-        let mut corners = [Corner { value: s.float(0.0), gradient: [s.float(0.0); N] }; 4];
+        let mut corners = [Corner::nothing(s); 4];
         for k in 0..CORNERS[N] {
-            corners[k] = self.corner(s, noise, terms, k, seed);
+            corners[k] = noise.corner(s, self.word(s, noise, terms, k, seed));
         }
         self.column::<K>(s, &corners)
     }
@@ -198,7 +204,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
     pub(crate) fn parts_of<K: CellNoise<N>>(
         &self,
         s: S,
-        corners: &Corners<S, N>,
+        corners: &Corners<Corner<S, N>>,
     ) -> (LaneSample<S, N>, LaneSample<S, N>) {
         let mut edges = [Edge::empty(s); 2];
         for j in 0..ends::<N>() {

@@ -1,21 +1,22 @@
 //! The Hessian of noises that blend one linear function per corner of a cell.
 
 use crate::{
-    contract::hessian::{Curved, Jet, mirror},
+    contract::hessian::{CurvedKernel, Jet, mirror},
     kinds::cell::blend::ends,
-    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::variance::axis_variance,
+    lanes::lanes::Scalar,
     lattice::fade::Fade,
-    simd::lanes::Scalar,
 };
 
-impl<K: CellNoise<N>, const N: usize> Curved<N> for K {
+impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
     /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of the axes' weights.
     #[inline]
-    fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<[f32; N], N> {
+    fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N> {
         let place = Place::<Scalar, N>::new(Scalar, self, &p, 0);
-        let corners = place.corners(Scalar, self, seed);
+        let corners =
+            place.corners(Scalar, self, seed, Corner::nothing(Scalar), |word| self.corner(Scalar, word));
         let (sample, variance) = place.parts_of::<K>(Scalar, &corners);
 
         let mut hessian = [[0.0; N]; N];

@@ -4,6 +4,7 @@ pub(crate) mod blend;
 pub(crate) mod corner;
 pub(crate) mod corners;
 pub(crate) mod hessian;
+pub(crate) mod kernel;
 pub(crate) mod row_edges;
 pub(crate) mod rows;
 pub(crate) mod variance;

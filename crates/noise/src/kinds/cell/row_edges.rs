@@ -3,8 +3,8 @@
 use crate::{
     kinds::cell::blend::{Column, Edge, Line, Plane},
     kinds::cell::corner::CellNoise,
+    lanes::lanes::Lanes,
     row::cells::{COLUMNS, Numbers, ZEROS},
-    simd::lanes::Lanes,
 };
 
 /// One number per column.

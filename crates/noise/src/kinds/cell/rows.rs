@@ -4,31 +4,32 @@
 //! that cross the same cells. Two edges are kept, so that the next row of cells finds one of its own there.
 
 use crate::{
-    contract::kernel::{Row, by_lanes},
-    kinds::cell::blend::{Along, blend_edges, blend_values, edge, ends},
+    contract::kernel::by_lanes,
+    kinds::cell::blend::{blend_edges, blend_values, edge, ends},
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::row_edges::{Columns, Edges},
     kinds::cell::variance::axis_variance,
-    kinds::simplex::rows::{Corners, Sums},
+    lanes::lanes::{LANES, Lanes, Scalar},
+    lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
     row::cells::{POINTS, Plan, Run},
-    simd::lanes::{LANES, Lanes, Scalar},
+    row::row::Row,
 };
 
 /// Values, and gradients if there is room for them, along a row.
 #[inline(always)]
-pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
-    row: &Row<N, SCALED>,
+    row: &Row<N>,
     seed: u32,
     stretch: &mut Stretch<N>,
     values: &mut [f32],
     mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
     if !pays(row) {
-        by_lanes::<K, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        by_lanes::<K, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
         return;
     }
     for start in (0..values.len()).step_by(POINTS) {
@@ -48,7 +49,7 @@ pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const SCALED: bool
 
 /// Whether rows of a grid of such steps share edges.
 #[inline(always)]
-fn pays<const N: usize, const SCALED: bool>(row: &Row<N, SCALED>) -> bool {
+fn pays<const N: usize>(row: &Row<N>) -> bool {
     row.stride().abs() < 1.0
 }
 
@@ -77,12 +78,12 @@ pub struct Stretch<const N: usize> {
     second: i32,
     columns: Columns<N>,
     edges: [Edges<N>; 2],
-    corners: Corners<N>,
 }
 
-impl<const N: usize> Stretch<N> {
+impl<const N: usize> Default for Stretch<N> {
+    /// Not a constant, because a constant would be copied, which takes longer than zeros.
     #[inline(always)]
-    pub(crate) fn empty() -> Self {
+    fn default() -> Self {
         Self {
             plan: Plan::empty(),
             key: None,
@@ -90,35 +91,18 @@ impl<const N: usize> Stretch<N> {
             second: 0,
             columns: Columns::empty(),
             edges: [Edges::empty(), Edges::empty()],
-            corners: Corners::empty(),
         }
     }
+}
 
-    /// Room for sums along a row, and its points' first coordinates.
-    #[inline(always)]
-    pub(crate) fn sums<S: Lanes, const SCALED: bool>(
-        &mut self,
-        s: S,
-        row: &Row<N, SCALED>,
-        points: usize,
-    ) -> Sums<'_, N> {
-        let x = self.plan.coordinates(s, row, points);
-        let [even, odd] = &mut self.edges;
-        Sums {
-            x,
-            values: &mut even.lines[0],
-            gradients: odd.derivatives.each_mut().map(|[numbers, _]| numbers),
-            corners: &mut self.corners,
-        }
-    }
-
+impl<const N: usize> Stretch<N> {
     /// Plans the first `points` points of a row and forgets the edges of others.
     #[inline(always)]
-    fn plan<K: CellNoise<N>, S: Lanes, const SCALED: bool>(
+    fn plan<K: CellNoise<N>, S: Lanes>(
         &mut self,
         s: S,
         noise: &K,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         points: usize,
         seed: u32,
         gradients: bool,
@@ -136,7 +120,7 @@ impl<const N: usize> Stretch<N> {
             let (cell, t) = cell(Scalar, origin[1 % N]);
             self.second = cell.0 as i32;
             self.place.terms[1 % N] = noise.lattice().terms(Scalar, 1, cell);
-            self.place.along[1 % N] = Along::new::<K, N>(Scalar, t);
+            self.place.along[1 % N] = Along::new(Scalar, K::FADE, t);
         }
     }
 

@@ -1,8 +1,9 @@
 //! The variance at a point of a sum of Gaussian variates, by axes.
 
 use crate::{
-    kinds::cell::blend::{Along, splat},
-    simd::lanes::{Lanes, Scalar},
+    kinds::cell::blend::splat,
+    lanes::lanes::{Lanes, Scalar},
+    lattice::fade::Along,
 };
 
 /// The variance of a sum of N(0, 1) variates, a value and twice a gradient per corner, from all axes but the first.

@@ -1,5 +1,7 @@
 //! Simplex noise, plain and tiled.
 
+pub(crate) mod geometry;
+pub(crate) mod kernel;
 pub(crate) mod rows;
 pub(crate) mod simplex;
 pub(crate) mod tiled;

@@ -4,12 +4,14 @@
 //! order in which a single point adds them up, so that a row's sums have the bits of the points'.
 
 use crate::{
-    contract::kernel::{Row, by_lanes},
-    kinds::cell::rows::Stretch,
-    kinds::simplex::simplex::{GAP, Simplex, UNSKEW, along, beside, kernel, pull},
+    contract::kernel::by_lanes,
+    kinds::simplex::geometry::{GAP, UNSKEW, along, beside, kernel, pull},
+    kinds::simplex::simplex::Simplex,
+    lanes::lanes::{LANES, Lanes},
     lattice::lattice::Lattice,
-    row::cells::{Numbers, POINTS, has_columns},
-    simd::lanes::{LANES, Lanes},
+    math,
+    row::cells::{Numbers, POINTS, ZEROS, has_columns},
+    row::row::{Row, RowKey},
 };
 
 /// Steps from here on leave too few points in a kernel.
@@ -21,29 +23,29 @@ const SUMS: [f32; 4] = [core::f32::consts::SQRT_2, 1.732_050_8, 2.0, 2.236_068];
 
 /// Values, and gradients if there is room for them, along a row.
 #[inline(always)]
-pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &Simplex<L>,
-    row: &Row<N, SCALED>,
+    row: &Row<N>,
     seed: u32,
-    stretch: &mut Stretch<N>,
+    sums: &mut Sums<N>,
     values: &mut [f32],
     mut gradients: Option<&mut [&mut [f32]; N]>,
 ) {
     let count = values.len();
     if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
-        by_lanes::<Simplex<L>, S, N, SCALED, GRADIENTS>(s, noise, row, seed, values, gradients);
+        by_lanes::<_, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
         return;
     }
     for start in (0..count).step_by(POINTS) {
         let end = count.min(start + POINTS);
         let part = row.after(start);
-        let mut sums = stretch.sums(s, &part, end - start);
-        splat::<L, S, N, SCALED, GRADIENTS>(s, noise, &part, seed, &mut sums, end - start);
-        copy(sums.values, &mut values[start..end]);
+        sums.place(s, &part, end - start);
+        splat::<L, S, N, GRADIENTS>(s, noise, &part, seed, sums, end - start);
+        copy(&sums.values, &mut values[start..end]);
         if let (true, Some(gradients)) = (GRADIENTS, &mut gradients) {
             for axis in 0..N {
-                copy(sums.gradients[axis], &mut gradients[axis][start..end]);
+                copy(&sums.gradients[axis], &mut gradients[axis][start..end]);
             }
         }
     }
@@ -51,7 +53,7 @@ pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, con
 
 /// Whether all corners, and all points by their index, are placed well enough.
 #[inline(always)]
-fn is_near<const N: usize, const SCALED: bool>(row: &Row<N, SCALED>, count: usize) -> bool {
+fn is_near<const N: usize>(row: &Row<N>, count: usize) -> bool {
     if row.index(count) >= 1 << 22 {
         return false;
     }
@@ -70,11 +72,36 @@ fn copy(from: &Numbers, to: &mut [f32]) {
 }
 
 /// The first coordinates of a row's points, and room for the sums there.
-pub(crate) struct Sums<'a, const N: usize> {
-    pub(crate) x: &'a Numbers,
-    pub(crate) values: &'a mut Numbers,
-    pub(crate) gradients: [&'a mut Numbers; N],
-    pub(crate) corners: &'a mut Corners<N>,
+#[derive(Clone)]
+pub struct Sums<const N: usize> {
+    /// The row that the coordinates are of.
+    key: Option<(RowKey, usize)>,
+    x: Numbers,
+    values: Numbers,
+    gradients: [Numbers; N],
+    corners: Corners<N>,
+}
+
+impl<const N: usize> Default for Sums<N> {
+    /// Not a constant, because a constant would be copied, which takes longer than zeros.
+    #[inline(always)]
+    fn default() -> Self {
+        Self { key: None, x: ZEROS, values: ZEROS, gradients: [ZEROS; N], corners: Corners::empty() }
+    }
+}
+
+impl<const N: usize> Sums<N> {
+    /// The first coordinates of the first `points` points of a row.
+    #[inline(always)]
+    fn place<S: Lanes>(&mut self, s: S, row: &Row<N>, points: usize) {
+        let key = Some((row.key(), points));
+        if self.key != key {
+            self.key = key;
+            for i in (0..points).step_by(S::LEN) {
+                s.store(row.xs(s, i), &mut self.x.as_flattened_mut()[i..]);
+            }
+        }
+    }
 }
 
 /// One number per corner.
@@ -84,7 +111,7 @@ const NONE: OfCorners = [[0.0; LANES]; 8];
 
 /// Corners of as many sums as there are lanes, as the row sees them.
 #[derive(Clone)]
-pub(crate) struct Corners<const N: usize> {
+struct Corners<const N: usize> {
     x: OfCorners,
     rest: OfCorners,
     side: OfCorners,
@@ -95,12 +122,12 @@ pub(crate) struct Corners<const N: usize> {
 }
 
 #[inline(always)]
-fn splat<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIENTS: bool>(
+fn splat<L: Lattice, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &Simplex<L>,
-    row: &Row<N, SCALED>,
+    row: &Row<N>,
     seed: u32,
-    sums: &mut Sums<'_, N>,
+    sums: &mut Sums<N>,
     count: usize,
 ) {
     let blocks = count.div_ceil(LANES).min(POINTS / LANES);
@@ -115,7 +142,7 @@ fn splat<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIEN
     let [first, last] = span(row, noise.radius_squared(), count);
     let mut sum = first;
     while sum <= last {
-        sums.corners.draw::<L, S, SCALED, GRADIENTS>(s, noise, row, seed, sum, blocks * LANES);
+        sums.corners.draw::<L, S, GRADIENTS>(s, noise, row, seed, sum, blocks * LANES);
         for lane in 0..S::LEN {
             for c in 0..1 << (N - 1) {
                 sums.add::<S, GRADIENTS>(s, lane % LANES, c % 8);
@@ -129,12 +156,8 @@ fn splat<L: Lattice, S: Lanes, const N: usize, const SCALED: bool, const GRADIEN
 ///
 /// Corner c lies at c − u Σc, so Σc = √(n + 1) Σ of its coordinates; those beside the row differ from it by up to r √(n − 1).
 #[inline(always)]
-fn span<const N: usize, const SCALED: bool>(
-    row: &Row<N, SCALED>,
-    radius_squared: f32,
-    count: usize,
-) -> [i32; 2] {
-    let radius = crate::math::sqrt(radius_squared);
+fn span<const N: usize>(row: &Row<N>, radius_squared: f32, count: usize) -> [i32; 2] {
+    let radius = math::sqrt(radius_squared);
     let (a, b) = (row.x(0), row.x(count));
     let mut others = 0.0;
     for axis in 1..N {
@@ -148,7 +171,7 @@ fn span<const N: usize, const SCALED: bool>(
 
 impl<const N: usize> Corners<N> {
     #[inline(always)]
-    pub(crate) fn empty() -> Self {
+    fn empty() -> Self {
         Self { x: NONE, rest: NONE, side: NONE, ends: [NONE; 2], g: [NONE; N], d: [NONE; N] }
     }
 
@@ -156,16 +179,16 @@ impl<const N: usize> Corners<N> {
     ///
     /// Along every axis but the first, two lattice points at most lie within the radius.
     #[inline(always)]
-    fn draw<L: Lattice, S: Lanes, const SCALED: bool, const GRADIENTS: bool>(
+    fn draw<L: Lattice, S: Lanes, const GRADIENTS: bool>(
         &mut self,
         s: S,
         noise: &Simplex<L>,
-        row: &Row<N, SCALED>,
+        row: &Row<N>,
         seed: u32,
         sum: i32,
         points: usize,
     ) {
-        let (one, radius) = (s.float(1.0), s.float(crate::math::sqrt(noise.radius_squared())));
+        let (one, radius) = (s.float(1.0), s.float(math::sqrt(noise.radius_squared())));
         let (origin, inverse) = (s.float(row.x(0)), s.float(1.0 / row.stride()));
         let total = s.word(sum as u32) + s.iota();
         let back = s.real(total) * s.float(UNSKEW[N - 1]);
@@ -216,11 +239,11 @@ impl<const N: usize> Corners<N> {
     }
 }
 
-impl<const N: usize> Sums<'_, N> {
+impl<const N: usize> Sums<N> {
     /// Adds a corner's kernel to the points that it reaches.
     #[inline(always)]
     fn add<S: Lanes, const GRADIENTS: bool>(&mut self, s: S, lane: usize, c: usize) {
-        let corners = &*self.corners;
+        let corners = &self.corners;
         let to = corners.ends[1][c][lane].to_bits() as usize;
         if to == 0 {
             return;

@@ -1,12 +1,17 @@
 //! Simplex noise in space that repeats along the axes.
 
 use crate::{
-    contract::kernel::{Kernel, LaneSample},
+    contract::field::Field,
+    contract::kernel::{self, Kernel, Sealed},
+    contract::noise::Noise,
     kinds::simplex::simplex::Simplex,
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::tiled::{Tiled, TiledError, remainder},
-    simd::lanes::Lanes,
+    point::Point,
+    row::points::{Points, Target},
+    sample::Sample,
     statistics::statistics::Statistics,
 };
 
@@ -23,11 +28,11 @@ use crate::{
 ///   gradients have the same bits; corners wrap from 2²⁸ on.
 ///
 /// ```
-/// use asperity_noise::{Noise, Simplex, TiledSimplex, glam::Vec3};
+/// use asperity_noise::{Field, Simplex, TiledSimplex, glam::Vec3};
 ///
-/// let noise = TiledSimplex::new(Simplex::CONTINUOUS, [6, 3, 9])?;
+/// let noise = TiledSimplex::new(Simplex::new(1), [6, 3, 9])?;
 /// let p = Vec3::new(1.25, -0.5, 2.0);
-/// assert_eq!(noise.sample(p, 1), noise.sample(p + Vec3::new(6.0, -3.0, 9.0), 1));
+/// assert_eq!(noise.sample(p), noise.sample(p + Vec3::new(6.0, -3.0, 9.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,11 +60,17 @@ impl TiledSimplex {
 }
 
 impl<L> TiledSimplex<L> {
-    /// The same noise on another lattice.
+    /// Its words drawn from another lattice.
     #[must_use]
     pub fn with_lattice<M>(self, lattice: M) -> TiledSimplex<M> {
         let Self { noise, periods } = self;
         TiledSimplex { noise: noise.with_lattice(Corners { lattice, periods }), periods }
+    }
+
+    /// Another seed.
+    #[must_use]
+    pub fn with_seed(self, seed: u32) -> Self {
+        Self { noise: self.noise.with_seed(seed), ..self }
     }
 
     /// The period along each axis.
@@ -116,7 +127,16 @@ impl<L> TiledSimplex<L> {
     }
 }
 
+impl<L: Lattice> Sealed<3> for TiledSimplex<L> {}
+
 impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
+    type RowScratch = ();
+
+    #[inline(always)]
+    fn seed(&self) -> u32 {
+        self.noise.seed
+    }
+
     #[inline(always)]
     fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
         self.noise.lane_values(s, self.in_first_tile(s, p), seed)
@@ -136,18 +156,61 @@ impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
     }
 }
 
+impl<V: Point<Coordinates = [f32; 3]>, L: Lattice> Field<V> for TiledSimplex<L> {
+    #[inline]
+    fn sample(&self, p: V) -> Sample<V> {
+        let (value, gradient) = kernel::samples(self, Scalar, p.coordinates(), self.noise.seed);
+        Sample { value, gradient: V::from_coordinates(gradient) }
+    }
+
+    #[inline]
+    fn value(&self, p: V) -> f32 {
+        kernel::values(self, Scalar, p.coordinates(), self.noise.seed)
+    }
+
+    fn range(&self) -> [f32; 2] {
+        [-1.0, 1.0]
+    }
+
+    fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
+        kernel::fill(self, points, target);
+    }
+}
+
+impl<V: Point<Coordinates = [f32; 3]>, L: Lattice> Noise<V> for TiledSimplex<L> {
+    fn statistics(&self) -> &'static Statistics {
+        Kernel::<3>::statistics(self)
+    }
+
+    fn standard_deviation(&self) -> f32 {
+        Kernel::<3>::standard_deviation(self)
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        Kernel::<3>::absolute_moments(self)
+    }
+
+    fn seed(&self) -> u32 {
+        self.noise.seed
+    }
+
+    fn with_seed(self, seed: u32) -> Self {
+        Self { noise: self.noise.with_seed(seed), ..self }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{contract::noise::Noise, lattice::lattice::word_by_terms};
+    use crate::lattice::lattice::word_by_terms;
     use glam::Vec3;
 
     #[test]
     fn only_multiples_of_three_are_accepted() {
-        assert_eq!(TiledSimplex::new(Simplex::WIDE, [3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
+        assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 6, 300]).unwrap().periods(), &[3, 6, 300]);
         let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
-        assert_eq!(TiledSimplex::new(Simplex::WIDE, [3, 4, 6]), Err(error));
-        assert!(TiledSimplex::new(Simplex::WIDE, [0, 3, 6]).is_err());
+        assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 4, 6]), Err(error));
+        assert!(TiledSimplex::new(Simplex::wide(0), [0, 3, 6]).is_err());
     }
 
     #[test]
@@ -167,22 +230,23 @@ mod tests {
     #[test]
     fn the_noise_repeats_along_every_axis_and_not_before() {
         let periods = Vec3::new(3.0, 6.0, 9.0);
-        for kernel in [Simplex::CONTINUOUS, Simplex::WIDE] {
+        for kernel in [Simplex::new(0), Simplex::wide(0)] {
             let noise = TiledSimplex::new(kernel, [3, 6, 9]).unwrap();
             let mut others = 0;
             for i in 0..400_i16 {
                 let p =
                     Vec3::new(0.375 * f32::from(i), 11.25 - 0.625 * f32::from(i), -0.875 * f32::from(i % 37));
-                let here = noise.sample(p, 4);
+                let here = noise.with_seed(4).sample(p);
                 for axis in 0..3 {
                     for turns in [1.0, -3.0, 1000.0] {
-                        let there = noise.sample(p + turns * periods * Vec3::AXES[axis], 4);
+                        let there = noise.with_seed(4).sample(p + turns * periods * Vec3::AXES[axis]);
                         assert_eq!(here.value.to_bits(), there.value.to_bits(), "{p}, axis {axis}");
                         assert_eq!(here.gradient, there.gradient, "{p}, axis {axis}");
                     }
                 }
                 let half = [Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
-                others += half.iter().filter(|&&step| noise.value(p + step, 4) == here.value).count();
+                others +=
+                    half.iter().filter(|&&step| noise.with_seed(4).value(p + step) == here.value).count();
             }
             assert!(others < 20, "{others}");
         }
@@ -191,10 +255,11 @@ mod tests {
     #[test]
     fn the_shape_is_that_of_simplex_noise() {
         // Away from the lattice's words both have the same kernels: 0 at corners.
-        let noise = TiledSimplex::new(Simplex::CONTINUOUS, [3, 3, 3]).unwrap();
-        assert_eq!(noise.value(Vec3::ZERO, 3), 0.0);
-        assert_eq!(noise.value(Vec3::new(5.0, -1.0, -1.0), 3), 0.0);
-        let range = (0..2000_u16).map(|i| noise.value(Vec3::new(0.37, 0.61, 0.23) * f32::from(i), 3).abs());
+        let noise = TiledSimplex::new(Simplex::new(0), [3, 3, 3]).unwrap();
+        assert_eq!(noise.with_seed(3).value(Vec3::ZERO), 0.0);
+        assert_eq!(noise.with_seed(3).value(Vec3::new(5.0, -1.0, -1.0)), 0.0);
+        let range =
+            (0..2000_u16).map(|i| noise.with_seed(3).value(Vec3::new(0.37, 0.61, 0.23) * f32::from(i)).abs());
         let greatest = range.fold(0.0, f32::max);
         assert!(greatest > 0.3 && greatest <= 1.0, "{greatest}");
     }

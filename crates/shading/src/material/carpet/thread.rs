@@ -1,10 +1,12 @@
 //! Threads of a carpet: many together, and single ones.
 
-use asperity_noise::{Kernel, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share};
+use asperity_noise::{
+    Field, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share, simd::Kernel,
+};
 use glam::Vec3;
 
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::parameter::{ParameterError, SIZES, within};
+use crate::material::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 
 /// The threads of a carpet together: rough noise that is added to the diffuse colour.
@@ -22,8 +24,7 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.2.2, *Diffuse map*.
 ///
 /// ```
-/// use asperity_shading::material::DiffuseThreads;
-/// use asperity_shading::{Footprint, glam::Vec3};
+/// use asperity_shading::{DiffuseThreads, Footprint, glam::Vec3};
 ///
 /// let threads = DiffuseThreads::new(0.01, 1)?;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
@@ -80,8 +81,7 @@ impl DiffuseThreads {
 /// Nilsson 2008, §4.2.2, *Specular map*.
 ///
 /// ```
-/// use asperity_shading::material::SpecularThreads;
-/// use asperity_shading::{Footprint, glam::Vec3};
+/// use asperity_shading::{Footprint, SpecularThreads, glam::Vec3};
 ///
 /// let threads = SpecularThreads::new(0.01, 1)?;
 /// let far = threads.value(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));
@@ -121,7 +121,8 @@ impl SpecularThreads {
     /// [`ParameterError::Outside`] unless `specular_thread_size` is within `[10⁻⁶, 10⁶]`.
     pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
         let size = within("specular_thread_size", size, SIZES)?;
-        let veins = Octaves::new(Simplex::CONTINUOUS, Spectrum::THREADS, Normalisation::Range, seed)
+        let veins = Octaves::new(Simplex::new(seed), Spectrum::THREADS)
+            .with_normalisation(Normalisation::Range)
             .with_shape(Turbulence);
         Ok(Self { veins, frequency: 1.0 / size, coefficients: coefficients() })
     }
@@ -154,13 +155,13 @@ impl SpecularThreads {
     /// The expectation where the first `known` octaves at `p` are known.
     fn expectation(&self, known: usize, p: Vec3) -> f32 {
         let count = known as f32;
-        let c = 1.0 - self.veins.value(p, count) * count / 3.0;
+        let c = 1.0 - self.veins.detail(count).value(p) * count / 3.0;
         self.coefficients.get(known).map_or(0.0, |row| row.iter().fold(0.0, |sum, k| sum * c + k))
     }
 }
 
 fn coefficients() -> [[f32; 8]; 4] {
-    let [first, second, third, fourth] = Kernel::<3>::absolute_moments(&Simplex::CONTINUOUS);
+    let [first, second, third, fourth] = Kernel::<3>::absolute_moments(&Simplex::new(0));
     let [fifth, sixth, seventh] = HIGHER_MOMENTS;
     let mut one = [1.0, first, second, third, fourth, fifth, sixth, seventh];
     let mut scale = 1.0;
@@ -195,7 +196,7 @@ mod tests {
         let threads = SpecularThreads::new(0.5, 3).unwrap();
         for i in 0..100_u8 {
             let p = Vec3::new(f32::from(i) * 0.21, -1.3, 0.4);
-            let plasma = 1.0 - threads.veins.value(p * 2.0, 3.0);
+            let plasma = 1.0 - threads.veins.detail(3.0).value(p * 2.0);
             let got = threads.value(p, Footprint::from_width(0.01));
             assert!((got - plasma.powi(7)).abs() < 1e-6, "{p}: {got}");
         }

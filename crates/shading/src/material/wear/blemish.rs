@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::bump::tangential;
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::material::form::Form;
-use crate::parameter::{ParameterError, SIZES, within};
+use crate::material::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 
 /// A colour that noise varies without leaving [0, 1].
@@ -22,7 +22,7 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.5.2.
 ///
 /// ```
-/// use asperity_shading::material::{Form, varied};
+/// use asperity_shading::{Form, varied};
 ///
 /// assert!((varied(0.6, 1.0, 0.2, Form::Corrected) - 0.68).abs() < 1e-6);
 /// assert!((varied(0.6, 1.0, 0.2, Form::Printed) - 2.6).abs() < 1e-6);
@@ -55,7 +55,7 @@ pub struct Blemishes {
 
 /// E|N|/2 of continuous simplex noise.
 fn half_mean() -> f32 {
-    0.5 * asperity_noise::Kernel::<3>::absolute_moments(&asperity_noise::Simplex::CONTINUOUS)[0]
+    0.5 * asperity_noise::simd::Kernel::<3>::absolute_moments(&asperity_noise::Simplex::new(0))[0]
 }
 
 impl Blemishes {

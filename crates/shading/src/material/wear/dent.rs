@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use crate::bump::tangential;
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE, spectrum};
-use crate::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
 /// A lattice some of whose gradients are turned around.
@@ -43,8 +43,7 @@ impl Lattice for Turned {
 /// Nilsson 2008, §4.5.3.
 ///
 /// ```
-/// use asperity_shading::material::Dents;
-/// use asperity_shading::{Footprint, glam::Vec3};
+/// use asperity_shading::{Dents, Footprint, glam::Vec3};
 ///
 /// let dents = Dents::new(0.1, 0.3, 2, 1)?;
 /// assert!(dents.sample(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1e-4)).value.abs() <= 1.0);
@@ -82,7 +81,7 @@ impl Dents {
         // A cast of what is beyond the largest word is that word.
         let dropped = ((1.0 - cover) * 4_294_967_296.0) as u32;
         let noise =
-            |turn| Fbm::of(Simplex::CONTINUOUS.with_lattice(Turned { dropped, turn }), spectrum, size, seed);
+            |turn| Fbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
         Ok(Self { kept: noise(0), turned: noise(SIGNS), cover })
     }
 
@@ -114,7 +113,7 @@ mod tests {
     fn turned_words_have_opposite_gradients() {
         for i in 0..1000_u32 {
             let word = i.wrapping_mul(0x9e37_79b9);
-            let [a, b] = [word, word ^ SIGNS].map(asperity_noise::edge_gradient::<3>);
+            let [a, b] = [word, word ^ SIGNS].map(asperity_noise::lattice::edge_gradient::<3>);
             assert_eq!(a, b.map(|x| -x), "{word}");
         }
     }

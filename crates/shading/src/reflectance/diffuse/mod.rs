@@ -6,5 +6,6 @@ mod oren_nayar;
 mod rough;
 
 pub use energy_preserving::EnergyPreservingOrenNayar;
-pub use lambert::Lambert;
+pub use lambert::{AlbedoError, Lambert};
 pub use oren_nayar::{OrenNayar, OrenNayarForm};
+pub use rough::DiffuseError;

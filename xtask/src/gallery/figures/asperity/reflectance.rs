@@ -7,12 +7,9 @@ use asperity_render::{
     materials::Layers,
     scene::{Backdrop, Light, Object, Scene},
 };
-use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
-};
 use asperity_shading::{
-    Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Ggx, Lambert, Phong, TorranceSparrow,
-    ndf_sampling::Isotropic,
+    BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Ggx, Lambert,
+    OrenNayar, OrenNayarForm, Phong, TorranceSparrow, WardForm, WardReflection, ndf_sampling::Isotropic,
 };
 use glam::Vec3;
 

@@ -6,8 +6,7 @@ use asperity_render::{
     image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::chalk,
     sampling::sampler::hash,
 };
-use asperity_shading::bump::{bumped_normal, surface_gradient};
-use asperity_shading::{Brick, PixelEllipse};
+use asperity_shading::{Brick, PixelEllipse, bumped_normal, surface_gradient};
 use glam::{Vec2, Vec3};
 
 use crate::{

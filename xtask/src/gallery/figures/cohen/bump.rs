@@ -6,10 +6,10 @@ use asperity_render::{
     materials::{chalk, sky},
     scene::{Backdrop, Light, Object, Scene},
 };
-use asperity_shading::bump::{bumped_normal, differences, displace, surface_gradient, tangential};
 use asperity_shading::{
-    SurfacePoint,
-    noise::{Normalisation, Octaves, Perlin2002, Sample, Spectrum},
+    SurfacePoint, bumped_normal, differences, displace,
+    noise::{Field, Normalisation, Octaves, Perlin2002, Sample, Spectrum},
+    surface_gradient, tangential,
 };
 use glam::{Vec2, Vec3};
 
@@ -30,7 +30,7 @@ type Normal<'a> = dyn Fn(&SurfacePoint) -> Vec3 + Sync + 'a;
 
 /// The height over the sphere, and its gradient in space.
 fn height(noise: &Noise, p: Vec3) -> (f32, Vec3) {
-    let Sample { value, gradient } = noise.sample(p * FREQUENCY, 3.0);
+    let Sample { value, gradient } = noise.detail(3.0).sample(p * FREQUENCY);
     (HEIGHT * value, HEIGHT * FREQUENCY * gradient)
 }
 
@@ -41,7 +41,8 @@ fn sphere(uv: Vec2) -> (Vec3, [Vec3; 2]) {
 }
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 7);
+    let noise =
+        Octaves::new(Perlin2002::new(7), Spectrum::default()).with_normalisation(Normalisation::Range);
     let displaced = Shape::Mesh(TracedMesh::new(relief(|t, phi| {
         let (sin, cos) = (t * std::f32::consts::PI).sin_cos();
         let p = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);
@@ -94,7 +95,8 @@ mod tests {
 
     #[test]
     fn neighbours_and_gradient_give_the_same_normal() {
-        let noise = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 7);
+        let noise =
+            Octaves::new(Perlin2002::new(7), Spectrum::default()).with_normalisation(Normalisation::Range);
         for k in 0..60_u8 {
             let uv = Vec2::new(f32::from(k) * 0.1 - 3.0, f32::from(k % 11) * 0.2 - 1.0);
             let (p, tangents) = sphere(uv);

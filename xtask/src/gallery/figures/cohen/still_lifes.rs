@@ -14,9 +14,8 @@ use asperity_render::{
     scene::{Backdrop, Light, Object, Scene},
     scenes::{Set, backdrop, ground},
 };
-use asperity_shading::texture::{Gas, Steam, march};
 use asperity_shading::{
-    Marble,
+    Gas, Marble, Steam, march,
     material::PolishedMarble,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
 };
@@ -91,7 +90,8 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
     let mut panels = Vec::new();
     for (exponent, densest) in [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)] {
-        let octaves = Octaves::new(Perlin2002::default(), Spectrum::default(), Normalisation::Range, 3);
+        let octaves =
+            Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(Normalisation::Range);
         let gas = Gas::new(octaves.with_shape(Turbulence), 5.0, densest, exponent)?;
         let extinction = |p: Vec3| {
             let share = steam.share(p);

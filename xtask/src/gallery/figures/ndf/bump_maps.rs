@@ -5,7 +5,7 @@ use std::f32::consts::PI;
 use asperity_ndf_sampling::{
     Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf, normal_map::NormalMapFormat,
 };
-use asperity_noise::{GaussianOctaves, Spectrum};
+use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_render::{
     image::{
         Image,
@@ -66,7 +66,7 @@ impl NormalMap {
 
 pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
     let map = NormalMap::cobbles()?;
-    let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.8, 8)?, context.seed);
+    let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.8, 8)?);
     let mut panels = Vec::new();
     for with_detail in [false, true] {
         for zoom in ZOOMS {
@@ -75,13 +75,13 @@ pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
             // An octave is resolved when its cells are two pixels wide.
             let cells = CELLS_PER_TEXEL * SIZE as f32;
             let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
-            let amount = AMOUNT * noise.share(octaves.max(0.0)).sqrt();
+            let amount = AMOUNT * noise.spectrum().share(octaves.max(0.0)).sqrt();
             let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
             let image = context.render(context.square(), |x, y| {
                 let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
                 let n = map.at(p);
                 let n = if with_detail && octaves > 0.0 {
-                    let [a, b] = noise.pair(p * cells, octaves);
+                    let [a, b] = noise.detail(octaves).pair(p * cells);
                     detailed_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount)
                 } else {
                     n
@@ -114,12 +114,12 @@ fn lit(n: Vec3) -> Vec3 {
 
 pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
     let map = NormalMap::cobbles()?;
-    let noise = GaussianOctaves::<2>::new(Spectrum::new(LACUNARITY, 0.6, 6)?, context.seed);
+    let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.6, 6)?);
     let cells = 24.0 / SIZE as f32;
     let again: Vec<Vec3> = (0..SIZE * SIZE)
         .into_par_iter()
         .map(|k| Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells)
-        .map(|p| noise.pair(p, 6.0).map(|channel| channel.value))
+        .map(|p| noise.detail(6.0).pair(p).map(|channel| channel.value))
         .map(|z| map.ndf.from_gaussian(Vec2::from(z)))
         .collect();
     let ndf_again = estimate_ndf(&again)?;

@@ -1,7 +1,10 @@
 //! Random numbers of the cells of a lattice: the thesis's texture, a permutation and a hash.
 
 use asperity_render::image::{Image, tone::hex};
-use asperity_shading::noise::{ChainedTable, IntegerHash, Lattice, PermutationTable};
+use asperity_shading::noise::{
+    IntegerHash, Lattice,
+    lattice::{ChainedTable, PermutationTable},
+};
 use glam::Vec3;
 
 use crate::{

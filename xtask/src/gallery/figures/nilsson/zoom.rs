@@ -8,7 +8,7 @@ use asperity_shading::{
     MetallicPaintParameters, Scratches, ScratchesParameters, SurfacePoint, TemperedGlass,
     TemperedGlassParameters, Variations, VariationsParameters,
     material::{BumpMapped, Material, PaintFlakes},
-    noise::{GaussianOctaves, Spectrum},
+    noise::{Gaussian, GaussianOctaves, Spectrum},
     reflect,
 };
 use glam::{Vec2, Vec3};
@@ -79,7 +79,10 @@ fn surfaces() -> Result<[Surface; 6], Failure> {
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
     let bumps = BumpMapped {
         ndf: Ggx::new(0.2, 0.4)?,
-        bumps: BumpField::new(GaussianOctaves::<3>::new(Spectrum::new(2.17, 0.8, 16)?, 5), 60.0)?,
+        bumps: BumpField::new(
+            GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?),
+            60.0,
+        )?,
         rule: LevelOfDetail::Exact,
         colour: hex(0xf2_b184),
     };

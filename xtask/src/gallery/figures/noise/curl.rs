@@ -1,6 +1,6 @@
 //! Curl noise: streamlines, and dye that is carried along and keeps its area.
 
-use asperity_noise::{Curl2, CurvedField, Field, Noise, Normalisation, Octaves, Simplex, Spectrum, White};
+use asperity_noise::{Curved, Field, Octaves, Simplex, Spectrum, White, curl::Curl2};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
@@ -27,9 +27,8 @@ const FIELDS: f32 = 3.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
-    let sum =
-        Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Variance, context.seed);
-    let flow = Curl2(sum.first(OCTAVES));
+    let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD).first(OCTAVES);
+    let flow = Curl2(sum);
     let speed = steepness(&window.map(context, |p: Vec2| flow.0.sample(p))?);
     let time = WAY / speed;
     let curl = |p| carried(p, time, |p| flow.velocity(p));
@@ -66,7 +65,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
 }
 
 /// White noise smeared along the flow (Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution").
-fn streamlines<F: Field<2> + Sync>(
+fn streamlines<F: Field<Vec2> + Sync>(
     context: &Context<'_>,
     window: Window,
     speed: f32,
@@ -78,7 +77,7 @@ fn streamlines<F: Field<2> + Sync>(
             let (mut p, mut sum) = (p, 0.0);
             for _ in 0..REACH {
                 p += flow.velocity(p).normalize_or_zero() * (sign * step);
-                sum += White::default().value(p / step, context.seed);
+                sum += White::new(context.seed).value(p / step);
             }
             sum
         };
@@ -133,10 +132,10 @@ fn places(window: Window) -> impl Iterator<Item = Vec2> {
 }
 
 /// The greatest divergence of the curl and of the gradient over a grid of points.
-fn divergences<F: CurvedField<2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
+fn divergences<F: Curved<Vec2>>(window: Window, flow: &Curl2<F>) -> [f32; 2] {
     places(window).fold([0.0_f32; 2], |[curl, gradient], p| {
         let [[xx, _], [_, yy]] = flow.velocity_and_jacobian(p).jacobian;
-        let [[hxx, _], [_, hyy]] = flow.0.jet(p).hessian;
+        let [[hxx, _], [_, hyy]] = flow.0.second_order(p).hessian;
         [curl.max((xx + yy).abs()), gradient.max((hxx + hyy).abs())]
     })
 }

@@ -1,8 +1,7 @@
 //! Frequency clamping on a plane to the horizon.
 
 use asperity_noise::{
-    Field, FirstOctaves, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint,
-    removed_share,
+    Field, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint, removed_share,
 };
 use asperity_render::image::{Image, tone::hex};
 use glam::{Vec2, Vec3};
@@ -100,18 +99,19 @@ fn removed(footprint: f32) -> f32 {
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let width = context.size as usize * 3 / 2;
     let view = View { width, height: width * 5 / 8 };
-    let sum = Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Range, context.seed);
+    let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD)
+        .with_normalisation(Normalisation::Range);
     let cloud = Subject { context, view, name: "cloud", range: [-0.6, 0.6] };
     let (_, mut rows) = cloud.panels(&sum.first(OCTAVES), 0.0)?;
     let turbulence = Subject { name: "turbulence", range: [0.0, 0.75], ..cloud };
     let sum = sum.with_shape(Turbulence);
-    let (panels, more) = turbulence.panels(&sum.first(OCTAVES), sum.mean(OCTAVES))?;
+    let (panels, more) = turbulence.panels(&sum.first(OCTAVES), sum.first(OCTAVES).mean())?;
     rows.extend(more);
     Ok(Drawn::new(2, panels)
         .fact("noise", format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5"))
         .fact("footprint", "largest change of a coordinate from pixel to pixel")
         .fact("near the horizon", "the sixth of the picture below it")
-        .fact("mean of turbulence", format!("{:.4}", sum.mean(OCTAVES)))
+        .fact("mean of turbulence", format!("{:.4}", sum.first(OCTAVES).mean()))
         .table(["sum", "pixels", "rms error", "near the horizon", "mean near the horizon"], rows))
 }
 
@@ -129,7 +129,7 @@ impl Subject<'_> {
     /// The panels and rows of one sum, which has the mean `mean`.
     fn panels<T: Shape + Sync>(
         &self,
-        sum: &FirstOctaves<'_, Simplex, 2, T>,
+        sum: &Octaves<Simplex, 2, T>,
         mean: f32,
     ) -> Result<(Vec<Panel>, Vec<Vec<String>>), Failure> {
         let reference = self.view.means(|p| sum.value(p), self.context)?;

@@ -1,6 +1,6 @@
 //! Exact gradients: as arrows over the values, as colours, and as light on a relief.
 
-use asperity_noise::{Gaussian, Noise, Normalisation, Octaves, Sample, Spectrum};
+use asperity_noise::{Field, Gaussian, Octaves, Sample, Spectrum};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
@@ -20,7 +20,7 @@ const LENGTH: f32 = 0.62;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
-    let samples = window.map(context, |p: Vec2| Gaussian::default().sample(p, context.seed))?;
+    let samples = window.map(context, |p: Vec2| Gaussian::new(context.seed).sample(p))?;
     let slope = steepness(&samples);
 
     let spacing = window.side as f32 / ARROWS as f32;
@@ -56,13 +56,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
-    let sum = Octaves::<_, 2>::new(
-        Gaussian::default(),
-        Spectrum::new(2.17, RELIEF_GAIN, 6)?,
-        Normalisation::Variance,
-        context.seed,
-    );
-    let relief = window.map(context, |p: Vec2| sum.sample(p, 6.0))?;
+    let sum = Octaves::<_, 2>::new(Gaussian::new(context.seed), Spectrum::new(2.17, RELIEF_GAIN, 6)?);
+    let relief = window.map(context, |p: Vec2| sum.detail(6.0).sample(p))?;
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
     let words =
         ["relief", "six octaves, lit by their gradient", "A rugged relief of hills lit from the upper left."];

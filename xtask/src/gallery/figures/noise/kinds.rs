@@ -1,8 +1,8 @@
 //! Every kind of noise in the plane: its look, its power spectrum and its distribution.
 
 use asperity_noise::{
-    Gaussian, Kernel, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum,
-    Statistics, Value, ValueCatmullRom, ValueGradient, White,
+    Field, Gaussian, Noise, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum, Statistics, Value,
+    ValueCatmullRom, ValueGradient, White, simd::Kernel,
 };
 use asperity_render::{
     image::{Image, tone::hex},
@@ -32,8 +32,8 @@ pub(crate) const KINDS: &[Figure] = &[
     Figure { name: "noise-kind-perlin-1985", draw: |context| draw(context, Perlin1985::default()) },
     Figure { name: "noise-kind-perlin-2002", draw: |context| draw(context, Perlin2002::default()) },
     Figure { name: "noise-kind-value-gradient", draw: |context| draw(context, ValueGradient::default()) },
-    Figure { name: "noise-kind-simplex", draw: |context| draw(context, Simplex::CONTINUOUS) },
-    Figure { name: "noise-kind-simplex-wide", draw: |context| draw(context, Simplex::WIDE) },
+    Figure { name: "noise-kind-simplex", draw: |context| draw(context, Simplex::new(0)) },
+    Figure { name: "noise-kind-simplex-wide", draw: |context| draw(context, Simplex::wide(0)) },
     Figure { name: "noise-kind-sparse", draw: |context| draw(context, Sparse::default()) },
     Figure { name: "noise-kind-gaussian", draw: |context| draw(context, Gaussian::default()) },
 ];
@@ -57,11 +57,11 @@ const DECIBELS: f64 = 60.0;
 const SEEDS: u32 = 64;
 const POINTS: usize = 128;
 
-fn draw<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn, Failure> {
+fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn, Failure> {
     let statistics = Kernel::<2>::statistics(&noise);
     let sigma = statistics.standard_deviation;
     let window = Window::new(context, CELLS);
-    let values = window.map(context, |p: Vec2| noise.value(p, context.seed))?;
+    let values = window.map(context, |p: Vec2| noise.with_seed(context.seed).value(p))?;
     let words = ["value", "the noise", "The noise in grey, dark and bright blobs about a cell wide."];
     let look = window.panel(words, |i| grey(0.5 + 0.5 * values[i] / (CONTRAST * sigma)));
     let spectrum = spectrum(context, noise)?;
@@ -86,14 +86,19 @@ fn draw<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<D
         .fact("KS to G, 8 octaves", format!("{:.4}", octaves.distance(statistics))))
 }
 
-fn spectrum<K: Kernel<2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<PowerSpectrum, Failure> {
+fn spectrum<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(
+    context: &Context<'_>,
+    noise: K,
+) -> Result<PowerSpectrum, Failure> {
     let spacing = 1.0 / SAMPLES_PER_CELL;
     let cells = (SAMPLES as f64 * spacing) as f32;
     let window = Window { corner: Vec2::new(0.37, 0.61), cells, side: SAMPLES };
     let sample = |k: usize| {
         let seed = context.seed.wrapping_add(1 + k as u32);
         // An interruption is reported after the sum.
-        window.map(context, |p: Vec2| noise.value(p, seed)).unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
+        window
+            .map(context, |p: Vec2| noise.with_seed(seed).value(p))
+            .unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
     };
     let spectrum = PowerSpectrum::mean(SAMPLES, spacing, PAIRS, sample);
     context.checkpoint()?;
@@ -153,7 +158,7 @@ const GAPS: usize = 256;
 const REACH: f64 = 4.0;
 
 impl Histogram {
-    fn measure<K: Kernel<2> + Copy + Sync>(
+    fn measure<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(
         context: &Context<'_>,
         noise: K,
         octaves: f32,
@@ -165,8 +170,8 @@ impl Histogram {
             .into_par_iter()
             .map(|k| {
                 let seed = context.seed.wrapping_mul(1000).wrapping_add(k);
-                let sum = Octaves::<K, 2>::new(noise, spectrum, Normalisation::Variance, seed);
-                let values = window.map(context, |p: Vec2| sum.value(p, octaves))?;
+                let sum = Octaves::<K, 2>::new(noise.with_seed(seed), spectrum);
+                let values = window.map(context, |p: Vec2| sum.detail(octaves).value(p))?;
                 let mut bins = vec![0; GAPS + 2];
                 for value in values {
                     let place = (f64::from(value) / REACH + 1.0) * 0.5 * GAPS as f64;

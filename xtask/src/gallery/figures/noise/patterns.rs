@@ -20,29 +20,29 @@ const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let noise = Simplex::WIDE;
-    let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum, Normalisation::Range, context.seed);
-    let (clouds, threads) = (sum(Spectrum::CLOUD), sum(Spectrum::THREADS));
+    let noise = Simplex::wide(context.seed);
+    let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum).with_normalisation(Normalisation::Range);
+    let (clouds, threads) = (sum(Spectrum::CLOUD).first(OCTAVES), sum(Spectrum::THREADS));
     let (turbulence, plasma) = (clouds.with_shape(Turbulence), clouds.with_shape(Plasma));
     let billow = clouds.with_shape(Billow);
     let entangled = threads.with_shape(Plasma);
-    let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0, context.seed)?;
+    let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
     let patterns: [(f32, &(dyn Fn(Vec3) -> f32 + Sync), [f32; 2], [&str; 3]); 8] = [
         (
             CELLS,
-            &|p| clouds.first(OCTAVES).value(p),
+            &|p| clouds.value(p),
             [-0.5, 0.5],
             ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."],
         ),
         (
             CELLS,
-            &|p| turbulence.first(OCTAVES).value(p),
+            &|p| turbulence.value(p),
             [0.0, 0.6],
             ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."],
         ),
         (
             CELLS,
-            &|p| plasma.first(OCTAVES).value(p),
+            &|p| plasma.value(p),
             [0.4, 1.0],
             [
                 "plasma",
@@ -52,31 +52,31 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         ),
         (
             THREAD_CELLS,
-            &|p| threads.first(3.0).value(p),
+            &|p| threads.value(p),
             [-0.6, 0.6],
             ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."],
         ),
         (
             THREAD_CELLS,
-            &|p| entangled.first(3.0).value(p),
+            &|p| entangled.value(p),
             [0.2, 1.0],
             ["entangled", "plasma with gain 1", "Dense entangled light veins."],
         ),
         (
             THREAD_CELLS,
-            &|p| Power(entangled.first(3.0), 7).value(p),
+            &|p| Power(entangled, 7).value(p),
             [0.0, 0.6],
             ["threads", "threads: its seventh power", "Single light threads on black."],
         ),
         (
             CELLS,
-            &|p| billow.first(OCTAVES).value(p),
+            &|p| billow.value(p),
             [-1.0, 0.2],
             ["billow", "billow: Σ aᵢ (2|nᵢ| \u{2212} 1)", "Round bright pads with creases between them."],
         ),
         (
             CELLS,
-            &|p| ridges.first(OCTAVES).value(p),
+            &|p| ridges.value(p),
             [0.0, 0.8],
             [
                 "ridged",

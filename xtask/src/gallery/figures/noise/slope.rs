@@ -1,6 +1,6 @@
 //! The slope of a fractal sum's spectrum against gain and lacunarity.
 
-use asperity_noise::{Normalisation, Octaves, Perlin2002, Spectrum};
+use asperity_noise::{Field, Octaves, Perlin2002, Spectrum};
 use glam::Vec2;
 
 use crate::{
@@ -85,10 +85,10 @@ fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 
     let spectrum = Spectrum::new(lacunarity, gain, 16)?;
     let sample = |k: usize| {
         let seed = context.seed.wrapping_mul(100).wrapping_add(k as u32);
-        let sum = Octaves::<_, 2>::new(Perlin2002::default(), spectrum, Normalisation::Variance, seed);
+        let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum);
         // An interruption is reported after the sum.
         window
-            .map(context, |p: Vec2| sum.value(p, octaves as f32))
+            .map(context, |p: Vec2| sum.detail(octaves as f32).value(p))
             .unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
     };
     let power = PowerSpectrum::mean(SAMPLES, spacing, PAIRS, sample);

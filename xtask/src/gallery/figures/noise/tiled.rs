@@ -1,8 +1,6 @@
 //! Tiles: a noise that repeats, laid out two by two.
 
-use asperity_noise::{
-    Field, Gaussian, IntegerHash, Perlin2002, Seeded, Simplex, Sparse, Tiled, TiledSimplex, Value,
-};
+use asperity_noise::{Field, Gaussian, IntegerHash, Perlin2002, Simplex, Sparse, Tiled, TiledSimplex, Value};
 use glam::Vec2;
 
 use crate::{
@@ -19,17 +17,22 @@ const PERIOD: u32 = 6;
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
     let seed = context.seed;
-    let space = Seeded(TiledSimplex::new(Simplex::CONTINUOUS, [PERIOD; 3])?, seed);
-    let sparse = Seeded(Sparse::default().with_lattice(lattice), seed);
+    let space = TiledSimplex::new(Simplex::new(seed), [PERIOD; 3])?;
+    let sparse = Sparse::new(seed).with_lattice(lattice);
     let side = (context.size / 2) as usize;
     let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
     let whole = Window { side: 2 * side, ..tile };
     let noises: [(&str, &str, &(dyn Fn(Vec2) -> f32 + Sync), f32); 6] = [
-        ("seams", "Perlin 2002, not tiled", &|p| Seeded(Perlin2002::default(), seed).value(p), 0.76),
-        ("perlin-2002", "Perlin 2002, tiled", &|p| Seeded(Perlin2002(lattice), seed).value(p), 0.76),
-        ("value", "value, tiled", &|p| Seeded(Value(lattice), seed).value(p), 0.9),
+        ("seams", "Perlin 2002, not tiled", &|p| Perlin2002::new(seed).value(p), 0.76),
+        (
+            "perlin-2002",
+            "Perlin 2002, tiled",
+            &|p| Perlin2002::new(seed).with_lattice(lattice).value(p),
+            0.76,
+        ),
+        ("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9),
         ("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5),
-        ("gaussian", "Gaussian, tiled", &|p| Seeded(Gaussian(lattice), seed).value(p), 2.5),
+        ("gaussian", "Gaussian, tiled", &|p| Gaussian::new(seed).with_lattice(lattice).value(p), 2.5),
         ("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0),
     ];
     let mut panels = Vec::new();

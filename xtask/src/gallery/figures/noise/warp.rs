@@ -1,6 +1,6 @@
 //! Domain warping: a sum of octaves seen through others.
 
-use asperity_noise::{Field, Normalisation, Octaves, Sample, Simplex, Spectrum, Warp};
+use asperity_noise::{Field, Octaves, Sample, Simplex, Spectrum, Warp};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
@@ -24,7 +24,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let window = Window::new(context, CELLS);
     let sum = |k: u32| {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k);
-        Octaves::<_, 2>::new(Simplex::CONTINUOUS, Spectrum::CLOUD, Normalisation::Variance, seed)
+        Octaves::<_, 2>::new(Simplex::new(seed), Spectrum::CLOUD)
     };
     let sums: [_; 5] = std::array::from_fn(|k| sum(k as u32));
     let first = |k: usize| sums[k].first(OCTAVES);

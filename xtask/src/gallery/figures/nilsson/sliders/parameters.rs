@@ -10,10 +10,9 @@ use asperity_render::{
     materials::pattern::grid,
     scenes::Form,
 };
-use asperity_shading::material::{Elimination, FibresParameters, GlassWaves, SeamPattern};
 use asperity_shading::{
-    CarpetParameters, Environment, MetallicPaintParameters, ScratchesParameters, TemperedGlassParameters,
-    VariationsParameters,
+    CarpetParameters, Elimination, Environment, FibresParameters, GlassWaves, MetallicPaintParameters,
+    ScratchesParameters, SeamPattern, TemperedGlassParameters, VariationsParameters,
     material::{GlassBody, PaintFlakes},
 };
 use glam::{Vec2, Vec3};

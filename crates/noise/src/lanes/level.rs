@@ -2,12 +2,12 @@
 
 use core::fmt;
 
-use crate::{batch::batch::Task, simd::lanes::Scalar};
+use crate::lanes::lanes::{Lanes, Scalar};
 
 /// A set of SIMD instructions.
 ///
 /// ```
-/// use asperity_noise::Level;
+/// use asperity_noise::simd::Level;
 ///
 /// assert_eq!(Level::available().next(), Some(Level::Scalar));
 /// assert_eq!(Level::available().last(), Some(Level::best()));
@@ -98,20 +98,43 @@ impl Level {
         }
     }
 
-    /// Runs a task at the level, in single lanes if the machine does not have it.
-    #[inline(always)]
-    pub(crate) fn run(self, task: impl Task) {
-        #[cfg(feature = "simd")]
-        if let Some(level) = self.token() {
-            fearless_simd::dispatch!(level, simd => task.run(crate::simd::registers::Wide(simd)));
-            return;
+    /// The instructions of the level, or single lanes if the machine does not have it.
+    #[inline]
+    pub(crate) fn instructions(self) -> Instructions {
+        Instructions {
+            #[cfg(feature = "simd")]
+            token: self.token(),
         }
-        task.run(Scalar);
     }
 }
 
 impl fmt::Display for Level {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+/// The proof that the machine has a level, found once for all rows of a batch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instructions {
+    #[cfg(feature = "simd")]
+    token: Option<fearless_simd::Level>,
+}
+
+/// What is run at a level.
+pub(crate) trait Task {
+    fn run<S: Lanes>(self, s: S);
+}
+
+impl Instructions {
+    /// Runs a task.
+    #[inline(always)]
+    pub(crate) fn run(self, task: impl Task) {
+        #[cfg(feature = "simd")]
+        if let Some(level) = self.token {
+            fearless_simd::dispatch!(level, simd => task.run(crate::lanes::registers::Wide(simd)));
+            return;
+        }
+        task.run(Scalar);
     }
 }

@@ -49,7 +49,7 @@ impl<U> Words for U where
 
 /// A number of lanes and their operations, chosen by a token that costs nothing.
 ///
-/// It is public because kinds of noise are generic over it, and sealed: [`Batch`](crate::Batch) picks it.
+/// It is public because kinds of noise are generic over it, and sealed: batches pick it.
 pub trait Lanes: Copy + sealed::Sealed {
     /// The number of lanes.
     const LEN: usize;
@@ -144,11 +144,14 @@ pub trait Lanes: Copy + sealed::Sealed {
     }
 }
 
+/// A value in lanes, and its gradient.
+pub type LaneSample<S, const N: usize> = (<S as Lanes>::F, [<S as Lanes>::F; N]);
+
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Scalar {}
     #[cfg(feature = "simd")]
-    impl<S: fearless_simd::Simd> Sealed for crate::simd::registers::Wide<S> {}
+    impl<S: fearless_simd::Simd> Sealed for crate::lanes::registers::Wide<S> {}
 }
 
 /// One lane: the noise of one point.

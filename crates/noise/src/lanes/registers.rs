@@ -2,7 +2,7 @@
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
 
-use crate::simd::lanes::Lanes;
+use crate::lanes::lanes::Lanes;
 
 /// As many lanes as a register of the SIMD level has.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,71 @@
+//! The points that noises are evaluated at: numbers, and glam's vectors of two to four.
+
+use core::fmt::Debug;
+
+use glam::{Vec2, Vec3, Vec4};
+
+/// A point in one to four dimensions: `f32`, [`Vec2`], [`Vec3`] or [`Vec4`].
+///
+/// Every field is a field over points of one type, `Field<Vec3>` for instance, and its gradients are of that type too. Vectors of
+/// another library, or of another version of glam, are points once they implement this.
+///
+/// ```
+/// use asperity_noise::{Point, glam::Vec3};
+///
+/// assert_eq!(Vec3::from_coordinates([1.0, 2.0, 3.0]).coordinates(), [1.0, 2.0, 3.0]);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a point that noise is evaluated at",
+    label = "neither `f32` nor `Vec2`, `Vec3` or `Vec4` of `asperity_noise::glam`",
+    note = "make a vector of an array: `Vec3::from(array)`",
+    note = "a vector of another version of glam is another type: use `asperity_noise::glam`, or `Vec3::from(v.to_array())`"
+)]
+pub trait Point: Copy + Debug + Default + PartialEq + 'static {
+    /// N numbers in N dimensions.
+    type Coordinates: AsRef<[f32]> + AsMut<[f32]> + Copy + Debug + PartialEq;
+    /// Matrices by rows, N of N numbers each.
+    type Matrix: Copy + Debug + PartialEq;
+    /// One thing for each of the N axes.
+    type Array<T>: AsRef<[T]> + AsMut<[T]>;
+
+    /// The coordinates.
+    fn coordinates(self) -> Self::Coordinates;
+    /// The point of the coordinates.
+    fn from_coordinates(coordinates: Self::Coordinates) -> Self;
+    /// One thing for each axis, made in the order of the axes.
+    fn array<T>(make: impl FnMut(usize) -> T) -> Self::Array<T>;
+    /// The point of coordinates that are made in the order of the axes.
+    fn from_axes(make: impl FnMut(usize) -> f32) -> Self;
+}
+
+macro_rules! point {
+    ($vector:ty, $n:literal, $to:expr, $from:expr) => {
+        impl Point for $vector {
+            type Coordinates = [f32; $n];
+            type Matrix = [[f32; $n]; $n];
+            type Array<T> = [T; $n];
+
+            #[inline(always)]
+            fn coordinates(self) -> [f32; $n] {
+                $to(self)
+            }
+            #[inline(always)]
+            fn from_coordinates(coordinates: [f32; $n]) -> Self {
+                $from(coordinates)
+            }
+            #[inline(always)]
+            fn array<T>(make: impl FnMut(usize) -> T) -> [T; $n] {
+                core::array::from_fn(make)
+            }
+            #[inline(always)]
+            fn from_axes(make: impl FnMut(usize) -> f32) -> Self {
+                $from(core::array::from_fn(make))
+            }
+        }
+    };
+}
+
+point!(f32, 1, |x| [x], |[x]: [f32; 1]| x);
+point!(Vec2, 2, |p: Vec2| p.to_array(), Vec2::from_array);
+point!(Vec3, 3, |p: Vec3| p.to_array(), Vec3::from_array);
+point!(Vec4, 4, |p: Vec4| p.to_array(), Vec4::from_array);

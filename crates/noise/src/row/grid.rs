@@ -1,0 +1,76 @@
+//! Regular grids of points.
+
+use crate::point::Point;
+
+/// A regular grid of points: origin + step·index along every axis, the first axis running fastest.
+///
+/// Points are rounded after the product and after the sum.
+///
+/// ```
+/// use asperity_noise::{Grid, glam::Vec3};
+///
+/// let grid = Grid { origin: Vec3::ZERO, step: Vec3::new(0.5, 1.0, 2.0), size: [4, 3, 2] };
+/// assert_eq!(grid.len(), 24);
+/// assert_eq!(grid.point([3, 2, 1]), Vec3::new(1.5, 2.0, 2.0));
+/// ```
+#[doc(alias = "heightmap")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid<V: Point> {
+    /// The point of index 0.
+    pub origin: V,
+    /// The distance of neighbours along each axis; may be 0 or negative.
+    pub step: V,
+    /// The number of points along each axis.
+    pub size: V::Array<usize>,
+}
+
+impl<V: Point> Grid<V> {
+    /// The number of points, `usize::MAX` if it is larger than that.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.size.as_ref().iter().fold(1_usize, |product, &n| product.saturating_mul(n))
+    }
+
+    /// Whether there are no points.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The point of an index, inside the grid or outside.
+    #[must_use]
+    #[expect(clippy::needless_pass_by_value, reason = "an index is as small as a point")]
+    pub fn point(&self, index: V::Array<usize>) -> V {
+        let (origin, step) = (self.origin.coordinates(), self.step.coordinates());
+        V::from_axes(|axis| {
+            let i = index.as_ref()[axis];
+            (origin.as_ref()[axis] + 0.0) + step.as_ref()[axis] * (i as i32 as f32)
+        })
+    }
+
+    /// The points of a row.
+    #[inline(always)]
+    pub(crate) fn width(&self) -> usize {
+        self.size.as_ref().first().copied().unwrap_or(0)
+    }
+
+    /// The number of rows.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> usize {
+        self.len().checked_div(self.width()).unwrap_or(0)
+    }
+
+    /// The index of a row's point, rows counted over all axes but the first.
+    #[inline(always)]
+    pub(crate) fn index(&self, column: usize, mut row: usize) -> V::Array<usize> {
+        V::array(|axis| {
+            if axis == 0 {
+                return column;
+            }
+            let n = self.size.as_ref()[axis].max(1);
+            let index = row % n;
+            row /= n;
+            index
+        })
+    }
+}

@@ -1,0 +1,244 @@
+//! The points that a field is evaluated at in one call, and where its values and gradients go.
+
+use core::{array, ops::Range};
+
+use crate::{
+    lanes::level::Instructions,
+    point::Point,
+    row::{cells::POINTS, grid::Grid, row::Row},
+};
+
+/// The points of a batch, handed to [`Field::fill`](crate::Field::fill); opaque.
+#[expect(missing_debug_implementations, reason = "opaque")]
+pub struct Points<'a, V: Point>(pub(crate) Source<'a, V>);
+
+/// Lists of coordinates, or a part of a grid.
+pub(crate) enum Source<'a, V: Point> {
+    Lists(V::Array<&'a [f32]>),
+    Window(Window<'a, V>),
+}
+
+/// Some columns of some rows of a grid.
+pub(crate) struct Window<'a, V: Point> {
+    grid: &'a Grid<V>,
+    columns: Range<usize>,
+    rows: Range<usize>,
+}
+
+impl<V: Point> Window<'_, V> {
+    /// The rows, as the kinds see them, each with its number in the window.
+    #[inline(always)]
+    pub(crate) fn rows<const N: usize>(&self, part: Range<usize>) -> impl Iterator<Item = (usize, Row<N>)>
+    where
+        V: Point<Coordinates = [f32; N]>,
+    {
+        let (first, step) = (self.rows.start, self.grid.step.coordinates()[0]);
+        part.map(move |row| {
+            let origin = self.grid.point(self.grid.index(0, first + row)).coordinates();
+            (row, Row::new(origin, step, self.columns.start))
+        })
+    }
+}
+
+/// Columns and rows of points that are evaluated at once.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    pub(crate) columns: Range<usize>,
+    pub(crate) rows: Range<usize>,
+}
+
+impl Block {
+    pub(crate) fn width(&self) -> usize {
+        self.columns.len()
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.columns.len() * self.rows.len()
+    }
+}
+
+/// Parts of at most `limit` points: strips of [`POINTS`] columns, blocks of rows in them.
+pub(crate) fn blocks(width: usize, rows: usize, limit: usize) -> impl Iterator<Item = Block> {
+    let strip = width.clamp(1, POINTS.min(limit));
+    let height = (limit / strip).max(1);
+    (0..width).step_by(strip).flat_map(move |column| {
+        (0..rows).step_by(height).map(move |row| Block {
+            columns: column..width.min(column + strip),
+            rows: row..rows.min(row + height),
+        })
+    })
+}
+
+impl<'a, V: Point> Points<'a, V> {
+    pub(crate) fn of_grid(grid: &'a Grid<V>) -> Self {
+        Self(Source::Window(Window { grid, columns: 0..grid.width(), rows: 0..grid.rows() }))
+    }
+
+    pub(crate) fn lists(lists: V::Array<&'a [f32]>) -> Self {
+        Self(Source::Lists(lists))
+    }
+
+    /// The first points of buffers.
+    pub(crate) fn buffered<const M: usize>(buffers: &'a V::Array<[f32; M]>, count: usize) -> Self {
+        let mut buffers = buffers.as_ref().iter();
+        Self::lists(V::array(|_| buffers.next().and_then(|x| x.get(..count)).unwrap_or_default()))
+    }
+
+    /// The points of a row.
+    pub(crate) fn width(&self) -> usize {
+        match &self.0 {
+            Source::Lists(lists) => lists.as_ref().first().map_or(0, |x| x.len()),
+            Source::Window(window) => window.columns.len(),
+        }
+    }
+
+    pub(crate) fn rows(&self) -> usize {
+        match &self.0 {
+            Source::Lists(_) => 1,
+            Source::Window(window) => window.rows.len(),
+        }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.width().saturating_mul(self.rows())
+    }
+
+    /// Parts of at most `limit` points.
+    pub(crate) fn blocks(&self, limit: usize) -> impl Iterator<Item = Block> + use<V> {
+        blocks(self.width(), self.rows(), limit)
+    }
+
+    pub(crate) fn part(&self, block: &Block) -> Points<'_, V> {
+        Points(match &self.0 {
+            Source::Lists(lists) => {
+                let mut lists = lists.as_ref().iter();
+                let part = || lists.next().and_then(|x| x.get(block.columns.clone())).unwrap_or_default();
+                let mut part = part;
+                Source::Lists(V::array(|_| part()))
+            }
+            Source::Window(Window { grid, columns, rows }) => {
+                let moved = |range: &Range<usize>, by: usize| range.start + by..range.end + by;
+                let (columns, rows) = (moved(&block.columns, columns.start), moved(&block.rows, rows.start));
+                Source::Window(Window { grid, columns, rows })
+            }
+        })
+    }
+
+    pub(crate) fn point(&self, row: usize, column: usize) -> V {
+        match &self.0 {
+            Source::Lists(lists) => {
+                V::from_axes(|axis| lists.as_ref()[axis].get(column).copied().unwrap_or(0.0))
+            }
+            Source::Window(Window { grid, columns, rows }) => {
+                grid.point(grid.index(columns.start + column, rows.start + row))
+            }
+        }
+    }
+
+    /// Writes the coordinates of up to M points, row after row.
+    pub(crate) fn write<const M: usize>(&self, lists: &mut [[f32; M]]) {
+        let width = self.width().max(1);
+        for i in 0..self.len().min(M) {
+            let p = self.point(i / width, i % width).coordinates();
+            for (list, x) in lists.iter_mut().zip(p.as_ref()) {
+                list[i] = *x;
+            }
+        }
+    }
+}
+
+/// Room for one list of coordinates per axis.
+pub(crate) fn buffers<V: Point, const M: usize>() -> V::Array<[f32; M]> {
+    V::array(|_| [0.0; M])
+}
+
+/// Where the values of a batch go, and the gradients if they are wanted, handed to [`Field::fill`](crate::Field::fill); opaque.
+#[expect(missing_debug_implementations, reason = "opaque")]
+pub struct Target<'a, V: Point> {
+    pub(crate) instructions: Instructions,
+    pub(crate) values: &'a mut [f32],
+    /// As long as `values`.
+    pub(crate) gradients: Option<V::Array<&'a mut [f32]>>,
+    /// How far apart rows are.
+    pub(crate) stride: usize,
+}
+
+impl<V: Point> Target<'_, V> {
+    /// Where a part of the points goes.
+    pub(crate) fn part(&mut self, block: &Block) -> Target<'_, V> {
+        let start = block.rows.start * self.stride + block.columns.start;
+        Target {
+            instructions: self.instructions,
+            values: self.values.get_mut(start..).unwrap_or_default(),
+            gradients: self.gradients.as_mut().map(|gradients| {
+                let mut gradients = gradients.as_mut().iter_mut();
+                V::array(|_| gradients.next().and_then(|g| g.get_mut(start..)).unwrap_or_default())
+            }),
+            stride: self.stride,
+        }
+    }
+
+    /// Where `width` points of a row go; as many gradients as values.
+    #[inline(always)]
+    pub(crate) fn row(&mut self, row: usize, width: usize) -> (&mut [f32], Option<V::Array<&mut [f32]>>) {
+        let part = row * self.stride..row * self.stride + width;
+        let values = self.values.get_mut(part.clone()).unwrap_or_default();
+        let gradients = self.gradients.as_mut().map(|gradients| {
+            let mut gradients = gradients.as_mut().iter_mut();
+            V::array(|_| gradients.next().and_then(|g| g.get_mut(part.clone())).unwrap_or_default())
+        });
+        (values, gradients)
+    }
+
+    /// The whole once more, for a call that hands it on.
+    pub(crate) fn again(&mut self) -> Target<'_, V> {
+        Target {
+            instructions: self.instructions,
+            values: self.values,
+            gradients: self.gradients.as_mut().map(|gradients| {
+                let mut gradients = gradients.as_mut().iter_mut();
+                V::array(|_| gradients.next().map(|g| &mut **g).unwrap_or_default())
+            }),
+            stride: self.stride,
+        }
+    }
+}
+
+/// Buffers of values and gradients, as an array of N where the dimension is a number.
+#[inline(always)]
+pub(crate) fn by_axes<'a, V: Point, const N: usize>(
+    mut slices: V::Array<&'a mut [f32]>,
+) -> [&'a mut [f32]; N] {
+    let mut slices = slices.as_mut().iter_mut();
+    array::from_fn(|_| slices.next().map(core::mem::take).unwrap_or_default())
+}
+
+/// Room for the values and gradients of up to M points.
+pub(crate) struct Buffer<V: Point, const M: usize> {
+    pub(crate) values: [f32; M],
+    pub(crate) gradients: V::Array<[f32; M]>,
+}
+
+impl<V: Point, const M: usize> Buffer<V, M> {
+    #[inline(always)]
+    pub(crate) fn empty() -> Self {
+        Self { values: [0.0; M], gradients: buffers::<V, M>() }
+    }
+
+    /// The room for rows of a width.
+    pub(crate) fn target(
+        &mut self,
+        instructions: Instructions,
+        width: usize,
+        gradients: bool,
+    ) -> Target<'_, V> {
+        let mut slices = self.gradients.as_mut().iter_mut();
+        let slices = V::array(|_| slices.next().map(|g| &mut g[..]).unwrap_or_default());
+        Target {
+            instructions,
+            values: &mut self.values,
+            gradients: gradients.then_some(slices),
+            stride: width,
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Rows of points: at equal steps along the first axis, in the coordinates of a field or of one of its octaves.
+
+use crate::{
+    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lattice::lattice::is_within,
+};
+
+/// Points at equal steps along the first axis: xᵢ = frequency·(x₀ + step·i) + offset.
+///
+/// Every operation is rounded, as where the points are computed one by one; the frequency 1 and the offset 0 change no bit.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<const N: usize> {
+    /// x₀ and the other coordinates, which are those of all points.
+    origin: [f32; N],
+    step: f32,
+    /// The index of the first point.
+    start: usize,
+    frequency: f32,
+    offset: f32,
+}
+
+impl<const N: usize> Row<N> {
+    #[inline(always)]
+    pub(crate) fn new(origin: [f32; N], step: f32, start: usize) -> Self {
+        // −0 + 0 = 0, so that no point's first coordinate is −0.
+        Self { origin: origin.map(|x| x + 0.0), step, start, frequency: 1.0, offset: 0.0 }
+    }
+
+    /// The row in the coordinates of an octave; the offset must not be −0.
+    #[inline(always)]
+    pub(crate) fn scaled(&self, frequency: [f32; N], offset: [f32; N]) -> Self {
+        let mut origin = self.origin;
+        for axis in 1..N {
+            origin[axis] = frequency[axis] * self.origin[axis] + offset[axis];
+        }
+        Self { origin, frequency: frequency[0], offset: offset[0], ..*self }
+    }
+
+    /// The row from point `start` on.
+    #[inline(always)]
+    pub(crate) fn after(&self, start: usize) -> Self {
+        Self { start: self.start + start, ..*self }
+    }
+
+    /// What the first coordinates depend on.
+    #[inline(always)]
+    pub(crate) fn key(&self) -> RowKey {
+        let x = [self.origin[0], self.step, self.frequency, self.offset];
+        RowKey { x: x.map(f32::to_bits), start: self.start }
+    }
+
+    /// The index of point i in the whole row.
+    #[inline(always)]
+    pub(crate) fn index(&self, i: usize) -> usize {
+        self.start + i
+    }
+
+    /// The coordinates of point i.
+    #[inline(always)]
+    pub(crate) fn point(&self, i: usize) -> [f32; N] {
+        let mut p = self.origin;
+        p[0] = self.x(i);
+        p
+    }
+
+    /// The first coordinate of point i.
+    #[inline(always)]
+    pub(crate) fn x(&self, i: usize) -> f32 {
+        let x = self.origin[0] + self.step * ((self.start + i) as i32 as f32);
+        self.frequency * x + self.offset
+    }
+
+    /// The first coordinates of as many points as there are lanes, from point i on.
+    #[inline(always)]
+    pub(crate) fn xs<S: Lanes>(&self, s: S, i: usize) -> S::F {
+        let index = s.word((self.start + i) as u32) + s.iota();
+        let x = s.float(self.origin[0]) + s.float(self.step) * s.real(index);
+        s.float(self.frequency) * x + s.float(self.offset)
+    }
+
+    /// As many points as there are lanes, from point i on.
+    #[inline(always)]
+    pub(crate) fn points<S: Lanes>(&self, s: S, i: usize) -> [S::F; N] {
+        let mut p = [self.xs(s, i); N];
+        for axis in 1..N {
+            p[axis] = s.float(self.origin[axis]);
+        }
+        p
+    }
+
+    /// The coordinates of the first point; the first one is of no meaning in a scaled row.
+    #[inline(always)]
+    pub(crate) fn origin(&self) -> [f32; N] {
+        self.origin
+    }
+
+    /// How far apart points are, but for rounding.
+    #[inline(always)]
+    pub(crate) fn stride(&self) -> f32 {
+        self.frequency * self.step
+    }
+
+    /// Whether all of `count` points are within reach.
+    #[inline(always)]
+    pub(crate) fn is_within(&self, reach: f32, count: usize) -> bool {
+        [0, count].into_iter().all(|i| is_within(Scalar, &self.point(i), reach))
+    }
+}
+
+/// What the first coordinates of a row depend on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct RowKey {
+    x: [u32; 4],
+    start: usize,
+}
+
+/// Writes the lanes for the points from `i` to `count`.
+#[inline(always)]
+pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usize) {
+    if let Some(out) = out.get_mut(i..i + S::LEN) {
+        s.store(x, out);
+    } else if let Some(out) = out.get_mut(i..count) {
+        s.store(x, out);
+    }
+}
+
+/// Writes values and gradients in lanes for the points from `i` to the end of `values`.
+#[inline(always)]
+pub(crate) fn put_sample<S: Lanes, const N: usize>(
+    s: S,
+    (value, gradient): LaneSample<S, N>,
+    values: &mut [f32],
+    gradients: &mut [&mut [f32]; N],
+    i: usize,
+) {
+    let count = values.len();
+    put(s, value, values, i, count);
+    for axis in 0..N {
+        put(s, gradient[axis], gradients[axis], i, count);
+    }
+}

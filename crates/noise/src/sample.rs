@@ -1,0 +1,103 @@
+//! What one evaluation of a field returns: value and gradient, or these and the Hessian.
+
+use crate::point::Point;
+
+/// A field's value at a point with its analytic gradient, both from one evaluation.
+///
+/// `V` is the point's type: `f32`, [`glam::Vec2`], [`glam::Vec3`] or [`glam::Vec4`].
+/// The gradient is in units of the value per unit of the field's input coordinate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample<V> {
+    /// The value, dimensionless.
+    pub value: f32,
+    /// ∂value/∂p, per unit length of the input.
+    pub gradient: V,
+}
+
+/// A field's value at a point with its gradient and its Hessian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecondOrder<V: Point> {
+    /// The value, dimensionless.
+    pub value: f32,
+    /// ∂value/∂p, per unit length of the input.
+    pub gradient: V,
+    /// ∂²value/∂pᵢ∂pⱼ, per unit length squared; symmetric, bit for bit.
+    pub hessian: V::Matrix,
+}
+
+#[cfg(feature = "approx")]
+mod approximately {
+    use super::{Point, Sample};
+    use approx::{AbsDiffEq, RelativeEq, UlpsEq};
+
+    impl<V: AbsDiffEq<Epsilon = f32>> AbsDiffEq for Sample<V> {
+        type Epsilon = f32;
+        fn default_epsilon() -> f32 {
+            f32::default_epsilon()
+        }
+        fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
+            self.value.abs_diff_eq(&other.value, epsilon)
+                && self.gradient.abs_diff_eq(&other.gradient, epsilon)
+        }
+    }
+
+    impl<V: RelativeEq<Epsilon = f32>> RelativeEq for Sample<V> {
+        fn default_max_relative() -> f32 {
+            f32::default_max_relative()
+        }
+        fn relative_eq(&self, other: &Self, epsilon: f32, max_relative: f32) -> bool {
+            self.value.relative_eq(&other.value, epsilon, max_relative)
+                && self.gradient.relative_eq(&other.gradient, epsilon, max_relative)
+        }
+    }
+
+    impl<V: UlpsEq<Epsilon = f32>> UlpsEq for Sample<V> {
+        fn default_max_ulps() -> u32 {
+            f32::default_max_ulps()
+        }
+        fn ulps_eq(&self, other: &Self, epsilon: f32, max_ulps: u32) -> bool {
+            self.value.ulps_eq(&other.value, epsilon, max_ulps)
+                && self.gradient.ulps_eq(&other.gradient, epsilon, max_ulps)
+        }
+    }
+
+    impl<V: Point + AbsDiffEq<Epsilon = f32>> super::SecondOrder<V>
+    where
+        V::Matrix: AsRef<[V::Coordinates]>,
+    {
+        /// Whether all entries of both are near one another by a rule for numbers.
+        fn is_near(&self, other: &Self, gradients: bool, near: impl Fn(&f32, &f32) -> bool) -> bool {
+            let rows = self.hessian.as_ref().iter().zip(other.hessian.as_ref());
+            gradients
+                && near(&self.value, &other.value)
+                && rows.flat_map(|(a, b)| a.as_ref().iter().zip(b.as_ref())).all(|(a, b)| near(a, b))
+        }
+    }
+
+    impl<V: Point + AbsDiffEq<Epsilon = f32>> AbsDiffEq for super::SecondOrder<V>
+    where
+        V::Matrix: AsRef<[V::Coordinates]>,
+    {
+        type Epsilon = f32;
+        fn default_epsilon() -> f32 {
+            f32::default_epsilon()
+        }
+        fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
+            let gradients = self.gradient.abs_diff_eq(&other.gradient, epsilon);
+            self.is_near(other, gradients, |a, b| a.abs_diff_eq(b, epsilon))
+        }
+    }
+
+    impl<V: Point + RelativeEq<Epsilon = f32>> RelativeEq for super::SecondOrder<V>
+    where
+        V::Matrix: AsRef<[V::Coordinates]>,
+    {
+        fn default_max_relative() -> f32 {
+            f32::default_max_relative()
+        }
+        fn relative_eq(&self, other: &Self, epsilon: f32, max_relative: f32) -> bool {
+            let gradients = self.gradient.relative_eq(&other.gradient, epsilon, max_relative);
+            self.is_near(other, gradients, |a, b| a.relative_eq(b, epsilon, max_relative))
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Octaves of a sum at many points: one octave after the other, over blocks of points.
+
+use crate::{
+    contract::kernel::{FEW_POINTS, FillList, FillRow, Kernel},
+    lanes::lanes::Lanes,
+    lanes::level::{Instructions, Task},
+    point::Point,
+    row::cells::POINTS,
+    row::points::{Block, Points, Source, Target, by_axes},
+    row::row::put,
+    sums::octave::{Layer, Rotation},
+    sums::shape::Shape,
+};
+
+/// Points that an octave is evaluated at before the next: as many as a near cache holds.
+const BLOCK: usize = 8192;
+/// Points of lists that an octave is evaluated at before the next.
+pub(crate) const LIST: usize = 256;
+
+/// One number for each point of a list, for each axis.
+pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
+
+/// The octaves of a sum that take part, and what becomes of them.
+pub(crate) struct Passes<'a, K, const N: usize, T> {
+    pub(crate) noise: &'a K,
+    pub(crate) shape: T,
+    pub(crate) rotation: Rotation,
+    pub(crate) layers: &'a [Layer<N>],
+    pub(crate) amplitudes: &'a [f32],
+    /// What is added to the sum before it is normalised.
+    pub(crate) constant: f32,
+    pub(crate) factor: f32,
+}
+
+impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
+    /// The sum at the points of a batch.
+    pub(crate) fn fill<V: Point<Coordinates = [f32; N]>>(
+        &self,
+        points: &Points<'_, V>,
+        mut target: Target<'_, V>,
+    ) {
+        if self.amplitudes.is_empty() {
+            for row in 0..points.rows() {
+                let (values, gradients) = target.row(row, points.width());
+                values.fill(self.constant * self.factor);
+                gradients
+                    .into_iter()
+                    .for_each(|mut gradients| gradients.as_mut().iter_mut().for_each(|g| g.fill(0.0)));
+            }
+        } else if self.rotation == Rotation::Aligned
+            && points.len() >= FEW_POINTS
+            && matches!(points.0, Source::Window(_))
+        {
+            let mut scratch = K::RowScratch::default();
+            for block in points.blocks(BLOCK) {
+                self.fill_rows(&points.part(&block), &block, &mut scratch, target.part(&block));
+            }
+        } else {
+            for block in points.blocks(LIST) {
+                self.fill_list(&points.part(&block), &block, target.part(&block));
+            }
+        }
+    }
+
+    fn octaves(&self) -> impl Iterator<Item = (usize, f32, &Layer<N>)> {
+        self.amplitudes
+            .iter()
+            .zip(self.layers)
+            .enumerate()
+            .map(|(i, (&amplitude, layer))| (i, amplitude, layer))
+    }
+
+    /// Rows of a grid of parallel lattices, which share work along them.
+    fn fill_rows<V: Point<Coordinates = [f32; N]>>(
+        &self,
+        points: &Points<'_, V>,
+        block: &Block,
+        scratch: &mut K::RowScratch,
+        mut target: Target<'_, V>,
+    ) {
+        let Source::Window(window) = &points.0 else { return };
+        let (instructions, width) = (target.instructions, block.width());
+        let (mut octave, mut slopes) = ([0.0; POINTS], [[0.0; POINTS]; N]);
+        for (i, amplitude, layer) in self.octaves() {
+            let frequencies = layer.frequencies();
+            for (r, row) in window.rows(0..block.rows.len()) {
+                let (values, gradients) = target.row(r, width);
+                let row = row.scaled(frequencies, layer.offset);
+                let room = gradients.as_ref().map(|_| slopes.each_mut().map(|slope| &mut slope[..width]));
+                let (kernel, seed, octave) = (self.noise, layer.seed, &mut octave[..]);
+                let fill = FillRow {
+                    kernel,
+                    seed,
+                    row,
+                    scratch: &mut *scratch,
+                    values: &mut octave[..width],
+                    gradients: room,
+                };
+                fill.at(instructions);
+                let gradients = gradients.map(by_axes::<V, N>);
+                self.add(instructions, (i, amplitude, layer), octave, &slopes, values, gradients);
+            }
+        }
+    }
+
+    /// A list of points, or points of a grid whose octaves are turned.
+    fn fill_list<V: Point<Coordinates = [f32; N]>>(
+        &self,
+        points: &Points<'_, V>,
+        block: &Block,
+        mut target: Target<'_, V>,
+    ) {
+        let (instructions, count, wanted) = (target.instructions, block.len(), target.gradients.is_some());
+        let (mut from, mut to) = ([[0.0; LIST]; N], [[0.0; LIST]; N]);
+        let (mut octave, mut slopes) = ([0.0; LIST], [[0.0; LIST]; N]);
+        let (mut sum, mut gradient) = ([0.0; LIST], [[0.0; LIST]; N]);
+        points.write(&mut from);
+        for (i, amplitude, layer) in self.octaves() {
+            instructions.run(Move { layer, rotation: self.rotation, from: &from, to: &mut to, count });
+            let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
+            let (kernel, seed, points) = (self.noise, layer.seed, to.each_ref().map(|x| &x[..count]));
+            FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
+            let gradients = wanted.then(|| gradient.each_mut().map(|g| &mut g[..count]));
+            self.add(instructions, (i, amplitude, layer), &mut octave, &slopes, &mut sum[..count], gradients);
+        }
+        copy_out(&mut target, block, &sum, &gradient);
+    }
+
+    /// Shapes an octave and adds it to a sum.
+    fn add<const M: usize>(
+        &self,
+        instructions: Instructions,
+        (i, amplitude, layer): (usize, f32, &Layer<N>),
+        octave: &mut [f32],
+        slopes: &[[f32; M]; N],
+        values: &mut [f32],
+        gradients: Option<[&mut [f32]; N]>,
+    ) {
+        let last = i + 1 == self.amplitudes.len();
+        instructions.run(Add {
+            shape: self.shape,
+            rotation: self.rotation,
+            layer,
+            amplitude,
+            before: (i == 0).then_some(self.constant),
+            factor: last.then_some(self.factor),
+            octave,
+            slopes,
+            values,
+            gradients,
+        });
+    }
+}
+
+/// Sums of a block, written to where they belong.
+pub(crate) fn copy_out<V: Point, const N: usize>(
+    target: &mut Target<'_, V>,
+    block: &Block,
+    sum: &[f32; LIST],
+    gradient: &Lists<N>,
+) {
+    let width = block.width();
+    for row in 0..block.rows.len() {
+        let part = row * width..(row + 1) * width;
+        let (values, gradients) = target.row(row, width);
+        values.copy_from_slice(&sum[part.clone()]);
+        if let Some(mut gradients) = gradients {
+            for (to, from) in gradients.as_mut().iter_mut().zip(gradient) {
+                to.copy_from_slice(&from[part.clone()]);
+            }
+        }
+    }
+}
+
+/// Points in the coordinates of an octave.
+pub(crate) struct Move<'a, const N: usize> {
+    pub(crate) layer: &'a Layer<N>,
+    pub(crate) rotation: Rotation,
+    pub(crate) from: &'a Lists<N>,
+    pub(crate) to: &'a mut Lists<N>,
+    pub(crate) count: usize,
+}
+
+impl<const N: usize> Task for Move<'_, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { layer, rotation, from, to, count } = self;
+        for i in (0..count.min(LIST)).step_by(S::LEN) {
+            let mut p = [s.float(0.0); N];
+            for axis in 0..N {
+                p[axis] = s.load(&from[axis][i..]);
+            }
+            let q = match rotation {
+                Rotation::Random => layer.points(s, p),
+                Rotation::Aligned => layer.aligned(s, p),
+            };
+            for axis in 0..N {
+                s.store(q[axis], &mut to[axis][i..]);
+            }
+        }
+    }
+}
+
+/// sum + amplitude · φ(octave); the sum is a constant before the first octave and normalised after the last.
+struct Add<'a, const N: usize, const M: usize, T> {
+    shape: T,
+    rotation: Rotation,
+    layer: &'a Layer<N>,
+    amplitude: f32,
+    before: Option<f32>,
+    factor: Option<f32>,
+    /// With room for a whole register behind the points.
+    octave: &'a mut [f32],
+    slopes: &'a [[f32; M]; N],
+    values: &'a mut [f32],
+    gradients: Option<[&'a mut [f32]; N]>,
+}
+
+impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { shape, rotation, layer, amplitude, before, factor, octave, slopes, values, gradients } =
+            self;
+        let (count, amplitude, zero) = (values.len(), s.float(amplitude), s.float(0.0));
+        if let Some(gradients) = gradients {
+            let mut bends = [1.0; M];
+            if !T::IS_IDENTITY {
+                for (bend, n) in bends.iter_mut().zip(octave.iter()) {
+                    *bend = shape.slope(*n);
+                }
+            }
+            for i in (0..count).step_by(S::LEN) {
+                let mut sum = (zero, [zero; N]);
+                for axis in 0..N {
+                    if before.is_none() {
+                        sum.1[axis] = s.load_part(gradients[axis].get(i..).unwrap_or_default());
+                    }
+                }
+                let mut slope = [zero; N];
+                for axis in 0..N {
+                    slope[axis] = s.load(&slopes[axis][i..]);
+                    if !T::IS_IDENTITY {
+                        slope[axis] = s.load(&bends[i..]) * slope[axis];
+                    }
+                }
+                match rotation {
+                    Rotation::Random => layer.accumulate(s, &mut sum, amplitude, (zero, slope)),
+                    Rotation::Aligned => layer.accumulate_aligned(s, &mut sum, amplitude, (zero, slope)),
+                }
+                for axis in 0..N {
+                    let total = factor.map_or(sum.1[axis], |factor| sum.1[axis] * s.float(factor));
+                    put(s, total, gradients[axis], i, count);
+                }
+            }
+        }
+        if !T::IS_IDENTITY {
+            for n in octave.iter_mut() {
+                *n = shape.value(*n);
+            }
+        }
+        for i in (0..count).step_by(S::LEN) {
+            let sum = match before {
+                Some(constant) => s.float(constant),
+                None => s.load_part(values.get(i..).unwrap_or_default()),
+            };
+            let total = sum + amplitude * s.load(&octave[i..]);
+            put(s, factor.map_or(total, |factor| total * s.float(factor)), values, i, count);
+        }
+    }
+}
