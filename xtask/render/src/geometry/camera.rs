@@ -78,6 +78,8 @@ impl Camera {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_relative_eq;
+
     use super::*;
     use crate::geometry::shape::Shape;
 
@@ -91,7 +93,7 @@ mod tests {
         let (ray, hit) = at(150.0, 100.0);
         let up = at(150.0, 99.5).1.position.distance(at(150.0, 100.5).1.position);
         // The hyperbola of perspective over half a pixel: measured 1e-5 relative.
-        assert!((ray.footprint(&hit).width() / up - 1.0).abs() < 1e-4);
+        assert_relative_eq!(ray.footprint(&hit).width(), up, max_relative = 1e-4);
         let across = at(149.5, 100.0).1.position.distance(at(150.5, 100.0).1.position);
         assert!(across < up);
     }

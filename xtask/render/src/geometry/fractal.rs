@@ -86,6 +86,8 @@ impl Fractal {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use asperity_fif::paper;
 
     use super::*;
@@ -98,10 +100,11 @@ mod tests {
         assert_eq!(hit.t, 4.75);
         // At (1, 1) both partial derivatives of f̂ f̂ are 1.
         let expected = Vec3::new(-0.25, -0.25, 1.0).normalize();
-        assert!(hit.normal.distance(expected) < 1e-6, "{}", hit.normal);
+        assert_abs_diff_eq!(hit.normal, expected, epsilon = 1e-6);
         assert!(fractal.hides(Vec3::ONE, Vec3::NEG_Z) && !fractal.hides(Vec3::ONE, Vec3::Z));
         let near = surface().magnified(DVec3::new(1.0, 1.0, 0.25), 1e-3);
         let hit = near.first_hit(Vec3::Z, Vec3::NEG_Z).unwrap();
-        assert!((hit.t - 1.0).abs() < 1e-6 && hit.normal.distance(expected) < 1e-6, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 1.0, epsilon = 1e-6);
+        assert_abs_diff_eq!(hit.normal, expected, epsilon = 1e-6);
     }
 }

@@ -82,6 +82,8 @@ fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2)> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -89,7 +91,7 @@ mod tests {
         let points: Vec<[f32; 2]> =
             (0..=16).map(|k| (k as f32 / 16.0 * TAU / 4.0).sin_cos()).map(|(s, c)| [c, s]).collect();
         for vertex in revolved(&points).vertices {
-            assert!((vertex.position.length() - 1.0).abs() < 1e-3, "{}", vertex.position);
+            assert_abs_diff_eq!(vertex.position.length(), 1.0, epsilon = 1e-3);
             // The spline's ends are a little flatter.
             assert!(vertex.normal.dot(vertex.position) > 0.99, "{} {}", vertex.position, vertex.normal);
         }

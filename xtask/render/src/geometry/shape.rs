@@ -118,14 +118,17 @@ fn plane(origin: Vec3, direction: Vec3) -> Option<Hit> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn the_sphere_is_met_on_its_near_side() {
         let hit = Shape::Sphere.first_hit(Vec3::new(4.0, 0.1, 0.2), Vec3::NEG_X).unwrap();
-        assert!((hit.position.length() - 1.0).abs() < 1e-6 && hit.position.x > 0.9, "{hit:?}");
-        assert!((hit.t - (4.0 - (1.0_f32 - 0.05).sqrt())).abs() < 1e-5, "{hit:?}");
-        assert!(hit.normal.dot(hit.tangent).abs() < 1e-6);
+        assert_abs_diff_eq!(hit.position.length(), 1.0, epsilon = 1e-6);
+        assert!(hit.position.x > 0.9, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 4.0 - (1.0_f32 - 0.05).sqrt(), epsilon = 1e-5);
+        assert_abs_diff_eq!(hit.normal.dot(hit.tangent), 0.0, epsilon = 1e-6);
         assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 0.0, 0.0), Vec3::X).is_none());
         assert!(Shape::Sphere.first_hit(Vec3::new(4.0, 1.1, 0.0), Vec3::NEG_X).is_none());
     }

@@ -91,6 +91,8 @@ fn bernstein_slope(t: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use std::collections::HashMap;
 
     use glam::Vec3;
@@ -137,9 +139,9 @@ mod tests {
     fn normals_and_tangents_are_unit_orthogonal_and_agree_with_the_triangles() {
         let mesh = teapot();
         for v in &mesh.vertices {
-            assert!((v.normal.length() - 1.0).abs() < 1e-6, "{v:?}");
-            assert!((v.tangent.length() - 1.0).abs() < 1e-6, "{v:?}");
-            assert!(v.normal.dot(v.tangent).abs() < 1e-6, "{v:?}");
+            assert_abs_diff_eq!(v.normal.length(), 1.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(v.tangent.length(), 1.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(v.normal.dot(v.tangent), 0.0, epsilon = 1e-6);
         }
         for triangle in &mesh.triangles {
             let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);

@@ -47,6 +47,8 @@ pub(super) fn srgb_byte(value: f32) -> u8 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -59,7 +61,7 @@ mod tests {
             last = y;
         }
         // The middle grey of photographers stays about where it is.
-        assert!((filmic(0.18) - 0.18).abs() < 0.05, "{}", filmic(0.18));
+        assert_abs_diff_eq!(filmic(0.18), 0.18, epsilon = 0.05);
     }
 
     #[test]
@@ -71,7 +73,7 @@ mod tests {
 
     #[test]
     fn the_shoulder_is_continuous_increasing_and_below_one() {
-        assert!((shoulder(0.700_01) - shoulder(0.699_99) - 0.000_02).abs() < 1e-6);
+        assert_abs_diff_eq!(shoulder(0.700_01) - shoulder(0.699_99), 0.000_02, epsilon = 1e-6);
         let mut last = 0.0;
         for i in 1..100 {
             let y = shoulder(i as f32 * 0.02);

@@ -201,6 +201,8 @@ fn tap(hit: &Hit, [dx, dy]: [Vec3; 2], u: f32) -> SurfacePoint {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use std::f32::consts::PI;
 
     use asperity_shading::{Dielectric, Lambert, material::Material, reflectance::Coat};
@@ -228,7 +230,7 @@ mod tests {
     fn nothing_white_is_seen_in_a_furnace() {
         let chalk = sphere(Lambert::new(Vec3::new(1.0, 0.5, 0.2)).unwrap(), None);
         // Standard error of 4096 samples, half of them weighted away from the cosine: 0.01.
-        assert!((chalk - Vec3::new(1.0, 0.5, 0.2)).abs().max_element() < 0.03, "{chalk}");
+        assert_abs_diff_eq!(chalk, Vec3::new(1.0, 0.5, 0.2), epsilon = 0.03);
         let glass = Dielectric::new(1.5).unwrap();
         for (coat, body) in [
             (Coat::pane(glass, Vec3::ONE), None),
@@ -236,7 +238,7 @@ mod tests {
             (Coat::metal(Vec3::ONE), None),
         ] {
             let clear = sphere(coat, body);
-            assert!((clear - Vec3::ONE).abs().max_element() < 0.02, "{coat:?}: {clear}");
+            assert_abs_diff_eq!(clear, Vec3::ONE, epsilon = 0.02);
         }
     }
 
@@ -257,11 +259,11 @@ mod tests {
         let shadowed = at(&scene);
         scene.objects.truncate(1);
         let open = at(&scene);
-        assert!((open - 0.5).abs() < 0.01, "{open}");
+        assert_abs_diff_eq!(open, 0.5, epsilon = 0.01);
         // The share of the sky, by the cosine, that a ball takes whose centre is on the plane, h of its radii away.
         let h: f32 = 1.15;
         let root = (h * h - 1.0).sqrt();
         let hidden = ((1.0 / root).atan() - root / (h * h)) / PI;
-        assert!((shadowed - 0.5 * (1.0 - hidden)).abs() < 0.01, "{shadowed}, {hidden}");
+        assert_abs_diff_eq!(shadowed, 0.5 * (1.0 - hidden), epsilon = 0.01);
     }
 }

@@ -135,6 +135,8 @@ impl Environment for Studio {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::sampling::sampler::Sampler;
 
@@ -165,6 +167,6 @@ mod tests {
             sum + panel.radiance(w) * w.dot(panel.centre) / (PI * panel.density(w)) / count as f32
         });
         // Off its centre it is foreshortened: cos⁴ of 7 degrees.
-        assert!((light - colour).abs().max_element() < 0.02, "{light}");
+        assert_abs_diff_eq!(light, colour, epsilon = 0.02);
     }
 }

@@ -98,6 +98,8 @@ pub fn direction(azimuth: f32, elevation: f32) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -105,7 +107,7 @@ mod tests {
         let (sum, middle) = studio(Vec3::ONE)[..16]
             .iter()
             .fold((Vec3::ZERO, Vec3::ZERO), |(c, d), light| (c + light.colour, d + light.direction));
-        assert!(sum.abs_diff_eq(hex(0xff_f2e2), 1e-5), "{sum}");
-        assert!(middle.normalize().abs_diff_eq(direction(-132.0, 46.0), 1e-3), "{middle}");
+        assert_abs_diff_eq!(sum, hex(0xff_f2e2), epsilon = 1e-5);
+        assert_abs_diff_eq!(middle.normalize(), direction(-132.0, 46.0), epsilon = 1e-3);
     }
 }

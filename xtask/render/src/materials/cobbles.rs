@@ -62,14 +62,16 @@ fn hash(x: u32, y: u32) -> [f32; 4] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn the_map_repeats_without_a_seam() {
         for k in 0..64 {
             let t = (k as f32 + 0.5) / 64.0;
-            assert!((height(Vec2::new(0.0, t)) - height(Vec2::new(1.0, t))).abs() < 1e-5, "{t}");
-            assert!((height(Vec2::new(t, 0.0)) - height(Vec2::new(t, 1.0))).abs() < 1e-5, "{t}");
+            assert_abs_diff_eq!(height(Vec2::new(0.0, t)), height(Vec2::new(1.0, t)), epsilon = 1e-5);
+            assert_abs_diff_eq!(height(Vec2::new(t, 0.0)), height(Vec2::new(t, 1.0)), epsilon = 1e-5);
         }
         let normals = cobbles(64);
         assert!(normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-6 && n.z > 0.2));

@@ -20,12 +20,14 @@ pub fn grid(p: Vec2, width: f32, blur: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn a_line_has_its_width() {
         assert_eq!([0.0, 0.09, 0.11, 0.5, 2.95].map(|x| line(x, 0.2, 1e-6)), [1.0, 1.0, 0.0, 0.0, 1.0]);
-        assert!((line(1.1, 0.2, 0.01) - 0.5).abs() < 1e-6);
+        assert_abs_diff_eq!(line(1.1, 0.2, 0.01), 0.5, epsilon = 1e-6);
         assert_eq!(grid(Vec2::new(0.5, 1.0), 0.2, 1e-6), 1.0);
         assert_eq!([checker(Vec2::new(0.5, 0.5)), checker(Vec2::new(-0.5, 0.5))], [0.0, 1.0]);
     }

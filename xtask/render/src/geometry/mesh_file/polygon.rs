@@ -70,6 +70,8 @@ fn flattened(corners: &[DVec3]) -> Vec<DVec2> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn area(corners: &[DVec3]) -> DVec3 {
@@ -120,7 +122,7 @@ mod tests {
             let mut corners = lifted(points);
             for _ in points {
                 let got = area(&corners).length() / scale;
-                assert!((got - expected).abs() < 1e-9, "{points:?}: {got} for {expected}");
+                assert_abs_diff_eq!(got, expected, epsilon = 1e-9);
                 corners.rotate_left(1);
             }
         }
