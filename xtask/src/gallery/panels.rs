@@ -40,7 +40,7 @@ pub(crate) fn object_panel(
     shape: &Arc<Shape>,
     words: [&str; 3],
 ) -> Result<Panel, Failure> {
-    let image = request.draw(shape, context.progress, context.interrupted)?;
+    let image = context.draw(&request.scene(shape)?, request.sampling, &request.camera())?.exposed(1.0);
     let [stem, label, alt] = words;
     Ok(Panel::raster(stem, label, alt, image))
 }

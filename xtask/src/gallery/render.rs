@@ -6,7 +6,7 @@ use std::{
 };
 
 use asperity_render::{
-    geometry::{mesh::TracedMesh, mesh_file, shape::Shape},
+    geometry::{camera::Camera, mesh::TracedMesh, mesh_file, shape::Shape},
     image::{
         Image,
         read::ImageFile,
@@ -19,8 +19,8 @@ use asperity_render::{
         field::{Bumps, NoiseKind},
         in_metres,
     },
-    scene::{Backdrop, Light, Object, Surface},
-    scenes::{Approach, RenderRequest, Set, Subject, backdrop, ground},
+    scene::{Backdrop, Light, Object, Scene, Surface},
+    scenes::{Approach, RenderRequest, Set, backdrop, ground},
 };
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaint,
@@ -30,10 +30,9 @@ use asperity_shading::{
     reflectance::Coat,
 };
 use glam::Vec3;
-use indicatif::ProgressBar;
 
 use crate::{
-    cli::{Material, Noise, Render, Rule, Scene, Tone},
+    cli::{self, Material, Noise, Render, Rule, Tone},
     failure::Failure,
     input::density::{Density, NORMAL_MAP},
     output::Output,
@@ -66,16 +65,17 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
         samples_per_pixel: wanted.spp,
         seed: wanted.seed,
     };
-    let material = wanted.material.unwrap_or(usual(wanted.scene));
+    let material = wanted.material.unwrap_or(usual(set(wanted.scene)));
     let lamps = match &wanted.light {
         Some(light) => light == LAMPS,
         None => material == Material::Bumps,
     };
     let bar = progress::bar("render");
+    let draw = |scene: &Scene<'_, '_>, camera: Camera| scene.draw(sampling, &camera, &bar, interrupted);
     let image = if lamps {
-        by_lamps(wanted, mesh, material, &density, sampling, &bar, interrupted)
+        by_lamps(wanted, mesh, material, &density, sampling, draw)
     } else {
-        staged(wanted, mesh, material, &density, sampling, &bar, interrupted)
+        staged(wanted, mesh, material, &density, sampling, draw)
     };
     bar.finish_and_clear();
     let image = image?;
@@ -97,14 +97,26 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
 /// The word for light from single directions.
 const LAMPS: &str = "lamps";
 
-/// The usual material of a scene.
-const fn usual(scene: Scene) -> Material {
+const fn set(scene: cli::Scene) -> Set {
     match scene {
-        Scene::Teapot | Scene::Sphere | Scene::Plane => Material::Bumps,
-        Scene::Car => Material::Paint,
-        Scene::Room => Material::Carpet,
-        Scene::Wall => Material::Brick,
-        Scene::Vase => Material::Marble,
+        cli::Scene::Teapot => Set::Teapot,
+        cli::Scene::Sphere => Set::Sphere,
+        cli::Scene::Plane => Set::Plane,
+        cli::Scene::Car => Set::Car,
+        cli::Scene::Room => Set::Room,
+        cli::Scene::Wall => Set::Wall,
+        cli::Scene::Vase => Set::Vase,
+    }
+}
+
+/// The usual material of a set.
+const fn usual(set: Set) -> Material {
+    match set {
+        Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
+        Set::Car => Material::Paint,
+        Set::Room => Material::Carpet,
+        Set::Wall => Material::Brick,
+        Set::Vase => Material::Marble,
     }
 }
 
@@ -136,31 +148,26 @@ fn by_lamps(
     material: Material,
     density: &Density,
     sampling: Sampling,
-    bar: &ProgressBar,
-    interrupted: &AtomicBool,
+    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
 ) -> Result<Image, Failure> {
-    let subject = match wanted.scene {
-        Scene::Teapot => Subject::Teapot,
-        Scene::Sphere => Subject::Sphere,
-        Scene::Plane => Subject::Plane,
-        Scene::Car | Scene::Room | Scene::Wall | Scene::Vase => {
-            return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
-        }
-    };
+    let set = set(wanted.scene);
+    if !matches!(set, Set::Teapot | Set::Sphere | Set::Plane) {
+        return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
+    }
     if material != Material::Bumps {
         return Err("lamps light bumps only; take `--light studio`".into());
     }
     let mut request = match &mesh {
         Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf(), sampling),
-        None => RenderRequest::new(subject, density.ndf(), sampling),
+        None => RenderRequest::new(set, density.ndf(), sampling),
     };
     request.facets = Facets::Consistent(rule(wanted));
     request.zoom = wanted.zoom;
     request.bumps = bumps(wanted, request.bumps);
     request.tint = hex(wanted.tint);
     request.exposure = wanted.exposure;
-    let shape = mesh.map_or_else(|| RenderRequest::shape(subject), |mesh| Arc::new(Shape::Mesh(mesh)));
-    request.radiance(&shape, bar, interrupted)
+    let shape = mesh.map_or_else(|| RenderRequest::shape(set), |mesh| Arc::new(Shape::Mesh(mesh)));
+    draw(&request.scene(&shape)?, request.camera())
 }
 
 /// Any material in light from all around, with shadows.
@@ -170,18 +177,9 @@ fn staged(
     material: Material,
     density: &Density,
     sampling: Sampling,
-    bar: &ProgressBar,
-    interrupted: &AtomicBool,
+    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
 ) -> Result<Image, Failure> {
-    let set = match wanted.scene {
-        Scene::Teapot => Set::Teapot,
-        Scene::Sphere => Set::Sphere,
-        Scene::Plane => Set::Plane,
-        Scene::Car => Set::Car,
-        Scene::Room => Set::Room,
-        Scene::Wall => Set::Wall,
-        Scene::Vase => Set::Vase,
-    };
+    let set = set(wanted.scene);
     let surroundings: Box<dyn Environment + Sync> = match wanted.light.as_deref() {
         None | Some("studio") => Box::new(Studio::new(1.0)),
         Some("day") => Box::new(Studio::day(1.0)),
@@ -203,8 +201,7 @@ fn staged(
     }
     let around = wanted.light.is_some() || set == Set::Plane;
     let backdrop = if around { Backdrop::Light } else { Backdrop::Colour(backdrop()) };
-    let scene = asperity_render::scene::Scene::new(objects, Light::Around(surroundings.as_ref()), backdrop);
-    scene.draw(sampling, &camera, bar, interrupted)
+    draw(&Scene::new(objects, Light::Around(surroundings.as_ref()), backdrop), camera)
 }
 
 /// The image of the surroundings in a file.

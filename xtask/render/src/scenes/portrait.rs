@@ -1,15 +1,14 @@
 //! One picture of one object: everything that decides it, with defaults that look well.
 
-use std::sync::{Arc, atomic::AtomicBool};
+use std::sync::Arc;
 
 use asperity_shading::LevelOfDetail;
 use glam::Vec3;
-use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
     geometry::{camera::Camera, mesh::TracedMesh, shape::Shape, teapot::teapot},
-    image::{Image, tone::hex},
+    image::tone::hex,
     integrator::pixels::Sampling,
     light::lamps::studio,
     materials::{
@@ -17,21 +16,11 @@ use crate::{
         field::{Bumps, NoiseKind},
     },
     scene::{Backdrop, Light, Object, Scene},
+    scenes::sets::Set,
 };
 
 /// The share of the tint that is diffuse.
 const DIFFUSE: f32 = 0.13;
-
-/// Objects of portraits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
-    /// The unit sphere; the tangents go around its upright axis.
-    Sphere,
-    /// The Utah teapot.
-    Teapot,
-    /// A plane, seen at a slant.
-    Plane,
-}
 
 /// One picture.
 #[derive(Clone, Copy)]
@@ -50,14 +39,14 @@ pub struct RenderRequest<'a> {
 }
 
 impl<'a> RenderRequest<'a> {
-    /// A copper-coloured picture of the whole subject by the `Exact` rule.
-    pub fn new(subject: Subject, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
-        let frequency = match subject {
-            Subject::Sphere => 55.0,
-            Subject::Teapot => 16.0,
-            Subject::Plane => 24.0,
+    /// A copper-coloured picture of the whole subject of a set by the `Exact` rule.
+    pub fn new(set: Set, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
+        let frequency = match set {
+            Set::Sphere => 55.0,
+            Set::Teapot => 16.0,
+            _ => 24.0,
         };
-        Self::seen(Approach::of(subject), frequency, ndf, sampling)
+        Self::seen(Approach::of(set), frequency, ndf, sampling)
     }
 
     /// A copper-coloured picture of a mesh in the unit ball.
@@ -78,38 +67,18 @@ impl<'a> RenderRequest<'a> {
         }
     }
 
-    /// The subject as the ray caster takes it; to be shared between pictures.
-    pub fn shape(subject: Subject) -> Arc<Shape> {
-        Arc::new(match subject {
-            Subject::Sphere => Shape::Sphere,
-            Subject::Plane => Shape::Plane,
-            Subject::Teapot => Shape::Mesh(TracedMesh::new(teapot())),
+    /// The sphere, the teapot, or else the plane, to be shared between pictures.
+    pub fn shape(set: Set) -> Arc<Shape> {
+        Arc::new(match set {
+            Set::Sphere => Shape::Sphere,
+            Set::Teapot => Shape::Mesh(TracedMesh::new(teapot())),
+            _ => Shape::Plane,
         })
     }
 
     /// The camera of the picture.
     pub fn camera(&self) -> Camera {
         self.view.camera(self.zoom, self.sampling)
-    }
-
-    /// Draws it, toned for the screen.
-    pub fn draw(
-        &self,
-        shape: &Arc<Shape>,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
-    ) -> Result<Image, Failure> {
-        Ok(self.radiance(shape, progress, interrupted)?.exposed(1.0))
-    }
-
-    /// Draws it, in linear radiance.
-    pub fn radiance(
-        &self,
-        shape: &Arc<Shape>,
-        progress: &ProgressBar,
-        interrupted: &AtomicBool,
-    ) -> Result<Image, Failure> {
-        self.scene(shape)?.draw(self.sampling, &self.camera(), progress, interrupted)
     }
 
     /// The object with its material under the lamps.
@@ -134,23 +103,21 @@ pub struct Approach {
 }
 
 impl Approach {
-    fn of(subject: Subject) -> Self {
-        match subject {
-            Subject::Sphere => Self {
+    fn of(set: Set) -> Self {
+        match set {
+            Set::Sphere => Self {
                 eye: Vec3::new(0.0, -4.9, 1.2),
                 centre: Vec3::ZERO,
                 focus: Vec3::new(-0.30, -0.80, 0.52).normalize(),
                 field: 27.0,
             },
-            Subject::Teapot => Self {
+            Set::Teapot => Self {
                 eye: Vec3::new(4.4, -12.6, 5.6),
                 centre: Vec3::new(0.25, 0.0, 1.42),
                 focus: Vec3::new(-0.45, -1.85, 1.45),
                 field: 29.0,
             },
-            Subject::Plane => {
-                Self { eye: Vec3::new(0.0, -3.0, 3.0), centre: Vec3::ZERO, focus: Vec3::ZERO, field: 27.0 }
-            }
+            _ => Self { eye: Vec3::new(0.0, -3.0, 3.0), centre: Vec3::ZERO, focus: Vec3::ZERO, field: 27.0 },
         }
     }
 

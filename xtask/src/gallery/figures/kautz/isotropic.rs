@@ -7,7 +7,7 @@ use asperity_render::{
     geometry::shape::Shape,
     image::tone::hex,
     materials::SharedNdf,
-    scenes::{RenderRequest, Subject},
+    scenes::{RenderRequest, Set},
 };
 
 use crate::{
@@ -19,7 +19,7 @@ use crate::{
 };
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let shape = RenderRequest::shape(Subject::Teapot);
+    let shape = RenderRequest::shape(Set::Teapot);
     let (narrow, wide) = (Beckmann::isotropic(0.22)?, Ggx::isotropic(0.36)?);
     let silver = Look { ndf: &narrow, name: "Beckmann 0.22", stem: "beckmann", tint: 0xe6_e8ec };
     let bronze = Look { ndf: &wide, name: "GGX 0.36", stem: "ggx", tint: 0xe0_a36a };
@@ -49,7 +49,7 @@ impl Look<'_> {
 
     /// Twice as large as a square panel.
     fn request(&self, context: &Context<'_>) -> RenderRequest<'_> {
-        let mut request = RenderRequest::new(Subject::Teapot, self.ndf, context.sampling([24, 18], 2));
+        let mut request = RenderRequest::new(Set::Teapot, self.ndf, context.sampling([24, 18], 2));
         request.zoom = 1.2;
         request.bumps.frequency = 9.0;
         request.tint = hex(self.tint);

@@ -8,7 +8,7 @@ use asperity_render::{
     image::{Image, tone::hex},
     materials::{Facets, sky},
     scene::{Backdrop, Light, Object, Scene},
-    scenes::{RenderRequest, Subject},
+    scenes::{RenderRequest, Set},
 };
 use asperity_shading::{SurfacePoint, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
@@ -26,8 +26,8 @@ const ALPHA: [f32; 2] = [0.22, 0.44];
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let table = NormalTable::standard(&ndf);
-    let shape = RenderRequest::shape(Subject::Teapot);
-    let mut request = RenderRequest::new(Subject::Teapot, &ndf, context.sampling([12, 12], 2));
+    let shape = RenderRequest::shape(Set::Teapot);
+    let mut request = RenderRequest::new(Set::Teapot, &ndf, context.sampling([12, 12], 2));
     request.facets = Facets::Table(&table);
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Ggx;
 use asperity_render::{
     integrator::hemisphere::hemisphere,
     materials::Facets,
-    scenes::{RenderRequest, Subject, peak},
+    scenes::{RenderRequest, Set, peak},
 };
 use asperity_shading::{LevelOfDetail, conditional_density};
 use glam::Vec2;
@@ -25,8 +25,8 @@ const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let shape = RenderRequest::shape(Subject::Sphere);
-    let mut request = RenderRequest::new(Subject::Sphere, &ndf, context.sampling([12, 12], 2));
+    let shape = RenderRequest::shape(Set::Sphere);
+    let mut request = RenderRequest::new(Set::Sphere, &ndf, context.sampling([12, 12], 2));
     let mut panels = Vec::new();
     for rule in [LevelOfDetail::Fractal, LevelOfDetail::Exact] {
         panels.push(match rule {

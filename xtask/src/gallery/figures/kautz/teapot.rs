@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
 use asperity_render::{
     materials::Facets,
-    scenes::{RenderRequest, Subject},
+    scenes::{RenderRequest, Set},
 };
 
 use crate::{
@@ -19,8 +19,8 @@ const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let shape = RenderRequest::shape(Subject::Teapot);
-    let mut request = RenderRequest::new(Subject::Teapot, &ndf, context.sampling([12, 12], 2));
+    let shape = RenderRequest::shape(Set::Teapot);
+    let mut request = RenderRequest::new(Set::Teapot, &ndf, context.sampling([12, 12], 2));
     // So fine that the view of the whole pot resolves next to nothing.
     request.bumps.frequency = 27.0;
     let mut panels = vec![density_panel(context, &ndf, "GGX 0.14, 0.56")?];
