@@ -214,7 +214,7 @@ pub(crate) struct Bench {
 }
 
 /// Options for reading images.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, Default, Args)]
 pub(crate) struct Images {
     /// Measure that an image's grey values are a density over.
     #[arg(long, value_enum, default_value_t = Measure::Normals)]
@@ -227,38 +227,31 @@ pub(crate) struct Images {
     pub(crate) tangent_space: TangentSpace,
 }
 
-impl Default for Images {
-    fn default() -> Self {
-        Self {
-            measure: Measure::Normals,
-            reconstruction: Reconstruction::Constant,
-            tangent_space: TangentSpace::Opengl,
-        }
-    }
-}
-
 /// Reconstruction of a density between the pixels of its image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Reconstruction {
     /// Constant on each pixel.
+    #[default]
     Constant,
     /// Bilinear between the centres of pixels.
     Bilinear,
 }
 
 /// Which way the green channel of a normal map points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TangentSpace {
     /// Up the image.
+    #[default]
     Opengl,
     /// Down the image.
     Directx,
 }
 
 /// The measure that an image's values are a density over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Measure {
     /// Over (n_x, n_y): the value is D itself, up to a factor.
+    #[default]
     Normals,
     /// Over solid angle: the value is D cos θ, up to a factor.
     SolidAngle,

@@ -28,129 +28,99 @@ const GAIN: f32 = 0.8;
 /// Doublings of the zoom, dense where the first octave fades in.
 const DOUBLINGS: [f64; 11] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 
-/// A half-vector under which the patch is seen.
-struct Look {
-    name: &'static str,
-    h: Vec3,
-}
+/// Zooms of the table, in doublings.
+const SHOWN: [f64; 6] = [0.0, 0.5, 1.0, 2.0, 4.0, 6.0];
 
-struct Subject<'a> {
-    name: &'static str,
-    stem: &'static str,
+/// A density under a rule, seen and lit from a half-vector.
+struct Case<'a> {
+    density: [&'static str; 2],
     ndf: &'a SharedNdf,
-    looks: [Look; 2],
+    look: &'static str,
+    h: Vec3,
+    rule: LevelOfDetail,
+    /// Mean over far field at each zoom.
+    ratios: Vec<f64>,
 }
-
-const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
-
-/// By density, half-vector and rule: mean over far field at each zoom.
-type Ratios = Vec<[[f64; 2]; 2]>;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
-    let look = |name, x: f32, y: f32| Look { name, h: Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()) };
-    let subject = |name, stem, ndf, looks| Subject { name, stem, ndf, looks };
-    let subjects = [
-        subject("GGX 0.2, 0.4", "ggx", &ggx, [look("peak", 0.0, 0.0), look("tail", 0.24, 0.42)]),
-        subject("Beckmann 0.3", "beckmann", &beckmann, [look("peak", 0.0, 0.0), look("tail", 0.34, 0.26)]),
-        subject(
-            "painted, two lobes",
-            "painted",
+    let subjects: [([&str; 2], &SharedNdf, [(&str, f32, f32); 2]); 3] = [
+        (["ggx", "GGX 0.2, 0.4"], &ggx, [("peak", 0.0, 0.0), ("tail", 0.24, 0.42)]),
+        (["beckmann", "Beckmann 0.3"], &beckmann, [("peak", 0.0, 0.0), ("tail", 0.34, 0.26)]),
+        (
+            ["painted", "painted, two lobes"],
             &painted,
-            [look("brighter lobe", -0.38, 0.22), look("between the lobes", 0.0, 0.0)],
+            [("brighter lobe", -0.38, 0.22), ("between the lobes", 0.0, 0.0)],
         ),
     ];
-    let bumps = BumpField::new(Field::new(NoiseKind::Gaussian, 16, GAIN, context.seed)?, 1.0)?;
-    let mut curves: Vec<Ratios> = subjects.iter().map(|_| Vec::new()).collect();
-    for doubling in DOUBLINGS {
-        let means = measure(context, &subjects, &bumps, f64::exp2(doubling) as f32)?;
-        for (curve, mean) in curves.iter_mut().zip(means) {
-            curve.push(mean);
+    let mut cases = Vec::new();
+    for (density, ndf, looks) in subjects {
+        for (look, x, y) in looks {
+            let h = Vec3::new(x, y, (1.0 - x * x - y * y).sqrt());
+            let rules = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
+            cases.extend(rules.map(|rule| Case { density, ndf, look, h, rule, ratios: Vec::new() }));
         }
     }
-    let panels = subjects.iter().zip(&curves).map(|(s, c)| panel(s, c)).collect::<Result<_, _>>()?;
-    let (head, rows) = table(&subjects, &curves);
+    let bumps = BumpField::new(Field::new(NoiseKind::Gaussian, 16, GAIN, context.seed)?, 1.0)?;
+    for doubling in DOUBLINGS {
+        measure(context, &mut cases, &bumps, f64::exp2(doubling) as f32)?;
+    }
+    let panels = cases.chunks(4).map(panel).collect::<Result<_, _>>()?;
+    let zooms = SHOWN.map(|k| format!("×{:.3}", f64::exp2(k)).replace(".000", ""));
+    let rows = cases.iter().map(|case| {
+        let shown = DOUBLINGS.iter().zip(&case.ratios).filter(|(k, _)| SHOWN.contains(k));
+        let words = [case.density[1], case.look, rule_words(case.rule)[0]].map(str::to_owned);
+        words.into_iter().chain(shown.map(|(_, ratio)| format!("{ratio:.3}"))).collect::<Vec<_>>()
+    });
     Ok(Drawn::new(3, panels)
         .fact("noise", format!("Gaussian, gain {GAIN}, the first octave half a cell per pixel at zoom 1"))
         .fact("patch", format!("{CELLS} × {CELLS} cells of the first octave"))
         .fact("pixels per mean", format!("{PIXELS} × {PIXELS}, spread evenly over the patch"))
-        .table(head, rows))
+        .table(["density", "half-vector", "rule"].map(str::to_owned).into_iter().chain(zooms), rows))
 }
 
-/// The mean over the patch at one zoom, for every density, half-vector and rule, over the far field.
+/// Appends the mean of every case over the patch at one zoom, over the far field.
 fn measure(
     context: &Context<'_>,
-    subjects: &[Subject<'_>; 3],
+    cases: &mut [Case<'_>],
     bumps: &BumpField<Field>,
     zoom: f32,
-) -> Result<[[[f64; 2]; 2]; 3], Failure> {
+) -> Result<(), Failure> {
     let footprint = Footprint::from_width(0.5 / zoom);
     // Slanted, so that no plane of the lattice is sampled alone.
     let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
     let rows = context.rows(PIXELS as usize, |y| {
-        let (y, mut sums) = (y as u32, [[[0.0; 2]; 2]; 3]);
+        let (y, mut sums) = (y as u32, vec![0.0; cases.len()]);
         for x in 0..PIXELS {
             let place = jitter(x, y, context.seed);
             let step = CELLS / PIXELS as f32;
             let p = (across * (x as f32 + place.x) + along * (y as f32 + place.y)) * step;
             let coordinates = bumps.coordinates(p, footprint);
-            for (subject, sums) in subjects.iter().zip(&mut sums) {
-                for (look, sums) in subject.looks.iter().zip(sums) {
-                    // Seen and lit from the half-vector itself.
-                    for (rule, sum) in RULES.into_iter().zip(sums) {
-                        *sum += f64::from(rule.radiance(subject.ndf, look.h, coordinates) * look.h.z);
-                    }
-                }
+            for (Case { ndf, h, rule, .. }, sum) in cases.iter().zip(&mut sums) {
+                *sum += f64::from(rule.radiance(*ndf, *h, coordinates) * h.z);
             }
         }
         [sums]
     })?;
-    let mut means = [[[0.0; 2]; 2]; 3];
-    for row in rows {
-        for s in 0..3 {
-            for l in 0..2 {
-                for r in 0..2 {
-                    let look = &subjects[s].looks[l];
-                    let far = f64::from(subjects[s].ndf.density(look.h) * look.h.z);
-                    means[s][l][r] += row[s][l][r] / far / f64::from(PIXELS * PIXELS);
-                }
-            }
-        }
+    for (k, case) in cases.iter_mut().enumerate() {
+        let far = f64::from(case.ndf.density(case.h) * case.h.z);
+        case.ratios.push(rows.iter().map(|row| row[k] / far / f64::from(PIXELS * PIXELS)).sum());
     }
-    Ok(means)
+    Ok(())
 }
 
-fn panel(subject: &Subject<'_>, curve: &Ratios) -> Result<Panel, Failure> {
+/// The cases of one density.
+fn panel(cases: &[Case<'_>]) -> Result<Panel, Failure> {
     let (x, y) = (Axis::log2("zoom", [1.0, 64.0], 1), Axis::log2("", [1.0 / 32.0, 16.0], 1));
     let mut plot = Plot::new([420.0, 380.0], x, y, Names::Above);
-    for (l, look) in subject.looks.iter().enumerate() {
-        for (r, rule) in RULES.into_iter().enumerate() {
-            let series = r as u8 + 1;
-            let stroke = if l == 0 { Stroke::solid(series) } else { Stroke::dashed(series) };
-            let points = DOUBLINGS.iter().zip(curve).map(|(k, mean)| [f64::exp2(*k), mean[l][r]]);
-            plot = plot.curve(format!("{}, {}", rule_words(rule)[0], look.name), points, stroke);
-        }
+    for (k, case) in cases.iter().enumerate() {
+        let series = (k % 2) as u8 + 1;
+        let stroke = if k < 2 { Stroke::solid(series) } else { Stroke::dashed(series) };
+        let points = DOUBLINGS.iter().zip(&case.ratios).map(|(k, ratio)| [f64::exp2(*k), *ratio]);
+        plot = plot.curve(format!("{}, {}", rule_words(case.rule)[0], case.look), points, stroke);
     }
-    let label = format!("{}: mean over the patch / p(h)", subject.name);
+    let [stem, name] = cases[0].density;
+    let label = format!("{name}: mean over the patch / p(h)");
     let alt = format!("{label}, against zoom: flat at 1 by the exact rule, off by the fractal rule");
-    plot.panel(subject.stem, label, alt)
-}
-
-fn table(subjects: &[Subject<'_>; 3], curves: &[Ratios]) -> (Vec<String>, Vec<Vec<String>>) {
-    let shown = |k: &f64| [0.0, 0.5, 1.0, 2.0, 4.0, 6.0].contains(k);
-    let zooms = DOUBLINGS.iter().filter(|k| shown(k));
-    let zooms = zooms.map(|k| format!("×{:.3}", f64::exp2(*k)).replace(".000", ""));
-    let head = ["density", "half-vector", "rule"].map(str::to_owned).into_iter().chain(zooms).collect();
-    let mut rows = Vec::new();
-    for (subject, curve) in subjects.iter().zip(curves) {
-        for (l, look) in subject.looks.iter().enumerate() {
-            for (r, rule) in RULES.into_iter().enumerate() {
-                let mut row = [subject.name, look.name, rule_words(rule)[0]].map(str::to_owned).to_vec();
-                let means = DOUBLINGS.iter().zip(curve).filter(|(k, _)| shown(k));
-                row.extend(means.map(|(_, mean)| format!("{:.3}", mean[l][r])));
-                rows.push(row);
-            }
-        }
-    }
-    (head, rows)
+    plot.panel(stem, label, alt)
 }
