@@ -94,6 +94,7 @@ pub(crate) fn rounding(degree: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     fn at(form: &Form, u: f64) -> f64 {
         let n = form.degree;
@@ -111,7 +112,11 @@ mod tests {
             let w = 1.0 - u;
             let (p_at, line_at) = (0.5 * w * w - 2.0 * u * w + 2.0 * u * u, 0.25 * w - 1.5 * u);
             let want = p_at * line_at * line_at * line_at;
-            assert!((at(&product, u) - want).abs() < 1e-15, "u = {u}: {} != {want}", at(&product, u));
+            assert!(
+                abs_diff_eq!(at(&product, u), want, epsilon = 1e-15),
+                "u = {u}: {} != {want}",
+                at(&product, u)
+            );
         }
     }
 }

@@ -129,6 +129,7 @@ pub(crate) fn restriction_error<const C: usize>(s0: f64, s1: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     const P: [f64; 4] = [0.3, -1.25, 2.0, 0.7];
 
@@ -138,7 +139,7 @@ mod tests {
         for i in 0..=10 {
             let x = f64::from(i) * 0.2 - 1.0;
             let (got, want) = (horner(&p, x), horner(&P, 0.4 * x - 0.3));
-            assert!((got - want).abs() < 1e-14, "x = {x}: {got} != {want}");
+            assert!(abs_diff_eq!(got, want, epsilon = 1e-14), "x = {x}: {got} != {want}");
         }
         assert_eq!(substitute(&[], 0.4, 1.0), [0.0; 0]);
     }
@@ -146,11 +147,12 @@ mod tests {
     #[test]
     fn restricted_bernstein_coefficients_are_the_same_polynomial() {
         let b = bernstein(&P);
-        assert!((b[0] - P[0]).abs() < 1e-15 && (b[3] - horner(&P, 1.0)).abs() < 1e-15);
+        assert_abs_diff_eq!(b[0], P[0], epsilon = 1e-15);
+        assert_abs_diff_eq!(b[3], horner(&P, 1.0), epsilon = 1e-15);
         let (s0, s1) = (0.2, 0.55);
         let direct = bernstein(&substitute(&P, s1 - s0, s0));
         for (got, want) in restrict(&b, s0, s1).iter().zip(direct) {
-            assert!((got - want).abs() < 1e-15, "{got} != {want}");
+            assert_abs_diff_eq!(*got, want, epsilon = 1e-15);
         }
     }
 }

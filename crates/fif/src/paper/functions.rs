@@ -56,6 +56,7 @@ fn from_maps(maps: &[Map<2>; 2]) -> Result<FixedFif<2, 2>, SystemError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_maps_are_those_of_the_systems() {
@@ -72,7 +73,7 @@ mod tests {
         let [first, second] = [g_hat.pieces()[0].map(), g_hat.pieces()[1].map()];
         assert_eq!((first.alpha, second.alpha), (17.0 / 40.0, -17.0 / 40.0));
         for (got, want) in second.q.iter().zip([37.0 / 40.0, 0.5, -0.125]) {
-            assert!((got - want).abs() < 1e-15, "{got} != {want}");
+            assert_abs_diff_eq!(*got, want, epsilon = 1e-15);
         }
         assert_eq!(first.q, [0.0, 0.0, 0.125]);
     }

@@ -236,6 +236,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
 mod tests {
     use super::*;
     use crate::{FixedFif, FixedSmooth, paper};
+    use approx::abs_diff_eq;
 
     type Mirror = HeightField<FixedSmooth<2, 3, 2>, FixedSmooth<2, 3, 2>>;
 
@@ -273,7 +274,7 @@ mod tests {
         // h(1, 1) = 1 exactly.
         for d in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.5, 0.3], [-0.2, 1.0, 3.0], [1.0, 0.0, 0.0]] {
             let hit = surface.first_hit(&ray([1.0, 1.0, 1.0], d)).unwrap();
-            assert!(hit.t.abs() < 1e-15, "{d:?}: {hit:?}");
+            assert!(abs_diff_eq!(hit.t, 0.0, epsilon = 1e-15), "{d:?}: {hit:?}");
         }
         let away = ray([1.0, 1.0, 1.0], [-0.2, 0.3, 3.0]);
         assert_eq!(surface.first_hit_between(&away, 1e-9, f64::INFINITY), None);
@@ -285,7 +286,10 @@ mod tests {
         for (x, y) in [(0.3, 1.7), (0.0, 0.0), (2.0, 2.0), (2.0, 0.4)] {
             let h = surface.height(x, y);
             let hit = surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, -2.0])).unwrap();
-            assert!((hit.t - (9.0 - h) / 2.0).abs() < 1e-14 && hit.height == h, "({x}, {y}): {hit:?}");
+            assert!(
+                abs_diff_eq!(hit.t, (9.0 - h) / 2.0, epsilon = 1e-14) && hit.height == h,
+                "({x}, {y}): {hit:?}"
+            );
             assert_eq!(surface.first_hit(&ray([x, y, 9.0], [0.0, 0.0, 1.0])), None);
             assert!(surface.first_hit(&ray([x, y, -9.0], [0.0, 0.0, 1.0])).is_some());
         }
@@ -297,9 +301,12 @@ mod tests {
         let surface = mirror();
         // Along y at x = 1: f̂(1) ĝ(y) = ĝ(y) = 1 at y = 1.
         let hit = surface.first_hit(&ray([1.0, -3.0, 1.0], [0.0, 1.0, 0.0])).unwrap();
-        assert!((hit.t - 4.0).abs() < 1e-12 && (hit.y - 1.0).abs() < 1e-12, "{hit:?}");
+        assert!(
+            abs_diff_eq!(hit.t, 4.0, epsilon = 1e-12) && abs_diff_eq!(hit.y, 1.0, epsilon = 1e-12),
+            "{hit:?}"
+        );
         let hit = surface.first_hit(&ray([4.0, 1.0, 1.0], [-2.0, 0.0, 0.0])).unwrap();
-        assert!((hit.t - 1.5).abs() < 1e-12, "{hit:?}");
+        assert!(abs_diff_eq!(hit.t, 1.5, epsilon = 1e-12), "{hit:?}");
         assert_eq!(surface.first_hit(&ray([1.0, -3.0, 2.5], [0.0, 1.0, 0.0])), None);
     }
 
@@ -307,16 +314,16 @@ mod tests {
     fn a_ray_within_the_surface_hits_where_it_enters() {
         // h = 0 along the border y = 0.
         let hit = mirror().first_hit(&ray([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0])).unwrap();
-        assert!((hit.t - 1.0).abs() < 1e-12, "{hit:?}");
+        assert!(abs_diff_eq!(hit.t, 1.0, epsilon = 1e-12), "{hit:?}");
     }
 
     #[test]
     fn rays_from_below_and_from_within_the_box_hit() {
         let surface = mirror();
         let below = surface.first_hit(&ray([1.5, 1.5, 0.1], [0.1, -0.2, 1.0])).unwrap();
-        assert!((0.1 + below.t - below.height).abs() < 1e-13, "{below:?}");
+        assert!(abs_diff_eq!(0.1 + below.t, below.height, epsilon = 1e-13), "{below:?}");
         let within = surface.first_hit(&ray([0.2, 0.2, 0.5], [1.0, 1.0, 0.1])).unwrap();
-        assert!((0.5 + 0.1 * within.t - within.height).abs() < 1e-13, "{within:?}");
+        assert!(abs_diff_eq!(0.5 + 0.1 * within.t, within.height, epsilon = 1e-13), "{within:?}");
     }
 
     #[test]
@@ -345,7 +352,7 @@ mod tests {
         for scale in [1e-300, 1e-12, 1e12, 1e300] {
             let slanted = ray([-1.0, -1.0, 3.0], [scale, scale, -scale]);
             let hit = surface.first_hit(&slanted).unwrap();
-            assert!((hit.t * scale - 2.0).abs() < 1e-12, "{scale}: {hit:?}");
+            assert!(abs_diff_eq!(hit.t * scale, 2.0, epsilon = 1e-12), "{scale}: {hit:?}");
         }
         let mut found = 0;
         for scale in [1e-320, 1e-308, 1e-300, 1e-12, 1e12, 1e300, f64::MAX] {
@@ -362,10 +369,11 @@ mod tests {
                 let rounding = 1e-9 + 64.0 * f64::EPSILON * ray.origin.abs().max_element();
                 assert!(hit.t.is_finite() && at.is_finite(), "{ray:?}: {hit:?}");
                 assert!(
-                    (at.x - hit.x).abs() < rounding && (at.y - hit.y).abs() < rounding,
+                    abs_diff_eq!(at.x, hit.x, epsilon = rounding)
+                        && abs_diff_eq!(at.y, hit.y, epsilon = rounding),
                     "{ray:?}: {hit:?}"
                 );
-                assert!((at.z - hit.height).abs() < rounding, "{ray:?}: {hit:?}");
+                assert!(abs_diff_eq!(at.z, hit.height, epsilon = rounding), "{ray:?}: {hit:?}");
                 found += 1;
             }
         }
@@ -378,9 +386,9 @@ mod tests {
         let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
         let surface = HeightField::new(one, one);
         let hit = surface.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
-        assert!((hit.t - 2.0).abs() < 1e-11, "{hit:?}");
+        assert!(abs_diff_eq!(hit.t, 2.0, epsilon = 1e-11), "{hit:?}");
         let along = surface.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
-        assert!((along.t - 1.0).abs() < 1e-11, "{along:?}");
+        assert!(abs_diff_eq!(along.t, 1.0, epsilon = 1e-11), "{along:?}");
         assert_eq!(surface.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
     }
 }

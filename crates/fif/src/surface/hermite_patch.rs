@@ -157,6 +157,7 @@ fn basis_slopes(u: f64) -> ([f64; 2], [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     const PATCH: Patch =
         Patch([[[0.25, -1.0, 0.5], [1.5, 2.0, -0.75]], [[-0.5, 0.25, 3.0], [0.125, -2.5, 1.0]]]);
@@ -180,7 +181,10 @@ mod tests {
             let along_u = (PATCH.value(u + STEP, v) - PATCH.value(u - STEP, v)) / (2.0 * STEP);
             let along_v = (PATCH.value(u, v + STEP) - PATCH.value(u, v - STEP)) / (2.0 * STEP);
             // Third derivatives are under 100 here: h²/6 of that.
-            assert!((x - along_u).abs() < 2e-7 && (y - along_v).abs() < 2e-7, "({u}, {v})");
+            assert!(
+                abs_diff_eq!(x, along_u, epsilon = 2e-7) && abs_diff_eq!(y, along_v, epsilon = 2e-7),
+                "({u}, {v})"
+            );
         }
     }
 
@@ -210,7 +214,8 @@ mod tests {
         for k in 0..=100 {
             let t = f64::from(k) / 100.0;
             let [x, y] = PATCH.slopes(t, 1.0 - t);
-            assert!(x.abs().max(y.abs()) <= bounds.slope && PATCH.value(t, t).abs() <= bounds.value);
+            assert!(x.abs().max(y.abs()) <= bounds.slope);
+            assert_abs_diff_eq!(PATCH.value(t, t), 0.0, epsilon = bounds.value);
         }
     }
 }

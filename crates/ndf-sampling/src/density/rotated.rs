@@ -118,6 +118,7 @@ mod tests {
     extern crate std;
     use super::*;
     use crate::Ggx;
+    use approx::assert_abs_diff_eq;
     use std::string::ToString;
 
     #[test]
@@ -126,12 +127,17 @@ mod tests {
         let turned = Rotated::new(ggx, core::f32::consts::FRAC_PI_2).unwrap();
         let (z, v) = (Vec2::new(0.7, -1.2), Vec3::new(0.5, -0.3, 0.4));
         let m = swapped.from_gaussian(z);
-        assert!(turned.from_gaussian(z).abs_diff_eq(m, 1e-6) && turned.to_gaussian(m).abs_diff_eq(z, 1e-5));
-        assert!((turned.density(m) / swapped.density(m) - 1.0).abs() < 1e-5);
-        assert!((turned.lambda(v) / swapped.lambda(v) - 1.0).abs() < 1e-5);
-        assert!((turned.projected_area(v) / swapped.projected_area(v) - 1.0).abs() < 1e-6);
+        assert_abs_diff_eq!(turned.from_gaussian(z), m, epsilon = 1e-6);
+        assert_abs_diff_eq!(turned.to_gaussian(m), z, epsilon = 1e-5);
+        assert_abs_diff_eq!(turned.density(m) / swapped.density(m), 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(turned.lambda(v) / swapped.lambda(v), 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(turned.projected_area(v) / swapped.projected_area(v), 1.0, epsilon = 1e-6);
         let m = turned.sample_visible(v, Vec2::new(0.3, 0.8));
-        assert!((turned.visible_density(v, m) / swapped.visible_density(v, m) - 1.0).abs() < 1e-5);
+        assert_abs_diff_eq!(
+            turned.visible_density(v, m) / swapped.visible_density(v, m),
+            1.0,
+            epsilon = 1e-5
+        );
         assert_eq!((turned.exponent(0.3), turned.ndf()), (None, &ggx));
     }
 
@@ -139,7 +145,7 @@ mod tests {
     fn inputs_are_total_and_angles_finite() {
         let turned = Rotated::new(Ggx::isotropic(0.3).unwrap(), -1e30).unwrap();
         for bad in [f32::NAN, f32::INFINITY, -1e38] {
-            assert!((turned.from_gaussian(Vec2::splat(bad)).length() - 1.0).abs() < 1e-6);
+            assert_abs_diff_eq!(turned.from_gaussian(Vec2::splat(bad)).length(), 1.0, epsilon = 1e-6);
             assert!(turned.to_gaussian(Vec3::splat(bad)).is_finite());
             assert!(turned.density(Vec3::splat(bad)).is_finite());
         }

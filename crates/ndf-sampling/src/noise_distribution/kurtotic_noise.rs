@@ -97,6 +97,7 @@ const STEPS: usize = 10;
 mod tests {
     extern crate std;
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn both_forms_increase_and_are_inverted() {
@@ -111,10 +112,13 @@ mod tests {
                 before = z;
                 if z.abs() < 13.0 {
                     let back = g.from_gaussian(z);
-                    assert!((back - r).abs() < 1e-6 * (1.0 + r.abs()), "κ = {kurtosis}, r = {r}: {back}");
+                    assert!(
+                        abs_diff_eq!(back, r, epsilon = 1e-6 * (1.0 + r.abs())),
+                        "κ = {kurtosis}, r = {r}: {back}"
+                    );
                 }
             }
-            assert!((g.inverse(g.uniform(0.2)) - 0.2).abs() < 1e-6);
+            assert_abs_diff_eq!(g.inverse(g.uniform(0.2)), 0.2, epsilon = 1e-6);
         }
     }
 
@@ -131,9 +135,9 @@ mod tests {
                 second += weight * x * x;
                 fourth += weight * x.powi(4);
             }
-            assert!((second - 1.0).abs() < 0.005, "{second}");
+            assert_abs_diff_eq!(second, 1.0, epsilon = 0.005);
             let excess = fourth / (second * second) - 3.0;
-            assert!((excess - f64::from(kurtosis)).abs() < 0.1, "{kurtosis}: {excess}");
+            assert_abs_diff_eq!(excess, f64::from(kurtosis), epsilon = 0.1);
         }
     }
 

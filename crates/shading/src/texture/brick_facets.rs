@@ -142,6 +142,7 @@ fn whole_flank(share: f32, mean: f32, visit: &mut impl FnMut(Part)) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn facets_add_up_to_the_filtered_wall() {
@@ -160,8 +161,12 @@ mod tests {
                     slope += share * s;
                     count += 1;
                 });
-                assert!((shares - 1.0).abs() < 1e-4, "{uv} {size}: {shares}");
-                assert!((brick - filtered.brick).abs() < 2e-3, "{uv} {size}: {brick} {}", filtered.brick);
+                assert!(abs_diff_eq!(shares, 1.0, epsilon = 1e-4), "{uv} {size}: {shares}");
+                assert!(
+                    abs_diff_eq!(brick, filtered.brick, epsilon = 2e-3),
+                    "{uv} {size}: {brick} {}",
+                    filtered.brick
+                );
                 // Half a flank's rise, at most, on either side of a box wider than a brick, and corners.
                 let bound = 0.6 / size.min(wall.cell());
                 let apart = (slope - filtered.slope).abs();
@@ -181,7 +186,7 @@ mod tests {
         });
         // ∫ (6x(1 − x))² dx = 6/5, times the square of the mean.
         for (got, expected) in moments.into_iter().zip([1.0, 2.0, 4.8]) {
-            assert!((got - expected).abs() < 1e-6, "{got} {expected}");
+            assert_abs_diff_eq!(got, expected, epsilon = 1e-6);
         }
     }
 
@@ -201,7 +206,7 @@ mod tests {
                             shares += share;
                         },
                     );
-                    assert!((shares - 1.0).abs() < 1e-4, "{a} {b}: {shares}");
+                    assert!(abs_diff_eq!(shares, 1.0, epsilon = 1e-4), "{a} {b}: {shares}");
                 }
             }
         }

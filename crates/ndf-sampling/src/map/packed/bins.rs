@@ -268,6 +268,7 @@ fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], f32) {
 mod tests {
     use super::*;
     use crate::{Ggx, NdfMap, Reconstruction};
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn cubics_are_interpolated_and_cut() {
@@ -276,8 +277,8 @@ mod tests {
         let part = part(b, [0.2, 0.7]);
         for k in 0..=10 {
             let s = f64::from(k) / 10.0;
-            assert!((cubic(through, s) - cubic(b, s)).abs() < 1e-14, "{s}");
-            assert!((cubic(part, s) - cubic(b, 0.2 + 0.5 * s)).abs() < 1e-14, "{s}");
+            assert!(abs_diff_eq!(cubic(through, s), cubic(b, s), epsilon = 1e-14), "{s}");
+            assert!(abs_diff_eq!(cubic(part, s), cubic(b, 0.2 + 0.5 * s), epsilon = 1e-14), "{s}");
         }
     }
 
@@ -289,7 +290,7 @@ mod tests {
             let r = f64::from(k) / 20.0;
             let [c0, c1, c2, c3] = c.map(f64::from);
             let s = r + r * (1.0 - r) * (c0 + r * (c1 + r * (c2 + r * c3)));
-            assert!((share([1.0, 1.03, 1.05, 1.06], s) - r).abs() < 3e-6, "{r}");
+            assert_abs_diff_eq!(share([1.0, 1.03, 1.05, 1.06], s), r, epsilon = 3e-6);
         }
         assert_eq!(inverse([1.0, 1.1, 1.3, 1.2], 0.1).1, ONE_STEP);
         assert_eq!(inverse([0.0, 1.0, 1.0, 1.0], 0.1).1, MANY_STEPS);

@@ -105,6 +105,7 @@ fn room(ray: &Ray) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     fn ray(origin: Vec3, direction: Vec3) -> Ray {
         Ray { origin, direction, origin_by: [Vec3::ZERO; 2], direction_by: [Vec3::ZERO; 2] }
@@ -118,7 +119,7 @@ mod tests {
                 [Vec3::new(zero, -0.02, 1.0), Vec3::new(zero, zero, 1.0), Vec3::new(1.0, zero, 0.3)]
             {
                 let near = room(&ray(origin, direction + Vec3::splat(1e-9)));
-                assert!(room(&ray(origin, direction)).abs_diff_eq(near, 1e-5), "{direction}");
+                assert!(abs_diff_eq!(room(&ray(origin, direction)), near, epsilon = 1e-5), "{direction}");
             }
         }
     }
@@ -131,6 +132,6 @@ mod tests {
         let seen = scene.seen(&ray(origin, direction.normalize()), [0.5; 2], &mut sampler).radiance;
         let upwards = Vec3::new(direction.x, direction.y, -direction.z);
         let share = silver().unwrap().reflectance_rgb(1.0 / direction.length());
-        assert!(seen.abs_diff_eq(share * room(&ray(origin + direction, upwards)), 1e-3), "{seen}");
+        assert_abs_diff_eq!(seen, share * room(&ray(origin + direction, upwards)), epsilon = 1e-3);
     }
 }

@@ -154,13 +154,15 @@ fn sky(direction: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_object_touches_the_floor_without_an_edge() {
         for factor in FACTORS {
             let slope = slope(factor).unwrap();
             let hump: FixedFif<4, 3> = slope.integral(0.0).unwrap();
-            assert!(hump.end_values()[1].abs() < 1e-15 && slope.end_values() == [0.0, 0.0]);
+            assert_abs_diff_eq!(hump.end_values()[1], 0.0, epsilon = 1e-15);
+            assert!(slope.end_values() == [0.0, 0.0]);
             assert!(hump.range().lo > -0.02, "{:?}", hump.range());
         }
     }
