@@ -2,20 +2,16 @@
 
 use std::sync::Arc;
 
-use asperity_render::{
-    geometry::shape::Shape,
-    image::Image,
-    integrator::hemisphere::hemisphere,
-    materials::{Facets, SharedNdf},
-    scenes::{RenderRequest, peak},
-};
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::Image;
+use asperity_render::integrator::hemisphere::hemisphere;
+use asperity_render::materials::{Facets, SharedNdf};
+use asperity_render::scenes::{RenderRequest, peak};
 use asperity_shading::LevelOfDetail;
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Panel};
 
 /// A function over the disk of normals, in colours up to its peak.
 pub(crate) fn disk(

@@ -1,10 +1,8 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
 
-use asperity_noise::{
-    Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Statistics,
-    lattice::{PermutationTable, gaussian_corner},
-    simd::Kernel,
-};
+use asperity_noise::lattice::{PermutationTable, gaussian_corner};
+use asperity_noise::simd::Kernel;
+use asperity_noise::{Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Statistics};
 use asperity_render::image::formats::npy;
 use serde_json::{Map, json};
 

@@ -3,20 +3,14 @@
 use std::sync::Arc;
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
-use asperity_render::{
-    geometry::shape::Shape,
-    image::tone::hex,
-    materials::SharedNdf,
-    scenes::{RenderRequest, Set},
-};
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::tone::hex;
+use asperity_render::materials::SharedNdf;
+use asperity_render::scenes::{RenderRequest, Set};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::{common_parameters, density_panel, object_panel},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::{common_parameters, density_panel, object_panel};
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let shape = RenderRequest::shape(Set::Teapot);

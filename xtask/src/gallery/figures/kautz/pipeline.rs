@@ -3,23 +3,18 @@
 use std::sync::Arc;
 
 use asperity_ndf_sampling::{Ggx, NormalTable, phi};
-use asperity_render::{
-    geometry::shape::Shape,
-    image::{Image, tone::hex},
-    materials::{Facets, sky},
-    scene::{Backdrop, Light, Object, Scene},
-    scenes::{RenderRequest, Set},
-};
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::Image;
+use asperity_render::image::tone::hex;
+use asperity_render::materials::{Facets, sky};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::scenes::{RenderRequest, Set};
 use asperity_shading::{SurfacePoint, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::{common_parameters, object_panel},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::{common_parameters, object_panel};
 
 const ALPHA: [f32; 2] = [0.22, 0.44];
 

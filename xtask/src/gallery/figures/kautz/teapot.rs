@@ -1,18 +1,12 @@
 //! The teapot with an anisotropic density at three distances, and with normals that do not follow it.
 
 use asperity_ndf_sampling::{BlinnPhong, Ggx, NormalTable};
-use asperity_render::{
-    materials::Facets,
-    scenes::{RenderRequest, Set},
-};
+use asperity_render::materials::Facets;
+use asperity_render::scenes::{RenderRequest, Set};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        panels::{common_parameters, density_panel, object_panel},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::panels::{common_parameters, density_panel, object_panel};
 
 const ALPHA: [f32; 2] = [0.14, 0.56];
 const ZOOMS: [(f32, &str); 3] = [(1.0, "far"), (3.0, "three times closer"), (9.0, "nine times closer")];

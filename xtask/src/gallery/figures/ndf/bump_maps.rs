@@ -2,30 +2,22 @@
 
 use std::f32::consts::PI;
 
-use asperity_ndf_sampling::{
-    Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf, normal_map::NormalMapFormat,
-};
+use asperity_ndf_sampling::normal_map::NormalMapFormat;
+use asperity_ndf_sampling::{Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf};
 use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_render::{
-    image::{
-        Image,
-        tone::{hex, linear},
-    },
-    light::lamps::direction,
-    materials::{chalk, cobbles::cobbles},
-};
+use asperity_render::image::Image;
+use asperity_render::image::tone::{hex, linear};
+use asperity_render::light::lamps::direction;
+use asperity_render::materials::chalk;
+use asperity_render::materials::cobbles::cobbles;
 use asperity_shading::{Brdf, CookTorrance, bump::Facet, reflectance::Lobe};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::density_panel,
-        plot::{Axis, Names, Plot, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::density_panel;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 /// Texels along a side of the normal map.
 const SIZE: usize = 256;

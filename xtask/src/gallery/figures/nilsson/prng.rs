@@ -1,16 +1,12 @@
 //! Random numbers of the cells of a lattice: the thesis's texture, a permutation and a hash.
 
 use asperity_render::image::{Image, tone::hex};
-use asperity_shading::noise::{
-    IntegerHash, Lattice,
-    lattice::{ChainedTable, PermutationTable},
-};
+use asperity_shading::noise::lattice::{ChainedTable, PermutationTable};
+use asperity_shading::noise::{IntegerHash, Lattice};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Cells along a side.
 const CELLS: u32 = 32;

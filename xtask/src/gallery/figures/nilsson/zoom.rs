@@ -3,20 +3,17 @@
 use std::f32::consts::PI;
 
 use asperity_render::{image::tone::hex, integrator::pixels::Sampling, sampling::low_discrepancy::r2};
+use asperity_shading::material::{BumpMapped, Material, PaintFlakes};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{
     BumpField, Carpet, CarpetParameters, Footprint, Ggx, LevelOfDetail, MetallicPaint,
     MetallicPaintParameters, Scratches, ScratchesParameters, SurfacePoint, TemperedGlass,
-    TemperedGlassParameters, Variations, VariationsParameters,
-    material::{BumpMapped, Material, PaintFlakes},
-    noise::{Gaussian, GaussianOctaves, Spectrum},
-    reflect,
+    TemperedGlassParameters, Variations, VariationsParameters, reflect,
 };
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Widths of the pictures in metres.
 const WIDTHS: [f32; 5] = [4.0, 0.4, 0.04, 0.004, 0.0004];

@@ -4,16 +4,10 @@ use asperity_noise::{Curved, Field, Octaves, Simplex, Spectrum, White, curl::Cur
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::noise::{
-            gradients::{hue, steepness},
-            plane::{Window, grey},
-        },
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::noise::gradients::{hue, steepness};
+use crate::gallery::figures::noise::plane::{Window, grey};
 
 const CELLS: f32 = 3.0;
 const OCTAVES: f32 = 2.0;

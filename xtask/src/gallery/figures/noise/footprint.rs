@@ -6,13 +6,9 @@ use asperity_noise::{
 use asperity_render::image::{Image, tone::hex};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::noise::plane::grey,
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::noise::plane::grey;
 
 const OCTAVES: f32 = 8.0;
 /// Samples along each side of a pixel of the reference.

@@ -4,13 +4,9 @@ use asperity_noise::{Field, Gaussian, Octaves, Sample, Spectrum};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        figures::noise::plane::{Window, grey},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figures::noise::plane::{Window, grey};
 
 const CELLS: f32 = 5.0;
 /// Arrows along a side.

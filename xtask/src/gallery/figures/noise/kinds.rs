@@ -4,22 +4,17 @@ use asperity_noise::{
     Field, Gaussian, Noise, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum, Statistics, Value,
     ValueCatmullRom, ValueGradient, White, simd::Kernel,
 };
-use asperity_render::{
-    image::{Image, tone::hex},
-    integrator::hemisphere::ember,
-};
+use asperity_render::image::Image;
+use asperity_render::image::tone::hex;
+use asperity_render::integrator::hemisphere::ember;
 use glam::Vec2;
 use rayon::prelude::*;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure, Panel},
-        figures::noise::plane::{Window, grey},
-        plot::{Axis, Ink, Names, Plot, Stroke},
-        power_spectrum::PowerSpectrum,
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Figure, Panel};
+use crate::gallery::figures::noise::plane::{Window, grey};
+use crate::gallery::plot::{Axis, Ink, Names, Plot, Stroke};
+use crate::gallery::power_spectrum::PowerSpectrum;
 
 /// One figure for each kind; a new kind is one entry here.
 pub(crate) const KINDS: &[Figure] = &[

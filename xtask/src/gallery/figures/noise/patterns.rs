@@ -5,13 +5,9 @@ use asperity_noise::{
 };
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        figures::noise::plane::{Window, grey, slanted},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figures::noise::plane::{Window, grey, slanted};
 
 /// Cells of the first octave along a side.
 const CELLS: f32 = 4.0;

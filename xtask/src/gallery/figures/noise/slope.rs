@@ -3,15 +3,11 @@
 use asperity_noise::{Field, Octaves, Perlin2002, Spectrum};
 use glam::Vec2;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::noise::plane::Window,
-        plot::{Axis, Names, Plot, Stroke},
-        power_spectrum::PowerSpectrum,
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::noise::plane::Window;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
+use crate::gallery::power_spectrum::PowerSpectrum;
 
 /// Cells of the first octave along a sample, and numbers along it.
 const CELLS: f64 = 12.0;

@@ -3,13 +3,9 @@
 use asperity_noise::{Field, Gaussian, IntegerHash, Perlin2002, Simplex, Sparse, Tiled, TiledSimplex, Value};
 use glam::Vec2;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        figures::noise::plane::{Window, grey},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figures::noise::plane::{Window, grey};
 
 /// Cells of a tile along its side.
 const PERIOD: u32 = 6;

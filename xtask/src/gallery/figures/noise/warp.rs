@@ -4,13 +4,9 @@ use asperity_noise::{Field, Octaves, Sample, Simplex, Spectrum, Warp};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        figures::noise::plane::{Window, grey},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figures::noise::plane::{Window, grey};
 
 const CELLS: f32 = 3.0;
 const OCTAVES: f32 = 6.0;
