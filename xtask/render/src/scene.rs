@@ -6,10 +6,7 @@ use asperity_shading::{Environment, SurfacePoint, material::Material, reflectanc
 use glam::Vec3;
 
 use crate::{
-    geometry::{
-        ray::Ray,
-        shape::{Hit, Shape},
-    },
+    geometry::{hit::Hit, ray::Ray, shape::Shape},
     light::{background::background, lamps::Lamps},
     materials::shaded,
 };

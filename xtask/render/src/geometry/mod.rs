@@ -3,6 +3,7 @@
 pub mod camera;
 pub mod car;
 pub mod fractal;
+pub mod hit;
 pub mod mesh;
 pub mod mesh_file;
 pub mod ray;

@@ -3,7 +3,7 @@
 use asperity_shading::Footprint;
 use glam::Vec3;
 
-use crate::geometry::shape::Hit;
+use crate::geometry::hit::Hit;
 
 /// A ray and its derivatives by one pixel to the right and one down.
 ///

@@ -16,7 +16,7 @@ use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
-    geometry::{camera::Camera, ray::Ray, shape::Hit},
+    geometry::{camera::Camera, hit::Hit, ray::Ray},
     image::Image,
     integrator::pixels::{Sampling, render, render_paths},
     sampling::{

@@ -3,7 +3,11 @@
 use asperity_shading::glam::{Vec2, Vec3};
 
 use crate::sampling::low_discrepancy::r2;
-use crate::shaded::{Eye, Pixel, Sky, Subject};
+use crate::shaded::{
+    light::Sky,
+    pixel::{Eye, Pixel},
+    subject::Subject,
+};
 
 /// A picture of the plane z = 0 from a height of 1, in the direction of y; its horizon is its upper edge.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,7 @@ use asperity_shading::{
     TemperedGlassParameters, Variations, VariationsParameters,
 };
 
-use crate::shaded::Subject;
+use crate::shaded::subject::Subject;
 
 /// A subject of this material, of this unit: the mean over the taps of a pixel.
 pub(super) fn subject(

@@ -2,7 +2,7 @@
 
 use asperity_shading::glam::Vec3;
 
-use crate::shaded::{Pixel, Sky};
+use crate::shaded::{light::Sky, pixel::Pixel};
 
 type Radiance = dyn Fn(&Pixel, &Sky) -> Vec3 + Send + Sync;
 

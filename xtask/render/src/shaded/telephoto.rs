@@ -4,7 +4,11 @@ use asperity_shading::glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 use crate::sampling::low_discrepancy::r2;
-use crate::shaded::{Eye, Pixel, Sky, Subject};
+use crate::shaded::{
+    light::Sky,
+    pixel::{Eye, Pixel},
+    subject::Subject,
+};
 
 /// Pixels along a side of the patch, as it is seen first.
 const SIDE: f32 = 16.0;

@@ -8,8 +8,8 @@ use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Bsdf, Coat};
 use asperity_shading::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, march};
 
-use crate::shaded::Subject;
 use crate::shaded::materials::{VALID, subject};
+use crate::shaded::subject::Subject;
 
 /// Every texture.
 #[must_use]

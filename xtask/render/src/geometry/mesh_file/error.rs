@@ -2,7 +2,11 @@
 
 use std::{error::Error, fmt, io};
 
-use crate::geometry::mesh_file::{MOST_BYTES, MOST_TRIANGLES, polygon::MOST_CORNERS};
+/// A mesh of this size takes about 2 GB, and as much again for its hierarchy.
+pub(super) const MOST_TRIANGLES: usize = 1 << 24;
+pub(super) const MOST_BYTES: u64 = 1 << 31;
+/// The most corners of a polygon that is not convex: finding ears takes the square of it, or worse.
+pub(super) const MOST_CORNERS: usize = 512;
 
 /// The rule that a mesh file breaks. Each message is one line.
 #[derive(Debug)]

@@ -9,7 +9,10 @@ use gltf::{
     mesh::Mode,
 };
 
-use crate::geometry::mesh_file::{MOST_TRIANGLES, MeshFileError, triangle_soup::TriangleSoup};
+use crate::geometry::mesh_file::{
+    error::{MOST_TRIANGLES, MeshFileError},
+    triangle_soup::TriangleSoup,
+};
 
 /// All triangles of the default scene, or else of the first, where its nodes put them. Skins, morph targets and
 /// materials are passed over; v goes upwards.

@@ -12,21 +12,9 @@ mod triangle_soup;
 use std::{fs::File, io::Read, path::Path};
 
 pub use self::error::MeshFileError;
-use self::triangle_soup::TriangleSoup;
+pub use self::triangle_soup::Up;
+use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
 use crate::geometry::mesh::Mesh;
-
-/// A mesh of this size takes about 2 GB, and as much again for its hierarchy.
-const MOST_TRIANGLES: usize = 1 << 24;
-const MOST_BYTES: u64 = 1 << 31;
-
-/// The axis that points up in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Up {
-    /// That of glTF and of most others.
-    Y,
-    /// That of buildings and maps.
-    Z,
-}
 
 /// Reads the mesh of a file by its extension, and turns its `up` to z.
 ///

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use glam::{Vec2, Vec3};
 
-use crate::geometry::mesh_file::{MeshFileError, triangle_soup::TriangleSoup};
+use crate::geometry::mesh_file::{error::MeshFileError, triangle_soup::TriangleSoup};
 
 /// All faces of all objects. Materials, lines and points are passed over.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {

@@ -8,7 +8,7 @@ use ply_rs_bw::{
     ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
 };
 
-use crate::geometry::mesh_file::{MeshFileError, triangle_soup::TriangleSoup};
+use crate::geometry::mesh_file::{error::MeshFileError, triangle_soup::TriangleSoup};
 
 /// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
 /// names, and the element `face` with a list of corners. All others are passed over.

@@ -2,10 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::mesh_file::MeshFileError;
-
-/// The most corners of a polygon that is not convex: finding ears takes the square of it, or worse.
-pub(super) const MOST_CORNERS: usize = 512;
+use crate::geometry::mesh_file::error::{MOST_CORNERS, MeshFileError};
 
 /// Hands out triangles, as places in the list of corners, in the polygon's own sense: two fewer than corners that differ
 /// from the one before.

@@ -5,11 +5,22 @@ use std::collections::HashMap;
 use asperity_shading::Frame;
 use glam::{DVec3, Vec2, Vec3};
 
-use crate::geometry::mesh_file::{MOST_TRIANGLES, MeshFileError, polygon::triangulate};
 use crate::{
     geometry::mesh::{Mesh, Vertex},
-    geometry::mesh_file::Up,
+    geometry::mesh_file::{
+        error::{MOST_TRIANGLES, MeshFileError},
+        polygon::triangulate,
+    },
 };
+
+/// The axis that points up in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// That of glTF and of most others.
+    Y,
+    /// That of buildings and maps.
+    Z,
+}
 
 /// Triangles over vertices, as read.
 #[derive(Debug, Default)]
