@@ -8,6 +8,7 @@ use asperity_ndf_sampling::{
 };
 use asperity_noise::{Gaussian, Perlin2002, Simplex, simd::Kernel};
 use asperity_render::sampling::low_discrepancy::r2;
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};
@@ -234,6 +235,11 @@ fn both_tangent_spaces_mean_the_same_normals() {
     for n in normals.iter().step_by(997) {
         let mirrored = wrong.density(Vec3::new(n.x, -n.y, n.z));
         // A step of 16 bits moves the kernel by 10⁻³ of its width.
-        assert!((mirrored - right.density(*n)).abs() < 0.02 * right.density(*n), "{n}: {mirrored}");
+        assert_abs_diff_eq!(
+            mirrored,
+            right.density(*n),
+            epsilon = 0.02 * right.density(*n),
+            "{n}: {mirrored}"
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 use asperity_ndf_sampling::{KurtoticNoise, NoiseCdfRef, phi};
 use asperity_noise::{Point, simd::Kernel};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::noise_kinds::{Testable, Visit, every_kind, every_variant};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
@@ -45,11 +46,17 @@ impl Visit for Measured {
         for k in -350..=350 {
             let r = k as f32 * 0.01;
             let (u, z) = (g.uniform(r), g.gaussian(r));
-            assert!((phi(f64::from(z)) - f64::from(u)).abs() < 1e-6 && z.is_finite(), "{name} at {r}");
+            assert_abs_diff_eq!(phi(f64::from(z)), f64::from(u), epsilon = 1e-6, "{name} at {r}");
+            assert!(z.is_finite(), "{name} at {r}");
             // Where the noise has values at all they come back.
             if u > 1e-4 && u < 0.9999 {
                 let density = (g.uniform(r + 0.02) - g.uniform(r - 0.02)) / 0.04;
-                assert!((g.from_gaussian(z) - r).abs() < 1e-6 + 3e-7 / density.max(1e-3), "{name} at {r}");
+                assert_abs_diff_eq!(
+                    g.from_gaussian(z),
+                    r,
+                    epsilon = 1e-6 + 3e-7 / density.max(1e-3),
+                    "{name} at {r}"
+                );
             }
         }
         // The tables are of eight octaves with gain ½: Σ a⁴/(Σ a²)² = (16/15)/(16/9), but for 10⁻⁵.

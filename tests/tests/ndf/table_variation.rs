@@ -1,6 +1,7 @@
 //! Total variation between generated normals and their target over 32 × 32 bins of radius and azimuth: the closed forms, and
 //! every choice that table L offers.
 
+use asperity_tests::assert_abs_diff_eq;
 use std::sync::LazyLock;
 
 use asperity_ndf_sampling::{
@@ -102,8 +103,18 @@ fn closed_forms_are_at_the_sampling_floor() {
         for (name, measured) in forms {
             println!("{name} {alpha}: {measured:.6?}");
             // Rounding moves a point across an edge where it is within 10⁻⁶ of one: 64 edges, 10⁻⁶ of the points each.
-            assert!((measured.variation - floor.variation).abs() < 5e-5, "{name} {alpha}: {measured:?}");
-            assert!((measured.tail / floor.tail - 1.0).abs() < 1e-3, "{name} {alpha}: {measured:?}");
+            assert_abs_diff_eq!(
+                measured.variation,
+                floor.variation,
+                epsilon = 5e-5,
+                "{name} {alpha}: {measured:?}"
+            );
+            assert_abs_diff_eq!(
+                measured.tail / floor.tail,
+                1.0,
+                epsilon = 1e-3,
+                "{name} {alpha}: {measured:?}"
+            );
         }
     }
 }
@@ -135,7 +146,12 @@ fn every_choice_of_table_l() {
                 assert!(nearest.tail < 0.3 && nearest.variation > 0.01, "{chart:?}");
             } else {
                 assert!(bilinear.variation < 1e-3, "{spacing:?} {chart:?}: {bilinear:?}");
-                assert!((bilinear.tail - 1.0).abs() < 0.05, "{spacing:?} {chart:?}: {bilinear:?}");
+                assert_abs_diff_eq!(
+                    bilinear.tail,
+                    1.0,
+                    epsilon = 0.05,
+                    "{spacing:?} {chart:?}: {bilinear:?}"
+                );
                 assert!(nearest.variation < 0.05, "{spacing:?} {chart:?}: {nearest:?}");
             }
         }
@@ -153,7 +169,7 @@ fn recommended_table_keeps_every_roughness() {
         let measured = measure(&POINTS, |z| table.bilinear_normal(z), quantile, [alpha; 2]);
         println!("{name} {alpha}: {measured:.6?}");
         assert!(measured.variation < 1e-3, "{name} {alpha}: {measured:?}");
-        assert!((measured.tail - 1.0).abs() < 0.05, "{name} {alpha}: {measured:?}");
+        assert_abs_diff_eq!(measured.tail, 1.0, epsilon = 0.05, "{name} {alpha}: {measured:?}");
     }
     for alpha in [0.001, 1.0] {
         let ggx = NormalTable::standard(&Ggx::isotropic(alpha).unwrap());

@@ -4,6 +4,7 @@ use asperity_noise::{
     Field, Gaussian, GaussianOctaves, Noise, Point, Spectrum,
     glam::{Vec2, Vec3, Vec4},
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use rayon::prelude::*;
 use statrs::function::erf::erf;
@@ -157,7 +158,7 @@ where
 {
     for &place in places {
         let variance = variance(place);
-        assert!((variance - 1.0).abs() < 0.01, "{place:?}: {variance}");
+        assert_abs_diff_eq!(variance, 1.0, epsilon = 0.01, "{place:?}: {variance}");
     }
 }
 
@@ -202,12 +203,22 @@ fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place
 fn assert_standard(name: &str, [mean, variance, fourth, product, squares]: [f64; 5]) {
     // n = 200,000 values, 100,000 pairs; 4.2 standard errors for significance 0.001/40.
     let n = 200_000_f64;
-    assert!(mean.abs() < 4.2 / n.sqrt(), "{name}: mean {mean}");
-    assert!((variance - 1.0).abs() < 4.2 * (2.0 / n).sqrt(), "{name}: variance {variance}");
-    assert!((fourth - 3.0).abs() < 4.2 * (96.0 / n).sqrt(), "{name}: fourth moment {fourth}");
-    assert!(product.abs() < 4.2 * (2.0 / n).sqrt(), "{name}: correlation of the channels {product}");
+    assert_abs_diff_eq!(mean, 0.0, epsilon = 4.2 / n.sqrt(), "{name}: mean {mean}");
+    assert_abs_diff_eq!(variance, 1.0, epsilon = 4.2 * (2.0 / n).sqrt(), "{name}: variance {variance}");
+    assert_abs_diff_eq!(fourth, 3.0, epsilon = 4.2 * (96.0 / n).sqrt(), "{name}: fourth moment {fourth}");
+    assert_abs_diff_eq!(
+        product,
+        0.0,
+        epsilon = 4.2 * (2.0 / n).sqrt(),
+        "{name}: correlation of the channels {product}"
+    );
     // Half the correlation of squares: the variances are 2.
-    assert!(squares.abs() < 4.2 * (2.0 / n).sqrt(), "{name}: correlation of squares {squares}");
+    assert_abs_diff_eq!(
+        squares,
+        0.0,
+        epsilon = 4.2 * (2.0 / n).sqrt(),
+        "{name}: correlation of squares {squares}"
+    );
 }
 
 #[test]
@@ -318,7 +329,8 @@ fn sums_of_other_seeds_are_independent() {
     }
     // 3.5 standard errors for significance 0.001/2.
     let tolerance = 3.5 / f64::from(COUNT).sqrt();
-    assert!(product.abs() < tolerance && squares.abs() < tolerance, "{product}, {squares}");
+    assert_abs_diff_eq!(product, 0.0, epsilon = tolerance, "{product}, {squares}");
+    assert_abs_diff_eq!(squares, 0.0, epsilon = tolerance, "{product}, {squares}");
 }
 
 #[test]
@@ -334,7 +346,12 @@ fn gradients_of_sums_equal_differences() {
             for (axis, got) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(gradient) {
                 let difference = (at(p + axis * h) - at(p - axis * h)) / (2.0 * f64::from(h));
                 // The difference errs by h² z‴/6 and by rounding, 1e-6/h; worst seen 0.009.
-                assert!((f64::from(got) - difference).abs() < 0.03, "at {p}: {got} and {difference}");
+                assert_abs_diff_eq!(
+                    f64::from(got),
+                    difference,
+                    epsilon = 0.03,
+                    "at {p}: {got} and {difference}"
+                );
             }
         }
     }

@@ -6,6 +6,7 @@ use asperity_noise::{
     lattice::{ChainedTable, PermutationTable, unit_gradient},
     printed::{Gnoise, LectureTables, Vgnoise, Vnoise},
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
 const POINTS: usize = 10_000;
@@ -141,7 +142,7 @@ fn the_tables_are_the_listings() {
         for axis in 0..3 {
             // Sine and cosine rounded from `f64` on either side: an ulp at most where they lie halfway. Worst seen 0.
             let error = f64::from(tables.gradients()[i][axis]) - listing.gradient_tab[3 * i + axis];
-            assert!(error.abs() < 1.2e-7, "{i}, axis {axis}: {error:e}");
+            assert_abs_diff_eq!(error, 0.0, epsilon = 1.2e-7, "{i}, axis {axis}: {error:e}");
         }
     }
 }

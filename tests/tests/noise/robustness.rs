@@ -8,6 +8,7 @@ use asperity_noise::{
     simd::{Batch, Level},
 };
 use asperity_tests::{
+    assert_abs_diff_eq,
     noise_any::{AnyNoise, VisitAny, any_dimension, any_kind, any_variant},
     random::Random,
 };
@@ -100,12 +101,12 @@ impl VisitAny for Huge {
         for seed in 0..200 {
             let p = huge_point(&mut random);
             let sample = noise.sample(p, seed);
-            assert!(sample.value.abs() <= range, "{name} at {p:?}: {sample:?}");
+            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {p:?}: {sample:?}");
             // The steepest is Gaussian noise with all variates at their greatest: 6 times its range.
             let steep = |x: f32| x.is_finite() && x.abs() < 8.0 * range;
             assert!(sample.gradient.into_iter().all(steep), "{name} at {p:?}: {sample:?}");
             let sample = sum.sample(p, 10.0);
-            assert!(sample.value.abs() <= range, "octaves of {name} at {p:?}: {sample:?}");
+            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "octaves of {name} at {p:?}: {sample:?}");
         }
     }
 }
@@ -189,7 +190,7 @@ impl VisitAny for FadesOut {
                 std::array::from_fn(|_| ((random.uniform() * 2.0 - 1.0) * reach * 0.999) as f32);
             let sample = noise.sample(near, seed);
             let range = 1.0 + near.iter().map(|x| x.abs()).sum::<f32>() / 4_194_304.0;
-            assert!(sample.value.abs() <= range, "{name} at {near:?}: {sample:?}");
+            assert_abs_diff_eq!(sample.value, 0.0, epsilon = range, "{name} at {near:?}: {sample:?}");
             not_zero += u32::from(sample.value != 0.0);
             let mut far = near;
             far[seed as usize % N] = 4_194_304.0;
@@ -242,8 +243,18 @@ impl VisitAny for Seams {
             let [elsewhere, error, _] = around(noise, 131_072.0, 3.3125);
             let [here, there, correlation] = around(noise, 0.0, 3.3125);
             let error = 4.6 * error.hypot(there);
-            assert!((here - elsewhere).abs() <= error, "{name}: {here}, not {elsewhere} ± {error}");
-            assert!(correlation.abs() < 4.6, "{name}: neighbours correlate by {correlation} standard errors");
+            assert_abs_diff_eq!(
+                here,
+                elsewhere,
+                epsilon = error,
+                "{name}: {here}, not {elsewhere} ± {error}"
+            );
+            assert_abs_diff_eq!(
+                correlation,
+                0.0,
+                epsilon = 4.6,
+                "{name}: neighbours correlate by {correlation} standard errors"
+            );
             return;
         }
         // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶.
@@ -252,12 +263,16 @@ impl VisitAny for Seams {
             let [here, there, correlation] = around(noise, place, 256.0);
             // 4.6 standard errors: significance 0.001 over some 200 cases.
             let error = 4.6 * error.hypot(there);
-            assert!(
-                (here - elsewhere).abs() <= error,
+            assert_abs_diff_eq!(
+                here,
+                elsewhere,
+                epsilon = error,
                 "{name} around {place}: {here}, not {elsewhere} ± {error}"
             );
-            assert!(
-                correlation.abs() < 4.6,
+            assert_abs_diff_eq!(
+                correlation,
+                0.0,
+                epsilon = 4.6,
                 "{name} around {place}: neighbours correlate by {correlation} standard errors"
             );
         }
@@ -276,7 +291,12 @@ fn octaves_take_any_count_and_stay_in_range() {
     for i in 0..2000_u16 {
         let p = Vec3::from_array([(); 3].map(|()| ((random.uniform() - 0.5) * 50.0) as f32));
         let octaves = f32::from(i) / 180.0;
-        assert!(noise.detail(octaves).sample(p).value.abs() <= 1.0, "{octaves} octaves at {p}");
+        assert_abs_diff_eq!(
+            noise.detail(octaves).sample(p).value,
+            0.0,
+            epsilon = 1.0,
+            "{octaves} octaves at {p}"
+        );
         for nothing in [0.0, -1.0, f32::NAN, f32::NEG_INFINITY] {
             assert_eq!(noise.detail(nothing).sample(p), Sample::default());
         }

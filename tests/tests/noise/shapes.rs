@@ -7,6 +7,7 @@ use asperity_noise::{
     simd::Kernel,
 };
 use asperity_tests::{
+    assert_abs_diff_eq,
     noise_any::{AnyKernel, AnyNoise, Coordinates, VisitAny, any_kind, thinning},
     random::Random,
 };
@@ -86,8 +87,10 @@ fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape:
             assert!(error < 4e-6 * range, "{shape:?} {name} at {p:?}: {error:e}");
             for (got, slope) in sample.gradient.coordinates().into_iter().zip(gradient) {
                 let (got, expected) = (f64::from(got), slope / norm);
-                assert!(
-                    (got - expected).abs() < 1e-4 * range,
+                assert_abs_diff_eq!(
+                    got,
+                    expected,
+                    epsilon = 1e-4 * range,
                     "{shape:?} {name} at {p:?}: {got}, not {expected}"
                 );
             }
@@ -197,8 +200,10 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
             let mean = samples.iter().sum::<f64>() / count;
             let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count - 1.0);
             let error = (variance / count).sqrt();
-            assert!(
-                (mean - expected).abs() < 5.0 * error,
+            assert_abs_diff_eq!(
+                mean,
+                expected,
+                epsilon = 5.0 * error,
                 "{what} of {shape:?} {name} {normalisation:?}: {mean}, not {expected}, ±{error}"
             );
         };
@@ -242,13 +247,20 @@ fn clamping_takes_the_finest_octaves_first() {
     let mean = f64::from(sum.first(3.0).mean());
     let expected = (parts[0] + 0.5 * (parts[1] + 0.15625 * (mean - parts[1])) + 0.25 * mean) / 1.75;
     let clamped = sum.first(3.0).clamped(0.15).sample(p);
-    assert!((f64::from(clamped.value) - expected).abs() < 1e-6, "{} is not {expected}", clamped.value);
+    assert_abs_diff_eq!(
+        f64::from(clamped.value),
+        expected,
+        epsilon = 1e-6,
+        "{} is not {expected}",
+        clamped.value
+    );
     // Without a footprint nothing changes, not a bit; with an endless one the mean remains.
     for footprint in [0.0, -1.0, f32::NAN] {
         assert_eq!(sum.first(3.0).clamped(footprint).sample(p), sum.detail(3.0).sample(p), "{footprint}");
     }
     let far = sum.first(3.0).clamped(f32::INFINITY).sample(p);
-    assert!((f64::from(far.value) - mean).abs() < 1e-7 && far.gradient == Vec2::ZERO);
+    assert_abs_diff_eq!(f64::from(far.value), mean, epsilon = 1e-7);
+    assert!(far.gradient == Vec2::ZERO);
     assert_eq!(octaves.first(3.0).clamped(f32::INFINITY).value(p), 0.0);
 }
 
@@ -261,7 +273,7 @@ fn ranges_hold_for_every_gain() {
             let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum)
                 .with_normalisation(Normalisation::Range);
             let p: Vec2 = point(&mut random);
-            assert!(sum.detail(5.5).value(p).abs() <= 1.0);
+            assert_abs_diff_eq!(sum.detail(5.5).value(p), 0.0, epsilon = 1.0);
             for value in
                 [sum.with_shape(Turbulence).detail(5.5).value(p), sum.with_shape(Ridged).detail(5.5).value(p)]
             {

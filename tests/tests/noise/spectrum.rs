@@ -1,5 +1,6 @@
 //! The power spectrum of sums of octaves falls as gain and lacunarity say.
 
+use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::TAU;
 
 use asperity_noise::{Field, Gaussian, GaussianOctaves, Grid, Spectrum, glam::Vec2};
@@ -81,8 +82,10 @@ fn the_spectral_slope_follows_gain_and_lacunarity() {
         let expected = -(2.0 * hurst + 1.0);
         let got = slope(spectrum, octaves as f32, bands);
         println!("lacunarity {lacunarity}, gain {gain}: {got:.3}, theory {expected:.3}");
-        assert!(
-            (got - expected).abs() < 0.062,
+        assert_abs_diff_eq!(
+            got,
+            expected,
+            epsilon = 0.062,
             "lacunarity {lacunarity}, gain {gain}: {got}, not {expected}"
         );
     }

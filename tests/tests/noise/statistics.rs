@@ -6,6 +6,7 @@ use asperity_noise::{
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
+    assert_abs_diff_eq,
     noise_any::{AnyNoise, VisitAny, any_kind, any_variant, thinning},
     noise_reference::Kind,
     random::Random,
@@ -40,7 +41,12 @@ fn assert_mean(name: &str, values: &[Vec<f64>], f: impl Fn(f64) -> f64, expected
     let average = mean_of(&means);
     let spread = means.iter().map(|x| (x - average).powi(2)).sum::<f64>() / n;
     let error = (spread / n).sqrt();
-    assert!((average - expected).abs() < ERRORS * error, "{name} {average}, not {expected} ± {error}");
+    assert_abs_diff_eq!(
+        average,
+        expected,
+        epsilon = ERRORS * error,
+        "{name} {average}, not {expected} ± {error}"
+    );
 }
 
 fn mean_of(numbers: &[f64]) -> f64 {
@@ -64,7 +70,7 @@ impl VisitAny for Shipped {
         let single = values(seeds, |seed| move |p| noise.value(p, seed));
         let (sigma, excess) = (statistics.standard_deviation, statistics.excess_kurtosis);
         assert_moments(name, &single, sigma, excess);
-        assert!((sigma - noise.standard_deviation()).abs() < 1e-7, "{name}");
+        assert_abs_diff_eq!(sigma, noise.standard_deviation(), epsilon = 1e-7, "{name}");
         for (power, expected) in (1..).zip(noise.absolute_moments()) {
             let what = format!("{name}: absolute moment {power}");
             assert_mean(&what, &single, |x| x.abs().powi(power), expected.into());
@@ -142,7 +148,7 @@ impl VisitAny for GaussianTable {
         for (k, &g) in cdf.iter().enumerate() {
             let x = 8.0 * k as f64 / (cdf.len() - 1) as f64 - 4.0;
             let phi = 0.5 + 0.5 * erf(x * std::f64::consts::FRAC_1_SQRT_2);
-            assert!((f64::from(g) - phi).abs() < 1e-7, "{name}, knot {k}: {g} and {phi}");
+            assert_abs_diff_eq!(f64::from(g), phi, epsilon = 1e-7, "{name}, knot {k}: {g} and {phi}");
         }
     }
 }

@@ -112,13 +112,14 @@ fn means_of_seed<K: Noise<V> + Copy, V: Point>(noise: K, seed: u32) -> [f64; 4] 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn coordinates_fill_the_box() {
         let mut random = Random(1 << 32);
         let mean = (0..4096).map(|_| f64::from(random.coordinate()) / 64.0).sum::<f64>() / 4096.0;
         // Uniform in [−1, 1): standard error 0.009.
-        assert!(mean.abs() < 0.03, "{mean}");
+        assert_abs_diff_eq!(mean, 0.0, epsilon = 0.03);
     }
 
     #[test]

@@ -315,6 +315,7 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     #[test]
     fn weights_are_the_cubic_s() {
@@ -324,9 +325,9 @@ mod tests {
             let t = f32::from(i) / 32.0;
             let [w, dw] = [weights(Scalar, t), slopes(Scalar, t)];
             let blend = |w: [f32; 4]| -> f32 { w.into_iter().zip(numbers).map(|(w, x)| w * x).sum() };
-            assert!((w.iter().sum::<f32>() - 1.0).abs() < 3e-7, "{t}");
-            assert!((blend(w) - cubic.value(t)).abs() < 3e-7, "{t}");
-            assert!((blend(dw) - cubic.derivative(Scalar, t)).abs() < 1e-6, "{t}");
+            assert!(abs_diff_eq!(w.iter().sum::<f32>(), 1.0, epsilon = 3e-7), "{t}");
+            assert!(abs_diff_eq!(blend(w), cubic.value(t), epsilon = 3e-7), "{t}");
+            assert!(abs_diff_eq!(blend(dw), cubic.derivative(Scalar, t), epsilon = 1e-6), "{t}");
         }
     }
 

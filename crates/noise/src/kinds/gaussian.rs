@@ -149,6 +149,7 @@ fn corner<S: Lanes, const N: usize, const CHANNEL: u32>(s: S, word: S::U) -> Cor
 mod tests {
     use super::*;
     use crate::contract::field::Field;
+    use approx::assert_abs_diff_eq;
     use glam::{Vec2, Vec3};
 
     #[test]
@@ -168,7 +169,7 @@ mod tests {
         let p = Vec2::new(1.3, -2.6);
         let (n, v) = (Gaussian::new(3).unnormalised(p), Gaussian::new(3).variance(p));
         let z = Gaussian::new(3).sample(p).value;
-        assert!((n.value / v.value.sqrt() - z).abs() < 1e-6);
+        assert_abs_diff_eq!(n.value / v.value.sqrt(), z, epsilon = 1e-6);
         let corner = Gaussian::new(3).variance(Vec2::new(4.0, 7.0));
         assert_eq!(corner.value, 1.0);
     }

@@ -457,6 +457,7 @@ impl Error for SparseError {}
 mod tests {
     use super::*;
     use crate::contract::field::Field;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
     use glam::{Vec2, Vec3, Vec4};
 
     #[test]
@@ -503,7 +504,10 @@ mod tests {
                 let difference =
                     (noise.with_seed(1).value(p + step) - noise.with_seed(1).value(p - step)) / (2.0 * h);
                 // h² max |n‴|/6, n‴ of an impulse at most 25, and rounding 2⁻²³ · 5/h; worst seen 7e-4.
-                assert!((gradient[axis] - difference).abs() < 2e-3, "{p}, axis {axis}: {difference}");
+                assert!(
+                    abs_diff_eq!(gradient[axis], difference, epsilon = 2e-3),
+                    "{p}, axis {axis}: {difference}"
+                );
             }
         }
     }
@@ -527,7 +531,7 @@ mod tests {
             uniform(crate::lanes::lanes::Scalar, further::<_, 1>(crate::lanes::lanes::Scalar, word))
                 * AMPLITUDE[0][0]
         };
-        assert!((here - (weight(0xffff_0000) + weight(0))).abs() < 1e-4, "{here}");
-        assert!((there - weight(0)).abs() < 1e-4, "{there}");
+        assert_abs_diff_eq!(here, (weight(0xffff_0000) + weight(0)), epsilon = 1e-4);
+        assert_abs_diff_eq!(there, weight(0), epsilon = 1e-4);
     }
 }

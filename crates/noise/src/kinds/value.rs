@@ -174,6 +174,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
 mod tests {
     use super::*;
     use crate::{contract::field::Field, lanes::lanes::Scalar};
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
     use glam::{Vec2, Vec3, Vec4};
 
     #[test]
@@ -184,7 +185,7 @@ mod tests {
             let p = Vec3::new(f32::from(x), f32::from(y), f32::from(z));
             let expected = number([x.into(), y.into(), z.into()]);
             assert_eq!(Value::new(7).value(p), expected * MARGIN);
-            assert!((ValueCatmullRom::new(7).value(p) - 0.512 * expected).abs() < 2e-6);
+            assert_abs_diff_eq!(ValueCatmullRom::new(7).value(p), 0.512 * expected, epsilon = 2e-6);
         }
     }
 
@@ -225,7 +226,10 @@ mod tests {
                     let step = h * Vec4::AXES[axis];
                     let difference = (noise(p + step).0 - noise(p - step).0) / (2.0 * h);
                     // The error is h² max |n‴|/6 and 2⁻²⁴/h; the spline's second derivative leaps at borders, by h/2 of which it errs.
-                    assert!((gradient[axis] - difference).abs() < 0.012, "{p}, axis {axis}: {difference}");
+                    assert!(
+                        abs_diff_eq!(gradient[axis], difference, epsilon = 0.012),
+                        "{p}, axis {axis}: {difference}"
+                    );
                 }
             };
             let pair = |sample: crate::Sample<Vec4>| (sample.value, sample.gradient);

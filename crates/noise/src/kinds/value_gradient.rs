@@ -193,6 +193,7 @@ impl Error for ValueGradientError {}
 mod tests {
     use super::*;
     use crate::contract::field::Field;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
     use glam::{Vec2, Vec3};
 
     #[test]
@@ -215,7 +216,10 @@ mod tests {
         for i in 0..100_i16 {
             let p = Vec3::new(0.37 * f32::from(i), 3.0 - 0.61 * f32::from(i), 0.23 * f32::from(i));
             let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).with_seed(4).sample(p));
-            assert!((0.75 * value.value + 0.25 * gradient.value - both.value).abs() < 1e-6, "{p}");
+            assert!(
+                abs_diff_eq!(0.75 * value.value + 0.25 * gradient.value, both.value, epsilon = 1e-6),
+                "{p}"
+            );
             let sum = 0.75 * value.gradient + 0.25 * gradient.gradient;
             assert!((sum - both.gradient).length() < 5e-6, "{p}");
         }
@@ -243,7 +247,7 @@ mod tests {
     #[test]
     fn the_bound_of_the_gradient_part_is_attained_in_the_centre() {
         let noise = ValueGradient::default().with_weight(1.0).unwrap().with_lattice(Facing);
-        assert!((noise.value(0.5) - MARGIN).abs() < 1e-7);
+        assert_abs_diff_eq!(noise.value(0.5), MARGIN, epsilon = 1e-7);
         for i in 0..=100_u8 {
             assert!(noise.value(f32::from(i) / 100.0) <= MARGIN);
         }

@@ -69,6 +69,7 @@ impl Along<Scalar> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     #[test]
     fn derivatives_are_derivatives() {
@@ -80,9 +81,12 @@ mod tests {
                 let t = f32::from(i) / 16.0;
                 // A central difference errs by h² max |w‴|/6 ≤ 10 h², and by rounding.
                 let slope = (w(t + h) - w(t - h)) / (2.0 * h);
-                assert!((dw(t) - slope).abs() < 2e-4, "{fade:?} at {t}: {slope}");
+                assert!(abs_diff_eq!(dw(t), slope, epsilon = 2e-4), "{fade:?} at {t}: {slope}");
                 let curvature = (dw(t + h) - dw(t - h)) / (2.0 * h);
-                assert!((fade.curvature(Scalar, t) - curvature).abs() < 2e-3, "{fade:?} at {t}: {curvature}");
+                assert!(
+                    abs_diff_eq!(fade.curvature(Scalar, t), curvature, epsilon = 2e-3),
+                    "{fade:?} at {t}: {curvature}"
+                );
             }
         }
     }

@@ -112,6 +112,7 @@ pub(crate) fn further<S: Lanes, const K: u32>(s: S, word: S::U) -> S::U {
 mod tests {
     use super::*;
     use crate::lattice::lattice::word_by_terms;
+    use approx::abs_diff_eq;
 
     /// The shares of flips of each bit of the word over `COUNT` points when one bit of an input is flipped.
     #[test]
@@ -139,7 +140,10 @@ mod tests {
             }
             for (bit, flips) in flips.into_iter().enumerate() {
                 let share = f64::from(flips) / f64::from(COUNT);
-                assert!((share - 0.5).abs() < TOLERANCE, "input bit {input}, output bit {bit}: {share}");
+                assert!(
+                    abs_diff_eq!(share, 0.5, epsilon = TOLERANCE),
+                    "input bit {input}, output bit {bit}: {share}"
+                );
             }
         }
     }

@@ -266,6 +266,7 @@ pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
 mod tests {
     use super::*;
     use crate::lattice::integer_hash::mix;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn levels_have_the_moments_of_the_normal_distribution() {
@@ -276,7 +277,7 @@ mod tests {
         };
         // Levels rounded to `f32` miss by 1e-9.
         for (power, moment) in [(1, 0.0), (2, 1.0), (3, 0.0), (4, 3.0)] {
-            assert!((mean(power) - moment).abs() < 1e-7, "moment {power}: {}", mean(power));
+            assert!(abs_diff_eq!(mean(power), moment, epsilon = 1e-7), "moment {power}: {}", mean(power));
         }
         assert!(LEVELS.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(LEVELS[4095] < 3.78 && LEVELS[4095] * core::f32::consts::SQRT_2 < 5.35);
@@ -302,7 +303,11 @@ mod tests {
                 square_of_length(unit_direction::<_, 4>(Scalar, word, 1.0)),
             ];
             assert!(unit.iter().all(|square| (square - 1.0).abs() < 4e-7), "{word}: {unit:?}");
-            assert!((square_of_length(edge_direction::<_, 2>(Scalar, word, 1.0)) - 2.0).abs() < 3e-7);
+            assert_abs_diff_eq!(
+                square_of_length(edge_direction::<_, 2>(Scalar, word, 1.0)),
+                2.0,
+                epsilon = 3e-7
+            );
             assert_eq!(square_of_length(edge_direction::<_, 3>(Scalar, word, 1.0)), 2.0);
             assert_eq!(square_of_length(edge_direction::<_, 4>(Scalar, word, 1.0)), 3.0);
         }
@@ -316,8 +321,14 @@ mod tests {
                 let mean: f64 = words().map(|w| f64::from(draw(w)[i])).sum::<f64>() / n;
                 let second: f64 = words().map(|w| f64::from(draw(w)[i]).powi(2)).sum::<f64>() / n;
                 // 5 standard errors: of a mean at most √square/100, of a square at most √3 square/100.
-                assert!(mean.abs() < 0.05 * square.sqrt(), "{N}-D, axis {i}: mean {mean}");
-                assert!((second - square).abs() < 0.09 * square, "{N}-D, axis {i}: square {second}");
+                assert!(
+                    abs_diff_eq!(mean, 0.0, epsilon = 0.05 * square.sqrt()),
+                    "{N}-D, axis {i}: mean {mean}"
+                );
+                assert!(
+                    abs_diff_eq!(second, square, epsilon = 0.09 * square),
+                    "{N}-D, axis {i}: square {second}"
+                );
             }
         }
         moments::<2>(|w| unit_direction(Scalar, w, 1.0), 0.5);
@@ -340,7 +351,8 @@ mod tests {
             let (x, y) = (cos(within), sin(within));
             let expected = [(x, y), (-y, x), (-x, -y), (y, -x)][(i >> 4) as usize];
             assert!(
-                (f64::from(c) - expected.0).abs() < 2e-7 && (f64::from(s) - expected.1).abs() < 2e-7,
+                abs_diff_eq!(f64::from(c), expected.0, epsilon = 2e-7)
+                    && abs_diff_eq!(f64::from(s), expected.1, epsilon = 2e-7),
                 "{i}"
             );
         }

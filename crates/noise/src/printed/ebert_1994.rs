@@ -374,6 +374,7 @@ impl CellNoise<3> for Gradients<'_> {
 mod tests {
     use super::*;
     use crate::lattice::integer_hash::mix;
+    use approx::abs_diff_eq;
     use glam::Vec3;
 
     fn tables() -> LectureTables {
@@ -392,10 +393,10 @@ mod tests {
         for i in 0..=4096_u16 {
             let theta = f32::from(i) / 4096.0 * core::f32::consts::TAU;
             let [c, s] = cos_sin(theta).map(f64::from);
-            assert!((c * c + s * s - 1.0).abs() < 2e-7, "{theta}");
+            assert!(abs_diff_eq!(c * c + s * s, 1.0, epsilon = 2e-7), "{theta}");
             // The turn by θ and the turn back.
             let [d, t] = cos_sin(core::f32::consts::TAU - theta).map(f64::from);
-            assert!((c - d).abs() < 7e-7 && (s + t).abs() < 7e-7, "{theta}");
+            assert!(abs_diff_eq!(c, d, epsilon = 7e-7) && (s + t).abs() < 7e-7, "{theta}");
         }
         assert_eq!(cos_sin(0.0), [1.0, 0.0]);
         for (theta, [c, s]) in [(0.5, [0.877_582_56, 0.479_425_54]), (2.0, [-0.416_146_84, 0.909_297_4])] {

@@ -195,6 +195,7 @@ fn copy<const N: usize, const M: usize>(to: &mut [[f32; N]; N], from: &[[f32; M]
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     fn is_rotation<const N: usize>() {
         for seed in 0..32 {
@@ -204,7 +205,10 @@ mod tests {
                     for j in 0..N {
                         let dot: f32 = (0..N).map(|k| m[i][k] * m[j][k]).sum();
                         let expected = if i == j { square } else { 0.0 };
-                        assert!((dot - expected).abs() < 3e-6 * square, "{N}-D, seed {seed}: {dot}");
+                        assert!(
+                            abs_diff_eq!(dot, expected, epsilon = 3e-6 * square),
+                            "{N}-D, seed {seed}: {dot}"
+                        );
                     }
                 }
                 assert!(layer.offset.iter().all(|x| (0.0..1.0).contains(x)));

@@ -224,6 +224,7 @@ impl Error for FeedbackError {}
 mod tests {
     use super::*;
     use crate::kinds::perlin::Perlin2002;
+    use approx::assert_abs_diff_eq;
     use glam::Vec3;
 
     #[test]
@@ -253,6 +254,6 @@ mod tests {
         let ridges = RidgedMultifractal::new(Perlin2002::new(1), Spectrum::default(), 0.0).unwrap();
         let p = Vec3::new(0.2, 7.1, -3.4);
         let [one, three] = [1.0, 3.0].map(|octaves| ridges.first(octaves).value(p));
-        assert!((three * 1.75 - one).abs() < 1e-6);
+        assert_abs_diff_eq!(three * 1.75, one, epsilon = 1e-6);
     }
 }

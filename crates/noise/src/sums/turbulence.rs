@@ -123,6 +123,7 @@ shape!(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     fn check<T: Shape>(shape: T, phi: impl Fn(f32) -> f32) {
         let h = 1.0 / 1024.0;
@@ -161,9 +162,9 @@ mod tests {
         let phi = |n| shape.value(n);
         let [m, d] = shape.mean_and_deviation(0.0, moments);
         let expected = mean(phi);
-        assert!((m - expected).abs() < 1e-6, "{shape:?}: {m}, not {expected}");
+        assert!(abs_diff_eq!(m, expected, epsilon = 1e-6), "{shape:?}: {m}, not {expected}");
         let variance = mean(|n| (phi(n) - expected) * (phi(n) - expected));
-        assert!((d * d - variance).abs() < 1e-6, "{shape:?}: {d}² is not {variance}");
+        assert!(abs_diff_eq!(d * d, variance, epsilon = 1e-6), "{shape:?}: {d}² is not {variance}");
     }
 
     #[test]

@@ -175,6 +175,7 @@ fn cross(u: [f32; 3], v: [f32; 3]) -> [f32; 3] {
 mod tests {
     use super::*;
     use crate::{kinds::perlin::Perlin2002, kinds::simplex::simplex::Simplex};
+    use approx::abs_diff_eq;
 
     #[test]
     fn velocities_stand_on_the_gradients() {
@@ -184,7 +185,10 @@ mod tests {
             let [a, b, _] = fields.map(|field| field.sample(p).gradient);
             let v = Curl3(fields[0], fields[1]).velocity(p);
             // Each component of v is rounded by 3 half ulps of a product of gradients under 4.
-            assert!(v.dot(a).abs() < 2e-5 && v.dot(b).abs() < 2e-5, "{p}: {v}");
+            assert!(
+                abs_diff_eq!(v.dot(a), 0.0, epsilon = 2e-5) && abs_diff_eq!(v.dot(b), 0.0, epsilon = 2e-5),
+                "{p}: {v}"
+            );
             let flat = Curl2(fields[0]).velocity(p.truncate());
             let gradient: Vec2 = fields[0].sample(p.truncate()).gradient;
             assert_eq!(flat.x * gradient.x + flat.y * gradient.y, 0.0);
