@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves, shade_facet};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::{
-    Beckmann, Conductor, Coordinates, Dielectric, Frame, GaussianField, Ggx, LevelOfDetail, Ndf,
-    RemappedOctaves, Schlick, far_field, half_vector, shade_facet,
+    Beckmann, Conductor, Dielectric, Frame, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 

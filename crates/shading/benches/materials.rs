@@ -3,12 +3,16 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::material::GlintField;
+use asperity_shading::reflectance::{
+    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
+};
+use asperity_shading::texture::{Gas, StarWallpaper};
 use asperity_shading::{
-    Beckmann, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, CookTorrance,
-    Dielectric, EnergyPreservingOrenNayar, Footprint, Gas, Ggx, GlintField, Lambert, Marble, MetallicPaint,
-    MetallicPaintParameters, OrenNayar, OrenNayarForm, Phong, PixelEllipse, Scratches, ScratchesParameters,
-    StarWallpaper, SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations,
-    VariationsParameters, WardForm, WardReflection,
+    Beckmann, Brdf, Brick, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
+    Footprint, Ggx, Lambert, Marble, MetallicPaint, MetallicPaintParameters, Phong, PixelEllipse, Scratches,
+    ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations,
+    VariationsParameters,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 

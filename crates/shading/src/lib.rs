@@ -28,48 +28,34 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! | item | is |
-//! |---|---|
-//! | [`half_vector`], [`reflect`] | the facet that mirrors one direction into another; the mirrored direction |
-//! | [`Frame`] | tangent frame of the macro surface, from its normal with or without ∂P/∂u; of a facet, by minimal rotation |
-//! | [`far_field`] | p(h), shading where nothing is resolved |
-//! | [`Footprint`], [`PixelEllipse`] | width of a pixel on the surface, from distance and angle or from two derivatives; its long and its short axis |
-//! | [`FrequencyClamp`] | footprint → real count of octaves, none above the pixel's Nyquist frequency |
-//! | [`GaussianField`], [`Coordinates`] | two Gaussian noises over space; what is resolved of them at a point |
-//! | [`RemappedOctaves`] | classic noise as such a field, through its measured distribution; [`noise::GaussianOctaves`] needs none |
-//! | [`BumpField`] | a field laid into space, with its frequency clamp |
-//! | [`surface_gradient`], [`tangential`], [`gradient_of_normal`], [`differences`] | gradients along a surface: from two parameters, from space, from a normal, by neighbours |
-//! | [`bumped_normal`], [`lecture_normal`], [`displace`], [`facing`] | bump mapping: the normals of displaced surfaces |
-//! | [`slope_facets`](fn@slope_facets) | slopes that a pixel does not resolve, as a few facets |
-//! | [`LevelOfDetail`] | the rules `Exact` and `Fractal`: radiance, and the bump map's normal |
-//! | [`SlopePyramidRef`], [`SlopePyramid`], [`SlopeLobes`], [`SlopeLobe`], [`SlopeMoments`] | normal maps made by hand at every zoom: their slopes within a pixel |
-//! | [`facet_coordinates`], [`shade_facet`] | the `Fractal` rule in two steps, for a table of frames between them |
-//! | [`Fresnel`]: [`Dielectric`], [`Conductor`], [`Schlick`], [`SchlickF82`] | Fresnel reflectance, unpolarised |
-//! | [`Brdf`] | what a surface does to light: value, samples and their density |
-//! | [`Lambert`], [`OrenNayar`], [`EnergyPreservingOrenNayar`] | diffuse surfaces, smooth and rough |
-//! | [`CookTorrance`], [`TorranceSparrow`] | surfaces of mirrors, with Smith's masking or that of V-shaped grooves |
-//! | [`Environment`]: [`LatitudeLongitude`], [`EnvironmentRef`], [`EnvironmentMap`] | light from all around by an image, its samples and their density |
-//! | [`light_samples`], [`LightSample`], [`reflected_radiance`], [`even_points`] | what a surface sends on of it, by samples of both |
-//! | [`Irradiance`], [`PrefilteredRef`], [`PrefilteredMap`], [`PrefilteredLevel`], [`prefiltered_radiance`] | the same by one look-up, diffuse and glossy |
-//! | [`SplitSum`], [`split_sum`] | how much of even light a rough mirror sends on |
-//! | [`SurfacePoint`], [`Form`], [`ParameterError`] | where materials are evaluated; printed or corrected formulas; parameters refused |
-//! | [`Carpet`], [`CarpetParameters`], [`CarpetSurface`] | the carpet of a car; its parts: |
-//! | [`DiffuseThreads`], [`SpecularThreads`], [`DarkAreas`] | threads together and singly; darker areas |
-//! | [`Seams`], [`SeamPattern`], [`Seam`], [`linear_seam`], [`rim_light`] | seams of a carpet, light along its rim |
-//! | [`MetallicPaint`], [`MetallicPaintParameters`], [`PaintSurface`], [`Facet`] | metallic paint; its parts: |
-//! | [`OrangePeel`], [`PassiveFlakes`] | bumps of the clear coat; flakes that vary the colour |
-//! | [`Sparkles`], [`Sparkle`], [`Elimination`], [`brighter_normal`], [`brighter_reflection`], [`boosted`], [`sparkle_width`] | sparkling flakes of a fixed width in pixels |
-//! | [`flake_patch`], [`FlakePatch`], [`flake_patch_printed`], [`flake_tilt_printed`] | which flake a point is in |
-//! | [`GlintField`], [`GlintFlake`] | flakes of any density, single or counted, with its mean at every distance |
-//! | [`Fibres`], [`FibresParameters`], [`Fibre`] | threads that are still threads from very near |
-//! | [`Scratches`], [`ScratchesParameters`], [`ScratchedSurface`] | scratches by hashes, with their mean in closed form |
-//! | [`TemperedGlass`], [`TemperedGlassParameters`], [`GlassSurface`], [`GlassWaves`], [`wave_height`], [`wave_gradient`] | glass with waves |
-//! | [`Variations`], [`VariationsParameters`], [`VariedSurface`] | variations for any material; its parts: |
-//! | [`Blemishes`], [`varied`], [`Dents`] | spots of colour; dents here and there |
-//! | [`Phong`], [`BlinnPhongLobe`], [`WardReflection`] | lobes about the mirrored direction and the half vector |
-//! | [`Brick`], [`Bevel`], [`Edge`] | bricks and mortar, with the exact mean over a pixel; ridges along edges |
-//! | [`StarWallpaper`], [`PerturbedTexture`], [`Marble`] | stars in cells, images that run, blue marble |
-//! | [`Gas`], [`Steam`], [`march`] | gas as a density, its room over a cup, light through it |
+//! A material in one call: [`Material::bsdf`] of a point gives what it does to light, bumps that the pixel does not resolve included.
+//!
+//! ```
+//! use asperity_shading::glam::{Vec2, Vec3};
+//! use asperity_shading::{Carpet, CarpetParameters, Footprint, Material, SurfacePoint};
+//!
+//! let carpet = Carpet::new(CarpetParameters::default())?;
+//! let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
+//!     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
+//! let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
+//! let light = carpet.bsdf(&point, wo).scattered(wi, wo);
+//! assert!(light.min_element() > 0.0);
+//! # Ok::<(), asperity_shading::ParameterError>(())
+//! ```
+//!
+//! | module | holds | at this root |
+//! |---|---|---|
+//! | [`pixel`] | footprints of pixels, round and as ellipses; how many octaves they resolve | [`Footprint`], [`PixelEllipse`] |
+//! | [`mod@bump`] | surface gradients, bumped normals, displacement, facets of slopes | |
+//! | [`level_of_detail`] | bump maps from Gaussian noise: what a pixel resolves, and two rules to shade the rest | [`BumpField`], [`LevelOfDetail`], [`far_field`] |
+//! | [`reflectance`] | BRDFs with samples, Fresnel terms, [`Bsdf`]: layers of lobes on facets under a coat | [`Brdf`], [`Bsdf`], [`Lambert`], [`EnergyPreservingOrenNayar`], [`CookTorrance`], [`TorranceSparrow`], [`Phong`], [`Fresnel`], [`Dielectric`], [`Conductor`], [`Schlick`] |
+//! | [`environment`] | environment maps (HDRI) with importance sampling; irradiance, prefiltered maps, split sum | [`Environment`], [`EnvironmentMap`], [`EnvironmentRef`], [`Irradiance`], [`reflected_radiance`] |
+//! | [`normal_map`] | normal maps at every zoom, by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
+//! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
+//! | [`material`] | [`Material`] and all materials: carpet, metallic paint, glass, wear, bump maps, walls | [`Material`], [`SurfacePoint`], [`Carpet`], [`MetallicPaint`], [`TemperedGlass`], [`Variations`], [`Scratches`], [`BumpMapped`] |
+//!
+//! [`half_vector`] and [`reflect`] are the geometry of mirrors, [`Frame`] that of tangents; [`ndf_sampling`] and [`noise`] are the crates
+//! below.
 //!
 //! # Conventions
 //!
@@ -84,6 +70,7 @@
 //!
 //! Both rules of level of detail show p(h) as it is, without masking and shadowing; a Fresnel term is
 //! multiplied on by the caller, at the angle between `h` and either direction. The full microfacet model is [`CookTorrance`].
+//! A [`Bsdf`] is evaluated; paths of light from surface to surface are the renderer's.
 //!
 //! # Features
 //!
@@ -91,7 +78,7 @@
 //! |---|---|
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
-//! | `alloc` (default) | the owned tables of `asperity-ndf-sampling` |
+//! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -110,51 +97,31 @@ pub mod level_of_detail;
 pub mod material;
 mod math;
 pub mod normal_map;
+mod parameter;
 pub mod pixel;
 pub mod reflectance;
 pub mod texture;
 
 pub use asperity_ndf_sampling as ndf_sampling;
-pub use asperity_ndf_sampling::{Beckmann, BlinnPhong, Frame, Ggx, Microfacet, Ndf, conditional_density};
+pub use asperity_ndf_sampling::{Beckmann, Frame, Ggx, Ndf};
 pub use asperity_noise as noise;
-pub use bump::{
-    Displaced, bumped_normal, differences, displace, facing, gradient_of_normal, lecture_normal,
-    slope_facets, surface_gradient, tangential,
-};
 pub use direction::{half_vector, reflect};
-pub use environment::{
-    Environment, EnvironmentError, EnvironmentRef, Irradiance, LatitudeLongitude, LightSample,
-    PrefilteredError, PrefilteredLevel, PrefilteredRef, SplitSum, even_points, light_samples,
-    prefiltered_radiance, reflected_radiance, split_sum,
-};
 #[cfg(feature = "alloc")]
-pub use environment::{EnvironmentMap, PrefilteredMap};
+pub use environment::EnvironmentMap;
+pub use environment::{Environment, EnvironmentRef, Irradiance, reflected_radiance};
 pub use glam;
-pub use level_of_detail::{
-    BumpField, Coordinates, GaussianField, LevelOfDetail, RemappedOctaves, facet_coordinates, far_field,
-    shade_facet,
-};
+pub use level_of_detail::{BumpField, LevelOfDetail, far_field};
 pub use material::{
-    Blemishes, Carpet, CarpetParameters, CarpetSurface, DarkAreas, Dents, DiffuseThreads, Elimination, Facet,
-    Fibre, Fibres, FibresParameters, FlakePatch, Form, GlassSurface, GlassWaves, GlintField, GlintFlake,
-    Material, MetallicPaint, MetallicPaintParameters, OrangePeel, PaintSurface, ParameterError,
-    PassiveFlakes, ScratchedSurface, Scratches, ScratchesParameters, Seam, SeamPattern, Seams, Sparkle,
-    Sparkles, SpecularThreads, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
-    VariationsParameters, VariedSurface, boosted, brighter_normal, brighter_reflection, flake_patch,
-    flake_patch_printed, flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient,
-    wave_height,
+    BumpMapped, Carpet, CarpetParameters, Material, MetallicPaint, MetallicPaintParameters, Scratches,
+    ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
 };
 #[cfg(feature = "alloc")]
 pub use normal_map::SlopePyramid;
-pub use normal_map::{SlopeLobe, SlopeLobes, SlopeMoments, SlopePyramidError, SlopePyramidRef};
-pub use pixel::{Footprint, FrequencyClamp, FrequencyClampError, PixelEllipse};
+pub use parameter::ParameterError;
+pub use pixel::{Footprint, PixelEllipse};
 pub use reflectance::{
-    AlbedoError, BlinnPhongFactor, BlinnPhongLobe, Brdf, Bsdf, Conductor, ConductorError, CookTorrance,
-    Dielectric, DielectricError, DiffuseError, EnergyPreservingOrenNayar, Fresnel, Lambert, Masking,
-    OrenNayar, OrenNayarForm, Phong, PhongError, Schlick, SchlickError, SchlickF82, SchlickF82Error,
-    TorranceSparrow, WardError, WardForm, WardReflection,
+    Brdf, Bsdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Fresnel, Lambert, Phong,
+    Schlick, TorranceSparrow,
 };
-pub use texture::{
-    Bevel, BevelError, Brick, BrickError, BrickSample, Edge, Gas, GasError, Marble, MarbleError,
-    PerturbedTexture, Seen, StarWallpaper, StarWallpaperError, Steam, march,
-};
+pub use texture::{Brick, Marble};

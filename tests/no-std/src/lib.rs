@@ -4,10 +4,8 @@
 use asperity_fif::FixedFif;
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_noise::{Field, Gaussian, GaussianOctaves, Perlin2002, Spectrum};
-use asperity_shading::{
-    Coordinates, LevelOfDetail, far_field,
-    glam::{Vec2, Vec3},
-};
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::{LevelOfDetail, far_field, glam::{Vec2, Vec3}};
 
 /// Takes the part of libc that a freestanding program lacks.
 #[cfg(not(test))]

@@ -1,18 +1,24 @@
 //! Surfaces and reflectances of any parameters in range, at any point, seen from anywhere: what they promise holds for NaN,
 //! infinities, degenerate tangents and directions as well.
 
+use asperity_shading::bump::{
+    bumped_normal, displace, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
+};
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::material::{
+    Elimination, Fibres, FibresParameters, GlassWaves, GlintField, SeamPattern, rim_light,
+};
 use asperity_shading::material::{GlassBody, Material, PaintFlakes};
 use asperity_shading::noise::Perlin2002;
+use asperity_shading::reflectance::{
+    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
+};
+use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{
-    Beckmann, Bevel, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, Carpet, CarpetParameters, Conductor,
-    CookTorrance, Dielectric, Edge, Elimination, EnergyPreservingOrenNayar, Fibres, FibresParameters,
-    Footprint, Frame, Gas, Ggx, GlassWaves, GlintField, Lambert, Marble, Masking, MetallicPaint,
-    MetallicPaintParameters, OrenNayar, OrenNayarForm, PerturbedTexture, Phong, PixelEllipse, Schlick,
-    SchlickF82, Scratches, ScratchesParameters, SeamPattern, StarWallpaper, Steam, SurfacePoint,
-    TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters, WardForm,
-    WardReflection, bumped_normal, displace, facing, gradient_of_normal, lecture_normal, march, rim_light,
-    surface_gradient, tangential,
+    Beckmann, Brdf, Brick, Carpet, CarpetParameters, Conductor, CookTorrance, Dielectric,
+    EnergyPreservingOrenNayar, Footprint, Frame, Ggx, Lambert, Marble, MetallicPaint,
+    MetallicPaintParameters, Phong, PixelEllipse, Schlick, Scratches, ScratchesParameters, SurfacePoint,
+    TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
 };
 use proptest::prelude::*;
 use proptest::sample::select;

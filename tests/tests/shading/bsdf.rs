@@ -85,7 +85,7 @@ fn point(at: Vec2, width: f32) -> SurfacePoint {
     SurfacePoint::new(at.extend(0.3), Vec3::Z, Footprint::from_width(width)).with_uv(at, [Vec3::X, Vec3::Y])
 }
 
-/// What the smooth coat sends, the mean over its facets.
+/// Albedo of the smooth coat, the mean over its facets.
 fn coat(bsdf: &asperity_shading::reflectance::Bsdf<'_>, wo: Vec3) -> f64 {
     let sum: f32 = (0..256_u16)
         .map(|k| {

@@ -14,7 +14,7 @@ pub(crate) fn smooth(w: Vec3) -> Vec3 {
         + Vec3::new(0.6, 0.4, 0.1) * (0.5 + 0.5 * w.x).powi(4)
 }
 
-/// The same with a sun of 6° across, a thousand times as bright.
+/// A sky with a sun of 6° across, a thousand times as bright.
 pub(crate) fn hard(w: Vec3) -> Vec3 {
     let sun = Vec3::new(0.48, -0.36, 0.8);
     smooth(w)

@@ -3,16 +3,24 @@
 //! They are pinned to a few units in the last place, not to the bit: the float functions of `std` round differently from
 //! platform to platform, and `libm`'s, which are the same everywhere, differently again.
 
-use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
-use asperity_shading::{
-    Beckmann, Bevel, BlinnPhongFactor, BlinnPhongLobe, Brdf, Brick, BumpField, Conductor, CookTorrance,
-    Coordinates, Dielectric, Edge, EnergyPreservingOrenNayar, Footprint, Frame, FrequencyClamp, Fresnel, Gas,
-    GaussianField, Ggx, Lambert, LevelOfDetail, Marble, Masking, OrenNayar, OrenNayarForm, PerturbedTexture,
-    Phong, PixelEllipse, RemappedOctaves, Schlick, SchlickF82, StarWallpaper, Steam, TorranceSparrow,
-    WardForm, WardReflection, bumped_normal, differences, displace, facet_coordinates, facing, far_field,
-    gradient_of_normal, half_vector, lecture_normal, march, reflect, shade_facet, surface_gradient,
+use asperity_shading::bump::{
+    bumped_normal, differences, displace, facing, gradient_of_normal, lecture_normal, surface_gradient,
     tangential,
+};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::{
+    Coordinates, GaussianField, RemappedOctaves, facet_coordinates, shade_facet,
+};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::pixel::FrequencyClamp;
+use asperity_shading::reflectance::{
+    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
+};
+use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
+use asperity_shading::{
+    Beckmann, Brdf, Brick, BumpField, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar,
+    Footprint, Frame, Fresnel, Ggx, Lambert, LevelOfDetail, Marble, Phong, PixelEllipse, Schlick,
+    TorranceSparrow, far_field, half_vector, reflect,
 };
 use asperity_tests::pinned::{SINGLE, pinned, vec2, vec3};
 

@@ -1,14 +1,17 @@
 //! Pinned values of the materials with their default parameters: a change of one is value-breaking.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::material::{
+    Blemishes, DarkAreas, Dents, DiffuseThreads, Fibres, FibresParameters, Form, GlassWaves, GlintField,
+    OrangePeel, PassiveFlakes, SeamPattern, Seams, SpecularThreads, boosted, flake_patch,
+    flake_patch_printed, flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied, wave_gradient,
+    wave_height,
+};
 use asperity_shading::noise::lattice::{ChainedTable, PermutationTable};
 use asperity_shading::{
-    Beckmann, Blemishes, Carpet, CarpetParameters, DarkAreas, Dents, DiffuseThreads, Fibres,
-    FibresParameters, Footprint, Form, GlassWaves, GlintField, MetallicPaint, MetallicPaintParameters,
-    OrangePeel, PassiveFlakes, Scratches, ScratchesParameters, SeamPattern, Seams, SpecularThreads,
-    SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters, boosted,
-    flake_patch, flake_patch_printed, flake_tilt_printed, linear_seam, rim_light, sparkle_width, varied,
-    wave_gradient, wave_height,
+    Beckmann, Carpet, CarpetParameters, Footprint, MetallicPaint, MetallicPaintParameters, Scratches,
+    ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
 };
 use asperity_tests::pinned::{SINGLE, pinned, vec2, vec3};
 

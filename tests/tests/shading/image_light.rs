@@ -2,12 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
+use asperity_shading::environment::{PrefilteredMap, SplitSum, low_discrepancy_points, prefiltered_radiance};
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::Ndf as _;
 use asperity_shading::{
     Brdf, CookTorrance, EnergyPreservingOrenNayar, Environment, EnvironmentMap, Frame, Ggx, Irradiance,
-    Lambert, Phong, PrefilteredMap, Schlick, SplitSum, even_points, half_vector, prefiltered_radiance,
-    reflected_radiance,
+    Lambert, Phong, Schlick, half_vector, reflected_radiance,
 };
 use asperity_tests::random::Random;
 
@@ -79,7 +79,7 @@ fn sampled_light_is_the_integral() {
                 // 20 cases at a significance of 0.001 together: 4.06 standard errors.
                 assert!(deviation.abs() < 4.06, "{light}, {name}, {wo}: {sum} for {expected}, {deviation}");
                 // Many points, evenly spread, come nearer than random ones.
-                let even = reflected_radiance(&*brdf, &map, &frame, wo, even_points(POINTS)).x;
+                let even = reflected_radiance(&*brdf, &map, &frame, wo, low_discrepancy_points(POINTS)).x;
                 println!(
                     "{light}, {name}: {deviation:.2} standard errors, one sample ± {:.3}, even {:.4}",
                     error * f64::from(POINTS).sqrt() / sum,
@@ -99,7 +99,7 @@ fn even_light_is_sent_on_by_the_albedo() {
             for wo in [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.954, 0.3)] {
                 let wo = frame.to_world(wo);
                 let albedo = quadrature(&*brdf, &Vec3::ONE, &frame, wo, 200).x;
-                let sent = reflected_radiance(&*brdf, &furnace, &frame, wo, even_points(2048)).x;
+                let sent = reflected_radiance(&*brdf, &furnace, &frame, wo, low_discrepancy_points(2048)).x;
                 // Measured: 0.003 for the rough one, whose samples are those of the cosine.
                 assert!((sent / albedo - 1.0).abs() < 6e-3, "{name}, {wo}: {sent} for {albedo}");
                 assert!(sent <= 1.004, "{name}: {sent}");
@@ -135,7 +135,8 @@ fn irradiance_is_near_the_sampled_one() {
         let map = EnvironmentMap::from_fn(64, 32, f).expect("an image");
         let irradiance = Irradiance::new(&map, 128);
         let found = deviation(spiral(200).map(|n| {
-            let sampled = reflected_radiance(&lambert, &map, &Frame::from_normal(n), n, even_points(512));
+            let sampled =
+                reflected_radiance(&lambert, &map, &Frame::from_normal(n), n, low_discrepancy_points(512));
             (irradiance.at(n) / PI as f32, sampled)
         }));
         println!("{name}: {found:.4?}");
@@ -204,7 +205,7 @@ fn split_sum_is_near_the_sampled_light() {
                 deviation(spiral(80).map(|n| {
                     let frame = Frame::from_normal(n);
                     let wo = frame.to_world(Vec3::new(sin, 0.0, cos));
-                    let sampled = reflected_radiance(&brdf, &map, &frame, wo, even_points(512));
+                    let sampled = reflected_radiance(&brdf, &map, &frame, wo, low_discrepancy_points(512));
                     (stack.reflected(&table, f0, alpha, n, wo), sampled)
                 }))
             });

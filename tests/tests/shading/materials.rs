@@ -1,12 +1,13 @@
 //! Materials: the thesis's values, printed and corrected, and means that do not depend on the distance.
 
+use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::noise::removed_share;
-use asperity_shading::{
-    Beckmann, Carpet, CarpetParameters, Dents, Footprint, Form, Ggx, GlintField, Ndf, PassiveFlakes,
-    SeamPattern, Seams, SpecularThreads, SurfacePoint, bumped_normal, flake_patch, rim_light, varied,
-    wave_gradient,
+use asperity_shading::material::{
+    Dents, Form, GlintField, PassiveFlakes, SeamPattern, Seams, SpecularThreads, flake_patch, rim_light,
+    varied, wave_gradient,
 };
+use asperity_shading::noise::removed_share;
+use asperity_shading::{Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Ndf, SurfacePoint};
 use asperity_tests::random::Random;
 use asperity_tests::reference::{read, rows};
 

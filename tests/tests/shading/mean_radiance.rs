@@ -1,9 +1,10 @@
 //! The mean radiance of a surface at every zoom, measured from the real noise: `Exact` keeps it, `Fractal` does not.
 
 use asperity_shading::glam::Vec3;
+use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::{Beckmann, GaussianField, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Patches, each with a seed of its own; the standard errors come from their spread.

@@ -1,9 +1,11 @@
 //! Normal maps made by hand: their mean radiance at every zoom, by moments, by averaged normals and point by point.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::ndf_sampling::{estimate_ndf, level_of_detail::OffsetBeckmann};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::{Beckmann, BumpField, Coordinates, Footprint, Ndf, SlopeMoments, SlopePyramid};
+use asperity_shading::normal_map::SlopeMoments;
+use asperity_shading::{Beckmann, BumpField, Footprint, Ndf, SlopePyramid};
 
 /// Texels along a side.
 const SIZE: usize = 128;
@@ -92,7 +94,7 @@ fn about(normal: Vec3, alpha: f32) -> OffsetBeckmann {
 /// Widths of pixels, in texels.
 const WIDTHS: [f32; 7] = [0.0, 0.5, 1.0, 3.0, 8.0, 16.0, 128.0];
 
-/// What pixels that see slopes in `K` groups are off by at most, from points to the whole map.
+/// Greatest error of pixels that see slopes in `K` groups, from points to the whole map.
 fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64]) -> f64 {
     let map = SlopePyramid::<K>::from_normals(SIZE, SIZE, normals).expect("a map");
     let stone = Beckmann::isotropic(alpha).expect("in range");

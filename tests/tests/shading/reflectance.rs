@@ -3,11 +3,14 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::ndf_sampling::BlinnPhong;
 use asperity_shading::ndf_sampling::{Isotropic, StudentT};
+use asperity_shading::reflectance::{
+    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
+};
 use asperity_shading::{
-    Beckmann, BlinnPhong, BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, Dielectric,
-    EnergyPreservingOrenNayar, Ggx, Lambert, Masking, OrenNayar, OrenNayarForm, Phong, Schlick, SchlickF82,
-    TorranceSparrow, WardForm, WardReflection,
+    Beckmann, Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
+    Schlick, TorranceSparrow,
 };
 use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
@@ -232,7 +235,7 @@ fn bins(brdf: &dyn Brdf, wo: Vec3, rows: usize, columns: usize) -> Vec<f64> {
     bins
 }
 
-/// How likely 60,000 samples are by their density, which lacks to 1 what falls below the horizon.
+/// Significance of 60,000 samples by their density, which lacks to 1 what falls below the horizon.
 pub(crate) fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
     const ROWS: usize = 8;
     const COLUMNS: usize = 16;

@@ -1,8 +1,9 @@
 //! Classic noise through its measured distribution: nearly Gaussian, so that the exact rule nearly keeps the mean.
 
 use asperity_shading::glam::Vec3;
+use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
 use asperity_shading::noise::{Perlin2002, Simplex, Spectrum, simd::Kernel};
-use asperity_shading::{Beckmann, GaussianField, LevelOfDetail, RemappedOctaves, far_field};
+use asperity_shading::{Beckmann, LevelOfDetail, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Mean, variance and correlation of the coordinates, then the ratios of the mean radiance to p(h) at two half vectors.

@@ -1,12 +1,15 @@
 //! Bumps and facets do not depend on how a surface is parametrised: turned, stretched, sheared and mirrored.
 
+use asperity_shading::bump::{bumped_normal, displace, gradient_of_normal, surface_gradient, tangential};
 use asperity_shading::glam::{Mat2, Vec2, Vec3};
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::material::SeamPattern;
+use asperity_shading::ndf_sampling::BlinnPhong;
+use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm};
 use asperity_shading::{
-    Beckmann, BlinnPhong, BlinnPhongFactor, BlinnPhongLobe, Brdf, Carpet, CarpetParameters, CookTorrance,
-    Coordinates, Dielectric, EnergyPreservingOrenNayar, Footprint, Frame, Ggx, LevelOfDetail, MetallicPaint,
-    MetallicPaintParameters, Ndf, OrenNayar, OrenNayarForm, Phong, SeamPattern, SurfacePoint, TemperedGlass,
-    TemperedGlassParameters, Variations, VariationsParameters, bumped_normal, displace, gradient_of_normal,
-    surface_gradient, tangential,
+    Beckmann, Brdf, Carpet, CarpetParameters, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Footprint,
+    Frame, Ggx, LevelOfDetail, MetallicPaint, MetallicPaintParameters, Ndf, Phong, SurfacePoint,
+    TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
 use proptest::prelude::*;
 
@@ -43,7 +46,7 @@ fn mapped([p_u, p_v]: [Vec3; 2], map: Mat2) -> [Vec3; 2] {
     [map.x_axis, map.y_axis].map(|by| p_u * by.x + p_v * by.y)
 }
 
-/// The same direction in a frame that is turned about its normal.
+/// A direction in a frame that is turned about its normal.
 fn turned(v: Vec3, by: f32) -> Vec3 {
     Vec2::from_angle(-by).rotate(v.truncate()).extend(v.z)
 }

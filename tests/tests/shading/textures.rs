@@ -1,7 +1,8 @@
 //! Textures: what a pixel sees is the mean of its points.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::{Brick, Footprint, Marble, PixelEllipse, StarWallpaper};
+use asperity_shading::texture::StarWallpaper;
+use asperity_shading::{Brick, Footprint, Marble, PixelEllipse};
 
 const WALLS: [(f32, f32, f32); 4] = [(0.25, 0.08, 0.01), (1.0, 1.0, 0.5), (0.3, 0.2, 0.0), (2.0, 0.5, 0.3)];
 

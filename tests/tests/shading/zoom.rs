@@ -1,12 +1,10 @@
 //! Zooming in: no pop, nothing seen from afar becomes untrue, and the far field where the pixel resolves nothing.
 
 use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
 use asperity_shading::ndf_sampling::NormalTable;
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::{
-    Beckmann, BumpField, Coordinates, Footprint, Frame, GaussianField, Ggx, LevelOfDetail, Ndf,
-    facet_coordinates, far_field, shade_facet,
-};
+use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];

@@ -106,7 +106,7 @@ pub(crate) struct Drawn {
     /// Parameters by name, shown under the caption.
     pub(crate) parameters: Vec<(String, String)>,
     /// Measured figures, shown as a table: header, then rows.
-    pub(crate) table: Option<Table>,
+    pub(crate) table: Option<(Vec<String>, Vec<Vec<String>>)>,
 }
 
 impl Drawn {
@@ -134,7 +134,7 @@ impl Drawn {
         rows: impl IntoIterator<Item = impl Into<Vec<String>>>,
     ) -> Self {
         let head = head.into_iter().map(Into::into).collect();
-        Self { table: Some(Table { head, rows: rows.into_iter().map(Into::into).collect() }), ..self }
+        Self { table: Some((head, rows.into_iter().map(Into::into).collect())), ..self }
     }
 }
 
@@ -185,12 +185,4 @@ pub(crate) enum Picture {
     Raster(Image),
     /// A complete `<svg>` element whose colours are the page's custom properties.
     Vector(String),
-}
-
-/// A small table of measured values.
-pub(crate) struct Table {
-    /// Column heads.
-    pub(crate) head: Vec<String>,
-    /// Rows, as many cells as heads.
-    pub(crate) rows: Vec<Vec<String>>,
 }

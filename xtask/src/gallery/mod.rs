@@ -14,7 +14,7 @@ use std::{sync::atomic::AtomicBool, time::Instant};
 use crate::cli::Gallery;
 use crate::failure::Failure;
 use crate::gallery::captions::captions;
-use crate::gallery::figure::{Context, Drawn, Figure, Picture};
+use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
 use crate::gallery::page::{PanelRecord, Record};
 use crate::output::{Output, sha256};
 use crate::progress;
@@ -68,7 +68,7 @@ pub(crate) fn draw(
         bar.finish_and_clear();
         let drawn = drawn?;
         let seconds = start.elapsed().as_secs_f64();
-        let record = store(figure, &drawn, seconds, key.clone(), wanted.seed, output)?;
+        let record = store(figure, drawn, seconds, key.clone(), wanted.seed, output)?;
         output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
         progress::say(&format!("{place} {seconds:6.1} s"));
     }
@@ -95,22 +95,21 @@ fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
 
 fn store(
     figure: &Figure,
-    drawn: &Drawn,
+    drawn: Drawn,
     seconds: f64,
     key: String,
     seed: u32,
     output: &Output,
 ) -> Result<Record, Failure> {
     let mut panels = Vec::new();
-    for panel in &drawn.panels {
-        let (bytes, ending, pixels) = match &panel.picture {
+    for Panel { stem, label, alt, span, picture } in drawn.panels {
+        let (bytes, ending, pixels) = match picture {
             Picture::Raster(image) => (image.png()?, "png", Some((image.width, image.height))),
-            Picture::Vector(svg) => (svg.clone().into_bytes(), "svg", None),
+            Picture::Vector(svg) => (svg.into_bytes(), "svg", None),
         };
-        let file = format!("{}-{}.{ending}", figure.name, panel.stem);
+        let file = format!("{}-{}.{ending}", figure.name, stem);
         let sha256 = output.write(&file, &bytes)?;
-        let (label, alt) = (panel.label.clone(), panel.alt.clone());
-        panels.push(PanelRecord { file, sha256, label, alt, span: panel.span, pixels });
+        panels.push(PanelRecord { file, sha256, label, alt, span, pixels });
     }
     let caption = captions().of(figure.name)?;
     Ok(Record {
@@ -123,7 +122,7 @@ fn store(
         key,
         columns: drawn.columns,
         panels,
-        parameters: drawn.parameters.clone(),
-        table: drawn.table.as_ref().map(|table| (table.head.clone(), table.rows.clone())),
+        parameters: drawn.parameters,
+        table: drawn.table,
     })
 }

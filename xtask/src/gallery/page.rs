@@ -1,7 +1,5 @@
 //! The gallery's pages: files beside their pictures, light and dark, no network, no script.
 
-use std::fmt::Write;
-
 use serde::{Deserialize, Serialize};
 
 use crate::gallery::captions::{Page, captions};
@@ -59,17 +57,12 @@ pub(crate) fn head(title: &str) -> String {
 
 /// A `<table>` in its scrolling box.
 pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
-    let cells = |tag: &str, cells: &[String]| {
-        cells.iter().fold(String::new(), |mut row, cell| {
-            let _ = write!(row, "<{tag}>{}</{tag}>", escape(cell));
-            row
-        })
+    let row = |tag: &str, cells: &[String]| {
+        let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape(cell)));
+        format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
-    let mut out = format!("<div class=\"scroll\"><table>\n<tr>{}</tr>\n", cells("th", head));
-    for row in rows {
-        let _ = writeln!(out, "<tr>{}</tr>", cells("td", row));
-    }
-    out + "</table></div>\n"
+    let rows: String = rows.iter().map(|cells| row("td", cells)).collect();
+    format!("<div class=\"scroll\"><table>\n{}{rows}</table></div>\n", row("th", head))
 }
 
 impl Page {
@@ -80,103 +73,79 @@ impl Page {
         version: &str,
         drawing: impl Fn(&str) -> String,
     ) -> String {
-        let mut page = head(&if self.title == "Asperity" {
-            "Asperity gallery".to_owned()
-        } else {
-            format!("{}: Asperity gallery", self.title)
-        });
-        let _ = write!(
-            page,
-            "<div class=\"wide\"><header><h1>{}</h1>\n<p>{}</p></header></div>\n<nav><div class=\"wide\"><ol>\n",
-            escape(self.title),
-            escape(&self.about)
-        );
-        for other in captions().pages.iter().filter(|other| other.file != self.file) {
-            let _ = writeln!(
-                page,
-                "<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>",
-                other.file, other.name
-            );
-        }
+        let prefix = if self.title == "Asperity" { String::new() } else { format!("{}: ", self.title) };
+        let others = captions().pages.iter().filter(|other| other.file != self.file);
+        let others = others
+            .map(|o| format!("<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>\n", o.file, o.name));
         let section_of = |record: &Record| {
             let caption = captions().of(&record.name).ok().filter(|caption| caption.page == self.file);
             caption.map(|caption| caption.section)
         };
-        let records: Vec<_> = records.iter().filter(|record| section_of(record).is_some()).collect();
-        for record in &records {
-            let _ = writeln!(
-                page,
-                "<li><a href=\"#{}\">{}</a></li>",
-                escape(&record.name),
-                escape(&record.title)
-            );
-        }
-        page += "</ol></div></nav>\n<main class=\"wide\">\n";
-        let mut section = "";
-        for record in records {
-            let part = section_of(record).unwrap_or_default();
-            if part != section {
-                page += if section.is_empty() { "" } else { "</section>\n" };
-                let _ = writeln!(page, "<section><h2>{part}</h2>");
-                section = part;
-            }
-            page += &article(record, &drawing);
-        }
-        page += if section.is_empty() { "" } else { "</section>\n" };
-        let _ = write!(
-            page,
-            "</main>\n<footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte \
-             for byte, on any number of threads. The tables behind the pictures: \
+        let records: Vec<_> = records.iter().filter_map(|r| Some((section_of(r)?, r))).collect();
+        let links = records
+            .iter()
+            .map(|(_, r)| format!("<li><a href=\"#{}\">{}</a></li>\n", escape(&r.name), escape(&r.title)));
+        let sections = records.chunk_by(|a, b| a.0 == b.0).map(|records| {
+            let articles: String = records.iter().map(|(_, record)| article(record, &drawing)).collect();
+            format!("<section><h2>{}</h2>\n{articles}</section>\n", records[0].0)
+        });
+        format!(
+            "{head}<div class=\"wide\"><header><h1>{title}</h1>\n<p>{about}</p></header></div>\n\
+             <nav><div class=\"wide\"><ol>\n{others}{links}</ol></div></nav>\n\
+             <main class=\"wide\">\n{sections}</main>\n\
+             <footer class=\"wide\">Asperity {version}. The same settings and seeds give the same files, byte for \
+             byte, on any number of threads. The tables behind the pictures: \
              <a href=\"../tables/index.html\">tables</a>.</footer>\n</body>\n</html>\n",
-            escape(version)
-        );
-        page
+            head = head(&format!("{prefix}Asperity gallery")),
+            title = escape(self.title),
+            about = escape(&self.about),
+            others = others.collect::<String>(),
+            links = links.collect::<String>(),
+            sections = sections.collect::<String>(),
+            version = escape(version),
+        )
     }
 }
 
 fn article(record: &Record, drawing: &impl Fn(&str) -> String) -> String {
-    let mut out = format!(
+    let panel = |panel: &PanelRecord| {
+        let picture = match panel.pixels {
+            Some((width, height)) => format!(
+                "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" \
+                 alt=\"{}\"></a>",
+                escape(&panel.alt),
+                file = escape(&panel.file),
+            ),
+            None => drawing(&panel.file),
+        };
+        format!(
+            "<figure{} style=\"grid-column: span {}\">{picture}<figcaption>{}</figcaption></figure>\n",
+            if panel.span > 1 { " class=\"broad\"" } else { "" },
+            panel.span.max(1),
+            escape(&panel.label)
+        )
+    };
+    let own = [
+        ("seed".to_owned(), record.seed.to_string()),
+        ("time".to_owned(), format!("{:.1} s", record.seconds)),
+        ("draw it alone".to_owned(), format!("cargo xtask gallery --only {}", record.name)),
+    ];
+    let fact = |(name, value): &(String, String)| {
+        format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
+    };
+    format!(
         "<article id=\"{}\">\n<h3>{}</h3>\n<p class=\"source\">{}</p>\n<p class=\"caption\">{}</p>\n\
-         <div class=\"panels\" style=\"grid-template-columns: repeat({}, minmax(0, 1fr))\">\n",
+         <div class=\"panels\" style=\"grid-template-columns: repeat({}, minmax(0, 1fr))\">\n{}</div>\n\
+         <dl class=\"facts\">\n{}</dl>\n{}</article>\n",
         escape(&record.name),
         escape(&record.title),
         escape(&record.source),
         escape(&record.caption),
-        record.columns.max(1)
-    );
-    for panel in &record.panels {
-        let broad = if panel.span > 1 { " class=\"broad\"" } else { "" };
-        let _ = write!(out, "<figure{broad} style=\"grid-column: span {}\">", panel.span.max(1));
-        match panel.pixels {
-            Some((width, height)) => {
-                let file = escape(&panel.file);
-                let _ = write!(
-                    out,
-                    "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{height}\" \
-                     loading=\"lazy\" alt=\"{}\"></a>",
-                    escape(&panel.alt)
-                );
-            }
-            None => out += &drawing(&panel.file),
-        }
-        let _ = writeln!(out, "<figcaption>{}</figcaption></figure>", escape(&panel.label));
-    }
-    out += "</div>\n<dl class=\"facts\">\n";
-    for (name, value) in &record.parameters {
-        out += &fact(name, value);
-    }
-    out += &fact("seed", &record.seed.to_string());
-    out += &fact("time", &format!("{:.1} s", record.seconds));
-    out += &fact("draw it alone", &format!("cargo xtask gallery --only {}", record.name));
-    out += "</dl>\n";
-    if let Some((head, rows)) = &record.table {
-        out += &table(head, rows);
-    }
-    out + "</article>\n"
-}
-
-fn fact(name: &str, value: &str) -> String {
-    format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
+        record.columns.max(1),
+        record.panels.iter().map(panel).collect::<String>(),
+        record.parameters.iter().chain(&own).map(fact).collect::<String>(),
+        record.table.as_ref().map(|(head, rows)| table(head, rows)).unwrap_or_default(),
+    )
 }
 
 #[cfg(test)]

@@ -22,10 +22,11 @@ use asperity_render::{
     scene::{Backdrop, Light, Object, Scene, Surface},
     scenes::{Approach, RenderRequest, Set, backdrop, ground},
 };
+use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaint,
-    MetallicPaintParameters, Scratches, ScratchesParameters, StarWallpaper, TemperedGlass,
-    TemperedGlassParameters, Variations, VariationsParameters,
+    MetallicPaintParameters, Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters,
+    Variations, VariationsParameters,
     material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper},
     reflectance::Coat,
 };

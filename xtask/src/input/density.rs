@@ -8,16 +8,13 @@ use asperity_ndf_sampling::{
     glam::Vec3,
     normal_map::{NormalMapFormat, TangentSpace},
 };
-use asperity_render::{
-    image::read::{ImageFile, ImageFileError},
-    materials::SharedNdf,
-};
+use asperity_render::image::read::{ImageFile, ImageFileError};
+use asperity_render::materials::SharedNdf;
 
-use crate::{
-    cli::{self, Images},
-    failure::Failure,
-    output::sha256,
-};
+use crate::cli;
+use crate::cli::Images;
+use crate::failure::Failure;
+use crate::output::sha256;
 
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;

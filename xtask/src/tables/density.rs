@@ -1,10 +1,8 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
-use asperity_ndf_sampling::{
-    ConditionalTable, Frame, Ndf, NdfMap, NormalTable,
-    glam::Vec3,
-    normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout},
-};
+use asperity_ndf_sampling::glam::Vec3;
+use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
+use asperity_ndf_sampling::{ConditionalTable, Frame, Ndf, NdfMap, NormalTable};
 use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};
 

@@ -94,7 +94,13 @@ pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> 
         bar.inc(1);
     }
     bar.finish_and_clear();
-    output.write("index.html", index(&rows).as_bytes())?;
+    let page = format!(
+        "{}<div class=\"wide\"><header><h1>Tables</h1><p>Textures are OpenEXR with 32-bit floats, arrays are NumPy's \
+         .npy, parameters and checksums are JSON. The same inputs give the same bytes, on any number of \
+         threads.</p></header></div>\n<main class=\"wide\">\n{rows}</main>\n</body>\n</html>\n",
+        page::head("Asperity tables")
+    );
+    output.write("index.html", page.as_bytes())?;
     progress::say(&format!("tables: {} sets", sets.len()));
     Ok(())
 }
@@ -135,13 +141,4 @@ fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
 
 fn size(bytes: usize) -> String {
     if bytes < 10_000 { format!("{bytes} bytes") } else { format!("{} kB", bytes.div_ceil(1000)) }
-}
-
-fn index(rows: &str) -> String {
-    format!(
-        "{}<div class=\"wide\"><header><h1>Tables</h1><p>Textures are OpenEXR with 32-bit floats, arrays are NumPy's \
-         .npy, parameters and checksums are JSON. The same inputs give the same bytes, on any number of \
-         threads.</p></header></div>\n<main class=\"wide\">\n{rows}</main>\n</body>\n</html>\n",
-        page::head("Asperity tables")
-    )
 }

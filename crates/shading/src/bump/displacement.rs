@@ -23,7 +23,8 @@ pub struct Displaced {
 ///   curvature, NaN.
 ///
 /// ```
-/// use asperity_shading::{displace, glam::{Vec2, Vec3}};
+/// use asperity_shading::bump::displace;
+/// use asperity_shading::glam::{Vec2, Vec3};
 ///
 /// // A sphere of radius 2, raised by 1 everywhere: its normals stay.
 /// let (n, p) = (Vec3::Z, [Vec3::X, Vec3::Y]);

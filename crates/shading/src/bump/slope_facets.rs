@@ -25,7 +25,7 @@ impl Facet {
         Self { share, normal }
     }
 
-    /// The same normal with a share of the share.
+    /// A part of the facet: the normal with a share of its share.
     pub(crate) fn part(self, share: f32) -> Self {
         Self { share: self.share * share, ..self }
     }
@@ -43,13 +43,14 @@ impl Facet {
 /// lobe of the width α = √2 · deviation or more sees no gaps between them; for a narrower one α² + 2 · variance is the better
 /// approximation.
 ///
-/// Facets may be turned from the eye: see [`facing`](crate::facing).
+/// Facets may be turned from the eye: see [`facing`](crate::bump::facing).
 ///
 /// - **Domain:** unit `n` and `bumped`. One facet, `bumped`, for a variance that is not positive and finite, and for a normal that is
 ///   not above the surface.
 ///
 /// ```
-/// use asperity_shading::{glam::Vec3, slope_facets};
+/// use asperity_shading::bump::slope_facets;
+/// use asperity_shading::glam::Vec3;
 ///
 /// // Bumps take from a lamp straight above what they give to their sides.
 /// let mean = |light: Vec3| -> f32 {

@@ -24,7 +24,8 @@ use crate::math::sqrt;
 /// that form. Mikkelsen 2020, *Surface Gradient-Based Bump Mapping Framework*, eq. 1–3, has this one.
 ///
 /// ```
-/// use asperity_shading::{bumped_normal, surface_gradient, glam::{Vec2, Vec3}};
+/// use asperity_shading::bump::{bumped_normal, surface_gradient};
+/// use asperity_shading::glam::{Vec2, Vec3};
 ///
 /// // Height 0.5 u over a plane whose texture is stretched to twice its width: a slope of 1/4.
 /// let gradient = surface_gradient(Vec3::Z, [2.0 * Vec3::X, Vec3::Y], Vec2::new(0.5, 0.0));
@@ -49,7 +50,8 @@ pub fn surface_gradient(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
 /// - **Range:** a vector across `n`; zero for NaN and infinity.
 ///
 /// ```
-/// use asperity_shading::{tangential, glam::Vec3};
+/// use asperity_shading::bump::tangential;
+/// use asperity_shading::glam::Vec3;
 ///
 /// assert_eq!(tangential(Vec3::Z, Vec3::new(0.3, -0.2, 5.0)), Vec3::new(0.3, -0.2, 0.0));
 /// ```
@@ -70,7 +72,8 @@ pub fn tangential(n: Vec3, g: Vec3) -> Vec3 {
 /// - **Range:** a vector across the frame's normal; zero for NaN and infinity.
 ///
 /// ```
-/// use asperity_shading::{Frame, bumped_normal, gradient_of_normal, glam::Vec3};
+/// use asperity_shading::bump::{bumped_normal, gradient_of_normal};
+/// use asperity_shading::{Frame, glam::Vec3};
 ///
 /// let frame = Frame::from_normal_tangent(Vec3::X, Vec3::Y);
 /// let m = Vec3::new(0.28, 0.0, 0.96);
@@ -95,15 +98,18 @@ pub fn gradient_of_normal(frame: &Frame, m: Vec3) -> Vec3 {
 ///   for NaN and infinity.
 ///
 /// Exact for a plane. On a curved surface it leaves out the height times the curvature, as Blinn 1978 does;
-/// [`displace`](crate::displace) does not.
+/// [`displace`](crate::bump::displace) does not.
 ///
 /// ```
-/// use asperity_shading::{bumped_normal, glam::Vec3};
+/// use asperity_shading::bump::bumped_normal;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let n = bumped_normal(Vec3::Z, Vec3::new(0.75, 0.0, 0.0));
 /// assert!((n - Vec3::new(-0.6, 0.0, 0.8)).length() < 1e-6);
 /// assert_eq!(bumped_normal(Vec3::Z, Vec3::NAN), Vec3::Z);
 /// ```
+#[doc(alias = "bump mapping")]
+#[doc(alias = "normal mapping")]
 #[must_use]
 pub fn bumped_normal(n: Vec3, gradient: Vec3) -> Vec3 {
     let steepest = gradient.abs().max_element();
@@ -125,7 +131,8 @@ const MAX_SLOPE: f32 = 1e4;
 /// left-handed parametrisation bumps are dents: [`surface_gradient`] has neither. `N` is returned where the sum is not finite.
 ///
 /// ```
-/// use asperity_shading::{lecture_normal, glam::{Vec2, Vec3}};
+/// use asperity_shading::bump::lecture_normal;
+/// use asperity_shading::glam::{Vec2, Vec3};
 ///
 /// let normal = lecture_normal(Vec3::Z, [Vec3::X, Vec3::Y], Vec2::new(0.75, 0.0));
 /// assert!((normal - Vec3::new(-0.6, 0.0, 0.8)).length() < 1e-6);
@@ -147,7 +154,8 @@ pub fn lecture_normal(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
 /// gives zero.
 ///
 /// ```
-/// use asperity_shading::{differences, glam::Vec2};
+/// use asperity_shading::bump::differences;
+/// use asperity_shading::glam::Vec2;
 ///
 /// let slope = differences(|uv| uv.x * uv.x + 3.0 * uv.y, Vec2::new(0.5, 0.0), 0.01);
 /// assert!((slope - Vec2::new(1.0, 3.0)).length() < 1e-4);
@@ -173,7 +181,8 @@ pub fn differences(height: impl Fn(Vec2) -> f32, uv: Vec2, step: f32) -> Vec2 {
 /// - **Range:** a unit vector; a bumped normal that is not finite is `n`.
 ///
 /// ```
-/// use asperity_shading::{facing, glam::Vec3, reflect};
+/// use asperity_shading::bump::facing;
+/// use asperity_shading::{glam::Vec3, reflect};
 ///
 /// let (wo, bumped) = (Vec3::new(0.96, 0.0, 0.28), Vec3::new(-0.6, 0.0, 0.8));
 /// let seen = facing(Vec3::Z, bumped, wo);

@@ -19,7 +19,7 @@ pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, Envi
     }
 }
 
-/// How bright a colour is for drawing samples: the mean of its channels, so that none is missed.
+/// Brightness by which samples are drawn: the mean of the channels, so that none is missed.
 #[inline]
 fn brightness(colour: Vec3) -> f32 {
     colour.dot(Vec3::splat(1.0 / 3.0))
@@ -134,7 +134,7 @@ impl Tables<'_> {
     }
 }
 
-/// Where a linear density from `a` to `b` over [0, 1] has the share `u` of its weight before it.
+/// Inverse CDF at `u` of a linear density over [0, 1] that runs from `a` to `b`.
 ///
 /// ```text
 /// x = u (a + b)/(a + √(a² + u (b² − a²)))

@@ -6,9 +6,9 @@ use alloc::vec::Vec;
 use glam::{Vec2, Vec3};
 
 use crate::environment::distribution_2d::{fill, table_len};
-use crate::environment::environment::Environment;
 use crate::environment::environment_ref::EnvironmentRef;
 use crate::environment::error::{EnvironmentError, texel_count};
+use crate::environment::interface::Environment;
 use crate::environment::latitude_longitude::LatitudeLongitude;
 
 /// An [`EnvironmentRef`] that owns its texels and its table.
@@ -19,8 +19,12 @@ use crate::environment::latitude_longitude::LatitudeLongitude;
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::new(0.3, 0.5, 1.0) * w.z.max(0.1))?;
 /// assert!(sky.radiance(Vec3::Z).z > sky.radiance(Vec3::X).z);
 /// assert!(sky.density(sky.sample(Vec2::new(0.2, 0.7))) > 0.0);
-/// # Ok::<(), asperity_shading::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
 /// ```
+#[doc(alias = "hdri")]
+#[doc(alias = "ibl")]
+#[doc(alias = "skybox")]
+#[doc(alias = "equirectangular")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentMap {
     width: usize,
@@ -60,7 +64,7 @@ impl EnvironmentMap {
         Self::new(width, height, texels)
     }
 
-    /// The same environment, borrowed.
+    /// Borrowed view of the environment.
     #[must_use]
     pub fn as_ref(&self) -> EnvironmentRef<'_> {
         let image = LatitudeLongitude::from_parts(self.width, self.height, &self.texels, self.poles);

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 
 use crate::environment::distribution_2d::{Tables, fill, table_len};
-use crate::environment::environment::{Environment, uniform_sphere};
 use crate::environment::error::EnvironmentError;
+use crate::environment::interface::{Environment, uniform_sphere};
 use crate::environment::latitude_longitude::LatitudeLongitude;
 
 /// An image by latitude and longitude with the table from which its samples are drawn, both borrowed.
@@ -33,11 +33,13 @@ use crate::environment::latitude_longitude::LatitudeLongitude;
 /// assert!(sky.radiance(towards_sun).x > 100.0);
 /// // All directions would have 0.08 sr⁻¹.
 /// assert!(sky.density(towards_sun) > 1.0 && sky.density(Vec3::NEG_Z) < 0.001);
-/// # Ok::<(), asperity_shading::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
 /// ```
 ///
 /// The marginal and conditional functions are those of Pharr, Jakob, Humphreys 2023, *Physically Based Rendering*, 4th edition,
 /// §12.5; bilinear where theirs are constant.
+#[doc(alias = "hdri")]
+#[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnvironmentRef<'a> {
     image: LatitudeLongitude<'a>,

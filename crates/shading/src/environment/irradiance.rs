@@ -4,10 +4,10 @@ use core::f32::consts::{FRAC_1_PI, PI};
 
 use glam::{Vec2, Vec3};
 
-use crate::environment::environment::{Environment, is_direction, uniform_sphere};
+use crate::environment::interface::{Environment, is_direction, uniform_sphere};
 use crate::math::sqrt;
 
-/// What a surface receives from an environment, by its normal: spherical harmonics up to order 2.
+/// Irradiance of an environment by the surface's normal: spherical harmonics up to order 2.
 ///
 /// ```text
 /// E(n) = ∫ L(ω) max(0, n·ω) dω ≈ Σ A_l L_lm Y_lm(n),   L_lm = ∫ L Y_lm dω,   A₀ = π, A₁ = 2π/3, A₂ = π/4,   l ≤ 2
@@ -27,6 +27,8 @@ use crate::math::sqrt;
 /// let even = Irradiance::new(&Vec3::splat(0.5), 64);
 /// assert!((even.at(Vec3::X) - Vec3::splat(0.5 * core::f32::consts::PI)).length() < 1e-3);
 /// ```
+#[doc(alias = "spherical harmonics")]
+#[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Irradiance {
     /// `A_l L_lm` by the polynomials of [`harmonics`].

@@ -4,8 +4,8 @@ use core::f32::consts::{PI, TAU};
 
 use glam::Vec3;
 
-use crate::environment::environment::{Environment, is_direction};
 use crate::environment::error::{EnvironmentError, check_texel, texel_count};
+use crate::environment::interface::{Environment, is_direction};
 use crate::math::{atan2, cos, floor, sin, sqrt};
 
 /// A borrowed image of linear radiance by latitude and longitude.
@@ -22,14 +22,15 @@ use crate::math::{atan2, cos, floor, sin, sqrt};
 ///   [`EnvironmentRef`](super::EnvironmentRef).
 ///
 /// ```
-/// use asperity_shading::{Environment, LatitudeLongitude, glam::Vec3};
+/// use asperity_shading::environment::LatitudeLongitude;
+/// use asperity_shading::{Environment, glam::Vec3};
 ///
 /// // A bright zenith over a dark ground.
 /// let texels = [Vec3::splat(3.0), Vec3::ONE];
 /// let image = LatitudeLongitude::new(1, 2, &texels)?;
 /// assert_eq!(image.radiance(Vec3::Z), Vec3::splat(3.0));
 /// assert!((image.radiance(Vec3::Y) - Vec3::splat(2.0)).length() < 1e-5);
-/// # Ok::<(), asperity_shading::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatitudeLongitude<'a> {
@@ -45,11 +46,11 @@ pub struct LatitudeLongitude<'a> {
 pub(super) struct Place {
     /// The rows `strip` and `strip + 1`.
     pub(super) strip: usize,
-    /// How far along in angle, in [0, 1].
+    /// Share of the row's height above the direction, by angle, in [0, 1].
     pub(super) down: f32,
     /// The columns `column` and the next.
     pub(super) column: usize,
-    /// How far along, in [0, 1].
+    /// Share of the column's width before the direction, in [0, 1].
     pub(super) along: f32,
     /// The angle to the zenith.
     pub(super) theta: f32,
@@ -146,7 +147,7 @@ impl<'a> LatitudeLongitude<'a> {
         }
     }
 
-    /// Where a direction is on the image; nothing for what is none.
+    /// Place of a direction on the image; nothing for what is none.
     #[inline]
     pub(super) fn place(&self, direction: Vec3) -> Option<Place> {
         if !is_direction(direction) {

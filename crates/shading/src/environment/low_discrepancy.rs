@@ -13,10 +13,10 @@ use glam::Vec2;
 /// neighbouring pixels should differ.
 ///
 /// ```
-/// let [first, _] = asperity_shading::even_points(1).next().unwrap();
+/// let [first, _] = asperity_shading::environment::low_discrepancy_points(1).next().unwrap();
 /// assert_eq!(first, asperity_shading::glam::Vec2::splat(0.5));
 /// ```
-pub fn even_points(count: u32) -> impl Iterator<Item = [Vec2; 2]> {
+pub fn low_discrepancy_points(count: u32) -> impl Iterator<Item = [Vec2; 2]> {
     const G: f64 = 1.167_303_978_261_418_7;
     let steps = [1.0 / G, 1.0 / (G * G), 1.0 / (G * G * G), 1.0 / (G * G * G * G)];
     (0..count).map(move |k| {
@@ -37,7 +37,7 @@ mod tests {
     fn every_square_is_filled_evenly() {
         const SIDE: usize = 8;
         let mut counts = [[0_i32; SIDE * SIDE]; 2];
-        for pair in even_points(6400) {
+        for pair in low_discrepancy_points(6400) {
             for (point, counts) in pair.into_iter().zip(&mut counts) {
                 assert!((0.0..1.0).contains(&point.x) && (0.0..1.0).contains(&point.y), "{point}");
                 let cell = (point * SIDE as f32).floor();

@@ -1,11 +1,11 @@
 //! Light from all around: images by latitude and longitude, their samples, and look-ups that are filtered beforehand.
 
 mod distribution_2d;
-mod environment;
 #[cfg(feature = "alloc")]
 mod environment_map;
 mod environment_ref;
 mod error;
+mod interface;
 mod irradiance;
 mod latitude_longitude;
 mod low_discrepancy;
@@ -15,14 +15,14 @@ mod prefiltered;
 mod prefiltered_map;
 mod split_sum;
 
-pub use environment::Environment;
 #[cfg(feature = "alloc")]
 pub use environment_map::EnvironmentMap;
 pub use environment_ref::EnvironmentRef;
 pub use error::EnvironmentError;
+pub use interface::Environment;
 pub use irradiance::Irradiance;
 pub use latitude_longitude::LatitudeLongitude;
-pub use low_discrepancy::even_points;
+pub use low_discrepancy::low_discrepancy_points;
 pub use multiple_importance::{LightSample, light_samples, reflected_radiance};
 pub use prefiltered::{PrefilteredError, PrefilteredLevel, PrefilteredRef, prefiltered_radiance};
 #[cfg(feature = "alloc")]

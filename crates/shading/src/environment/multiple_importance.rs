@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use crate::environment::environment::Environment;
+use crate::environment::interface::Environment;
 use crate::reflectance::Brdf;
 
 /// A direction of light with what it adds to the radiance towards the eye.
@@ -31,7 +31,8 @@ pub struct LightSample {
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::{EnvironmentRef, Frame, Lambert, light_samples};
+/// use asperity_shading::environment::light_samples;
+/// use asperity_shading::{EnvironmentRef, Frame, Lambert};
 ///
 /// let texels = [Vec3::ONE; 8];
 /// let mut table = [0.0; EnvironmentRef::table_len(4, 2)];
@@ -43,6 +44,8 @@ pub struct LightSample {
 /// assert!(by_surface.radiance.x + by_light.radiance.x > 0.3);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "mis")]
+#[doc(alias = "multiple importance sampling")]
 #[must_use]
 pub fn light_samples<B: Brdf + ?Sized, E: Environment + ?Sized>(
     brdf: &B,
@@ -82,7 +85,8 @@ pub fn light_samples<B: Brdf + ?Sized, E: Environment + ?Sized>(
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
 /// use asperity_shading::ndf_sampling::ConditionalNdf;
-/// use asperity_shading::{Coordinates, Frame, Ggx, TorranceSparrow, reflected_radiance};
+/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::{Frame, Ggx, TorranceSparrow, reflected_radiance};
 ///
 /// // Facets of which a pixel resolves a part, under the same light all around.
 /// let seen = Coordinates { z: Vec2::new(0.3, -0.2), share: 0.5, fade: 1.0 };

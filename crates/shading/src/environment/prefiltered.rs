@@ -6,9 +6,9 @@ use asperity_ndf_sampling::{Frame, Ggx, Ndf};
 use glam::{Vec2, Vec3};
 
 use crate::direction::{half_vector, reflect};
-use crate::environment::environment::{Environment, is_direction};
+use crate::environment::interface::{Environment, is_direction};
 use crate::environment::latitude_longitude::LatitudeLongitude;
-use crate::environment::low_discrepancy::even_points;
+use crate::environment::low_discrepancy::low_discrepancy_points;
 use crate::environment::multiple_importance::light_samples;
 use crate::environment::split_sum::SplitSum;
 use crate::math::clamp_to;
@@ -45,7 +45,7 @@ pub fn prefiltered_radiance<E: Environment + ?Sized>(
     let (lobe, drawn) = (Lobe(Ggx::clamped(alpha, alpha)), Drawn(environment));
     let frame = Frame::from_normal(direction / direction.abs().max_element());
     let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
-    for pair in even_points(points.max(1)) {
+    for pair in low_discrepancy_points(points.max(1)) {
         for sample in light_samples(&lobe, &drawn, &frame, frame.normal, pair) {
             sum += environment.radiance(sample.direction) * sample.radiance.x;
             weight += sample.radiance.x;
@@ -93,7 +93,7 @@ impl<E: Environment> Environment for Drawn<E> {
 pub struct PrefilteredLevel<'a> {
     /// The roughness.
     pub alpha: f32,
-    /// What such a mirror shows in each direction, by [`prefiltered_radiance`].
+    /// Image of such a mirror by direction, of [`prefiltered_radiance`].
     pub image: LatitudeLongitude<'a>,
 }
 
@@ -113,7 +113,8 @@ pub struct PrefilteredLevel<'a> {
 /// Where a sun brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle: highlights should be long there.
 ///
 /// ```
-/// use asperity_shading::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef, glam::Vec3};
+/// use asperity_shading::environment::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef};
+/// use asperity_shading::glam::Vec3;
 ///
 /// let (sharp, blurred) = ([Vec3::splat(2.0), Vec3::ZERO], [Vec3::ONE]);
 /// let levels = [
@@ -124,6 +125,8 @@ pub struct PrefilteredLevel<'a> {
 /// assert!((stack.radiance(Vec3::Z, 0.4) - Vec3::splat(1.5)).length() < 1e-6);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "split sum")]
+#[doc(alias = "ibl")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrefilteredRef<'a> {
     levels: &'a [PrefilteredLevel<'a>],
@@ -147,7 +150,7 @@ impl<'a> PrefilteredRef<'a> {
         blend(self.levels.iter().copied(), direction, alpha)
     }
 
-    /// What a GGX mirror with Schlick's reflectance `f0` sends into the direction `view`.
+    /// Radiance of a GGX mirror with Schlick's reflectance `f0` into the direction `view`.
     ///
     /// ```text
     /// L_o ≈ L_α(reflect(view, normal)) (F₀ scale + bias)

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use glam::Vec3;
 
 use crate::direction::reflect;
-use crate::environment::environment::Environment;
+use crate::environment::interface::Environment;
 use crate::environment::latitude_longitude::LatitudeLongitude;
 use crate::environment::prefiltered::{
     PrefilteredError, PrefilteredLevel, blend, check_alphas, prefiltered_radiance, split,
@@ -18,7 +18,8 @@ const MAX_ROWS: usize = 8192;
 /// A [`PrefilteredRef`](super::PrefilteredRef) that is made from an environment and owns its images.
 ///
 /// ```
-/// use asperity_shading::{EnvironmentMap, PrefilteredMap, SplitSum, glam::Vec3};
+/// use asperity_shading::environment::{PrefilteredMap, SplitSum};
+/// use asperity_shading::{EnvironmentMap, glam::Vec3};
 ///
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::splat(if w.z > 0.0 { 1.0 } else { 0.0 }))?;
 /// // Roughness and rows of each level.
@@ -80,13 +81,13 @@ impl PrefilteredMap {
         })
     }
 
-    /// As [`PrefilteredRef::radiance`](super::PrefilteredRef::radiance).
+    /// Prefiltered radiance by direction and roughness: [`PrefilteredRef::radiance`](super::PrefilteredRef::radiance).
     #[must_use]
     pub fn radiance(&self, direction: Vec3, alpha: f32) -> Vec3 {
         blend(self.levels(), direction, alpha)
     }
 
-    /// As [`PrefilteredRef::reflected`](super::PrefilteredRef::reflected).
+    /// Radiance of a GGX mirror: [`PrefilteredRef::reflected`](super::PrefilteredRef::reflected).
     #[must_use]
     pub fn reflected(&self, table: &SplitSum, f0: Vec3, alpha: f32, normal: Vec3, view: Vec3) -> Vec3 {
         self.radiance(reflect(view, normal), alpha) * split(table, f0, alpha, normal.dot(view))

@@ -9,7 +9,7 @@ use crate::math::{clamp_to, sqrt};
 /// The entries along each side of the table.
 const SIDE: usize = 32;
 
-/// How much of even light a GGX mirror with Schlick's reflectance sends into a direction: a scale and a bias of its `F₀`.
+/// Directional albedo of a GGX conductor with Schlick's Fresnel term: scale and bias of `F₀` (the split-sum table).
 ///
 /// ```text
 /// ∫ f_r cos θ_i dω_i = F₀ scale + bias,   scale = E[(1 − s) G₂/G₁],   bias = E[s G₂/G₁],   s = (1 − ωo·h)⁵
@@ -26,7 +26,7 @@ const SIDE: usize = 32;
 /// with another roughness.
 ///
 /// ```
-/// use asperity_shading::SplitSum;
+/// use asperity_shading::environment::SplitSum;
 ///
 /// let table = SplitSum::new();
 /// let [scale, bias] = table.at(0.1, 0.9);

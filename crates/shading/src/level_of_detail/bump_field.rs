@@ -3,7 +3,8 @@
 use glam::Vec3;
 
 use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
-use crate::pixel::{Footprint, FrequencyClamp, FrequencyClampError};
+use crate::parameter::ParameterError;
+use crate::pixel::{Footprint, FrequencyClamp};
 
 /// A Gaussian field laid into space with a given size of bumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,9 +19,9 @@ impl<F: GaussianField> BumpField<F> {
     /// Lacunarity and greatest count of octaves are the field's own.
     ///
     /// # Errors
-    /// [`FrequencyClampError::Frequency`] unless `frequency` is finite and positive; the other two where the field
+    /// [`ParameterError`] unless `frequency` is finite and positive; the other two where the field
     /// breaks its promise.
-    pub fn new(field: F, frequency: f32) -> Result<Self, FrequencyClampError> {
+    pub fn new(field: F, frequency: f32) -> Result<Self, ParameterError> {
         let clamp = FrequencyClamp::new(frequency, field.lacunarity(), field.max_octaves())?;
         Ok(Self { field, clamp })
     }
@@ -31,7 +32,7 @@ impl<F: GaussianField> BumpField<F> {
         &self.field
     }
 
-    /// How many octaves each footprint resolves.
+    /// Frequency clamp of the field: how many octaves each footprint resolves.
     #[must_use]
     pub const fn clamp(&self) -> &FrequencyClamp {
         &self.clamp
@@ -77,7 +78,10 @@ mod tests {
     fn refuses_what_is_no_frequency() {
         for bad in [f32::NAN, f32::INFINITY, 0.0, -2.0] {
             let refused = BumpField::new(GaussianOctaves::new(Gaussian::new(0), Spectrum::default()), bad);
-            assert!(matches!(refused, Err(FrequencyClampError::Frequency(_))), "{bad}");
+            assert!(
+                matches!(refused, Err(ParameterError::NotPositive { parameter: "frequency", .. })),
+                "{bad}"
+            );
         }
     }
 }

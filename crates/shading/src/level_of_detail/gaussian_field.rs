@@ -15,7 +15,7 @@ pub struct Coordinates {
 }
 
 impl Coordinates {
-    /// What a pixel sees that resolves nothing.
+    /// Coordinates of a pixel that resolves nothing.
     pub const FAR: Self = Self { z: Vec2::ZERO, share: 0.0, fade: 0.0 };
 }
 
@@ -49,7 +49,8 @@ pub trait GaussianField {
 /// Exactly Gaussian at every point, so that the `Exact` rule's mean is exact.
 ///
 /// ```
-/// use asperity_shading::{Coordinates, GaussianField, glam::Vec3};
+/// use asperity_shading::level_of_detail::{Coordinates, GaussianField};
+/// use asperity_shading::glam::Vec3;
 /// use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 ///
 /// let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());

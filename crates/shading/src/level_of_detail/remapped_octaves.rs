@@ -9,7 +9,7 @@ use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
 /// The noise value, in standard deviations, at either end of the measured distributions.
 const RANGE: f32 = 4.0;
 
-/// What the second channel's seed differs by: 2³²/φ, which no one counts by.
+/// Difference of the second channel's seed: 2³²/φ, which no one counts by.
 const SECOND: u32 = 0x9E37_79B9;
 
 /// Two sums of octaves of a classic noise, made Gaussian by the noise's measured distribution `G`.
@@ -28,7 +28,8 @@ const SECOND: u32 = 0x9E37_79B9;
 /// The channels have own seeds, offsets and rotations in every octave, so that they share no lattice.
 ///
 /// ```
-/// use asperity_shading::{GaussianField, RemappedOctaves, glam::Vec3};
+/// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
+/// use asperity_shading::glam::Vec3;
 /// use asperity_shading::noise::{Perlin2002, Spectrum};
 ///
 /// let field = RemappedOctaves::new(Perlin2002::default(), Spectrum::default(), 3)?;

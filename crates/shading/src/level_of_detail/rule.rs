@@ -39,7 +39,7 @@ pub fn shade_facet<N: Ndf + ?Sized>(ndf: &N, facet: &Frame, h: Vec3) -> f32 {
     if h.z > 0.0 { far_field(ndf, facet.to_local(h)) } else { 0.0 }
 }
 
-/// Where the `Fractal` rule looks up its facet: the noise, with its first octave faded in from the flat normal.
+/// Gaussian coordinates of the `Fractal` rule's facet: the noise, with its first octave faded in from the flat normal.
 ///
 /// ```text
 /// z_m = z_flat + fade (z − z_flat),   T(z_flat) = (0, 0, 1)
@@ -61,7 +61,8 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 /// Both rules are the far field `p(h)` where nothing is resolved, and both change continuously from there.
 ///
 /// ```
-/// use asperity_shading::{Coordinates, Ggx, LevelOfDetail, far_field, glam::{Vec2, Vec3}};
+/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::{Ggx, LevelOfDetail, far_field, glam::{Vec2, Vec3}};
 ///
 /// let ggx = Ggx::new(0.2, 0.4)?;
 /// let h = Vec3::new(0.1, 0.2, 1.0).normalize();

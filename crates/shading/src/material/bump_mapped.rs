@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use crate::bump::Facet;
 use crate::level_of_detail::{BumpField, GaussianField, LevelOfDetail};
-use crate::material::material::Material;
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::{Bsdf, Lobe};
 

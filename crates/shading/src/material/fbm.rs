@@ -5,7 +5,7 @@ use asperity_noise::{
 };
 use glam::Vec3;
 
-use crate::material::parameter::{ParameterError, within};
+use crate::parameter::{ParameterError, within};
 use crate::pixel::Footprint;
 
 /// The variance of each component of ∇N of one octave, per cell squared: measured over 1.6·10⁷ points.

@@ -5,9 +5,9 @@
 /// The printed form is there to be compared with; what differs is documented at each function that takes a form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Form {
-    /// As printed, errors included.
+    /// Printed form, errors included.
     Printed,
-    /// As meant.
+    /// Form that does what the source's text says.
     #[default]
     Corrected,
 }

@@ -5,10 +5,10 @@ use glam::Vec3;
 use crate::bump::{Facet, bumped_normal, slope_facets, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::material::form::Form;
-use crate::material::material::Material;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, colour, direction, within};
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
+use crate::parameter::{ParameterError, SHARES, SIZES, colour, direction, within};
 use crate::reflectance::coat::Slopes;
 use crate::reflectance::{Bsdf, Coat, Dielectric};
 
@@ -97,7 +97,7 @@ pub struct TemperedGlass {
     noise: Fbm,
 }
 
-/// What of tempered glass a pixel sees.
+/// Tempered glass as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlassSurface {
     /// The unit normal.
@@ -111,7 +111,7 @@ pub struct GlassSurface {
 impl GlassSurface {
     /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
     ///
-    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev; of noise [`slope_facets`](fn@crate::slope_facets).
+    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev; of noise [`slope_facets`](fn@crate::bump::slope_facets).
     pub fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let swing = 0.866_025_4 * self.swing;
         let (cosine, bumped) = (self.normal.dot(n), self.normal);
@@ -142,7 +142,8 @@ pub fn wave_height(position: Vec3, direction: Vec3, frequency: f32, amplitude: f
 /// Zero where the phase is not finite. Nilsson 2008, §4.4.2, `wave_gradient`.
 ///
 /// ```
-/// use asperity_shading::{Form, wave_gradient, glam::Vec3};
+/// use asperity_shading::material::{Form, wave_gradient};
+/// use asperity_shading::glam::Vec3;
 ///
 /// let gradient = |form| wave_gradient(Vec3::ZERO, Vec3::Z, Vec3::X, 20.0, 0.01, form);
 /// assert_eq!(gradient(Form::Printed), Vec3::ZERO);
@@ -191,7 +192,7 @@ impl TemperedGlass {
         &self.parameters
     }
 
-    /// What a pixel sees of the glass; total: flat where the position is not finite.
+    /// Normal and lost slopes of the glass at a pixel; total: flat where the position is not finite.
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> GlassSurface {
         let p = &self.parameters;

@@ -6,9 +6,8 @@ mod fbm;
 mod form;
 mod glass;
 mod hash;
-mod material;
+mod interface;
 mod paint;
-mod parameter;
 mod plain;
 mod segment;
 mod surface_point;
@@ -24,13 +23,12 @@ pub use form::Form;
 pub use glass::{
     GlassBody, GlassSurface, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height,
 };
-pub use material::Material;
+pub use interface::Material;
 pub use paint::{
     Elimination, Facet, FlakePatch, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters,
     OrangePeel, PaintFlakes, PaintSurface, PassiveFlakes, Sparkle, Sparkles, boosted, brighter_normal,
     brighter_reflection, flake_patch, flake_patch_printed, flake_tilt_printed, sparkle_width,
 };
-pub use parameter::ParameterError;
 pub use surface_point::SurfacePoint;
 pub use textured::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 pub use wear::{

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{Microfacet, Ndf};
 use glam::Vec3;
 
 use crate::bump::Facet;
-use crate::material::material::Material;
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::reflectance::{
     BlinnPhongLobe, Brdf, Bsdf, Coat, CookTorrance, EnergyPreservingOrenNayar, Fresnel, Lambert, OrenNayar,

@@ -20,7 +20,7 @@ pub(crate) struct Segments {
     pub(crate) cover: f32,
     /// The unit direction that they are spread about.
     pub(crate) direction: Vec2,
-    /// How far they are spread: 1 is a quarter of a turn to either side, all directions.
+    /// Spread of directions: 1 is a quarter of a turn to either side, all directions.
     pub(crate) spread: f32,
     pub(crate) seed: u32,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Segments {
 /// A segment near a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Near {
-    /// How far along it the point is, −1 and 1 at its ends.
+    /// Place of the point along it, −1 and 1 at its ends.
     pub(crate) along: f32,
     /// The distance to its left.
     pub(crate) across: f32,
@@ -92,7 +92,7 @@ impl Segments {
         of(across) * (0.5 + 0.5 * lean) + of(d) * (0.5 - 0.5 * lean)
     }
 
-    /// How many segments there are to a unit of area.
+    /// Number of segments per unit of area.
     pub(crate) fn density(&self) -> f32 {
         self.cover / (self.cell * self.cell)
     }

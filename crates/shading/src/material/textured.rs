@@ -4,7 +4,7 @@ use asperity_noise::{IntegerHash, Lattice, removed_share};
 use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, bumped_normal};
-use crate::material::material::Material;
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::sqrt;
 use crate::pixel::PixelEllipse;
@@ -31,9 +31,9 @@ pub struct BrickWall {
     pub clay: Vec3,
     /// The colour of the mortar.
     pub mortar: Vec3,
-    /// How much bricks differ in brightness, as a share, as far as the pixel tells them apart.
+    /// Variation of brightness from brick to brick, as a share, as far as the pixel tells them apart.
     pub variation: f32,
-    /// How deep the mortar lies, in texture coordinates.
+    /// Depth of the mortar, in texture coordinates.
     pub depth: f32,
     /// The roughness of the facets, in [0, 1].
     pub roughness: f32,

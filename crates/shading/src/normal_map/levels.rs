@@ -16,7 +16,7 @@ pub(super) const fn last_level(width: usize, height: usize) -> u32 {
     longer.ilog2()
 }
 
-/// Where a level begins in the lobes of all of them.
+/// Index of the first lobe of a level among those of all levels.
 pub(super) const fn level_start(width: usize, height: usize, level: u32) -> usize {
     let (mut start, mut k) = (0, 0);
     while k < level {

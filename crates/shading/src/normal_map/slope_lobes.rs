@@ -1,4 +1,4 @@
-//! What a pixel sees of a normal map whose slopes are far from Gaussian: a few lobes of them.
+//! Slope lobes: a mixture of Gaussians for normal maps whose slopes are far from Gaussian within a pixel.
 
 use asperity_ndf_sampling::{Beckmann, Ndf as _};
 use glam::{Vec2, Vec3};

@@ -1,4 +1,4 @@
-//! What a pixel sees of a normal map: the mean of its slopes, and their covariance.
+//! Slope moments of a normal map within a pixel: mean and covariance (LEAN mapping).
 
 use asperity_ndf_sampling::{Beckmann, level_of_detail::OffsetBeckmann};
 use glam::{Vec2, Vec3};
@@ -9,7 +9,8 @@ use crate::math::{clamp_to, sqrt};
 /// The mean and the covariance of slopes `s = (n_x, n_y)/n_z` within a pixel.
 ///
 /// ```
-/// use asperity_shading::{SlopeMoments, glam::Vec2};
+/// use asperity_shading::normal_map::SlopeMoments;
+/// use asperity_shading::glam::Vec2;
 ///
 /// // A ridge within a pixel: two slopes, flat on average.
 /// let ridge = SlopeMoments::mixed([-0.3, 0.3].map(|x| (1.0, SlopeMoments::point(Vec2::new(x, 0.0)))));
@@ -20,6 +21,8 @@ use crate::math::{clamp_to, sqrt};
 /// ```
 ///
 /// Olano, Baker 2010, *LEAN Mapping*, §3; here about the mean, so that nothing cancels.
+#[doc(alias = "lean")]
+#[doc(alias = "toksvig")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlopeMoments {
     /// The mean.

@@ -19,7 +19,8 @@ const STEEPEST: f32 = 32.0;
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::{Beckmann, Coordinates, Footprint, SlopePyramid};
+/// use asperity_shading::level_of_detail::Coordinates;
+/// use asperity_shading::{Beckmann, Footprint, SlopePyramid};
 ///
 /// // Grooves, and the roughness of the stone.
 /// let normals: Vec<Vec3> =
@@ -32,6 +33,10 @@ const STEEPEST: f32 = 32.0;
 /// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "lean")]
+#[doc(alias = "toksvig")]
+#[doc(alias = "mipmap")]
+#[doc(alias = "leadr")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlopePyramid<const K: usize> {
     size: [usize; 2],
@@ -71,31 +76,31 @@ impl<const K: usize> SlopePyramid<K> {
         Self::new(width, height, slopes)
     }
 
-    /// The same map, borrowed.
+    /// Borrowed view of the map.
     #[must_use]
     pub fn as_ref(&self) -> SlopePyramidRef<'_, K> {
         SlopePyramidRef::from_parts(self.size, &self.slopes, self.centres, &self.lobes)
     }
 
-    /// As [`SlopePyramidRef::whole`].
+    /// Lobes of the whole map: [`SlopePyramidRef::whole`].
     #[must_use]
     pub fn whole(&self) -> SlopeLobes<K> {
         self.as_ref().whole()
     }
 
-    /// As [`SlopePyramidRef::slope`].
+    /// Slope at a point of the finest level: [`SlopePyramidRef::slope`].
     #[must_use]
     pub fn slope(&self, uv: Vec2) -> Vec2 {
         self.as_ref().slope(uv)
     }
 
-    /// As [`SlopePyramidRef::sample`].
+    /// Lobes within a round pixel: [`SlopePyramidRef::sample`].
     #[must_use]
     pub fn sample(&self, uv: Vec2, footprint: Footprint) -> SlopeLobes<K> {
         self.as_ref().sample(uv, footprint)
     }
 
-    /// As [`SlopePyramidRef::sample_along`].
+    /// Lobes within a long pixel: [`SlopePyramidRef::sample_along`].
     #[must_use]
     pub fn sample_along(&self, uv: Vec2, pixel: &PixelEllipse, most: u32) -> SlopeLobes<K> {
         self.as_ref().sample_along(uv, pixel, most)

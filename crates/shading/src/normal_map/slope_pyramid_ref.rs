@@ -27,7 +27,8 @@ use crate::pixel::{Footprint, PixelEllipse};
 /// - **Storage:** for each texel a slope and 1⅓ [`SlopeLobes`], of 24 K bytes.
 ///
 /// ```
-/// use asperity_shading::{Footprint, SlopeLobes, SlopePyramidRef, glam::Vec2};
+/// use asperity_shading::normal_map::{SlopeLobes, SlopePyramidRef};
+/// use asperity_shading::{Footprint, glam::Vec2};
 ///
 /// // Ridges along v.
 /// let slopes = [0.4, 0.4, -0.4, -0.4].map(|x| Vec2::new(x, 0.0));
@@ -40,7 +41,7 @@ use crate::pixel::{Footprint, PixelEllipse};
 /// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
 /// // Both sides are still there, each by itself.
 /// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
-/// # Ok::<(), asperity_shading::SlopePyramidError>(())
+/// # Ok::<(), asperity_shading::normal_map::SlopePyramidError>(())
 /// ```
 ///
 /// Olano, Baker 2010, *LEAN Mapping*, whose levels start from the texels as they are, so that nearby, between texels, there is a covariance
@@ -141,7 +142,7 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         )
     }
 
-    /// What a round pixel sees around a point: trilinear between levels.
+    /// Lobes within a round pixel around a point, trilinear between levels.
     ///
     /// ```text
     /// p = width of the pixel · max(width, height):   p ≥ 1: levels ⌊log₂ p⌋ and the next;   p < 1: p² of level 0, the rest a point
@@ -168,7 +169,7 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         ])
     }
 
-    /// What a long pixel sees around a point, by up to `most` round footprints along its long axis.
+    /// Lobes within a long pixel around a point (anisotropic filtering), by up to `most` round footprints along its long axis.
     ///
     /// The ellipse is in the unit of `uv`: made of the derivatives of `(u, v, 0)` by one pixel to the right and one down.
     #[must_use]

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::math::sqrt;
 use crate::pixel::footprint::Footprint;
 
-/// What a pixel covers of a surface that is seen at an angle: longer than wide.
+/// Elliptical footprint of a pixel on a surface that is seen at an angle: longer than wide.
 ///
 /// A texture that knows only round footprints is filtered far too much along the short axis where it takes the long one, and
 /// aliases where it takes the short one. A few of them along the long axis do justice to both, as anisotropic look-ups of images do.
@@ -20,6 +20,8 @@ use crate::pixel::footprint::Footprint;
 /// assert!((taps[3] - taps[0]).length() - 0.09 < 1e-6);
 /// assert!(pixel.taps(4).all(|(_, tap)| (tap.width() - 0.03).abs() < 1e-6));
 /// ```
+#[doc(alias = "anisotropic filtering")]
+#[doc(alias = "ewa")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelEllipse {
     /// The long axis, as long as the pixel.

@@ -17,6 +17,9 @@ use crate::math::sqrt;
 /// assert!((pixel.width() - 4e-3).abs() < 1e-9);
 /// assert!(pixel.width() >= Footprint::from_distance(2.0, 1e-3, 1.0).width());
 /// ```
+#[doc(alias = "ray differential")]
+#[doc(alias = "ddx")]
+#[doc(alias = "ddy")]
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Footprint {
     width: f32,

@@ -1,8 +1,7 @@
 //! Frequency clamping: how many octaves a pixel resolves.
 
-use core::fmt;
-
 use crate::math::{clamp_to, exp2, log2};
+use crate::parameter::{ParameterError, not_negative, positive, within};
 use crate::pixel::footprint::Footprint;
 
 /// The real number of octaves that a pixel resolves, none of them above the pixel's Nyquist frequency.
@@ -20,13 +19,14 @@ use crate::pixel::footprint::Footprint;
 /// between its ends, 0 as soon as the first octave is below the pixel, and `max` for a pixel of no width.
 ///
 /// ```
-/// use asperity_shading::{Footprint, FrequencyClamp};
+/// use asperity_shading::pixel::FrequencyClamp;
+/// use asperity_shading::Footprint;
 ///
 /// let clamp = FrequencyClamp::new(10.0, 2.0, 8.0)?;
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.05)), 0.0);
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.05 / 8.0)), 3.0);
 /// assert_eq!(clamp.octaves(Footprint::from_width(0.0)), 8.0);
-/// # Ok::<(), asperity_shading::FrequencyClampError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyClamp {
@@ -42,19 +42,14 @@ impl FrequencyClamp {
     /// `frequency` is in lattice cells per unit of the surface's positions.
     ///
     /// # Errors
-    /// [`FrequencyClampError::Frequency`] unless `frequency` is finite and positive,
-    /// [`FrequencyClampError::Lacunarity`] unless `lacunarity` is finite and more than 1,
-    /// [`FrequencyClampError::MaxOctaves`] unless `max_octaves` is finite and not negative.
-    pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, FrequencyClampError> {
-        if !(frequency.is_finite() && frequency > 0.0) {
-            return Err(FrequencyClampError::Frequency(frequency));
-        }
-        if !(lacunarity.is_finite() && lacunarity > 1.0) {
-            return Err(FrequencyClampError::Lacunarity(lacunarity));
-        }
-        if !(max_octaves.is_finite() && max_octaves >= 0.0) {
-            return Err(FrequencyClampError::MaxOctaves(max_octaves));
-        }
+    /// [`ParameterError`] unless `frequency` is finite and positive,
+    /// [`ParameterError`] unless `lacunarity` is finite and more than 1,
+    /// [`ParameterError`] unless `max_octaves` is finite and not negative.
+    pub fn new(frequency: f32, lacunarity: f32, max_octaves: f32) -> Result<Self, ParameterError> {
+        positive("frequency", frequency)?;
+        // 1 is none: its logarithm divides.
+        within("lacunarity", lacunarity, [1.0_f32.next_up(), f32::MAX])?;
+        not_negative("max_octaves", max_octaves)?;
         Ok(Self { frequency, lacunarity, max_octaves, log2_lacunarity: log2(lacunarity) })
     }
 
@@ -97,36 +92,6 @@ impl FrequencyClamp {
         Footprint::from_width(0.5 / self.frequency * exp2(-octaves * self.log2_lacunarity))
     }
 }
-
-/// Why a [`FrequencyClamp`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum FrequencyClampError {
-    /// The first octave's frequency is not finite and positive.
-    Frequency(f32),
-    /// The lacunarity is not finite, or not more than 1.
-    Lacunarity(f32),
-    /// The greatest count of octaves is not finite, or is negative.
-    MaxOctaves(f32),
-}
-
-impl fmt::Display for FrequencyClampError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Frequency(frequency) => {
-                write!(f, "frequency {frequency} of the first octave is not finite and positive")
-            }
-            Self::Lacunarity(lacunarity) => {
-                write!(f, "lacunarity {lacunarity} is not finite, or not more than 1")
-            }
-            Self::MaxOctaves(max) => {
-                write!(f, "greatest count of octaves {max} is not finite, or is negative")
-            }
-        }
-    }
-}
-
-impl core::error::Error for FrequencyClampError {}
 
 #[cfg(test)]
 mod tests {
@@ -190,22 +155,13 @@ mod tests {
     #[test]
     fn refuses_what_is_no_sequence_of_octaves() {
         for bad in [f32::NAN, f32::INFINITY, 0.0, -1.0] {
-            assert!(
-                matches!(FrequencyClamp::new(bad, 2.0, 8.0), Err(FrequencyClampError::Frequency(_))),
-                "{bad}"
-            );
+            assert!(FrequencyClamp::new(bad, 2.0, 8.0).unwrap_err().parameter() == "frequency", "{bad}");
         }
         for bad in [f32::NAN, f32::INFINITY, 1.0, 0.5, -2.0] {
-            assert!(
-                matches!(FrequencyClamp::new(1.0, bad, 8.0), Err(FrequencyClampError::Lacunarity(_))),
-                "{bad}"
-            );
+            assert!(FrequencyClamp::new(1.0, bad, 8.0).unwrap_err().parameter() == "lacunarity", "{bad}");
         }
         for bad in [f32::NAN, f32::INFINITY, -1.0] {
-            assert!(
-                matches!(FrequencyClamp::new(1.0, 2.0, bad), Err(FrequencyClampError::MaxOctaves(_))),
-                "{bad}"
-            );
+            assert!(FrequencyClamp::new(1.0, 2.0, bad).unwrap_err().parameter() == "max_octaves", "{bad}");
         }
     }
 }

@@ -6,4 +6,4 @@ mod frequency_clamp;
 
 pub use ellipse::PixelEllipse;
 pub use footprint::Footprint;
-pub use frequency_clamp::{FrequencyClamp, FrequencyClampError};
+pub use frequency_clamp::FrequencyClamp;

@@ -1,4 +1,4 @@
-//! What a surface does to light: the bidirectional reflectance distribution function as a trait.
+//! The bidirectional reflectance distribution function (BRDF) as a trait.
 
 use core::f32::consts::{FRAC_1_PI, TAU};
 
@@ -34,8 +34,10 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// let wi = chalk.sample(wo, Vec2::new(0.3, 0.7));
 /// let weight = chalk.value(wi, wo) * wi.z / chalk.density(wi, wo);
 /// assert!((weight - Vec3::splat(0.8)).length() < 1e-6);
-/// # Ok::<(), asperity_shading::AlbedoError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "brdf")]
+#[doc(alias = "reflectance")]
 pub trait Brdf {
     /// `f_r(ωi, ωo)` in sr⁻¹, linear RGB; without the cosine.
     #[must_use]
@@ -105,20 +107,10 @@ pub(crate) fn mirrored_density(wi: Vec3, wo: Vec3, density: impl FnOnce(Vec3) ->
     finite(density(h) / (4.0 * wo.dot(h)))
 }
 
-/// What is no number is none of the light, and what overflows is the greatest finite one.
+/// A finite number that is not negative: NaN is 0, and what overflows is the greatest one.
 #[inline]
 pub(crate) fn finite(x: f32) -> f32 {
     if x > 0.0 { x.min(f32::MAX) } else { 0.0 }
-}
-
-/// A colour within `[0, 1]³`, or the first component that is not.
-pub(crate) fn share(colour: Vec3) -> Result<Vec3, f32> {
-    for c in colour.to_array() {
-        if !(0.0..=1.0).contains(&c) {
-            return Err(c);
-        }
-    }
-    Ok(colour)
 }
 
 #[cfg(test)]
@@ -151,12 +143,5 @@ mod tests {
             assert_eq!(Grey.density(bad, Vec3::Z), 0.0, "{bad}");
             assert_eq!(Grey.density(Vec3::Z, bad), 0.0, "{bad}");
         }
-    }
-
-    #[test]
-    fn shares_are_checked_in_every_component() {
-        assert_eq!(share(Vec3::new(0.0, 0.5, 1.0)), Ok(Vec3::new(0.0, 0.5, 1.0)));
-        assert_eq!(share(Vec3::new(0.0, 1.5, 1.0)), Err(1.5));
-        assert!(share(Vec3::new(0.0, 0.5, f32::NAN)).is_err());
     }
 }

@@ -48,8 +48,11 @@ const LAYERS: usize = 4;
 /// let low = Vec3::new(0.96, 0.0, 0.28);
 /// assert!(bumpy.value(Vec3::Z, Vec3::Z).x < chalk.value(Vec3::Z, Vec3::Z).x);
 /// assert!(bumpy.value(low, Vec3::Z).x > chalk.value(low, Vec3::Z).x);
-/// # Ok::<(), asperity_shading::reflectance::AlbedoError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "bsdf")]
+#[doc(alias = "bidirectional scattering")]
+#[doc(alias = "btdf")]
 #[derive(Clone, Copy)]
 pub struct Bsdf<'a> {
     wo: Vec3,
@@ -154,7 +157,7 @@ impl<'a> Bsdf<'a> {
         self
     }
 
-    /// What a smooth coat mirrors and what it transmits into `wo`, each from one direction; weights are 0 without a coat.
+    /// Delta lobes of a smooth coat, of reflection and of transmission into `wo`; weights are 0 without a coat.
     ///
     /// `u` is a uniform point of the unit square that chooses one of the coat's facets; the mean over it is the coat's part of the light.
     /// A path tracer follows either direction, or one of them by its weight.
@@ -168,7 +171,7 @@ impl<'a> Bsdf<'a> {
     /// let [mirrored, transmitted] = pane.deltas(wo, Vec2::splat(0.5));
     /// assert_eq!((mirrored.wi, transmitted.wi), (Vec3::new(-0.6, 0.0, 0.8), -wo));
     /// assert!((mirrored.weight + transmitted.weight - Vec3::ONE).length() < 1e-6);
-    /// # Ok::<(), asperity_shading::reflectance::DielectricError>(())
+    /// # Ok::<(), asperity_shading::ParameterError>(())
     /// ```
     #[must_use]
     pub fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {

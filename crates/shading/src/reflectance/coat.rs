@@ -16,6 +16,9 @@ use crate::reflectance::lobe::Lobe;
 ///
 /// It sends light into single directions, [`Delta`] lobes. Slopes that the pixel does not resolve blur them: each is then that of a facet
 /// that random numbers choose.
+#[doc(alias = "clearcoat")]
+#[doc(alias = "varnish")]
+#[doc(alias = "mirror")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coat {
     normal: Vec3,
@@ -30,7 +33,7 @@ pub struct Coat {
 pub(crate) enum Slopes {
     /// Gaussian, with this variance along each axis.
     Gaussian(f32),
-    /// Those of a sine with this steepest slope.
+    /// Slopes of a sine with this steepest one.
     Sine(Vec3),
 }
 
@@ -46,6 +49,7 @@ enum Behind {
 /// A direction of which a smooth surface sends light into `wo`, with the share of its radiance.
 ///
 /// Below the surface where `wi.z` has the other sign than `wo.z`: light that is transmitted.
+#[doc(alias = "specular delta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Delta {
     /// The unit direction to the light, in the frame of the surface.
@@ -169,7 +173,7 @@ impl Coat {
         facing(Vec3::Z, facet, wo)
     }
 
-    /// What is mirrored and what is transmitted into `wo` by the facet for a random point of the unit square.
+    /// Delta lobes of reflection and of transmission into `wo`, by the facet for a random point of the unit square.
     pub(super) fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
         let dark = [Delta::default(); 2];
         if !wo.is_finite() || wo.z == 0.0 {

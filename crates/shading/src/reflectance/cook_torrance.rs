@@ -33,6 +33,9 @@ use crate::reflectance::fresnel::Fresnel;
 /// assert!(weight.max_element() <= 1.0 + 1e-5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "microfacet")]
+#[doc(alias = "specular")]
+#[doc(alias = "glossy")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CookTorrance<D, F> {
     density: D,
@@ -40,13 +43,13 @@ pub struct CookTorrance<D, F> {
     masking: Masking,
 }
 
-/// How masking and shadowing go together.
+/// Masking-shadowing function G₂: height-correlated or separable.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Masking {
     /// By the facets' heights: `G₂ = 1/(1 + Λ(ωi) + Λ(ωo))` (Heitz 2014, eq. 99).
     #[default]
     Correlated,
-    /// As if independent: `G₂ = G₁(ωi) G₁(ωo)`, which is darker.
+    /// Separable, as if independent: `G₂ = G₁(ωi) G₁(ωo)`, which is darker.
     Separable,
 }
 
@@ -57,7 +60,7 @@ impl<D: Microfacet, F: Fresnel> CookTorrance<D, F> {
         Self { density, fresnel, masking: Masking::Correlated }
     }
 
-    /// The same surface with this masking.
+    /// Surface with this masking.
     #[must_use]
     pub fn with_masking(self, masking: Masking) -> Self {
         Self { masking, ..self }

@@ -30,7 +30,7 @@ use crate::reflectance::fresnel::{Dielectric, Fresnel};
 /// let chalk = Lambert::new(Vec3::splat(0.8))?;
 /// let half = Lobe::from(&chalk as &dyn Brdf).weighted(Vec3::splat(0.5));
 /// assert_eq!(half.value(Vec3::Z, Vec3::Z), 0.5 * chalk.value(Vec3::Z, Vec3::Z));
-/// # Ok::<(), asperity_shading::reflectance::AlbedoError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct Lobe<'a> {

@@ -15,12 +15,9 @@ pub use brdf::Brdf;
 pub use bsdf::Bsdf;
 pub use coat::{Coat, Delta};
 pub use cook_torrance::{CookTorrance, Masking};
-pub use diffuse::{AlbedoError, DiffuseError, EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
-pub use fresnel::{
-    Conductor, ConductorError, Dielectric, DielectricError, Fresnel, Schlick, SchlickError, SchlickF82,
-    SchlickF82Error,
-};
+pub use diffuse::{EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
+pub use fresnel::{Conductor, Dielectric, Fresnel, Schlick, SchlickF82};
 pub use lobe::Lobe;
-pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong, PhongError};
+pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong};
 pub use torrance_sparrow::TorranceSparrow;
-pub use ward::{WardError, WardForm, WardReflection};
+pub use ward::{WardForm, WardReflection};

@@ -1,14 +1,13 @@
 //! Lobes of powers of cosines: Phong's about the mirrored direction, Blinn's about the half vector.
 
+use asperity_ndf_sampling::{BlinnPhong, Frame, Ndf};
 use core::f32::consts::{FRAC_1_PI, TAU};
-use core::fmt;
-
-use asperity_ndf_sampling::{BlinnPhong, Frame, Ndf, RangeError};
 use glam::{Vec2, Vec3};
 
 use crate::direction::reflect;
 use crate::math::{clamp_to, cos, exp, exp2, ln_1p, pow, sin, sqrt};
-use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density, share};
+use crate::parameter::{ParameterError, colour, within};
+use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
 /// Phong's lobe about the mirrored direction, normalised.
 ///
@@ -31,7 +30,7 @@ use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density, share}
 /// let lacquer = Phong::new(Vec3::splat(0.3), 60.0)?;
 /// let wo = Vec3::new(0.6, 0.0, 0.8);
 /// assert!(lacquer.value(Vec3::new(-0.6, 0.0, 0.8), wo).x > 100.0 * lacquer.value(Vec3::Z, wo).x);
-/// # Ok::<(), asperity_shading::PhongError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
@@ -46,15 +45,11 @@ impl Phong {
     /// The lobe of this colour and exponent.
     ///
     /// # Errors
-    /// [`PhongError::Specular`] unless every component is within `[0, 1]`, [`PhongError::Exponent`] unless the exponent is
+    /// [`ParameterError`] unless every component is within `[0, 1]`, [`ParameterError`] unless the exponent is
     /// within `[0, 10⁶]`.
-    pub fn new(specular: Vec3, exponent: f32) -> Result<Self, PhongError> {
-        let specular = share(specular).map_err(PhongError::Specular)?;
-        if (0.0..=MAX_EXPONENT).contains(&exponent) {
-            Ok(Self { specular, exponent })
-        } else {
-            Err(PhongError::Exponent(exponent))
-        }
+    pub fn new(specular: Vec3, exponent: f32) -> Result<Self, ParameterError> {
+        let specular = colour("specular", specular)?;
+        Ok(Self { specular, exponent: within("exponent", exponent, [0.0, MAX_EXPONENT])? })
     }
 
     /// The exponent n.
@@ -90,37 +85,6 @@ impl Brdf for Phong {
     }
 }
 
-/// Why a [`Phong`] or [`BlinnPhongLobe`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum PhongError {
-    /// A component of the specular colour is outside `[0, 1]`.
-    Specular(f32),
-    /// The exponent is outside `[0, 10⁶]`.
-    Exponent(f32),
-    /// The exponent is none of the density [`BlinnPhong`].
-    Density(RangeError),
-}
-
-impl fmt::Display for PhongError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Specular(c) => write!(f, "a component of the specular colour is {c}, outside [0, 1]"),
-            Self::Exponent(n) => write!(f, "the exponent is {n}, outside [0, 1000000]"),
-            Self::Density(error) => write!(f, "{error}"),
-        }
-    }
-}
-
-impl core::error::Error for PhongError {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Density(error) => Some(error),
-            _ => None,
-        }
-    }
-}
-
 /// The factor of a [`BlinnPhongLobe`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum BlinnPhongFactor {
@@ -148,11 +112,12 @@ pub enum BlinnPhongFactor {
 /// Blinn 1977, *Models of Light Reflection for Computer Synthesized Pictures*.
 ///
 /// ```
-/// use asperity_shading::{BlinnPhongFactor, BlinnPhongLobe, Brdf, glam::Vec3};
+/// use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe};
+/// use asperity_shading::{Brdf, glam::Vec3};
 ///
 /// let gloss = BlinnPhongLobe::new(Vec3::splat(0.5), 40.0, BlinnPhongFactor::Albedo)?;
 /// assert!(gloss.value(Vec3::Z, Vec3::Z).x > gloss.value(Vec3::new(0.6, 0.0, 0.8), Vec3::Z).x);
-/// # Ok::<(), asperity_shading::PhongError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhongLobe {
@@ -165,11 +130,12 @@ impl BlinnPhongLobe {
     /// The lobe of this colour and exponent, with this factor.
     ///
     /// # Errors
-    /// [`PhongError::Specular`] unless every component is within `[0, 1]`, [`PhongError::Density`] for an exponent that
+    /// [`ParameterError`] unless every component is within `[0, 1]`, [`ParameterError`] for an exponent that
     /// [`BlinnPhong::new`] refuses.
-    pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, PhongError> {
-        let specular = share(specular).map_err(PhongError::Specular)?;
-        let density = BlinnPhong::new(exponent).map_err(PhongError::Density)?;
+    pub fn new(specular: Vec3, exponent: f32, factor: BlinnPhongFactor) -> Result<Self, ParameterError> {
+        let specular = colour("specular", specular)?;
+        let density = BlinnPhong::new(within("exponent", exponent, [0.0, MAX_EXPONENT])?)
+            .map_err(|_| ParameterError::NotPositive { parameter: "exponent", value: exponent })?;
         let n = exponent;
         let factor = match factor {
             BlinnPhongFactor::Albedo => (n + 2.0) * (n + 4.0) / (exp2(-0.5 * n) + n),
@@ -207,11 +173,11 @@ mod tests {
     #[test]
     fn refuses_what_is_no_lobe() {
         for bad in [-1.0, f32::NAN, 1e7, f32::INFINITY] {
-            assert!(matches!(Phong::new(Vec3::ONE, bad), Err(PhongError::Exponent(_))), "{bad}");
+            assert!(matches!(Phong::new(Vec3::ONE, bad), Err(ParameterError::Outside { .. })), "{bad}");
         }
-        assert!(matches!(Phong::new(Vec3::splat(2.0), 1.0), Err(PhongError::Specular(_))));
+        assert!(matches!(Phong::new(Vec3::splat(2.0), 1.0), Err(ParameterError::Outside { .. })));
         let refused = BlinnPhongLobe::new(Vec3::ONE, f32::NAN, BlinnPhongFactor::Albedo);
-        assert!(matches!(refused, Err(PhongError::Density(_))));
+        assert!(matches!(refused, Err(ParameterError::Outside { .. })));
     }
 
     #[test]

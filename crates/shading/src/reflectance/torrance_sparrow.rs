@@ -24,7 +24,8 @@ use crate::reflectance::fresnel::Fresnel;
 /// for Computer Synthesized Pictures*; Cook, Torrance 1982, eq. 2.
 ///
 /// ```
-/// use asperity_shading::{BlinnPhong, Brdf, TorranceSparrow, glam::Vec3};
+/// use asperity_shading::ndf_sampling::BlinnPhong;
+/// use asperity_shading::{Brdf, TorranceSparrow, glam::Vec3};
 ///
 /// let plaster = TorranceSparrow::new(BlinnPhong::new(20.0)?, Vec3::splat(0.6));
 /// assert!(plaster.value(Vec3::Z, Vec3::Z).x > 0.0);

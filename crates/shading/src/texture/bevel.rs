@@ -1,10 +1,9 @@
 //! Ridges along the edges of a figure.
 
-use core::fmt;
-
 use glam::Vec2;
 
 use crate::math::sqrt;
+use crate::parameter::{ParameterError, positive, within};
 
 /// The profile of a ridge along an edge: a plateau beside the edge, then a flank down to the face.
 ///
@@ -24,7 +23,8 @@ use crate::math::sqrt;
 /// curvature for its four parameters.
 ///
 /// ```
-/// use asperity_shading::{Bevel, Edge, glam::Vec2};
+/// use asperity_shading::texture::{Bevel, Edge};
+/// use asperity_shading::glam::Vec2;
 ///
 /// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
 /// let tile = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
@@ -32,7 +32,7 @@ use crate::math::sqrt;
 /// let [height, slope] = bevel.profile(edge.distance);
 /// // Half way down the flank, which falls away from the edge below.
 /// assert!((slope + 0.5).abs() < 1e-6 && height > 0.0 && edge.away == Vec2::Y);
-/// # Ok::<(), asperity_shading::BevelError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bevel {
@@ -46,15 +46,12 @@ impl Bevel {
     /// The ridge with a plateau of this width, `ridge` wide in all, and these slopes where its flank begins and ends.
     ///
     /// # Errors
-    /// [`BevelError`] unless `0 ≤ plateau < ridge` and all four are finite.
-    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, BevelError> {
-        if !(0.0 <= plateau && plateau < ridge && ridge.is_finite()) {
-            return Err(BevelError::Widths { plateau, ridge });
-        }
-        for (end, slope) in [("top", top), ("bottom", bottom)] {
-            if !slope.is_finite() {
-                return Err(BevelError::Slope { end, slope });
-            }
+    /// [`ParameterError`] unless `0 ≤ plateau < ridge` and all four are finite.
+    pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ParameterError> {
+        // A plateau as wide as the ridge leaves no flank.
+        within("plateau", plateau, [0.0, positive("ridge", ridge)?.next_down()])?;
+        for (parameter, slope) in [("top", top), ("bottom", bottom)] {
+            within(parameter, slope, [f32::MIN, f32::MAX])?;
         }
         Ok(Self { plateau, flank: ridge - plateau, top, bottom })
     }
@@ -81,7 +78,7 @@ impl Bevel {
     /// the pixel shows, where the model at the mean slope is something else. An interval that is empty or no number is its middle.
     ///
     /// ```
-    /// use asperity_shading::Bevel;
+    /// use asperity_shading::texture::Bevel;
     ///
     /// let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0)?;
     /// let (mut shares, mut slope) = (0.0, 0.0);
@@ -92,7 +89,7 @@ impl Bevel {
     /// // The mean slope is what the height falls by, over the interval.
     /// let fall = (bevel.profile(0.2)[0] - bevel.profile(0.0)[0]) / 0.2;
     /// assert!((shares - 1.0_f32).abs() < 1e-6 && (slope - fall).abs() < 1e-6);
-    /// # Ok::<(), asperity_shading::BevelError>(())
+    /// # Ok::<(), asperity_shading::ParameterError>(())
     /// ```
     pub fn facets(&self, low: f32, high: f32, mut visit: impl FnMut(f32, f32)) {
         let width = high - low;
@@ -127,43 +124,10 @@ impl Bevel {
     }
 }
 
-/// Why a [`Bevel`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum BevelError {
-    /// The plateau is negative, not narrower than the ridge, or one of the two is not finite.
-    Widths {
-        /// The width of the plateau.
-        plateau: f32,
-        /// The width of the whole ridge.
-        ridge: f32,
-    },
-    /// A slope is not finite.
-    Slope {
-        /// `top` or `bottom`.
-        end: &'static str,
-        /// The slope.
-        slope: f32,
-    },
-}
-
-impl fmt::Display for BevelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Widths { plateau, ridge } => {
-                write!(f, "a plateau of {plateau} does not fit into a ridge of {ridge}")
-            }
-            Self::Slope { end, slope } => write!(f, "the slope at the {end} is {slope}, not finite"),
-        }
-    }
-}
-
-impl core::error::Error for BevelError {}
-
 /// The edge of a polygon that is closest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// How far away it is, at least 0.
+    /// Distance to it, at least 0.
     pub distance: f32,
     /// The unit direction from its closest point to the point; across the edge where the point lies on it.
     pub away: Vec2,
@@ -234,9 +198,9 @@ mod tests {
         for (plateau, ridge) in
             [(-0.1, 1.0), (1.0, 1.0), (f32::NAN, 1.0), (0.1, f32::INFINITY), (0.1, f32::NAN)]
         {
-            assert!(matches!(Bevel::new(plateau, ridge, 0.0, 1.0), Err(BevelError::Widths { .. })));
+            assert!(Bevel::new(plateau, ridge, 0.0, 1.0).is_err(), "{plateau} {ridge}");
         }
-        assert!(matches!(Bevel::new(0.0, 1.0, f32::NAN, 1.0), Err(BevelError::Slope { end: "top", .. })));
+        assert_eq!(Bevel::new(0.0, 1.0, f32::NAN, 1.0).unwrap_err().parameter(), "top");
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! A wall of bricks with grooves of mortar.
 
-use core::fmt;
-
 use glam::Vec2;
 
 use crate::math::{clamp_to, floor};
+use crate::parameter::{ParameterError, not_negative, positive};
 use crate::pixel::PixelEllipse;
 
 /// Bricks in running bond: every other row is shifted by half a brick.
@@ -40,7 +39,7 @@ pub struct Brick {
     margin: Vec2,
 }
 
-/// What a point of a [`Brick`] wall is.
+/// Sample of a [`Brick`] wall at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrickSample {
     /// The share of brick, 1, against mortar, 0.
@@ -54,7 +53,7 @@ pub struct BrickSample {
 }
 
 impl BrickSample {
-    /// What there is where the coordinates are none: mortar.
+    /// Sample where the coordinates are none: mortar.
     const NOWHERE: Self = Self { brick: 0.0, height: 0.0, slope: Vec2::ZERO, cell: [0; 2] };
 }
 
@@ -69,17 +68,10 @@ impl Brick {
     /// Bricks of this width and height, with mortar of this thickness between them.
     ///
     /// # Errors
-    /// [`BrickError`] unless all are finite, width and height above 0 and the mortar at least 0.
-    pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, BrickError> {
-        for (side, value) in [("width", width), ("height", height)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(BrickError::Side { side, value });
-            }
-        }
-        if !(mortar >= 0.0 && mortar.is_finite()) {
-            return Err(BrickError::Mortar(mortar));
-        }
-        let cell = Vec2::new(width + mortar, height + mortar);
+    /// [`ParameterError`] unless all are finite, width and height above 0 and the mortar at least 0.
+    pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, ParameterError> {
+        let mortar = not_negative("mortar", mortar)?;
+        let cell = Vec2::new(positive("width", width)? + mortar, positive("height", height)? + mortar);
         Ok(Self { cell, margin: 0.5 * mortar / cell })
     }
 
@@ -188,7 +180,7 @@ pub(super) struct Value {
     pub(super) step: f32,
     pub(super) round: f32,
     pub(super) slope: f32,
-    /// How much of an interval lies in rows of one kind.
+    /// Share of an interval that lies in rows of one kind.
     pub(super) length: f32,
 }
 
@@ -255,7 +247,7 @@ impl Pulse {
     }
 }
 
-/// What a range of heights has of even and of odd rows.
+/// Means over a range of heights of even and of odd rows.
 pub(super) struct Rows(pub(super) [Value; 2]);
 
 impl Rows {
@@ -291,34 +283,6 @@ impl Rows {
         }
     }
 }
-
-/// Why a [`Brick`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum BrickError {
-    /// Width or height is not finite and positive.
-    Side {
-        /// `width` or `height`.
-        side: &'static str,
-        /// What was given.
-        value: f32,
-    },
-    /// The mortar is not finite, or negative.
-    Mortar(f32),
-}
-
-impl fmt::Display for BrickError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Side { side, value } => {
-                write!(f, "the {side} of a brick is {value}, not finite and positive")
-            }
-            Self::Mortar(value) => write!(f, "the mortar is {value} thick, not finite and at least 0"),
-        }
-    }
-}
-
-impl core::error::Error for BrickError {}
 
 #[cfg(test)]
 mod tests {
@@ -424,14 +388,20 @@ mod tests {
     fn refuses_what_is_no_brick() {
         for bad in [f32::NAN, 0.0, -1.0, f32::INFINITY] {
             assert!(
-                matches!(Brick::new(bad, 1.0, 0.1), Err(BrickError::Side { side: "width", .. })),
+                matches!(
+                    Brick::new(bad, 1.0, 0.1),
+                    Err(ParameterError::NotPositive { parameter: "width", .. })
+                ),
                 "{bad}"
             );
             assert!(
-                matches!(Brick::new(1.0, bad, 0.1), Err(BrickError::Side { side: "height", .. })),
+                matches!(
+                    Brick::new(1.0, bad, 0.1),
+                    Err(ParameterError::NotPositive { parameter: "height", .. })
+                ),
                 "{bad}"
             );
         }
-        assert!(matches!(Brick::new(1.0, 1.0, -0.1), Err(BrickError::Mortar(_))));
+        assert!(matches!(Brick::new(1.0, 1.0, -0.1), Err(ParameterError::Outside { .. })));
     }
 }

@@ -1,13 +1,12 @@
 //! Gas as a density in space, shaped into steam, and light through it.
 
-use core::fmt;
-
 use asperity_noise::{
     Field, Normalisation, Octaves, Perlin2002, Spectrum, Turbulence, removed_share, simd::Kernel,
 };
 use glam::Vec3;
 
 use crate::math::{clamp_to, exp, floor, pow, sin, sqrt};
+use crate::parameter::{ParameterError, positive};
 use crate::pixel::Footprint;
 
 /// Gas: turbulence, raised to a power.
@@ -20,7 +19,8 @@ use crate::pixel::Footprint;
 /// there the sum is not divided, which only scales `max_density`.
 ///
 /// ```
-/// use asperity_shading::{Gas, glam::Vec3};
+/// use asperity_shading::texture::Gas;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let gas = Gas::default();
 /// let density = gas.density(Vec3::new(0.3, 1.2, -0.4));
@@ -54,22 +54,19 @@ impl<K: Kernel<3>> Gas<K> {
     /// The gas of the first `octaves` octaves of a turbulence.
     ///
     /// # Errors
-    /// [`GasError`] unless `max_density` and `exponent` are finite and positive.
+    /// [`ParameterError`] unless `max_density` and `exponent` are finite and positive.
     pub fn new(
         turbulence: Octaves<K, 3, Turbulence>,
         octaves: f32,
         max_density: f32,
         exponent: f32,
-    ) -> Result<Self, GasError> {
-        for (name, value) in [("max_density", max_density), ("exponent", exponent)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(GasError { name, value });
-            }
-        }
+    ) -> Result<Self, ParameterError> {
+        positive("max_density", max_density)?;
+        positive("exponent", exponent)?;
         Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
     }
 
-    /// The same gas with veins: the sine of the turbulence.
+    /// Gas with veins: the sine of the turbulence.
     #[must_use]
     pub fn with_veins(self) -> Self {
         Self { veins: true, ..self }
@@ -127,23 +124,6 @@ impl<K: Kernel<3>> Gas<K> {
     }
 }
 
-/// A parameter of a [`Gas`] or of [`Steam`] is not finite and positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GasError {
-    /// Which one.
-    pub name: &'static str,
-    /// Its value.
-    pub value: f32,
-}
-
-impl fmt::Display for GasError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is {}, not finite and positive", self.name, self.value)
-    }
-}
-
-impl core::error::Error for GasError {}
-
 /// The room over a cup in which gas is steam: a slab that thins out from its axis and with the height.
 ///
 /// ```text
@@ -154,12 +134,13 @@ impl core::error::Error for GasError {}
 /// "Placing and Shaping Gas": attenuated by the distance from the centre of the tea's surface and by the height above it.
 ///
 /// ```
-/// use asperity_shading::{Steam, glam::Vec3};
+/// use asperity_shading::texture::Steam;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let steam = Steam::new(Vec3::new(0.0, 0.0, 0.8), 0.5, 1.5)?;
 /// assert_eq!(steam.share(Vec3::new(0.0, 0.0, 0.8)), 1.0);
 /// assert_eq!(steam.share(Vec3::new(0.6, 0.0, 1.0)), 0.0);
-/// # Ok::<(), asperity_shading::GasError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steam {
@@ -172,14 +153,9 @@ impl Steam {
     /// Steam over the surface of tea with this centre; z points up.
     ///
     /// # Errors
-    /// [`GasError`] unless radius and height are finite and positive.
-    pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, GasError> {
-        for (name, value) in [("radius", radius), ("height", height)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(GasError { name, value });
-            }
-        }
-        Ok(Self { centre, radius, height })
+    /// [`ParameterError`] unless radius and height are finite and positive.
+    pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
+        Ok(Self { centre, radius: positive("radius", radius)?, height: positive("height", height)? })
     }
 
     /// The share of gas that is left at a point, in `[0, 1]`; 0 where the point is not finite.
@@ -196,7 +172,7 @@ impl Steam {
     }
 }
 
-/// What a ray sees through gas.
+/// Light and transmittance along a ray through gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// The light that the gas adds, in the unit of what `light` returns.
@@ -219,7 +195,8 @@ pub struct Seen {
 /// - **Accuracy:** exact where extinction and light are constant; otherwise of second order in the step for an offset of 1/2.
 ///
 /// ```
-/// use asperity_shading::{march, glam::Vec3};
+/// use asperity_shading::texture::march;
+/// use asperity_shading::glam::Vec3;
 ///
 /// // Fog of extinction 0.5 over a length of 2 lets 1/e through, whatever the step.
 /// let seen = march(Vec3::ZERO, Vec3::X, [1.0, 3.0], 0.3, 0.5, |_| 0.5, |_| Vec3::ONE);
@@ -361,10 +338,10 @@ mod tests {
     fn refuses_what_is_no_gas() {
         let turbulence = Gas::default().turbulence;
         for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-            assert_eq!(Gas::new(turbulence, 5.0, bad, 1.0).unwrap_err().name, "max_density");
-            assert_eq!(Gas::new(turbulence, 5.0, 1.0, bad).unwrap_err().name, "exponent");
-            assert_eq!(Steam::new(Vec3::ZERO, bad, 1.0).unwrap_err().name, "radius");
-            assert_eq!(Steam::new(Vec3::ZERO, 1.0, bad).unwrap_err().name, "height");
+            assert_eq!(Gas::new(turbulence, 5.0, bad, 1.0).unwrap_err().parameter(), "max_density");
+            assert_eq!(Gas::new(turbulence, 5.0, 1.0, bad).unwrap_err().parameter(), "exponent");
+            assert_eq!(Steam::new(Vec3::ZERO, bad, 1.0).unwrap_err().parameter(), "radius");
+            assert_eq!(Steam::new(Vec3::ZERO, 1.0, bad).unwrap_err().parameter(), "height");
         }
     }
 }

@@ -1,11 +1,10 @@
 //! Blue marble: a spline of colours over a sum of noise.
 
-use core::fmt;
-
 use asperity_noise::{Noise, Perlin2002, removed_share};
 use glam::Vec3;
 
 use crate::math::sqrt;
+use crate::parameter::{ParameterError, positive};
 use crate::pixel::Footprint;
 
 /// Marble: the sum of a few octaves of noise picks a colour from a spline.
@@ -59,13 +58,9 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
     /// Marble of a noise with values about `[−1, 1]`, `scale` cells of its first octave per unit.
     ///
     /// # Errors
-    /// [`MarbleError`] unless the scale is finite and positive.
-    pub fn new(noise: N, scale: f32, seed: u32) -> Result<Self, MarbleError> {
-        if scale > 0.0 && scale.is_finite() {
-            Ok(Self { noise, scale, seed })
-        } else {
-            Err(MarbleError(scale))
-        }
+    /// [`ParameterError`] unless the scale is finite and positive.
+    pub fn new(noise: N, scale: f32, seed: u32) -> Result<Self, ParameterError> {
+        Ok(Self { noise, scale: positive("scale", scale)?, seed })
     }
 
     /// The sum of noise `m(p)`; 0 for coordinates that are not finite.
@@ -176,7 +171,7 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
     }
 }
 
-/// What a pixel resolves of the sum.
+/// The sum as a pixel resolves it.
 struct Resolved {
     sum: f32,
     /// The variance of what it does not resolve.
@@ -190,21 +185,6 @@ const SOFTER: f32 = 0.5;
 
 /// Parts of the distribution of what is removed.
 const PARTS: usize = 16;
-
-/// The scale of a [`Marble`] is not finite and positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MarbleError(
-    /// The scale.
-    pub f32,
-);
-
-impl fmt::Display for MarbleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the scale of the marble is {}, not finite and positive", self.0)
-    }
-}
-
-impl core::error::Error for MarbleError {}
 
 #[cfg(test)]
 mod tests {

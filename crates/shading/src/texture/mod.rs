@@ -8,9 +8,9 @@ mod marble;
 mod perturbed;
 mod star_wallpaper;
 
-pub use bevel::{Bevel, BevelError, Edge};
-pub use brick::{Brick, BrickError, BrickSample};
-pub use gas::{Gas, GasError, Seen, Steam, march};
-pub use marble::{Marble, MarbleError};
+pub use bevel::{Bevel, Edge};
+pub use brick::{Brick, BrickSample};
+pub use gas::{Gas, Seen, Steam, march};
+pub use marble::Marble;
 pub use perturbed::{PerturbedLookUp, PerturbedTexture};
-pub use star_wallpaper::{StarWallpaper, StarWallpaperError};
+pub use star_wallpaper::StarWallpaper;

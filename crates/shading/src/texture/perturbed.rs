@@ -16,7 +16,8 @@ use crate::pixel::Footprint;
 /// channel has a seed of its own beside the offset, because channels on one lattice are not independent.
 ///
 /// ```
-/// use asperity_shading::{PerturbedTexture, glam::{Vec2, Vec3}};
+/// use asperity_shading::texture::PerturbedTexture;
+/// use asperity_shading::glam::{Vec2, Vec3};
 ///
 /// let running = PerturbedTexture::default();
 /// let moved = running.coordinates(Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));
@@ -28,7 +29,7 @@ pub struct PerturbedTexture<N = Perlin2002> {
     pub noise: N,
     /// Cells of the noise per unit of the positions.
     pub scale: f32,
-    /// How far either coordinate is moved at most.
+    /// Greatest displacement of either coordinate.
     pub strength: Vec2,
     /// Which noise.
     pub seed: u32,
@@ -51,7 +52,7 @@ pub struct PerturbedLookUp {
 }
 
 impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
-    /// Where to look up the texture for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
+    /// Perturbed texture coordinates for the point `p` of the surface with coordinates `uv`; `uv` itself where `p` is not finite.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, uv: Vec2) -> Vec2 {
         let q = p * self.scale;
@@ -60,13 +61,14 @@ impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
         uv + self.strength * Vec2::new(self.noise.clone().with_seed(self.seed).value(q), second)
     }
 
-    /// Where to look up the texture as a pixel of this footprint sees it, and by which deviations its coordinates are spread there.
+    /// Perturbed texture coordinates as a pixel of this footprint sees them, with the deviations of their spread.
     ///
     /// Noise that the pixel does not resolve fades to 0, and what it moved the texture by is a blur: a box that is
     /// `√(width² + 12 spread²)` wide sees both.
     ///
     /// ```
-    /// use asperity_shading::{Footprint, PerturbedTexture, glam::{Vec2, Vec3}};
+    /// use asperity_shading::texture::PerturbedTexture;
+    /// use asperity_shading::{Footprint, glam::{Vec2, Vec3}};
     ///
     /// let running = PerturbedTexture::default();
     /// let (p, uv) = (Vec3::new(1.0, 2.0, 3.0), Vec2::new(0.5, 0.5));

@@ -1,12 +1,11 @@
 //! Wallpaper with a star in some of its cells.
 
-use core::f32::consts::{PI, TAU};
-use core::fmt;
-
 use asperity_noise::{Field, Perlin2002, White, removed_share};
+use core::f32::consts::{PI, TAU};
 use glam::Vec2;
 
 use crate::math::{atan2, cos, sin, sqrt};
+use crate::parameter::{ParameterError, SHARES, positive, within};
 use crate::pixel::Footprint;
 
 /// Stars scattered over a grid of cells.
@@ -24,7 +23,8 @@ use crate::pixel::Footprint;
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `wallpaper`.
 ///
 /// ```
-/// use asperity_shading::{StarWallpaper, glam::Vec2};
+/// use asperity_shading::texture::StarWallpaper;
+/// use asperity_shading::glam::Vec2;
 ///
 /// let wallpaper = StarWallpaper::default();
 /// // From afar, the share of stars.
@@ -43,7 +43,7 @@ pub struct StarWallpaper {
     seed: u32,
 }
 
-/// How far the centre of a star may lie from that of its cell, in cells.
+/// Scatter of a star's centre about that of its cell, in cells.
 const SCATTER: f32 = 0.6;
 
 /// The lecture's: ten cells per unit, stars of five points, radii 0.01 and 0.03, in 55 of 100 cells.
@@ -57,7 +57,7 @@ impl StarWallpaper {
     /// Stars of `points` points with notches at `r_min` and points at `r_max`, in a share `chance` of `cells` cells per unit.
     ///
     /// # Errors
-    /// [`StarWallpaperError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`, `cells` is finite and
+    /// [`ParameterError`] unless there are at least 2 points and at most 1000, `0 < r_min ≤ r_max`, `cells` is finite and
     /// positive, `r_max` is at most 0.4 of a cell (beyond, a star might reach past the neighbouring cells), and `chance` is within
     /// `[0, 1]`.
     pub fn new(
@@ -66,19 +66,12 @@ impl StarWallpaper {
         cells: f32,
         chance: f32,
         seed: u32,
-    ) -> Result<Self, StarWallpaperError> {
-        if !(2..=1000).contains(&points) {
-            return Err(StarWallpaperError::Points(points));
-        }
-        if !(cells > 0.0 && cells.is_finite()) {
-            return Err(StarWallpaperError::Cells(cells));
-        }
-        if !(0.0 < r_min && r_min <= r_max && r_max * cells <= 0.4) {
-            return Err(StarWallpaperError::Radii { r_min, r_max, most: 0.4 / cells });
-        }
-        if !(0.0..=1.0).contains(&chance) {
-            return Err(StarWallpaperError::Chance(chance));
-        }
+    ) -> Result<Self, ParameterError> {
+        // Points are few: the cast is exact, and what is not few is refused all the same.
+        within("points", points as f32, [2.0, 1000.0])?;
+        positive("r_min", r_min)?;
+        within("r_max", r_max, [r_min, 0.4 / positive("cells", cells)?])?;
+        within("chance", chance, SHARES)?;
         Ok(Self { points, r_min, r_max, cells, chance, seed })
     }
 
@@ -171,7 +164,7 @@ impl StarWallpaper {
         }
     }
 
-    /// How far `p` lies within the edge of a star about 0, negative outside; the angle from its point is multiplied by `listed`,
+    /// Signed distance of `p` to the edge of a star about 0, negative outside; the angle from its point is multiplied by `listed`,
     /// which is 1 for a star.
     fn inside(&self, p: Vec2, listed: f32) -> f32 {
         let angle = TAU / self.points as f32;
@@ -184,42 +177,6 @@ impl StarWallpaper {
         edge.perp_dot(r * Vec2::new(cos(a), sin(a)) - tip) / sqrt(edge.dot(edge))
     }
 }
-
-/// Why a [`StarWallpaper`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum StarWallpaperError {
-    /// The number of points is outside `[2, 1000]`.
-    Points(u32),
-    /// The radii are not positive, not in order, or too large for a cell.
-    Radii {
-        /// The radius of the notches.
-        r_min: f32,
-        /// The radius of the points.
-        r_max: f32,
-        /// The largest radius.
-        most: f32,
-    },
-    /// The number of cells per unit is not finite and positive.
-    Cells(f32),
-    /// The chance of a star is outside `[0, 1]`.
-    Chance(f32),
-}
-
-impl fmt::Display for StarWallpaperError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Points(n) => write!(f, "a star has {n} points, outside [2, 1000]"),
-            Self::Radii { r_min, r_max, most } => {
-                write!(f, "the radii {r_min} and {r_max} do not satisfy 0 < r_min ≤ r_max ≤ {most}")
-            }
-            Self::Cells(cells) => write!(f, "{cells} cells per unit, not finite and positive"),
-            Self::Chance(chance) => write!(f, "the chance of a star is {chance}, outside [0, 1]"),
-        }
-    }
-}
-
-impl core::error::Error for StarWallpaperError {}
 
 #[cfg(test)]
 mod tests {
@@ -268,12 +225,16 @@ mod tests {
 
     #[test]
     fn refuses_what_is_no_wallpaper() {
-        let new = |points, radii, cells, chance| StarWallpaper::new(points, radii, cells, chance, 1);
-        assert!(matches!(new(1, [0.01, 0.03], 10.0, 0.5), Err(StarWallpaperError::Points(1))));
-        for radii in [[0.0, 0.03], [0.04, 0.03], [0.01, 0.05], [f32::NAN, 0.03]] {
-            assert!(matches!(new(5, radii, 10.0, 0.5), Err(StarWallpaperError::Radii { .. })), "{radii:?}");
+        let refused = |points, radii, cells, chance| {
+            StarWallpaper::new(points, radii, cells, chance, 1).unwrap_err().parameter()
+        };
+        assert_eq!(refused(1, [0.01, 0.03], 10.0, 0.5), "points");
+        assert_eq!(refused(5, [0.0, 0.03], 10.0, 0.5), "r_min");
+        assert_eq!(refused(5, [f32::NAN, 0.03], 10.0, 0.5), "r_min");
+        for radii in [[0.04, 0.03], [0.01, 0.05], [0.01, f32::NAN]] {
+            assert_eq!(refused(5, radii, 10.0, 0.5), "r_max", "{radii:?}");
         }
-        assert!(matches!(new(5, [0.01, 0.03], f32::NAN, 0.5), Err(StarWallpaperError::Cells(_))));
-        assert!(matches!(new(5, [0.01, 0.03], 10.0, 1.5), Err(StarWallpaperError::Chance(_))));
+        assert_eq!(refused(5, [0.01, 0.03], f32::NAN, 0.5), "cells");
+        assert_eq!(refused(5, [0.01, 0.03], 10.0, 1.5), "chance");
     }
 }

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use asperity_ndf_sampling::NormalTable;
+use asperity_shading::level_of_detail::{Coordinates, shade_facet};
 use asperity_shading::{
-    BumpField, Coordinates, Frame, LevelOfDetail, Ndf, SurfacePoint,
+    BumpField, Frame, LevelOfDetail, Ndf, SurfacePoint,
     bump::Facet,
     half_vector,
     material::Material,
     reflectance::{Bsdf, Lobe},
-    shade_facet,
 };
 use glam::Vec3;
 

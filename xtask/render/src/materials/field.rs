@@ -1,7 +1,8 @@
 //! The noises that bumps are made of, by name.
 
 use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
-use asperity_shading::{BumpField, Coordinates, GaussianField, RemappedOctaves};
+use asperity_shading::BumpField;
+use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
 use glam::Vec3;
 
 use crate::failure::Failure;

@@ -1,10 +1,11 @@
 //! The builder's scenes: what stands where, and from where it is seen.
 
 use asperity_shading::{
-    Brdf, EnergyPreservingOrenNayar, Lambert, SurfacePoint, TemperedGlass, TemperedGlassParameters,
+    Brdf, EnergyPreservingOrenNayar, Lambert, ParameterError, SurfacePoint, TemperedGlass,
+    TemperedGlassParameters,
     bump::Facet,
     material::Material,
-    reflectance::{Bsdf, Coat, DiffuseError, Lobe},
+    reflectance::{Bsdf, Coat, Lobe},
 };
 use glam::{Vec2, Vec3};
 
@@ -151,7 +152,7 @@ pub fn ground(height: f32) -> Result<Object<'static>, Failure> {
 }
 
 /// A rough colour.
-fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, DiffuseError> {
+fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
     EnergyPreservingOrenNayar::new(colour, 0.8)
 }
 

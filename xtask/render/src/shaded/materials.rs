@@ -2,11 +2,12 @@
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::material::{BumpMapped, GlassWaves, Material, PaintFlakes};
+use asperity_shading::material::{FibresParameters, SeamPattern};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{
-    BumpField, Carpet, CarpetParameters, FibresParameters, Ggx, LevelOfDetail, MetallicPaint,
-    MetallicPaintParameters, Scratches, ScratchesParameters, SeamPattern, SurfacePoint, TemperedGlass,
-    TemperedGlassParameters, Variations, VariationsParameters,
+    BumpField, Carpet, CarpetParameters, Ggx, LevelOfDetail, MetallicPaint, MetallicPaintParameters,
+    Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
 };
 
 use crate::shaded::subject::Subject;

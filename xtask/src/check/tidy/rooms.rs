@@ -78,7 +78,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: &[
-            "math direction",
+            "math direction parameter",
             "pixel",
             "bump",
             "level_of_detail",
@@ -88,7 +88,7 @@ pub(super) const HOUSES: &[House] = &[
             "texture",
             "material",
         ],
-        face: Some(152),
+        face: Some(60),
         held: true,
     },
     House {

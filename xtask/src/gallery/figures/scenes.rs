@@ -14,10 +14,11 @@ use asperity_render::{
     scene::{Backdrop, Light, Scene, Surface},
     scenes::{Set, View, backdrop},
 };
+use asperity_shading::material::SeamPattern;
+use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
-    ScratchesParameters, SeamPattern, StarWallpaper, TemperedGlass, TemperedGlassParameters, Variations,
-    VariationsParameters,
+    ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
     material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper},
 };
 use glam::Vec3;

@@ -14,10 +14,10 @@ use crate::material::carpet::seam::{SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
 use crate::material::fbm::Fbm;
 use crate::material::form::Form;
-use crate::material::material::Material;
-use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, SIZES, colour, within};
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
-use crate::reflectance::{Bsdf, CookTorrance, DiffuseError, EnergyPreservingOrenNayar};
+use crate::parameter::{ParameterError, ROUGHNESSES, SHARES, SIZES, colour, within};
+use crate::reflectance::{Bsdf, CookTorrance, EnergyPreservingOrenNayar};
 
 /// The parameters of a [`Carpet`], by the names of Nilsson 2008, Appendix B.
 ///
@@ -31,17 +31,17 @@ pub struct CarpetParameters {
     pub specular: Vec3,
     /// The size of the threads that build up the diffuse map. Default 0.006.
     pub diffuse_thread_size: f32,
-    /// How far the diffuse colour can be altered, up and down. Default 0.12.
+    /// Variation of the diffuse colour by threads, up and down. Default 0.12.
     pub diffuse_thread_strength: f32,
-    /// How much the diffuse threads tilt the normal: their height over their size. Default 0.12; above 0.3 it looks rocky.
+    /// Tilt of the normal by diffuse threads: their height over their size. Default 0.12; above 0.3 it looks rocky.
     pub diffuse_thread_bump_strength: f32,
     /// The size of the threads that build up the specular map. Default 0.008.
     pub specular_thread_size: f32,
-    /// How far the specular colour can be raised. Default 0.12.
+    /// Greatest rise of the specular colour by threads. Default 0.12.
     pub specular_thread_strength: f32,
     /// The size of the dark areas. Default 0.15.
     pub dark_area_size: f32,
-    /// How much dark areas take of both colours. Default 0.5.
+    /// Share of both colours that dark areas take. Default 0.5.
     pub dark_area_strength: f32,
     /// The direction across the seams, in texture coordinates. Default (1, 0).
     pub seams_propagation: Vec2,
@@ -49,25 +49,25 @@ pub struct CarpetParameters {
     pub seams_pattern: SeamPattern,
     /// The distance between seams, in texture coordinates, within `[10⁻⁶, 10⁶]`. Default 0.02.
     pub seam_distance: f32,
-    /// How much darker seams are, without regard to the normal. Default 0.3.
+    /// Darkening of seams, without regard to the normal. Default 0.3.
     pub seams_amplitude: f32,
-    /// How much seams tilt the normal: the slope at a seam. Default 0.4.
+    /// Tilt of the normal by seams: the slope at a seam. Default 0.4.
     pub seams_bump_strength: f32,
     /// The size of the areas where threads lean over the seams. Default 0.05.
     pub seam_crossover_size: f32,
-    /// How much these threads fill the seams, in colour and normal. Default 0.5.
+    /// Share of the seams that these threads fill, in colour and normal. Default 0.5.
     pub seam_crossover_strength: f32,
-    /// How much the colours are those of single fibres, seen from very near; not in the thesis. Default 0.8.
+    /// Share of the colours that is of single fibres, seen from very near; not in the thesis. Default 0.8.
     pub fibre_strength: f32,
-    /// How much fibres tilt the normal. Default 0.3.
+    /// Tilt of the normal by fibres. Default 0.3.
     pub fibre_bump_strength: f32,
     /// The fibres, in texture coordinates.
     pub fibres: FibresParameters,
     /// The roughness of the facets, that of [`EnergyPreservingOrenNayar`]. Default 0.8.
     pub roughness: f32,
-    /// How much rim light there is. Default 0.15.
+    /// Strength of the rim light. Default 0.15.
     pub fake_rim_light: f32,
-    /// How wide the rim is. Default 0.4.
+    /// Width of the rim. Default 0.4.
     pub fake_rim_light_width: f32,
     /// The colour of the rim light, which is added whatever the light; any that is not negative. Default white.
     pub fake_rim_light_colour: Vec3,
@@ -140,6 +140,9 @@ impl Default for CarpetParameters {
 /// assert!(surface.reflectance()?.albedo().max_element() <= 1.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "sheen")]
+#[doc(alias = "fabric")]
+#[doc(alias = "cloth")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Carpet {
     parameters: CarpetParameters,
@@ -151,7 +154,7 @@ pub struct Carpet {
     fibres: Fibres,
 }
 
-/// What of a carpet a pixel sees.
+/// Carpet as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarpetSurface {
     /// The diffuse colour, in [0, 1]³.
@@ -173,8 +176,8 @@ impl CarpetSurface {
     /// The diffuse reflectance.
     ///
     /// # Errors
-    /// None for what [`Carpet::surface`] returns; [`DiffuseError`] if its fields were changed to something out of range.
-    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, DiffuseError> {
+    /// None for what [`Carpet::surface`] returns; [`ParameterError`] if its fields were changed to something out of range.
+    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, ParameterError> {
         EnergyPreservingOrenNayar::new(self.diffuse, self.roughness)
     }
 }
@@ -221,7 +224,7 @@ impl Carpet {
         &self.parameters
     }
 
-    /// What a pixel sees of the carpet from the unit direction `view`.
+    /// Colours, normal and lost slopes at a pixel that is seen from the unit direction `view`.
     ///
     /// Total: noises are 0 where a coordinate of the position is not finite, there are no seams where a texture coordinate is
     /// not, the normal is the surface's where its gradient is not finite, and the rim is dark for a view that is NaN.
@@ -373,12 +376,7 @@ mod tests {
 
     #[test]
     fn refuses_by_name() {
-        let named = |parameters| match Carpet::new(parameters) {
-            Err(ParameterError::Outside { parameter, .. } | ParameterError::Direction { parameter, .. }) => {
-                parameter
-            }
-            Ok(_) => "none",
-        };
+        let named = |parameters| Carpet::new(parameters).unwrap_err().parameter();
         let base = CarpetParameters::default();
         assert_eq!(named(CarpetParameters { roughness: 1.5, ..base }), "roughness");
         assert_eq!(named(CarpetParameters { seam_crossover_size: 0.0, ..base }), "seam_crossover_size");

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use crate::material::fbm::Fbm;
 use crate::material::form::Form;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
 /// Dark areas: a factor for the diffuse and the specular colour.
@@ -22,7 +22,8 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.2.4.
 ///
 /// ```
-/// use asperity_shading::{DarkAreas, Footprint, Form, glam::Vec3};
+/// use asperity_shading::material::{DarkAreas, Form};
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let areas = DarkAreas::new(0.3, 0.5, 1)?;
 /// let factor = areas.factor(Vec3::new(0.1, 0.7, 0.2), Footprint::from_width(1e-3), Form::Corrected);
@@ -45,7 +46,7 @@ impl DarkAreas {
         Ok(Self { noise, strength: within("dark_area_strength", strength, SHARES)? })
     }
 
-    /// What colours are multiplied with at a point; that of N = 0 where a coordinate is not finite.
+    /// Factor of colours at a point; that of N = 0 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint, form: Form) -> f32 {
         let mean = 0.5 * Kernel::<3>::absolute_moments(&Simplex::new(0))[0];

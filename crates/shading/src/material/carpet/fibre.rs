@@ -3,10 +3,10 @@
 use asperity_noise::removed_share;
 use glam::{Vec2, Vec3};
 
-use crate::material::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 use crate::material::segment::{MOST, Segments};
 use crate::material::surface_point::SurfacePoint;
 use crate::math::floor;
+use crate::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 
 /// The parameters of [`Fibres`]. Lengths are in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,13 +15,13 @@ pub struct FibresParameters {
     pub fibre_length: f32,
     /// Its width over its length, within `[0.01, 0.3]`. Default 0.12.
     pub fibre_width: f32,
-    /// How far it is bent aside at its ends, over its length, within `[0, 0.3]`. Default 0.15.
+    /// Bend of a fibre: how far aside it is at its ends, over its length, within `[0, 0.3]`. Default 0.15.
     pub fibre_bend: f32,
     /// The direction that fibres lean towards. Default (1, 0).
     pub fibre_direction: Vec2,
-    /// How far they are spread about it: 0 is combed, 1 all directions. Default 0.6.
+    /// Spread about that direction: 0 is combed, 1 all directions. Default 0.6.
     pub fibre_spread: f32,
-    /// How much they vary in brightness, and darken towards their roots and sides, within `[0, 1]`. Default 0.6.
+    /// Contrast: variation in brightness, and darkening towards roots and sides, within `[0, 1]`. Default 0.6.
     pub fibre_contrast: f32,
     /// Which fibres: any number.
     pub seed: u32,
@@ -52,13 +52,14 @@ impl Default for FibresParameters {
 /// ```
 ///
 /// The mean of the factor over the surface is 1: `mean` is measured when the fibres are made, to 1 %. Where pixels get
-/// as wide as fibres the factor fades to 1 and the slope to 0, so that a carpet of [`DiffuseThreads`](crate::DiffuseThreads) times this factor
+/// as wide as fibres the factor fades to 1 and the slope to 0, so that a carpet of [`DiffuseThreads`](crate::material::DiffuseThreads) times this factor
 /// keeps its colour from afar and has threads nearby.
 ///
 /// Nilsson 2008, §6.1 names the problem and leaves it open.
 ///
 /// ```
-/// use asperity_shading::{Fibres, FibresParameters, glam::Vec2};
+/// use asperity_shading::material::{Fibres, FibresParameters};
+/// use asperity_shading::glam::Vec2;
 ///
 /// let fibres = Fibres::new(FibresParameters::default())?;
 /// let near = fibres.sample(Vec2::new(0.31, 0.17), 1e-6);
@@ -78,7 +79,7 @@ pub struct Fibres {
 /// The fibre at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibre {
-    /// What colours are multiplied with; its mean is 1.
+    /// Factor of colours; its mean is 1.
     pub factor: f32,
     /// The unit direction of the fibre in texture coordinates, from its root to its tip: what it shines along. That in which all
     /// lean where there is none, or where a pixel cannot tell them apart.

@@ -17,7 +17,8 @@ use crate::material::fbm::smoothstep;
 /// Nilsson 2008, §4.2.6, after Kesson 2005. It is no reflectance: a renderer adds it times a colour.
 ///
 /// ```
-/// use asperity_shading::{rim_light, glam::Vec3};
+/// use asperity_shading::material::rim_light;
+/// use asperity_shading::glam::Vec3;
 ///
 /// assert_eq!(rim_light(Vec3::Z, Vec3::Z, 0.5), 0.0);
 /// assert_eq!(rim_light(Vec3::Z, Vec3::X, 0.5), 1.0);

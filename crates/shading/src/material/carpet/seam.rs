@@ -5,10 +5,10 @@ use core::f32::consts::{FRAC_PI_2, PI};
 use glam::Vec2;
 
 use crate::material::form::Form;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 use crate::math::{cos, floor, sin, sqrt};
+use crate::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
 
-/// Where the seams are.
+/// Pattern of seams.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum SeamPattern {
     /// Nowhere: 0 in the thesis.
@@ -33,7 +33,8 @@ pub enum SeamPattern {
 /// Nilsson 2008, §4.2.3.
 ///
 /// ```
-/// use asperity_shading::{Form, SeamPattern, Seams, glam::Vec2};
+/// use asperity_shading::material::{Form, SeamPattern, Seams};
+/// use asperity_shading::glam::Vec2;
 ///
 /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 0.2)?;
 /// assert_eq!(seams.sample(Vec2::ZERO, Form::Corrected).amount, 0.8);
@@ -48,7 +49,7 @@ pub struct Seams {
     amplitude: f32,
 }
 
-/// How many threads there are at a point, and how that changes.
+/// Amount of threads at a point, and its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seam {
     /// The amount of threads: 1 between seams, 1 − A on them.
@@ -167,7 +168,8 @@ impl Seams {
     /// least width rounds the creases.
     ///
     /// ```
-    /// use asperity_shading::{SeamPattern, Seams, glam::Vec2};
+    /// use asperity_shading::material::{SeamPattern, Seams};
+    /// use asperity_shading::glam::Vec2;
     ///
     /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 1.0)?;
     /// let far = seams.filtered(Vec2::new(0.1, 0.0), Vec2::splat(5.0)).amount;
@@ -225,7 +227,7 @@ impl Seams {
 /// Nilsson 2008, §4.2.3.
 ///
 /// ```
-/// use asperity_shading::{Form, linear_seam};
+/// use asperity_shading::material::{Form, linear_seam};
 ///
 /// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Corrected)), [0.0, 0.5, 1.0, 0.5]);
 /// assert_eq!([0.0, 0.125, 0.25, 0.375].map(|p| linear_seam(p, Form::Printed)), [0.0, 0.25, 0.5, 0.75]);

@@ -6,7 +6,7 @@ use asperity_noise::{
 use glam::Vec3;
 
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::material::parameter::{ParameterError, SIZES, within};
+use crate::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 
 /// The threads of a carpet together: rough noise that is added to the diffuse colour.
@@ -24,7 +24,8 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.2.2, *Diffuse map*.
 ///
 /// ```
-/// use asperity_shading::{DiffuseThreads, Footprint, glam::Vec3};
+/// use asperity_shading::material::DiffuseThreads;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let threads = DiffuseThreads::new(0.01, 1)?;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
@@ -81,7 +82,8 @@ impl DiffuseThreads {
 /// Nilsson 2008, §4.2.2, *Specular map*.
 ///
 /// ```
-/// use asperity_shading::{Footprint, SpecularThreads, glam::Vec3};
+/// use asperity_shading::material::SpecularThreads;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let threads = SpecularThreads::new(0.01, 1)?;
 /// let far = threads.value(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1.0));

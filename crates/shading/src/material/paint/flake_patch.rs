@@ -13,7 +13,7 @@ pub struct FlakePatch {
     pub value: f32,
     /// The centre of the flake's cell, which tells it from all others.
     pub centre: Vec3,
-    /// How the flake tilts a unit normal that it is added to: a vector uniform in the unit ball.
+    /// Tilt, to be added to a unit normal: a vector uniform in the unit ball.
     pub tilt: Vec3,
 }
 
@@ -65,7 +65,8 @@ pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> O
 /// Nilsson 2008, §4.3.4, *Width of a PRNG-patch*.
 ///
 /// ```
-/// use asperity_shading::{flake_patch, glam::Vec3};
+/// use asperity_shading::material::flake_patch;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let p = Vec3::new(0.26, 0.74, 0.25);
 /// let flake = flake_patch(p, 0.5, Vec3::splat(0.1), 0.0, 1).unwrap();
@@ -100,7 +101,7 @@ fn ball([u, v, w]: [f32; 3]) -> Vec3 {
     Vec3::new(across * cos(turn), across * sin(turn), z) * pow(w, 1.0 / 3.0)
 }
 
-/// How a flake of this value tilts the normal, as printed: one of 256 vectors of a cube.
+/// Tilt of the normal by a flake of this value, as printed: one of 256 vectors of a cube.
 ///
 /// ```text
 /// x = T(v),  y = T(x),  z = T(y),   tilt = strength (2 (x, y, z) − 1)

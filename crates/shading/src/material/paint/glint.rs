@@ -6,8 +6,8 @@ use asperity_ndf_sampling::{Ndf, inverse_phi, phi};
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
-use crate::material::parameter::{ParameterError, SIZES, within};
 use crate::math::{exp, exp_m1, floor, ln_1p, log2, sqrt};
+use crate::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 use crate::reflectance::lobe::CountedFacets;
 
@@ -41,7 +41,8 @@ use crate::reflectance::lobe::CountedFacets;
 /// that it takes any density and its mean is exact.
 ///
 /// ```
-/// use asperity_shading::{Beckmann, Footprint, GlintField, Ndf, glam::Vec3};
+/// use asperity_shading::material::GlintField;
+/// use asperity_shading::{Beckmann, Footprint, Ndf, glam::Vec3};
 ///
 /// let ndf = Beckmann::new(0.3, 0.3)?;
 /// let flakes = GlintField::new(ndf, 1e-4, 0.1, 7)?;
@@ -50,6 +51,9 @@ use crate::reflectance::lobe::CountedFacets;
 /// assert!((afar / ndf.density(h) - 1.0).abs() < 0.02);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "glitter")]
+#[doc(alias = "sparkle")]
+#[doc(alias = "glints")]
 #[derive(Clone, Copy, PartialEq)]
 pub struct GlintField<N> {
     ndf: N,
@@ -78,7 +82,7 @@ pub struct GlintFlake {
 const LEVELS: f32 = 14.0;
 /// The expected count from which cells are drawn by themselves: of 6 % of deviation.
 const CERTAIN: f32 = 256.0;
-/// How far cells can be told apart.
+/// Greatest coordinate at which cells can be told apart.
 const FARTHEST: f32 = 8_388_608.0;
 
 impl<N: Ndf> GlintField<N> {
@@ -100,7 +104,7 @@ impl<N: Ndf> GlintField<N> {
         &self.ndf
     }
 
-    /// How many flakes a pixel sees: (w/spacing)².
+    /// Number of flakes within a pixel: (w/spacing)².
     #[must_use]
     pub fn count(&self, footprint: Footprint) -> f32 {
         let across = footprint.width() / self.spacing;
@@ -116,7 +120,7 @@ impl<N: Ndf> GlintField<N> {
         Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre })
     }
 
-    /// What takes the place of D(h) at a point, in sr⁻¹.
+    /// Density of the flakes within a pixel, D̂(h), in sr⁻¹: in the place of D(h).
     #[must_use]
     pub fn density(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
         let density = self.ndf.density(h);
@@ -255,7 +259,7 @@ fn uniform(word: u32) -> f32 {
     (word as f32 + 0.5) / 4_294_967_296.0
 }
 
-/// How many of the flakes in a bin, `count` of `n`, are in one of the four quarters, for 32 random bits; the mean is a quarter.
+/// Number of the flakes in a bin, `count` of `n`, that are in one of the four quarters, for 32 random bits; the mean is a quarter.
 ///
 /// By inversion where few are, with a count that is no integer rounded up or down at random; else a number of the mean and the variance of
 /// drawing without putting back, from the sum of four bytes.

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::bump::{bumped_normal, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
 /// Orange peel: one octave of noise that tilts the normal of a clear coat.
@@ -20,7 +20,8 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.3.2, whose formula is the first of these without the part along n taken out.
 ///
 /// ```
-/// use asperity_shading::{Footprint, OrangePeel, glam::Vec3};
+/// use asperity_shading::material::OrangePeel;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let peel = OrangePeel::new(0.002, 0.02, 1)?;
 /// let n = peel.normal(Vec3::new(0.3, 0.1, 0.2), Vec3::Z, Footprint::from_width(1e-4));

@@ -4,13 +4,13 @@ use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
 use crate::bump::{Facet as SlopeFacet, bumped_normal};
-use crate::material::material::Material;
+use crate::material::interface::Material;
 use crate::material::paint::glint::GlintField;
 use crate::material::paint::orange_peel::OrangePeel;
 use crate::material::paint::passive_flakes::PassiveFlakes;
 use crate::material::paint::sparkle::{Elimination, Sparkles, boosted, brighter_normal, brighter_reflection};
-use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
 use crate::material::surface_point::SurfacePoint;
+use crate::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
 use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Lobe};
 
 /// The parameters of a [`MetallicPaint`], by the names of Nilsson 2008, Appendix B.
@@ -21,7 +21,7 @@ use crate::reflectance::{Bsdf, Coat, CookTorrance, Dielectric, EnergyPreservingO
 pub struct MetallicPaintParameters {
     /// The specular colour of the flakes. Default (0.25, 0.35, 0.6).
     pub specular: Vec3,
-    /// How much orange peel tilts the normal of the clear coat: its height over its size. Default 0.01; from 0.1 it is rocky.
+    /// Tilt of the clear coat's normal by orange peel: its height over its size. Default 0.01; from 0.1 it is rocky.
     pub orange_peel_strength: f32,
     /// The size of orange peel. Default 0.006.
     pub orange_peel_size: f32,
@@ -29,9 +29,9 @@ pub struct MetallicPaintParameters {
     pub flake_sparkle_pixel_size: f32,
     /// The greatest width of a sparkle, and the distance between them. Default 0.001.
     pub flake_sparkle_physical_size: f32,
-    /// How much a flake tilts the normal. Default 0.5.
+    /// Tilt of the normal by a flake. Default 0.5.
     pub flake_sparkle_variation: f32,
-    /// How far the colour of a sparkle is moved to the target. Default 0.3.
+    /// Boost of a sparkle's colour towards the target. Default 0.3.
     pub flake_sparkle_boost: f32,
     /// The target: the strongest signal of a sparkle. Default white.
     pub flake_sparkle_boost_target: Vec3,
@@ -41,7 +41,7 @@ pub struct MetallicPaintParameters {
     pub smart_flake_sparkle: Elimination,
     /// The size of the coarsest passive flakes. Default 0.004.
     pub passive_flake_size: f32,
-    /// How much they alter the specular colour. Default 0.3.
+    /// Variation of the specular colour by passive flakes. Default 0.3.
     pub passive_flake_strength: f32,
     /// The number of their octaves, from 1 to 8. Default 4.
     pub passive_flake_detail: u32,
@@ -65,7 +65,7 @@ pub enum PaintFlakes {
     /// Of a fixed width in pixels, as in the thesis: [`Sparkles`].
     #[default]
     Sparkling,
-    /// As many as a pixel sees, with the same mean at every distance: [`GlintField`].
+    /// Counted glints, as many as a pixel sees, with the same mean at every distance: [`GlintField`].
     Counted {
         /// The distance between flakes, within `[10⁻⁶, 10⁶]`.
         spacing: f32,
@@ -108,7 +108,7 @@ impl Default for MetallicPaintParameters {
 /// flakes would make them diffuse.
 ///
 /// Nilsson 2008, §4.3 and Appendix B. For a base layer that keeps its energy at every distance take a
-/// [`GlintField`](crate::GlintField) for the sparkles.
+/// [`GlintField`](crate::material::GlintField) for the sparkles.
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
@@ -121,6 +121,9 @@ impl Default for MetallicPaintParameters {
 /// assert!(surface.towards(h).normal.dot(h) >= surface.base_normal.dot(h));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "car paint")]
+#[doc(alias = "flakes")]
+#[doc(alias = "clearcoat")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetallicPaint {
     parameters: MetallicPaintParameters,
@@ -131,7 +134,7 @@ pub struct MetallicPaint {
     coat: Dielectric,
 }
 
-/// What of a metallic paint a pixel sees.
+/// Metallic paint as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PaintSurface {
     /// The unit normal of the clear coat, with orange peel.
@@ -232,7 +235,7 @@ impl MetallicPaint {
         &self.parameters
     }
 
-    /// What a pixel sees of the paint; total: where the position is not finite it has neither bumps nor flakes.
+    /// Normals, colour and sparkle at a pixel; total: where the position is not finite it has neither bumps nor flakes.
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> PaintSurface {
         let (p, n) = (&self.parameters, point.normal);
@@ -335,12 +338,7 @@ mod tests {
 
     #[test]
     fn refuses_by_name() {
-        let named = |parameters| match MetallicPaint::new(parameters) {
-            Err(ParameterError::Outside { parameter, .. } | ParameterError::Direction { parameter, .. }) => {
-                parameter
-            }
-            Ok(_) => "none",
-        };
+        let named = |parameters| MetallicPaint::new(parameters).unwrap_err().parameter();
         assert_eq!(
             named(MetallicPaintParameters { orange_peel_strength: 2.0, ..flaky() }),
             "orange_peel_strength"

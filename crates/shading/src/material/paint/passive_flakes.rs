@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::material::fbm::{Fbm, spectrum};
-use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
 /// Flakes that do not sparkle: a factor for the specular colour.
@@ -18,7 +18,8 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.3.5.
 ///
 /// ```
-/// use asperity_shading::{Footprint, PassiveFlakes, glam::Vec3};
+/// use asperity_shading::material::PassiveFlakes;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let flakes = PassiveFlakes::new(0.004, 0.3, 4)?;
 /// let p = Vec3::new(0.3, 0.1, 0.2);
@@ -42,7 +43,7 @@ impl PassiveFlakes {
         Self::with_seed(size, strength, detail, 0)
     }
 
-    /// The same, one of many.
+    /// Flakes of a seed, one field of many.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -53,7 +54,7 @@ impl PassiveFlakes {
         Ok(Self { noise: Fbm::new(spectrum, size, seed), strength })
     }
 
-    /// What the specular colour is multiplied with, in [0, 2]; 1 where a coordinate is not finite.
+    /// Factor of the specular colour, in [0, 2]; 1 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
         (1.0 + self.strength * self.noise.sample(position, footprint).value).max(0.0)

@@ -5,14 +5,14 @@ use glam::Vec3;
 
 use crate::direction::reflect;
 use crate::material::paint::flake_patch::flake_patch;
-use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::math::clamp_to;
+use crate::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
-/// How many flakes are left out.
+/// Share of flakes that is left out, by distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Elimination {
-    /// The same share at every distance.
+    /// One share at every distance.
     #[default]
     Fixed,
     /// Fewer from afar, where sparkles shall close up to a cover of flakes: *smart flake sparkle*.
@@ -45,10 +45,11 @@ pub enum Elimination {
 ///   by most surfaces between them, ever more as they get smaller, while here a surface has `(width/physical size)²` of its
 ///   area under flakes wherever it lies.
 ///
-/// Nilsson 2008, §4.3.4. For flakes that keep the light's energy see [`GlintField`](crate::GlintField).
+/// Nilsson 2008, §4.3.4. For flakes that keep the light's energy see [`GlintField`](crate::material::GlintField).
 ///
 /// ```
-/// use asperity_shading::{Elimination, Footprint, Sparkles, glam::Vec3};
+/// use asperity_shading::material::{Elimination, Sparkles};
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let sparkles = Sparkles::new(2.0, 0.01, 0.3, 0.0, Elimination::Fixed, 1)?;
 /// let centre = Vec3::splat(0.005);
@@ -70,9 +71,9 @@ pub struct Sparkles {
 /// A sparkling flake at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sparkle {
-    /// What is added to the unit normal.
+    /// Vector that is added to the unit normal.
     pub tilt: Vec3,
-    /// How much of it is left at this distance, in (0, 1]; contained in `tilt`.
+    /// Share of the tilt that is left at this distance, in (0, 1]; contained in `tilt`.
     pub fade: f32,
 }
 
@@ -160,7 +161,8 @@ impl Sparkles {
 /// Nilsson 2008, §4.3.4, `new_sparkle_size`.
 ///
 /// ```
-/// use asperity_shading::{sparkle_width, glam::Vec3};
+/// use asperity_shading::material::sparkle_width;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let width = sparkle_width(2.0, Vec3::new(0.1, 0.0, -0.2), Vec3::new(0.0, -0.3, 0.1));
 /// assert_eq!(width, Vec3::new(0.2, 0.6, 0.4));
@@ -181,7 +183,8 @@ pub fn sparkle_width(pixel_size: f32, ddx: Vec3, ddy: Vec3) -> Vec3 {
 /// `n` where a product is NaN. Nilsson 2008, §4.3.4, `strongestNormalPointLight`.
 ///
 /// ```
-/// use asperity_shading::{brighter_normal, glam::Vec3};
+/// use asperity_shading::material::brighter_normal;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let (h, flake) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.28, 0.0, 0.96));
 /// assert_eq!(brighter_normal(Vec3::Z, flake, h), flake);
@@ -199,7 +202,8 @@ pub fn brighter_normal(n: Vec3, flake: Vec3, h: Vec3) -> Vec3 {
 /// Nilsson 2008, §4.3.4, *Filter glitter flakes*.
 ///
 /// ```
-/// use asperity_shading::{brighter_reflection, glam::Vec3};
+/// use asperity_shading::material::brighter_reflection;
+/// use asperity_shading::glam::Vec3;
 ///
 /// let sky = |direction: Vec3| Vec3::new(0.0, 0.0, direction.x.max(0.0));
 /// let flake = Vec3::new(0.28, 0.0, 0.96);

@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::bump::tangential;
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::material::form::Form;
-use crate::material::parameter::{ParameterError, SIZES, within};
+use crate::parameter::{ParameterError, SIZES, within};
 use crate::pixel::Footprint;
 
 /// A colour that noise varies without leaving [0, 1].
@@ -22,7 +22,7 @@ use crate::pixel::Footprint;
 /// Nilsson 2008, §4.5.2.
 ///
 /// ```
-/// use asperity_shading::{Form, varied};
+/// use asperity_shading::material::{Form, varied};
 ///
 /// assert!((varied(0.6, 1.0, 0.2, Form::Corrected) - 0.68).abs() < 1e-6);
 /// assert!((varied(0.6, 1.0, 0.2, Form::Printed) - 2.6).abs() < 1e-6);

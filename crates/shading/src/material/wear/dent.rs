@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use crate::bump::tangential;
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE, spectrum};
-use crate::material::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::parameter::{ParameterError, SHARES, SIZES, within};
 use crate::pixel::Footprint;
 
 /// A lattice some of whose gradients are turned around.
@@ -43,7 +43,8 @@ impl Lattice for Turned {
 /// Nilsson 2008, §4.5.3.
 ///
 /// ```
-/// use asperity_shading::{Dents, Footprint, glam::Vec3};
+/// use asperity_shading::material::Dents;
+/// use asperity_shading::{Footprint, glam::Vec3};
 ///
 /// let dents = Dents::new(0.1, 0.3, 2, 1)?;
 /// assert!(dents.sample(Vec3::new(0.3, 0.1, 0.2), Footprint::from_width(1e-4)).value.abs() <= 1.0);

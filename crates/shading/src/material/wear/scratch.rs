@@ -6,13 +6,11 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::slope_facets::facets_along;
 use crate::bump::{Facet, bumped_normal};
-use crate::material::material::Material;
-use crate::material::parameter::{
-    ParameterError, ROUGHNESSES, SHARES, SIZES, colour, direction_in_plane, within,
-};
+use crate::material::interface::Material;
 use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::sqrt;
+use crate::parameter::{ParameterError, ROUGHNESSES, SHARES, SIZES, colour, direction_in_plane, within};
 use crate::reflectance::{Bsdf, CookTorrance};
 
 /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
@@ -30,7 +28,7 @@ pub struct ScratchesParameters {
     pub scratch_cover: f32,
     /// The direction that they are spread about. Default (1, 0).
     pub scratch_direction: Vec2,
-    /// How far: 0 is parallel, 1 all directions. Default 1.
+    /// Spread about that direction: 0 is parallel, 1 all directions. Default 1.
     pub scratch_spread: f32,
     /// The specular colour of the metal. Default 0.7.
     pub specular: Vec3,
@@ -84,6 +82,8 @@ impl Default for ScratchesParameters {
 /// assert_eq!(scratches.surface(&point).amount, scratches.mean());
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "wear")]
+#[doc(alias = "brushed")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scratches {
     parameters: ScratchesParameters,
@@ -92,10 +92,10 @@ pub struct Scratches {
     half: f32,
 }
 
-/// What of scratches a pixel sees.
+/// Scratches as a pixel sees them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScratchedSurface {
-    /// How much of a scratch there is: 1 on its floor, the sum where several cross.
+    /// Amount of scratch: 1 on its floor, the sum where several cross.
     pub amount: f32,
     /// The unit normal.
     pub normal: Vec3,
@@ -236,7 +236,7 @@ impl Scratches {
         sqrt(self.half * self.half + 0.25 * width * width)
     }
 
-    /// What a pixel sees of the scratches; total.
+    /// Amount, normal and lost slopes at a pixel; total.
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
         let Grooves { amount, slope, covered, removed } = self.grooves(point.uv, point.uv_width());

@@ -4,12 +4,12 @@ use asperity_ndf_sampling::Beckmann;
 use glam::Vec3;
 
 use crate::bump::{bumped_normal, slope_facets};
-use crate::material::material::Material;
-use crate::material::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
+use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::material::wear::blemish::Blemishes;
 use crate::material::wear::dent::Dents;
-use crate::reflectance::{Bsdf, CookTorrance, DiffuseError, EnergyPreservingOrenNayar};
+use crate::parameter::{ParameterError, ROUGHNESSES, SHARES, colour, within};
+use crate::reflectance::{Bsdf, CookTorrance, EnergyPreservingOrenNayar};
 
 /// The parameters of [`Variations`], by the names of Nilsson 2008, Appendix B.
 ///
@@ -25,15 +25,15 @@ pub struct VariationsParameters {
     pub roughness: f32,
     /// The size of blemishes. Default 0.003.
     pub small_blemish_size: f32,
-    /// How much they tilt the normal: their height over their size. Default 0.03.
+    /// Tilt of the normal by blemishes: their height over their size. Default 0.03.
     pub small_blemish_bump_strength: f32,
-    /// How much they vary the specular colour. Default 0.4.
+    /// Variation of the specular colour by blemishes. Default 0.4.
     pub small_blemish_colour_strength: f32,
-    /// How much dents tilt the normal: their height over their size. Default 0.05.
+    /// Tilt of the normal by dents: their height over their size. Default 0.05.
     pub dent_strength: f32,
     /// The size of dents. Default 0.1.
     pub dent_size: f32,
-    /// How much of the surface has dents: the share of gradients that is kept. Default 0.3, the thesis's drop of 70 %.
+    /// Cover of dents: the share of gradients that is kept. Default 0.3, the thesis's drop of 70 %.
     pub dent_cover: f32,
     /// The number of octaves of dents, from 1 to 8. Default 2.
     pub dent_detail: u32,
@@ -83,7 +83,7 @@ pub struct Variations {
     dents: Dents,
 }
 
-/// What of a varied material a pixel sees.
+/// Varied material as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VariedSurface {
     /// The diffuse colour.
@@ -102,8 +102,8 @@ impl VariedSurface {
     /// The diffuse reflectance.
     ///
     /// # Errors
-    /// None for what [`Variations::surface`] returns; [`DiffuseError`] if its fields were changed to something out of range.
-    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, DiffuseError> {
+    /// None for what [`Variations::surface`] returns; [`ParameterError`] if its fields were changed to something out of range.
+    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, ParameterError> {
         EnergyPreservingOrenNayar::new(self.diffuse, self.roughness)
     }
 }
@@ -140,7 +140,7 @@ impl Variations {
         &self.parameters
     }
 
-    /// What a pixel sees of the material; total: even and flat where the position is not finite.
+    /// Colours, normal and lost slopes at a pixel; total: even and flat where the position is not finite.
     #[must_use]
     pub fn surface(&self, point: &SurfacePoint) -> VariedSurface {
         let (p, n) = (&self.parameters, point.normal);

@@ -5,8 +5,9 @@ use core::f32::consts::{FRAC_1_PI, PI};
 use glam::Vec3;
 
 use crate::math::{atan2, clamp_to};
+use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above};
-use crate::reflectance::diffuse::rough::{DiffuseError, checked, sine, stretched};
+use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
 /// A rough diffuse surface that keeps all energy: light that leaves one facet for another comes out in the end.
 ///
@@ -33,8 +34,10 @@ use crate::reflectance::diffuse::rough::{DiffuseError, checked, sine, stretched}
 /// let white = EnergyPreservingOrenNayar::new(Vec3::ONE, 1.0)?;
 /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.8, 0.6));
 /// assert_eq!(white.value(wi, wo), white.value(wo, wi));
-/// # Ok::<(), asperity_shading::DiffuseError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "eon")]
+#[doc(alias = "oren-nayar")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyPreservingOrenNayar {
     albedo: Vec3,
@@ -53,8 +56,8 @@ impl EnergyPreservingOrenNayar {
     /// The surface of albedo ρ and roughness r.
     ///
     /// # Errors
-    /// [`DiffuseError`] unless the roughness and every component of the albedo are within `[0, 1]`.
-    pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, DiffuseError> {
+    /// [`ParameterError`] unless the roughness and every component of the albedo are within `[0, 1]`.
+    pub fn new(albedo: Vec3, roughness: f32) -> Result<Self, ParameterError> {
         checked(albedo, roughness, 1.0).map(|(albedo, roughness)| Self::of(albedo, roughness))
     }
 

@@ -1,11 +1,10 @@
 //! Lambert's reflectance: the same in every direction.
 
 use core::f32::consts::FRAC_1_PI;
-use core::fmt;
-
 use glam::Vec3;
 
-use crate::reflectance::brdf::{Brdf, are_above, share};
+use crate::parameter::{ParameterError, colour};
+use crate::reflectance::brdf::{Brdf, are_above};
 
 /// Lambert's reflectance.
 ///
@@ -24,8 +23,10 @@ use crate::reflectance::brdf::{Brdf, are_above, share};
 /// let paper = Lambert::new(Vec3::new(0.9, 0.88, 0.8))?;
 /// assert_eq!(paper.value(Vec3::Z, Vec3::Z).x, 0.9 * core::f32::consts::FRAC_1_PI);
 /// assert_eq!(paper.value(Vec3::Z, Vec3::NEG_Z), Vec3::ZERO);
-/// # Ok::<(), asperity_shading::AlbedoError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "lambertian")]
+#[doc(alias = "diffuse")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert {
     albedo: Vec3,
@@ -35,9 +36,9 @@ impl Lambert {
     /// The reflectance with this albedo ρ, linear RGB.
     ///
     /// # Errors
-    /// [`AlbedoError`] unless every component is within `[0, 1]`.
-    pub fn new(albedo: Vec3) -> Result<Self, AlbedoError> {
-        share(albedo).map(|albedo| Self { albedo }).map_err(AlbedoError)
+    /// [`ParameterError`] unless every component is within `[0, 1]`.
+    pub fn new(albedo: Vec3) -> Result<Self, ParameterError> {
+        Ok(Self { albedo: colour("albedo", albedo)? })
     }
 
     /// The albedo ρ.
@@ -52,21 +53,6 @@ impl Brdf for Lambert {
         if are_above(wi, wo) { self.albedo * FRAC_1_PI } else { Vec3::ZERO }
     }
 }
-
-/// A component of an albedo is outside `[0, 1]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AlbedoError(
-    /// The component.
-    pub f32,
-);
-
-impl fmt::Display for AlbedoError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a component of the albedo is {}, outside [0, 1]", self.0)
-    }
-}
-
-impl core::error::Error for AlbedoError {}
 
 #[cfg(test)]
 mod tests {

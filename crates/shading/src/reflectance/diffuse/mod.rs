@@ -6,6 +6,5 @@ mod oren_nayar;
 mod rough;
 
 pub use energy_preserving::EnergyPreservingOrenNayar;
-pub use lambert::{AlbedoError, Lambert};
+pub use lambert::Lambert;
 pub use oren_nayar::{OrenNayar, OrenNayarForm};
-pub use rough::DiffuseError;

@@ -5,8 +5,9 @@ use core::f32::consts::{FRAC_1_PI, PI};
 use glam::Vec3;
 
 use crate::math::atan2;
+use crate::parameter::ParameterError;
 use crate::reflectance::brdf::{Brdf, are_above};
-use crate::reflectance::diffuse::rough::{DiffuseError, checked, flat, sine, stretched};
+use crate::reflectance::diffuse::rough::{checked, flat, sine, stretched};
 
 /// Which formula an [`OrenNayar`] has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -57,14 +58,17 @@ pub enum OrenNayarForm {
 /// [`EnergyPreservingOrenNayar`]: crate::EnergyPreservingOrenNayar
 ///
 /// ```
-/// use asperity_shading::{Brdf, OrenNayar, OrenNayarForm, glam::Vec3};
+/// use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
+/// use asperity_shading::{Brdf, glam::Vec3};
 ///
 /// let clay = OrenNayar::new(Vec3::splat(0.7), 0.5, OrenNayarForm::Full)?;
 /// // Seen from where the light is, a rough surface is brighter towards its edge than Lambert's, which it is not across.
 /// let w = Vec3::new(0.8, 0.0, 0.6);
 /// assert!(clay.value(w, w).x > clay.value(w, Vec3::new(-0.8, 0.0, 0.6)).x);
-/// # Ok::<(), asperity_shading::DiffuseError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "oren-nayar")]
+#[doc(alias = "fujii")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrenNayar {
     albedo: Vec3,
@@ -76,9 +80,9 @@ impl OrenNayar {
     /// The surface of albedo ρ and roughness σ.
     ///
     /// # Errors
-    /// [`DiffuseError::Albedo`] unless every component is within `[0, 1]`; [`DiffuseError::Roughness`] unless σ is
+    /// [`ParameterError`] unless every component is within `[0, 1]`; [`ParameterError`] unless σ is
     /// within `[0, π/2]`, for Fujii's form `[0, 1]`.
-    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarForm) -> Result<Self, DiffuseError> {
+    pub fn new(albedo: Vec3, sigma: f32, form: OrenNayarForm) -> Result<Self, ParameterError> {
         let most = if form == OrenNayarForm::Fujii { 1.0 } else { 0.5 * PI };
         checked(albedo, sigma, most).map(|(albedo, sigma)| Self { albedo, sigma, form })
     }
@@ -163,7 +167,10 @@ mod tests {
         for (form, bad) in [(OrenNayarForm::Full, 1.6), (OrenNayarForm::Fujii, 1.1)] {
             for bad in [bad, -0.1, f32::NAN] {
                 let refused = OrenNayar::new(Vec3::ONE, bad, form);
-                assert!(matches!(refused, Err(DiffuseError::Roughness { .. })), "{form:?}, {bad}");
+                assert!(
+                    matches!(refused, Err(ParameterError::Outside { parameter: "roughness", .. })),
+                    "{form:?}, {bad}"
+                );
             }
         }
     }

@@ -1,45 +1,12 @@
-//! What the rough diffuse reflectances share: their parameters' checks and the geometry of two directions.
-
-use core::fmt;
+//! Geometry of two directions and checks that rough diffuse reflectances share.
 
 use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
-use crate::reflectance::brdf::share;
+use crate::parameter::{ParameterError, colour, within};
 
-/// Why a rough diffuse reflectance was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum DiffuseError {
-    /// A component of the albedo is outside `[0, 1]`.
-    Albedo(f32),
-    /// The roughness is outside its range.
-    Roughness {
-        /// The roughness that was given.
-        value: f32,
-        /// The greatest one.
-        most: f32,
-    },
-}
-
-impl fmt::Display for DiffuseError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Albedo(c) => write!(f, "a component of the albedo is {c}, outside [0, 1]"),
-            Self::Roughness { value, most } => write!(f, "the roughness is {value}, outside [0, {most}]"),
-        }
-    }
-}
-
-impl core::error::Error for DiffuseError {}
-
-pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, f32), DiffuseError> {
-    let albedo = share(albedo).map_err(DiffuseError::Albedo)?;
-    if (0.0..=most).contains(&roughness) {
-        Ok((albedo, roughness))
-    } else {
-        Err(DiffuseError::Roughness { value: roughness, most })
-    }
+pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, f32), ParameterError> {
+    Ok((colour("albedo", albedo)?, within("roughness", roughness, [0.0, most])?))
 }
 
 /// `s = ωi·ωo − cos θ_i cos θ_o` and `s / t`, where `t` is the larger cosine for positive `s` and 1 otherwise.

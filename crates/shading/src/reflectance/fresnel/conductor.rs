@@ -1,10 +1,9 @@
 //! Exact Fresnel reflectance of a conductor, unpolarised.
 
-use core::fmt;
-
 use glam::Vec3;
 
 use crate::math::{clamp_to, sqrt};
+use crate::parameter::{ParameterError, not_negative, positive};
 use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
 
 /// A smooth metal surface, by its complex refractive index `η + i k` relative to the incident side.
@@ -18,8 +17,10 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_m
 /// assert!(silver.reflectance(1.0) > 0.9);
 /// // Without absorption it is the dielectric.
 /// assert!((Conductor::new(1.5, 0.0)?.reflectance(1.0) - 0.04).abs() < 1e-7);
-/// # Ok::<(), asperity_shading::ConductorError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "metal")]
+#[doc(alias = "complex ior")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conductor {
     eta: f32,
@@ -30,16 +31,10 @@ impl Conductor {
     /// The metal of index `eta` and extinction coefficient `k`, both relative to the incident side's index.
     ///
     /// # Errors
-    /// [`ConductorError::Index`] unless `eta` is finite and positive,
-    /// [`ConductorError::Extinction`] unless `k` is finite and not negative.
-    pub fn new(eta: f32, k: f32) -> Result<Self, ConductorError> {
-        if !(eta.is_finite() && eta > 0.0) {
-            return Err(ConductorError::Index(eta));
-        }
-        if !(k.is_finite() && k >= 0.0) {
-            return Err(ConductorError::Extinction(k));
-        }
-        Ok(Self { eta, k })
+    /// [`ParameterError`] unless `eta` is finite and positive,
+    /// [`ParameterError`] unless `k` is finite and not negative.
+    pub fn new(eta: f32, k: f32) -> Result<Self, ParameterError> {
+        Ok(Self { eta: positive("eta", eta)?, k: not_negative("k", k)? })
     }
 
     /// The index `η`, dimensionless.
@@ -93,27 +88,6 @@ impl Conductor {
 
 channels!(Conductor);
 
-/// Why a [`Conductor`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ConductorError {
-    /// The index is not finite and positive.
-    Index(f32),
-    /// The extinction coefficient is not finite, or is negative.
-    Extinction(f32),
-}
-
-impl fmt::Display for ConductorError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Index(eta) => write!(f, "index of refraction {eta} is not finite and positive"),
-            Self::Extinction(k) => write!(f, "extinction coefficient {k} is not finite, or is negative"),
-        }
-    }
-}
-
-impl core::error::Error for ConductorError {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,10 +129,10 @@ mod tests {
     #[test]
     fn refuses_what_is_no_index() {
         for bad in [f32::NAN, f32::INFINITY, 0.0, -1.5] {
-            assert!(matches!(Conductor::new(bad, 1.0), Err(ConductorError::Index(_))), "{bad}");
+            assert_eq!(Conductor::new(bad, 1.0).unwrap_err().parameter(), "eta", "{bad}");
         }
         for bad in [f32::NAN, f32::INFINITY, -1e-3] {
-            assert!(matches!(Conductor::new(1.0, bad), Err(ConductorError::Extinction(_))), "{bad}");
+            assert_eq!(Conductor::new(1.0, bad).unwrap_err().parameter(), "k", "{bad}");
         }
     }
 }

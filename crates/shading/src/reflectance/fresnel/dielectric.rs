@@ -1,10 +1,9 @@
 //! Exact Fresnel reflectance of a dielectric, unpolarised.
 
-use core::fmt;
-
 use glam::Vec3;
 
 use crate::math::{clamp_to, sqrt};
+use crate::parameter::{ParameterError, positive};
 use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_mirror};
 
 /// A smooth interface between two dielectrics, by the ratio of their refractive indices.
@@ -17,8 +16,10 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels, reflectance_or_m
 /// assert_eq!(glass.reflectance(0.0), 1.0);
 /// // Seen from inside, beyond the critical angle, everything is reflected.
 /// assert_eq!(glass.reversed().reflectance(0.5), 1.0);
-/// # Ok::<(), asperity_shading::DielectricError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
+#[doc(alias = "ior")]
+#[doc(alias = "refraction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dielectric {
     relative_index: f32,
@@ -28,13 +29,9 @@ impl Dielectric {
     /// The interface whose transmitted side has `relative_index = η_t / η_i` times the index of the incident side.
     ///
     /// # Errors
-    /// [`DielectricError::Index`] unless the index is finite and positive.
-    pub fn new(relative_index: f32) -> Result<Self, DielectricError> {
-        if relative_index.is_finite() && relative_index > 0.0 {
-            Ok(Self { relative_index })
-        } else {
-            Err(DielectricError::Index(relative_index))
-        }
+    /// [`ParameterError`] unless the index is finite and positive.
+    pub fn new(relative_index: f32) -> Result<Self, ParameterError> {
+        Ok(Self { relative_index: positive("relative_index", relative_index)? })
     }
 
     /// The interface of the nearest relative index that is valid; NaN is 1, no interface.
@@ -55,7 +52,7 @@ impl Dielectric {
         self.relative_index
     }
 
-    /// The same interface seen from its other side: `η → 1/η`.
+    /// Interface seen from its other side: `η → 1/η`.
     ///
     /// An index so small that its inverse overflows becomes the largest finite one.
     #[must_use]
@@ -99,26 +96,6 @@ impl Dielectric {
 }
 
 channels!(Dielectric);
-
-/// Why a [`Dielectric`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum DielectricError {
-    /// The relative index is not finite and positive.
-    Index(f32),
-}
-
-impl fmt::Display for DielectricError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Index(index) => {
-                write!(f, "relative index of refraction {index} is not finite and positive")
-            }
-        }
-    }
-}
-
-impl core::error::Error for DielectricError {}
 
 #[cfg(test)]
 mod tests {
@@ -186,7 +163,7 @@ mod tests {
     #[test]
     fn refuses_what_is_no_index() {
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -1.5] {
-            assert!(matches!(Dielectric::new(bad), Err(DielectricError::Index(_))), "{bad}");
+            assert!(Dielectric::new(bad).is_err(), "{bad}");
         }
     }
 }

@@ -17,6 +17,8 @@ use crate::math::clamp_to;
 /// assert!(colour.x > colour.y && colour.y > colour.z);
 /// assert_eq!(Vec3::splat(0.5).reflectance_rgb(0.2), Vec3::splat(0.5));
 /// ```
+#[doc(alias = "fresnel")]
+#[doc(alias = "f0")]
 pub trait Fresnel {
     /// The share of each channel that is reflected, within `[0, 1]`; a cosine that is NaN counts as the horizon's.
     #[must_use]

@@ -6,8 +6,8 @@ mod interface;
 mod schlick;
 mod schlick_f82;
 
-pub use conductor::{Conductor, ConductorError};
-pub use dielectric::{Dielectric, DielectricError};
+pub use conductor::Conductor;
+pub use dielectric::Dielectric;
 pub use interface::Fresnel;
-pub use schlick::{Schlick, SchlickError};
-pub use schlick_f82::{SchlickF82, SchlickF82Error};
+pub use schlick::Schlick;
+pub use schlick_f82::SchlickF82;

@@ -1,10 +1,9 @@
 //! Schlick's approximation of the Fresnel reflectance.
 
-use core::fmt;
-
 use glam::Vec3;
 
 use crate::math::clamp_to;
+use crate::parameter::{ParameterError, SHARES, within};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation, by the reflectance `F₀` at normal incidence.
@@ -15,7 +14,7 @@ use crate::reflectance::fresnel::interface::{Fresnel, channels};
 /// let glass = Schlick::new(0.04)?;
 /// assert_eq!(glass.reflectance(1.0), 0.04);
 /// assert_eq!(glass.reflectance(0.0), 1.0);
-/// # Ok::<(), asperity_shading::SchlickError>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schlick {
@@ -26,9 +25,9 @@ impl Schlick {
     /// The approximation that reflects the share `f0` at normal incidence.
     ///
     /// # Errors
-    /// [`SchlickError::Reflectance`] unless `f0` is within `[0, 1]`.
-    pub fn new(f0: f32) -> Result<Self, SchlickError> {
-        if (0.0..=1.0).contains(&f0) { Ok(Self { f0 }) } else { Err(SchlickError::Reflectance(f0)) }
+    /// [`ParameterError`] unless `f0` is within `[0, 1]`.
+    pub fn new(f0: f32) -> Result<Self, ParameterError> {
+        Ok(Self { f0: within("f0", f0, SHARES)? })
     }
 
     /// The reflectance at normal incidence, dimensionless.
@@ -57,24 +56,6 @@ impl Schlick {
 }
 
 channels!(Schlick);
-
-/// Why a [`Schlick`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SchlickError {
-    /// The reflectance at normal incidence is outside `[0, 1]`.
-    Reflectance(f32),
-}
-
-impl fmt::Display for SchlickError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Reflectance(f0) => write!(f, "reflectance {f0} at normal incidence is outside [0, 1]"),
-        }
-    }
-}
-
-impl core::error::Error for SchlickError {}
 
 #[cfg(test)]
 mod tests {
@@ -105,7 +86,7 @@ mod tests {
     #[test]
     fn refuses_what_is_no_share() {
         for bad in [f32::NAN, f32::INFINITY, -0.1, 1.001] {
-            assert!(matches!(Schlick::new(bad), Err(SchlickError::Reflectance(_))), "{bad}");
+            assert!(matches!(Schlick::new(bad), Err(ParameterError::Outside { .. })), "{bad}");
         }
     }
 }

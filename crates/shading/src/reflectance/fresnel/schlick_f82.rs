@@ -1,22 +1,21 @@
 //! Schlick's approximation with a tint near 82°, where metals dip.
 
-use core::fmt;
-
 use glam::Vec3;
 
 use crate::math::clamp_to;
+use crate::parameter::{ParameterError, SHARES, within};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation, multiplied down to a given tint at `cos θ = 1/7`, about 82° from the normal.
 ///
 /// ```
-/// use asperity_shading::SchlickF82;
+/// use asperity_shading::reflectance::SchlickF82;
 ///
 /// // Aluminium reflects less just before the horizon than straight down.
 /// let aluminium = SchlickF82::new(0.91, 0.94)?;
 /// assert!(aluminium.reflectance(1.0 / 7.0) < 0.94 * 0.96);
 /// assert_eq!(aluminium.reflectance(0.0), 1.0);
-/// # Ok::<(), asperity_shading::SchlickF82Error>(())
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SchlickF82 {
@@ -29,14 +28,10 @@ impl SchlickF82 {
     /// The approximation with reflectance `f0` at normal incidence and `tint` times Schlick's at `cos θ = 1/7`.
     ///
     /// # Errors
-    /// [`SchlickF82Error`] unless both are within `[0, 1]`.
-    pub fn new(f0: f32, tint: f32) -> Result<Self, SchlickF82Error> {
-        if !(0.0..=1.0).contains(&f0) {
-            return Err(SchlickF82Error::Reflectance(f0));
-        }
-        if !(0.0..=1.0).contains(&tint) {
-            return Err(SchlickF82Error::Tint(tint));
-        }
+    /// [`ParameterError`] unless both are within `[0, 1]`.
+    pub fn new(f0: f32, tint: f32) -> Result<Self, ParameterError> {
+        within("f0", f0, SHARES)?;
+        within("tint", tint, SHARES)?;
         // In f64: (6/7)⁵ and (6/7)⁶ amplify the rounding of what they divide.
         let sixth = 6.0_f64 / 7.0;
         let fifth_power = sixth * sixth * sixth * sixth * sixth;
@@ -68,27 +63,6 @@ impl SchlickF82 {
 
 channels!(SchlickF82);
 
-/// Why a [`SchlickF82`] was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SchlickF82Error {
-    /// The reflectance at normal incidence is outside `[0, 1]`.
-    Reflectance(f32),
-    /// The tint is outside `[0, 1]`.
-    Tint(f32),
-}
-
-impl fmt::Display for SchlickF82Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Reflectance(f0) => write!(f, "the reflectance at normal incidence is {f0}, outside [0, 1]"),
-            Self::Tint(tint) => write!(f, "the tint at 82° is {tint}, outside [0, 1]"),
-        }
-    }
-}
-
-impl core::error::Error for SchlickF82Error {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,8 +82,8 @@ mod tests {
     #[test]
     fn refuses_what_is_no_share() {
         for bad in [-0.1, 1.1, f32::NAN] {
-            assert!(matches!(SchlickF82::new(bad, 0.5), Err(SchlickF82Error::Reflectance(_))), "{bad}");
-            assert!(matches!(SchlickF82::new(0.5, bad), Err(SchlickF82Error::Tint(_))), "{bad}");
+            assert!(matches!(SchlickF82::new(bad, 0.5), Err(ParameterError::Outside { .. })), "{bad}");
+            assert!(matches!(SchlickF82::new(0.5, bad), Err(ParameterError::Outside { .. })), "{bad}");
         }
     }
 }

@@ -1,25 +1,17 @@
 //! The mean radiance of a patch against zoom, for both rules of level of detail.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
-use asperity_render::{
-    integrator::pixels::jitter,
-    materials::{
-        SharedNdf,
-        field::{Field, NoiseKind},
-    },
-};
+use asperity_render::integrator::pixels::jitter;
+use asperity_render::materials::SharedNdf;
+use asperity_render::materials::field::{Field, NoiseKind};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::rule_words,
-        plot::{Axis, Names, Plot, Stroke},
-    },
-    input::density::painted,
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::rule_words;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
+use crate::input::density::painted;
 
 /// Lattice cells of the first octave along the patch, and pixels drawn from it, one per cell and more.
 const CELLS: f32 = 320.0;

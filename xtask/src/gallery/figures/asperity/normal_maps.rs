@@ -8,9 +8,10 @@ use asperity_render::{
     light::lamps::{Lamp, direction},
     materials::{chalk, cobbles::cobbles},
 };
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::normal_map::{SlopeLobes, SlopeMoments};
 use asperity_shading::{
-    Beckmann, Brdf, Coordinates, Ndf, PixelEllipse, Schlick, SlopeLobes, SlopeMoments, SlopePyramid,
-    TorranceSparrow, bump::Facet, reflectance::Lobe,
+    Beckmann, Brdf, Ndf, PixelEllipse, Schlick, SlopePyramid, TorranceSparrow, bump::Facet, reflectance::Lobe,
 };
 use glam::{Vec2, Vec3};
 

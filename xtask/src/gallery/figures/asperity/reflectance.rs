@@ -7,9 +7,12 @@ use asperity_render::{
     materials::Layers,
     scene::{Backdrop, Light, Object, Scene},
 };
+use asperity_shading::reflectance::{
+    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
+};
 use asperity_shading::{
-    BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Ggx, Lambert,
-    OrenNayar, OrenNayarForm, Phong, TorranceSparrow, WardForm, WardReflection, ndf_sampling::Isotropic,
+    Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Ggx, Lambert, Phong, TorranceSparrow,
+    ndf_sampling::Isotropic,
 };
 use glam::Vec3;
 

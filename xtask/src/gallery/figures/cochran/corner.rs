@@ -1,31 +1,23 @@
 //! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one sample per pixel and with sixteen.
 
 use asperity_fif::paper;
-use asperity_render::{
-    geometry::{
-        camera::Camera,
-        fractal::Fractal,
-        mesh::{Mesh, TracedMesh},
-        ray::Ray,
-        shape::Shape,
-    },
-    image::tone::hex,
-    integrator::pixels::Sampling,
-    light::lamps::Lamps,
-    materials::{
-        chalk,
-        pattern::{checker, grid},
-    },
-    sampling::sampler::{Sampler, hash},
-    scene::{Backdrop, Light, Object, Scene},
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::geometry::fractal::Fractal;
+use asperity_render::geometry::mesh::{Mesh, TracedMesh};
+use asperity_render::geometry::ray::Ray;
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::tone::hex;
+use asperity_render::integrator::pixels::Sampling;
+use asperity_render::light::lamps::Lamps;
+use asperity_render::materials::chalk;
+use asperity_render::materials::pattern::{checker, grid};
+use asperity_render::sampling::sampler::{Sampler, hash};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_shading::{Brick, Footprint, Schlick, SurfacePoint, reflectance::Coat};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Rays along each side of a pixel.
 const GRIDS: [u32; 2] = [1, 4];

@@ -9,14 +9,15 @@ use asperity_render::{
     materials::sky,
     scene::{Backdrop, Light, Object, Scene},
 };
+use asperity_shading::bump::{bumped_normal, surface_gradient};
+use asperity_shading::reflectance::SchlickF82;
+use asperity_shading::texture::{Bevel, Edge};
 use asperity_shading::{
-    Bevel, Brdf, CookTorrance, Edge, Ggx, SchlickF82, SurfacePoint,
+    Brdf, CookTorrance, Ggx, SurfacePoint,
     bump::Facet,
-    bumped_normal,
     material::Material,
     reflect,
     reflectance::{Bsdf, Lobe},
-    surface_gradient,
 };
 use glam::{Vec2, Vec3};
 

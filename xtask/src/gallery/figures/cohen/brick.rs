@@ -6,7 +6,8 @@ use asperity_render::{
     image::tone::hex, integrator::pixels::Sampling, light::lamps::direction, materials::chalk,
     sampling::sampler::hash,
 };
-use asperity_shading::{Brick, PixelEllipse, bumped_normal, surface_gradient};
+use asperity_shading::bump::{bumped_normal, surface_gradient};
+use asperity_shading::{Brick, PixelEllipse};
 use glam::{Vec2, Vec3};
 
 use crate::{

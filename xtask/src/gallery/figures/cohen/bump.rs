@@ -6,10 +6,10 @@ use asperity_render::{
     materials::{chalk, sky},
     scene::{Backdrop, Light, Object, Scene},
 };
+use asperity_shading::bump::{bumped_normal, differences, displace, surface_gradient, tangential};
 use asperity_shading::{
-    SurfacePoint, bumped_normal, differences, displace,
+    SurfacePoint,
     noise::{Field, Normalisation, Octaves, Perlin2002, Sample, Spectrum},
-    surface_gradient, tangential,
 };
 use glam::{Vec2, Vec3};
 

@@ -1,7 +1,8 @@
 //! Star wallpaper, and images that run.
 
 use asperity_render::image::tone::hex;
-use asperity_shading::{Footprint, Marble, PerturbedTexture, StarWallpaper};
+use asperity_shading::texture::{PerturbedTexture, StarWallpaper};
+use asperity_shading::{Footprint, Marble};
 use glam::{Vec2, Vec3};
 
 use crate::{

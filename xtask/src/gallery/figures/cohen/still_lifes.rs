@@ -14,8 +14,9 @@ use asperity_render::{
     scene::{Backdrop, Light, Object, Scene},
     scenes::{Set, backdrop, ground},
 };
+use asperity_shading::texture::{Gas, Steam, march};
 use asperity_shading::{
-    Gas, Marble, Steam, march,
+    Marble,
     material::PolishedMarble,
     noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
 };

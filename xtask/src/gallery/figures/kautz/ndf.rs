@@ -3,30 +3,23 @@
 use std::f32::consts::FRAC_PI_2;
 
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_render::{
-    geometry::{
-        camera::Camera,
-        mesh::{Mesh, TracedMesh},
-        relief::relief,
-        shape::Shape,
-    },
-    image::{Image, tone::hex},
-    integrator::hemisphere::ember,
-    light::lamps::{Lamps, direction},
-    materials::{SharedNdf, chalk},
-    scene::{Backdrop, Light, Object, Scene},
-    scenes::peak,
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::geometry::mesh::{Mesh, TracedMesh};
+use asperity_render::geometry::relief::relief;
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::Image;
+use asperity_render::image::tone::hex;
+use asperity_render::integrator::hemisphere::ember;
+use asperity_render::light::lamps::{Lamps, direction};
+use asperity_render::materials::{SharedNdf, chalk};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::scenes::peak;
 use asperity_shading::SurfacePoint;
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::density_panel,
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::density_panel;
 
 const ALPHA: [f32; 2] = [0.25, 0.5];
 

@@ -6,7 +6,8 @@ use asperity_render::{
     materials::Facets,
     scenes::{RenderRequest, Set, peak},
 };
-use asperity_shading::{LevelOfDetail, conditional_density};
+use asperity_shading::LevelOfDetail;
+use asperity_shading::ndf_sampling::conditional_density;
 use glam::Vec2;
 
 use crate::{

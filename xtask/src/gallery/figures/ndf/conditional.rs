@@ -4,14 +4,10 @@ use asperity_ndf_sampling::{Ggx, conditional_density};
 use asperity_render::materials::SharedNdf;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::disk,
-    },
-    input::density::painted,
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::disk;
+use crate::input::density::painted;
 
 const SHARES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 /// The facet that is found.

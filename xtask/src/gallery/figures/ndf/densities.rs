@@ -9,16 +9,12 @@ use asperity_render::{
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Figure, Panel},
-        figures::kautz::ndf::lobe_panel,
-        panels::density_panel,
-        plot::{Axis, Names, Plot, Stroke},
-    },
-    input::density::painted,
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Figure, Panel};
+use crate::gallery::figures::kautz::ndf::lobe_panel;
+use crate::gallery::panels::density_panel;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
+use crate::input::density::painted;
 
 /// One figure for each density; a new one is one entry here.
 pub(crate) const DENSITIES: &[Figure] = &[

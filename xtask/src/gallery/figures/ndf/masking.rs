@@ -4,14 +4,10 @@ use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfa
 use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::disk,
-        plot::{Axis, Names, Plot, Stroke},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::disk;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 const ALPHA: f32 = 0.45;
 const ANGLES: [f32; 4] = [0.0, 45.0, 70.0, 88.0];

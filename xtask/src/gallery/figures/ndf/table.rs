@@ -1,16 +1,12 @@
 //! Table L: what its look-ups lose, by spacing, chart and interpolation.
 
-use asperity_ndf_sampling::{
-    Ggx, Ndf, NormalTable,
-    normal_table::{Chart, Spacing, TableLayout},
-};
+use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
+use asperity_ndf_sampling::{Ggx, Ndf, NormalTable};
 use asperity_render::integrator::hemisphere::ember;
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 const SIZE: usize = 256;
 /// Error at full brightness, in degrees.

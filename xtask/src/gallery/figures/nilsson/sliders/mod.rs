@@ -4,9 +4,8 @@ mod fields;
 mod parameters;
 mod strip;
 
-use asperity_shading::{
-    Carpet, CarpetParameters, MetallicPaint, Scratches, SeamPattern, TemperedGlass, Variations,
-};
+use asperity_shading::material::SeamPattern;
+use asperity_shading::{Carpet, CarpetParameters, MetallicPaint, Scratches, TemperedGlass, Variations};
 use glam::Vec3;
 
 use crate::{

@@ -10,9 +10,10 @@ use asperity_render::{
     materials::pattern::grid,
     scenes::Form,
 };
+use asperity_shading::material::{Elimination, FibresParameters, GlassWaves, SeamPattern};
 use asperity_shading::{
-    CarpetParameters, Elimination, Environment, FibresParameters, GlassWaves, MetallicPaintParameters,
-    ScratchesParameters, SeamPattern, TemperedGlassParameters, VariationsParameters,
+    CarpetParameters, Environment, MetallicPaintParameters, ScratchesParameters, TemperedGlassParameters,
+    VariationsParameters,
     material::{GlassBody, PaintFlakes},
 };
 use glam::{Vec2, Vec3};

@@ -2,25 +2,20 @@
 
 use std::{fmt::Debug, sync::Arc};
 
-use asperity_render::{
-    geometry::ray::Ray,
-    image::{Image, tone::hex},
-    integrator::pixels::Sampling,
-    light::lamps::{Lamp, Lamps, direction},
-    materials::in_metres,
-    scene::{Backdrop, Light, Object, Scene},
-    scenes::Form,
-};
+use asperity_render::geometry::ray::Ray;
+use asperity_render::image::Image;
+use asperity_render::image::tone::hex;
+use asperity_render::integrator::pixels::Sampling;
+use asperity_render::light::lamps::{Lamp, Lamps, direction};
+use asperity_render::materials::in_metres;
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::scenes::Form;
 use asperity_shading::{ParameterError, material::Material};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        figures::nilsson::sliders::fields::{fields, varied},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::nilsson::sliders::fields::{fields, varied};
 
 /// A parameter that is varied.
 pub(super) struct Strip<P> {

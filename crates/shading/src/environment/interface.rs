@@ -1,4 +1,4 @@
-//! What surrounds a scene: the light that arrives from every direction, as a trait.
+//! Environment lighting: the light that arrives from every direction, as a trait.
 
 use core::f32::consts::{FRAC_1_PI, TAU};
 
@@ -61,7 +61,7 @@ impl<E: Environment + ?Sized> Environment for &E {
     }
 }
 
-/// The same radiance from everywhere; what is negative or NaN is 0, infinity the greatest number.
+/// Constant radiance from everywhere; what is negative or NaN is 0, infinity the greatest number.
 impl Environment for Vec3 {
     fn radiance(&self, direction: Vec3) -> Vec3 {
         if is_direction(direction) {

@@ -1,17 +1,17 @@
-//! Why a material's parameters were refused.
+//! Parameters that are refused, and the checks that refuse them.
 
 use core::fmt;
 
 use glam::{Vec2, Vec3};
 
-/// A parameter of a material that is outside its range.
+/// A parameter that a constructor refused, by its name and value.
 ///
 /// ```
-/// use asperity_shading::{ParameterError, Seams, SeamPattern, glam::Vec2};
+/// use asperity_shading::{ParameterError, material::{Seams, SeamPattern}, glam::Vec2};
 ///
 /// let error = Seams::new(Vec2::X, SeamPattern::Lines, 0.1, 1.5).unwrap_err();
 /// assert_eq!(error, ParameterError::Outside { parameter: "seams_amplitude", value: 1.5, least: 0.0, most: 1.0 });
-/// assert_eq!(error.to_string(), "seams_amplitude is 1.5, outside [0, 1]");
+/// assert_eq!(error.to_string(), "`seams_amplitude` must be within [0, 1], got 1.5");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -27,6 +27,13 @@ pub enum ParameterError {
         /// The greatest.
         most: f32,
     },
+    /// A number is not finite and positive.
+    NotPositive {
+        /// The parameter's name.
+        parameter: &'static str,
+        /// Its value.
+        value: f32,
+    },
     /// A direction is zero or not finite.
     Direction {
         /// The parameter's name.
@@ -36,14 +43,29 @@ pub enum ParameterError {
     },
 }
 
+impl ParameterError {
+    /// The parameter's name.
+    #[must_use]
+    pub const fn parameter(&self) -> &'static str {
+        match self {
+            Self::Outside { parameter, .. }
+            | Self::NotPositive { parameter, .. }
+            | Self::Direction { parameter, .. } => parameter,
+        }
+    }
+}
+
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Outside { parameter, value, least, most } => {
-                write!(f, "{parameter} is {value}, outside [{least}, {most}]")
+                write!(f, "`{parameter}` must be within [{least}, {most}], got {value}")
+            }
+            Self::NotPositive { parameter, value } => {
+                write!(f, "`{parameter}` must be finite and positive, got {value}")
             }
             Self::Direction { parameter, value } => {
-                write!(f, "{parameter} is {value}, which has no direction")
+                write!(f, "`{parameter}` must have a direction, got {value}")
             }
         }
     }
@@ -53,9 +75,9 @@ impl core::error::Error for ParameterError {}
 
 /// The smallest and the largest size of anything, in units of the surface's positions.
 pub(crate) const SIZES: [f32; 2] = [1e-6, 1e6];
-/// What is the roughness α of a lobe.
+/// Range of the roughness α of a lobe.
 pub(crate) const ROUGHNESSES: [f32; 2] = [0.01, 1.0];
-/// What is a share or a strength.
+/// Range of shares and strengths.
 pub(crate) const SHARES: [f32; 2] = [0.0, 1.0];
 
 /// The value, if it is in the range.
@@ -69,6 +91,20 @@ pub(crate) fn within(
     } else {
         Err(ParameterError::Outside { parameter, value, least, most })
     }
+}
+
+/// The value, if it is finite and positive.
+pub(crate) fn positive(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(ParameterError::NotPositive { parameter, value })
+    }
+}
+
+/// The value, if it is finite and not negative.
+pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+    within(parameter, value, [0.0, f32::MAX])
 }
 
 /// A colour, if every component is in `[0, 1]`.

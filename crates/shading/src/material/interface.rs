@@ -40,7 +40,7 @@ use glam::Vec3;
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 pub trait Material {
-    /// What a point does to light on its way to the unit direction `wo`, in the frame of the surface; total.
+    /// BSDF of a point that is seen from the unit direction `wo`, in the frame of the surface; total.
     #[must_use]
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_>;
 }
