@@ -27,7 +27,7 @@ mod tests {
     #[test]
     fn a_line_has_its_width() {
         assert_eq!([0.0, 0.09, 0.11, 0.5, 2.95].map(|x| line(x, 0.2, 1e-6)), [1.0, 1.0, 0.0, 0.0, 1.0]);
-        assert_abs_diff_eq!(line(1.1, 0.2, 0.01), 0.5, epsilon = 1e-6);
+        assert_abs_diff_eq!(line(1.1, 0.2, 0.01), 0.5, epsilon = 1e-5);
         assert_eq!(grid(Vec2::new(0.5, 1.0), 0.2, 1e-6), 1.0);
         assert_eq!([checker(Vec2::new(0.5, 0.5)), checker(Vec2::new(-0.5, 0.5))], [0.0, 1.0]);
     }
