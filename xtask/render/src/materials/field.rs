@@ -37,14 +37,8 @@ impl Bumps {
     }
 }
 
-/// Two independent channels of octaves of noise over space.
-pub enum Field {
-    /// No octave at all: the surface is seen from afar at every distance.
-    Flat,
-    Gaussian(GaussianOctaves<3>),
-    Perlin2002(RemappedOctaves<Perlin2002>),
-    Simplex(RemappedOctaves<Simplex>),
-}
+/// Two independent channels of octaves of noise over space; without any octave the surface is seen from afar at every distance.
+pub struct Field(Option<Box<dyn GaussianField + Send + Sync>>);
 
 impl Field {
     /// The field of a kind with at most `octaves` octaves, each with `gain` times the amplitude of the last.
@@ -52,45 +46,28 @@ impl Field {
         /// No round number, so that the lattices of neighbouring octaves do not meet.
         const LACUNARITY: f32 = 2.17;
         if octaves == 0 {
-            return Ok(Self::Flat);
+            return Ok(Self(None));
         }
         let spectrum = Spectrum::new(LACUNARITY, gain, octaves)?;
-        Ok(match kind {
-            NoiseKind::Gaussian => Self::Gaussian(GaussianOctaves::new(Gaussian::new(seed), spectrum)),
-            NoiseKind::Perlin2002 => {
-                Self::Perlin2002(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?)
-            }
-            NoiseKind::Simplex => Self::Simplex(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?),
-        })
+        Ok(Self(Some(match kind {
+            NoiseKind::Gaussian => Box::new(GaussianOctaves::<3>::new(Gaussian::new(seed), spectrum)),
+            NoiseKind::Perlin2002 => Box::new(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?),
+            NoiseKind::Simplex => Box::new(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?),
+        })))
     }
 }
 
 impl GaussianField for Field {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
-        match self {
-            Self::Flat => Coordinates::FAR,
-            Self::Gaussian(field) => field.coordinates(p, octaves),
-            Self::Perlin2002(field) => field.coordinates(p, octaves),
-            Self::Simplex(field) => field.coordinates(p, octaves),
-        }
+        self.0.as_ref().map_or(Coordinates::FAR, |field| field.coordinates(p, octaves))
     }
 
     fn lacunarity(&self) -> f32 {
-        match self {
-            Self::Flat => 2.0,
-            Self::Gaussian(field) => field.lacunarity(),
-            Self::Perlin2002(field) => field.lacunarity(),
-            Self::Simplex(field) => field.lacunarity(),
-        }
+        self.0.as_ref().map_or(2.0, |field| field.lacunarity())
     }
 
     fn max_octaves(&self) -> f32 {
-        match self {
-            Self::Flat => 0.0,
-            Self::Gaussian(field) => field.max_octaves(),
-            Self::Perlin2002(field) => field.max_octaves(),
-            Self::Simplex(field) => field.max_octaves(),
-        }
+        self.0.as_ref().map_or(0.0, |field| field.max_octaves())
     }
 }
 
