@@ -5,7 +5,7 @@
     reason = "a test that cannot read its reference has failed"
 )]
 
-use asperity_fif::FifBuf;
+use asperity_fif::Fif;
 use serde_json::Value;
 
 use crate::reference;
@@ -64,7 +64,7 @@ pub struct Reference<const C: usize> {
     /// The whole file.
     pub json: Value,
     /// The system, built by the crate.
-    pub system: FifBuf<C>,
+    pub system: Fif<C>,
 }
 
 /// A point given by its address.
@@ -122,7 +122,7 @@ impl<const C: usize> Reference<C> {
             .collect();
         let knots = ratios(&json["knots"]);
         let alpha = ratios(&json["alpha"]);
-        let system = FifBuf::new(&knots, &alpha, &q).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let system = Fif::new(&knots, &alpha, &q).unwrap_or_else(|e| panic!("{name}: {e}"));
         for (j, y) in ratios(&json["y"]).into_iter().enumerate() {
             let got = system.evaluate(knots[j], 1e-14).value;
             assert!((got - y).abs() <= 1e-15 * (1.0 + y.abs()) * 4.0, "{name} knot {j}: {got} != {y}");

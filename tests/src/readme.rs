@@ -14,7 +14,7 @@ pub struct NdfSampling;
 
 /// The page of `asperity-fif`.
 #[doc = include_str!("../../crates/fif/README.md")]
-pub struct Fif;
+pub struct System;
 
 /// The page of `asperity-shading`.
 #[doc = include_str!("../../crates/shading/README.md")]

@@ -1,10 +1,7 @@
 //! Evaluations and primary rays per second of the source's functions.
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{
-    Axis, Cached, Fast32, FastBuf, FastJets, Fif, FifBuf, FixedFif, FixedSmooth, HeightField, Jet, Piece,
-    Ray, Uneven, paper,
-};
+use asperity_fif::{Fif, FixedFif, HeightField, Intersect, Jet, Ray, System, paper, system::Piece};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -32,7 +29,7 @@ fn evaluation(c: &mut Criterion) {
     let mut group = c.benchmark_group("evaluate");
     group.throughput(Throughput::Elements(points.len() as u64));
     let uneven =
-        FifBuf::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
+        Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
     let (f, g, f_hat) =
         (paper::f().expect("valid"), paper::g().expect("valid"), paper::f_hat().expect("valid"));
     for tolerance in [1e-6, 1e-12] {
@@ -50,14 +47,14 @@ fn evaluation(c: &mut Criterion) {
 }
 
 /// Algorithm 2 as printed beside the tables, at the same points; to 10⁻¹², `f32` to 10⁻⁶.
-fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f: &Fif<S, C>) {
+fn tables<S: AsRef<[Piece<C>]>, const C: usize>(c: &mut Criterion, name: &str, f: &System<S, C>) {
     let points: Vec<f64> = points()
         .into_iter()
         .chain((1..=3072).map(|i| 2.0 * (f64::from(i) * 0.754_877_666).fract()))
         .collect();
     let mut values = vec![0.0; points.len()];
-    let fast = FastBuf::new(f.view(), 1e-12).expect("equally spaced");
-    let fast32 = Fast32::new(f.view(), 1e-6).expect("equally spaced");
+    let fast = f.table(1e-12).expect("gentle factors");
+    let fast32 = f.table(1e-6).expect("gentle factors").to_f32();
     let points32: Vec<f32> = points.iter().map(|&x| x as f32).collect();
     let mut values32 = vec![0.0; points.len()];
     let mut nodes = vec![0.0; (1 << 16) + 1];
@@ -85,12 +82,12 @@ fn fast(c: &mut Criterion) {
     tables(c, "g integral, table", &paper::g_hat().expect("valid"));
     jets(c, "f integral, jets", &paper::f_hat().expect("valid"));
     jets(c, "g integral, jets", &paper::g_hat().expect("valid"));
-    let f = FifBuf::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
+    let f = Fif::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).expect("valid");
     let points = points();
     let mut group = c.benchmark_group("uneven, table");
     group.throughput(Throughput::Elements(points.len() as u64));
     for tolerance in [1e-6, 1e-12] {
-        let table = Uneven::new(f.view(), tolerance).expect("gentle factors");
+        let table = f.table(tolerance).expect("gentle factors");
         group.bench_function(format!("algorithm 2 at {tolerance:e}"), |b| {
             b.iter(|| points.iter().map(|&x| f.algorithm_two(x, tolerance)).sum::<f64>());
         });
@@ -104,28 +101,27 @@ fn fast(c: &mut Criterion) {
 /// Value, slope and integral beside the value alone, to 10⁻¹².
 fn jets<const C: usize>(c: &mut Criterion, name: &str, f: &FixedFif<2, C>) {
     let points = points();
-    let fast = FastBuf::new(f.view(), 1e-12).expect("equally spaced");
-    let jets = FastJets::new(f.view(), 1e-12).expect("smooth");
+    let table = f.table(1e-12).expect("gentle factors");
     let [mut value, mut slope, mut integral] = [0; 3].map(|_| vec![0.0; points.len()]);
     let mut group = c.benchmark_group(name);
     group.throughput(Throughput::Elements(points.len() as u64));
-    group.bench_function("values", |b| b.iter(|| fast.values(black_box(&points), &mut value)));
+    group.bench_function("values", |b| b.iter(|| table.values(black_box(&points), &mut value)));
     group.bench_function("jets, batch", |b| {
         b.iter(|| {
             let out: Jet<&mut [f64]> = Jet { value: &mut value, slope: &mut slope, integral: &mut integral };
-            jets.jets(black_box(&points), out)
+            table.jets(black_box(&points), out)
         });
     });
     group.bench_function("jets", |b| {
         b.iter(|| {
             let sum = |jet: Jet| jet.value + jet.slope + jet.integral;
-            points.iter().map(|&x| sum(jets.jet(x))).sum::<f64>()
+            points.iter().map(|&x| sum(table.jet(x))).sum::<f64>()
         });
     });
     group.finish();
 }
 
-fn trace<A: Axis>(surface: &HeightField<A, A>, rays: &[Ray]) -> f64 {
+fn trace(surface: &impl Intersect, rays: &[Ray]) -> f64 {
     rays.iter().filter_map(|ray| surface.first_hit(black_box(ray))).map(|hit| hit.t).sum()
 }
 
@@ -133,18 +129,17 @@ fn rays(c: &mut Criterion) {
     let rays = camera(64);
     let mut group = c.benchmark_group("first hit");
     group.throughput(Throughput::Elements(rays.len() as u64)).sample_size(20);
-    let (f, g) = (paper::f().expect("valid"), paper::g().expect("valid"));
-    let f_hat = FixedSmooth::<2, 3, 2>::integral(f, 0.0).expect("valid");
-    let g_hat = FixedSmooth::<2, 3, 2>::integral(g, 0.0).expect("valid");
-    let smooth = HeightField::new(Cached::new(f_hat), Cached::new(f_hat));
-    group.bench_function("f integral, cached", |b| b.iter(|| trace(&smooth, &rays)));
-    let rough_slope = HeightField::new(Cached::new(g_hat), Cached::new(g_hat));
-    group.bench_function("g integral, cached", |b| b.iter(|| trace(&rough_slope, &rays)));
+    let [f, g] = [paper::f(), paper::g()].map(|f| f.expect("valid"));
+    let [f_hat, g_hat] = [paper::f_hat(), paper::g_hat()].map(|f| f.expect("valid"));
     let plain = HeightField::new(f_hat, f_hat);
+    let smooth = plain.tabulated();
+    group.bench_function("f integral, cached", |b| b.iter(|| trace(&smooth, &rays)));
+    let rough_slope = HeightField::new(g_hat, g_hat).tabulated();
+    group.bench_function("g integral, cached", |b| b.iter(|| trace(&rough_slope, &rays)));
     group.bench_function("f integral, no table", |b| b.iter(|| trace(&plain, &rays)));
-    let continuous = HeightField::new(Cached::new(f), Cached::new(f));
+    let continuous = HeightField::new(f, f).tabulated();
     group.bench_function("f, cached", |b| b.iter(|| trace(&continuous, &rays)));
-    let rough = HeightField::new(Cached::new(g), Cached::new(g));
+    let rough = HeightField::new(g, g).tabulated();
     group.bench_function("g, cached", |b| b.iter(|| trace(&rough, &rays)));
     group.finish();
 }
@@ -153,7 +148,7 @@ fn construction(c: &mut Criterion) {
     c.bench_function("construct g", |b| b.iter_batched(|| (), |()| paper::g(), BatchSize::SmallInput));
     let g = paper::g().expect("valid");
     c.bench_function("extrema of g to 1e-6", |b| b.iter(|| g.extrema(1e-6)));
-    c.bench_function("table of g", |b| b.iter(|| Cached::new(g)));
+    c.bench_function("table of g", |b| b.iter(|| HeightField::new(g, g).tabulated()));
 }
 
 criterion_group!(benches, evaluation, fast, rays, construction);

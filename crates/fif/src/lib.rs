@@ -5,12 +5,11 @@
 //! whose normals are exact and whose ray hits are guaranteed.
 //!
 //! ```
-//! use asperity_fif::glam::DVec3;
-//! use asperity_fif::{FixedFif, FixedSmooth, HeightField, Ray};
+//! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
 //!
 //! // A rough function through three points; its integral is smooth, and so is the product of two integrals.
 //! let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5])?;
-//! let f_hat = FixedSmooth::<2, 3, 2>::integral(f, 0.0)?;
+//! let f_hat: FixedFif<2, 3> = f.integral(0.0)?;
 //! let surface = HeightField::new(f_hat, f_hat);
 //! let ray = Ray { origin: DVec3::new(-1.0, -1.0, 3.0), direction: DVec3::new(1.0, 1.0, -1.0) };
 //! let hit = surface.first_hit(&ray).unwrap();
@@ -22,14 +21,12 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Fif`], [`FixedFif`], [`FifBuf`], [`FifView`] | a validated system of maps, in an array, a vector, or borrowed |
+//! | [`Fif`], [`FixedFif`], [`FifRef`] | a validated [`System`] of maps, in a vector, in an array, or borrowed |
 //! | [`Fif::affine`], [`Fif::hermite`], [`Fif::new`], [`Fif::with_ordinates`] | its constructors, which refuse with a [`SystemError`] |
 //! | [`Fif::from_maps`], [`Fif::sum`], [`Fif::scaled`] | the same from maps, and from other systems |
 //! | [`Fif::evaluate`], [`Fif::value_at_address`] | `value ± bound` at a point and at an address |
-//! | [`Fast`], [`FixedFast`], [`FastBuf`] | values on equally spaced knots in a few nanoseconds, from a table |
-//! | [`Fast32`] | the same in `f32`, in SIMD lanes for many points |
-//! | [`Uneven`] | the same on any knots |
-//! | [`FastJets`] | value, slope, integral and higher derivatives of a smooth function at once |
+//! | [`Fif::table`], [`Table`] | values, slopes, integrals and derivatives in a few nanoseconds, from a table |
+//! | [`Table::to_f32`], [`Table32`] | values in `f32`, in SIMD lanes for many points |
 //! | [`Fif::grid`] | values at all nodes of an even grid |
 //! | [`Fif::algorithm_two`], [`Fif::chaos_game`] | the source's algorithms as printed, with their errors |
 //! | [`Fif::address`] | the maps that close in on a point |
@@ -42,22 +39,26 @@
 //! | [`Fif::extrema`], [`Fif::extrema_over`] | the least and the greatest value, and where they lie |
 //! | [`Fif::modulus`], [`Fif::conditioning`] | how much `f` moves when `x` does |
 //! | [`Fif::dimension`] | the box dimension of the graph |
-//! | [`Smooth`], [`FixedSmooth`], [`SmoothBuf`] | a function with its derivative |
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
 //! | [`HeightField::curvature`] | mean and Gaussian [`Curvature`] |
 //! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
 //! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
-//! | [`HeightField::first_hit`] | the first point of a [`Ray`] on it |
-//! | [`HeightField::first_hit_within`], [`HeightField::hits_any`], [`HeightField::first_hits`] | the same to a tolerance, any hit, and many rays |
-//! | [`Cached`] | an axis with a table of bounds: faster hits |
-//! | [`TorusSurface`], [`FixedTorus`], [`TorusBuf`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
-//! | [`TorusSurface::bounds`], [`TorusSurface::extrema_over`], [`TorusSurface::mean`] | its rigorous bounds and means |
-//! | [`FoldedSurface`], [`FixedFolded`], [`FoldedBuf`], [`FoldedView`] | the like on a grid of unequal cells, not periodic |
-//! | [`FoldedSurface::bounds`], [`FoldedSurface::extrema_over`], [`FoldedSurface::mean`] | its rigorous bounds and its mean |
-//! | [`Surface`] | any surface over a rectangle: its bounds, and rays against it |
-//! | [`Surface::first_hit`], [`Surface::first_hit_within`], [`Surface::hits_any`], [`Surface::first_hits`] | the first point of a ray on it, to a tolerance, any hit, many rays |
-//! | [`Pyramid`] | a surface with a table of bounds: faster hits |
-//! | [`TorusSurface::narrowed`], [`FoldedSurface::narrowed`] | narrower global ranges, before searches and rays |
+//! | [`Surface`] | any surface over a rectangle, and its bounds |
+//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to the rounding error or a tolerance |
+//! | [`Intersect::hits_any`], [`Intersect::first_hits`] | any hit, and many rays |
+//! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
+//! | [`Torus`] | a periodic surface without grain, through heights with gradients |
+//! | [`Folded`] | the like on a grid of unequal cells, not periodic |
+//! | [`SelfAffine::bounds`], [`SelfAffine::extrema_over`], [`SelfAffine::mean`] | rigorous bounds and means of either |
+//! | [`Surface`] | any surface over a rectangle, and its bounds |
+//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to the rounding error or a tolerance |
+//! | [`Intersect::hits_any`], [`Intersect::first_hits`] | any hit, and many rays |
+//! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
+//! | [`Torus`], [`Torus`], [`Torus`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
+//! | [`Torus::bounds`], [`Torus::extrema_over`], [`Torus::mean`] | its rigorous bounds and means |
+//! | [`Folded`], [`Folded`], [`Folded`], [`FoldedView`] | the like on a grid of unequal cells, not periodic |
+//! | [`Folded::bounds`], [`Folded::extrema_over`], [`Folded::mean`] | its rigorous bounds and its mean |
+//! | [`SelfAffine::narrowed`] | narrower global ranges, before searches |
 //! | [`Recurrent`] | systems whose maps copy parts of the graph, each its own |
 //! | [`Interval`], [`Bounded`] | enclosures |
 //! | [`fit`] | factors and knots for given data, with what they miss by |
@@ -80,9 +81,9 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`FifBuf`], [`SmoothBuf`], [`FastBuf`], [`Fast32`], [`Uneven`], [`FastJets`], [`Cached`], [`Pyramid`], [`Recurrent`], [`fit`] |
+//! | `alloc` (default) | [`Fif`], [`Table`], [`Tabulated`], [`Recurrent`], [`fit`] |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
-//! | `simd` (default) | batches of [`Fast32`] and [`FastJets`] in SIMD lanes, with the same bits |
+//! | `simd` (default) | batches of [`Table32`] and of jets in SIMD lanes, with the same bits |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
 //!
@@ -102,7 +103,7 @@ extern crate std;
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
 mod analysis;
-mod calculus;
+pub mod calculus;
 mod evaluate;
 #[cfg(feature = "alloc")]
 pub mod fit;
@@ -112,63 +113,35 @@ pub mod paper;
 mod ray;
 #[cfg(feature = "alloc")]
 mod recurrent;
-mod surface;
-mod system;
+pub mod surface;
+pub mod system;
+#[cfg(feature = "alloc")]
 mod table;
 
-pub use analysis::extrema::Extrema;
-pub use analysis::modulus::Modulus;
-pub use calculus::linear_combination::CombineError;
-pub use calculus::moment_basis::{MAX_MOMENT_DEGREE, MAX_POWER, MomentError};
-pub use evaluate::batch_error::BatchError;
-pub use evaluate::grid::GridError;
-pub use evaluate::value::MAX_DEPTH;
+pub use analysis::{extrema::Extrema, modulus::Modulus};
+pub use calculus::{linear_combination::CombineError, moment_basis::MomentError};
+pub use evaluate::{batch_error::BatchError, grid::GridError, value::MAX_DEPTH};
 pub use glam;
 pub use numeric::estimate::Estimate;
 pub use numeric::interval::{Bounded, Interval};
-pub use paper::chaos_game::ChaosGame;
-#[cfg(feature = "alloc")]
-pub use ray::pyramid::Pyramid;
+pub use ray::intersect::Intersect;
 pub use ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
-pub use recurrent::error::RecurrentError;
+pub use ray::tabulated::Tabulated;
 #[cfg(feature = "alloc")]
-pub use recurrent::recurrent::Recurrent;
-pub use surface::extrema::SurfaceExtrema;
-pub use surface::height_field::area::{AreaMeans, AxisMeans, LineMeans, SlopeMeans};
-pub use surface::height_field::axis::{Axis, Smooth};
-pub use surface::height_field::curvature::Curvature;
-pub use surface::height_field::height_field::HeightField;
-#[cfg(feature = "alloc")]
-pub use surface::height_field::normal_distribution::NormalDistributionError;
-#[cfg(feature = "alloc")]
-pub use surface::height_field::tabulated::Cached;
-pub use surface::self_affine::folded::FoldedSurface;
-pub use surface::self_affine::folded_error::FoldedError;
-#[cfg(feature = "alloc")]
-pub use surface::self_affine::folded_node::FoldedBuf;
-pub use surface::self_affine::folded_node::{FixedFolded, FoldedNode, FoldedStorage, FoldedView};
-pub use surface::self_affine::torus::TorusSurface;
-pub use surface::self_affine::torus_error::TorusError;
-#[cfg(feature = "alloc")]
-pub use surface::self_affine::torus_node::TorusBuf;
-pub use surface::self_affine::torus_node::{FixedTorus, TorusNode, TorusStorage, TorusView};
+pub use recurrent::{error::RecurrentError, recurrent::Recurrent};
+pub use surface::height_field::area::{AreaMeans, SlopeMeans};
+pub use surface::height_field::{curvature::Curvature, height_field::HeightField};
 pub use surface::surface::{Surface, SurfaceBounds};
-pub use system::error::{End, List, SystemError};
-pub use system::fif::{Fif, JOIN_TOLERANCE};
-pub use system::map::{Map, Piece};
 #[cfg(feature = "alloc")]
-pub use system::storage::{FifBuf, SmoothBuf};
-pub use system::storage::{FifView, FixedFif, FixedSmooth, Storage};
-pub use table::composite::{Composite, TableError, TableStorage};
+pub use surface::{
+    extrema::SurfaceExtrema,
+    height_field::normal_distribution::NormalDistributionError,
+    self_affine::{error::SelfAffineError, folded::Folded, self_affine::SelfAffine, torus::Torus},
+};
 #[cfg(feature = "alloc")]
-pub use table::jet::jet::Jet;
+pub use system::fif::Fif;
+pub use system::fif::{FifRef, FixedFif, System};
+pub use system::{error::SystemError, map::Map};
 #[cfg(feature = "alloc")]
-pub use table::jet::table::FastJets;
-#[cfg(feature = "alloc")]
-pub use table::nonuniform::Uneven;
-#[cfg(feature = "alloc")]
-pub use table::uniform::FastBuf;
-pub use table::uniform::{Fast, FixedFast};
-#[cfg(feature = "alloc")]
-pub use table::uniform_f32::Fast32;
+pub use table::{error::TableError, jet::jet::Jet, table::Table, uniform_f32::Table32};

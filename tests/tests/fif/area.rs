@@ -2,16 +2,13 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{
-    AxisMeans, Cached, Estimate, FixedSmooth, HeightField, Interval, NormalDistributionError, SmoothBuf,
-    paper,
-};
+use asperity_fif::{Estimate, Fif, HeightField, Interval, NormalDistributionError, paper, surface::Axis};
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::fif_systems::{Reference, ratio, ratios, read};
 use serde_json::Value;
 
 /// Compares the means over all rectangles; returns the worst error relative to the value and its conditioning.
-fn rectangles<X: AxisMeans, Y: AxisMeans>(surface: &HeightField<X, Y>, json: &Value) -> f64 {
+fn rectangles<X: Axis, Y: Axis>(surface: &HeightField<X, Y>, json: &Value) -> f64 {
     let mut worst = 0.0_f64;
     for rectangle in json["rectangles"].as_array().unwrap() {
         let [x, y] = ["x", "y"].map(|key| ratios(&rectangle[key]));
@@ -39,18 +36,19 @@ fn rectangles<X: AxisMeans, Y: AxisMeans>(surface: &HeightField<X, Y>, json: &Va
 #[test]
 fn means_over_rectangles_equal_the_exact_rationals() {
     let (f, g) = (Reference::<2>::load("paper_f").system, Reference::<2>::load("paper_g").system);
-    let [f_hat, g_hat] = [&f, &g].map(|slope| SmoothBuf::<3, 2>::integral(slope.clone(), 0.0).unwrap());
+    let [f_hat, g_hat] = [&f, &g].map(|slope| slope.integral::<Vec<_>, 3>(0.0).unwrap());
+    let (f, g, f_hat, g_hat) = (f.view(), g.view(), f_hat.view(), g_hat.view());
     let tensor = read("tensor");
     let mut worst = Vec::new();
     for surface in tensor.as_array().unwrap() {
         worst.push(match (surface["fx"].as_str().unwrap(), surface["gy"].as_str().unwrap()) {
-            ("paper_f", "paper_f") => rectangles(&HeightField::new(&f, &f), surface),
-            ("paper_g", "paper_g") => rectangles(&HeightField::new(&g, &g), surface),
+            ("paper_f", "paper_f") => rectangles(&HeightField::new(f, f), surface),
+            ("paper_g", "paper_g") => rectangles(&HeightField::new(g, g), surface),
             ("paper_f_int", "paper_f_int") => {
-                rectangles(&HeightField::new(Cached::with_cells(&f_hat, 16), &f_hat), surface)
+                rectangles(&HeightField::new(f_hat, f_hat).tabulated_with(16), surface)
             }
-            ("paper_g_int", "paper_g_int") => rectangles(&HeightField::new(&g_hat, &g_hat), surface),
-            ("paper_f_int", "paper_g_int") => rectangles(&HeightField::new(&f_hat, &g_hat), surface),
+            ("paper_g_int", "paper_g_int") => rectangles(&HeightField::new(g_hat, g_hat), surface),
+            ("paper_f_int", "paper_g_int") => rectangles(&HeightField::new(f_hat, g_hat), surface),
             other => panic!("{other:?} is not among the tests"),
         });
     }
@@ -60,7 +58,7 @@ fn means_over_rectangles_equal_the_exact_rationals() {
 
 #[test]
 fn rectangles_without_area_give_values() {
-    let axis = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+    let axis = paper::f_hat().unwrap();
     let surface = HeightField::new(axis, axis);
     let point = surface.area_means(Interval::new(0.7, 0.7), Interval::new(1.2, 1.2)).unwrap();
     let (height, slope) = (surface.height(0.7, 1.2), surface.gradient(0.7, 1.2).unwrap());
@@ -77,10 +75,9 @@ fn rectangles_without_area_give_values() {
 /// A surface's normals become a density that can be sampled: their mean and the moments of the slopes agree.
 #[test]
 fn the_distribution_of_normals_feeds_a_map_of_normals() {
-    let f_hat = SmoothBuf::<3, 2>::integral(Reference::<2>::load("paper_f").system, 0.0).unwrap();
+    let f_hat: Fif<3> = Reference::<2>::load("paper_f").system.integral(0.0).unwrap();
     // A low relief of different axes, so that rows and columns cannot be mixed up.
-    let low = f_hat.value().scaled(0.5).unwrap();
-    let surface = HeightField::new(SmoothBuf::<3, 2>::of(low).unwrap(), &f_hat);
+    let surface = HeightField::new(f_hat.scaled(0.5).unwrap(), f_hat);
     let (x, y) = (Interval::new(0.25, 1.75), Interval::new(0.5, 2.0));
     let (width, height) = (128, 96);
     let mut texels = vec![0.0; width * height];
@@ -122,7 +119,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
 #[test]
 fn distributions_that_cannot_be_are_refused() {
     let f = paper::f().unwrap();
-    let axis = FixedSmooth::<2, 3, 2>::integral(f, 0.0).unwrap();
+    let axis = paper::f_hat().unwrap();
     let (smooth, rough) = (HeightField::new(axis, axis), HeightField::new(axis, f));
     let whole = Interval::new(0.0, 2.0);
     let mut texels = [0.0; 12];

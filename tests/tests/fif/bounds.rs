@@ -1,12 +1,12 @@
 //! Extrema and their places, enclosures, moduli, conditioning and dimension, up to systems that hardly contract.
 
-use asperity_fif::{Fif, FifBuf, FixedSmooth, Interval, Modulus, Piece, paper};
+use asperity_fif::{Fif, Interval, Modulus, System, paper, system::Piece};
 use asperity_tests::fif_systems::{Reference, decimal, ratio};
 use asperity_tests::systems;
 use proptest::prelude::*;
 
 /// Random affine systems: 2 to `maps` maps, cells from `smallest` of one another, factors up to `steepest` in size.
-fn affine(maps: usize, smallest: f64, steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+fn affine(maps: usize, smallest: f64, steepest: f64) -> impl Strategy<Value = Fif<2>> {
     (2..=maps, -5.0..5.0_f64)
         .prop_flat_map(move |(maps, x0)| {
             let gaps = prop::collection::vec(smallest.ln()..=0.0_f64, maps);
@@ -18,12 +18,12 @@ fn affine(maps: usize, smallest: f64, steepest: f64) -> impl Strategy<Value = Fi
             for gap in gaps {
                 x.push(x[x.len() - 1] + gap.exp());
             }
-            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+            Fif::affine(&x, &y, &alpha).expect("the data are in order")
         })
 }
 
 /// Hardly contracting: up to 64 maps, cells down to a billionth, every factor from 0.9 to 0.999 in size.
-fn near_critical() -> impl Strategy<Value = FifBuf<2>> {
+fn near_critical() -> impl Strategy<Value = Fif<2>> {
     (2_usize..=64)
         .prop_flat_map(|maps| {
             let gaps = prop::collection::vec(1e-9_f64.ln()..=0.0, maps);
@@ -37,12 +37,12 @@ fn near_critical() -> impl Strategy<Value = FifBuf<2>> {
                 x.push(x[x.len() - 1] + gap.exp());
             }
             let alpha: Vec<f64> = alpha.iter().zip(sign).map(|(alpha, sign)| alpha * sign).collect();
-            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+            Fif::affine(&x, &y, &alpha).expect("the data are in order")
         })
 }
 
 /// `(x, f(x))` at `count` knots of deep levels at least, by the functional equation alone.
-fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &Fif<S, C>, count: usize) -> Vec<(f64, f64)> {
+fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &System<S, C>, count: usize) -> Vec<(f64, f64)> {
     let mut points = vec![(f.domain().lo, f.end_values()[0]), (f.domain().hi, f.end_values()[1])];
     while points.len() < count {
         points = f.pieces().iter().flat_map(|p| points.iter().map(|&(x, y)| p.map().apply(x, y))).collect();
@@ -51,7 +51,7 @@ fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &Fif<S, C>, count: usize) ->
 }
 
 /// What a sample may be off: 16 roundings of the polynomial a level, and those of `x` by its steepest slope.
-fn rounding<S: AsRef<[Piece<2>]>>(f: &Fif<S, 2>) -> f64 {
+fn rounding<S: AsRef<[Piece<2>]>>(f: &System<S, 2>) -> f64 {
     let (mut scale, mut steepest) = (f.range().magnitude(), 0.0_f64);
     for piece in f.pieces() {
         let [c0, c1] = piece.map().q;
@@ -127,7 +127,7 @@ fn dimensions_of_the_reference_systems_are_the_closed_ones() {
 fn the_dimension_is_what_boxes_count() {
     // Oscillation over 4^k cells grows like 4^{k (2 − D)}: the slope of its logarithm, over 4⁴ to 4⁸ cells.
     let x = [0.0, 1.0, 2.0, 3.0, 4.0];
-    let f = FifBuf::affine(&x, &[0.0, 1.0, -0.5, 0.7, 0.2], &[0.6, -0.7, 0.8, -0.5]).expect("data in order");
+    let f = Fif::affine(&x, &[0.0, 1.0, -0.5, 0.7, 0.2], &[0.6, -0.7, 0.8, -0.5]).expect("data in order");
     let deep = samples(&f, 1 << 20);
     let variation = |level: u32| -> f64 {
         let cell = deep.len() >> (2 * level);
@@ -168,7 +168,7 @@ fn two_hundred_thousand_maps_are_searched_in_bounded_time() {
     let n = 200_000;
     let x: Vec<f64> = (0..=n).map(f64::from).collect();
     let y: Vec<f64> = (0..=n).map(|k| f64::from(k % 7)).collect();
-    let f = FifBuf::affine(&x, &y, &vec![0.999; n as usize]).expect("the data are in order");
+    let f = Fif::affine(&x, &y, &vec![0.999; n as usize]).expect("the data are in order");
     let e = f.extrema(1e-6);
     assert!(e.maximum.lo >= 6.0 && e.minimum.hi <= 0.0 && e.maximum.hi <= f.range().hi, "{e:?}");
 }
@@ -217,9 +217,9 @@ proptest! {
         // The same knots with factors in proportion to the cells: Lipschitz up to 1, Hölder beyond.
         let knots: Vec<f64> = f.pieces().iter().map(|p| p.x()[0]).chain([f.domain().hi]).collect();
         let y: Vec<f64> = f.pieces().iter().map(|p| p.y()[0]).chain([f.end_values()[1]]).collect();
-        let share = |gentle: f64| -> FifBuf<2> {
+        let share = |gentle: f64| -> Fif<2> {
             let alpha: Vec<f64> = f.pieces().iter().map(|p| (gentle * p.map().a).min(0.99).copysign(p.map().alpha)).collect();
-            FifBuf::affine(&knots, &y, &alpha).expect("the data are in order")
+            Fif::affine(&knots, &y, &alpha).expect("the data are in order")
         };
         for f in [f.clone(), share(gentle), share(1.0)] {
             let modulus = f.modulus();
@@ -285,13 +285,13 @@ proptest! {
 
 #[test]
 fn intervals_that_end_beside_a_knot_are_bracketed_to_the_requested_width() {
-    let f = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+    let f = paper::f_hat().unwrap();
     for k in 1..512 {
         let knot = f64::from(k) / 256.0;
         let cell = 2.0_f64.powi(-29);
         for (before, after) in [(2e-9, 1e-14), (cell + 1e-14, 1e-14), (1e-14, cell + 1e-14)] {
             let (l, r) = (knot - before, knot + after);
-            let got = f.value().extrema_over(l, r, 0.5 * (r - l)).unwrap();
+            let got = f.extrema_over(l, r, 0.5 * (r - l)).unwrap();
             // No knot of few maps lies surely inside; the slope is at most 2.
             assert!(got.enclosure().width() < 4.0 * (r - l), "[{l}, {r}]: {got:?}");
         }

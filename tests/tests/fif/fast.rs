@@ -1,7 +1,7 @@
 //! Values from tables of composites: against exact rationals, and against the evaluation map by map.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
-use asperity_fif::{FastBuf, FifBuf, TableError, Uneven};
+use asperity_fif::Fif;
 use asperity_tests::even_systems;
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ fn check_doubles<const C: usize>(name: &str) -> [f64; 2] {
     let mut worst = 0.0_f64;
     let mut bounds = [0.0; 2];
     for (bound, tolerance) in bounds.iter_mut().zip([1e-12, 0.0]) {
-        let fast = FastBuf::new(r.system.view(), tolerance).unwrap();
+        let fast = r.system.table(tolerance).unwrap();
         *bound = fast.bound();
         for p in r.doubles() {
             let got = fast.evaluate(p.x);
@@ -44,7 +44,7 @@ fn values_at_doubles_equal_the_exact_ones() {
 }
 
 /// Affine systems on 2 to 64 equally spaced knots of `[0, 1]`, factors up to `steepest` in size.
-fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+fn affine(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     (2_usize..=64)
         .prop_flat_map(move |maps| {
             let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
@@ -53,12 +53,12 @@ fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
         .prop_map(|(y, alpha)| {
             let maps = alpha.len();
             let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
-            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+            Fif::affine(&x, &y, &alpha).expect("the data are in order")
         })
 }
 
 /// Cubic systems through 3 to 17 equally spaced knots, then twice integrated: six coefficients.
-fn smooth() -> impl Strategy<Value = FifBuf<6>> {
+fn smooth() -> impl Strategy<Value = Fif<6>> {
     (2_usize..=16)
         .prop_flat_map(|maps| {
             let list = |len| prop::collection::vec(-1.0..1.0_f64, len);
@@ -68,8 +68,8 @@ fn smooth() -> impl Strategy<Value = FifBuf<6>> {
             let maps = share.len();
             let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
             let alpha: Vec<f64> = share.iter().map(|share| share * 0.95 / maps as f64).collect();
-            let f = FifBuf::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
-            let first: FifBuf<5> = f.integral(0.5).expect("the integral of a system is one");
+            let f = Fif::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
+            let first: Fif<5> = f.integral(0.5).expect("the integral of a system is one");
             first.integral(-0.25).expect("the integral of a system is one")
         })
 }
@@ -80,7 +80,7 @@ fn config(cases: u32) -> ProptestConfig {
 }
 
 /// Affine systems on 2 to 64 unequal knots, gaps up to 1 : 100 000, factors up to `steepest` in size.
-fn uneven(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+fn uneven(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     (2_usize..=64, -3.0..3.0_f64)
         .prop_flat_map(move |(maps, x0)| {
             let gaps = prop::collection::vec(-5.0..0.0_f64, maps);
@@ -92,12 +92,12 @@ fn uneven(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
             for gap in gaps {
                 x.push(x[x.len() - 1] + 10_f64.powf(gap));
             }
-            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+            Fif::affine(&x, &y, &alpha).expect("the data are in order")
         })
 }
 
 /// Whether a value is one that the function takes within sixteen units in the last place of the point.
-fn taken_nearby(f: &FifBuf<2>, x: f64, value: f64, bound: f64) -> Result<(), TestCaseError> {
+fn taken_nearby(f: &Fif<2>, x: f64, value: f64, bound: f64) -> Result<(), TestCaseError> {
     let near = 16.0 * f64::EPSILON * f.domain().magnitude();
     let taken = f.extrema_over(x - near, x + near, 1e-9).unwrap().enclosure().inflated(bound);
     prop_assert!(taken.contains(value), "{x}: {value} ± {bound:e}, {taken:?}");
@@ -111,10 +111,10 @@ proptest! {
     fn unequal_knots_have_values_of_points_nearby(f in uneven(0.9), s in prop::collection::vec(0.0..1.0_f64, 8)) {
         let mut before = f64::INFINITY;
         for tolerance in [1e-2, 1e-6, 1e-9, 0.0] {
-            let fast = match Uneven::new(f.view(), tolerance) {
+            let fast = match f.table(tolerance) {
                 Ok(fast) => fast,
                 Err(error) => {
-                    prop_assert!(matches!(error, TableError::Depth { alpha, .. } if alpha > 0.6), "{error}");
+                    prop_assert!(error.alpha > 0.6, "{error}");
                     break;
                 }
             };
@@ -135,7 +135,7 @@ proptest! {
 
     #[test]
     fn near_critical_unequal_knots_are_right_or_refused(f in uneven(0.999), s in 0.0..1.0_f64) {
-        if let Ok(fast) = Uneven::new(f.view(), 1e-4) {
+        if let Ok(fast) = f.table(1e-4) {
             let x = f.domain().lo + s * f.domain().width();
             let got = fast.evaluate(x);
             taken_nearby(&f, x, got.value, got.bound)?;
@@ -153,11 +153,10 @@ proptest! {
         tolerance in prop::sample::select(vec![1e-3, 1e-6, 1e-12]),
     ) {
         // 64 steps leave more than the tolerance only where there are so many maps that one makes a composite.
-        let fast = match FastBuf::new(f.view(), tolerance) {
+        let fast = match f.table(tolerance) {
             Ok(fast) => fast,
             Err(error) => {
-                let honest = matches!(error, TableError::Depth { alpha, .. } if alpha > 0.6);
-                prop_assert!(honest, "{error}");
+                prop_assert!(error.alpha > 0.6, "{error}");
                 return Ok(());
             }
         };
@@ -171,7 +170,7 @@ proptest! {
 
     #[test]
     fn tables_of_high_degree_agree_too(f in smooth(), x in prop::collection::vec(0.0..1.0_f64, 16)) {
-        let fast = FastBuf::new(f.view(), 1e-12).expect("integrals are gentle");
+        let fast = f.table(1e-12).expect("integrals are gentle");
         prop_assert!(fast.bound() <= 1e-12, "{:e}", fast.bound());
         for x in x {
             let (got, want) = (fast.evaluate(x), f.evaluate(x, 0.0));
@@ -181,10 +180,10 @@ proptest! {
 
     #[test]
     fn near_critical_tables_are_right_or_refused(f in affine(0.999), x in prop::collection::vec(0.0..1.0_f64, 8)) {
-        let fast = match FastBuf::new(f.view(), 1e-9) {
+        let fast = match f.table(1e-9) {
             Ok(fast) => fast,
             Err(error) => {
-                let honest = matches!(error, TableError::Depth { most: 64, bound, .. } if bound > 1e-9);
+                let honest = error.steps == 64 && error.bound > 1e-9;
                 prop_assert!(honest && !f.pieces().len().is_power_of_two(), "{error}");
                 return Ok(());
             }
@@ -199,7 +198,7 @@ proptest! {
     fn bounds_fall_with_the_tolerance(f in affine(0.9), x in 0.0..1.0_f64) {
         let mut before = [f64::INFINITY; 2];
         for tolerance in [1.0, 1e-2, 1e-4, 1e-8, 1e-12, 1e-14, 0.0] {
-            let Ok(fast) = FastBuf::new(f.view(), tolerance) else { break };
+            let Ok(fast) = f.table(tolerance) else { break };
             let bounds = [fast.bound(), fast.evaluate(x).bound];
             prop_assert!(bounds[0] <= before[0] && bounds[1] <= before[1], "{tolerance:e}: {bounds:?} {before:?}");
             before = bounds;
@@ -213,8 +212,8 @@ proptest! {
         x0 in -100.0..100.0_f64, width in 0.01..30.0_f64, s in 0.0..1.0_f64,
     ) {
         let x: Vec<f64> = (0..=5).map(|j| x0 + width * (f64::from(j) / 5.0)).collect();
-        let f = FifBuf::affine(&x, &y, &alpha).unwrap();
-        let fast = FastBuf::new(f.view(), 1e-11).unwrap();
+        let f = Fif::affine(&x, &y, &alpha).unwrap();
+        let fast = f.table(1e-11).unwrap();
         for (&x, &y) in x.iter().zip(&y) {
             prop_assert_eq!(fast.value(x), y);
         }

@@ -1,6 +1,6 @@
 //! Fits to data: factors that come back, errors that are measured, noise, knots, refinement.
 
-use asperity_fif::{FifBuf, fit};
+use asperity_fif::{Fif, fit};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
 
@@ -10,10 +10,10 @@ fn config(cases: u32) -> ProptestConfig {
 }
 
 /// A system whose knots are points of a grid that all maps send into itself, and its samples there.
-fn samples(y: &[f64], alpha: &[f64], each: usize) -> (FifBuf<2>, Vec<f64>, Vec<f64>, Vec<usize>) {
+fn samples(y: &[f64], alpha: &[f64], each: usize) -> (Fif<2>, Vec<f64>, Vec<f64>, Vec<usize>) {
     let maps = alpha.len();
     let knots: Vec<f64> = (0..=maps).map(|k| k as f64 / maps as f64).collect();
-    let f = FifBuf::affine(&knots, y, alpha).expect("the data are in order");
+    let f = Fif::affine(&knots, y, alpha).expect("the data are in order");
     let points = maps * each;
     let x: Vec<f64> = (0..=points).map(|k| k as f64 / points as f64).collect();
     let at = |k: usize| {

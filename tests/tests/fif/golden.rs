@@ -3,10 +3,7 @@
 use std::array;
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{
-    Cached, Fast32, FastBuf, FastJets, FifBuf, FixedFast, FixedSmooth, HeightField, Interval, Ray, Recurrent,
-    TorusBuf, Uneven, paper,
-};
+use asperity_fif::{Fif, HeightField, Intersect, Interval, Ray, Recurrent, Torus, paper};
 
 fn pinned(name: &str, got: f64, want: u64) {
     assert_eq!(got.to_bits(), want, "{name}: {got:?} is {:#018x}", got.to_bits());
@@ -23,20 +20,18 @@ fn values_have_the_pinned_bits() {
         f.value_at_address([0, 1, 1].into_iter().cycle(), 1e-12).unwrap().value,
         0x3ff4_e5e0_a72f_0aaa,
     );
-    let uneven = FifBuf::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
+    let uneven = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
     pinned("uneven", uneven.evaluate(0.55, 1e-12).value, 0x3fda_2d0e_53ef_3786);
     pinned("uneven integral", uneven.total_integral(), 0x3fcc_524d_848b_b92d);
     pinned("composite", paper::G_MAPS[0].compose(&paper::G_MAPS[1]).q[1], 0xbfc6_6666_6666_6666);
     pinned("maximum", g.extrema(1e-6).maximum.hi, 0x3fff_1340_9876_b2e7);
-    let hermite =
-        FifBuf::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
+    let hermite = Fif::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
     pinned("hermite", hermite.evaluate(0.3, 1e-12).value, 0x3fec_a3c9_bcac_a65a);
 }
 
 #[test]
 fn surfaces_have_the_pinned_bits() {
-    let axis = FixedSmooth::<2, 3, 2>::integral(paper::g().unwrap(), 0.0).unwrap();
-    let surface = HeightField::new(Cached::new(axis), Cached::new(axis));
+    let surface = HeightField::new(paper::g_hat().unwrap(), paper::g_hat().unwrap()).tabulated();
     pinned("height", surface.height(0.7, 1.6), 0x3fe3_78dd_5f90_5280);
     pinned("normal", surface.normal(0.7, 1.6).unwrap().x, 0x3f80_b3ca_503a_26ff);
     let ray = Ray { origin: DVec3::new(-1.0, 2.5, 2.0), direction: DVec3::new(1.0, -0.75, -0.625) };
@@ -45,25 +40,23 @@ fn surfaces_have_the_pinned_bits() {
 
 #[test]
 fn tables_have_the_pinned_bits() {
-    let (f, g, g_hat) = (paper::f().unwrap(), paper::g().unwrap(), paper::g_hat().unwrap());
-    let fast = FastBuf::new(g, 1e-12).unwrap();
+    let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
+    let fast = g.table(1e-12).unwrap();
     pinned("fast", fast.value(1.3), 0x3fe7_aa7a_7cb5_dcef);
     pinned("fast near the left end", fast.value(3e-4), 0x3fcc_062d_0c88_4f2b);
     pinned("fast bound", fast.bound(), 0x3d4f_20e0_8c59_b4ec);
-    let fast = FixedFast::<2, 64, 3>::new(g_hat, 1e-9).unwrap();
-    pinned("fast in an array", fast.value(0.7), 0x3fe4_99b6_d982_82a4);
-    let fast = Fast32::new(f, 1e-6).unwrap();
+    let fast = f.table(1e-6).unwrap().to_f32();
     pinned("fast in f32", f64::from(fast.value(0.7)), 0x3ff5_5554_a000_0000);
     pinned("fast in f32, bound", f64::from(fast.bound()), 0x3eba_be2f_8000_0000);
     let x = [0.0, 0.2, 0.7, 1.0];
-    let uneven = FifBuf::affine(&x, &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
-    let fast = Uneven::new(uneven, 1e-12).unwrap();
+    let uneven = Fif::affine(&x, &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
+    let fast = uneven.table(1e-12).unwrap();
     pinned("uneven table", fast.value(0.55), 0x3fda_2d0e_53ef_3559);
     pinned("uneven table, bound", fast.bound(), 0x3d56_6e32_2687_3505);
     let mut nodes = [0.0; 65];
     g.grid(&mut nodes).unwrap();
     pinned("grid", nodes[37], 0x3fd7_b92c_cf6b_e37f);
-    let even = FifBuf::affine(&[0.0, 1.0, 2.0, 3.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
+    let even = Fif::affine(&[0.0, 1.0, 2.0, 3.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
     let mut nodes = [0.0; 28];
     even.grid(&mut nodes).unwrap();
     pinned("grid of thirds", nodes[11], 0x3fe2_0c49_ba5e_3540);
@@ -71,25 +64,24 @@ fn tables_have_the_pinned_bits() {
 
 #[test]
 fn jets_have_the_pinned_bits() {
-    let jets = FastJets::new(paper::g_hat().unwrap(), 1e-12).unwrap();
-    let jet = jets.evaluate(0.7);
+    let jet = paper::g_hat().unwrap().table(1e-12).unwrap().evaluate_jet(0.7);
     pinned("value of a jet", jet.value.value, 0x3fe4_99b6_d997_bfb7);
     pinned("slope of a jet", jet.slope.value, 0xbf85_4e97_9326_221b);
     pinned("integral of a jet", jet.integral.value, 0x3fce_47b7_55fc_35f8);
     pinned("bound of a slope", jet.slope.bound, 0x3d72_8e9d_b4b5_7b9c);
-    let hermite = FifBuf::hermite(
+    let hermite = Fif::hermite(
         &[-1.0, 0.0, 1.0, 2.0],
         &[0.3, 1.0, -0.5, 2.0],
         &[1.0, 0.0, -1.0, 0.5],
         &[0.3, -0.2, 0.1],
     );
-    let jets = FastJets::new(hermite.unwrap(), 1e-9).unwrap();
+    let jets = hermite.unwrap().table(1e-9).unwrap();
     let jet = jets.jet(0.77);
     pinned("value of a jet over thirds", jet.value, 0x3fc9_ba15_7d9e_e0d4);
     pinned("slope of a jet over thirds", jet.slope, 0xc00e_848d_8c81_b516);
     pinned("integral of a jet over thirds", jet.integral, 0x3ff0_7f79_a9a1_ad23);
-    let twice: FifBuf<4> = paper::f_hat().unwrap().integral(0.0).unwrap();
-    let [_, _, second] = FastJets::new(twice, 1e-12).unwrap().derivatives(0.7);
+    let twice: Fif<4> = paper::f_hat().unwrap().integral(0.0).unwrap();
+    let [_, _, second] = twice.table(1e-12).unwrap().derivatives(0.7);
     pinned("second derivative", second.value, 0x3ff5_5555_5555_554d);
 }
 
@@ -121,7 +113,7 @@ fn tori_have_the_pinned_bits() {
     let z: [f64; 16] = array::from_fn(|k| f64::from((7 * k as u32) % 16) / 16.0);
     let d: [[f64; 2]; 16] =
         array::from_fn(|k| [f64::from((5 * k as u32) % 16) / 8.0 - 1.0, 0.25 * z[15 - k]]);
-    let torus = TorusBuf::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).unwrap();
+    let torus = Torus::new(4, [[2, -1], [1, 2]], 0.375, &z, &d).unwrap();
     pinned("height of a torus", torus.height(0.3, 0.7), 0x3fb5_bc6e_bf5c_1927);
     pinned("gradient of a torus", torus.gradient(0.3, 0.7).x, 0x3ffb_4fd1_8476_c08f);
     pinned("normal of a torus", torus.normal(0.3, 0.7).y, 0x3fbb_22fb_138f_58cb);

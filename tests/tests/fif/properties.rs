@@ -1,11 +1,11 @@
 //! Properties of random fractal interpolation functions and of surfaces made of them.
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Cached, FifBuf, HeightField, Ray, SmoothBuf};
+use asperity_fif::{Fif, HeightField, Intersect, Ray};
 use proptest::prelude::*;
 
 /// Random affine systems: 2 to 64 maps, gaps up to 1 : 100, factors up to `steepest` in size.
-pub(super) fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
+pub(super) fn affine(steepest: f64) -> impl Strategy<Value = Fif<2>> {
     (2_usize..=64, -5.0..5.0_f64)
         .prop_flat_map(move |(maps, x0)| {
             let gaps = prop::collection::vec(0.01..1.0_f64, maps);
@@ -17,12 +17,12 @@ pub(super) fn affine(steepest: f64) -> impl Strategy<Value = FifBuf<2>> {
             for gap in gaps {
                 x.push(x[x.len() - 1] + gap);
             }
-            FifBuf::affine(&x, &y, &alpha).expect("the data are in order")
+            Fif::affine(&x, &y, &alpha).expect("the data are in order")
         })
 }
 
 /// Random Hermite systems on 2 to 6 even or uneven maps.
-pub(super) fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
+pub(super) fn hermite() -> impl Strategy<Value = Fif<4>> {
     (2_usize..=6)
         .prop_flat_map(|maps| {
             let list = |range: std::ops::Range<f64>, len| prop::collection::vec(range, len);
@@ -40,8 +40,7 @@ pub(super) fn hermite() -> impl Strategy<Value = SmoothBuf<4, 3>> {
             for gap in gaps {
                 x.push(x[x.len() - 1] + gap);
             }
-            let value = FifBuf::hermite(&x, &y, &slopes, &alpha).expect("the data are in order");
-            SmoothBuf::of(value).expect("a Hermite system is differentiable")
+            Fif::hermite(&x, &y, &slopes, &alpha).expect("the data are in order")
         })
 }
 
@@ -95,7 +94,7 @@ proptest! {
         fraction in 1_u64..1 << 53,
     ) {
         let x: Vec<f64> = (0..=maps).map(|j| j as f64 / maps as f64).collect();
-        let f = FifBuf::affine(&x, &y[..=maps], &alpha[..maps]).unwrap();
+        let f = Fif::affine(&x, &y[..=maps], &alpha[..maps]).unwrap();
         let mut rest = u128::from(fraction);
         let digits: Vec<usize> = (0..1200).map(|_| {
             rest *= maps as u128;
@@ -135,7 +134,7 @@ proptest! {
 
     #[test]
     fn integrals_add_up_and_obey_the_mean_value(f in affine(0.95), s in prop::collection::vec(0.0..1.0_f64, 2)) {
-        let integral: FifBuf<3> = f.integral(0.25).unwrap();
+        let integral: Fif<3> = f.integral(0.25).unwrap();
         let at = |s: f64| f.domain().lo + s * f.domain().width();
         let (l, r) = (at(s[0].min(s[1])), at(s[0].max(s[1])));
         prop_assume!(r - l > 1e-3);
@@ -158,9 +157,10 @@ proptest! {
 
     #[test]
     fn slopes_are_the_limit_of_differences(f in hermite(), s in 0.05..0.95_f64) {
-        let x = s * f.value().domain().width();
-        let slope = f.derivative().extrema_over(x - 1e-5, x + 1e-5, 1e-6).unwrap().enclosure();
-        let [a, b] = [x - 1e-5, x + 1e-5].map(|x| f.value().evaluate(x, 0.0).value);
+        let x = s * f.domain().width();
+        let slope: Fif<3> = f.derivative().expect("a Hermite system is differentiable");
+        let slope = slope.extrema_over(x - 1e-5, x + 1e-5, 1e-6).unwrap().enclosure();
+        let [a, b] = [x - 1e-5, x + 1e-5].map(|x| f.evaluate(x, 0.0).value);
         let quotient = (b - a) / 2e-5;
         prop_assert!(slope.inflated(1e-8).contains(quotient), "{quotient} not in {slope:?}");
     }
@@ -170,9 +170,9 @@ proptest! {
         f in hermite(), g in hermite(),
         from in prop::array::uniform3(-2.0..2.0_f64), to in prop::array::uniform2(0.0..1.0_f64),
     ) {
-        let cached = HeightField::new(Cached::with_cells(&f, 64), Cached::with_cells(&g, 64));
-        let surface = HeightField::new(&f, &g);
-        let target = DVec3::new(to[0] * f.value().domain().width(), to[1] * g.value().domain().width(), 0.0);
+        let surface = HeightField::new(f.view(), g.view());
+        let cached = surface.clone().tabulated_with(64);
+        let target = DVec3::new(to[0] * f.domain().width(), to[1] * g.domain().width(), 0.0);
         let origin = DVec3::new(3.0 * from[0], 3.0 * from[1], from[2]);
         let target = DVec3::new(target.x, target.y, surface.height(target.x, target.y));
         let ray = Ray { origin, direction: target - origin };
@@ -184,7 +184,7 @@ proptest! {
         prop_assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10, "{hit:?}");
         let plain = surface.first_hit(&ray).unwrap();
         prop_assert!((plain.t - hit.t).abs() < 1e-7, "{} != {}", plain.t, hit.t);
-        let inside = |p: DVec3| f.value().domain().contains(p.x) && g.value().domain().contains(p.y);
+        let inside = |p: DVec3| f.domain().contains(p.x) && g.domain().contains(p.y);
         let mut side = None;
         for k in 0..400 {
             let p = ray.at((hit.t - 1e-7) * f64::from(k) / 399.0);
@@ -203,7 +203,7 @@ proptest! {
     /// Factors up to 0.999 and up to 64 maps: everything ends, nothing panics, bounds are honest about themselves.
     #[test]
     fn near_critical_systems_end(f in affine(0.999), g in affine(0.999), o in prop::array::uniform3(-3.0..3.0_f64)) {
-        let surface = HeightField::new(Cached::new(&f), Cached::new(&g));
+        let surface = HeightField::new(f.view(), g.view()).tabulated();
         let corner = DVec3::new(f.domain().middle(), g.domain().middle(), 0.0);
         let origin = DVec3::from_array(o) * 10.0;
         let hit = surface.first_hit(&Ray { origin, direction: corner - origin });
@@ -220,7 +220,7 @@ proptest! {
 #[test]
 fn the_slowest_system_reports_the_depth_it_reached() {
     // Both factors 0.999: 4096 steps leave 0.999^4096 = 0.017 of the range, and the bound says so.
-    let f = FifBuf::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
+    let f = Fif::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
     let got = f.evaluate(0.123, 1e-12);
     let left = 0.999_f64.powi(4096) * 0.5 * f.range().width();
     assert!(got.bound >= left && got.bound <= 1.01 * left, "{got:?}, {left}");

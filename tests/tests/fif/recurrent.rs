@@ -1,6 +1,6 @@
 //! Recurrent systems: the functional equation, and what they share with systems whose sources are the whole domain.
 
-use asperity_fif::{Fif, FifBuf, Recurrent, RecurrentError};
+use asperity_fif::{Fif, Recurrent, RecurrentError, System};
 use proptest::prelude::*;
 
 use crate::properties::{affine, config};
@@ -53,7 +53,7 @@ fn uneven(steepest: f64) -> impl Strategy<Value = (Recurrent<2>, Vec<f64>)> {
 }
 
 /// Knots, ordinates and factors.
-fn data(f: &FifBuf<2>) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+fn data(f: &Fif<2>) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let pieces = f.pieces();
     let last = &pieces[pieces.len() - 1];
     (
@@ -156,7 +156,7 @@ proptest! {
 fn a_half_that_copies_itself_is_the_plain_system_of_that_half() {
     let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 1.0, 0.0]);
     let f = Recurrent::affine(&x, &y, &[0.5, 0.5, 0.0, 0.25], &[[0, 2], [0, 2], [0, 4], [2, 4]]).unwrap();
-    let takagi = Fif::<Vec<_>, 2>::affine(&x[..3], &y[..3], &[0.5, 0.5]).unwrap();
+    let takagi = System::<Vec<_>, 2>::affine(&x[..3], &y[..3], &[0.5, 0.5]).unwrap();
     for k in 0..=200 {
         let x = f64::from(k) / 128.0;
         let (got, want) = (f.evaluate(x, 1e-12), takagi.evaluate(x, 1e-12));

@@ -1,7 +1,7 @@
 //! Values, integrals and extrema of fractal interpolation functions against exact rationals.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
-use asperity_fif::FifBuf;
+use asperity_fif::Fif;
 use asperity_tests::fif_systems::{Reference, decimal, digits_of_double, ratio};
 use asperity_tests::{even_systems, systems};
 
@@ -11,8 +11,8 @@ const EXACT: f64 = 1e-12;
 fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [f64; 4] {
     let r = Reference::<C>::load(name);
     let f = &r.system;
-    let int1: FifBuf<K> = f.integral(0.0).unwrap();
-    let int2: FifBuf<L> = int1.integral(0.0).unwrap();
+    let int1: Fif<K> = f.integral(0.0).unwrap();
+    let int2: Fif<L> = int1.integral(0.0).unwrap();
     let mut worst = [0.0_f64; 4];
     for point in r.points() {
         let checks = [
@@ -154,7 +154,7 @@ fn extrema_are_bracketed_to_the_requested_width() {
 fn integrals_over_intervals_are_differences_of_the_integral() {
     fn check<const C: usize, const K: usize>(name: &str) {
         let r = Reference::<C>::load(name);
-        let integral: FifBuf<K> = r.system.integral(0.0).unwrap();
+        let integral: Fif<K> = r.system.integral(0.0).unwrap();
         for (l, right, want) in r.integrals() {
             // Conditioning: the integral's slope is f, so a rounded end costs an ulp of x.
             let got = integral.evaluate(right, 1e-14).value - integral.evaluate(l, 1e-14).value;
@@ -183,7 +183,7 @@ fn integrals_over_intervals_are_differences_of_the_integral() {
 fn derivatives_equal_the_exact_ones() {
     fn check<const C: usize, const D: usize>(name: &str) {
         let r = Reference::<C>::load(name);
-        let slope: FifBuf<D> = r.system.derivative().unwrap();
+        let slope: Fif<D> = r.system.derivative().unwrap();
         let mut seen = 0;
         for point in r.points() {
             let Some(want) = point.dy_dec else { continue };

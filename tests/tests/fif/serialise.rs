@@ -1,7 +1,7 @@
 //! Systems written to a file and read back.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its own file has failed")]
 
-use asperity_fif::{Fif, FifBuf, FixedFif, Piece, paper};
+use asperity_fif::{Fif, FixedFif, System, paper, system::Piece};
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 use serde::de::value::{Error, MapDeserializer, SeqDeserializer};
@@ -12,7 +12,7 @@ use crate::properties::{affine, config, hermite};
 
 const PAPER_F: &str = r#"{"x":[0.0,1.0,2.0],"y":[0.0,1.0,0.0],"alpha":[0.5,0.5],"q":[[0.0,0.5],[1.0,-0.5]]}"#;
 
-fn read_back<S: AsRef<[Piece<C>]>, const C: usize>(system: &Fif<S, C>) -> FifBuf<C> {
+fn read_back<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Fif<C> {
     serde_json::from_str(&serde_json::to_string(system).unwrap()).unwrap()
 }
 
@@ -35,8 +35,8 @@ proptest! {
         let back = read_back(&f);
         prop_assert_eq!(back.pieces(), f.pieces());
         prop_assert_eq!((back.range(), back.evaluate(0.3, 0.0)), (f.range(), f.evaluate(0.3, 0.0)));
-        let back = read_back(smooth.value());
-        prop_assert_eq!(back.pieces(), smooth.value().pieces());
+        let back = read_back(&smooth);
+        prop_assert_eq!(back.pieces(), smooth.pieces());
     }
 }
 
@@ -69,7 +69,7 @@ fn invalid_systems_are_refused_when_read() {
         assert!(serde_json::from_str::<FixedFif<2, 2>>(&PAPER_F[..end]).is_err(), "{end}");
     }
     // Three maps for an array of two.
-    let three = FifBuf::affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]).unwrap();
+    let three = Fif::affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]).unwrap();
     let error = serde_json::from_str::<FixedFif<2, 2>>(&serde_json::to_string(&three).unwrap()).unwrap_err();
     assert!(error.to_string().starts_with("3 places for maps are needed, 2 are given"), "{error}");
 }
@@ -114,7 +114,7 @@ fn numbers_that_are_not_finite_are_refused_when_read() {
             ("alpha", list(&[0.5, alpha])),
             ("q", Memory::List(vec![list(&[0.0, 0.5]), list(&[1.0, c])])),
         ];
-        FifBuf::<2>::deserialize(MapDeserializer::new(data.into_iter())).map_err(|error| error.to_string())
+        Fif::<2>::deserialize(MapDeserializer::new(data.into_iter())).map_err(|error| error.to_string())
     };
     assert_eq!(read(1.0, 1.0, 0.5, -0.5).unwrap().pieces(), paper::f().unwrap().pieces());
     let refusals = [

@@ -3,32 +3,32 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
-    FixedSmooth, FoldedBuf, HeightField, Hit, Interval, Pyramid, Ray, Surface, TorusBuf, paper,
+    FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, Surface, Tabulated, Torus, paper,
+    surface::Curve,
 };
 use asperity_tests::random::Random;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
-fn torus() -> TorusBuf {
+fn torus() -> Torus {
     let mut random = Random(3);
     let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
     let z: Vec<f64> = (0..16).map(|_| uniform(0.5)).collect();
     let d: Vec<[f64; 2]> = (0..16).map(|_| [uniform(2.0), uniform(2.0)]).collect();
-    TorusBuf::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
+    Torus::new(4, [[2, -1], [1, 2]], 0.3, &z, &d).unwrap().narrowed()
 }
 
-fn folded() -> FoldedBuf {
+fn folded() -> Folded {
     let (x, y) = ([-0.5, 0.0, 0.25, 1.0], [0.0, 0.3, 1.0]);
     let mut random = Random(4);
     let mut uniform = |scale: f64| scale * (random.uniform() - 0.5);
     let z: Vec<f64> = (0..12).map(|_| uniform(0.6)).collect();
     let d: Vec<[f64; 2]> = (0..12).map(|_| [uniform(2.0), uniform(2.0)]).collect();
-    FoldedBuf::new(&x, &y, -0.1, &z, &d).unwrap().narrowed()
+    Folded::new(&x, &y, -0.1, &z, &d).unwrap().narrowed()
 }
 
-fn mirror() -> HeightField<FixedSmooth<2, 3, 2>, FixedSmooth<2, 3, 2>> {
-    let axis = FixedSmooth::integral(paper::f().unwrap(), 0.0).unwrap();
-    HeightField::new(axis, axis)
+fn mirror() -> HeightField<Curve<FixedFif<2, 3>>, Curve<FixedFif<2, 3>>> {
+    HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
 }
 
 fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
@@ -109,8 +109,8 @@ fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
 }
 
 /// How many rays hit and miss for certain, both of the surface itself and of a pyramid over it.
-fn compare_with_brackets<S: Surface>(surface: &S, count: usize) -> [u32; 2] {
-    let fast = Pyramid::with_levels(surface, 5);
+fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
+    let fast = Tabulated::with_levels(surface, 5);
     let mut seen = [0; 2];
     for ray in random_rays(surface, count) {
         let bracket = bracket(surface, &ray);
@@ -149,12 +149,12 @@ fn no_hit_of_a_surface_is_missed_and_none_invented() {
 #[test]
 fn any_surface_and_a_product_of_curves_have_the_same_hits() {
     let surface = mirror();
-    let [plain, fast] = [0, 6].map(|levels| Pyramid::with_levels(surface, levels));
+    let [plain, fast] = [0, 6].map(|levels| Tabulated::with_levels(surface, levels));
     let (mut hits, mut worst) = (0, 0.0_f64);
     for ray in random_rays(&surface, 600) {
         let own = surface.first_hit(&ray);
         for other in [plain.first_hit(&ray), fast.first_hit(&ray)] {
-            assert_eq!(own, Surface::first_hit(&surface, &ray));
+            assert_eq!(own, Intersect::first_hit(&&surface, &ray));
             assert_eq!(own.is_some(), other.is_some(), "{ray:?}: {own:?} {other:?}");
             if let (Some(own), Some(other)) = (own, other) {
                 worst = worst.max((own.t - other.t).abs());
@@ -169,16 +169,16 @@ fn any_surface_and_a_product_of_curves_have_the_same_hits() {
 
 #[test]
 fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
-    let torus = Pyramid::with_levels(torus(), 6);
+    let torus = Tabulated::with_levels(torus(), 6);
     let rays = random_rays(&torus, 300);
     let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.first_hit(ray)).collect();
     for (ray, exact) in rays.iter().zip(&exact) {
         assert_eq!(torus.hits_any(ray, ALL), exact.is_some(), "{ray:?}");
-        assert_eq!(<&Pyramid<TorusBuf> as Surface>::first_hit(&&torus, ray), *exact);
+        assert_eq!(<&Tabulated<Torus> as Intersect>::first_hit(&&torus, ray), *exact);
     }
     for tolerance in [1e-2, 1e-4, 1e-7, 1e-10] {
         let mut hits = vec![None; rays.len()];
-        torus.first_hits(&rays, ALL, tolerance, &mut hits);
+        torus.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
         let mut off = 0;
         for ((ray, exact), hit) in rays.iter().zip(&exact).zip(hits) {
             let near = match (exact, hit) {
@@ -195,7 +195,7 @@ fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
 #[test]
 fn rays_at_nodes_start_end_and_run_as_they_should() {
     let surface = torus();
-    let fast = Pyramid::with_levels(surface.view(), 4);
+    let fast = Tabulated::with_levels(&surface, 4);
     let node = |i: u32, j: u32| {
         let (x, y) = (0.25 * f64::from(i), 0.25 * f64::from(j));
         [x, y, surface.height(x, y)]
@@ -237,7 +237,7 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
 
 #[test]
 fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
-    let surface = Pyramid::with_levels(folded(), 4);
+    let surface = Tabulated::with_levels(folded(), 4);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for k in 0..3 {
             let (mut o, mut d) = ([0.25, 0.25, 9.0], [0.01, 0.01, -1.0]);
@@ -264,10 +264,10 @@ fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
 
 #[test]
 fn a_level_surface_is_hit_and_grazed() {
-    let level = FoldedBuf::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
+    let level = Folded::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
     for hit in [
         level.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
-        Pyramid::new(&level).first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
+        Tabulated::new(&level).first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
     ] {
         assert!((hit.unwrap().t - 2.0).abs() < 1e-11, "{hit:?}");
     }

@@ -1,6 +1,6 @@
 //! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
 
-use asperity_fif::{FixedSmooth, FixedTorus, HeightField, Interval, TorusBuf, TorusError, paper};
+use asperity_fif::{HeightField, Interval, SelfAffineError, Torus, paper};
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
 use asperity_tests::reference;
@@ -10,7 +10,7 @@ use serde_json::Value;
 const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
 
 /// The reference surface and its file.
-fn reference_torus() -> (TorusBuf, Value) {
+fn reference_torus() -> (Torus, Value) {
     let json = reference::read("fif/fis_torus.json");
     let grid = |key: &str| -> Vec<f64> {
         let rows = json[key].as_array().expect("an array");
@@ -20,7 +20,7 @@ fn reference_torus() -> (TorusBuf, Value) {
             .collect()
     };
     let d: Vec<[f64; 2]> = grid("zx").into_iter().zip(grid("zy")).map(|(x, y)| [x, y]).collect();
-    let surface = TorusBuf::new(4, ROTATING, ratio(json["s"].as_str().expect("a ratio")), &grid("z"), &d)
+    let surface = Torus::new(4, ROTATING, ratio(json["s"].as_str().expect("a ratio")), &grid("z"), &d)
         .expect("contractive");
     (surface, json)
 }
@@ -109,7 +109,7 @@ fn the_gradient_is_the_slope_of_the_heights() {
     // With a contraction of 0.22 the gradient is Hölder with the exponent 1: f is nearly as smooth as p.
     let (rough, json) = reference_torus();
     let z: Vec<f64> = (0..16).map(|k| ratio(json["z"][k / 4][k % 4].as_str().unwrap())).collect();
-    let smooth = TorusBuf::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
+    let smooth = Torus::new(4, ROTATING, -0.1, &z, &[[1.0, -2.0]; 16]).unwrap();
     for (surface, step) in [(&rough, 1e-5), (&smooth, 1e-6)] {
         for k in 0..40 {
             let (x, y) = (0.618 * f64::from(k) % 1.0, 0.414 * f64::from(k) % 1.0);
@@ -153,30 +153,35 @@ fn torus_coordinates_that_are_no_numbers_or_tiny_are_answered() {
 
 #[test]
 fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
-    let new =
-        |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| TorusBuf::new(side, matrix, factor, z, d).err();
+    let new = |side, matrix, factor, z: &[f64], d: &[[f64; 2]]| Torus::new(side, matrix, factor, z, d).err();
     let (z, d) = ([0.5; 16], [[0.0; 2]; 16]);
     assert_eq!(new(4, ROTATING, 0.447, &z, &d), None);
     for factor in [0.448, -0.448, f64::NAN, f64::INFINITY] {
         let error = new(4, ROTATING, factor, &z, &d).unwrap();
-        let TorusError::NotContractive { norm, .. } = error else { panic!("{factor}: {error}") };
-        assert!((norm - 5f64.sqrt()).abs() < 1e-14 && error.to_string().contains("the norm of the matrix"));
+        let SelfAffineError::Factor { most, .. } = error else { panic!("{factor}: {error}") };
+        assert!(
+            (most - 0.2_f64.sqrt()).abs() < 1e-15 && error.to_string().starts_with("`factor` must be under")
+        );
     }
-    assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(TorusError::NotPowerOfTwo { side: 3 }));
-    assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(TorusError::NotPowerOfTwo { side: 1 }));
-    assert_eq!(new(usize::MAX, ROTATING, 0.3, &z, &d), Some(TorusError::NotPowerOfTwo { side: usize::MAX }));
-    let length = TorusError::Length { expected: 16, heights: 15, gradients: 16 };
+    assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(SelfAffineError::Side { side: 3 }));
+    assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(SelfAffineError::Side { side: 1 }));
+    assert_eq!(new(usize::MAX, ROTATING, 0.3, &z, &d), Some(SelfAffineError::Side { side: usize::MAX }));
+    let length = SelfAffineError::Length { parameter: "z", expected: 16, got: 15 };
     assert_eq!(new(4, ROTATING, 0.3, &z[1..], &d), Some(length));
-    assert_eq!(new(4, [[1, 1], [1, 2]], 0.1, &z, &d), Some(TorusError::Determinant { determinant: 1 }));
-    assert_eq!(new(4, [[2, 1], [4, 2]], 0.1, &z, &d), Some(TorusError::Determinant { determinant: 0 }));
+    assert_eq!(new(4, [[1, 1], [1, 2]], 0.1, &z, &d), Some(SelfAffineError::Determinant { determinant: 1 }));
+    assert_eq!(new(4, [[2, 1], [4, 2]], 0.1, &z, &d), Some(SelfAffineError::Determinant { determinant: 0 }));
     let (mut dented, mut steep) = (z, d);
     dented[6] = f64::NAN;
-    assert!(matches!(new(4, ROTATING, 0.3, &dented, &d), Some(TorusError::NotFinite { node: [1, 2], .. })));
+    assert!(matches!(
+        new(4, ROTATING, 0.3, &dented, &d),
+        Some(SelfAffineError::NotFinite { node: [1, 2], .. })
+    ));
     steep[15][1] = f64::INFINITY;
-    assert!(matches!(new(4, ROTATING, 0.3, &z, &steep), Some(TorusError::NotFinite { node: [3, 3], .. })));
-    assert!(matches!(new(4, ROTATING, 0.3, &[1e308; 16], &d), Some(TorusError::TooLarge { .. })));
-    let small = FixedTorus::<9>::new(4, ROTATING, 0.3, &z, &d).err();
-    assert_eq!(small, Some(TorusError::Storage { expected: 16, found: 9 }));
+    assert!(matches!(
+        new(4, ROTATING, 0.3, &z, &steep),
+        Some(SelfAffineError::NotFinite { node: [3, 3], .. })
+    ));
+    assert!(matches!(new(4, ROTATING, 0.3, &[1e308; 16], &d), Some(SelfAffineError::TooLarge { .. })));
 }
 
 #[test]
@@ -219,7 +224,7 @@ fn extrema_and_means_of_the_torus_hold_what_a_grid_finds() {
 }
 
 /// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes along a side.
-fn tori() -> impl Strategy<Value = TorusBuf> {
+fn tori() -> impl Strategy<Value = Torus> {
     let matrix = prop::array::uniform2(prop::array::uniform2(-4..=4_i32));
     let matrix = matrix.prop_filter("two replicas", |[[a, b], [c, d]]| (a * d - b * c).abs() >= 2);
     (1..=3_u32, matrix, -0.95..0.95_f64).prop_flat_map(|(bits, matrix, part)| {
@@ -227,12 +232,12 @@ fn tori() -> impl Strategy<Value = TorusBuf> {
         let z = prop::collection::vec(-1.0..1.0_f64, count);
         let d = prop::collection::vec(prop::array::uniform2(-8.0..8.0_f64), count);
         (z, d).prop_map(move |(z, d)| {
-            let TorusError::NotContractive { norm, .. } =
-                TorusBuf::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
+            let SelfAffineError::Factor { most, .. } =
+                Torus::new(1 << bits, matrix, 1.0, &z, &d).expect_err("a factor of 1")
             else {
                 panic!("{matrix:?} with factor 1")
             };
-            TorusBuf::new(1 << bits, matrix, part / norm, &z, &d).expect("contractive")
+            Torus::new(1 << bits, matrix, part * most, &z, &d).expect("contractive")
         })
     })
 }
@@ -344,7 +349,7 @@ fn the_torus_has_no_grain_and_a_product_of_curves_has() {
     let (torus, _) = reference_torus();
     let slopes = |x: f64, y: f64| torus.evaluate_gradient(x, y, 1e-3).map(|slope| slope.value);
     let torus = grain(slopes, |_| 1.0);
-    let curve = FixedSmooth::<2, 3, 2>::integral(paper::f().unwrap(), 0.0).unwrap();
+    let curve = paper::f_hat().unwrap();
     let product = HeightField::new(curve, curve);
     let slopes = |x: f64, y: f64| product.gradient(2.0 * x, 2.0 * y).unwrap().to_array();
     let product = grain(slopes, |t| (std::f64::consts::PI * t).sin().powi(2));

@@ -2,25 +2,25 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Cached, FixedSmooth, HeightField, Hit, Interval, Ray, paper};
+use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, paper, surface::TabulatedCurve};
 use asperity_tests::fif_systems::read;
 use asperity_tests::random::Random;
 use serde_json::Value;
 
-type Axis = FixedSmooth<2, 3, 2>;
+type Axis = FixedFif<2, 3>;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
 
 fn f_hat() -> Axis {
-    Axis::integral(paper::f().unwrap(), 0.0).unwrap()
+    paper::f_hat().unwrap()
 }
 
 fn g_hat() -> Axis {
-    Axis::integral(paper::g().unwrap(), 0.0).unwrap()
+    paper::g_hat().unwrap()
 }
 
-fn cached(axis: Axis) -> HeightField<Cached<Axis>, Cached<Axis>> {
-    HeightField::new(Cached::new(axis), Cached::new(axis))
+fn cached(axis: Axis) -> HeightField<TabulatedCurve<Axis>, TabulatedCurve<Axis>> {
+    HeightField::new(axis, axis).tabulated()
 }
 
 fn vector(value: &Value) -> DVec3 {
@@ -58,8 +58,7 @@ struct Bracket {
 }
 
 /// By bisection of the ray and rigorous ranges of the two factors over stretches, without any table or slope.
-fn bracket(axis: &Axis, ray: &Ray, span: Interval) -> Option<Bracket> {
-    let f = axis.value();
+fn bracket(f: &Axis, ray: &Ray, span: Interval) -> Option<Bracket> {
     let over = |lo: f64, hi: f64, o: f64, d: f64| {
         let (a, b) = (o + lo * d, o + hi * d);
         let (a, b) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
@@ -159,10 +158,10 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
         let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
         let rays = random_rays(3000);
         let mut exact = vec![None; rays.len()];
-        surface.first_hits(&rays, ALL, 0.0, &mut exact);
+        surface.first_hits(&rays, ALL, 0.0, &mut exact).unwrap();
         for tolerance in [0.0, 2e-6, 2e-4] {
             let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
-            surface.first_hits(&rays, ALL, tolerance, &mut hits);
+            surface.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
             for ((ray, hit), exact) in rays.iter().zip(&hits).zip(&exact) {
                 assert_eq!(*hit, surface.first_hit_within(ray, ALL, tolerance), "{ray:?}");
                 assert_eq!(hit.is_some(), exact.is_some(), "{ray:?} to {tolerance:e}");
@@ -183,9 +182,15 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
                 // The hits are some units in the last place apart, and what the rough slopes take between them is slack.
                 let spread = |a: f64, b: f64| {
                     let (lo, hi) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
-                    axis.derivative().extrema_over(lo, hi, 1e-6).unwrap().enclosure().width() + 1e-9
+                    axis.derivative::<Vec<_>, 2>()
+                        .unwrap()
+                        .extrema_over(lo, hi, 1e-6)
+                        .unwrap()
+                        .enclosure()
+                        .width()
+                        + 1e-9
                 };
-                let (off, magnitude) = ((got - want).abs(), axis.value().range().magnitude());
+                let (off, magnitude) = ((got - want).abs(), axis.range().magnitude());
                 assert!(off.x <= magnitude * spread(hit.x, exact.x), "{ray:?}: {got} {want}");
                 assert!(off.y <= magnitude * spread(hit.y, exact.y), "{ray:?}: {got} {want}");
             }

@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use asperity_fif::{FifBuf, Map, Piece};
+use asperity_fif::{Fif, Map, system::Piece};
 use serde::Deserialize;
 
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ pub(crate) const COEFFICIENTS: usize = 8;
 /// A validated system with its name.
 pub(crate) struct System {
     name: String,
-    pub(crate) fif: FifBuf<COEFFICIENTS>,
+    pub(crate) fif: Fif<COEFFICIENTS>,
 }
 
 /// The file: numbers, or fractions in quotes such as `"17/20"`.
@@ -81,8 +81,8 @@ impl System {
         }
         let (knots, alpha) = (values(&file.knots)?, values(&file.alpha)?);
         let fif = match &file.y {
-            Some(y) => FifBuf::with_ordinates(&knots, &values(y)?, &alpha, &q)?,
-            None => FifBuf::new(&knots, &alpha, &q)?,
+            Some(y) => Fif::with_ordinates(&knots, &values(y)?, &alpha, &q)?,
+            None => Fif::new(&knots, &alpha, &q)?,
         };
         Ok(Self { name: file.name.unwrap_or_else(|| name.into()), fif })
     }
@@ -92,7 +92,7 @@ impl System {
         let line = |c: f64, m: f64| [c, m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let q = [line(0.0, 0.5), line(1.0, -0.5)];
         let tent = |name: &str, alpha: [f64; 2]| {
-            FifBuf::new(&[0.0, 1.0, 2.0], &alpha, &q).ok().map(|fif| Self { name: name.into(), fif })
+            Fif::new(&[0.0, 1.0, 2.0], &alpha, &q).ok().map(|fif| Self { name: name.into(), fif })
         };
         // Cochran, Lewis, Hart 2000, eq. 18 to 23.
         [tent("f", [0.5, 0.5]), tent("g", [17.0 / 20.0, -17.0 / 20.0])].into_iter().flatten().collect()

@@ -1,6 +1,6 @@
 //! The tables of a fractal interpolation function: its system, its integrals, their bounds and values.
 
-use asperity_fif::{Fif, FifBuf, Piece};
+use asperity_fif::Fif;
 use asperity_render::image::formats::npy;
 use serde_json::{Value, json};
 
@@ -19,8 +19,8 @@ const TOLERANCE: f64 = 1e-13;
 
 pub(super) fn tables(system: &System) -> Result<Made, Failure> {
     let f = &system.fif;
-    let first: FifBuf<{ COEFFICIENTS + 1 }> = f.integral(0.0)?;
-    let second: FifBuf<{ COEFFICIENTS + 2 }> = first.integral(0.0)?;
+    let first: Fif<{ COEFFICIENTS + 1 }> = f.integral(0.0)?;
+    let second: Fif<{ COEFFICIENTS + 2 }> = first.integral(0.0)?;
     let curves = [values(f), values(&first), values(&second)];
     let names = ["f", "integral", "second_integral"];
     let files = names
@@ -46,13 +46,13 @@ pub(super) fn tables(system: &System) -> Result<Made, Failure> {
     })
 }
 
-fn values<S: AsRef<[Piece<C>]>, const C: usize>(f: &Fif<S, C>) -> Vec<[f64; 2]> {
+fn values<const C: usize>(f: &Fif<C>) -> Vec<[f64; 2]> {
     let domain = f.domain();
     let at = |i: usize| domain.lo + domain.width() * i as f64 / (POINTS - 1) as f64;
     (0..POINTS).map(at).map(|x| [x, f.evaluate(x, TOLERANCE).value]).collect()
 }
 
-fn describe<S: AsRef<[Piece<C>]>, const C: usize>(f: &Fif<S, C>) -> Value {
+fn describe<const C: usize>(f: &Fif<C>) -> Value {
     let range = f.range();
     let mut description = System::parameters(f.pieces());
     if let Value::Object(fields) = &mut description {

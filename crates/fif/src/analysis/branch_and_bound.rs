@@ -8,7 +8,7 @@ use crate::math::sqrt;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
 /// Cells that one search visits at most, or [`PER_MAP`] for each map where that is more.
@@ -132,7 +132,7 @@ pub(crate) struct Search<'a, const C: usize> {
 
 impl<'a, const C: usize> Search<'a, C> {
     /// For the maximum of `sign · f`.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>>(fif: &'a Fif<S, C>, goal: &'a Goal, sign: f64) -> Self {
+    pub(crate) fn new<S: AsRef<[Piece<C>]>>(fif: &'a System<S, C>, goal: &'a Goal, sign: f64) -> Self {
         let pieces = fif.pieces();
         let mut search = Self {
             pieces,

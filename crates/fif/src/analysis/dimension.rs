@@ -3,13 +3,13 @@
 use crate::math::pow;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::horner;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
 /// How far from a polynomial a function must be to count as none, relative to its values: far above any rounding.
 const APART: f64 = 1.0 / 1_073_741_824.0;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// An enclosure of the box dimension of the graph of `f`.
     ///
     /// ```text

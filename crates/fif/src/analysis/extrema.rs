@@ -2,7 +2,7 @@
 
 use crate::analysis::branch_and_bound::{Goal, Search};
 use crate::numeric::interval::Interval;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
 /// Brackets of the two extrema of a function over an interval, and where they lie.
@@ -43,7 +43,7 @@ impl Extrema {
     }
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Brackets of the extrema over the domain, each at most `width` wide where `f64` and 2¹⁶ cells allow that.
     ///
     /// The brackets are rigorous whatever their width: an upper end bounds `f`, a lower end of the maximum is a value at
@@ -66,7 +66,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         self.search(self.domain(), width)
     }
 
-    /// Brackets of the extrema over `[l, r]`, clipped to the domain, as [`Fif::extrema`].
+    /// Brackets of the extrema over `[l, r]`, clipped to the domain, as [`System::extrema`].
     ///
     /// The interval is widened by the rounding of the ends of cells, eight units in the last place of the domain and
     /// one for each level. Over one that holds no knot of any visited level, a bracket is the whole enclosure, and its
@@ -88,7 +88,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 
     /// An enclosure of `f` over `[l, r]`, clipped to the domain, each end at most `width` from the best one.
     ///
-    /// That of [`Fif::extrema_over`], with its limits and its `None`, without the search for places.
+    /// That of [`System::extrema_over`], with its limits and its `None`, without the search for places.
     ///
     /// ```
     /// let g = asperity_fif::paper::g()?;

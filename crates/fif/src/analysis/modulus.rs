@@ -2,7 +2,7 @@
 
 use crate::math::{ln, pow};
 use crate::numeric::interval::Interval;
-use crate::system::fif::{Fif, Spacing};
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
 /// A bound of `|f(x) − f(y)|` by `d = |x − y|`, over the whole domain.
@@ -70,7 +70,7 @@ const UP: f64 = 1.0 + 1.0 / 1_073_741_824.0;
 /// How near a factor is to `a_j` to count as equal.
 const NEAR: f64 = 1.0 / 1_125_899_906_842_624.0;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// A bound of `|f(x) − f(y)|` for any two points.
     ///
     /// With `Λ_j` the Lipschitz constant of `q_j` in units of the domain:
@@ -121,7 +121,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         Modulus::Holder { exponent, constant: UP * (ends + inner) / pow(width, exponent) }
     }
 
-    /// How far `f(x)` and the value that [`Fif::evaluate`] is about may be apart: the conditioning at `x`.
+    /// How far `f(x)` and the value that [`System::evaluate`] is about may be apart: the conditioning at `x`.
     ///
     /// The width of an enclosure of `f` over the points that roundings of knots and of the orbit may confuse with `x`:
     ///
@@ -150,7 +150,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         }
         let domain = self.domain();
         let largest = self.pieces().iter().fold(0.0_f64, |a, piece| a.max(piece.s[1] - piece.s[0]));
-        let levels = (1.0 / (1.0 - largest)).min(crate::MAX_DEPTH as f64);
+        let levels = (1.0 / (1.0 - largest)).min(crate::evaluate::value::MAX_DEPTH as f64);
         let orbit = match self.spacing() {
             Spacing::Uniform => 0.0,
             Spacing::Nonuniform => 4.0 * f64::EPSILON * domain.width() * levels,

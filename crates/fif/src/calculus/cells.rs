@@ -5,7 +5,7 @@ use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
-use crate::system::fif::{Fif, Spacing};
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
 /// A cell of the tiling; lengths are in units of the domain.
@@ -38,7 +38,7 @@ pub(crate) struct Tiling {
     pub(crate) steps: f64,
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Hands the cells that make up `[l, r]` to `visit`, where `x_0 ≤ l < r ≤ x_N`.
     ///
     /// The descent follows both ends together as long as one cell holds them, so that a short interval is as good as a
@@ -80,7 +80,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 }
 
 struct Walk<'a, S, V, const C: usize> {
-    fif: &'a Fif<S, C>,
+    fif: &'a System<S, C>,
     visit: &'a mut V,
     tiling: Tiling,
     /// Width times variation of a cell that is not divided any more; 0 until the ends have parted.

@@ -6,10 +6,10 @@ use crate::numeric::bernstein::{Form, rounding};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `∫ f g` over the domain, for systems on the same knots; the factors and the degrees may differ.
     ///
     /// ```text
@@ -30,7 +30,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// [`CombineError`] when the knots differ or the degrees are too large.
     pub fn inner_product<T: AsRef<[Piece<D>]>, const D: usize>(
         &self,
-        other: &Fif<T, D>,
+        other: &System<T, D>,
     ) -> Result<Estimate, CombineError> {
         check_knots_equal(self.pieces(), other.pieces())?;
         let degrees = [C, D].map(|count| count.saturating_sub(1));
@@ -78,7 +78,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         Ok(Estimate::new(width * value, width * magnitude / rest, 1.02 * width * error))
     }
 
-    /// `max |f|` over the domain, the supremum norm, in a bracket that is `width` wide where [`Fif::extrema`] allows that.
+    /// `max |f|` over the domain, the supremum norm, in a bracket that is `width` wide where [`System::extrema`] allows that.
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;

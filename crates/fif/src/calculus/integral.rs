@@ -6,11 +6,11 @@ use crate::calculus::cells::{Tile, directed};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::polynomial::UNIT;
 use crate::system::error::SystemError;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `∫ f` over the whole domain.
     ///
     /// ```text
@@ -155,7 +155,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// # Errors
     /// [`SystemError::Degree`] when `K < C + 1`; [`SystemError::Length`] when `T` holds another number of maps;
     /// [`SystemError::OrdinateNotFinite`] for `y0`; [`SystemError::Unbounded`] when the numbers overflow.
-    pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<Fif<T, K>, SystemError> {
+    pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<System<T, K>, SystemError> {
         if K < C + 1 {
             return Err(SystemError::Degree { expected: C + 1, found: K });
         }
@@ -194,7 +194,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
             }
             Some(q)
         };
-        Fif::assemble(maps, |j| self.knot(j), ordinate, factor, polynomial)
+        System::assemble(maps, |j| self.knot(j), ordinate, factor, polynomial)
     }
 
     /// The derivative system, when `f` is continuously differentiable.
@@ -217,7 +217,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// # Errors
     /// [`SystemError::SteepFactor`] or [`SystemError::JoinUp`] when `f` has no continuous derivative of this form;
     /// [`SystemError::Degree`] when `K + 1 < C`; [`SystemError::Length`] when `T` holds another number of maps.
-    pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<Fif<T, K>, SystemError> {
+    pub fn derivative<T: Storage<K>, const K: usize>(&self) -> Result<System<T, K>, SystemError> {
         if K + 1 < C {
             return Err(SystemError::Degree { expected: C - 1, found: K });
         }
@@ -246,7 +246,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
             j if j > last => d_end,
             j => alpha(j - 1) * d_end + at(j - 1, domain.hi),
         };
-        Fif::assemble(last + 1, |j| self.knot(j), ordinate, alpha, q)
+        System::assemble(last + 1, |j| self.knot(j), ordinate, alpha, q)
     }
 
     fn knot(&self, j: usize) -> f64 {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::system::error::{List, SystemError};
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::{Map, Piece};
 use crate::system::storage::Storage;
 
@@ -90,7 +90,7 @@ pub(crate) fn check_knots_equal<const C: usize, const D: usize>(
     Ok(())
 }
 
-impl<S: Storage<C>, const C: usize> Fif<S, C> {
+impl<S: Storage<C>, const C: usize> System<S, C> {
     /// From maps `(a_j x + b_j, α_j y + q_j(x))` that tile `[x0, x_end]` from left to right.
     ///
     /// ```text
@@ -109,7 +109,7 @@ impl<S: Storage<C>, const C: usize> Fif<S, C> {
     ///
     /// # Errors
     /// [`SystemError::Tiling`] when the image of a map does not begin where the one before ends (or at `x0`), or the last
-    /// does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved; otherwise those of [`Fif::new`].
+    /// does not end at `x_end`, beyond 2⁻⁴⁰ of the numbers involved; otherwise those of [`System::new`].
     pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, SystemError> {
         let count = maps.len();
         if count < 2 {
@@ -125,7 +125,9 @@ impl<S: Storage<C>, const C: usize> Fif<S, C> {
             let [found, next] = [x0, x_end].map(|x| map.a * x + map.b);
             let scale = (map.a * x0).abs() + map.b.abs() + expected.abs();
             // Written so that NaN is refused.
-            let meets = |expected: f64, found: f64| (found - expected).abs() <= crate::JOIN_TOLERANCE * scale;
+            let meets = |expected: f64, found: f64| {
+                (found - expected).abs() <= crate::system::fif::JOIN_TOLERANCE * scale
+            };
             if !meets(expected, found) {
                 return Err(SystemError::Tiling { map: j + 1, expected, found });
             }
@@ -170,7 +172,7 @@ impl<S: Storage<C>, const C: usize> Fif<S, C> {
     ///
     /// # Errors
     /// [`CombineError`], when a knot or a factor differs or the numbers overflow.
-    pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &Fif<T, C>) -> Result<Self, CombineError> {
+    pub fn sum<T: AsRef<[Piece<C>]>>(&self, other: &System<T, C>) -> Result<Self, CombineError> {
         check_knots_equal(self.pieces(), other.pieces())?;
         for (j, (l, r)) in self.pieces().iter().zip(other.pieces()).enumerate() {
             let (left, right) = (l.map().alpha, r.map().alpha);
@@ -232,7 +234,7 @@ impl<S: Storage<C>, const C: usize> Fif<S, C> {
         Self::assemble(pieces.len(), knot, |j| y(ordinate(pieces, j), j), alpha, q)
     }
 
-    /// Knots from a function, factors and polynomials from another, then as [`Fif::new`].
+    /// Knots from a function, factors and polynomials from another, then as [`System::new`].
     fn from_lists(
         maps: usize,
         x: impl Fn(usize) -> f64,

@@ -6,10 +6,10 @@ use crate::numeric::bernstein::{Form, power, rounding};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `∫ xᵏ fᵖ` over the whole domain.
     ///
     /// ```text
@@ -65,7 +65,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// ∫∫…∫ f = ∫_{x_0}^x (x − t)^(n−1)/(n−1)! f(t) dt        (Cauchy)
     /// ```
     ///
-    /// For many points build the system of the integral once, [`Fif::integral`].
+    /// For many points build the system of the integral once, [`System::integral`].
     ///
     /// ```
     /// let f = asperity_fif::paper::f()?;
@@ -98,7 +98,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 
     /// The mean of `f²` over the interval between `l` and `r`, in either order; `f(l)²` when they are equal.
     ///
-    /// As [`Fif::mean`], also as accurate.
+    /// As [`System::mean`], also as accurate.
     ///
     /// # Errors
     /// [`MomentError`], when the polynomials' degree is too large.

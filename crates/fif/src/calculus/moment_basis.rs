@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::polynomial::UNIT;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
 /// The largest power of `f` under an integral.
@@ -58,7 +58,7 @@ pub(crate) struct MomentBasis {
 
 impl MomentBasis {
     pub(crate) fn new<S: AsRef<[Piece<C>]>, const C: usize>(
-        fif: &Fif<S, C>,
+        fif: &System<S, C>,
         k: usize,
         p: usize,
     ) -> Result<Self, MomentError> {
@@ -88,7 +88,7 @@ impl MomentBasis {
         (values, self.errors.get(m).copied().unwrap_or(f64::NAN))
     }
 
-    fn solve<S: AsRef<[Piece<C>]>, const C: usize>(&mut self, fif: &Fif<S, C>, p: usize) {
+    fn solve<S: AsRef<[Piece<C>]>, const C: usize>(&mut self, fif: &System<S, C>, p: usize) {
         let n = self.top - self.degree * p;
         let range = fif.range().magnitude();
         let mut matrix = [[0.0; SIZE]; SIZE];

@@ -2,32 +2,27 @@
 
 use core::fmt;
 
-/// Why a batch was refused.
+/// The refusal of a batch: a list is not as long as the points are many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum BatchError {
-    /// There are not as many places for values as points.
-    LengthMismatch {
-        /// The number of points.
-        expected: usize,
-        /// The number of places.
-        found: usize,
-    },
+pub struct BatchError {
+    /// The list.
+    pub parameter: &'static str,
+    /// The length that fits.
+    pub expected: usize,
+    /// Its length.
+    pub got: usize,
 }
 
 impl BatchError {
-    pub(crate) fn check(expected: usize, found: usize) -> Result<(), Self> {
-        if expected == found { Ok(()) } else { Err(Self::LengthMismatch { expected, found }) }
+    pub(crate) fn check(parameter: &'static str, expected: usize, got: usize) -> Result<(), Self> {
+        if expected == got { Ok(()) } else { Err(Self { parameter, expected, got }) }
     }
 }
 
 impl fmt::Display for BatchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LengthMismatch { expected, found } => {
-                write!(f, "{expected} values are needed, there is room for {found}")
-            }
-        }
+        write!(f, "`{}` must have {} elements, got {}", self.parameter, self.expected, self.got)
     }
 }
 

@@ -3,10 +3,10 @@
 use core::fmt;
 
 use crate::numeric::polynomial::UNIT;
-use crate::system::fif::{Fif, Spacing};
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `f(x_0 + (x_N − x_0) i/n)` for `i = 0, …, n`, where `n + 1` is the length of `out` and `n` a power of the number of
     /// maps; returns the bound of the error of all of them.
     ///
@@ -15,7 +15,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// ```
     ///
     /// Nothing is cut off, so the bound is that of rounding alone; knots are exact. 1.6 ns (affine) to 2.2 ns (quadratic) a node. The nodes are those
-    /// of the grid itself, which need not be doubles: on knots that are not binary fractions [`Fif::evaluate`] at the
+    /// of the grid itself, which need not be doubles: on knots that are not binary fractions [`System::evaluate`] at the
     /// rounded node is the value beside it.
     ///
     /// Cochran, Lewis, Hart 2000, eq. 3–9.
@@ -135,7 +135,7 @@ impl core::error::Error for GridError {}
 
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
-    use crate::{FifBuf, paper};
+    use crate::{Fif, paper};
     use alloc::string::ToString;
 
     #[test]
@@ -148,8 +148,7 @@ mod tests {
             assert!((node - want.value).abs() <= bound + want.bound, "node {i}: {node} {want:?}");
         }
         let fifths: [f64; 6] = core::array::from_fn(|j| j as f64);
-        let f =
-            FifBuf::affine(&fifths, &[0.5, 1.0, -1.0, 2.0, 0.0, 0.25], &[0.8, -0.9, 0.2, 0.7, 0.1]).unwrap();
+        let f = Fif::affine(&fifths, &[0.5, 1.0, -1.0, 2.0, 0.0, 0.25], &[0.8, -0.9, 0.2, 0.7, 0.1]).unwrap();
         let mut nodes = [0.0; 3126];
         let bound = f.grid(&mut nodes).unwrap();
         for (i, node) in nodes.iter().enumerate() {
@@ -172,7 +171,7 @@ mod tests {
         }
         let mut ends = [7.0; 2];
         assert!(f.grid(&mut ends).is_ok() && ends == [0.0; 2]);
-        let uneven = FifBuf::affine(&[0.0, 0.4, 2.0], &[0.0; 3], &[0.4, 0.5]).unwrap();
+        let uneven = Fif::affine(&[0.0, 0.4, 2.0], &[0.0; 3], &[0.4, 0.5]).unwrap();
         assert_eq!(uneven.grid(&mut [0.0; 3]).unwrap_err().to_string(), "the knots are not equally spaced");
     }
 }

@@ -4,7 +4,7 @@ use crate::evaluate::address::{Fraction, LongFraction, Orbit, Position, Step};
 use crate::numeric::interval::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::cell::Cell;
-use crate::system::fif::{Fif, Spacing};
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
 /// Largest number of maps that one evaluation composes.
@@ -12,11 +12,11 @@ use crate::system::map::Piece;
 /// Enough for 10⁻¹² of the range at `|α| ≤ 0.993`; beyond, the returned bound says what was reached.
 pub const MAX_DEPTH: usize = 4096;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
     ///
     /// After `k` inverse steps `f(x) = acc + A f(u)`, so the error is at most `|A| R` with `R` half the width of
-    /// [`Fif::range`]; the middle of the range stands for the tail. The depth follows from that, not from the horizontal
+    /// [`System::range`]; the middle of the range stands for the tail. The depth follows from that, not from the horizontal
     /// contraction, which bounds no error of `y`: Algorithm 2 of the source, taken literally, errs by 0.38 for its own
     /// `g` at ε = 10⁻³ and by 0.075 at 10⁻⁶ (measured at 400,000 points). At most [`MAX_DEPTH`] steps are made; `bound`
     /// holds truncation and rounding.
@@ -188,7 +188,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         weight * self.noise + UNIT * (steps + 2.0) * 2.0 * scale + 4.0 * UNIT * weight * weight * scale
     }
 
-    /// The largest bound that [`Fif::evaluate`] returns for the tolerance 0.
+    /// The largest bound that [`System::evaluate`] returns for the tolerance 0.
+    #[cfg(feature = "alloc")]
     pub(crate) fn least_bound(&self) -> f64 {
         let range = self.range();
         let steepest = self.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::fit::error::{FitError, check_knots, check_points};
 use crate::math::sqrt;
-use crate::system::storage::FifBuf;
+use crate::system::fif::Fif;
 
 /// The largest vertical factor that a fit gives, `1 − 2⁻¹⁰`: steeper ones are cut to it.
 pub const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
@@ -13,7 +13,7 @@ pub const STEEPEST: f64 = 1.0 - 1.0 / 1024.0;
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// The function; it passes through the data at the knots.
-    pub system: FifBuf<2>,
+    pub system: Fif<2>,
     /// `max |y_i − f(x_i)|` over the data, measured, with the error bound of the values added.
     pub error: f64,
     /// The root of the mean of the squares of `y_i − f(x_i)`, measured.
@@ -99,7 +99,7 @@ impl Data<'_> {
     /// The system with these factors, measured.
     pub(crate) fn fit(&self, knots: &[usize], alpha: &[f64]) -> Result<Fit, FitError> {
         let (x, y): (Vec<f64>, Vec<f64>) = knots.iter().map(|&i| self.point(i)).unzip();
-        let system: FifBuf<2> = FifBuf::affine(&x, &y, alpha)?;
+        let system: Fif<2> = Fif::affine(&x, &y, alpha)?;
         let (mut error, mut squares) = (0.0_f64, 0.0);
         for (&x, &y) in self.x.iter().zip(self.y) {
             let got = system.evaluate(x, 0.0);

@@ -1,10 +1,10 @@
 //! Fits to data: vertical factors by least squares, knots by Mazel and Hayes, refinement, and what they miss by.
 //!
 //! ```
-//! use asperity_fif::{FifBuf, fit};
+//! use asperity_fif::{Fif, fit};
 //! // 65 samples of a function that repeats itself on four parts give its factors back.
 //! let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
-//! let f = FifBuf::affine(&knots, &[0.0, 1.0, -1.0, 0.5, 0.0], &[0.5, -0.4, 0.3, 0.6])?;
+//! let f = Fif::affine(&knots, &[0.0, 1.0, -1.0, 0.5, 0.0], &[0.5, -0.4, 0.3, 0.6])?;
 //! let x: Vec<f64> = (0..=64).map(|k| f64::from(k) / 64.0).collect();
 //! let y: Vec<f64> = x.iter().map(|&x| f.evaluate(x, 1e-14).value).collect();
 //! let fit = fit::affine(&x, &y, &[0, 16, 32, 48, 64])?;

@@ -6,8 +6,8 @@ use crate::evaluate::address::{Fraction, Orbit, Position, Step};
 use crate::fit::collage::{Data, Fit, STEEPEST};
 use crate::fit::error::{FitError, check_knots, check_points};
 use crate::math::sqrt;
+use crate::system::fif::Fif;
 use crate::system::fif::Spacing;
-use crate::system::storage::FifBuf;
 
 /// Maps that a derivative follows an orbit through at most.
 const DEPTH: usize = 256;
@@ -76,7 +76,7 @@ pub fn refined(x: &[f64], y: &[f64], knots: &[usize], steps: usize) -> Result<Fi
 }
 
 /// `Σ ∂_j f ∂_k f` row by row, and `Σ ∂_j f (y − f)`, over the data.
-fn normal_equations(system: &FifBuf<2>, data: &Data<'_>) -> (Vec<f64>, Vec<f64>) {
+fn normal_equations(system: &Fif<2>, data: &Data<'_>) -> (Vec<f64>, Vec<f64>) {
     let maps = system.pieces().len();
     let (mut matrix, mut right) = (alloc::vec![0.0; maps * maps], alloc::vec![0.0; maps]);
     let mut row = alloc::vec![0.0; maps];
@@ -102,7 +102,7 @@ fn normal_equations(system: &FifBuf<2>, data: &Data<'_>) -> (Vec<f64>, Vec<f64>)
 }
 
 /// `∂f/∂α_j` for all `j` at the start of an orbit.
-fn derivatives<O: Orbit>(system: &FifBuf<2>, mut orbit: O, row: &mut [f64]) {
+fn derivatives<O: Orbit>(system: &Fif<2>, mut orbit: O, row: &mut [f64]) {
     let [y0, y_end] = system.end_values();
     let chord = |s: f64| y0 + (y_end - y0) * s;
     let mut path = Vec::new();
@@ -173,7 +173,7 @@ mod tests {
     fn derivatives_are_differences() {
         let (x, y) = ([0.0, 0.3, 0.7, 1.0], [0.2, 1.0, -0.5, 0.4]);
         let alpha = [0.5, -0.6, 0.4];
-        let f = FifBuf::affine(&x, &y, &alpha).unwrap();
+        let f = Fif::affine(&x, &y, &alpha).unwrap();
         let t = 0.4567;
         let mut row = [0.0; 3];
         derivatives(&f, Position::new(t), &mut row);
@@ -181,7 +181,7 @@ mod tests {
             let value = |step: f64| {
                 let mut alpha = alpha;
                 alpha[j] += step;
-                FifBuf::affine(&x, &y, &alpha).unwrap().evaluate(t, 0.0).value
+                Fif::affine(&x, &y, &alpha).unwrap().evaluate(t, 0.0).value
             };
             let difference = (value(1e-6) - value(-1e-6)) / 2e-6;
             assert!((row[j] - difference).abs() < 1e-7, "{j}: {} != {difference}", row[j]);

@@ -2,6 +2,11 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod estimate;
+#[cfg(feature = "alloc")]
+pub(crate) mod floor;
 pub(crate) mod interval;
+#[cfg(all(feature = "alloc", feature = "simd"))]
+pub(crate) mod level;
+#[cfg(feature = "alloc")]
 pub(crate) mod matrix2;
 pub(crate) mod polynomial;

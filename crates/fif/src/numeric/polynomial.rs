@@ -28,12 +28,14 @@ pub(crate) fn magnitude<const C: usize>(c: &[f64; C], x: f64) -> f64 {
     sum
 }
 
-/// `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th power.
+/// Falling factorial `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th power.
+#[cfg(feature = "alloc")]
 pub(crate) fn falling(k: usize, m: usize) -> f64 {
     (0..m).fold(1.0, |product, i| product * k.saturating_sub(i) as f64)
 }
 
 /// [`magnitude`] of all derivatives at 1: `Σ_k k!/(k − m)! |c_k|` for every order `m`.
+#[cfg(feature = "alloc")]
 #[must_use]
 pub(crate) fn magnitudes<const C: usize>(c: &[f64; C]) -> [f64; C] {
     let mut sums = [0.0; C];

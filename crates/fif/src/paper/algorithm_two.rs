@@ -1,16 +1,16 @@
 //! The source's Algorithm 2 as it is printed, for comparison.
 
 use crate::evaluate::value::MAX_DEPTH;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::{Map, Piece};
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Algorithm 2 of the source, as printed: **wrong by 0.38** for its own `g` at `ε = 10⁻³`, by 0.075 at 10⁻⁶ (400,000 points).
     ///
     /// It composes the maps that close in on `x`, each by the binomial expansion of eq. 28, until the horizontal factor is at
     /// most `epsilon`, and then maps the middle control point. Two things are wrong with that, and kept here: the
     /// horizontal factor bounds no error of `y`, which is the product of the vertical ones times the range; and the composite
-    /// is taken at a knot where `x` itself has an inverse image. Use [`Fif::evaluate`] or [`Fast`](crate::Fast), which
+    /// is taken at a knot where `x` itself has an inverse image. Use [`System::evaluate`] or [`Fast`](crate::Fast), which
     /// is 25 to 70 times as fast.
     ///
     /// NaN gives NaN; at most [`MAX_DEPTH`] maps are composed.

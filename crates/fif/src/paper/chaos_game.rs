@@ -1,14 +1,14 @@
 //! The source's Algorithm 1: random points of a graph.
 
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Random points `(x, y)` of the graph without end, by the chaos game: one map after another, each as likely.
     ///
     /// It starts from `(x_0, y_0)`, the fixed point of the first map, so every point is on the graph up to rounding. For
     /// pictures only: **no bound follows from the points**. After 10⁴ of them 3 to 9 % of the range of the source's `g` are
-    /// still missing, up to 27 % of other systems'; [`Fif::range`] and [`Fif::extrema`] bound rigorously. Where the knots are
+    /// still missing, up to 27 % of other systems'; [`System::range`] and [`System::extrema`] bound rigorously. Where the knots are
     /// uneven the points crowd in short cells.
     ///
     /// Cochran, Lewis, Hart 2000, Algorithm 1; the numbers are those of SplitMix64 (Steele, Lea, Flood 2014).
@@ -26,7 +26,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     }
 }
 
-/// Random points of a graph, from [`Fif::chaos_game`].
+/// Random points of a graph, from [`System::chaos_game`].
 #[derive(Clone, Debug)]
 pub struct ChaosGame<'a, const C: usize> {
     pieces: &'a [Piece<C>],

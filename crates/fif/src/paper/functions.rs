@@ -1,8 +1,8 @@
 //! The two functions of Cochran, Lewis, Hart 2000 and their integrals, ready made.
 
 use crate::system::error::SystemError;
+use crate::system::fif::FixedFif;
 use crate::system::map::Map;
-use crate::system::storage::FixedFif;
 
 /// The knots of all four, `0, 1, 2`.
 pub const KNOTS: [f64; 3] = [0.0, 1.0, 2.0];

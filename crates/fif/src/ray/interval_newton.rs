@@ -2,16 +2,9 @@
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
-use crate::ray::quadtree::Way;
+use crate::ray::ray::Aim;
+use crate::ray::way::Way;
 use crate::surface::surface::{Surface, SurfaceBounds};
-
-/// What a search is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Aim {
-    First,
-    /// Some hit, as soon as there is one for certain.
-    Any,
-}
 
 /// Stretches that wait at most: every split halves one.
 const WAITING: usize = 64;
@@ -32,7 +25,7 @@ struct Stretch {
     splits: u32,
 }
 
-/// What is left to search, the nearest last.
+/// Stretches left to search, the nearest last.
 pub(crate) struct Stretches {
     waiting: [Stretch; WAITING],
     filled: usize,

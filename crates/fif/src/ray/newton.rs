@@ -2,8 +2,8 @@
 
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
-use crate::ray::interval_newton::Aim;
-use crate::ray::range_descent::Path;
+use crate::ray::ray::Aim;
+use crate::ray::tracer::Path;
 use crate::surface::height_field::axis::Axis;
 
 /// Evaluations that one search makes at most.

@@ -1,12 +1,10 @@
 //! The first hit of a ray with any surface: ordered descent of boxes, and stretches between bounds of the rate.
 
-use glam::DVec3;
-
-use crate::numeric::interval::{Bounded, Interval};
-use crate::ray::box_descent::{BUDGET, CLOSE, slab};
-use crate::ray::interval_newton::{Aim, Stretches};
-use crate::ray::ray::{Hit, Ray};
-use crate::surface::height_field::height_field::upward_normal;
+use crate::numeric::interval::Interval;
+use crate::ray::interval_newton::Stretches;
+use crate::ray::ray::{Aim, Hit, Ray};
+use crate::ray::way::{Way, padded};
+use crate::surface::normal::upward_normal;
 use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// A square of the quartered domain.
@@ -41,7 +39,7 @@ pub(crate) trait Squares {
     /// Bounds over a square, whose sides are `x` and `y`.
     fn heights(&self, square: Square, x: Interval, y: Interval) -> Interval;
 
-    /// The same, with slopes, over a smallest square.
+    /// Bounds with those of the slopes over a smallest square.
     fn leaf(&self, square: Square, x: Interval, y: Interval) -> SurfaceBounds;
 }
 
@@ -62,67 +60,7 @@ impl<S: Surface + ?Sized> Squares for Unbounded<'_, S> {
     }
 }
 
-/// One ray on its way.
-pub(crate) struct Way<'a, S: ?Sized> {
-    pub(crate) surface: &'a S,
-    pub(crate) ray: Ray,
-    /// More than the rounding of a coordinate on the ray within the domain.
-    pub(crate) pad: DVec3,
-    /// Length of a stretch that is decided by the signs at its ends.
-    pub(crate) close: f64,
-    /// Whether a root is wanted to the rounding error.
-    pub(crate) exact: bool,
-    /// Evaluations left.
-    pub(crate) budget: u32,
-}
-
-impl<'a, S: Surface + ?Sized> Way<'a, S> {
-    /// The ray ready to go, and the stretch of it over the domain; `None` for a ray that is none.
-    fn new(surface: &'a S, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Self, Interval)> {
-        let (o, d) = (ray.origin, ray.direction);
-        if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
-            return None;
-        }
-        let [x, y] = surface.domain();
-        let pad = |origin: f64, extent: f64| 16.0 * f64::EPSILON * (origin.abs() + extent);
-        let pad = DVec3::new(
-            pad(o.x, x.magnitude()),
-            pad(o.y, y.magnitude()),
-            pad(o.z, surface.range().magnitude()),
-        );
-        let longest = d.x.abs().max(d.y.abs()).max(d.z.abs());
-        let finest = CLOSE * x.width().max(y.width());
-        let exact = tolerance <= finest || tolerance.is_nan();
-        // The length of the direction is less than √3 times its longest component.
-        let close = if exact { finest } else { 0.5 * tolerance } / longest;
-        let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
-        let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
-        let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
-        let way = Self { surface, ray: *ray, pad, close, exact, budget: BUDGET };
-        (span.lo <= span.hi).then_some((way, span))
-    }
-
-    /// The height of the ray above the surface at `t`.
-    #[inline]
-    pub(crate) fn above(&self, t: f64, tolerance: f64) -> Bounded {
-        let at = self.ray.at(t);
-        let h = self.surface.evaluate(at.x, at.y, tolerance);
-        let rounding = f64::EPSILON * (self.ray.origin.z.abs() + at.z.abs());
-        Bounded { value: at.z - h.value, bound: h.bound + rounding }
-    }
-
-    /// The stretch in which the ray is as high as the surface may be.
-    #[inline]
-    pub(crate) fn within(&self, span: Interval, height: Interval) -> Interval {
-        span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
-    }
-
-    /// How fast the height above the surface changes where its slopes are in ranges.
-    pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
-        let d = self.ray.direction;
-        Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
-    }
-
+impl<S: Surface + ?Sized> Way<'_, S> {
     /// The least root in the squares along the ray, or any.
     fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
         const PLACES: usize = 64;
@@ -195,15 +133,6 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         None
     }
 
-    /// A ray along z meets the surface at one height.
-    fn vertical(&self, span: Interval) -> Option<f64> {
-        let above = self.above(0.0, 0.0);
-        let t = -above.value / self.ray.direction.z;
-        let slack = above.bound / self.ray.direction.z.abs();
-        let near = span.lo - slack <= t && t <= span.hi + slack;
-        near.then(|| t.clamp(span.lo, span.hi))
-    }
-
     fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
         if self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0 {
             return self.vertical(span);
@@ -238,8 +167,4 @@ pub(crate) fn first<S: Surface + ?Sized>(
 pub(crate) fn any<S: Surface + ?Sized>(surface: &S, squares: &impl Squares, ray: &Ray, t: Interval) -> bool {
     let Some((mut way, span)) = Way::new(surface, ray, t, 0.0) else { return false };
     way.meets(squares, span, Aim::Any).is_some_and(|t| t.is_finite() && ray.at(t).is_finite())
-}
-
-fn padded(side: Interval, pad: f64) -> Interval {
-    Interval::new(side.lo - pad, side.hi + pad)
 }

@@ -1,151 +1,17 @@
 //! First hits of rays with a smooth height field that has tables, by ranges over ever shorter stretches.
 
-use glam::DVec3;
-
-use crate::math::sqrt;
 use crate::numeric::interval::Interval;
 use crate::ray::box_descent::{Level, Walk};
-use crate::ray::interval_newton::Aim;
 use crate::ray::newton::Search;
-use crate::ray::ray::Ray;
+use crate::ray::ray::Aim;
+use crate::ray::tracer::Path;
 use crate::surface::height_field::axis::Axis;
-use crate::surface::height_field::axis_tables::{AxisTables, error};
-use crate::surface::height_field::height_field::HeightField;
-use crate::surface::height_field::jet_table::Jets;
 
 /// Stretches that wait behind the one under search at most; more are left to the descent of boxes.
 const WAITING: usize = 32;
 
 /// Divisions of stretches before the descent of boxes takes over.
 const DIVISIONS: u32 = 256;
-
-/// What all rays against a surface share.
-pub(crate) struct Tracer<'a, X: Axis, Y: Axis> {
-    surface: &'a HeightField<X, Y>,
-    x: &'a AxisTables<X::Jets>,
-    y: &'a AxisTables<Y::Jets>,
-    tolerance: f64,
-    /// The greatest `|∂h/∂x|` and `|∂h/∂y|`.
-    falls: [f64; 2],
-    /// `16 ε` of the greatest height.
-    pad: f64,
-    /// Errors of a height after 0, 1 and 2 steps, and after the finest.
-    errors: [f64; 3],
-    best: f64,
-    /// Steps for values to the rounding error.
-    finest: usize,
-    /// Steps for the slopes of the hit.
-    slope_steps: usize,
-}
-
-/// One ray on its way.
-pub(crate) struct Path<'a, X: Axis, Y: Axis> {
-    pub(crate) tracer: &'a Tracer<'a, X, Y>,
-    pub(crate) ray: Ray,
-    span: Interval,
-    /// Along both axes in parts of the domain: where the ray begins and its direction.
-    from: [f64; 2],
-    way: [f64; 2],
-    /// More than the rounding of these.
-    late: [f64; 2],
-    /// `1/d_z`
-    inverse: f64,
-    pad: f64,
-    /// More than the rounding of the rate at which the ray comes nearer.
-    rate_pad: f64,
-    /// More than what the rounding of the coordinates does to the height.
-    blur: f64,
-    /// Errors of `t` that are allowed.
-    pub(crate) reach: f64,
-}
-
-impl<'a, X: Axis, Y: Axis> Tracer<'a, X, Y> {
-    /// `None` unless both axes have tables.
-    pub(crate) fn new(surface: &'a HeightField<X, Y>, tolerance: f64) -> Option<Self> {
-        let (x, y) = (surface.x.top()?, surface.y.top()?);
-        let (wide, deep) = (x.domain.width(), y.domain.width());
-        // Over a cell of the tolerance's size, one slope is as good as another.
-        let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
-        let part = tolerance / if wide > deep { wide } else { deep };
-        let (p, q) = (x.jets.cells_within(part), y.jets.cells_within(part));
-        let finest = if x.finest > y.finest { x.finest } else { y.finest };
-        let product = |f: f64, g: f64| 1.0001 * (x.magnitude * g + y.magnitude * f + f * g);
-        Some(Self {
-            surface,
-            tolerance,
-            falls: [x.steepest * y.magnitude, x.magnitude * y.steepest],
-            pad: 16.0 * f64::EPSILON * (x.magnitude * y.magnitude),
-            errors: [
-                product(x.errors[0], y.errors[0]),
-                product(x.errors[1], y.errors[1]),
-                product(x.errors[2], y.errors[2]),
-            ],
-            best: product(error(&x.jets, finest), error(&y.jets, finest)),
-            finest,
-            slope_steps: if p > q { p } else { q },
-            x,
-            y,
-        })
-    }
-
-    /// The ray ready to go; `None` for rays with components that are zero, extreme, or no numbers.
-    #[inline(always)]
-    pub(crate) fn path(&'a self, ray: &Ray, t: Interval) -> Option<Path<'a, X, Y>> {
-        let (o, d) = (ray.origin, ray.direction);
-        let inverse = DVec3::new(1.0 / d.x, 1.0 / d.y, 1.0 / d.z);
-        let (magnitude, speed) = (o.abs(), d.abs());
-        let sizes = (inverse.x.abs() + inverse.y.abs()) + (speed.x + speed.y + speed.z);
-        let sane = sizes + (magnitude.x + magnitude.y + magnitude.z) < 1e100;
-        if !sane {
-            return None;
-        }
-        let (x, y) = (self.x, self.y);
-        let pads = [
-            16.0 * f64::EPSILON * magnitude.x + x.pad,
-            16.0 * f64::EPSILON * magnitude.y + y.pad,
-            16.0 * f64::EPSILON * magnitude.z + self.pad,
-        ];
-        // No number as the end leaves nothing.
-        let end = if t.hi >= 0.0 { t.hi } else { f64::NEG_INFINITY };
-        let mut span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, end);
-        for (side, o, inverse, pad) in
-            [(x.domain, o.x, inverse.x, pads[0]), (y.domain, o.y, inverse.y, pads[1])]
-        {
-            let (a, b) = ((side.lo - pad - o) * inverse, (side.hi + pad - o) * inverse);
-            span = span.intersection(if a < b { Interval::new(a, b) } else { Interval::new(b, a) });
-        }
-        let blur = self.falls[0] * pads[0] + self.falls[1] * pads[1];
-        let rate = speed.z + speed.x * self.falls[0] + speed.y * self.falls[1];
-        Some(Path {
-            tracer: self,
-            ray: *ray,
-            span,
-            from: [(o.x - x.domain.lo) * x.per_width, (o.y - y.domain.lo) * y.per_width],
-            way: [d.x * x.per_width, d.y * y.per_width],
-            late: [pads[0] * x.per_width, pads[1] * y.per_width],
-            inverse: inverse.z,
-            pad: pads[2],
-            rate_pad: 16.0 * f64::EPSILON * rate,
-            blur: pads[2] + blur,
-            reach: if self.tolerance > 0.0 {
-                self.tolerance / sqrt(d.x * d.x + d.y * d.y + d.z * d.z)
-            } else {
-                0.0
-            },
-        })
-    }
-
-    #[inline]
-    pub(crate) fn finest(&self) -> usize {
-        self.finest
-    }
-
-    /// More steps than these, if there are any that gain.
-    #[inline]
-    pub(crate) fn better(&self, steps: usize) -> usize {
-        if steps == 1 && self.finest > 2 { 2 } else { self.finest }
-    }
-}
 
 impl<X: Axis, Y: Axis> Path<'_, X, Y> {
     /// The first hit, or any.
@@ -163,7 +29,7 @@ impl<X: Axis, Y: Axis> Path<'_, X, Y> {
         }
     }
 
-    /// The same where the ray may come nearer and go away again.
+    /// Division where the ray may come nearer and go away again.
     #[inline(always)]
     fn divide(&self, mut span: Interval, mut rate: Interval, aim: Aim) -> Option<f64> {
         let mut waiting = [Interval::EMPTY; WAITING];
@@ -245,71 +111,6 @@ impl<X: Axis, Y: Axis> Path<'_, X, Y> {
         span.hi = if b < span.hi { b } else { span.hi };
         let (u, v) = (spread(times(f_slope, g), d.x), spread(times(f, g_slope), d.y));
         Interval::new(d.z - u.hi - v.hi - self.rate_pad, d.z - u.lo - v.lo + self.rate_pad)
-    }
-
-    /// The parts of the domains from the beginning of a stretch to its end, in order.
-    #[inline(always)]
-    fn parts(&self, axis: usize, span: Interval) -> [f64; 2] {
-        let (from, way, late) = (self.from[axis], self.way[axis], self.late[axis]);
-        let (a, b) = (from + span.lo * way, from + span.hi * way);
-        if way > 0.0 { [a - late, b + late] } else { [b - late, a + late] }
-    }
-
-    /// Ranges of values and slopes along both axes over a stretch, from the tables.
-    #[inline(always)]
-    fn ranges(&self, span: Interval) -> [[Interval; 2]; 2] {
-        [self.tracer.x.over(self.parts(0, span)), self.tracer.y.over(self.parts(1, span))]
-    }
-
-    /// Narrower ones below the cells of the tables.
-    #[inline]
-    fn finer(&self, span: Interval) -> Option<[[Interval; 2]; 2]> {
-        let (x, y) = (self.tracer.x, self.tracer.y);
-        let (along_x, along_y) = (self.parts(0, span), self.parts(1, span));
-        let short = |[a, b]: [f64; 2], cells: f64| (b - a) * cells <= 1.0;
-        if !(short(along_x, x.cells) && short(along_y, y.cells)) {
-            return None;
-        }
-        Some([x.finer(along_x)?, y.finer(along_y)?])
-    }
-
-    /// Value and slope of both axes where the ray meets the surface, the slopes over cells of the tolerance's size.
-    #[inline(always)]
-    pub(crate) fn jets(&self, t: f64) -> [[f64; 2]; 2] {
-        self.above(t, self.tracer.slope_steps).0
-    }
-
-    /// Where the ray is at `t`, within the domain.
-    #[inline(always)]
-    pub(crate) fn place(&self, t: f64) -> [f64; 2] {
-        let within = |x: f64, domain: Interval| {
-            let x = if x > domain.lo { x } else { domain.lo };
-            if x < domain.hi { x } else { domain.hi }
-        };
-        let (o, d) = (self.ray.origin, self.ray.direction);
-        [within(o.x + t * d.x, self.tracer.x.domain), within(o.y + t * d.y, self.tracer.y.domain)]
-    }
-
-    /// Bound of the error of a height.
-    #[inline]
-    pub(crate) fn error(&self, steps: usize) -> f64 {
-        self.tracer.errors.get(steps).copied().unwrap_or(self.tracer.best) + self.blur
-    }
-
-    /// The jets at `t`, the height of the ray above the surface, and how it changes.
-    #[inline(always)]
-    pub(crate) fn above(&self, t: f64, steps: usize) -> ([[f64; 2]; 2], f64, f64) {
-        let (o, d) = (self.ray.origin, self.ray.direction);
-        let (x, y) = (self.from[0] + t * self.way[0], self.from[1] + t * self.way[1]);
-        let (f, g) = (&self.tracer.x.jets, &self.tracer.y.jets);
-        // The numbers of steps that tolerances ask for, as constants: half the time of a loop.
-        let (f, g) = match steps {
-            1 => (f.jet(x, 1), g.jet(y, 1)),
-            2 => (f.jet(x, 2), g.jet(y, 2)),
-            _ => (f.jet(x, steps), g.jet(y, steps)),
-        };
-        let z = o.z + t * d.z;
-        ([f, g], z - f[0] * g[0], d.z - d.x * f[1] * g[0] - d.y * f[0] * g[1])
     }
 }
 

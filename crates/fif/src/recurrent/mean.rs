@@ -1,25 +1,22 @@
-//! Means over the images of a recurrent system, and its integral.
+//! Means over the images of a recurrent system.
 
 use alloc::vec::Vec;
 
-use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, magnitude};
-use crate::recurrent::recurrent::{Link, Recurrent};
+use crate::recurrent::link::Link;
 
 /// Sweeps that solve for the means.
 const SWEEPS: usize = 65_536;
-
-/// Maps that one integral composes at most.
-const DEPTH: usize = 1024;
 
 /// Integrals from the left end to every knot.
 #[derive(Clone, Debug)]
 pub(crate) struct Means {
     pub(crate) integrals: Vec<f64>,
     /// Bound of the error of a mean over images.
-    error: f64,
+    pub(crate) error: f64,
     /// The width of the domain over that of the narrowest source.
-    spread: f64,
+    pub(crate) spread: f64,
 }
 
 impl Means {
@@ -70,59 +67,10 @@ fn mean_over<const C: usize>(integrals: &[f64], link: &Link<C>) -> f64 {
 }
 
 /// `∫ Σ c_k uᵏ` over `[0, s]`.
-fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
+pub(crate) fn primitive<const C: usize>(c: &[f64; C], s: f64) -> f64 {
     let mut sum = 0.0;
     for (k, c) in c.iter().enumerate().rev() {
         sum = sum * s + c / (k + 1) as f64;
     }
     sum * s
-}
-
-impl<const C: usize> Recurrent<C> {
-    /// `∫ f` from `x_0` to `x`, with the bound of its error.
-    ///
-    /// ```text
-    /// ∫ over [x_{j−1}, x] of f = a_j (α_j ∫ over [x_from, u] of f + ∫ over [x_from, u] of q_j),   x = a_j u + b_j
-    /// ```
-    ///
-    /// The integrals up to the knots solve one linear system, which the constructor has done by repeated substitution.
-    /// Points outside the domain are clamped to it; NaN gives NaN.
-    #[must_use]
-    pub fn integral(&self, x: f64) -> Bounded {
-        let domain = self.domain();
-        if x.is_nan() {
-            return Bounded::NAN;
-        }
-        let x = x.max(domain.lo).min(domain.hi);
-        let (scale, width) = (self.range().magnitude(), domain.width());
-        let at = |knot: usize| self.means.integrals.get(knot).copied().unwrap_or(0.0);
-        let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
-        let Some(first) = self.links.get(index) else { return Bounded::NAN };
-        let (before, image) = (at(index), first.image());
-        let mut s = ((x - first.piece.x()[0]) / image).clamp(0.0, 1.0);
-        let (mut sum, mut weight, mut weights) = (0.0, 1.0_f64, 0.0);
-        for _ in 0..DEPTH {
-            let Some(link) = self.links.get(index) else { break };
-            let alpha = link.piece.map().alpha;
-            let (inner, place) = self.descend(link, s);
-            sum +=
-                weight * (primitive(&link.piece.local, s) + alpha * (at(inner) - at(link.from)) / link.width);
-            weights += weight.abs();
-            weight *= alpha * self.links.get(inner).map_or(0.0, Link::image) / link.width;
-            (index, s) = (inner, place);
-            if weight.abs() <= UNIT * UNIT {
-                break;
-            }
-        }
-        // Each term is off by a mean's error, twice, a polynomial's and roundings; the orbit by a few units of x.
-        let Means { error, spread, .. } = self.means;
-        let maps = self.links.len() as f64;
-        let terms = 2.0 * error + self.noise + 16.0 * UNIT * scale * maps * (1.0 + spread);
-        let knots = width * (error + UNIT * maps * scale);
-        let places = 8.0 * UNIT * scale * (domain.magnitude() + width * self.reach);
-        let value = before + image * sum;
-        let rest = image * weight.abs() * scale;
-        let bound = 1.01 * (knots + image * weights * terms + places + rest) + 4.0 * UNIT * value.abs();
-        Bounded { value, bound }
-    }
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, bernstein, horner, magnitude, restrict, restriction_error};
 use crate::recurrent::error::RecurrentError;
+use crate::recurrent::link::Link;
 use crate::recurrent::mean::Means;
 use crate::system::error::{
     End, List, SystemError, check_coefficients, check_data, check_knots, check_length,
@@ -22,7 +23,7 @@ const SWEEPS: usize = 64;
 /// ```
 ///
 /// With `|α_j| < 1` there is one bounded `f` like that; it is continuous, because both ends of every map meet the
-/// ordinates. With the whole domain as every source it is a [`Fif`](crate::Fif), which has much more to offer.
+/// ordinates. With the whole domain as every source it is a [`System`](crate::System), which has much more to offer.
 ///
 /// M. F. Barnsley, J. H. Elton, D. P. Hardin, *Recurrent iterated function systems*, Constructive Approximation 5, 1989.
 ///
@@ -48,27 +49,6 @@ pub struct Recurrent<const C: usize> {
     pub(crate) gain: f64,
     pub(crate) reach: f64,
     pub(crate) means: Means,
-}
-
-/// A map with its source.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Link<const C: usize> {
-    pub(crate) piece: Piece<C>,
-    /// The knots of the source.
-    pub(crate) from: usize,
-    pub(crate) to: usize,
-    /// Where it begins, and its width.
-    pub(crate) start: f64,
-    pub(crate) width: f64,
-    /// An enclosure of `f` over the image.
-    pub(crate) range: Interval,
-}
-
-impl<const C: usize> Link<C> {
-    /// The width of the image.
-    pub(crate) fn image(&self) -> f64 {
-        self.piece.x()[1] - self.piece.x()[0]
-    }
 }
 
 impl Recurrent<2> {

@@ -1,14 +1,19 @@
-//! Values of a recurrent system.
+//! Values and integrals of a recurrent system.
 
 use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::interval::Bounded;
 use crate::numeric::polynomial::{UNIT, horner};
-use crate::recurrent::recurrent::{Link, Recurrent};
+use crate::recurrent::link::Link;
+use crate::recurrent::mean::{Means, primitive};
+use crate::recurrent::recurrent::Recurrent;
+
+/// Maps that one integral composes at most.
+const DEPTH: usize = 1024;
 
 impl<const C: usize> Recurrent<C> {
     /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
     ///
-    /// As [`Fif::evaluate`](crate::Fif::evaluate), with the inverse of each map ending in its source; at most
+    /// As [`System::evaluate`](crate::System::evaluate), with the inverse of each map ending in its source; at most
     /// [`MAX_DEPTH`] steps.
     ///
     /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,
@@ -67,5 +72,52 @@ impl<const C: usize> Recurrent<C> {
         let Some(inner) = within.get(index) else { return (link.from, 0.0) };
         let place = (offset - (inner.piece.x()[0] - link.start)) / inner.image();
         (link.from + index, place.clamp(0.0, 1.0))
+    }
+
+    /// `∫ f` from `x_0` to `x`, with the bound of its error.
+    ///
+    /// ```text
+    /// ∫ over [x_{j−1}, x] of f = a_j (α_j ∫ over [x_from, u] of f + ∫ over [x_from, u] of q_j),   x = a_j u + b_j
+    /// ```
+    ///
+    /// The integrals up to the knots solve one linear system, which the constructor has done by repeated substitution.
+    /// Points outside the domain are clamped to it; NaN gives NaN.
+    #[must_use]
+    pub fn integral(&self, x: f64) -> Bounded {
+        let domain = self.domain();
+        if x.is_nan() {
+            return Bounded::NAN;
+        }
+        let x = x.max(domain.lo).min(domain.hi);
+        let (scale, width) = (self.range().magnitude(), domain.width());
+        let at = |knot: usize| self.means.integrals.get(knot).copied().unwrap_or(0.0);
+        let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
+        let Some(first) = self.links.get(index) else { return Bounded::NAN };
+        let (before, image) = (at(index), first.image());
+        let mut s = ((x - first.piece.x()[0]) / image).clamp(0.0, 1.0);
+        let (mut sum, mut weight, mut weights) = (0.0, 1.0_f64, 0.0);
+        for _ in 0..DEPTH {
+            let Some(link) = self.links.get(index) else { break };
+            let alpha = link.piece.map().alpha;
+            let (inner, place) = self.descend(link, s);
+            sum +=
+                weight * (primitive(&link.piece.local, s) + alpha * (at(inner) - at(link.from)) / link.width);
+            weights += weight.abs();
+            weight *= alpha * self.links.get(inner).map_or(0.0, Link::image) / link.width;
+            (index, s) = (inner, place);
+            if weight.abs() <= UNIT * UNIT {
+                break;
+            }
+        }
+        // Each term is off by a mean's error, twice, a polynomial's and roundings; the orbit by a few units of x.
+        let Means { error, spread, .. } = self.means;
+        let maps = self.links.len() as f64;
+        let terms = 2.0 * error + self.noise + 16.0 * UNIT * scale * maps * (1.0 + spread);
+        let knots = width * (error + UNIT * maps * scale);
+        let places = 8.0 * UNIT * scale * (domain.magnitude() + width * self.reach);
+        let value = before + image * sum;
+        let rest = image * weight.abs() * scale;
+        let bound = 1.01 * (knots + image * weights * terms + places + rest) + 4.0 * UNIT * value.abs();
+        Bounded { value, bound }
     }
 }

@@ -1,7 +1,18 @@
 //! Surfaces over rectangles: bounds, extrema, normals.
 
+#[cfg(feature = "alloc")]
 pub(crate) mod extrema;
 pub(crate) mod height_field;
+#[cfg(feature = "alloc")]
 pub(crate) mod hermite_patch;
+pub(crate) mod normal;
+#[cfg(feature = "alloc")]
 pub(crate) mod self_affine;
 pub(crate) mod surface;
+
+pub use height_field::axis::{Axis, Curve};
+pub use height_field::function::Function;
+#[cfg(feature = "alloc")]
+pub use height_field::tabulated::TabulatedCurve;
+#[cfg(feature = "alloc")]
+pub use self_affine::{self_affine::Fold, torus_fold::TorusFold, zig_zag::ZigZag};

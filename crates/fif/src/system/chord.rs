@@ -1,7 +1,7 @@
 //! The deviation of a function from its chord, again a fractal interpolation function, but zero at both ends.
 
 use crate::numeric::polynomial::{UNIT, magnitude};
-use crate::system::fif::{Fif, Spacing};
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
 /// The line through both ends of the graph, over the domain scaled to `[0, 1]`; constant when `C < 2`, so that the
@@ -36,7 +36,7 @@ pub(crate) struct Deviation<const C: usize> {
     pub(crate) slack: f64,
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub(crate) fn chord(&self) -> Chord {
         let [start, end] = self.end_values();
         Chord { start, rise: if C < 2 { 0.0 } else { end - start } }
@@ -66,12 +66,11 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
     use crate::numeric::polynomial::horner;
-    use crate::{FifBuf, paper};
+    use crate::{Fif, paper};
 
     #[test]
     fn the_deviation_obeys_its_functional_equation_and_ends_in_zeros() {
-        let uneven =
-            FifBuf::affine(&[1.0, 1.4, 2.4, 3.0], &[0.3, 1.0, -0.5, 2.25], &[0.4, -0.6, 0.5]).unwrap();
+        let uneven = Fif::affine(&[1.0, 1.4, 2.4, 3.0], &[0.3, 1.0, -0.5, 2.25], &[0.4, -0.6, 0.5]).unwrap();
         let chord = uneven.chord();
         let v = |t: f64| uneven.evaluate(1.0 + 2.0 * t, 1e-14).value - chord.at(t);
         for piece in uneven.pieces() {
@@ -87,7 +86,7 @@ mod tests {
 
     #[test]
     fn constants_keep_their_number_of_coefficients() {
-        let steps = FifBuf::<1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.0], [0.5]]).unwrap();
+        let steps = Fif::<1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.0], [0.5]]).unwrap();
         assert_eq!((steps.chord().start, steps.chord().rise), (0.0, 0.0));
         assert_eq!(paper::g_hat().unwrap().chord().rise, paper::g_hat().unwrap().end_values()[1]);
     }

@@ -342,13 +342,14 @@ mod tests {
     #[test]
     fn integrals_need_room() {
         let f = crate::paper::f().unwrap();
-        let error = f.integral::<[crate::Piece<2>; 2], 2>(0.0).unwrap_err();
+        let error = f.integral::<[crate::system::Piece<2>; 2], 2>(0.0).unwrap_err();
         says(error, "3 coefficients are needed, the type holds 2");
-        let error = f.integral::<[crate::Piece<3>; 3], 3>(0.0).unwrap_err();
+        let error = f.integral::<[crate::system::Piece<3>; 3], 3>(0.0).unwrap_err();
         says(error, "2 places for maps are needed, 3 are given");
-        let error = f.integral::<[crate::Piece<3>; 2], 3>(f64::NAN).unwrap_err();
+        let error = f.integral::<[crate::system::Piece<3>; 2], 3>(f64::NAN).unwrap_err();
         says(error, "the ordinate of knot 0 is NaN, not finite");
-        let error = crate::paper::f_hat().unwrap().derivative::<[crate::Piece<1>; 2], 1>().unwrap_err();
+        let error =
+            crate::paper::f_hat().unwrap().derivative::<[crate::system::Piece<1>; 2], 1>().unwrap_err();
         says(error, "2 coefficients are needed, the type holds 1");
     }
 }

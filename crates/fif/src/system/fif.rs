@@ -25,7 +25,7 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// ```
 ///
 /// `S` holds the pieces: `[Piece<C>; N]` ([`FixedFif`](crate::FixedFif)), `Vec<Piece<C>>`
-/// ([`FifBuf`](crate::FifBuf), feature `alloc`) or `&[Piece<C>]` ([`Fif::view`]). `C` is the number of coefficients of
+/// ([`Fif`](crate::Fif), feature `alloc`) or `&[Piece<C>]` ([`System::view`]). `C` is the number of coefficients of
 /// each `q_j`, its degree plus one.
 ///
 /// Knots that lie within two units in the last place of equal spacing are taken as exactly equally spaced.
@@ -41,7 +41,7 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Fif<S, const C: usize> {
+pub struct System<S, const C: usize> {
     pieces: S,
     spacing: Spacing,
     range: Interval,
@@ -58,7 +58,7 @@ pub(crate) enum Spacing {
     Nonuniform,
 }
 
-impl<S: Storage<C>, const C: usize> Fif<S, C> {
+impl<S: Storage<C>, const C: usize> System<S, C> {
     /// From knots, vertical factors and polynomials; the ordinates follow from them.
     ///
     /// ```text
@@ -178,7 +178,7 @@ impl<S: Storage<C>, const C: usize> Fif<S, C> {
     }
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The maps with their intervals, from left to right.
     #[inline]
     #[must_use]
@@ -189,14 +189,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     /// The same function over borrowed pieces: a small copyable handle.
     #[inline]
     #[must_use]
-    pub fn view(&self) -> Fif<&[Piece<C>], C> {
-        Fif {
-            pieces: self.pieces.as_ref(),
-            spacing: self.spacing,
-            range: self.range,
-            noise: self.noise,
-            gain: self.gain,
-        }
+    pub fn view(&self) -> System<&[Piece<C>], C> {
+        self.over(self.pieces())
     }
 
     /// `[x_0, x_N]`.
@@ -215,7 +209,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
         [pieces.first().map_or(0.0, |p| p.y()[0]), pieces.last().map_or(0.0, |p| p.y()[1])]
     }
 
-    /// A rigorous enclosure of `f` over its domain; for a tighter one see [`Fif::extrema`].
+    /// A rigorous enclosure of `f` over its domain; for a tighter one see [`System::extrema`].
     ///
     /// The least box `B` with `α_j B + q_j(X) ⊂ B` for all maps, by policy iteration, inflated until the inclusion holds
     /// with outward rounding, then intersected with the hull of its images under composites of a few maps. The source's
@@ -224,6 +218,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     #[must_use]
     pub fn range(&self) -> Interval {
         self.range
+    }
+
+    /// The system over a copy of its pieces.
+    #[inline]
+    pub(crate) fn over<T>(&self, pieces: T) -> System<T, C> {
+        System { pieces, spacing: self.spacing, range: self.range, noise: self.noise, gain: self.gain }
     }
 
     #[inline]
@@ -241,7 +241,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
     }
 }
 
-impl<S: Storage<2>> Fif<S, 2> {
+impl<S: Storage<2>> System<S, 2> {
     /// Barnsley's affine interpolation through `(x_j, y_j)` with vertical factors `alpha`.
     ///
     /// ```text
@@ -264,7 +264,7 @@ impl<S: Storage<2>> Fif<S, 2> {
     }
 }
 
-impl<S: Storage<4>> Fif<S, 4> {
+impl<S: Storage<4>> System<S, 4> {
     /// A continuously differentiable interpolation of ordinates `y` and slopes `slope`, for `|α_j| < a_j`.
     ///
     /// `q_j` is the cubic with
@@ -305,6 +305,24 @@ impl<S: Storage<4>> Fif<S, 4> {
         Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), cubic)
     }
 }
+
+#[cfg(feature = "alloc")]
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
+    /// The system with its maps in a vector of its own.
+    pub(crate) fn owned(&self) -> Fif<C> {
+        self.over(self.pieces().to_vec())
+    }
+}
+
+/// A system of any number of maps in a vector.
+#[cfg(feature = "alloc")]
+pub type Fif<const C: usize> = System<alloc::vec::Vec<Piece<C>>, C>;
+
+/// A system over borrowed pieces, from [`System::view`]; copyable.
+pub type FifRef<'a, const C: usize> = System<&'a [Piece<C>], C>;
+
+/// A system of `N` maps in an array; needs no allocator.
+pub type FixedFif<const N: usize, const C: usize> = System<[Piece<C>; N], C>;
 
 /// Whether every knot is within two units in the last place (of the larger end) of equal spacing.
 fn spacing(maps: usize, x: impl Fn(usize) -> f64) -> Spacing {

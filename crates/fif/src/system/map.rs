@@ -4,7 +4,7 @@ use crate::numeric::polynomial::{bernstein, horner, magnitude, restriction_error
 
 /// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`, coefficients ascending.
 ///
-/// A plain record without invariants: [`Fif`](crate::Fif) is where a family of maps is validated.
+/// A plain record without invariants: [`System`](crate::System) is where a family of maps is validated.
 ///
 /// Cochran, Lewis, Hart 2000, eq. 3, 8, 9.
 ///
@@ -46,7 +46,7 @@ impl<const C: usize> Map<C> {
     /// ```
     ///
     /// Cochran, Lewis, Hart 2000, eq. 24–28 (the binomial expansion by Horner's rule). Do not invert a deep composite:
-    /// once `a_c` is under a unit in the last place of `b_c`, its inverse is noise; [`Fif::evaluate`](crate::Fif::evaluate)
+    /// once `a_c` is under a unit in the last place of `b_c`, its inverse is noise; [`System::evaluate`](crate::System::evaluate)
     /// iterates the inverse maps instead.
     #[must_use]
     pub fn compose(&self, inner: &Self) -> Self {
@@ -58,7 +58,7 @@ impl<const C: usize> Map<C> {
     }
 }
 
-/// A validated map of a [`Fif`](crate::Fif) with what evaluation derives from it; made by the constructors.
+/// A validated map of a [`System`](crate::System) with what evaluation derives from it; made by the constructors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<const C: usize> {
     map: Map<C>,

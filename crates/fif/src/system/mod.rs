@@ -1,6 +1,7 @@
 //! Systems of maps: the validated type, its storage, its range, its file form.
 
 pub(crate) mod cell;
+#[cfg(feature = "alloc")]
 pub(crate) mod chord;
 pub(crate) mod error;
 pub(crate) mod fif;
@@ -9,3 +10,8 @@ pub(crate) mod range;
 #[cfg(feature = "serde")]
 pub(crate) mod serde;
 pub(crate) mod storage;
+
+pub use error::{End, List};
+pub use fif::JOIN_TOLERANCE;
+pub use map::Piece;
+pub use storage::Storage;

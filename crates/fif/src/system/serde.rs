@@ -6,11 +6,11 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::system::error::SystemError;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
 
-/// What [`Fif::with_ordinates`] takes.
+/// What [`System::with_ordinates`] takes.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Fif", deny_unknown_fields)]
 struct Data {
@@ -24,10 +24,10 @@ struct Data {
     q: Vec<Vec<f64>>,
 }
 
-/// Written as the record `{ x, y, alpha, q }` of the lists that [`Fif::with_ordinates`] takes.
+/// Written as the record `{ x, y, alpha, q }` of the lists that [`System::with_ordinates`] takes.
 ///
 /// What is read back has the same bits, in formats that keep those of numbers: mind that JSON readers may round.
-impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for System<S, C> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let pieces = self.pieces();
         let (x_end, y_end) = (self.domain().hi, self.end_values()[1]);
@@ -41,9 +41,9 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for Fif<S, C> {
     }
 }
 
-/// Read through [`Fif::with_ordinates`]: a record that is no valid system is refused with the message of its
+/// Read through [`System::with_ordinates`]: a record that is no valid system is refused with the message of its
 /// [`SystemError`]. Polynomials may be shorter than the type's, not longer.
-impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for Fif<S, C> {
+impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let data = Data::deserialize(deserializer)?;
         let q = data

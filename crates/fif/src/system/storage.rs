@@ -1,7 +1,5 @@
-//! Where the maps of a system live: an array, or a vector under `alloc`.
+//! Storage for the maps of a system: an array, or a vector under `alloc`.
 
-use crate::surface::height_field::axis::Smooth;
-use crate::system::fif::Fif;
 use crate::system::map::Piece;
 
 /// Owned storage that a constructor can fill with the pieces of a system.
@@ -35,22 +33,3 @@ impl<const C: usize> Storage<C> for alloc::vec::Vec<Piece<C>> {
         usize::MAX
     }
 }
-
-/// A system of `N` maps in an array; needs no allocator.
-pub type FixedFif<const N: usize, const C: usize> = Fif<[Piece<C>; N], C>;
-
-/// A system of any number of maps in a vector.
-#[cfg(feature = "alloc")]
-pub type FifBuf<const C: usize> = Fif<alloc::vec::Vec<Piece<C>>, C>;
-
-/// A system over borrowed pieces, from [`Fif::view`]; copyable.
-pub type FifView<'a, const C: usize> = Fif<&'a [Piece<C>], C>;
-
-/// A smooth function of `N` maps in arrays: `C` coefficients for it, `D = C − 1` for its derivative.
-pub type FixedSmooth<const N: usize, const C: usize, const D: usize> =
-    Smooth<[Piece<C>; N], C, [Piece<D>; N], D>;
-
-/// A smooth function of any number of maps in vectors: `C` coefficients for it, `D = C − 1` for its derivative.
-#[cfg(feature = "alloc")]
-pub type SmoothBuf<const C: usize, const D: usize> =
-    Smooth<alloc::vec::Vec<Piece<C>>, C, alloc::vec::Vec<Piece<D>>, D>;

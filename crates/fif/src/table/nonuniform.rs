@@ -3,13 +3,12 @@
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 
-use crate::evaluate::batch_error::BatchError;
-use crate::numeric::interval::Bounded;
 use crate::numeric::polynomial::{UNIT, magnitude, substitute};
 use crate::system::chord::Chord;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
-use crate::table::composite::{TableError, enclose};
+use crate::table::composite::enclose;
+use crate::table::error::TableError;
 use crate::table::truncation::Series;
 
 /// Cells of a partition.
@@ -21,25 +20,11 @@ const BUCKETS: usize = 16384;
 /// Cells narrower than this part of the domain are not split: hardly a point lies in them.
 const NARROW: f64 = 1.0 / 1_048_576.0;
 
-/// A function on any knots with a table, where [`Fast`](crate::Fast) wants equally spaced ones.
+/// Cells of a partition with their composites, and a guide that finds the cell of a point in one or two steps.
 ///
-/// ```text
-/// f(t) = chord(t) + Σ_{k < K} W_k P_{e_{k+1}}(u_{k+1}) + W_K τ        u_{k+1} = (u_k − left_e)/width_e,   u_0 = t
-/// ```
-///
-/// The domain is split into 4096 cells, images of composites of maps, the one with the largest vertical factor first; a
-/// guide finds the cell `e` of a point in one or two steps. 48 bytes a cell for affine systems, 230 KB with the guide; made in 1 to 2 ms.
-///
-/// ```
-/// use asperity_fif::{FifBuf, Uneven};
-/// let f = FifBuf::affine(&[0.0, 0.4, 1.4, 2.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5])?;
-/// let fast = Uneven::new(f.view(), 1e-6)?;
-/// assert_eq!(fast.value(1.4), -0.5); // a knot
-/// assert!((fast.value(0.9) - f.evaluate(0.9, 1e-12).value).abs() <= 1e-6);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+/// The domain is split into 4096 cells, images of composites of maps, the one with the largest vertical factor first.
 #[derive(Clone, Debug)]
-pub struct Uneven<S, const C: usize> {
+pub(crate) struct Nonuniform<const C: usize> {
     cells: Vec<Row<C>>,
     guide: Vec<u16>,
     steps: u32,
@@ -47,9 +32,8 @@ pub struct Uneven<S, const C: usize> {
     origin: f64,
     width: f64,
     middle: f64,
-    inside: f64,
-    bound: f64,
-    system: Fif<S, C>,
+    /// Bound of the error away from knots.
+    pub(crate) away: f64,
 }
 
 /// A cell, with its composite over it scaled to `[0, 1]`.
@@ -61,19 +45,17 @@ struct Row<const C: usize> {
     c: [f64; C],
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
-    /// The table of `system` for values to `tolerance`, which stands for the rounding error when it is less or NaN.
-    ///
-    /// # Errors
-    /// [`TableError::Depth`] when 64 steps leave more than `tolerance`: near-critical factors, or too many maps.
-    /// [`Fif::evaluate`] remains.
-    pub fn new(system: Fif<S, C>, tolerance: f64) -> Result<Self, TableError> {
-        let parts = partition(&system);
-        let most = |of: fn(&Part<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
+impl<const C: usize> Nonuniform<C> {
+    pub(crate) fn new<S: AsRef<[Piece<C>]>>(
+        system: &System<S, C>,
+        tolerance: f64,
+    ) -> Result<Self, TableError> {
+        let parts = partition(system);
+        let most = |of: fn(&Cell<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
         let (largest, roundings) = (most(|part| magnitude(&part.c, 1.0)), most(|part| part.depth) + 2.0);
         let row = 1.01 * most(|part| part.error) + 3.0 * C as f64 * UNIT * largest;
         let rows = parts.iter().map(|part| (part.a, &part.c));
-        let tail = enclose(&system, &rows, row + 4.0 * C as f64 * UNIT * largest, roundings);
+        let tail = enclose(system, &rows, row + 4.0 * C as f64 * UNIT * largest, roundings);
         let chord = system.chord();
         let series = Series {
             ratio: most(|part| part.a.abs()) * (1.0 + roundings * UNIT),
@@ -97,7 +79,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
             let index = cells.partition_point(|cell| cell.left <= start).saturating_sub(1);
             u16::try_from(index).unwrap_or(u16::MAX)
         });
-        let elsewhere = system.least_bound();
         Ok(Self {
             guide: guide.collect(),
             cells,
@@ -106,65 +87,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
             origin: system.domain().lo,
             width: system.domain().width(),
             middle: tail.middle(),
-            inside: depth.bound,
-            bound: if depth.bound > elsewhere { depth.bound } else { elsewhere },
-            system,
+            away: depth.bound,
         })
     }
 
-    /// `f(x)`, within [`Uneven::bound`].
-    ///
-    /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. Knots are exact.
-    /// - **Accuracy:** as [`Fif::evaluate`] on unequal knots: the value is that of a point within sixteen units in the last
-    ///   place of `x` and of the ends of the domain.
-    #[inline]
-    #[must_use]
-    pub fn value(&self, x: f64) -> f64 {
-        match self.sum(x) {
-            Some(value) => value,
-            None => self.elsewhere(x).value,
-        }
-    }
-
-    /// `f(x)` with the bound of its error: 0 at knots, NaN for NaN, else at most [`Uneven::bound`].
-    #[inline]
-    #[must_use]
-    pub fn evaluate(&self, x: f64) -> Bounded {
-        match self.sum(x) {
-            Some(value) => Bounded { value, bound: self.inside },
-            None => self.elsewhere(x),
-        }
-    }
-
-    /// Values at many points, in any order; each equals [`Uneven::value`].
-    ///
-    /// # Errors
-    /// [`BatchError::LengthMismatch`]; nothing is written then.
-    #[inline]
-    pub fn values(&self, x: &[f64], out: &mut [f64]) -> Result<(), BatchError> {
-        BatchError::check(x.len(), out.len())?;
-        for (x, out) in x.iter().zip(out) {
-            *out = self.value(*x);
-        }
-        Ok(())
-    }
-
-    /// Bound of the error of every value, at a point as near as [`Uneven::value`] says.
-    #[inline]
-    #[must_use]
-    pub fn bound(&self) -> f64 {
-        self.bound
-    }
-
-    /// The system that the table was made of.
-    #[inline]
-    #[must_use]
-    pub fn system(&self) -> &Fif<S, C> {
-        &self.system
-    }
-
+    /// The sum over the cells; `None` at knots, outside and for NaN.
     #[inline(always)]
-    fn sum(&self, x: f64) -> Option<f64> {
+    pub(crate) fn sum(&self, x: f64) -> Option<f64> {
         // Divided, as the places of the knots are, which are met exactly therefore.
         let t = (x - self.origin) / self.width;
         if !(t > 0.0 && t < 1.0) {
@@ -203,12 +132,6 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Uneven<S, C> {
         }
         self.cells.get(index)
     }
-
-    /// Out of line: knots, ends, and no other point.
-    #[cold]
-    fn elsewhere(&self, x: f64) -> Bounded {
-        self.system.evaluate(x, 0.0)
-    }
 }
 
 #[inline(always)]
@@ -217,9 +140,9 @@ fn value<const C: usize>(c: &[f64; C], u: f64) -> f64 {
     others.iter().rev().fold(last, |p, &c| p * u + c)
 }
 
-/// A cell while the domain is split.
+/// A cell while the domain is being split.
 #[derive(Clone, Copy)]
-struct Part<const C: usize> {
+struct Cell<const C: usize> {
     left: f64,
     /// What the sum that made `left` has lost.
     low: f64,
@@ -231,8 +154,8 @@ struct Part<const C: usize> {
 }
 
 /// The cells from left to right.
-fn partition<S: AsRef<[Piece<C>]>, const C: usize>(system: &Fif<S, C>) -> Vec<Part<C>> {
-    let root = Part { left: 0.0, low: 0.0, width: 1.0, a: 1.0, c: [0.0; C], error: 0.0, depth: 0.0 };
+fn partition<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<S, C>) -> Vec<Cell<C>> {
+    let root = Cell { left: 0.0, low: 0.0, width: 1.0, a: 1.0, c: [0.0; C], error: 0.0, depth: 0.0 };
     let mut parts = alloc::vec![root];
     // The bits of a number that is not negative are in its order.
     let mut heap = BinaryHeap::from([(u64::MAX, 0)]);
@@ -258,8 +181,8 @@ fn partition<S: AsRef<[Piece<C>]>, const C: usize>(system: &Fif<S, C>) -> Vec<Pa
     parts
 }
 
-impl<const C: usize> Part<C> {
-    fn child<S: AsRef<[Piece<C>]>>(&self, system: &Fif<S, C>, piece: &Piece<C>) -> Self {
+impl<const C: usize> Cell<C> {
+    fn child<S: AsRef<[Piece<C>]>>(&self, system: &System<S, C>, piece: &Piece<C>) -> Self {
         let map = system.deviation(piece);
         let mut c = substitute(&self.c, map.a, map.s);
         for (sum, p) in c.iter_mut().zip(map.p) {
@@ -288,49 +211,17 @@ impl<const C: usize> Part<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FifBuf, paper};
-
-    #[test]
-    fn knots_ends_and_nan_are_as_in_the_plain_evaluation() {
-        let (x, y) = ([-1.0, 0.4, 1.4, 2.7], [0.3, 1.0, -0.5, 0.25]);
-        let f = Uneven::new(FifBuf::affine(&x, &y, &[0.4, -0.6, 0.5]).unwrap(), 1e-9).unwrap();
-        for (x, y) in x.into_iter().zip(y).chain([(-9.0, 0.3), (f64::INFINITY, 0.25)]) {
-            assert_eq!(f.evaluate(x), Bounded { value: y, bound: 0.0 }, "{x}");
-        }
-        assert!(f.value(f64::NAN).is_nan());
-        let mut out = [9.0; 1];
-        assert_eq!(f.values(&[0.5; 2], &mut out), Err(BatchError::LengthMismatch { expected: 2, found: 1 }));
-    }
-
-    #[test]
-    fn even_knots_do_as_well() {
-        let g = paper::g().unwrap();
-        let fast = Uneven::new(g, 1e-12).unwrap();
-        for k in 1..200 {
-            // Halving is exact, so the float orbit is.
-            let x = f64::from(k) * 0.009_97;
-            let (got, want) = (fast.evaluate(x), g.evaluate(x, 0.0));
-            assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
-        }
-        assert!(fast.bound() <= 1e-12);
-    }
+    use crate::Fif;
 
     #[test]
     fn cells_tile_the_domain() {
         let gaps = [0.0, 1e-9, 0.3, 0.300_001, 1.0];
-        let f = FifBuf::affine(&gaps, &[0.0, 1.0, 0.5, -0.5, 0.0], &[0.9, -0.7, 0.9, 0.8]).unwrap();
+        let f = Fif::affine(&gaps, &[0.0, 1.0, 0.5, -0.5, 0.0], &[0.9, -0.7, 0.9, 0.8]).unwrap();
         let parts = partition(&f);
         assert!(parts.len() > 4000 && parts.len() <= CELLS, "{}", parts.len());
         for pair in parts.windows(2) {
             let end = pair[0].left + pair[0].width;
             assert!((end - pair[1].left).abs() <= f64::EPSILON, "{} {}", end, pair[1].left);
         }
-    }
-
-    #[test]
-    fn near_critical_factors_are_refused() {
-        let f = FifBuf::affine(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.0], &[0.999, 0.999]).unwrap();
-        let error = Uneven::new(f, 1e-12).unwrap_err();
-        assert!(matches!(error, TableError::Depth { alpha: 0.999, most: 64, .. }), "{error}");
     }
 }

@@ -1,9 +1,9 @@
 //! How far a sum over composites must go, and how much it may then be wrong.
 
 use crate::numeric::interval::Interval;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
-use crate::table::composite::TableError;
+use crate::table::error::TableError;
 
 /// Composites that one evaluation takes at most.
 pub(crate) const MOST: u32 = 64;
@@ -53,7 +53,6 @@ impl Series {
     }
 
     /// The least number of steps whose truncation is within the tolerance, or else within half the rounding error.
-    #[cfg(feature = "alloc")]
     pub(crate) fn depth_of_truncation(&self, tolerance: f64) -> Result<Depth, f64> {
         let enough = |steps: &u32| {
             let [truncation, rounding] = self.errors(*steps);
@@ -90,10 +89,10 @@ impl Series {
     }
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fif<S, C> {
+impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The refusal of a table that would leave this bound.
     pub(crate) fn too_deep(&self, bound: f64) -> TableError {
         let alpha = self.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));
-        TableError::Depth { alpha, most: MOST, bound }
+        TableError { alpha, steps: MOST, bound }
     }
 }

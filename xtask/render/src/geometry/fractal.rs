@@ -1,7 +1,7 @@
 //! A fractal height field as a shape: any surface over two coordinates, raised, and seen from as near as `f64` allows.
 
 use asperity_fif::{
-    Cached, FixedFif, FixedSmooth, HeightField, Interval, Ray, Surface, SystemError,
+    FixedFif, HeightField, Intersect, Interval, Ray, SystemError,
     glam::{DVec2, DVec3},
 };
 use glam::{Mat3, Vec3};
@@ -10,7 +10,7 @@ use crate::geometry::hit::Hit;
 
 /// The surface `z = rise · (f(x, y) − base)`, of which the scene shows a neighbourhood.
 pub struct Fractal {
-    surface: Box<dyn Surface + Send + Sync>,
+    surface: Box<dyn Intersect + Send + Sync>,
     rise: f64,
     base: f64,
     /// The place of the scene's origin, and the length of its unit.
@@ -25,15 +25,15 @@ const NEAR: f64 = 1e-5;
 
 impl Fractal {
     /// The surface with heights above `base` multiplied by `rise`.
-    pub fn new(surface: impl Surface + Send + Sync + 'static, rise: f64, base: f64) -> Self {
+    pub fn new(surface: impl Intersect + Send + Sync + 'static, rise: f64, base: f64) -> Self {
         // Errors along the ray: a tenth of `NEAR`, and far below the pixels.
         Self { surface: Box::new(surface), rise, base, place: DVec3::ZERO, unit: 1.0, tolerance: 1e-6 }
     }
 
     /// The square `f̂(x) f̂(y)` of a function's integral, its heights multiplied by `rise`.
     pub fn square<const N: usize>(slope: FixedFif<N, 2>, rise: f64) -> Result<Self, SystemError> {
-        let axis = || FixedSmooth::<N, 3, 2>::integral(slope, 0.0).map(Cached::new);
-        Ok(Self::new(HeightField::new(axis()?, axis()?), rise, 0.0))
+        let curve: FixedFif<N, 3> = slope.integral(0.0)?;
+        Ok(Self::new(HeightField::new(curve, curve).tabulated(), rise, 0.0))
     }
 
     /// Hits that may be wrong by this length, where it is less than a pixel.
@@ -47,7 +47,7 @@ impl Fractal {
     }
 
     /// The surface as it is.
-    pub fn surface(&self) -> &(dyn Surface + Send + Sync) {
+    pub fn surface(&self) -> &(dyn Intersect + Send + Sync) {
         self.surface.as_ref()
     }
 

@@ -72,7 +72,7 @@ pub(super) const HOUSES: &[House] = &[
             "ray",
         ],
         face: Some(45),
-        held: false,
+        held: true,
     },
     House {
         name: "shading",

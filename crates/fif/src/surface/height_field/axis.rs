@@ -1,19 +1,11 @@
-//! What a height field asks of the function along one of its axes.
+//! The function along one axis of a height field, with its derivative.
 
+use crate::calculus::moment_basis::MomentError;
+use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::{Bounded, Interval};
-#[cfg(feature = "alloc")]
-use crate::surface::height_field::axis_tables::AxisTables;
-#[cfg(feature = "alloc")]
-use crate::surface::height_field::jet_table::{JetTable, NoJets};
-use crate::system::cell::Cell;
-use crate::system::error::SystemError;
-use crate::system::fif::Fif;
-use crate::system::map::Piece;
-use crate::system::storage::Storage;
+use crate::surface::height_field::function::Function;
 
-/// A function along one axis of a [`HeightField`](crate::HeightField): values, bounds over cells, slopes if it has them.
-///
-/// Implemented by [`Fif`], [`Smooth`] and [`Cached`](crate::Cached); sealed.
+/// An axis of a [`HeightField`](crate::HeightField): a [`Curve`], alone or with tables; sealed.
 pub trait Axis: sealed::Descend {
     /// `[x_0, x_N]`.
     #[must_use]
@@ -23,7 +15,7 @@ pub trait Axis: sealed::Descend {
     #[must_use]
     fn range(&self) -> Interval;
 
-    /// The value at `x`, as [`Fif::evaluate`].
+    /// The value at `x`, as [`System::evaluate`](crate::System::evaluate).
     #[must_use]
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
 
@@ -32,19 +24,29 @@ pub trait Axis: sealed::Descend {
     fn slope(&self, x: f64) -> Option<f64>;
 }
 
+/// Means of a function over an interval, and of its slope when it has one.
+#[derive(Clone, Copy, Debug)]
+pub struct LineMeans {
+    /// The mean of `f`.
+    pub(crate) value: Estimate,
+    /// The mean of `f²`.
+    pub(crate) value_squared: Estimate,
+    /// The means of `f′`, of `f′²` and of `f f′`.
+    pub(crate) slope: Option<[Estimate; 3]>,
+}
+
 pub(crate) mod sealed {
+    use super::{LineMeans, MomentError};
     use crate::numeric::interval::{Bounded, Interval};
     #[cfg(feature = "alloc")]
-    use crate::surface::height_field::axis_tables::AxisTables;
-    #[cfg(feature = "alloc")]
-    use crate::surface::height_field::jet_table::Jets;
+    use crate::surface::height_field::{axis_tables::AxisTables, jet_table::Jets};
 
     /// Descent from the domain to ever smaller cells.
     pub trait Descend {
         /// A cell, as far as its children and bounds need it.
         type Cell: Copy;
 
-        /// A table of values and slopes, for functions that can have one.
+        /// A table of values and slopes.
         #[cfg(feature = "alloc")]
         type Jets: Jets;
 
@@ -54,7 +56,7 @@ pub(crate) mod sealed {
         /// The number of children of a cell.
         fn count(&self) -> usize;
 
-        /// Where the knots of child `j` lie in the cell, in units of its width.
+        /// Knots of child `j` in units of the cell's width.
         fn part(&self, j: usize) -> [f64; 2];
 
         /// Child `j`; the cell itself when there is none.
@@ -66,242 +68,130 @@ pub(crate) mod sealed {
         /// The value to the rounding error, as near as a ray's own coordinates are.
         fn near(&self, x: f64) -> Bounded;
 
-        /// Makes the table, where there can be one.
-        #[cfg(feature = "alloc")]
-        fn jets(&self) -> Option<Self::Jets> {
-            None
-        }
+        /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` when both are equal.
+        fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError>;
 
-        /// The tables of the cached top levels, where there are values and slopes too.
+        /// The tables of the top levels, where there are values and slopes too.
         #[cfg(feature = "alloc")]
-        fn top(&self) -> Option<&AxisTables<Self::Jets>> {
-            None
-        }
+        fn top(&self) -> Option<&AxisTables<Self::Jets>>;
     }
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> sealed::Descend for Fif<S, C> {
-    type Cell = Cell<C>;
+/// A function along an axis with its derivative, where that is continuous.
+#[derive(Clone, Copy, Debug)]
+pub struct Curve<F: Function> {
+    function: F,
+    derivative: Option<F::Derivative>,
+}
+
+impl<F: Function> Curve<F> {
+    pub(crate) fn new(function: F) -> Self {
+        Self { derivative: function.differentiated(), function }
+    }
+
+    /// The function.
+    #[must_use]
+    pub const fn function(&self) -> &F {
+        &self.function
+    }
+
+    /// Its derivative, by [`System::derivative`](crate::System::derivative).
+    #[must_use]
+    pub const fn derivative(&self) -> Option<&F::Derivative> {
+        self.derivative.as_ref()
+    }
+
+    /// The table of values and slopes, where there can be one.
     #[cfg(feature = "alloc")]
-    type Jets = NoJets;
+    pub(crate) fn jets(&self) -> Option<F::Jets> {
+        self.function.jets(self.derivative.as_ref()?.range())
+    }
+}
+
+/// A cell of a function and of its derivative.
+#[derive(Clone, Copy, Debug)]
+pub struct CurveCell<V, D> {
+    value: V,
+    slope: D,
+}
+
+/// The cells of a curve of `F`.
+#[cfg(feature = "alloc")]
+pub(crate) type CellOf<F> = CurveCell<<F as Function>::Cell, <<F as Function>::Derivative as Function>::Cell>;
+
+impl<F: Function> sealed::Descend for Curve<F> {
+    type Cell = CurveCell<F::Cell, <F::Derivative as Function>::Cell>;
+    #[cfg(feature = "alloc")]
+    type Jets = F::Jets;
 
     fn root(&self) -> Self::Cell {
-        Cell::root()
+        CurveCell { value: F::root(), slope: F::Derivative::root() }
     }
 
     #[inline]
     fn count(&self) -> usize {
-        self.pieces().len()
+        self.function.count()
     }
 
     #[inline]
     fn part(&self, j: usize) -> [f64; 2] {
-        self.pieces().get(j).map_or([0.0, 1.0], |piece| piece.s)
+        self.function.part(j)
     }
 
     #[inline]
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
-        self.pieces().get(j).map_or(*cell, |piece| cell.child(piece))
+        let slope = self.derivative.as_ref().map_or(cell.slope, |slope| slope.child(&cell.slope, j));
+        CurveCell { value: self.function.child(&cell.value, j), slope }
     }
 
     #[inline]
     fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
-        [cell.range(self.range()), Interval::ENTIRE]
+        let slope = self.derivative.as_ref().map_or(Interval::ENTIRE, |slope| slope.cell_range(&cell.slope));
+        [self.function.cell_range(&cell.value), slope]
     }
 
     #[inline]
     fn near(&self, x: f64) -> Bounded {
-        self.evaluate(x, 0.0)
-    }
-}
-
-impl<S: AsRef<[Piece<C>]>, const C: usize> Axis for Fif<S, C> {
-    fn domain(&self) -> Interval {
-        self.domain()
+        self.function.evaluate(x, 0.0)
     }
 
-    fn range(&self) -> Interval {
-        self.range()
+    fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError> {
+        let (value, value_squared) = (self.function.mean(l, r), self.function.mean_square(l, r)?);
+        let Some(derivative) = &self.derivative else {
+            return Ok(LineMeans { value, value_squared, slope: None });
+        };
+        let slope = derivative.mean(l, r);
+        // ∫ f f′ = (f(r)² − f(l)²)/2 = (f(r) + f(l))/2 · ∫ f′: the second form does not cancel.
+        let [a, b] = [l, r].map(|x| self.function.evaluate(x, 0.0));
+        let ends = Estimate::new(
+            0.5 * (a.value + b.value),
+            0.5 * (a.value.abs() + b.value.abs()),
+            a.bound + b.bound,
+        );
+        let slope = [slope, derivative.mean_square(l, r)?, ends.product(slope)];
+        Ok(LineMeans { value, value_squared, slope: Some(slope) })
     }
 
-    fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
-        self.evaluate(x, tolerance)
-    }
-
-    fn slope(&self, _x: f64) -> Option<f64> {
+    #[cfg(feature = "alloc")]
+    fn top(&self) -> Option<&crate::surface::height_field::axis_tables::AxisTables<Self::Jets>> {
         None
     }
 }
 
-/// A continuously differentiable fractal interpolation function together with its derivative.
-///
-/// ```text
-/// f̂(x) = y_0 + ∫ f,   f̂′ = f
-/// ```
-///
-/// Cochran, Lewis, Hart 2000, §3 and eq. 34–36.
-#[derive(Clone, Copy, Debug)]
-pub struct Smooth<S, const C: usize, T, const D: usize> {
-    value: Fif<S, C>,
-    slope: Fif<T, D>,
-}
-
-impl<S: Storage<C>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize> Smooth<S, C, T, D> {
-    /// The integral of `slope` that begins with `y0`, as [`Fif::integral`].
-    ///
-    /// # Errors
-    /// Those of [`Fif::integral`].
-    pub fn integral(slope: Fif<T, D>, y0: f64) -> Result<Self, SystemError> {
-        Ok(Self { value: slope.integral(y0)?, slope })
-    }
-}
-
-impl<S: AsRef<[Piece<C>]>, const C: usize, T: Storage<D>, const D: usize> Smooth<S, C, T, D> {
-    /// `value` with its derivative found, as [`Fif::derivative`].
-    ///
-    /// # Errors
-    /// Those of [`Fif::derivative`]: the function may not be differentiable.
-    pub fn of(value: Fif<S, C>) -> Result<Self, SystemError> {
-        Ok(Self { slope: value.derivative()?, value })
-    }
-}
-
-impl<S, const C: usize, T, const D: usize> Smooth<S, C, T, D> {
-    /// The function.
-    #[must_use]
-    pub const fn value(&self) -> &Fif<S, C> {
-        &self.value
-    }
-
-    /// Its derivative.
-    #[must_use]
-    pub const fn derivative(&self) -> &Fif<T, D> {
-        &self.slope
-    }
-}
-
-impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize> sealed::Descend
-    for Smooth<S, C, T, D>
-{
-    type Cell = (Cell<C>, Cell<D>);
-    #[cfg(feature = "alloc")]
-    type Jets = JetTable<C>;
-
-    fn root(&self) -> Self::Cell {
-        (Cell::root(), Cell::root())
-    }
-
-    #[inline]
-    fn count(&self) -> usize {
-        self.value.count()
-    }
-
-    #[inline]
-    fn part(&self, j: usize) -> [f64; 2] {
-        self.value.part(j)
-    }
-
-    #[inline]
-    fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
-        (self.value.child(&cell.0, j), self.slope.child(&cell.1, j))
-    }
-
-    #[inline]
-    fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
-        [cell.0.range(self.value.range()), cell.1.range(self.slope.range())]
-    }
-
-    #[inline]
-    fn near(&self, x: f64) -> Bounded {
-        self.value.evaluate(x, 0.0)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn jets(&self) -> Option<Self::Jets> {
-        JetTable::new(&self.value, &self.slope)
-    }
-}
-
-impl<S: AsRef<[Piece<C>]>, const C: usize, T: AsRef<[Piece<D>]>, const D: usize> Axis for Smooth<S, C, T, D> {
+impl<F: Function> Axis for Curve<F> {
     fn domain(&self) -> Interval {
-        self.value.domain()
+        self.function.domain()
     }
 
     fn range(&self) -> Interval {
-        self.value.range()
+        self.function.range()
     }
 
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
-        self.value.evaluate(x, tolerance)
+        self.function.evaluate(x, tolerance)
     }
 
     fn slope(&self, x: f64) -> Option<f64> {
-        Some(self.slope.evaluate(x, 0.0).value)
-    }
-}
-
-/// A borrowed axis is an axis, so that one table can serve two axes or two surfaces.
-impl<A: sealed::Descend> sealed::Descend for &A {
-    type Cell = A::Cell;
-    #[cfg(feature = "alloc")]
-    type Jets = A::Jets;
-
-    #[inline]
-    fn root(&self) -> Self::Cell {
-        A::root(self)
-    }
-
-    #[inline]
-    fn count(&self) -> usize {
-        A::count(self)
-    }
-
-    #[inline]
-    fn part(&self, j: usize) -> [f64; 2] {
-        A::part(self, j)
-    }
-
-    #[inline]
-    fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
-        A::child(self, cell, j)
-    }
-
-    #[inline]
-    fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
-        A::bounds(self, cell)
-    }
-
-    #[inline]
-    fn near(&self, x: f64) -> Bounded {
-        A::near(self, x)
-    }
-
-    #[cfg(feature = "alloc")]
-    fn jets(&self) -> Option<Self::Jets> {
-        A::jets(self)
-    }
-
-    #[cfg(feature = "alloc")]
-    #[inline]
-    fn top(&self) -> Option<&AxisTables<Self::Jets>> {
-        A::top(self)
-    }
-}
-
-impl<A: Axis> Axis for &A {
-    fn domain(&self) -> Interval {
-        A::domain(self)
-    }
-
-    fn range(&self) -> Interval {
-        A::range(self)
-    }
-
-    fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
-        A::evaluate(self, x, tolerance)
-    }
-
-    fn slope(&self, x: f64) -> Option<f64> {
-        A::slope(self, x)
+        Some(self.derivative.as_ref()?.evaluate(x, 0.0).value)
     }
 }

@@ -1,7 +1,8 @@
-//! The tables of one axis, with what every ray needs of it.
+//! Tables of one axis, with the constants that every ray needs.
 
+use crate::numeric::floor::floor;
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::jet_table::{Jets, floor};
+use crate::surface::height_field::jet_table::Jets;
 use crate::surface::height_field::range_table::RangeTable;
 
 /// Ranges over runs of the finest cells, values and slopes, and numbers drawn from these.
@@ -53,7 +54,7 @@ impl<J: Jets> AxisTables<J> {
         self.ranges.over(cell(parts[0]), cell(parts[1]))
     }
 
-    /// The same where the parts are within two cells, and better.
+    /// Narrower enclosures where the parts are within two cells.
     pub(crate) fn finer(&self, parts: [f64; 2]) -> Option<[Interval; 2]> {
         self.jets.finer(&self.ranges, parts)
     }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::math::sqrt;
 use crate::surface::height_field::axis::Axis;
 use crate::surface::height_field::height_field::HeightField;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 
 /// The curvature of a surface at a point, per unit length; positive where the surface bends towards its upward normal, in a
@@ -51,14 +51,13 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// The curvature at `(x, y)`, with the second derivatives `f″` and `g″` of the two axes; `None` unless both axes are
     /// differentiable.
     ///
-    /// `f″` is the derivative of the slope, [`Fif::derivative`], made once by the caller: it exists for few functions, such as
+    /// `f″` is the derivative of the slope, [`System::derivative`], made once by the caller: it exists for few functions, such as
     /// second integrals.
     ///
     /// ```
-    /// use asperity_fif::{FixedFif, FixedSmooth, HeightField, paper};
+    /// use asperity_fif::{FixedFif, HeightField, paper};
     /// let second = paper::f()?;
-    /// let slope: FixedFif<2, 3> = second.integral(0.0)?;
-    /// let axis = FixedSmooth::<2, 4, 3>::integral(slope, 0.0)?;
+    /// let axis: FixedFif<2, 4> = paper::f_hat()?.integral(0.0)?;
     /// let curvature = HeightField::new(axis, axis).curvature(1.0, 1.0, &second, &second).unwrap();
     /// let [k1, k2] = curvature.principal();
     /// assert!((k1 * k2 - curvature.gauss).abs() < 1e-15 && k1 >= k2);
@@ -69,8 +68,8 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
         &self,
         x: f64,
         y: f64,
-        f_second: &Fif<U, D>,
-        g_second: &Fif<V, E>,
+        f_second: &System<U, D>,
+        g_second: &System<V, E>,
     ) -> Option<Curvature> {
         let (f_slope, g_slope) = (self.x.slope(x)?, self.y.slope(y)?);
         let (f, g) = (self.x.evaluate(x, 0.0).value, self.y.evaluate(y, 0.0).value);
@@ -83,14 +82,14 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FixedFif, FixedSmooth, paper};
+    use crate::{FixedFif, paper};
 
     #[test]
     fn the_normal_diverges_by_twice_the_mean_curvature() {
         let (f, g) = (paper::f().unwrap(), paper::g().unwrap());
         let [x_axis, y_axis] = [f, g].map(|second| {
             let slope: FixedFif<2, 3> = second.integral(0.1).unwrap();
-            FixedSmooth::<2, 4, 3>::integral(slope, 0.2).unwrap()
+            slope.integral::<[Piece<4>; 2], 4>(0.2).unwrap()
         });
         let surface = HeightField::new(x_axis, x_axis);
         let (x, y, step) = (0.7, 1.3, 1e-5);

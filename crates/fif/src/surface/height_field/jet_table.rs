@@ -3,10 +3,11 @@
 use alloc::vec::Vec;
 use core::fmt::Debug;
 
+use crate::numeric::floor::floor;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, substitute};
 use crate::surface::height_field::range_table::RangeTable;
-use crate::system::fif::Fif;
+use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::table::composite::{Composite, Composites};
 
@@ -45,40 +46,6 @@ pub trait Jets: Clone + Debug {
     }
 }
 
-/// No table.
-#[derive(Clone, Debug)]
-pub enum NoJets {}
-
-impl Jets for NoJets {
-    fn jet(&self, _part: f64, _steps: usize) -> [f64; 2] {
-        match *self {}
-    }
-
-    fn part(&self, _x: f64) -> f64 {
-        match *self {}
-    }
-
-    fn finer(&self, _ranges: &RangeTable, _parts: [f64; 2]) -> Option<[Interval; 2]> {
-        match *self {}
-    }
-
-    fn errors(&self) -> &[[f64; 2]; STEPS + 1] {
-        match *self {}
-    }
-
-    fn enough(&self) -> [usize; 2] {
-        match *self {}
-    }
-
-    fn cells_within(&self, _part: f64) -> usize {
-        match *self {}
-    }
-
-    fn bytes(&self) -> usize {
-        match *self {}
-    }
-}
-
 /// All composites of a few maps of a system on equal knots, and their derivatives, evaluated to any number of steps.
 ///
 /// ```text
@@ -108,16 +75,12 @@ pub struct JetTable<const C: usize> {
 
 impl<const C: usize> JetTable<C> {
     /// `None` unless the knots are equally spaced and the sums of values and slopes converge.
-    pub(crate) fn new<S: AsRef<[Piece<C>]>, T: AsRef<[Piece<D>]>, const D: usize>(
-        value: &Fif<S, C>,
-        slope: &Fif<T, D>,
-    ) -> Option<Self> {
-        let Composites { table, radix, steepest, largest, error, deviation, .. } =
-            Composites::<Vec<Composite<C>>, C>::new(value).ok()?;
+    pub(crate) fn new<S: AsRef<[Piece<C>]>>(value: &System<S, C>, slopes: Interval) -> Option<Self> {
+        let Composites { table, radix, steepest, largest, error, deviation, .. } = Composites::new(value)?;
         let wide = radix as f64;
         let width = value.domain().width();
         let (y0, rise) = (value.chord().start, value.chord().rise);
-        let slopes = slope.range().scaled(width).sum(Interval::new(-rise, -rise));
+        let slopes = slopes.scaled(width).sum(Interval::new(-rise, -rise));
         let steep = steepest * wide;
         let converges = steepest < 1.0 && steep < 1.0;
         // Horner's rule rounds twice a step; a derivative has each coefficient up to C times.
@@ -265,24 +228,18 @@ impl<const C: usize> Jets for JetTable<C> {
     }
 }
 
-/// The whole number below, as both types; at a whole number that one or the one before. For `0 ≤ x < 2³¹`.
-#[inline(always)]
-pub(crate) fn floor(x: f64) -> (f64, usize) {
-    // 1.5 · 2⁵²: sums from here on are whole numbers, the nearest ones, and so are the last bits of their mantissas.
-    const WHOLE: f64 = 6_755_399_441_055_744.0;
-    let sum = (x - 0.5) + WHOLE;
-    (sum - WHOLE, sum.to_bits() as u32 as usize)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::height_field::axis::sealed::Descend;
-    use crate::{Cached, FifBuf, SmoothBuf, paper};
+    use crate::surface::height_field::axis::{Curve, sealed::Descend};
+    use crate::surface::height_field::tabulated::TabulatedCurve;
+    use crate::{Fif, paper};
 
-    fn check<const C: usize, const D: usize>(axis: &SmoothBuf<C, D>) -> [f64; 2] {
-        let (value, slope) = (axis.value(), axis.derivative());
-        let table = JetTable::new(value, slope).unwrap();
+    fn check<S: AsRef<[Piece<C>]>, const C: usize, const D: usize>(
+        value: &System<S, C>,
+        slope: &Fif<D>,
+    ) -> [f64; 2] {
+        let table = JetTable::new(value, slope.range()).unwrap();
         let (domain, mut finest) = (value.domain(), [0.0_f64; 2]);
         for i in 0..=2000 {
             // Also the ends, points outside and some knots.
@@ -313,20 +270,17 @@ mod tests {
 
     #[test]
     fn values_and_slopes_keep_their_bounds_after_any_number_of_steps() {
-        let integral = |maps: [crate::Map<2>; 2]| {
-            let f = FifBuf::new(&paper::KNOTS, &maps.map(|w| w.alpha), &maps.map(|w| w.q)).unwrap();
-            SmoothBuf::<3, 2>::integral(f, 0.0).unwrap()
-        };
-        let hermite = FifBuf::hermite(
+        let hermite = Fif::hermite(
             &[-1.0, 0.0, 1.0, 2.0],
             &[0.3, 1.0, -0.5, 2.0],
             &[1.0, 0.0, -1.0, 0.5],
             &[0.3, -0.2, 0.1],
-        );
+        )
+        .unwrap();
         let worst = [
-            check(&integral(paper::F_MAPS)),
-            check(&integral(paper::G_MAPS)),
-            check::<4, 3>(&SmoothBuf::of(hermite.unwrap()).unwrap()),
+            check(&paper::f_hat().unwrap(), &paper::f().unwrap().owned()),
+            check(&paper::g_hat().unwrap(), &paper::g().unwrap().owned()),
+            check::<_, 4, 3>(&hermite, &hermite.derivative().unwrap()),
         ];
         for [off, bound] in worst {
             // Measured: 1.5e-14, 9.6e-15 and 2.2e-13, bounds 6.6e-14 to 7.4e-13.
@@ -335,22 +289,10 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_below_are_found() {
-        for x in [0.0, 1e-300, 0.3, 0.5, 0.999, 1.5, 1_023.0, 1_023.999_999, 2_147_483_646.5] {
-            let (whole, number) = floor(x);
-            assert_eq!(whole, number as f64);
-            assert!(whole <= x && x <= whole + 1.0, "{x}: {whole}");
-        }
-    }
-
-    #[test]
     fn finer_ranges_hold_samples_and_are_narrow() {
-        for maps in [paper::F_MAPS, paper::G_MAPS] {
-            let f = FifBuf::new(&paper::KNOTS, &maps.map(|w| w.alpha), &maps.map(|w| w.q)).unwrap();
-            let axis = SmoothBuf::<3, 2>::integral(f, 0.0).unwrap();
-            let cached = Cached::new(&axis);
-            let top = cached.top().unwrap();
-            let most = maps[0].alpha.abs();
+        for (axis, most) in [(paper::f_hat(), 0.5), (paper::g_hat(), 0.85)] {
+            let tabulated = TabulatedCurve::new(Curve::new(axis.unwrap()), 1024);
+            let top = tabulated.top().unwrap();
             for i in 0..400 {
                 // Within cells, over the border of two, at both ends of the domain.
                 let width = [1e-3, 1e-4, 1e-6][i % 3];
@@ -377,7 +319,7 @@ mod tests {
                 // Some times what the function takes over a cell of this width, and not less than over one of the second step.
                 let finest = [f64::from(1 << 20).recip(), width][usize::from(width > 1e-6)];
                 let depth = -finest.log2();
-                assert!(slopes.width() < 64.0 * most.powf(depth - 2.0), "{from} {width}: {slopes:?}");
+                assert!(slopes.width() < 64.0 * f64::powf(most, depth - 2.0), "{from} {width}: {slopes:?}");
                 assert!(
                     values.width() < 4.2 * width * (slopes.magnitude() + 2.0),
                     "{from} {width}: {values:?}"
@@ -389,8 +331,7 @@ mod tests {
     #[test]
     fn uneven_knots_have_no_table() {
         let hermite =
-            FifBuf::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
-        let axis = SmoothBuf::<4, 3>::of(hermite).unwrap();
-        assert!(JetTable::new(axis.value(), axis.derivative()).is_none());
+            Fif::hermite(&[0.0, 0.4, 1.0], &[0.0, 1.0, 0.5], &[1.0, 0.0, -1.0], &[0.3, -0.4]).unwrap();
+        assert!(JetTable::new(&hermite, Interval::new(-9.0, 9.0)).is_none());
     }
 }

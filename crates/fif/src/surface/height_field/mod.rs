@@ -6,6 +6,7 @@ pub(crate) mod axis;
 pub(crate) mod axis_tables;
 pub(crate) mod cover;
 pub(crate) mod curvature;
+pub(crate) mod function;
 pub(crate) mod height_field;
 #[cfg(feature = "alloc")]
 pub(crate) mod jet_table;

@@ -7,7 +7,8 @@ use glam::DVec2;
 
 use crate::numeric::interval::Interval;
 use crate::surface::height_field::axis::Axis;
-use crate::surface::height_field::height_field::{HeightField, upward_normal};
+use crate::surface::height_field::height_field::HeightField;
+use crate::surface::normal::upward_normal;
 
 /// Why a distribution of normals was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,11 +67,10 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// the source's `g`, it is as good as `samples` independent ones: 512 give the mean slope within 0.03.
     ///
     /// ```
-    /// use asperity_fif::{FixedSmooth, HeightField, Interval, paper};
-    /// let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
+    /// use asperity_fif::{HeightField, Interval, paper};
     /// let whole = Interval::new(0.0, 2.0);
     /// let mut texels = [0.0; 32 * 32];
-    /// HeightField::new(axis, axis).normal_distribution([whole, whole], 64, [32, 32], &mut texels)?;
+    /// HeightField::new(paper::f_hat()?, paper::f_hat()?).normal_distribution([whole, whole], 64, [32, 32], &mut texels)?;
     /// let total: f32 = texels.iter().sum();
     /// assert!((total * 4.0 / 1024.0 - 1.0).abs() < 1e-5);
     /// # Ok::<(), Box<dyn core::error::Error>>(())

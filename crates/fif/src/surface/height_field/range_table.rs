@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
+use crate::numeric::floor::floor;
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::jet_table::floor;
 
 /// Ranges of values and slopes over runs of 1, 2, 4, … cells that begin at every cell: a sparse table.
 ///
@@ -48,7 +48,7 @@ impl RangeTable {
         [Interval::new(-a, b), Interval::new(-c, d)]
     }
 
-    /// The same from one part of the domain to the next, and a little more.
+    /// Enclosures over a part of the domain, padded by 1e-12.
     pub(crate) fn between(&self, parts: [f64; 2]) -> [Interval; 2] {
         const LITTLE: f64 = 1e-12;
         let cells = self.cells as f64;

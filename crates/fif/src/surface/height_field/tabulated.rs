@@ -2,51 +2,34 @@
 
 use alloc::vec::Vec;
 
+use crate::calculus::moment_basis::MomentError;
 use crate::numeric::interval::{Bounded, Interval};
-use crate::surface::height_field::axis::{Axis, sealed::Descend};
+use crate::surface::height_field::axis::{Axis, CellOf, Curve, LineMeans, sealed::Descend};
 use crate::surface::height_field::axis_tables::AxisTables;
+use crate::surface::height_field::function::Function;
 use crate::surface::height_field::jet_table::Jets;
 
-/// An axis with a table of the value and slope ranges of its top levels of cells; makes ray hits fast.
-///
-/// The product of two tables bounds every box of a height field's top levels: `2 N^K` numbers in place of `N^{2K}`. The
-/// ranges are hulls of those of finer cells, tighter than any that the descent computes on the fly.
-///
-/// ```
-/// use asperity_fif::{Cached, FixedSmooth, HeightField, Ray, paper};
-/// use glam::DVec3;
-/// let axis = FixedSmooth::<2, 3, 2>::integral(paper::f()?, 0.0)?;
-/// let surface = HeightField::new(Cached::new(axis), Cached::new(axis));
-/// let down = Ray { origin: DVec3::new(0.3, 1.2, 9.0), direction: DVec3::NEG_Z };
-/// let hit = surface.first_hit(&down).unwrap();
-/// assert!((hit.t - (9.0 - surface.height(0.3, 1.2))).abs() < 1e-12);
-/// # Ok::<(), asperity_fif::SystemError>(())
-/// ```
+/// A curve with a table of the value and slope ranges of its top levels of cells; made by
+/// [`HeightField::tabulated`](crate::HeightField::tabulated).
 #[derive(Clone, Debug)]
-pub struct Cached<A: Axis> {
-    axis: A,
+pub struct TabulatedCurve<F: Function> {
+    curve: Curve<F>,
     /// Level after level; the children of cell `i` are `i N + 1` to `i N + N`.
     bounds: Vec<[Interval; 2]>,
     /// The cells of the last level.
-    leaves: Vec<A::Cell>,
+    leaves: Vec<CellOf<F>>,
     /// Ranges over runs of leaves, and values and slopes, where a table can have them.
-    tables: Option<AxisTables<A::Jets>>,
+    tables: Option<AxisTables<F::Jets>>,
 }
 
-impl<A: Axis> Cached<A> {
-    /// With at most 1024 cells in the last level.
-    #[must_use]
-    pub fn new(axis: A) -> Self {
-        Self::with_cells(axis, 1024)
-    }
-
+impl<F: Function> TabulatedCurve<F> {
     /// With at most `cells` cells in the last level; 0 and 1 keep the domain's own bounds only.
-    #[must_use]
-    pub fn with_cells(axis: A, cells: usize) -> Self {
+    pub(crate) fn new(curve: Curve<F>, cells: usize) -> Self {
         // Levels below the last one that its bounds are drawn from.
         const BELOW: u32 = 3;
+        let axis = &curve;
         let maps = axis.count().max(2);
-        let mut leaves: Vec<A::Cell> = alloc::vec![axis.root()];
+        let mut leaves: Vec<CellOf<F>> = alloc::vec![axis.root()];
         let mut level_sizes = alloc::vec![1_usize];
         while leaves.len().saturating_mul(maps) <= cells {
             leaves = leaves.iter().flat_map(|cell| (0..maps).map(|j| axis.child(cell, j))).collect();
@@ -55,7 +38,7 @@ impl<A: Axis> Cached<A> {
         let below = if maps.pow(2) > 64 { 1 } else { BELOW };
         // From the last level up, then turned round.
         let mut levels: Vec<Vec<[Interval; 2]>> = Vec::with_capacity(level_sizes.len());
-        levels.push(leaves.iter().map(|cell| finer(&axis, cell, below)).collect());
+        levels.push(leaves.iter().map(|cell| finer(axis, cell, below)).collect());
         let jets = if cells > 1 { axis.jets() } else { None };
         let tables = jets.zip(levels.first()).map(|(jets, last)| AxisTables::new(last, jets, axis.domain()));
         while let Some(last) = levels.last()
@@ -68,23 +51,16 @@ impl<A: Axis> Cached<A> {
             levels.push(above);
         }
         let bounds = levels.into_iter().rev().flatten().collect();
-        Self { axis, bounds, leaves, tables }
+        Self { curve, bounds, leaves, tables }
     }
 
-    /// The axis itself.
+    /// The curve.
     #[must_use]
-    pub const fn axis(&self) -> &A {
-        &self.axis
+    pub const fn curve(&self) -> &Curve<F> {
+        &self.curve
     }
 
-    /// Memory of the tables, without the axis itself.
-    ///
-    /// ```
-    /// use asperity_fif::{Cached, FixedSmooth, paper};
-    /// let axis = Cached::new(FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?);
-    /// assert!(axis.bytes() < 500_000);
-    /// # Ok::<(), asperity_fif::SystemError>(())
-    /// ```
+    /// Memory of the tables in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of_val(self.bounds.as_slice())
@@ -98,7 +74,7 @@ impl<A: Axis> Cached<A> {
 }
 
 /// The bounds of a cell as the hull of its descendants' some levels below.
-fn finer<A: Axis>(axis: &A, cell: &A::Cell, levels: u32) -> [Interval; 2] {
+fn finer<F: Function>(axis: &Curve<F>, cell: &CellOf<F>, levels: u32) -> [Interval; 2] {
     let own = axis.bounds(cell);
     if levels == 0 {
         return own;
@@ -113,50 +89,50 @@ fn finer<A: Axis>(axis: &A, cell: &A::Cell, levels: u32) -> [Interval; 2] {
 
 /// A cell of the table or below it.
 #[derive(Clone, Copy, Debug)]
-pub enum CachedCell<Cell> {
+pub enum TableCell<Cell> {
     /// By its number in the table.
     Top(usize),
     /// By what its bounds are computed from.
     Below(Cell),
 }
 
-impl<A: Axis> Descend for Cached<A> {
-    type Cell = CachedCell<A::Cell>;
-    type Jets = A::Jets;
+impl<F: Function> Descend for TabulatedCurve<F> {
+    type Cell = TableCell<<Curve<F> as Descend>::Cell>;
+    type Jets = F::Jets;
 
     #[inline]
     fn root(&self) -> Self::Cell {
-        CachedCell::Top(0)
+        TableCell::Top(0)
     }
 
     #[inline]
     fn count(&self) -> usize {
-        self.axis.count()
+        self.curve.count()
     }
 
     #[inline]
     fn part(&self, j: usize) -> [f64; 2] {
-        self.axis.part(j)
+        self.curve.part(j)
     }
 
     #[inline]
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
         match cell {
-            CachedCell::Top(i) if *i < self.first_leaf() => CachedCell::Top(i * self.count() + 1 + j),
-            CachedCell::Top(i) => {
+            TableCell::Top(i) if *i < self.first_leaf() => TableCell::Top(i * self.count() + 1 + j),
+            TableCell::Top(i) => {
                 let leaf =
-                    self.leaves.get(i - self.first_leaf()).copied().unwrap_or_else(|| self.axis.root());
-                CachedCell::Below(self.axis.child(&leaf, j))
+                    self.leaves.get(i - self.first_leaf()).copied().unwrap_or_else(|| self.curve.root());
+                TableCell::Below(self.curve.child(&leaf, j))
             }
-            CachedCell::Below(cell) => CachedCell::Below(self.axis.child(cell, j)),
+            TableCell::Below(cell) => TableCell::Below(self.curve.child(cell, j)),
         }
     }
 
     #[inline]
     fn bounds(&self, cell: &Self::Cell) -> [Interval; 2] {
         match cell {
-            CachedCell::Top(i) => self.bounds.get(*i).copied().unwrap_or([Interval::ENTIRE; 2]),
-            CachedCell::Below(cell) => self.axis.bounds(cell),
+            TableCell::Top(i) => self.bounds.get(*i).copied().unwrap_or([Interval::ENTIRE; 2]),
+            TableCell::Below(cell) => self.curve.bounds(cell),
         }
     }
 
@@ -167,8 +143,12 @@ impl<A: Axis> Descend for Cached<A> {
                 let (steps, bound) = jets.finest();
                 Bounded { value: jets.jet(jets.part(x), steps)[0], bound }
             }
-            None => self.axis.near(x),
+            None => self.curve.near(x),
         }
+    }
+
+    fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError> {
+        self.curve.means(l, r)
     }
 
     #[inline]
@@ -177,34 +157,33 @@ impl<A: Axis> Descend for Cached<A> {
     }
 }
 
-impl<A: Axis> Axis for Cached<A> {
+impl<F: Function> Axis for TabulatedCurve<F> {
     fn domain(&self) -> Interval {
-        self.axis.domain()
+        self.curve.domain()
     }
 
     fn range(&self) -> Interval {
-        self.bounds.first().map_or_else(|| self.axis.range(), |b| b[0])
+        self.bounds.first().map_or_else(|| self.curve.range(), |b| b[0])
     }
 
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
-        self.axis.evaluate(x, tolerance)
+        self.curve.evaluate(x, tolerance)
     }
 
     fn slope(&self, x: f64) -> Option<f64> {
-        self.axis.slope(x)
+        self.curve.slope(x)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FifBuf, FixedSmooth, paper};
+    use crate::{Fif, paper};
 
     #[test]
     fn every_cell_of_the_table_lies_in_its_parent_and_holds_its_samples() {
-        let axis: FifBuf<2> =
-            FifBuf::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
-        let cached = Cached::with_cells(axis, 100);
+        let f = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
+        let cached = TabulatedCurve::new(Curve::new(f), 100);
         assert_eq!(cached.leaves.len(), 81);
         assert_eq!(cached.bounds.len(), 1 + 3 + 9 + 27 + 81);
         let mut cells = alloc::vec![(cached.root(), 0.0, 1.0)];
@@ -229,8 +208,7 @@ mod tests {
 
     #[test]
     fn slopes_lie_in_their_ranges() {
-        let axis = FixedSmooth::<2, 3, 2>::integral(paper::g().unwrap(), 0.0).unwrap();
-        let cached = Cached::with_cells(axis, 16);
+        let cached = TabulatedCurve::new(Curve::new(paper::g_hat().unwrap()), 16);
         let mut cells = alloc::vec![(cached.root(), 0.0, 2.0)];
         for _ in 0..7 {
             for (cell, left, width) in &cells {
@@ -251,18 +229,18 @@ mod tests {
 
     #[test]
     fn smooth_axes_on_even_knots_have_values_in_their_tables() {
-        for rough in [paper::f(), paper::g()] {
-            let cached = Cached::new(FixedSmooth::<2, 3, 2>::integral(rough.unwrap(), 0.0).unwrap());
+        for smooth in [paper::f_hat(), paper::g_hat()] {
+            let cached = TabulatedCurve::new(Curve::new(smooth.unwrap()), 1024);
             assert!(cached.top().is_some() && cached.bytes() < 500_000);
         }
-        assert!(Cached::new(paper::f().unwrap()).top().is_none());
+        assert!(TabulatedCurve::new(Curve::new(paper::f().unwrap()), 1024).top().is_none());
     }
 
     #[test]
     fn a_table_of_one_cell_works() {
-        let cached = Cached::with_cells(paper::f().unwrap(), 0);
+        let cached = TabulatedCurve::new(Curve::new(paper::f().unwrap()), 0);
         assert_eq!((cached.leaves.len(), cached.bounds.len()), (1, 1));
         assert!(cached.range().contains(4.0 / 3.0));
-        assert!(matches!(cached.child(&cached.root(), 1), CachedCell::Below(_)));
+        assert!(matches!(cached.child(&cached.root(), 1), TableCell::Below(_)));
     }
 }

@@ -1,109 +1,82 @@
-//! Points of the torus as exact fractions of a turn, and how an integer matrix moves them.
+//! Points of the torus as exact fractions of a turn, and their images under an integer matrix.
 
-/// The coordinates of a point of the unit torus, as fractions with as many bits as a word has.
-pub(crate) trait Turn: Copy {
+/// A point of the unit torus, as fractions with as many bits as a word has, or as ratios.
+#[derive(Clone, Copy, Debug)]
+pub enum Address {
+    /// 64 bits: every `f64` of magnitude 2⁻¹¹ or more, and every one that is a multiple of 2⁻⁶⁴.
+    Short([u64; 2]),
+    /// 128 bits.
+    Long([u128; 2]),
+    /// Numerators under a common denominator: the orbit of a rational point is periodic and exact.
+    Ratio([u64; 2], u32),
+}
+
+impl Address {
+    /// The point and what is cut off of a coordinate; `None` unless both are finite.
+    #[inline]
+    pub(crate) fn of(x: f64, y: f64) -> Option<(Self, f64)> {
+        let ((x, cut_x), (y, cut_y)) = (turn(x)?, turn(y)?);
+        let short = (x | y) as u64 == 0;
+        let at = if short { Self::Short([x, y].map(|t| (t >> 64) as u64)) } else { Self::Long([x, y]) };
+        Some((at, if cut_x > cut_y { cut_x } else { cut_y }))
+    }
+
+    /// The ratio modulo 1; `None` for the denominator 0.
+    pub(crate) fn ratio(numerators: [i64; 2], denominator: u32) -> Option<Self> {
+        let remainder = |k: i64| k.checked_rem_euclid(i64::from(denominator)).map(i64::unsigned_abs);
+        Some(Self::Ratio([remainder(numerators[0])?, remainder(numerators[1])?], denominator))
+    }
+
     /// `M (x, y)` modulo 1, exact.
-    fn moved(self, matrix: &[[i32; 2]; 2]) -> Self;
+    #[inline]
+    pub(crate) fn moved(self, matrix: &[[i32; 2]; 2]) -> Self {
+        // Sign extension and wrapping products are arithmetic modulo the word, whole turns drop out.
+        match self {
+            Self::Short([x, y]) => Self::Short(matrix.map(|[a, b]| {
+                x.wrapping_mul(i64::from(a) as u64).wrapping_add(y.wrapping_mul(i64::from(b) as u64))
+            })),
+            Self::Long([x, y]) => Self::Long(matrix.map(|[a, b]| {
+                x.wrapping_mul(i128::from(a) as u128).wrapping_add(y.wrapping_mul(i128::from(b) as u128))
+            })),
+            Self::Ratio(numerators, denominator) => {
+                let [x, y] = numerators.map(i128::from);
+                let row = |[a, b]: [i32; 2]| {
+                    let sum = i128::from(a) * x + i128::from(b) * y;
+                    sum.checked_rem_euclid(i128::from(denominator)).map_or(0, |rest| rest as u64)
+                };
+                Self::Ratio(matrix.map(row), denominator)
+            }
+        }
+    }
 
     /// The cell of a grid of `2^bits` cells along a side, and the place within it in units of the cell, 53 bits of it.
-    fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]);
+    #[inline]
+    pub(crate) fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]) {
+        let high = |t: u128| (t >> 64) as u64;
+        match self {
+            Self::Short(at) => (at.map(|t| (t >> (64 - bits)) as usize), at.map(|t| unit(t << bits))),
+            Self::Long(at) => {
+                (at.map(|t| (high(t) >> (64 - bits)) as usize), at.map(|t| unit(high(t << bits))))
+            }
+            Self::Ratio(numerators, denominator) => {
+                let denominator = u64::from(denominator).max(1);
+                let whole = numerators.map(|k| ((k << bits) / denominator) as usize);
+                (whole, numerators.map(|k| ((k << bits) % denominator) as f64 / denominator as f64))
+            }
+        }
+    }
 
     /// Whether the point is a corner of such a cell.
-    fn is_corner(self, bits: u32) -> bool;
-}
-
-/// 64 bits: every `f64` of magnitude 2⁻¹¹ or more, and every one that is a multiple of 2⁻⁶⁴.
-#[derive(Clone, Copy)]
-pub(crate) struct Short(pub(crate) [u64; 2]);
-
-/// 128 bits.
-#[derive(Clone, Copy)]
-pub(crate) struct Long(pub(crate) [u128; 2]);
-
-impl Turn for Short {
     #[inline]
-    fn moved(self, matrix: &[[i32; 2]; 2]) -> Self {
-        let [x, y] = self.0;
-        // Sign extension and wrapping products are arithmetic modulo 2⁶⁴, whole turns drop out.
-        let row = |[a, b]: [i32; 2]| {
-            x.wrapping_mul(i64::from(a) as u64).wrapping_add(y.wrapping_mul(i64::from(b) as u64))
-        };
-        Self([row(matrix[0]), row(matrix[1])])
-    }
-
-    #[inline]
-    fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]) {
-        (self.0.map(|t| (t >> (64 - bits)) as usize), self.0.map(|t| unit(t << bits)))
-    }
-
-    #[inline]
-    fn is_corner(self, bits: u32) -> bool {
-        (self.0[0] | self.0[1]) << bits == 0
-    }
-}
-
-impl Turn for Long {
-    fn moved(self, matrix: &[[i32; 2]; 2]) -> Self {
-        let [x, y] = self.0;
-        let row = |[a, b]: [i32; 2]| {
-            x.wrapping_mul(i128::from(a) as u128).wrapping_add(y.wrapping_mul(i128::from(b) as u128))
-        };
-        Self([row(matrix[0]), row(matrix[1])])
-    }
-
-    fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]) {
-        let high = |t: u128| (t >> 64) as u64;
-        (self.0.map(|t| (high(t) >> (64 - bits)) as usize), self.0.map(|t| unit(high(t << bits))))
-    }
-
-    fn is_corner(self, bits: u32) -> bool {
-        (self.0[0] | self.0[1]) << bits == 0
-    }
-}
-
-/// Numerators under a common denominator: the orbit of a rational point is periodic and exact.
-#[derive(Clone, Copy)]
-pub(crate) struct Ratio {
-    numerators: [u64; 2],
-    denominator: u32,
-}
-
-impl Ratio {
-    /// The point modulo 1; `None` for the denominator 0.
-    pub(crate) fn new(numerators: [i64; 2], denominator: u32) -> Option<Self> {
-        let remainder = |k: i64| k.checked_rem_euclid(i64::from(denominator)).map(i64::unsigned_abs);
-        Some(Self { numerators: [remainder(numerators[0])?, remainder(numerators[1])?], denominator })
-    }
-}
-
-impl Turn for Ratio {
-    fn moved(self, matrix: &[[i32; 2]; 2]) -> Self {
-        let [x, y] = self.numerators.map(i128::from);
-        let row = |[a, b]: [i32; 2]| {
-            let sum = i128::from(a) * x + i128::from(b) * y;
-            sum.checked_rem_euclid(i128::from(self.denominator)).map_or(0, |rest| rest as u64)
-        };
-        Self { numerators: [row(matrix[0]), row(matrix[1])], ..self }
-    }
-
-    fn cell(self, bits: u32) -> ([usize; 2], [f64; 2]) {
-        let denominator = u64::from(self.denominator).max(1);
-        let whole = self.numerators.map(|k| ((k << bits) / denominator) as usize);
-        let part = self.numerators.map(|k| ((k << bits) % denominator) as f64 / denominator as f64);
-        (whole, part)
-    }
-
-    fn is_corner(self, bits: u32) -> bool {
-        let denominator = u64::from(self.denominator).max(1);
-        self.numerators.iter().all(|k| (k << bits).is_multiple_of(denominator))
-    }
-}
-
-impl Long {
-    /// The short form, if no bit is lost.
-    #[inline]
-    pub(crate) fn shortened(self) -> Option<Short> {
-        ((self.0[0] | self.0[1]) as u64 == 0).then(|| Short(self.0.map(|t| (t >> 64) as u64)))
+    pub(crate) fn is_corner(self, bits: u32) -> bool {
+        match self {
+            Self::Short([x, y]) => (x | y) << bits == 0,
+            Self::Long([x, y]) => (x | y) << bits == 0,
+            Self::Ratio(numerators, denominator) => {
+                let denominator = u64::from(denominator).max(1);
+                numerators.iter().all(|k| (k << bits).is_multiple_of(denominator))
+            }
+        }
     }
 }
 
@@ -116,7 +89,7 @@ fn unit(fraction: u64) -> f64 {
 
 /// `x` modulo 1 with 128 bits, and what was cut off at most; `None` unless `x` is finite.
 #[inline]
-pub(crate) fn turn(x: f64) -> Option<(u128, f64)> {
+fn turn(x: f64) -> Option<(u128, f64)> {
     const MANTISSA: u32 = 52;
     const CUT: f64 = 1.0 / 340_282_366_920_938_463_463_374_607_431_768_211_456.0;
     if !x.is_finite() {
@@ -166,16 +139,17 @@ mod tests {
     #[test]
     fn both_lengths_move_alike() {
         let matrix = [[2, -1], [1, 2]];
-        let mut long = Long([0.3, -0.7].map(|x| turn(x).unwrap().0));
-        let mut short = long.shortened().unwrap();
+        let mut long = Address::Long([0.3, -0.7].map(|x| turn(x).unwrap().0));
+        let (mut short, cut) = Address::of(0.3, -0.7).unwrap();
+        assert!(matches!(short, Address::Short(_)) && cut == 0.0);
         for step in 0..200 {
             for bits in [1, 5] {
                 assert_eq!(long.cell(bits), short.cell(bits), "step {step}");
             }
             (long, short) = (long.moved(&matrix), short.moved(&matrix));
         }
-        let tiny = Long([2f64.powi(-70), 0.5].map(|x| turn(x).unwrap().0));
-        assert!(tiny.shortened().is_none() && !tiny.is_corner(1));
-        assert!(Long([1 << 127, 0]).is_corner(1) && Short([1 << 63, 0]).is_corner(1));
+        let (tiny, _) = Address::of(2f64.powi(-70), 0.5).unwrap();
+        assert!(matches!(tiny, Address::Long(_)) && !tiny.is_corner(1));
+        assert!(Address::Long([1 << 127, 0]).is_corner(1) && Address::Short([1 << 63, 0]).is_corner(1));
     }
 }

@@ -1,10 +1,11 @@
-//! Rigorous bounds of a folded surface over rectangles, and its extrema.
+//! Rigorous bounds of a folded surface over rectangles.
 
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
-use crate::surface::extrema::{SurfaceExtrema, ceiling, extrema};
-use crate::surface::self_affine::folded::{FoldedSurface, Part, Strip};
-use crate::surface::self_affine::folded_node::FoldedNode;
+use crate::surface::extrema::ceiling;
+use crate::surface::self_affine::folded_limits::{slope_rounding, steepest, value_rounding};
+use crate::surface::self_affine::self_affine::{Fold, Part, SelfAffine};
+use crate::surface::self_affine::zig_zag::{Strip, ZigZag};
 use crate::surface::surface::SurfaceBounds;
 
 /// Steps that bounds follow a rectangle at most.
@@ -19,32 +20,15 @@ struct Followed {
     slopes: [Interval; 2],
 }
 
-impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
-    /// Rigorous enclosures of the heights and slopes over `x × y`; the smaller the rectangle, the tighter.
-    ///
-    /// ```text
-    /// f(Q) ⊂ H(Q) + Σ_{0<k<K} sᵏ (H − G)(Φᵏ Q) + sᴷ w      ∇f(Q) ⊂ ∇H(Q) + Σ_{0<k<K} J_k(Q) ∇(H − G)(Φᵏ Q) + J_K(Q) ∇w
-    /// f(Q) ⊂ f(c) + ∇f(Q) · (Q − c)
-    /// ```
-    ///
-    /// K is where the image meets more than two cells of an axis or is the domain, so a rectangle that does gets the global ranges; so does
-    /// one that is empty or has ends that are NaN. [`FoldedSurface::extrema_over`] splits what is too large. Parts outside
-    /// the domain count as its border.
-    ///
-    /// ```
-    /// # use asperity_fif::{FixedFolded, Interval};
-    /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-    /// # let surface = FixedFolded::<9>::new(&[0.0, 1.0, 2.0], &[0.0, 0.8, 2.0], 0.375, &z, &[[0.0; 2]; 9])?;
-    /// let bounds = surface.bounds(Interval::new(0.3, 0.301), Interval::new(0.7, 0.701));
-    /// assert!(bounds.height.contains(surface.height(0.3004, 0.7001)) && bounds.height.width() < 0.02);
-    /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
-    /// # Ok::<(), asperity_fif::FoldedError>(())
-    /// ```
-    #[must_use]
-    pub fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+impl SelfAffine<ZigZag> {
+    /// [`SelfAffine::bounds`].
+    pub(crate) fn bounds_over(&self, x: Interval, y: Interval) -> SurfaceBounds {
         let limits = &self.limits;
         let whole = SurfaceBounds { height: limits.range, slopes: self.slope_range() };
-        let (Some(low), Some(high)) = (self.place(x.lo, y.lo), self.place(x.hi, y.hi)) else { return whole };
+        let (Some((low, _)), Some((high, _))) = (self.fold.locate(x.lo, y.lo), self.fold.locate(x.hi, y.hi))
+        else {
+            return whole;
+        };
         let at = [0, 1].map(|k| Interval::new(low[k], high[k]));
         if !(at[0].width() >= 0.0 && at[1].width() >= 0.0) {
             return whole;
@@ -54,7 +38,7 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
         let slopes = self.per_domain([0, 1].map(|k| followed.slopes[k].intersection(limits.slopes[k])));
         let zero = Interval::new(0.0, 0.0);
         // Along the way from the centre, slopes outside the domain are 0 and heights those of the border.
-        let clamped = [x, y].into_iter().zip(self.domain).map(|(x, side)| x.intersection(side));
+        let clamped = [x, y].into_iter().zip(self.fold.domain).map(|(x, side)| x.intersection(side));
         let mut around = self.evaluate(x.middle(), y.middle(), 0.0).interval();
         for ((range, clamped), slope) in [x, y].into_iter().zip(clamped).zip(slopes) {
             let middle = range.middle();
@@ -65,54 +49,18 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
         SurfaceBounds { height: height.intersection(around), slopes }
     }
 
-    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that.
-    ///
-    /// They are rigorous whatever their width. A rectangle is cut to the domain; one that is empty stands for all of it.
-    ///
-    /// ```
-    /// # use asperity_fif::{FixedFolded, Interval};
-    /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-    /// # let surface = FixedFolded::<9>::new(&[0.0, 1.0, 2.0], &[0.0, 0.8, 2.0], 0.375, &z, &[[0.0; 2]; 9])?;
-    /// let extrema = surface.extrema_over(Interval::new(0.0, 2.0), Interval::new(0.0, 2.0), 0.1);
-    /// assert!(extrema.maximum.width() <= 0.1 && extrema.maximum.hi >= 2.0);
-    /// # Ok::<(), asperity_fif::FoldedError>(())
-    /// ```
-    #[must_use]
-    pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
-        let cut = |range: Interval, side: Interval| {
-            let part = range.intersection(side);
-            if part.width() >= 0.0 { part } else { side }
-        };
-        extrema(self, [cut(x, self.domain[0]), cut(y, self.domain[1])], width)
-    }
-
-    /// The same surface with narrower global ranges, of heights and slopes, by branch and bound.
-    ///
-    /// ```text
-    /// sup |w_x| ≤ sup (|Σ_{k<K} J_k ∂(H − G)/∂x∘Φᵏ| + |J_K| sup |w_x|),   K and the square as in bounds()
-    /// ```
-    ///
-    /// The constructor adds up the ranges of all terms; here they are added over small squares. That takes some
-    /// milliseconds, and makes slope ranges and every bound over a rectangle narrower: worth it before searches and rays.
-    ///
-    /// ```
-    /// # use asperity_fif::FixedFolded;
-    /// let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
-    /// let surface = FixedFolded::<9>::new(&[0.0, 1.0, 2.0], &[0.0, 0.8, 2.0], 0.375, &z, &[[0.0; 2]; 9])?;
-    /// assert!(surface.narrowed().slope_range()[0].width() < 0.7 * surface.slope_range()[0].width());
-    /// # Ok::<(), asperity_fif::FoldedError>(())
-    /// ```
-    #[must_use]
-    pub fn narrowed(mut self) -> Self {
+    /// Narrower global ranges, by branch and bound over the domain.
+    pub(crate) fn narrow(&mut self) {
         const PASSES: u32 = 8;
         let unit = [Interval::new(0.0, 1.0); 2];
-        let cells = self.cells[0].max(self.cells[1]).next_power_of_two().trailing_zeros();
+        let cells = self.fold.cells[0].max(self.fold.cells[1]).next_power_of_two().trailing_zeros();
         for pass in 1..=PASSES {
             let depth = cells + pass.min(5);
             self.limits.own_slopes = [0, 1].map(|k| {
-                let most = self.limits.own_slopes[k];
+                let most = self.limits.own_slopes[k].magnitude();
                 let upper = |at| self.followed(at, Part::Own).map_or(most, |own| own.slopes[k].magnitude());
-                ceiling(unit, depth, upper).min(most)
+                let least = ceiling(unit, depth, upper).min(most);
+                Interval::new(-least, least)
             });
         }
         let depth = cells + 4;
@@ -121,7 +69,7 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
             [0, 1].map(|k| self.sides(Part::Data, depth, self.limits.slopes[k], |data| data.slopes[k]));
         let range = self.sides(Part::Data, depth, self.limits.range, |data| data.height);
         (self.limits.slopes, self.limits.range) = (slopes, range);
-        self
+        self.limits.steepest = steepest(&self.limits);
     }
 
     /// The range of a part over small squares, within what is known of it.
@@ -141,7 +89,7 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
         let mut steps = 0;
         while steps < MOST_STEPS {
             let padded = [0, 1].map(|k| self.padded(at[k]));
-            let ends = [0, 1].map(|k| [self.strip(k, padded[k].lo), self.strip(k, padded[k].hi)]);
+            let ends = [0, 1].map(|k| [self.fold.strip(k, padded[k].lo), self.fold.strip(k, padded[k].hi)]);
             let all = at.iter().all(|side| side.width() >= 1.0);
             if (all && steps > 0) || ends.iter().any(|[low, high]| high.index - low.index > 1) {
                 break;
@@ -159,13 +107,11 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
             steps += 1;
             part = Part::Own;
             let rest = limits.own.scaled(weight);
-            height = height.intersection(sum.sum(rest).inflated(limits.value_rounding(steps)));
+            height = height.intersection(sum.sum(rest).inflated(value_rounding(limits, steps)));
         }
-        let margin = limits.slope_rounding(steps);
-        let slopes = [0, 1].map(|k| {
-            let own = Interval::new(-limits.own_slopes[k], limits.own_slopes[k]);
-            slopes[k].sum(jacobian[k].product(own)).inflated(margin)
-        });
+        let margin = slope_rounding(limits, steps);
+        let slopes =
+            [0, 1].map(|k| slopes[k].sum(jacobian[k].product(limits.own_slopes[k])).inflated(margin));
         (steps > 0).then_some(Followed { height, slopes })
     }
 
@@ -180,7 +126,7 @@ impl<S: AsRef<[FoldedNode]>> FoldedSurface<S> {
         let mut all = [Interval::EMPTY; 3];
         for (across, u) in pieces(x) {
             for (along, v) in pieces(y) {
-                let [value, by_x, by_y] = self.patch([across, along], part).ranges(u, v);
+                let [value, by_x, by_y] = self.fold.patch([across, along], part).ranges(u, v);
                 let here = [value, by_x.scaled(1.0 / across.width), by_y.scaled(1.0 / along.width)];
                 all = [0, 1, 2].map(|k| all[k].hull(here[k]));
             }

@@ -1,11 +1,17 @@
 //! The torus Hermite surface: periodic, non-separable, continuously differentiable.
 
+use alloc::vec::Vec;
+
 use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::matrix2::product;
 use crate::numeric::polynomial::UNIT;
-use crate::surface::hermite_patch::Patch;
-use crate::surface::self_affine::torus_error::TorusError;
-use crate::surface::self_affine::torus_limits::{Limits, spectral_norm};
-use crate::surface::self_affine::torus_node::{TorusNode, TorusStorage, TorusView};
+use crate::surface::self_affine::address::Address;
+use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
+use crate::surface::self_affine::limits::Limits;
+use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
+use crate::surface::self_affine::torus_fold::{Node, TorusFold};
+use crate::surface::self_affine::torus_limits::{limits, slope_rounding, spectral_norm, value_rounding};
+use crate::surface::surface::SurfaceBounds;
 
 /// A periodic fractal surface through given heights with given gradients, once continuously differentiable, that is no
 /// product of curves and has no grain along the axes.
@@ -17,7 +23,7 @@ use crate::surface::self_affine::torus_node::{TorusNode, TorusStorage, TorusView
 /// ```
 ///
 /// M is an integer matrix, so it maps nodes to nodes, and `f(v) = z_v`, `∇f(v) = d_v` at all of them. Values converge for
-/// `|s| < 1` and gradients for `|s| ‖M‖₂ < 1`; the latter is Hölder continuous ([`TorusSurface::gradient_modulus`]).
+/// `|s| < 1` and gradients for `|s| ‖M‖₂ < 1`; the latter is Hölder continuous ([`SelfAffine::gradient_modulus`]).
 /// M = ((2, −1), (1, 2)) repeats the surface five times per step, turned by 26.57°, an irrational part of a turn.
 ///
 /// - **Domain:** the plane with period 1; a coordinate is reduced exactly. Where bits lie under 2⁻¹²⁸ they are cut off, and
@@ -28,156 +34,184 @@ use crate::surface::self_affine::torus_node::{TorusNode, TorusStorage, TorusView
 /// The sources stop at products of curves, whose grain shows (Cochran, Lewis, Hart 2000, §6.1 asks for others).
 ///
 /// ```
-/// use asperity_fif::FixedTorus;
+/// use asperity_fif::Torus;
 /// let z = [0.0, 1.0, -0.5, 0.25];
 /// let d = [[0.0, 1.0], [-2.0, 0.0], [0.5, 0.5], [0.0, 0.0]];
-/// let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &d)?;
+/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &d)?;
 /// assert_eq!(surface.height(0.0, 0.5), 1.0);
 /// assert_eq!(surface.gradient(0.0, 0.5).x, -2.0);
 /// assert_eq!(surface.height(0.375, 0.8125), surface.height(-3.625, 1.8125));
-/// # Ok::<(), asperity_fif::TorusError>(())
+/// # Ok::<(), asperity_fif::SelfAffineError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
-pub struct TorusSurface<S> {
-    pub(crate) nodes: S,
-    pub(crate) bits: u32,
-    pub(crate) matrix: [[i32; 2]; 2],
-    pub(crate) factor: f64,
-    pub(crate) limits: Limits,
-}
+#[doc(alias = "seamless")]
+#[doc(alias = "tileable")]
+pub type Torus = SelfAffine<TorusFold>;
 
-impl<S: TorusStorage> TorusSurface<S> {
+impl SelfAffine<TorusFold> {
     /// The surface with heights `z` and gradients `d` at `side`² nodes: node (i, j) lies at `(i, j)/side` and is entry
     /// `i · side + j` of both lists.
     ///
     /// # Errors
-    /// A [`TorusError`] names the rule that the data break.
+    /// A [`SelfAffineError`] names the rule that the data break.
     pub fn new(
         side: usize,
         matrix: [[i32; 2]; 2],
         factor: f64,
         z: &[f64],
         d: &[[f64; 2]],
-    ) -> Result<Self, TorusError> {
+    ) -> Result<Self, SelfAffineError> {
         if !side.is_power_of_two() || !(2..=1 << 15).contains(&side) {
-            return Err(TorusError::NotPowerOfTwo { side });
+            return Err(SelfAffineError::Side { side });
         }
-        let expected = side * side;
-        if z.len() != expected || d.len() != expected {
-            return Err(TorusError::Length { expected, heights: z.len(), gradients: d.len() });
-        }
+        let largest = magnitudes(side * side, side, z, d)?;
         let [[a, b], [c, e]] = matrix.map(|row| row.map(i64::from));
         let determinant = (a * e).saturating_sub(b * c);
         if determinant.abs() < 2 {
-            return Err(TorusError::Determinant { determinant });
+            return Err(SelfAffineError::Determinant { determinant });
         }
         let norm = spectral_norm(&matrix);
         let contraction = factor.abs() * norm * (1.0 + 4.0 * UNIT);
         if contraction.is_nan() || contraction >= 1.0 {
-            return Err(TorusError::NotContractive { factor, norm });
-        }
-        let given = || z.iter().zip(d).map(|(&z, &[x, y])| [z, x, y]);
-        let mut magnitude = [0.0_f64; 3];
-        for (index, data) in given().enumerate() {
-            for (most, value) in magnitude.iter_mut().zip(data) {
-                if !value.is_finite() {
-                    return Err(TorusError::NotFinite { node: [index / side, index % side], value });
-                }
-                *most = most.max(value.abs());
-            }
-        }
-        let mut nodes = S::with_len(expected).map_err(|found| TorusError::Storage { expected, found })?;
-        for (node, data) in nodes.as_mut().iter_mut().zip(given()) {
-            node.data = data;
+            return Err(SelfAffineError::Factor { factor, most: 1.0 / norm });
         }
         let bits = side.trailing_zeros();
-        for index in 0..expected {
-            let from =
-                at_node(nodes.as_ref(), bits, moved_node([index >> bits, index & (side - 1)], &matrix));
-            let Some(node) = nodes.as_mut().get_mut(index) else { continue };
-            let ([z, x, y], [moved_z, moved_x, moved_y], width) = (node.data, from.data, 1.0 / side as f64);
-            let entry = matrix.map(|row| row.map(f64::from));
-            node.corner = [
-                z - factor * moved_z,
-                (x - factor * (entry[0][0] * moved_x + entry[1][0] * moved_y)) * width,
-                (y - factor * (entry[0][1] * moved_x + entry[1][1] * moved_y)) * width,
+        let entry = matrix.map(|row| row.map(f64::from));
+        let given = |[i, j]: [usize; 2]| {
+            let index = (i & (side - 1)) << bits | j & (side - 1);
+            z.get(index).zip(d.get(index)).map_or([0.0; 3], |(&z, &[x, y])| [z, x, y])
+        };
+        let nodes = (0..side * side).map(|index| {
+            let at = [index >> bits, index & (side - 1)];
+            let (data, moved, width) = (given(at), given(moved_node(at, &matrix)), 1.0 / side as f64);
+            let corner = [
+                data[0] - factor * moved[0],
+                (data[1] - factor * (entry[0][0] * moved[1] + entry[1][0] * moved[2])) * width,
+                (data[2] - factor * (entry[0][1] * moved[1] + entry[1][1] * moved[2])) * width,
             ];
+            Node { corner, data }
+        });
+        let scaled = entry.map(|row| row.map(|entry| factor * entry));
+        let fold = TorusFold { nodes: nodes.collect::<Vec<_>>(), bits, matrix, scaled };
+        let limits = limits(&fold, factor, [norm, contraction], largest);
+        if !limits.is_finite() {
+            return Err(SelfAffineError::TooLarge { magnitude: largest.into_iter().fold(0.0, f64::max) });
         }
-        let limits = Limits::new(nodes.as_ref(), bits, &matrix, factor, [norm, contraction], magnitude);
-        let finite = limits.steepest.is_finite() && limits.range.magnitude().is_finite();
-        if !(finite && limits.bend.is_finite() && limits.noise.iter().all(|noise| noise.is_finite())) {
-            let magnitude = magnitude.into_iter().fold(0.0, f64::max);
-            return Err(TorusError::TooLarge { magnitude });
-        }
-        Ok(Self { nodes, bits, matrix, factor, limits })
-    }
-}
-
-impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
-    /// The same surface over borrowed nodes.
-    #[inline]
-    #[must_use]
-    pub fn view(&self) -> TorusView<'_> {
-        let &Self { ref nodes, bits, matrix, factor, limits } = self;
-        TorusSurface { nodes: nodes.as_ref(), bits, matrix, factor, limits }
+        Ok(Self { fold, factor, limits })
     }
 
     /// The number of nodes along a side.
     #[inline]
     #[must_use]
     pub const fn side(&self) -> usize {
-        1 << self.bits
+        self.fold.side()
     }
 
     /// The matrix M.
     #[inline]
     #[must_use]
     pub const fn matrix(&self) -> [[i32; 2]; 2] {
-        self.matrix
+        self.fold.matrix
     }
 
-    /// The vertical factor s.
-    #[inline]
-    #[must_use]
-    pub const fn factor(&self) -> f64 {
-        self.factor
-    }
-
-    /// A rigorous enclosure of all heights.
-    #[inline]
-    #[must_use]
-    pub const fn range(&self) -> Interval {
-        self.limits.range
-    }
-
-    /// Rigorous enclosures of `∂f/∂x` and `∂f/∂y`.
-    #[inline]
-    #[must_use]
-    pub const fn slope_range(&self) -> [Interval; 2] {
-        self.limits.slopes
-    }
-
-    /// The mean height over a period, exact up to the rounding error that is reported.
+    /// [`SelfAffine::evaluate`] at the rational point `numerators / denominator`, whose orbit is followed exactly.
     ///
-    /// ```text
-    /// ∫ f = ∫ p / (1 − s) = (Σ_v z_v − s Σ_v z_{Mv}) / (n² (1 − s))
-    /// ```
-    ///
-    /// Slopes of the nodes cancel between neighbouring patches. For an odd determinant M permutes the nodes, and this is the
-    /// mean of the data.
+    /// NaN for the denominator 0.
     ///
     /// ```
-    /// # use asperity_fif::FixedTorus;
+    /// # use asperity_fif::Torus;
     /// let z = [0.0, 1.0, -0.5, 0.25];
-    /// let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
-    /// let mean = surface.mean();
-    /// assert!((mean.value - 0.1875).abs() <= mean.bound && mean.bound < 1e-14);
-    /// # Ok::<(), asperity_fif::TorusError>(())
+    /// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[0.0; 2]; 4])?;
+    /// assert_eq!(surface.evaluate_ratio([1, -3], 2, 1e-12).value, 0.25); // (1/2, −3/2), a node
+    /// assert!(surface.evaluate_ratio([1, 2], 3, 1e-12).bound <= 1e-12);
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
     /// ```
     #[must_use]
-    pub fn mean(&self) -> Bounded {
-        let nodes = self.nodes.as_ref();
-        let (count, gap) = (nodes.len() as f64, 1.0 - self.factor);
+    pub fn evaluate_ratio(&self, numerators: [i64; 2], denominator: u32, tolerance: f64) -> Bounded {
+        Address::ratio(numerators, denominator).map_or(Bounded::NAN, |at| self.value_from(at, tolerance))
+    }
+
+    /// [`SelfAffine::evaluate_gradient`] at the rational point `numerators / denominator`.
+    ///
+    /// The gradient is only Hölder continuous, so that of the nearest double may differ by far more than its rounding:
+    /// [`SelfAffine::gradient_modulus`]. NaN for the denominator 0.
+    #[must_use]
+    pub fn evaluate_gradient_ratio(
+        &self,
+        numerators: [i64; 2],
+        denominator: u32,
+        tolerance: f64,
+    ) -> [Bounded; 2] {
+        let at = Address::ratio(numerators, denominator);
+        at.map_or([Bounded::NAN; 2], |at| self.gradient_from(at, 0.0, tolerance))
+    }
+}
+
+impl Fold for TorusFold {
+    type Place = Address;
+
+    fn domain(&self) -> [Interval; 2] {
+        [Interval::new(0.0, 1.0); 2]
+    }
+
+    #[inline]
+    fn locate(&self, x: f64, y: f64) -> Option<(Address, f64)> {
+        Address::of(x, y)
+    }
+
+    #[inline]
+    fn cell(&self, at: Address, _: Part) -> Cell {
+        let (index, place) = at.cell(self.bits);
+        let node = at.is_corner(self.bits).then(|| self.node(index).data);
+        Cell { index, patch: self.patch(index), at: place, widths: [1.0 / self.side() as f64; 2], node }
+    }
+
+    #[inline]
+    fn next(&self, at: Address, _: &Cell) -> Address {
+        at.moved(&self.matrix)
+    }
+
+    #[inline]
+    fn turned(&self, jacobian: &[[f64; 2]; 2], _: &Cell, _: f64) -> [[f64; 2]; 2] {
+        product(&self.scaled, jacobian)
+    }
+
+    #[inline]
+    fn value_enough(limits: &Limits, tolerance: f64) -> f64 {
+        let floor = limits.noise[0] + 2.0 * UNIT * limits.range.magnitude();
+        if tolerance > floor { 0.5 * tolerance } else { floor }
+    }
+
+    #[inline]
+    fn value_rounding(limits: &Limits, steps: u32) -> f64 {
+        if steps == 0 { 0.0 } else { value_rounding(limits, steps) }
+    }
+
+    #[inline]
+    fn slope_enough(limits: &Limits, tolerance: f64) -> f64 {
+        let floor = limits.noise[1] + 2.0 * UNIT * limits.steepest;
+        if tolerance > floor { 0.5 * tolerance } else { floor }
+    }
+
+    #[inline]
+    fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64 {
+        if steps == 0 { 0.0 } else { slope_rounding(limits, steps, largest) }
+    }
+
+    fn narrowest(&self, _: &Limits) -> f64 {
+        1.0 / self.side() as f64
+    }
+
+    fn bounds(surface: &Torus, x: Interval, y: Interval) -> SurfaceBounds {
+        surface.bounds_and_mean(x, y).bounds
+    }
+
+    fn narrow(surface: &mut Torus) {
+        surface.narrow();
+    }
+
+    fn mean(surface: &Torus) -> Bounded {
+        let nodes = &surface.fold.nodes;
+        let (count, gap) = (nodes.len() as f64, 1.0 - surface.factor);
         let (mut sum, mut size) = (0.0, 0.0);
         for node in nodes {
             sum += node.corner[0];
@@ -187,34 +221,16 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
         Bounded { value, bound: 1.01 * UNIT * ((count + 6.0) * size / count / gap + 4.0 * value.abs()) }
     }
 
-    /// `s M`.
-    pub(crate) fn scaled_matrix(&self) -> [[f64; 2]; 2] {
-        self.matrix.map(|row| row.map(|entry| self.factor * f64::from(entry)))
-    }
-
-    /// The patch of p over a cell.
-    #[inline]
-    pub(crate) fn patch(&self, cell: [usize; 2]) -> Patch {
-        patch_of(self.nodes.as_ref(), self.bits, cell)
+    fn searched(&self, x: Interval, y: Interval) -> [Interval; 2] {
+        [x, y].map(|range| {
+            let finite = range.lo.is_finite() && range.hi.is_finite() && range.width() >= 0.0;
+            if finite && range.width() < 1.0 { range } else { Interval::new(0.0, 1.0) }
+        })
     }
 }
 
-/// Where M sends a node.
+/// The image of a node under M.
 fn moved_node([i, j]: [usize; 2], matrix: &[[i32; 2]; 2]) -> [usize; 2] {
     // Wrapping arithmetic is that of the remainders, as the side is a power of two.
     matrix.map(|[a, b]| i.wrapping_mul(a as isize as usize).wrapping_add(j.wrapping_mul(b as isize as usize)))
-}
-
-/// The node of an index pair, modulo the side.
-#[inline]
-pub(crate) fn at_node(nodes: &[TorusNode], bits: u32, [i, j]: [usize; 2]) -> TorusNode {
-    let mask = (1 << bits) - 1;
-    nodes.get((i & mask) << bits | j & mask).copied().unwrap_or(TorusNode::EMPTY)
-}
-
-#[inline]
-pub(crate) fn patch_of(nodes: &[TorusNode], bits: u32, [i, j]: [usize; 2]) -> Patch {
-    let corner = |i, j| at_node(nodes, bits, [i, j]).corner;
-    let [next_i, next_j] = [i.wrapping_add(1), j.wrapping_add(1)];
-    Patch([[corner(i, j), corner(i, next_j)], [corner(next_i, j), corner(next_i, next_j)]])
 }

@@ -1,54 +1,42 @@
-//! Rigorous bounds of a torus surface over rectangles, its extrema and its means.
+//! Rigorous bounds of a torus surface over rectangles, and its means.
 
 use crate::math::sqrt;
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::matrix2::{IDENTITY, added, product, transposed};
 use crate::numeric::polynomial::UNIT;
-use crate::surface::extrema::{SurfaceExtrema, ceiling, extrema};
-use crate::surface::self_affine::address::Turn;
-use crate::surface::self_affine::torus::TorusSurface;
-use crate::surface::self_affine::torus_node::TorusNode;
-use crate::surface::self_affine::torus_value::{MOST_STEPS, place};
+use crate::surface::extrema::ceiling;
+use crate::surface::self_affine::address::Address;
+use crate::surface::self_affine::self_affine::{MOST_STEPS, SelfAffine};
+use crate::surface::self_affine::torus_fold::TorusFold;
+use crate::surface::self_affine::torus_limits::{slope_rounding, value_rounding};
 use crate::surface::surface::SurfaceBounds;
 
-impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
-    /// Rigorous enclosures of the heights and slopes over `x × y`; the smaller the rectangle, the tighter.
-    ///
-    /// ```text
-    /// f(Q) ⊂ Σ_{k<K} sᵏ p(Mᵏ Q) + sᴷ f      ∇f(Q) ⊂ Σ_{k<K} J_kᵀ ∇p(Mᵏ Q) + J_Kᵀ ∇f
-    /// f(Q) ⊂ f(c) + ∇f(Q) · (Q − c)
-    /// f(Q) ⊂ S_K(c) + ∇S_K(c) · (Q − c) ± Σ_{k<K} |s|ᵏ |∇p(Mᵏ Q) − ∇p(Mᵏ c)| |Mᵏ (Q − c)| + sᴷ f,   S_K = Σ_{k<K} sᵏ p∘Mᵏ
-    /// ```
-    ///
-    /// K is where the image has grown to a cell of the grid, so a rectangle of that size or more gets the global ranges; so does
-    /// one that is empty or has ends that are NaN or infinite. [`TorusSurface::extrema_over`] splits what is too large.
-    ///
-    /// ```
-    /// # use asperity_fif::{FixedTorus, Interval};
-    /// # let z = [0.0, 1.0, -0.5, 0.25];
-    /// # let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
-    /// let bounds = surface.bounds(Interval::new(0.3, 0.301), Interval::new(0.7, 0.701));
-    /// assert!(bounds.height.contains(surface.height(0.3004, 0.7001)) && bounds.height.width() < 0.2);
-    /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
-    /// # Ok::<(), asperity_fif::TorusError>(())
-    /// ```
-    #[must_use]
-    pub fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
-        self.bounds_and_mean(x, y).0
-    }
+/// Enclosures over a rectangle, and one of the mean height over it.
+pub(crate) struct BoundsAndMean {
+    pub(crate) bounds: SurfaceBounds,
+    pub(crate) mean: Interval,
+}
 
-    /// [`TorusSurface::bounds`] and an enclosure of the mean height, to which what is linear around the centre adds nothing.
-    fn bounds_and_mean(&self, x: Interval, y: Interval) -> (SurfaceBounds, Interval) {
+/// `Σ_{k<K} J_kᵀ ∇p∘Mᵏ` over a small rectangle, and K.
+struct PartialSlopes {
+    slopes: [Interval; 2],
+    steps: u32,
+}
+
+impl SelfAffine<TorusFold> {
+    /// [`SelfAffine::bounds`] and an enclosure of the mean height, to which what is linear around the centre adds nothing.
+    pub(crate) fn bounds_and_mean(&self, x: Interval, y: Interval) -> BoundsAndMean {
         let limits = &self.limits;
         let whole = SurfaceBounds { height: limits.range, slopes: limits.slopes };
+        let whole = BoundsAndMean { bounds: whole, mean: limits.range };
         let half = [half_width(x), half_width(y)];
-        let Some((mut at, cut)) = place(x.middle(), y.middle()) else { return (whole, whole.height) };
+        let Some((mut at, cut)) = Address::of(x.middle(), y.middle()) else { return whole };
         if !(half[0] >= 0.0 && half[1] >= 0.0 && half[0] + half[1] < 4.0) {
-            return (whole, whole.height);
+            return whole;
         }
         let centre = at;
         let cells = self.side() as f64;
-        let by = self.scaled_matrix();
+        let by = self.fold.scaled;
         let mut extent = half.map(|half| (half + cut) * cells);
         let mut radius = sqrt(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
         let (mut sum, mut slopes) = (Interval::new(0.0, 0.0), [Interval::new(0.0, 0.0); 2]);
@@ -58,8 +46,8 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
         let (mut height, mut mean, reach) = (limits.range, limits.range, half.map(|half| half + cut));
         while extent[0].max(extent[1]) <= 0.5 && steps < MOST_STEPS {
             let [range, along_x, along_y] = self.patch_ranges(at, extent);
-            let (cell, [u, v]) = at.cell(self.bits);
-            let patch = self.patch(cell);
+            let (cell, [u, v]) = at.cell(self.fold.bits);
+            let patch = self.fold.patch(cell);
             let slope = patch.slopes(u, v);
             let far = |range: Interval, at: f64| (range.hi - at).max(at - range.lo);
             bent += weight.abs() * (far(along_x, slope[0]) * extent[0] + far(along_y, slope[1]) * extent[1]);
@@ -70,65 +58,48 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
             slopes = added(slopes, &jacobian, [along_x.scaled(cells), along_y.scaled(cells)]);
             weight *= self.factor;
             jacobian = product(&by, &jacobian);
-            radius *= limits.norm * (1.0 + 2.0 * UNIT);
+            radius *= limits.stretch * (1.0 + 2.0 * UNIT);
             extent = [radius; 2];
-            at = at.moved(&self.matrix);
+            at = at.moved(&self.fold.matrix);
             steps += 1;
             let rest = limits.range.scaled(weight);
-            let error = limits.value_rounding(steps);
+            let error = value_rounding(limits, steps);
             height = height.intersection(sum.sum(rest).inflated(error));
             let turn = gradient[0].abs() * reach[0] + gradient[1].abs() * reach[1] + bent;
             // The centre is that of the rectangle but for half a unit in the last place, which `half` contains.
             let error = error
                 + turn * 1e-14
-                + limits.slope_rounding(steps, 2.0 * limits.steepest) * (reach[0] + reach[1]);
+                + slope_rounding(limits, steps, 2.0 * limits.steepest) * (reach[0] + reach[1]);
             let centre = Interval::new(value, value).sum(rest);
             height = height.intersection(centre.inflated(turn + error));
             mean = mean.intersection(centre.inflated(bent + error));
         }
         if steps == 0 {
-            return (whole, whole.height);
+            return whole;
         }
         let rest = limits.contraction_of(steps) * limits.steepest;
         let round = added(slopes, &IDENTITY, [Interval::new(-rest, rest); 2]);
         slopes = added(slopes, &jacobian, limits.slopes);
         slopes = [0, 1].map(|k| {
-            let margin = limits.slope_rounding(steps, 2.0 * limits.steepest);
+            let margin = slope_rounding(limits, steps, 2.0 * limits.steepest);
             slopes[k].intersection(round[k]).inflated(margin)
         });
         slopes = [0, 1].map(|k| slopes[k].intersection(limits.slopes[k]));
         let way = |k: usize| slopes[k].product(Interval::new(-reach[k], reach[k]));
         let around = self.value_from(centre, 0.0).interval();
         height = height.intersection(around.sum(way(0)).sum(way(1)));
-        (SurfaceBounds { height, slopes }, mean.intersection(height))
+        BoundsAndMean { bounds: SurfaceBounds { height, slopes }, mean: mean.intersection(height) }
     }
 
-    /// The same surface with narrower global ranges, of heights and slopes, by branch and bound.
-    ///
-    /// ```text
-    /// sup |∇f| ≤ sup (|Σ_{k<K} J_kᵀ ∇p∘Mᵏ| + (|s| ‖M‖)ᴷ sup |∇f|),   K and the square as in bounds()
-    /// ```
-    ///
-    /// The constructor adds up the ranges of all terms; here they are added over small squares. That takes some tens of
-    /// milliseconds and makes [`TorusSurface::slope_range`] a few times as narrow, and with it every bound over a
-    /// rectangle: worth it before searches and rays.
-    ///
-    /// ```
-    /// # use asperity_fif::FixedTorus;
-    /// let z = [0.0, 1.0, -0.5, 0.25];
-    /// let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
-    /// assert!(surface.narrowed().slope_range()[0].width() < 0.7 * surface.slope_range()[0].width());
-    /// # Ok::<(), asperity_fif::TorusError>(())
-    /// ```
-    #[must_use]
-    pub fn narrowed(mut self) -> Self {
+    /// Narrower global ranges, by branch and bound over one period.
+    pub(crate) fn narrow(&mut self) {
         let period = [Interval::new(0.0, 1.0); 2];
         for finer in 1..=7 {
-            let depth = self.bits + finer.min(5);
+            let depth = self.fold.bits + finer.min(5);
             let steepest = ceiling(period, depth, |[x, y]| {
-                let ([u, v], steps) = self.partial_slopes(x, y);
+                let PartialSlopes { slopes: [u, v], steps } = self.partial_slopes(x, y);
                 let (u, v) = (u.magnitude(), v.magnitude());
-                let margin = self.limits.slope_rounding(steps, 2.0 * self.limits.steepest);
+                let margin = slope_rounding(&self.limits, steps, 2.0 * self.limits.steepest);
                 let rest = self.limits.contraction_of(steps) * self.limits.steepest;
                 (sqrt(u * u + v * v) + rest + 2.0 * margin) * (1.0 + 8.0 * UNIT)
             });
@@ -138,7 +109,7 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
             let most = Interval::new(-self.limits.steepest, self.limits.steepest);
             self.limits.slopes = self.limits.slopes.map(|range| range.intersection(most));
         }
-        let depth = self.bits + 4;
+        let depth = self.fold.bits + 4;
         let sides = |of: &dyn Fn(SurfaceBounds) -> Interval| {
             let high = ceiling(period, depth, |[x, y]| of(self.bounds(x, y)).hi);
             Interval::new(-ceiling(period, depth, |[x, y]| -of(self.bounds(x, y)).lo), high)
@@ -147,14 +118,15 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
         let range = sides(&|bounds| bounds.height);
         self.limits.slopes = [0, 1].map(|k| self.limits.slopes[k].intersection(slopes[k]));
         self.limits.range = self.limits.range.intersection(range);
-        self
+        (self.limits.own, self.limits.own_slopes) = (self.limits.range, self.limits.slopes);
     }
 
-    /// `Σ_{k<K} J_kᵀ ∇p∘Mᵏ` over a small rectangle, and K.
-    fn partial_slopes(&self, x: Interval, y: Interval) -> ([Interval; 2], u32) {
+    fn partial_slopes(&self, x: Interval, y: Interval) -> PartialSlopes {
         let mut slopes = [Interval::new(0.0, 0.0); 2];
-        let Some((mut at, cut)) = place(x.middle(), y.middle()) else { return (slopes, 0) };
-        let (cells, by) = (self.side() as f64, self.scaled_matrix());
+        let Some((mut at, cut)) = Address::of(x.middle(), y.middle()) else {
+            return PartialSlopes { slopes, steps: 0 };
+        };
+        let (cells, by) = (self.side() as f64, self.fold.scaled);
         let mut extent = [x, y].map(|range| (half_width(range) + cut) * cells);
         let mut radius = sqrt(extent[0] * extent[0] + extent[1] * extent[1]) * (1.0 + 4.0 * UNIT);
         let (mut jacobian, mut steps) = (IDENTITY, 0);
@@ -162,37 +134,12 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
             let [_, along_x, along_y] = self.patch_ranges(at, extent);
             slopes = added(slopes, &jacobian, [along_x.scaled(cells), along_y.scaled(cells)]);
             jacobian = product(&by, &jacobian);
-            radius *= self.limits.norm * (1.0 + 2.0 * UNIT);
+            radius *= self.limits.stretch * (1.0 + 2.0 * UNIT);
             extent = [radius; 2];
-            at = at.moved(&self.matrix);
+            at = at.moved(&self.fold.matrix);
             steps += 1;
         }
-        (slopes, steps)
-    }
-
-    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that.
-    ///
-    /// They are rigorous whatever their width. A rectangle that is empty or not finite stands for one period.
-    ///
-    /// ```
-    /// # use asperity_fif::{FixedTorus, Interval};
-    /// # let z = [0.0, 1.0, -0.5, 0.25];
-    /// # let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
-    /// let period = Interval::new(0.0, 1.0);
-    /// let extrema = surface.extrema_over(period, period, 1e-3);
-    /// assert!(extrema.maximum.width() <= 1e-3 && extrema.maximum.lo >= 1.0);
-    /// let top = surface.height(extrema.highest.x, extrema.highest.y);
-    /// assert!(extrema.maximum.contains(top));
-    /// # Ok::<(), asperity_fif::TorusError>(())
-    /// ```
-    #[must_use]
-    pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
-        let period = |range: Interval| {
-            let finite = range.lo.is_finite() && range.hi.is_finite() && range.width() >= 0.0;
-            if finite && range.width() < 1.0 { range } else { Interval::new(0.0, 1.0) }
-        };
-        let rectangle = [period(x), period(y)];
-        extrema(self, rectangle, width)
+        PartialSlopes { slopes, steps }
     }
 
     /// The mean height over `x × y` by its bounds over `cells`² equal parts.
@@ -203,7 +150,7 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
     ///
     /// The bound falls like `cells^(−ln |s|/ln ‖M‖)`: four times as many gain a factor of four to
     /// five where |s| = 3/8 and ‖M‖ = √5. Over
-    /// whole periods [`TorusSurface::mean`] is exact. NaN for a rectangle that is empty or not finite.
+    /// whole periods [`SelfAffine::mean`] is exact. NaN for a rectangle that is empty or not finite.
     #[must_use]
     pub fn mean_over(&self, x: Interval, y: Interval, cells: u32) -> Bounded {
         let cells = cells.max(1);
@@ -220,7 +167,7 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
             let along = part(x, step[0], i);
             for j in 0..cells {
                 let across = part(y, step[1], j);
-                let (_, mean) = self.bounds_and_mean(along, across);
+                let mean = self.bounds_and_mean(along, across).mean;
                 sum += mean.middle();
                 bound += 0.5 * mean.width();
             }
@@ -234,8 +181,8 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
     }
 
     /// Ranges of p and its slopes per cell over the box of half widths `extent`, at most half a cell, around a point.
-    fn patch_ranges<T: Turn>(&self, at: T, extent: [f64; 2]) -> [Interval; 3] {
-        let ([i, j], place) = at.cell(self.bits);
+    fn patch_ranges(&self, at: Address, extent: [f64; 2]) -> [Interval; 3] {
+        let ([i, j], place) = at.cell(self.fold.bits);
         let reach = |k: usize| {
             let pad = extent[k] * (1.0 + 4.0 * UNIT) + 4.0 * UNIT;
             [place[k] - pad, place[k] + pad]
@@ -244,7 +191,7 @@ impl<S: AsRef<[TorusNode]>> TorusSurface<S> {
         for (di, u) in pieces(reach(0)) {
             for (dj, v) in pieces(reach(1)) {
                 let cell = [i.wrapping_add_signed(di), j.wrapping_add_signed(dj)];
-                let ranges = self.patch(cell).ranges(u, v);
+                let ranges = self.fold.patch(cell).ranges(u, v);
                 all = [0, 1, 2].map(|k| all[k].hull(ranges[k]));
             }
         }

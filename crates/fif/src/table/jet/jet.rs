@@ -12,7 +12,9 @@ pub struct Jet<T = f64> {
 }
 
 impl<T> Jet<T> {
-    pub(crate) fn map<U>(self, to: impl Fn(T) -> U) -> Jet<U> {
+    /// All three mapped by one function.
+    #[must_use]
+    pub fn map<U>(self, to: impl Fn(T) -> U) -> Jet<U> {
         Jet { value: to(self.value), slope: to(self.slope), integral: to(self.integral) }
     }
 

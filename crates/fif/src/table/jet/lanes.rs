@@ -2,13 +2,12 @@
 
 use fearless_simd::{Bytes, Simd, dispatch, f64x4, prelude::*, u32x8};
 
-use crate::system::map::Piece;
+use crate::numeric::level::best_level;
 use crate::table::composite::Composite;
 use crate::table::jet::jet::Jet;
+use crate::table::jet::rows::Jets;
 use crate::table::jet::sums::{Scales, Sums};
-use crate::table::jet::table::FastJets;
 use crate::table::uniform::LEAST;
-use crate::table::uniform_f32_lanes::best_level;
 
 const LANES: usize = 4;
 
@@ -26,18 +25,29 @@ struct Edges {
     far: f64,
 }
 
-impl<S: AsRef<[Piece<C>]>, const C: usize> FastJets<S, C> {
-    /// All jets, in lanes where the radix is a power of two.
-    pub(crate) fn in_lanes(&self, x: &[f64], out: Jet<&mut [f64]>) {
+impl<const C: usize> Jets<C> {
+    /// All jets in lanes where the radix is a power of two; points that lanes do not serve go to `one_by_one`.
+    pub(crate) fn in_lanes(
+        &self,
+        x: &[f64],
+        out: Jet<&mut [f64]>,
+        one_by_one: &impl Fn(&[f64], Jet<&mut [f64]>),
+    ) {
         if self.radix.is_power_of_two() {
-            dispatch!(best_level(), simd => self.fill(simd, x, out));
+            dispatch!(best_level(), simd => self.fill(simd, x, out, one_by_one));
         } else {
-            self.one_by_one(x, out);
+            one_by_one(x, out);
         }
     }
 
     #[inline(always)]
-    fn fill<I: Simd>(&self, simd: I, x: &[f64], Jet { value, slope, integral }: Jet<&mut [f64]>) {
+    fn fill<I: Simd>(
+        &self,
+        simd: I,
+        x: &[f64],
+        Jet { value, slope, integral }: Jet<&mut [f64]>,
+        one_by_one: &impl Fn(&[f64], Jet<&mut [f64]>),
+    ) {
         let near = (self.near as f64 + 1.0) * (1.0 / 18_446_744_073_709_551_616.0);
         let half = 0.5 * self.scales.per_radix;
         let edges = Edges { least: if half > LEAST { half } else { LEAST }, near, far: 1.0 - near };
@@ -53,10 +63,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> FastJets<S, C> {
                     jet.slope.store_slice(slope);
                     jet.integral.store_slice(integral);
                 }
-                None => self.one_by_one(x, Jet { value, slope, integral }),
+                None => one_by_one(x, Jet { value, slope, integral }),
             }
         }
-        self.one_by_one(rest, Jet { value, slope, integral });
+        one_by_one(rest, Jet { value, slope, integral });
     }
 
     /// `None` when a lane has to go another way.

@@ -22,7 +22,7 @@ pub(crate) struct Primitive {
 }
 
 impl Primitive {
-    pub(crate) fn new<const C: usize>(made: &Composites<Vec<Composite<C>>, C>, chord: &Chord) -> Self {
+    pub(crate) fn new<const C: usize>(made: &Composites<C>, chord: &Chord) -> Self {
         let per_radix = 1.0 / made.radix as f64;
         let cells: Vec<_> = made.table.iter().map(Cell::new).collect();
         // I = ∫ v over [0, 1] = (1/r) Σ (∫ P_e + A_e I).

@@ -1,6 +1,6 @@
 //! Area means of a fractal surface in closed form: what a pixel sees of its slopes.
 
-use asperity_fif::{AreaMeans, FixedSmooth, HeightField, Interval, SlopeMeans, paper};
+use asperity_fif::{AreaMeans, HeightField, Interval, SlopeMeans, paper};
 use asperity_render::image::{Image, tone::hex};
 use glam::Vec3;
 
@@ -15,7 +15,7 @@ const SIDE: u32 = 48;
 const WIDTH: f64 = 2.0;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let axis = FixedSmooth::<2, 3, 2>::integral(paper::g()?, 0.0)?;
+    let axis = paper::g_hat()?;
     let surface = HeightField::new(axis, axis);
     let cell = WIDTH / f64::from(SIDE);
     let means = |x: u32, y: u32, share: f64| -> Result<SlopeMeans, Failure> {

@@ -1,6 +1,6 @@
 //! A landscape that is no product of curves beside one that is, with the grain of both measured.
 
-use asperity_fif::{Cached, FifBuf, HeightField, Pyramid, SmoothBuf, Surface, TorusBuf, glam::DVec2};
+use asperity_fif::{Fif, HeightField, Intersect, Surface, Tabulated, Torus, glam::DVec2};
 use asperity_render::{
     geometry::{
         camera::Camera,
@@ -51,10 +51,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let seed = hash(context.seed + 2);
     let random = |k: usize| f64::from(hash(k as u32 ^ seed)) / f64::from(u32::MAX) - 0.5;
     let [f, g] = [curve(&random, 1000)?, curve(&random, 2000)?];
-    let grounds = [
-        ground(Pyramid::with_levels(torus(&random)?, 8)),
-        ground(HeightField::new(Cached::new(f), Cached::new(g))),
-    ];
+    let grounds =
+        [ground(Tabulated::with_levels(torus(&random)?, 8)), ground(HeightField::new(f, g).tabulated())];
     let words = [
         ["torus", "the torus surface", "A block of mountains with ridges and gorges in every direction"],
         [
@@ -79,25 +77,25 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         .fact("waves measured", format!("{} to {} periods per side", RING[0], RING[1])))
 }
 
-fn torus(random: &impl Fn(usize) -> f64) -> Result<TorusBuf, Failure> {
+fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus, Failure> {
     let count = NODES[0] * NODES[0];
     let z: Vec<f64> = (0..count).map(|k| 2.0 * random(k)).collect();
     let d: Vec<[f64; 2]> = (0..count).map(|k| [100, 200].map(|row| 6.0 * random(k + row))).collect();
-    Ok(TorusBuf::new(NODES[0], [[2, -1], [1, 2]], FACTOR, &z, &d)?.narrowed())
+    Ok(Torus::new(NODES[0], [[2, -1], [1, 2]], FACTOR, &z, &d)?.narrowed())
 }
 
 /// The integral of a rough function of mean 0 on the unit interval.
-fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<SmoothBuf<3, 2>, Failure> {
+fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<Fif<3>, Failure> {
     let knots: Vec<f64> = (0..=NODES[1]).map(|k| k as f64 / NODES[1] as f64).collect();
     let alpha: Vec<f64> = (0..NODES[1]).map(|k| ROUGHNESS.copysign(random(row + 100 + k))).collect();
     let mut y: Vec<f64> = (0..=NODES[1]).map(|k| random(row + k)).collect();
-    let mean = FifBuf::<2>::affine(&knots, &y, &alpha)?.total_integral();
+    let mean = Fif::affine(&knots, &y, &alpha)?.total_integral();
     y.iter_mut().for_each(|y| *y -= mean);
-    Ok(SmoothBuf::integral(FifBuf::<2>::affine(&knots, &y, &alpha)?, 0.05)?)
+    Ok(Fif::affine(&knots, &y, &alpha)?.integral(0.05)?)
 }
 
 /// Heights of mean 0 and the standard deviation [`RELIEF`], as measured on a grid.
-fn ground(surface: impl Surface + Send + Sync + 'static) -> Fractal {
+fn ground(surface: impl Intersect + Send + Sync + 'static) -> Fractal {
     const SIDE: usize = 96;
     let at = |k: usize| (k as f64 + 0.5) / SIDE as f64;
     let heights: Vec<f64> =

@@ -1,7 +1,7 @@
 //! A fractal surface at seven zooms, each ten times the last.
 
 use asperity_fif::{
-    Cached, FastBuf, FixedFif, HeightField, Piece,
+    HeightField, Table,
     glam::{DVec2, DVec3},
     paper,
 };
@@ -48,7 +48,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let scale = 10.0_f64.powi(-power);
         let target = POINT.extend(surface.height(POINT));
         // Rays meet it about the point, in lengths of the zoom: directions and colours stay what they are.
-        let shape = Fractal::new(HeightField::new(surface.axis.clone(), surface.axis.clone()), RISE, 0.0);
+        let shape = Fractal::new(HeightField::new(paper::f()?, paper::f()?).tabulated(), RISE, 0.0);
         let shape = Shape::Fractal(shape.within(0.0).magnified(target, scale));
         let camera = Camera::new(AWAY, Vec3::ZERO, FIELD, sampling.width, sampling.height);
         let pixel = 2.0 * (0.5 * FIELD).tan() / sampling.height as f32;
@@ -82,13 +82,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
 }
 
 struct Surface {
-    axis: Cached<FixedFif<2, 2>>,
-    values: FastBuf<[Piece<2>; 2], 2>,
+    values: Table<2>,
 }
 
 impl Surface {
     fn new() -> Result<Self, Failure> {
-        Ok(Self { axis: Cached::new(paper::f()?), values: FastBuf::new(paper::f()?, 1e-14)? })
+        Ok(Self { values: paper::f()?.table(1e-14)? })
     }
 
     fn height(&self, p: DVec2) -> f64 {

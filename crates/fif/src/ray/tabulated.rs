@@ -1,44 +1,46 @@
-//! A surface with a pyramid of bounds.
+//! A surface with a pyramid of bounds over its quartered domain.
 
 use alloc::vec::Vec;
 
 use glam::DVec2;
 
 use crate::numeric::interval::{Bounded, Interval};
+use crate::ray::intersect::Intersect;
 use crate::ray::quadtree::{self, Square, Squares};
 use crate::ray::ray::{Hit, Ray};
+use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// A surface with bounds over the squares of its quartered domain: hits are found several times as fast.
 ///
-/// The bounds are `f32`, rounded outward: 24 bytes a square, 0.5 MB for the 128² smallest of [`Pyramid::new`].
+/// The bounds are `f32`, rounded outward: 24 bytes a square, 0.5 MB for the 128² smallest of [`Tabulated::new`].
 ///
 /// ```
-/// use asperity_fif::{FixedTorus, Pyramid, Ray, Surface, glam::DVec3};
+/// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
 /// let z = [0.0, 1.0, -0.5, 0.25];
-/// let surface = FixedTorus::<4>::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
 /// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
 /// let plain = surface.first_hit(&ray).unwrap();
-/// let fast = Pyramid::with_levels(surface, 4).first_hit(&ray).unwrap();
+/// let fast = surface.tabulated().first_hit(&ray).unwrap();
 /// assert!((plain.t - fast.t).abs() < 1e-12);
-/// # Ok::<(), asperity_fif::TorusError>(())
+/// # Ok::<(), asperity_fif::SelfAffineError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Pyramid<S> {
+pub struct Tabulated<S> {
     surface: S,
     levels: u32,
     /// Level after level, rows along y: the range of the heights, of ∂f/∂x, of ∂f/∂y.
     squares: Vec<[[f32; 2]; 3]>,
 }
 
-impl<S: Surface> Pyramid<S> {
-    /// Seven times quartered.
+impl<S: Surface> Tabulated<S> {
+    /// Bounds over a domain seven times quartered.
     #[must_use]
     pub fn new(surface: S) -> Self {
         Self::with_levels(surface, 7)
     }
 
-    /// Quartered `levels` times, at most ten.
+    /// Bounds over a domain quartered `levels` times, at most ten.
     #[must_use]
     pub fn with_levels(surface: S, levels: u32) -> Self {
         let levels = levels.min(10);
@@ -91,7 +93,17 @@ impl<S: Surface> Pyramid<S> {
     }
 }
 
-impl<S: Surface> Squares for Pyramid<S> {
+impl<F: Fold> Intersect for SelfAffine<F> {}
+
+impl<F: Fold> SelfAffine<F> {
+    /// The surface with narrower global ranges and a table of bounds: hits several times as fast.
+    #[must_use]
+    pub fn tabulated(self) -> Tabulated<Self> {
+        Tabulated::new(self.narrowed())
+    }
+}
+
+impl<S: Surface> Squares for Tabulated<S> {
     #[inline]
     fn finest(&self) -> u32 {
         self.levels
@@ -109,7 +121,7 @@ impl<S: Surface> Squares for Pyramid<S> {
     }
 }
 
-impl<S: Surface> Surface for Pyramid<S> {
+impl<S: Surface> Surface for Tabulated<S> {
     fn domain(&self) -> [Interval; 2] {
         self.surface.domain()
     }
@@ -129,7 +141,9 @@ impl<S: Surface> Surface for Pyramid<S> {
     fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
         self.surface.gradient_near(x, y, distance)
     }
+}
 
+impl<S: Surface> Intersect for Tabulated<S> {
     fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         quadtree::first(&self.surface, self, ray, t, tolerance)
     }

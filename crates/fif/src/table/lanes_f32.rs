@@ -1,9 +1,9 @@
 //! Values in the lanes of a SIMD register: rows of four lanes are transposed, so no gather is needed.
 
-use fearless_simd::{Bytes, Level, Select, Simd, SimdBase, dispatch, f32x4, i32x4, prelude::*, u32x4};
+use fearless_simd::{Bytes, Select, Simd, SimdBase, dispatch, f32x4, i32x4, prelude::*, u32x4};
 
-use crate::system::map::Piece;
-use crate::table::uniform_f32::Fast32;
+use crate::numeric::level::best_level;
+use crate::table::uniform_f32::{Rows32, Table32};
 
 /// Registers that are in work at once, to hide their latency.
 const GROUP: usize = 2;
@@ -12,41 +12,41 @@ const LANES: usize = 4;
 /// The least place in the domain whose 24 bits lie within 30: 2⁻⁷.
 const LEAST: f32 = 1.0 / 128.0;
 
-/// The best level of this machine; without `std`, the best that the program was built for.
-pub(crate) fn best_level() -> Level {
-    #[cfg(feature = "std")]
-    return Level::new();
-    #[cfg(not(feature = "std"))]
-    return Level::baseline();
-}
-
-impl<S: AsRef<[Piece<C>]>, const C: usize> Fast32<S, C> {
+impl<const C: usize> Table32<C> {
     /// All values, in lanes where digits are bits.
     pub(crate) fn in_lanes(&self, x: &[f32], out: &mut [f32]) {
-        let bits = self.radix.trailing_zeros();
-        if !self.radix.is_power_of_two() || !(1..=16).contains(&bits) {
-            self.one_by_one(x, out);
-            return;
+        let bits = |rows: &Rows32| rows.radix.trailing_zeros();
+        match &self.rows {
+            Some(rows) if rows.radix.is_power_of_two() && (1..=16).contains(&bits(rows)) => {
+                dispatch!(best_level(), simd => self.fill(simd, rows, bits(rows), x, out));
+            }
+            _ => self.one_by_one(x, out),
         }
-        dispatch!(best_level(), simd => self.fill(simd, bits, x, out));
     }
 
     #[inline(always)]
-    fn fill<I: Simd>(&self, simd: I, bits: u32, x: &[f32], out: &mut [f32]) {
+    fn fill<I: Simd>(&self, simd: I, own: &Rows32, bits: u32, x: &[f32], out: &mut [f32]) {
         let (groups, rest) = x.as_chunks::<{ LANES * GROUP }>();
         let (places, left) = out.as_chunks_mut::<{ LANES * GROUP }>();
         for (x, out) in groups.iter().zip(places) {
-            self.group(simd, bits, x, out);
+            self.group(simd, own, bits, x, out);
         }
         self.one_by_one(rest, left);
     }
 
     #[inline(always)]
-    fn group<I: Simd>(&self, simd: I, bits: u32, x: &[f32; LANES * GROUP], out: &mut [f32; LANES * GROUP]) {
+    fn group<I: Simd>(
+        &self,
+        simd: I,
+        own: &Rows32,
+        bits: u32,
+        x: &[f32; LANES * GROUP],
+        out: &mut [f32; LANES * GROUP],
+    ) {
         let splat = |x: f32| -> f32x4<I> { f32x4::splat(simd, x) };
         let (zero, one) = (u32x4::splat(simd, 0), splat(1.0));
-        let (origin, per_width) = (splat(self.origin), splat(self.per_width));
-        let [start, rise] = self.chord.map(splat);
+        let (origin, per_width) = (splat(own.origin), splat(own.per_width));
+        let [start, rise] = own.chord.map(splat);
         let (mut rest, mut sum, mut weight) = ([zero; GROUP], [one; GROUP], [one; GROUP]);
         let mut whole = true;
         for (g, x) in x.as_chunks::<LANES>().0.iter().enumerate() {
@@ -62,12 +62,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fast32<S, C> {
             return;
         }
         // After 30 bits the digits are zeros, and so are their terms.
-        for _ in 0..self.steps.min(30_u32.div_ceil(bits)) {
+        for _ in 0..own.steps.min(30_u32.div_ceil(bits)) {
             for g in 0..GROUP {
                 let digits = rest[g] >> (32 - bits);
                 let mut rows = [one; LANES];
                 for (to, digit) in rows.iter_mut().zip(digits.as_slice()) {
-                    if let Some(row) = self.table.get(*digit as usize) {
+                    if let Some(row) = own.table.get(*digit as usize) {
                         *to = f32x4::from_slice(simd, row);
                     }
                 }
@@ -89,7 +89,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> Fast32<S, C> {
         }
         for (g, out) in out.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
             let value: f32x4<I> =
-                rest[g].simd_eq(zero).select(sum[g], sum[g] + weight[g] * splat(self.middle));
+                rest[g].simd_eq(zero).select(sum[g], sum[g] + weight[g] * splat(own.middle));
             value.store_slice(out);
         }
     }

@@ -1,0 +1,24 @@
+//! The whole number below, without a branch.
+
+/// Floor as both types; at a whole number that one or the one before. For `0 ≤ x < 2³¹`.
+#[inline(always)]
+pub(crate) fn floor(x: f64) -> (f64, usize) {
+    // 1.5 · 2⁵²: sums from here on are whole numbers, the nearest ones, and so are the last bits of their mantissas.
+    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    let sum = (x - 0.5) + WHOLE;
+    (sum - WHOLE, sum.to_bits() as u32 as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_numbers_below_are_found() {
+        for x in [0.0, 1e-300, 0.3, 0.5, 0.999, 1.5, 1_023.0, 1_023.999_999, 2_147_483_646.5] {
+            let (whole, number) = floor(x);
+            assert_eq!(whole, number as f64);
+            assert!(whole <= x && x <= whole + 1.0, "{x}: {whole}");
+        }
+    }
+}

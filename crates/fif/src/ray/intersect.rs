@@ -1,0 +1,101 @@
+//! The first hit of a ray with any surface.
+
+use crate::evaluate::batch_error::BatchError;
+use crate::numeric::interval::Interval;
+use crate::ray::quadtree::{Unbounded, any, first};
+use crate::ray::ray::{Hit, Ray};
+use crate::surface::surface::Surface;
+
+/// Rays against a [`Surface`]; an `impl Intersect for X {}` gives them to one of your own.
+///
+/// [`HeightField`](crate::HeightField) and [`Tabulated`](crate::Tabulated) have rays of their own, the latter much faster;
+/// `tabulated()` makes either.
+///
+/// ```
+/// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
+/// let z = [0.0, 1.0, -0.5, 0.25];
+/// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+/// let ray = Ray { origin: DVec3::new(0.1, 0.2, 4.0), direction: DVec3::new(0.1, 0.15, -1.0) };
+/// let hit = surface.first_hit(&ray).unwrap();
+/// assert!((ray.at(hit.t).z - hit.height).abs() < 1e-10 && hit.normal.unwrap().z > 0.0);
+/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// ```
+#[doc(alias = "intersection")]
+#[doc(alias = "raycast")]
+pub trait Intersect: Surface {
+    /// The first point of the ray on the surface, `t ≥ 0`; a ray that starts on the surface hits at `t = 0`.
+    ///
+    /// ```text
+    /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
+    /// ```
+    ///
+    /// No hit is passed by but a pair of roots within one
+    /// stretch of 10⁻¹² of the domain, and none is invented; rays that are no rays hit nothing.
+    #[must_use]
+    fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
+    }
+
+    /// The first hit with `t` in the interval, to a tolerance: a length in the domain's unit along the ray.
+    ///
+    /// ```text
+    /// f stays away from the ray over [t, t + |z − f|/r],   r ≥ |d/dt (z − f)| over a cell
+    /// ```
+    ///
+    /// Rigorous boxes are visited in the order of the ray. Within one, bounds of the slopes say from both ends how far the nearest
+    /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
+    /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. So a
+    /// hit lies within `tolerance` of a root before which there is none, but for a pair of roots within one such
+    /// stretch: a ray that dips in and out again. 0, negative and NaN stand for 10⁻¹² of the domain and a root to the
+    /// rounding error. A ray takes at most 2¹⁶ evaluations; beyond, a stretch is decided by its ends.
+    ///
+    /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
+    #[must_use]
+    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        first(self, &Unbounded(self), ray, t, tolerance)
+    }
+
+    /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit.
+    #[must_use]
+    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+        any(self, &Unbounded(self), ray, t)
+    }
+
+    /// The first hit of every ray, as [`Intersect::first_hit_within`].
+    ///
+    /// # Errors
+    /// [`BatchError`] when `hits` has another length than `rays`; nothing is written then.
+    fn first_hits(
+        &self,
+        rays: &[Ray],
+        t: Interval,
+        tolerance: f64,
+        hits: &mut [Option<Hit>],
+    ) -> Result<(), BatchError> {
+        BatchError::check("hits", rays.len(), hits.len())?;
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = self.first_hit_within(ray, t, tolerance);
+        }
+        Ok(())
+    }
+}
+
+impl<S: Intersect + ?Sized> Intersect for &S {
+    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
+        S::first_hit_within(self, ray, t, tolerance)
+    }
+
+    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
+        S::hits_any(self, ray, t)
+    }
+
+    fn first_hits(
+        &self,
+        rays: &[Ray],
+        t: Interval,
+        tolerance: f64,
+        hits: &mut [Option<Hit>],
+    ) -> Result<(), BatchError> {
+        S::first_hits(self, rays, t, tolerance, hits)
+    }
+}

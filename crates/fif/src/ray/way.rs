@@ -1,0 +1,83 @@
+//! One ray on its way to a surface.
+
+use glam::DVec3;
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::ray::box_descent::{BUDGET, CLOSE, slab};
+use crate::ray::ray::Ray;
+use crate::surface::surface::Surface;
+
+/// One ray on its way.
+pub(crate) struct Way<'a, S: ?Sized> {
+    pub(crate) surface: &'a S,
+    pub(crate) ray: Ray,
+    /// More than the rounding of a coordinate on the ray within the domain.
+    pub(crate) pad: DVec3,
+    /// Length of a stretch that is decided by the signs at its ends.
+    pub(crate) close: f64,
+    /// Whether a root is wanted to the rounding error.
+    pub(crate) exact: bool,
+    /// Evaluations left.
+    pub(crate) budget: u32,
+}
+
+impl<'a, S: Surface + ?Sized> Way<'a, S> {
+    /// The ray ready to go, and the stretch of it over the domain; `None` for a ray that is none.
+    pub(crate) fn new(surface: &'a S, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Self, Interval)> {
+        let (o, d) = (ray.origin, ray.direction);
+        if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
+            return None;
+        }
+        let [x, y] = surface.domain();
+        let pad = |origin: f64, extent: f64| 16.0 * f64::EPSILON * (origin.abs() + extent);
+        let pad = DVec3::new(
+            pad(o.x, x.magnitude()),
+            pad(o.y, y.magnitude()),
+            pad(o.z, surface.range().magnitude()),
+        );
+        let longest = d.x.abs().max(d.y.abs()).max(d.z.abs());
+        let finest = CLOSE * x.width().max(y.width());
+        let exact = tolerance <= finest || tolerance.is_nan();
+        // The length of the direction is less than √3 times its longest component.
+        let close = if exact { finest } else { 0.5 * tolerance } / longest;
+        let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
+        let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
+        let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
+        let way = Self { surface, ray: *ray, pad, close, exact, budget: BUDGET };
+        (span.lo <= span.hi).then_some((way, span))
+    }
+
+    /// The height of the ray above the surface at `t`.
+    #[inline]
+    pub(crate) fn above(&self, t: f64, tolerance: f64) -> Bounded {
+        let at = self.ray.at(t);
+        let h = self.surface.evaluate(at.x, at.y, tolerance);
+        let rounding = f64::EPSILON * (self.ray.origin.z.abs() + at.z.abs());
+        Bounded { value: at.z - h.value, bound: h.bound + rounding }
+    }
+
+    /// The stretch in which the ray is as high as the surface may be.
+    #[inline]
+    pub(crate) fn within(&self, span: Interval, height: Interval) -> Interval {
+        span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
+    }
+
+    /// How fast the height above the surface changes where its slopes are in ranges.
+    pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
+        let d = self.ray.direction;
+        Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
+    }
+
+    /// A ray along z meets the surface at one height.
+    pub(crate) fn vertical(&self, span: Interval) -> Option<f64> {
+        let above = self.above(0.0, 0.0);
+        let t = -above.value / self.ray.direction.z;
+        let slack = above.bound / self.ray.direction.z.abs();
+        let near = span.lo - slack <= t && t <= span.hi + slack;
+        near.then(|| t.clamp(span.lo, span.hi))
+    }
+}
+
+pub(crate) fn padded(side: Interval, pad: f64) -> Interval {
+    Interval::new(side.lo - pad, side.hi + pad)
+}

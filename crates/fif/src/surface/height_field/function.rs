@@ -1,0 +1,166 @@
+//! Functions that a height field can have along an axis.
+
+use core::fmt::Debug;
+
+use crate::calculus::moment_basis::MomentError;
+use crate::numeric::estimate::Estimate;
+use crate::numeric::interval::{Bounded, Interval};
+#[cfg(feature = "alloc")]
+use crate::surface::height_field::jet_table::{JetTable, Jets};
+use crate::system::cell::Cell;
+use crate::system::fif::System;
+use crate::system::map::Piece;
+
+/// A function along an axis of a [`HeightField`](crate::HeightField): every [`System`] of up to eight coefficients; sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no function along an axis of a height field",
+    note = "an axis takes a `Fif`, a `FixedFif` or, with the feature `alloc`, a `FifRef` of one to eight coefficients"
+)]
+pub trait Function: Clone + Debug {
+    /// A cell of the domain, as far as its children and bounds need it.
+    #[doc(hidden)]
+    type Cell: Copy + Debug;
+    /// The derivative: one coefficient fewer in storage of the like.
+    type Derivative: Function;
+    #[cfg(feature = "alloc")]
+    #[doc(hidden)]
+    type Jets: Jets;
+
+    #[doc(hidden)]
+    fn domain(&self) -> Interval;
+    #[doc(hidden)]
+    fn range(&self) -> Interval;
+    #[doc(hidden)]
+    fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
+    #[doc(hidden)]
+    fn mean(&self, l: f64, r: f64) -> Estimate;
+    #[doc(hidden)]
+    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError>;
+    /// The derivative, if it is continuous.
+    #[doc(hidden)]
+    fn differentiated(&self) -> Option<Self::Derivative>;
+    #[doc(hidden)]
+    fn root() -> Self::Cell;
+    /// The number of children of a cell.
+    #[doc(hidden)]
+    fn count(&self) -> usize;
+    /// Knots of child `j` in units of the cell's width.
+    #[doc(hidden)]
+    fn part(&self, j: usize) -> [f64; 2];
+    /// Child `j`; the cell itself when there is none.
+    #[doc(hidden)]
+    fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell;
+    /// An enclosure of the values over a cell.
+    #[doc(hidden)]
+    fn cell_range(&self, cell: &Self::Cell) -> Interval;
+    /// Values and slopes by a table, if there can be one; `slopes` encloses the derivative.
+    #[cfg(feature = "alloc")]
+    #[doc(hidden)]
+    fn jets(&self, slopes: Interval) -> Option<Self::Jets>;
+}
+
+/// Storage of pieces to whose derivative's pieces there is storage of the like.
+pub trait Lower<const C: usize>: AsRef<[Piece<C>]> + Clone + Debug {
+    /// The derivative.
+    type Derivative: Function;
+
+    /// The derivative, if it is continuous.
+    fn lower(system: &System<Self, C>) -> Option<Self::Derivative>
+    where
+        Self: Sized;
+}
+
+macro_rules! lower {
+    ($($c:literal to $d:literal),*) => {$(
+        impl<const N: usize> Lower<$c> for [Piece<$c>; N] {
+            type Derivative = System<[Piece<$d>; N], $d>;
+
+            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
+                system.derivative().ok()
+            }
+        }
+
+        #[cfg(feature = "alloc")]
+        impl Lower<$c> for alloc::vec::Vec<Piece<$c>> {
+            type Derivative = crate::system::fif::Fif<$d>;
+
+            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
+                system.derivative().ok()
+            }
+        }
+
+        #[cfg(feature = "alloc")]
+        impl Lower<$c> for &[Piece<$c>] {
+            type Derivative = crate::system::fif::Fif<$d>;
+
+            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
+                system.derivative().ok()
+            }
+        }
+    )*};
+}
+
+lower!(1 to 1, 2 to 1, 3 to 2, 4 to 3, 5 to 4, 6 to 5, 7 to 6, 8 to 7);
+
+impl<S: Lower<C>, const C: usize> Function for System<S, C> {
+    type Cell = Cell<C>;
+    type Derivative = S::Derivative;
+    #[cfg(feature = "alloc")]
+    type Jets = JetTable<C>;
+
+    #[inline]
+    fn domain(&self) -> Interval {
+        self.domain()
+    }
+
+    #[inline]
+    fn range(&self) -> Interval {
+        self.range()
+    }
+
+    #[inline]
+    fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
+        self.evaluate(x, tolerance)
+    }
+
+    fn mean(&self, l: f64, r: f64) -> Estimate {
+        self.mean(l, r)
+    }
+
+    fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
+        self.mean_square(l, r)
+    }
+
+    fn differentiated(&self) -> Option<Self::Derivative> {
+        S::lower(self)
+    }
+
+    fn root() -> Self::Cell {
+        Cell::root()
+    }
+
+    #[inline]
+    fn count(&self) -> usize {
+        self.pieces().len()
+    }
+
+    #[inline]
+    fn part(&self, j: usize) -> [f64; 2] {
+        self.pieces().get(j).map_or([0.0, 1.0], |piece| piece.s)
+    }
+
+    #[inline]
+    fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell {
+        self.pieces().get(j).map_or(*cell, |piece| cell.child(piece))
+    }
+
+    #[inline]
+    fn cell_range(&self, cell: &Self::Cell) -> Interval {
+        cell.range(self.range())
+    }
+
+    #[cfg(feature = "alloc")]
+    fn jets(&self, slopes: Interval) -> Option<Self::Jets> {
+        JetTable::new(self, slopes)
+    }
+}

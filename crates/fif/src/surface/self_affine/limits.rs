@@ -1,0 +1,94 @@
+//! Global bounds of a self-affine surface and of the errors of its evaluation; lengths are in units of the domain.
+
+use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
+
+/// Constants of bounds, rounded up.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// The factor by which the fold stretches at most: `‖M‖₂`, or `1/a` for the smallest share `a` of a cell.
+    pub(crate) stretch: f64,
+    /// `|s|` times that.
+    pub(crate) contraction: f64,
+    /// `1/(1 − |s|)` and the reciprocal of 1 less the contraction.
+    pub(crate) gain: [f64; 2],
+    /// Error of one patch's value and gradient.
+    pub(crate) noise: [f64; 2],
+    /// The greatest value and slope of the patches.
+    pub(crate) patch: [f64; 2],
+    /// A Lipschitz constant of the slopes of the patches.
+    pub(crate) bend: f64,
+    /// The computed orbit of a point stays this close to that of a point this close; 0 where orbits are exact.
+    pub(crate) shift: f64,
+    /// Encloses `f`.
+    pub(crate) range: Interval,
+    /// Enclose the slopes of `f`.
+    pub(crate) slopes: [Interval; 2],
+    /// Encloses the repeated part `w`, and its slopes.
+    pub(crate) own: Interval,
+    pub(crate) own_slopes: [Interval; 2],
+    /// The greatest `|∇f|`, or the greatest slope along either axis.
+    pub(crate) steepest: f64,
+}
+
+impl Limits {
+    pub(crate) const EMPTY: Self = Self {
+        stretch: 0.0,
+        contraction: 0.0,
+        gain: [0.0; 2],
+        noise: [0.0; 2],
+        patch: [0.0; 2],
+        bend: 0.0,
+        shift: 0.0,
+        range: Interval::EMPTY,
+        slopes: [Interval::EMPTY; 2],
+        own: Interval::EMPTY,
+        own_slopes: [Interval::EMPTY; 2],
+        steepest: 0.0,
+    };
+
+    pub(crate) fn is_finite(&self) -> bool {
+        let ranges = [self.range, self.slopes[0], self.slopes[1]];
+        ranges.iter().all(|range| range.magnitude().is_finite())
+            && self.noise.iter().all(|noise| noise.is_finite())
+            && (self.bend + self.steepest).is_finite()
+    }
+
+    /// `contractionᵏ`, rounded up; no smaller than for 64 steps.
+    pub(crate) fn contraction_of(&self, steps: u32) -> f64 {
+        (0..steps.min(64)).fold(1.0, |power, _| power * self.contraction * (1.0 + 2.0 * UNIT))
+    }
+
+    /// A bound of what slopes change over a distance: `Σ_k min(L stretchᵏ distance, 2 sup|∇|) contractionᵏ`.
+    pub(crate) fn modulus(&self, distance: f64) -> f64 {
+        const MOST_STEPS: u32 = 1 << 16;
+        let (mut sum, mut weight, mut change) = (0.0, 1.0, self.bend * distance);
+        let most = 2.0 * self.patch[1];
+        for _ in 0..MOST_STEPS {
+            if change.is_nan() || change >= most || weight * most < f64::MIN_POSITIVE {
+                break;
+            }
+            sum += weight * change;
+            weight *= self.contraction;
+            change *= self.stretch;
+        }
+        1.01 * (sum + weight * most * self.gain[1])
+    }
+
+    /// A tolerance that leaves out the repetitions whose cells are smaller than `distance`, from the finest cell and the
+    /// greatest slope.
+    pub(crate) fn left_out(&self, distance: f64, cell: f64, steepest: f64) -> f64 {
+        const STEPS: u32 = 1 << 10;
+        if distance.is_nan() || distance <= 0.0 {
+            return 0.0;
+        }
+        let (mut cell, mut tolerance) = (cell, 2.0 * steepest);
+        for _ in 0..STEPS {
+            if cell < distance {
+                break;
+            }
+            (cell, tolerance) = (cell / self.stretch, tolerance * self.contraction);
+        }
+        tolerance
+    }
+}

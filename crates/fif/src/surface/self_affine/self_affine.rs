@@ -1,0 +1,420 @@
+//! Self-affine surfaces: patches and smaller copies of the whole, over any fold of the plane.
+
+use core::fmt::Debug;
+
+use glam::{DVec2, DVec3};
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::matrix2::{IDENTITY, transposed};
+use crate::surface::extrema::{SurfaceExtrema, extrema};
+use crate::surface::hermite_patch::{Corner, Patch};
+use crate::surface::normal::upward_normal;
+use crate::surface::self_affine::limits::Limits;
+use crate::surface::surface::{Surface, SurfaceBounds};
+
+/// Steps that one evaluation takes at most.
+pub(crate) const MOST_STEPS: u32 = 1 << 16;
+
+/// A surface through given heights with given gradients that consists of smooth patches and smaller copies of itself,
+/// once continuously differentiable; no product of curves.
+///
+/// ```text
+/// f = H + s w∘Φ,   w = P + s w∘Φ        H, P: bicubic Hermite patches without twist
+/// ```
+///
+/// The fold `Φ` maps every cell of a grid onto the whole: an integer matrix of the torus ([`Torus`](crate::Torus), periodic,
+/// without grain), or zig-zags along both axes ([`Folded`](crate::Folded), on unequal cells).
+#[derive(Clone, Debug)]
+pub struct SelfAffine<F> {
+    pub(crate) fold: F,
+    pub(crate) factor: f64,
+    pub(crate) limits: Limits,
+}
+
+/// One of the two functions that patches are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// `H`.
+    Data,
+    /// `P`.
+    Own,
+}
+
+/// The patch of a cell, and a place in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    pub(crate) index: [usize; 2],
+    pub(crate) patch: Patch,
+    /// In units of the cell.
+    pub(crate) at: [f64; 2],
+    /// In units of the domain.
+    pub(crate) widths: [f64; 2],
+    /// Height and slopes where the place is a node; those of `H` as they were given.
+    pub(crate) node: Option<Corner>,
+}
+
+/// A fold of the plane with its nodes: [`TorusFold`](crate::surface::TorusFold) or [`ZigZag`](crate::surface::ZigZag); sealed.
+pub trait Fold: Sized + Clone + Debug {
+    /// A point, as exactly as its orbit needs.
+    #[doc(hidden)]
+    type Place: Copy;
+
+    #[doc(hidden)]
+    fn domain(&self) -> [Interval; 2];
+
+    /// The point, and what is cut off of a coordinate; `None` for what is no point.
+    #[doc(hidden)]
+    fn locate(&self, x: f64, y: f64) -> Option<(Self::Place, f64)>;
+
+    #[doc(hidden)]
+    fn cell(&self, at: Self::Place, part: Part) -> Cell;
+
+    /// The point's image.
+    #[doc(hidden)]
+    fn next(&self, at: Self::Place, cell: &Cell) -> Self::Place;
+
+    /// The Jacobian of one repetition more.
+    #[doc(hidden)]
+    fn turned(&self, jacobian: &[[f64; 2]; 2], cell: &Cell, factor: f64) -> [[f64; 2]; 2];
+
+    /// Truncation that is enough for values, and bounds of their rounding.
+    #[doc(hidden)]
+    fn value_enough(limits: &Limits, tolerance: f64) -> f64;
+
+    #[doc(hidden)]
+    fn value_rounding(limits: &Limits, steps: u32) -> f64;
+
+    /// Truncation that is enough for slopes, and bounds of their rounding with partial sums up to `largest`.
+    #[doc(hidden)]
+    fn slope_enough(limits: &Limits, tolerance: f64) -> f64;
+
+    #[doc(hidden)]
+    fn slope_rounding(limits: &Limits, steps: u32, largest: f64) -> f64;
+
+    /// The narrowest cell of the grid.
+    #[doc(hidden)]
+    fn narrowest(&self, limits: &Limits) -> f64;
+
+    #[doc(hidden)]
+    fn bounds(surface: &SelfAffine<Self>, x: Interval, y: Interval) -> SurfaceBounds;
+
+    #[doc(hidden)]
+    fn narrow(surface: &mut SelfAffine<Self>);
+
+    #[doc(hidden)]
+    fn mean(surface: &SelfAffine<Self>) -> Bounded;
+
+    /// The rectangle that a search takes for `x × y`.
+    #[doc(hidden)]
+    fn searched(&self, x: Interval, y: Interval) -> [Interval; 2];
+}
+
+impl<F: Fold> SelfAffine<F> {
+    /// The rectangle under the surface: one period, or the grid.
+    #[inline]
+    #[must_use]
+    pub fn domain(&self) -> [Interval; 2] {
+        self.fold.domain()
+    }
+
+    /// The vertical factor s.
+    #[inline]
+    #[must_use]
+    pub const fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// A rigorous enclosure of all heights.
+    #[inline]
+    #[must_use]
+    pub const fn range(&self) -> Interval {
+        self.limits.range
+    }
+
+    /// Rigorous enclosures of `∂f/∂x` and `∂f/∂y`.
+    #[must_use]
+    pub fn slope_range(&self) -> [Interval; 2] {
+        self.per_domain(self.limits.slopes)
+    }
+
+    /// The mean height over the domain, exact up to the rounding error that is reported.
+    ///
+    /// ```text
+    /// torus:    ∫ f = ∫ p / (1 − s) = (Σ_v z_v − s Σ_v z_{Mv}) / (n² (1 − s))
+    /// zig-zags: ∫ w∘Φ = Σ_cells (area of the cell / area of the domain) ∫ w = ∫ w,   so ∫ f = ∫ H + s/(1 − s) ∫ (H − G)
+    ///           ∫ over a cell of widths a, b = a b Σ_corners (z/4 ± a z_x/24 ± b z_y/24), + at its lower ends
+    /// ```
+    ///
+    /// On a torus slopes of the nodes cancel between neighbouring patches; for an odd determinant M permutes the nodes, and
+    /// this is the mean of the data.
+    ///
+    /// ```
+    /// use asperity_fif::{Folded, Torus};
+    /// let z = [0.0, 1.0, -0.5, 0.25];
+    /// let mean = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?.mean();
+    /// assert!((mean.value - 0.1875).abs() <= mean.bound && mean.bound < 1e-14);
+    /// let z = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+    /// let mean = Folded::new(&[0.0, 1.0, 3.0], &[0.0, 1.0, 2.0], 0.25, &z, &[[0.0; 2]; 9])?.mean();
+    /// assert!((mean.value - 1.0 / 3.0).abs() <= mean.bound && mean.bound < 1e-13); // H = H − G is a bump of mean 1/4
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn mean(&self) -> Bounded {
+        F::mean(self)
+    }
+
+    /// `f(x, y)` with a bound of its error, to `tolerance` or the rounding error.
+    ///
+    /// ```text
+    /// f = H + Σ_{0<k<K} sᵏ P∘Φᵏ + sᴷ w∘Φᴷ
+    /// ```
+    ///
+    /// The last term is replaced by `sᴷ` times the middle of w's range, or at a node by its exact value.
+    #[inline]
+    #[must_use]
+    pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        let Some((at, cut)) = self.fold.locate(x, y) else { return Bounded::NAN };
+        let Bounded { value, bound } = self.value_from(at, tolerance);
+        Bounded { value, bound: if cut > 0.0 { bound + 2.0 * cut * self.limits.steepest } else { bound } }
+    }
+
+    /// `[∂f/∂x, ∂f/∂y]`, each with a bound of its error, to `tolerance` or the rounding error.
+    ///
+    /// ```text
+    /// ∇f = ∇H + Σ_{0<k<K} J_kᵀ ∇P∘Φᵏ + J_Kᵀ ∇w∘Φᴷ,   J_k: sᵏ times the Jacobian of Φᵏ
+    /// ```
+    ///
+    /// The bound includes what the gradient may change over the rounding of the point, which on zig-zags is more than any
+    /// other rounding: [`SelfAffine::gradient_modulus`].
+    #[inline]
+    #[must_use]
+    pub fn evaluate_gradient(&self, x: f64, y: f64, tolerance: f64) -> [Bounded; 2] {
+        let Some((at, cut)) = self.fold.locate(x, y) else { return [Bounded::NAN; 2] };
+        self.gradient_from(at, cut, tolerance)
+    }
+
+    /// `f(x, y)` to the rounding error; the value of [`SelfAffine::evaluate`] at tolerance 0.
+    #[inline]
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        self.evaluate(x, y, 0.0).value
+    }
+
+    /// `(∂f/∂x, ∂f/∂y)` to the rounding error.
+    #[inline]
+    #[must_use]
+    pub fn gradient(&self, x: f64, y: f64) -> DVec2 {
+        let [x, y] = self.evaluate_gradient(x, y, 0.0);
+        DVec2::new(x.value, y.value)
+    }
+
+    /// The unit normal, upward: `(−∂f/∂x, −∂f/∂y, 1) / |…|`.
+    #[inline]
+    #[must_use]
+    pub fn normal(&self, x: f64, y: f64) -> DVec3 {
+        upward_normal(self.gradient(x, y))
+    }
+
+    /// A bound of what the gradient changes between points at most `distance` apart: its conditioning. On a torus of
+    /// `|∇f(p) − ∇f(q)|`, on zig-zags of both components, with the distance along each axis.
+    ///
+    /// ```text
+    /// Σ_k min(L λᵏ distance, 2 sup|∇P|) (|s| λ)ᵏ        λ = ‖M‖₂, or 1/a for the share a of the narrowest cell
+    /// ```
+    ///
+    /// `L` is a Lipschitz constant of the patches' slopes. The bound falls like a power of the distance, `−ln(|s| λ)/ln λ`
+    /// where that is under 1.
+    #[must_use]
+    pub fn gradient_modulus(&self, distance: f64) -> f64 {
+        let per = self.per();
+        let most = if per[0] > per[1] { per[0] } else { per[1] };
+        1.01 * self.limits.modulus(distance.abs() * most) * most
+    }
+
+    /// Rigorous enclosures of the heights and slopes over `x × y`; the smaller the rectangle, the tighter.
+    ///
+    /// ```text
+    /// f(Q) ⊂ H(Q) + Σ_{0<k<K} sᵏ P(Φᵏ Q) + sᴷ w      ∇f(Q) ⊂ ∇H(Q) + Σ_{0<k<K} J_k(Q)ᵀ ∇P(Φᵏ Q) + J_K(Q)ᵀ ∇w
+    /// f(Q) ⊂ f(c) + ∇f(Q) · (Q − c)
+    /// torus: f(Q) ⊂ S_K(c) + ∇S_K(c) · (Q − c) ± Σ_{k<K} |s|ᵏ |∇p(Mᵏ Q) − ∇p(Mᵏ c)| |Mᵏ (Q − c)| + sᴷ f,   S_K = Σ_{k<K} sᵏ p∘Mᵏ
+    /// ```
+    ///
+    /// K is where the image has grown to a cell of the grid, or to more than two, so a rectangle of that size or more gets the
+    /// global ranges; so does one that is empty or has ends that are NaN. [`SelfAffine::extrema_over`] splits what is too
+    /// large. On zig-zags parts outside the domain count as its border.
+    ///
+    /// ```
+    /// # use asperity_fif::{Interval, Torus};
+    /// # let z = [0.0, 1.0, -0.5, 0.25];
+    /// # let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// let bounds = surface.bounds(Interval::new(0.3, 0.301), Interval::new(0.7, 0.701));
+    /// assert!(bounds.height.contains(surface.height(0.3004, 0.7001)) && bounds.height.width() < 0.2);
+    /// assert!(bounds.slopes[1].contains(surface.gradient(0.3004, 0.7001).y));
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        F::bounds(self, x, y)
+    }
+
+    /// The surface with narrower global ranges, of heights and slopes, by branch and bound.
+    ///
+    /// ```text
+    /// sup |∇w| ≤ sup (|Σ_{k<K} J_kᵀ ∇P∘Φᵏ| + |J_K| sup |∇w|),   K and the square as in bounds()
+    /// ```
+    ///
+    /// The constructor adds up the ranges of all terms; here they are added over small squares. That takes some to some tens of
+    /// milliseconds and makes [`SelfAffine::slope_range`] a few times as narrow, and with it every bound over a rectangle:
+    /// worth it before searches; [`SelfAffine::tabulated`] does it by itself.
+    ///
+    /// ```
+    /// # use asperity_fif::Torus;
+    /// let z = [0.0, 1.0, -0.5, 0.25];
+    /// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// let width = surface.slope_range()[0].width();
+    /// assert!(surface.narrowed().slope_range()[0].width() < 0.7 * width);
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn narrowed(mut self) -> Self {
+        F::narrow(&mut self);
+        self
+    }
+
+    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that.
+    ///
+    /// They are rigorous whatever their width. A rectangle that is empty or not finite stands for the domain; on zig-zags it is
+    /// cut to that.
+    ///
+    /// ```
+    /// # use asperity_fif::{Interval, Torus};
+    /// # let z = [0.0, 1.0, -0.5, 0.25];
+    /// # let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;
+    /// let [x, y] = surface.domain();
+    /// let extrema = surface.extrema_over(x, y, 1e-3);
+    /// assert!(extrema.maximum.width() <= 1e-3 && extrema.maximum.lo >= 1.0);
+    /// let top = surface.height(extrema.highest.x, extrema.highest.y);
+    /// assert!(extrema.maximum.contains(top));
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
+        extrema(self, self.fold.searched(x, y), width)
+    }
+
+    /// Reciprocals of the domain's widths.
+    #[inline]
+    fn per(&self) -> [f64; 2] {
+        self.fold.domain().map(|side| 1.0 / side.width())
+    }
+
+    /// Slopes per the domain's widths as slopes.
+    pub(crate) fn per_domain(&self, slopes: [Interval; 2]) -> [Interval; 2] {
+        let domain = self.fold.domain();
+        [0, 1].map(|k| match domain[k].width() {
+            1.0 => slopes[k],
+            width => slopes[k].scaled(1.0 / width).inflated(0.0),
+        })
+    }
+
+    #[inline]
+    pub(crate) fn value_from(&self, mut at: F::Place, tolerance: f64) -> Bounded {
+        let limits = &self.limits;
+        let own = self.limits.own;
+        let radius = 0.5 * own.width();
+        let enough = F::value_enough(limits, tolerance);
+        let (mut sum, mut weight, mut steps, mut part) = (0.0, 1.0_f64, 0, Part::Data);
+        loop {
+            let cell = self.fold.cell(at, part);
+            if let Some([z, ..]) = cell.node {
+                return Bounded { value: sum + weight * z, bound: F::value_rounding(limits, steps) };
+            }
+            let [u, v] = cell.at;
+            sum += weight * cell.patch.value(u, v);
+            weight *= self.factor;
+            steps += 1;
+            if weight.abs() * radius <= enough || steps == MOST_STEPS {
+                let truncation = 1.0001 * weight.abs() * radius;
+                let value = sum + weight * own.middle();
+                return Bounded { value, bound: truncation + F::value_rounding(limits, steps) };
+            }
+            at = self.fold.next(at, &cell);
+            part = Part::Own;
+        }
+    }
+
+    #[inline]
+    pub(crate) fn gradient_from(&self, mut at: F::Place, cut: f64, tolerance: f64) -> [Bounded; 2] {
+        let limits = &self.limits;
+        let own = self.limits.own_slopes;
+        let distance = 2.0 * (self.limits.shift + cut);
+        let moved = if distance > 0.0 { self.limits.modulus(distance) } else { 0.0 };
+        let per = self.per();
+        let most = if per[0] < per[1] { per[1] } else { per[0] };
+        let enough = F::slope_enough(
+            limits,
+            if self.limits.shift > 0.0 { tolerance / (1.0002 * most) - moved } else { tolerance },
+        );
+        let radii = own.map(|range| 0.5 * range.width());
+        let (mut sum, mut largest) = ([0.0_f64; 2], 0.0_f64);
+        let (mut jacobian, mut steps, mut part) = (IDENTITY, 0, Part::Data);
+        let ended = |sum: [f64; 2], rest: [f64; 2], steps: u32, largest: f64| {
+            [0, 1].map(|k| {
+                let rounding = F::slope_rounding(limits, steps, largest.max(sum[k].abs()));
+                Bounded { value: sum[k] * per[k], bound: 1.0001 * (rest[k] + moved + rounding) * per[k] }
+            })
+        };
+        loop {
+            let cell = self.fold.cell(at, part);
+            if let Some([_, x, y]) = cell.node {
+                if steps == 0 {
+                    let bounds = ended([0.0; 2], [0.0; 2], 0, 0.0);
+                    return [(x, bounds[0]), (y, bounds[1])].map(|(value, all)| Bounded { value, ..all });
+                }
+                let last = transposed(&jacobian, [x, y]);
+                return ended([sum[0] + last[0], sum[1] + last[1]], [0.0; 2], steps, largest);
+            }
+            let [u, v] = cell.at;
+            let [x, y] = cell.patch.slopes(u, v);
+            let term = transposed(&jacobian, [x / cell.widths[0], y / cell.widths[1]]);
+            sum = [sum[0] + term[0], sum[1] + term[1]];
+            largest = largest.max(sum[0].abs()).max(sum[1].abs());
+            jacobian = self.fold.turned(&jacobian, &cell, self.factor);
+            steps += 1;
+            let rest = transposed(&jacobian.map(|row| row.map(f64::abs)), radii);
+            if rest[0].max(rest[1]) <= enough || steps == MOST_STEPS {
+                let last = transposed(&jacobian, own.map(Interval::middle));
+                return ended([sum[0] + last[0], sum[1] + last[1]], rest, steps, largest);
+            }
+            at = self.fold.next(at, &cell);
+            part = Part::Own;
+        }
+    }
+}
+
+impl<F: Fold> Surface for SelfAffine<F> {
+    fn domain(&self) -> [Interval; 2] {
+        self.domain()
+    }
+
+    fn range(&self) -> Interval {
+        self.range()
+    }
+
+    #[inline]
+    fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        self.evaluate(x, y, tolerance)
+    }
+
+    fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        self.bounds(x, y)
+    }
+
+    fn gradient_near(&self, x: f64, y: f64, distance: f64) -> Option<DVec2> {
+        let [wide, deep] = self.domain().map(Interval::width);
+        let steepest = self.limits.steepest / if wide < deep { wide } else { deep };
+        let cell = self.fold.narrowest(&self.limits);
+        let [x, y] = self.evaluate_gradient(x, y, self.limits.left_out(distance, cell, steepest));
+        Some(DVec2::new(x.value, y.value))
+    }
+}
