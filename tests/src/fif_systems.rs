@@ -333,7 +333,7 @@ impl Fixed {
     }
 }
 
-/// The same function of every reference system, with its number of coefficients; an array of the results.
+/// Applies one function to every reference system, with its number of coefficients; an array of the results.
 #[macro_export]
 macro_rules! systems {
     ($check:ident) => {
@@ -352,7 +352,7 @@ macro_rules! systems {
     };
 }
 
-/// The same function of the reference systems on equally spaced knots.
+/// Applies one function to the reference systems on equally spaced knots.
 #[macro_export]
 macro_rules! even_systems {
     ($check:ident) => {

@@ -83,6 +83,7 @@
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
 //! | `alloc` (default) | [`Fif`], [`Table`], [`Tabulated`], [`Recurrent`], [`fit`] |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
+//! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets in SIMD lanes, with the same bits |
 //!
 //! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
@@ -103,6 +104,8 @@ extern crate std;
 compile_error!("asperity-fif needs a float backend: enable the feature `std` or `libm`");
 
 mod analysis;
+#[cfg(feature = "approx")]
+mod approx;
 pub mod calculus;
 mod evaluate;
 #[cfg(feature = "alloc")]

@@ -50,7 +50,7 @@ fn samples<S: AsRef<[Piece<C>]>, const C: usize>(f: &System<S, C>, count: usize)
     points
 }
 
-/// What a sample may be off: 16 roundings of the polynomial a level, and those of `x` by its steepest slope.
+/// Error of a sample: 16 roundings of the polynomial a level, and those of `x` by its steepest slope.
 fn rounding<S: AsRef<[Piece<2>]>>(f: &System<S, 2>) -> f64 {
     let (mut scale, mut steepest) = (f.range().magnitude(), 0.0_f64);
     for piece in f.pieces() {

@@ -108,7 +108,7 @@ fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
     None
 }
 
-/// How many rays hit and miss for certain, both of the surface itself and of a pyramid over it.
+/// Numbers of rays that hit and miss for certain, both of the surface itself and of its table.
 fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
     let fast = Tabulated::with_levels(surface, 5);
     let mut seen = [0; 2];

@@ -50,7 +50,7 @@ fn random_rays(count: usize) -> Vec<Ray> {
         .collect()
 }
 
-/// What is known of a first hit from enclosures alone: no root before `lo`, and one, if `root`, in `[lo, hi]`.
+/// A first hit as enclosures alone show it: no root before `lo`, and one, if `root`, in `[lo, hi]`.
 struct Bracket {
     lo: f64,
     hi: f64,

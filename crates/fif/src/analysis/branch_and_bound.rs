@@ -32,7 +32,7 @@ const PLACES: usize = 1 << 12;
 /// Cells this narrow, in units of the domain, are not split for the sake of the place alone.
 const NARROW: f64 = 1.0 / 1_073_741_824.0;
 
-/// What is searched, and how well.
+/// Interval and accuracy of a search.
 pub(crate) struct Goal {
     over: Interval,
     domain: Interval,
@@ -60,7 +60,7 @@ impl Goal {
         left && right
     }
 
-    /// What of the interval lies within the margins of a cell.
+    /// Part of the interval within the margins of a cell.
     fn part<const C: usize>(&self, place: &Place<C>) -> Interval {
         let margin = self.margin + place.slip;
         Interval::new(place.left - margin, place.left + place.width + margin).intersection(self.over)
@@ -115,7 +115,7 @@ pub(crate) struct Search<'a, const C: usize> {
     sign: f64,
     /// A value that is attained, rounded down; −∞ while no knot is surely inside.
     pub(crate) best: f64,
-    /// Where.
+    /// Place of the best value.
     pub(crate) at: Interval,
     /// An upper bound.
     pub(crate) bound: f64,
@@ -123,7 +123,7 @@ pub(crate) struct Search<'a, const C: usize> {
     part: f64,
     /// An upper bound over the cells that this pass is done with.
     top: f64,
-    /// How much `top` may be above `best`.
+    /// Greatest allowed difference of `top` and `best`.
     width: f64,
     /// Cells that are left to this pass, and to all.
     left: usize,

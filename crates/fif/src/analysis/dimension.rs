@@ -6,7 +6,7 @@ use crate::numeric::polynomial::horner;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
-/// How far from a polynomial a function must be to count as none, relative to its values: far above any rounding.
+/// Least distance from a polynomial of a function that counts as none, relative to its values: far above any rounding.
 const APART: f64 = 1.0 / 1_073_741_824.0;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
@@ -36,6 +36,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// assert_eq!((f.lo, f.hi), (1.0, 1.0));
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
+    #[doc(alias = "hurst")]
+    #[doc(alias = "minkowski")]
     #[must_use]
     pub fn dimension(&self) -> Interval {
         let slack = (self.pieces().len() as f64 + 16.0) * f64::EPSILON;

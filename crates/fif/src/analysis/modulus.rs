@@ -1,4 +1,4 @@
-//! How much a function moves when its argument does: Lipschitz and Hölder bounds, and the conditioning at a point.
+//! Moduli of continuity: Lipschitz and Hölder bounds, and the conditioning at a point.
 
 use crate::math::{ln, pow};
 use crate::numeric::interval::Interval;
@@ -64,10 +64,10 @@ impl Modulus {
     }
 }
 
-/// What the roundings of the constants, of powers and of logarithms are rounded up by.
+/// Margin for the roundings of the constants, of powers and of logarithms.
 const UP: f64 = 1.0 + 1.0 / 1_073_741_824.0;
 
-/// How near a factor is to `a_j` to count as equal.
+/// Distance of a factor from `a_j` that counts as equality.
 const NEAR: f64 = 1.0 / 1_125_899_906_842_624.0;
 
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
@@ -121,7 +121,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Modulus::Holder { exponent, constant: UP * (ends + inner) / pow(width, exponent) }
     }
 
-    /// How far `f(x)` and the value that [`System::evaluate`] is about may be apart: the conditioning at `x`.
+    /// Conditioning at `x`: the distance of `f(x)` and the value that [`System::evaluate`] is about.
     ///
     /// The width of an enclosure of `f` over the points that roundings of knots and of the orbit may confuse with `x`:
     ///

@@ -30,7 +30,7 @@ enum Cut<O> {
     Inside { orbit: O, s: f64 },
 }
 
-/// How the ends and the tiling were rounded, in units of the domain.
+/// Rounding of the ends and of the tiling, in units of the domain.
 pub(crate) struct Tiling {
     /// Distance that the ends may have moved.
     pub(crate) drift: f64,

@@ -254,7 +254,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     }
 }
 
-/// What the cells of an interval add up to, in units of the domain.
+/// Sums over the cells of an interval, in units of the domain.
 #[derive(Default)]
 struct Sums {
     sum: f64,

@@ -192,7 +192,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         Ok(self.combined(ordinate, q)?)
     }
 
-    /// How many continuous derivatives the system itself has: `m` when `m` derivative systems exist one after another, `C`
+    /// Number of continuous derivatives of the system: `m` when `m` derivative systems exist one after another, `C`
     /// when every one exists (the function is a polynomial, or its pieces join that smoothly).
     ///
     /// ```text
@@ -216,7 +216,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         count
     }
 
-    /// The same knots and factors with other ordinates and polynomials.
+    /// A system on these knots, with these factors, and other ordinates and polynomials.
     fn combined(
         &self,
         y: impl Fn(f64, usize) -> f64,

@@ -98,7 +98,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
     /// The mean of `f²` over the interval between `l` and `r`, in either order; `f(l)²` when they are equal.
     ///
-    /// As [`System::mean`], also as accurate.
+    /// Accurate as [`System::mean`].
     ///
     /// # Errors
     /// [`MomentError`], when the polynomials' degree is too large.
@@ -125,7 +125,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Ok(self.weighted_sum(k, p, l, r, weight)?.0)
     }
 
-    /// The same with the length of the cells that it was added over, in units of the domain.
+    /// The integral and the length of the cells that it was added over, in units of the domain.
     fn weighted_sum(
         &self,
         k: usize,

@@ -209,7 +209,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     }
 }
 
-/// Where a point lies in the domain.
+/// Location of a point in the domain.
 enum Location {
     Nowhere,
     Knot {

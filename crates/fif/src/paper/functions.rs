@@ -21,6 +21,8 @@ pub const G_MAPS: [Map<2>; 2] = [
 ///
 /// # Errors
 /// None: the system is valid.
+#[doc(alias = "takagi")]
+#[doc(alias = "blancmange")]
 pub fn f() -> Result<FixedFif<2, 2>, SystemError> {
     from_maps(&F_MAPS)
 }

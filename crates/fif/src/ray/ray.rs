@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 /// A half line, `origin + t direction` for `t ≥ 0`; the direction need not have unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it begins.
+    /// Start of the half line.
     pub origin: DVec3,
-    /// Where it goes; the unit of `t`.
+    /// Direction; its length is the unit of `t`.
     pub direction: DVec3,
 }
 

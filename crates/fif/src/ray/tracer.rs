@@ -171,7 +171,7 @@ impl<X: Axis, Y: Axis> Path<'_, X, Y> {
         self.above(t, self.tracer.slope_steps).0
     }
 
-    /// Where the ray is at `t`, within the domain.
+    /// Position of the ray at `t`, clamped to the domain.
     #[inline(always)]
     pub(crate) fn place(&self, t: f64) -> [f64; 2] {
         let within = |x: f64, domain: Interval| {

@@ -62,7 +62,7 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         span.intersection(slab(self.ray.origin.z, self.ray.direction.z, padded(height, self.pad.z)))
     }
 
-    /// How fast the height above the surface changes where its slopes are in ranges.
+    /// Rate at which the height above the surface changes where its slopes are in ranges.
     pub(crate) fn rate(&self, [x, y]: [Interval; 2]) -> Interval {
         let d = self.ray.direction;
         Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))

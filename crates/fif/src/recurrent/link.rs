@@ -10,7 +10,7 @@ pub(crate) struct Link<const C: usize> {
     /// The knots of the source.
     pub(crate) from: usize,
     pub(crate) to: usize,
-    /// Where it begins, and its width.
+    /// Left end and width of the source.
     pub(crate) start: f64,
     pub(crate) width: f64,
     /// An enclosure of `f` over the image.

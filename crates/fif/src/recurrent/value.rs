@@ -13,7 +13,7 @@ const DEPTH: usize = 1024;
 impl<const C: usize> Recurrent<C> {
     /// `f(x)` with a bound of its error, which is at most `tolerance` where `f64` allows that.
     ///
-    /// As [`System::evaluate`](crate::System::evaluate), with the inverse of each map ending in its source; at most
+    /// [`System::evaluate`](crate::System::evaluate) with the inverse of each map ending in its source; at most
     /// [`MAX_DEPTH`] steps.
     ///
     /// - **Domain:** points outside the domain are clamped to it; NaN gives NaN. A tolerance that is zero, negative,

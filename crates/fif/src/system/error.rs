@@ -108,7 +108,7 @@ pub enum SystemError {
         end: End,
         /// The ordinate there.
         expected: f64,
-        /// Where the map sends the end of the graph.
+        /// The image of the end of the graph.
         found: f64,
     },
     /// The image of a map does not begin where that of the map before ends, or the last not at the end of the domain.

@@ -41,6 +41,8 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias = "ifs")]
+#[doc(alias = "fractal interpolation")]
 pub struct System<S, const C: usize> {
     pieces: S,
     spacing: Spacing,
@@ -51,7 +53,7 @@ pub struct System<S, const C: usize> {
     pub(crate) gain: f64,
 }
 
-/// How the knots lie.
+/// Spacing of the knots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spacing {
     Uniform,
@@ -186,7 +188,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         self.pieces.as_ref()
     }
 
-    /// The same function over borrowed pieces: a small copyable handle.
+    /// A copyable handle on the function, over borrowed pieces.
     #[inline]
     #[must_use]
     pub fn view(&self) -> System<&[Piece<C>], C> {
@@ -316,6 +318,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 /// A system of any number of maps in a vector.
 #[cfg(feature = "alloc")]
+#[doc(alias = "ifs")]
 pub type Fif<const C: usize> = System<alloc::vec::Vec<Piece<C>>, C>;
 
 /// A system over borrowed pieces, from [`System::view`]; copyable.

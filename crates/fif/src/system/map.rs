@@ -70,7 +70,7 @@ pub struct Piece<const C: usize> {
     pub(crate) stretch: f64,
     /// `q` over the domain scaled to `[0, 1]`, ascending.
     pub(crate) local: [f64; C],
-    /// The same in Bernstein form.
+    /// `q` in Bernstein form.
     pub(crate) bernstein: [f64; C],
     /// Bound of `|q − local|` and `|q − bernstein|` over the domain, with the defect of the join-up.
     pub(crate) slack: f64,

@@ -10,7 +10,7 @@ use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::system::storage::Storage;
 
-/// What [`System::with_ordinates`] takes.
+/// Arguments of [`System::with_ordinates`].
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Fif", deny_unknown_fields)]
 struct Data {
@@ -26,7 +26,7 @@ struct Data {
 
 /// Written as the record `{ x, y, alpha, q }` of the lists that [`System::with_ordinates`] takes.
 ///
-/// What is read back has the same bits, in formats that keep those of numbers: mind that JSON readers may round.
+/// Numbers read back have the same bits, in formats that keep those of numbers: mind that JSON readers may round.
 impl<S: AsRef<[Piece<C>]>, const C: usize> Serialize for System<S, C> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let pieces = self.pieces();
@@ -56,7 +56,7 @@ impl<'de, S: Storage<C>, const C: usize> Deserialize<'de> for System<S, C> {
     }
 }
 
-/// As many coefficients as the type holds.
+/// Coefficients padded to as many as the type holds.
 fn padded<const C: usize>(given: &[f64]) -> Result<[f64; C], SystemError> {
     let mut all = [0.0; C];
     let places = all.get_mut(..given.len());

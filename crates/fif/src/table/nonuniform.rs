@@ -144,7 +144,7 @@ fn value<const C: usize>(c: &[f64; C], u: f64) -> f64 {
 #[derive(Clone, Copy)]
 struct Cell<const C: usize> {
     left: f64,
-    /// What the sum that made `left` has lost.
+    /// Rounding error of the sum that made `left`.
     low: f64,
     width: f64,
     a: f64,

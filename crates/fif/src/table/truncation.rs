@@ -1,4 +1,4 @@
-//! How far a sum over composites must go, and how much it may then be wrong.
+//! Number of terms of a sum over composites, and the error that it leaves.
 
 use crate::numeric::interval::Interval;
 use crate::system::fif::System;
@@ -18,7 +18,7 @@ pub(crate) struct Series {
     pub(crate) row: f64,
     /// Relative error of one factor of `W_k` and of the product, in units of rounding.
     pub(crate) roundings: f64,
-    /// What the tail lies in.
+    /// Encloses the tail.
     pub(crate) tail: Interval,
     /// The size of what is added to the sum.
     pub(crate) scale: f64,
@@ -30,7 +30,7 @@ pub(crate) struct Series {
     pub(crate) unit: f64,
 }
 
-/// How many steps, and the error that they leave.
+/// Number of steps, and the error that they leave.
 pub(crate) struct Depth {
     pub(crate) steps: u32,
     pub(crate) bound: f64,
@@ -70,7 +70,7 @@ impl Series {
         1.001 * (truncation + rounding) + self.lost
     }
 
-    /// What `steps` steps leave, and what they round.
+    /// Truncation and rounding error after `steps` steps.
     fn errors(&self, steps: u32) -> [f64; 2] {
         let (radius, most) = (0.5 * self.tail.width(), self.tail.magnitude());
         // Σ |W_k| and Σ k |W_k|.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 const EDGES: &[(&str, &[&str], &[&str])] = &[
     ("asperity-noise", &["approx", "fearless_simd", "glam", "libm"], &["criterion"]),
     ("asperity-ndf-sampling", &["approx", "fearless_simd", "glam", "libm"], &["criterion", "libm"]),
-    ("asperity-fif", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion"]),
+    ("asperity-fif", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-shading",
         &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm"],

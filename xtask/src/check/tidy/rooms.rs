@@ -70,6 +70,7 @@ pub(super) const HOUSES: &[House] = &[
             "fit",
             "surface",
             "ray",
+            "approx",
         ],
         face: Some(45),
         held: true,

@@ -18,8 +18,8 @@ use crate::surface::surface::{Surface, SurfaceBounds};
 /// h(x, y) = f(x) g(y)      ∂h/∂x = f′(x) g(y)      ∂h/∂y = f(x) g′(y)      N = (−∂h/∂x, −∂h/∂y, 1) / |…|
 /// ```
 ///
-/// Where a function is continuously differentiable the surface has gradients and normals, found by the constructor; where
-/// both are only continuous it has heights and hits. Points outside the domain are clamped to it, NaN gives NaN.
+/// Continuously differentiable functions give it gradients and normals, found by the constructor; functions that are only
+/// continuous give heights and hits. Points outside the domain are clamped to it, NaN gives NaN.
 ///
 /// Cochran, Lewis, Hart 2000, eq. 41–45; the normal there is not of unit length, here it is.
 ///

@@ -147,7 +147,7 @@ fn pieces([low, high]: [Strip; 2]) -> impl Iterator<Item = (Strip, [f64; 2])> {
     [Some(first), (!one).then_some((high, [0.0, high.u]))].into_iter().flatten()
 }
 
-/// Where Φ sends a part of a cell.
+/// Image of a part of a cell under Φ.
 fn image((strip, [low, high]): (Strip, [f64; 2])) -> Interval {
     let at = |u: f64| Strip { u, ..strip }.folded();
     let (a, b) = (at(low), at(high));

@@ -36,7 +36,7 @@ pub(crate) struct Strip {
 }
 
 impl Strip {
-    /// Where Φ sends the place.
+    /// Image of the place under Φ.
     #[inline]
     pub(crate) fn folded(self) -> f64 {
         if self.index.is_multiple_of(2) { self.u } else { 1.0 - self.u }

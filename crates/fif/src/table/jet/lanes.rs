@@ -11,14 +11,14 @@ use crate::table::uniform::LEAST;
 
 const LANES: usize = 4;
 
-/// What is left in each lane, and the row of the digit before it.
+/// Remainder in each lane, and the row of the digit before it.
 struct Places<'a, I: Simd, const C: usize> {
     rest: f64x4<I>,
     digits: [usize; LANES],
     rows: [&'a Composite<C>; LANES],
 }
 
-/// Where lanes serve: from a place whose bits after one digit all lie over 2⁻⁵³, and between knots.
+/// Places that lanes serve: from a place whose bits after one digit all lie over 2⁻⁵³, and between knots.
 struct Edges {
     least: f64,
     near: f64,

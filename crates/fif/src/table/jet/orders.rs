@@ -44,7 +44,7 @@ pub(crate) fn largest<const C: usize>(table: &[Composite<C>]) -> [f64; C] {
     })
 }
 
-/// What the sum for a derivative is made of; `scale` is `rᵐ`.
+/// Terms of the sum for a derivative; `scale` is `rᵐ`.
 pub(crate) struct Sum<'a, const C: usize> {
     pub(crate) made: &'a Composites<C>,
     pub(crate) order: usize,

@@ -85,7 +85,7 @@ impl Primitive {
     }
 }
 
-/// What the integral takes of a row: over the left half of its cell, over the whole cell, and a bound of what the line
+/// Integrals of a row: over the left half of its cell, over the whole cell, and a bound of what the line
 /// through the middle leaves of it.
 struct Cell {
     a: f64,

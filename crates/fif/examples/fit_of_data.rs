@@ -1,0 +1,24 @@
+//! Fits a fractal function to noisy data with fewer and fewer knots, and prints how well it does.
+#![expect(clippy::print_stdout, reason = "an example prints its result")]
+
+use asperity_fif::fit;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // A mountain's profile: a random walk of 257 heights.
+    let mut state = 7_u32;
+    let mut height = 0.0;
+    let (x, y): (Vec<f64>, Vec<f64>) = (0..=256)
+        .map(|k| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            height += f64::from(state >> 8) / f64::from(1 << 24) - 0.5;
+            (f64::from(k), height)
+        })
+        .unzip();
+    println!("maps  greatest error  rms error  collage bound");
+    for spacing in [2, 4, 8, 16, 32] {
+        let knots: Vec<usize> = (0..=256).step_by(spacing).collect();
+        let fit = fit::affine(&x, &y, &knots)?;
+        println!("{:4}  {:14.3}  {:9.3}  {:13.3}", knots.len() - 1, fit.error, fit.rms, fit.bound);
+    }
+    Ok(())
+}
