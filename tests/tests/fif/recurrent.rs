@@ -182,23 +182,15 @@ fn wrong_recurrent_systems_are_refused_by_name() {
         assert_eq!(error.to_string(), message);
     };
     let alpha = [0.5; 3];
-    says(&alpha, &whole[1..], "3 sources are needed, 2 are given");
-    says(
-        &alpha,
-        &[[0, 3], [2, 2], [0, 3]],
-        "the source of map 2 goes from knot 2 to 2, the knots from 0 to 3",
-    );
-    says(
-        &alpha,
-        &[[0, 3], [0, 3], [2, 4]],
-        "the source of map 3 goes from knot 2 to 4, the knots from 0 to 3",
-    );
-    says(&alpha, &[[1, 2], [0, 3], [0, 3]], "the source of map 1 is 1 wide, no wider than its image of 1");
-    says(&[0.5, 1.0, 0.5], &whole, "the vertical factor of map 2 is 1, not in (-1, 1)");
-    says(&[0.5; 2], &whole, "3 vertical factors are needed, 2 are given");
+    says(&alpha, &whole[1..], "`sources` must have 3 elements, got 2");
+    says(&alpha, &[[0, 3], [2, 2], [0, 3]], "`sources` of map 2 must rise within 0 to 3, got 2 to 2");
+    says(&alpha, &[[0, 3], [0, 3], [2, 4]], "`sources` of map 3 must rise within 0 to 3, got 2 to 4");
+    says(&alpha, &[[1, 2], [0, 3], [0, 3]], "`sources` of map 1 must be wider than its image of 1, got 1");
+    says(&[0.5, 1.0, 0.5], &whole, "`alpha` of map 2 must be in (-1, 1), got 1");
+    says(&[0.5; 2], &whole, "`alpha` must have 3 elements, got 2");
     let q = [[0.0, 1.0 / 3.0], [1.0, -1.0 / 3.0], [0.0, 0.5]];
     let error = Recurrent::new(&x, &y, &[0.0; 3], &q, &whole).unwrap_err();
-    assert_eq!(error.to_string(), "map 3 sends its right end to 1.5, the knot is at 1");
+    assert_eq!(error.to_string(), "`q` of map 3 must send the right end to 1, got 1.5");
     let nan = Recurrent::new(&x, &y, &[0.0; 3], &[[f64::NAN]; 3], &whole).unwrap_err();
-    assert_eq!(nan.to_string(), "the coefficient of x^0 of map 1 is NaN, not finite");
+    assert_eq!(nan.to_string(), "`q` of map 1 must have a finite coefficient of x^0, got NaN");
 }

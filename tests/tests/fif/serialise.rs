@@ -48,19 +48,15 @@ fn invalid_systems_are_refused_when_read() {
             serde_json::from_str::<FixedFif<2, 2>>(&PAPER_F.replace(from, to)).unwrap_err().to_string();
         assert!(error.starts_with(message), "{error}");
     };
-    refuse(
-        r#""alpha":[0.5,0.5]"#,
-        r#""alpha":[0.5,1.5]"#,
-        "the vertical factor of map 2 is 1.5, not in (-1, 1)",
-    );
-    refuse("[0.0,1.0,2.0]", "[0.0,2.0,2.0]", "knot 2 at 2 is not right of the one before at 2");
-    refuse("[[0.0,0.5],", "[[0.0,0.5,0.0],", "3 coefficients are needed, the type holds 2");
-    refuse("[[0.0,0.5],", "[", "2 polynomials are needed, 1 are given");
-    refuse(r#""y":[0.0,1.0,0.0]"#, r#""y":[0.0,1.0]"#, "3 ordinates are needed, 2 are given");
+    refuse(r#""alpha":[0.5,0.5]"#, r#""alpha":[0.5,1.5]"#, "`alpha` of map 2 must be in (-1, 1), got 1.5");
+    refuse("[0.0,1.0,2.0]", "[0.0,2.0,2.0]", "`x[2]` must be right of 2, got 2");
+    refuse("[[0.0,0.5],", "[[0.0,0.5,0.0],", "`C` must be at least 3, got 2");
+    refuse("[[0.0,0.5],", "[", "`q` must have 2 elements, got 1");
+    refuse(r#""y":[0.0,1.0,0.0]"#, r#""y":[0.0,1.0]"#, "`y` must have 3 elements, got 2");
     refuse(
         r#""y":[0.0,1.0,0.0]"#,
         r#""y":[0.0,0.75,0.0]"#,
-        "map 1 sends its right end to 1, the knot is at 0.75",
+        "`q` of map 1 must send the right end to 0.75, got 1",
     );
     refuse(r#""x":[0.0,1.0,2.0],"#, "", "missing field `x`");
     refuse(r#"{"x""#, r#"{"z":0,"x""#, "unknown field `z`");
@@ -71,7 +67,7 @@ fn invalid_systems_are_refused_when_read() {
     // Three maps for an array of two.
     let three = Fif::affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]).unwrap();
     let error = serde_json::from_str::<FixedFif<2, 2>>(&serde_json::to_string(&three).unwrap()).unwrap_err();
-    assert!(error.to_string().starts_with("3 places for maps are needed, 2 are given"), "{error}");
+    assert!(error.to_string().starts_with("`storage` must have 3 elements, got 2"), "{error}");
 }
 
 /// Data in memory, a format that holds NaN.
@@ -118,10 +114,10 @@ fn numbers_that_are_not_finite_are_refused_when_read() {
     };
     assert_eq!(read(1.0, 1.0, 0.5, -0.5).unwrap().pieces(), paper::f().unwrap().pieces());
     let refusals = [
-        (read(f64::NAN, 1.0, 0.5, -0.5), "knot 1 is NaN, not finite"),
-        (read(1.0, f64::INFINITY, 0.5, -0.5), "the ordinate of knot 1 is inf, not finite"),
-        (read(1.0, 1.0, f64::NAN, -0.5), "the vertical factor of map 2 is NaN, not in (-1, 1)"),
-        (read(1.0, 1.0, 0.5, f64::NAN), "the coefficient of x^1 of map 2 is NaN, not finite"),
+        (read(f64::NAN, 1.0, 0.5, -0.5), "`x[1]` must be finite, got NaN"),
+        (read(1.0, f64::INFINITY, 0.5, -0.5), "the ordinate of `x[1]` must be finite, got inf"),
+        (read(1.0, 1.0, f64::NAN, -0.5), "`alpha` of map 2 must be in (-1, 1), got NaN"),
+        (read(1.0, 1.0, 0.5, f64::NAN), "`q` of map 2 must have a finite coefficient of x^1, got NaN"),
     ];
     for (got, message) in refusals {
         assert_eq!(got.unwrap_err(), message);

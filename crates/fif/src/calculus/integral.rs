@@ -154,13 +154,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     ///
     /// # Errors
     /// [`SystemError::Degree`] when `K < C + 1`; [`SystemError::Length`] when `T` holds another number of maps;
-    /// [`SystemError::OrdinateNotFinite`] for `y0`; [`SystemError::Unbounded`] when the numbers overflow.
+    /// [`SystemError::NotFinite`] for `y0`; [`SystemError::Unbounded`] when the numbers overflow.
     pub fn integral<T: Storage<K>, const K: usize>(&self, y0: f64) -> Result<System<T, K>, SystemError> {
         if K < C + 1 {
             return Err(SystemError::Degree { expected: C + 1, found: K });
         }
         if !y0.is_finite() {
-            return Err(SystemError::OrdinateNotFinite { knot: 0, value: y0 });
+            return Err(SystemError::NotFinite { parameter: "y", knot: 0, value: y0 });
         }
         let x0 = self.domain().lo;
         let width = self.domain().width();

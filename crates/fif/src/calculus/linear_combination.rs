@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::system::error::{List, SystemError};
+use crate::system::error::SystemError;
 use crate::system::fif::System;
 use crate::system::map::{Map, Piece};
 use crate::system::storage::Storage;
@@ -42,24 +42,27 @@ pub enum CombineError {
         degree: usize,
     },
     /// The result is no valid system, for instance because its numbers overflow.
-    System(SystemError),
+    System {
+        /// Its refusal.
+        error: SystemError,
+    },
 }
 
 impl fmt::Display for CombineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Maps { left, right } => write!(f, "{left} maps do not go with {right}"),
+            Self::Maps { left, right } => write!(f, "`other` must have {left} maps, got {right}"),
             Self::Knot { knot, left, right } => {
-                write!(f, "knot {knot} is {left} in one system, {right} in the other")
+                write!(f, "`other` must have knot {knot} at {left}, got {right}")
             }
             Self::Factor { map, left, right } => {
-                write!(f, "the vertical factor of map {map} is {left} in one system, {right} in the other")
+                write!(f, "`other` must have a factor of {left} in map {map}, got {right}")
             }
             Self::Degree { degree } => {
                 let most = crate::calculus::moment_basis::MAX_MOMENT_DEGREE;
-                write!(f, "the product of the polynomials is of degree {degree}, above {most}")
+                write!(f, "`other` must leave a product of degree {most} at most, got {degree}")
             }
-            Self::System(error) => error.fmt(f),
+            Self::System { error } => error.fmt(f),
         }
     }
 }
@@ -68,7 +71,7 @@ impl core::error::Error for CombineError {}
 
 impl From<SystemError> for CombineError {
     fn from(error: SystemError) -> Self {
-        Self::System(error)
+        Self::System { error }
     }
 }
 
@@ -117,7 +120,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         }
         for (knot, value) in [(0, x0), (count, x_end)] {
             if !value.is_finite() {
-                return Err(SystemError::KnotNotFinite { knot, value });
+                return Err(SystemError::NotFinite { parameter: "x", knot, value });
             }
         }
         let mut expected = x0;
@@ -156,7 +159,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// [`SystemError::OrdinateNotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
+    /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
     pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
         self.combined(|y, _| factor * y, |j| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c)))
     }
@@ -226,7 +229,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         for knot in 0..=pieces.len() {
             let value = y(ordinate(pieces, knot), knot);
             if !value.is_finite() {
-                return Err(SystemError::OrdinateNotFinite { knot, value });
+                return Err(SystemError::NotFinite { parameter: "y", knot, value });
             }
         }
         let knot = |j: usize| pieces.get(j).map_or(self.domain().hi, |p| p.x()[0]);
@@ -243,7 +246,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
         for j in 0..maps {
             let Some((alpha, q)) = map(j) else {
-                return Err(SystemError::Length { list: List::Polynomials, expected: maps, found: j });
+                return Err(SystemError::Length { parameter: "q", expected: maps, got: j });
             };
             crate::system::error::check_factors(&[alpha])
                 .map_err(|_| SystemError::VerticalFactor { map: j + 1, alpha })?;
@@ -284,15 +287,15 @@ mod tests {
         let build = |maps: &[Map<2>]| FixedFif::<2, 2>::from_maps(0.0, 2.0, maps).map(|f| f.end_values());
         let overlap = Map { a: 0.75, ..first };
         let says = |maps: &[Map<2>], message: &str| assert_eq!(build(maps).unwrap_err().to_string(), message);
-        says(&[overlap, second], "the image of map 2 begins or ends at 1, not at 1.5");
-        says(&[first, Map { a: 0.25, ..second }], "the image of map 2 begins or ends at 1.5, not at 2");
-        says(&[first, Map { b: f64::NAN, ..second }], "the image of map 2 begins or ends at NaN, not at 1");
-        says(&[first], "a system needs at least 2 maps, this one has 1");
-        says(&[first, Map { alpha: -1.0, ..second }], "the vertical factor of map 2 is -1, not in (-1, 1)");
+        says(&[overlap, second], "`maps` must tile the domain, map 2 at 1.5, got 1");
+        says(&[first, Map { a: 0.25, ..second }], "`maps` must tile the domain, map 2 at 2, got 1.5");
+        says(&[first, Map { b: f64::NAN, ..second }], "`maps` must tile the domain, map 2 at 1, got NaN");
+        says(&[first], "`maps` must be at least 2, got 1");
+        says(&[first, Map { alpha: -1.0, ..second }], "`alpha` of map 2 must be in (-1, 1), got -1");
         let flat = Map { a: 0.0, ..first };
-        says(&[flat, Map { a: 1.0, b: 0.0, ..second }], "knot 1 at 0 is not right of the one before at 0");
+        says(&[flat, Map { a: 1.0, b: 0.0, ..second }], "`x[1]` must be right of 0, got 0");
         let infinite = FixedFif::<2, 2>::from_maps(f64::NEG_INFINITY, 2.0, &paper::F_MAPS).unwrap_err();
-        assert_eq!(infinite.to_string(), "knot 0 is -inf, not finite");
+        assert_eq!(infinite.to_string(), "`x[0]` must be finite, got -inf");
     }
 
     #[test]
@@ -301,12 +304,12 @@ mod tests {
         let says = |error: CombineError, message: &str| assert_eq!(error.to_string(), message);
         says(
             f.sum(&paper::g().unwrap()).unwrap_err(),
-            "the vertical factor of map 1 is 0.5 in one system, 0.85 in the other",
+            "`other` must have a factor of 0.5 in map 1, got 0.85",
         );
         let shifted = FixedFif::<2, 2>::affine(&[0.0, 1.5, 2.0], &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
-        says(f.sum(&shifted).unwrap_err(), "knot 1 is 1 in one system, 1.5 in the other");
+        says(f.sum(&shifted).unwrap_err(), "`other` must have knot 1 at 1, got 1.5");
         let three = FixedFif::<3, 2>::affine(&[0.0, 0.5, 1.5, 2.0], &[0.0; 4], &[0.5; 3]).unwrap();
-        says(f.sum(&three.view()).unwrap_err(), "2 maps do not go with 3");
+        says(f.sum(&three.view()).unwrap_err(), "`other` must have 2 maps, got 3");
         for factor in [f64::NAN, f64::INFINITY] {
             assert!(f.scaled(factor).is_err(), "{factor}");
         }

@@ -32,9 +32,9 @@ pub enum MomentError {
 impl fmt::Display for MomentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Power { power } => write!(f, "the power {power} of the function is above {MAX_POWER}"),
+            Self::Power { power } => write!(f, "`p` must be at most {MAX_POWER}, got {power}"),
             Self::Degree { degree } => {
-                write!(f, "the moment needs polynomials of degree {degree}, above {MAX_MOMENT_DEGREE}")
+                write!(f, "`k + p (C - 1)` must be at most {MAX_MOMENT_DEGREE}, got {degree}")
             }
         }
     }

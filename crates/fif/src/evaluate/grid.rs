@@ -123,9 +123,9 @@ pub enum GridError {
 impl fmt::Display for GridError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Nonuniform => write!(f, "the knots are not equally spaced"),
+            Self::Nonuniform => write!(f, "`x` must be equally spaced, got unequal knots"),
             Self::Length { maps, found } => {
-                write!(f, "a grid has one node more than a power of {maps}, this one has {found}")
+                write!(f, "`out` must have one element more than a power of {maps}, got {found}")
             }
         }
     }
@@ -165,13 +165,16 @@ mod tests {
         let f = paper::f().unwrap();
         for len in [0, 1, 4, 6] {
             let mut nodes = alloc::vec![7.0; len];
-            let message = alloc::format!("a grid has one node more than a power of 2, this one has {len}");
+            let message = alloc::format!("`out` must have one element more than a power of 2, got {len}");
             assert_eq!(f.grid(&mut nodes).unwrap_err().to_string(), message);
             assert!(nodes.iter().all(|&y| y == 7.0));
         }
         let mut ends = [7.0; 2];
         assert!(f.grid(&mut ends).is_ok() && ends == [0.0; 2]);
         let uneven = Fif::affine(&[0.0, 0.4, 2.0], &[0.0; 3], &[0.4, 0.5]).unwrap();
-        assert_eq!(uneven.grid(&mut [0.0; 3]).unwrap_err().to_string(), "the knots are not equally spaced");
+        assert_eq!(
+            uneven.grid(&mut [0.0; 3]).unwrap_err().to_string(),
+            "`x` must be equally spaced, got unequal knots"
+        );
     }
 }

@@ -148,11 +148,16 @@ mod tests {
             assert_eq!(affine(x, y, knots).unwrap_err().to_string(), message);
         };
         let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
-        says(&x, &y[..3], &[0, 1, 3], "4 abscissae and 3 ordinates are given");
-        says(&x[..2], &y[..2], &[0, 1], "a fit needs at least 3 points, 2 are given");
-        says(&x, &[0.0, f64::NAN, 0.0, 1.0], &[0, 1, 3], "point 1 is (1, NaN), not finite");
-        says(&[0.0, 1.0, 1.0, 3.0], &y, &[0, 1, 3], "point 2 at 1 is not right of the one before at 1");
-        let rule = "knots rise from the first point to the last, three at least";
+        says(&x, &y[..3], &[0, 1, 3], "`y` must have 4 elements, got 3");
+        says(&x[..2], &y[..2], &[0, 1], "`x` must have at least 3 elements, got 2");
+        says(
+            &x,
+            &[0.0, f64::NAN, 0.0, 1.0],
+            &[0, 1, 3],
+            "`x` and `y` must be finite, got (1, NaN) at point 1",
+        );
+        says(&[0.0, 1.0, 1.0, 3.0], &y, &[0, 1, 3], "`x[2]` must be right of 1, got 1");
+        let rule = "must rise from the first point to the last, three at least";
         for (knots, at, index) in [
             (&[1, 2, 3][..], 0, 1),
             (&[], 0, 4),
@@ -161,7 +166,7 @@ mod tests {
             (&[0, 1, 2], 2, 2),
             (&[0, 1, 9], 2, 9),
         ] {
-            says(&x, &y, knots, &alloc::format!("knot {at} has index {index}; {rule}"));
+            says(&x, &y, knots, &alloc::format!("`knots[{at}]` {rule}, got {index}"));
         }
     }
 

@@ -51,26 +51,31 @@ pub enum FitError {
         value: f64,
     },
     /// The system of the fit was refused.
-    System(SystemError),
+    System {
+        /// Its refusal.
+        error: SystemError,
+    },
 }
 
 impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Length { x, y } => write!(f, "{x} abscissae and {y} ordinates are given"),
-            Self::TooFewPoints { points } => write!(f, "a fit needs at least 3 points, {points} are given"),
-            Self::NotFinite { point, x, y } => write!(f, "point {point} is ({x}, {y}), not finite"),
+            Self::Length { x, y } => write!(f, "`y` must have {x} elements, got {y}"),
+            Self::TooFewPoints { points } => write!(f, "`x` must have at least 3 elements, got {points}"),
+            Self::NotFinite { point, x, y } => {
+                write!(f, "`x` and `y` must be finite, got ({x}, {y}) at point {point}")
+            }
             Self::Order { point, left, right } => {
-                write!(f, "point {point} at {right} is not right of the one before at {left}")
+                write!(f, "`x[{point}]` must be right of {left}, got {right}")
             }
             Self::Knots { at, index } => {
                 write!(
                     f,
-                    "knot {at} has index {index}; knots rise from the first point to the last, three at least"
+                    "`knots[{at}]` must rise from the first point to the last, three at least, got {index}"
                 )
             }
-            Self::Tolerance { value } => write!(f, "the tolerance is {value}, not a number from 0"),
-            Self::System(error) => error.fmt(f),
+            Self::Tolerance { value } => write!(f, "`tolerance` must be a number from 0, got {value}"),
+            Self::System { error } => error.fmt(f),
         }
     }
 }
@@ -78,7 +83,7 @@ impl fmt::Display for FitError {
 impl core::error::Error for FitError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::System(error) => Some(error),
+            Self::System { error } => Some(error),
             _ => None,
         }
     }
@@ -86,7 +91,7 @@ impl core::error::Error for FitError {
 
 impl From<SystemError> for FitError {
     fn from(error: SystemError) -> Self {
-        Self::System(error)
+        Self::System { error }
     }
 }
 

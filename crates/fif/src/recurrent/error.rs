@@ -9,7 +9,10 @@ use crate::system::error::SystemError;
 #[non_exhaustive]
 pub enum RecurrentError {
     /// A rule of every system of maps is broken.
-    System(SystemError),
+    System {
+        /// Its refusal.
+        error: SystemError,
+    },
     /// There are not as many sources as maps.
     Sources {
         /// The number of maps.
@@ -41,22 +44,22 @@ pub enum RecurrentError {
 
 impl From<SystemError> for RecurrentError {
     fn from(error: SystemError) -> Self {
-        Self::System(error)
+        Self::System { error }
     }
 }
 
 impl fmt::Display for RecurrentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::System(error) => error.fmt(f),
+            Self::System { error } => error.fmt(f),
             Self::Sources { expected, found } => {
-                write!(f, "{expected} sources are needed, {found} are given")
+                write!(f, "`sources` must have {expected} elements, got {found}")
             }
             Self::Source { map, from, to, last } => {
-                write!(f, "the source of map {map} goes from knot {from} to {to}, the knots from 0 to {last}")
+                write!(f, "`sources` of map {map} must rise within 0 to {last}, got {from} to {to}")
             }
             Self::Expansion { map, source, image } => {
-                write!(f, "the source of map {map} is {source} wide, no wider than its image of {image}")
+                write!(f, "`sources` of map {map} must be wider than its image of {image}, got {source}")
             }
         }
     }
@@ -65,7 +68,7 @@ impl fmt::Display for RecurrentError {
 impl core::error::Error for RecurrentError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::System(error) => Some(error),
+            Self::System { error } => Some(error),
             _ => None,
         }
     }

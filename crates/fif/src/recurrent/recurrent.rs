@@ -7,9 +7,7 @@ use crate::numeric::polynomial::{UNIT, bernstein, horner, magnitude, restrict, r
 use crate::recurrent::error::RecurrentError;
 use crate::recurrent::link::Link;
 use crate::recurrent::mean::Means;
-use crate::system::error::{
-    End, List, SystemError, check_coefficients, check_data, check_knots, check_length,
-};
+use crate::system::error::{End, SystemError, check_coefficients, check_data, check_knots, check_length};
 use crate::system::fif::JOIN_TOLERANCE;
 use crate::system::map::Piece;
 
@@ -92,7 +90,7 @@ impl<const C: usize> Recurrent<C> {
     ) -> Result<Self, RecurrentError> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
-        check_length(List::Polynomials, maps, q.len())?;
+        check_length("q", maps, q.len())?;
         check_coefficients(q)?;
         let mut links = Vec::with_capacity(maps);
         let (mut noise, mut steepest, mut widest) = (0.0_f64, 0.0_f64, 0.0_f64);

@@ -11,23 +11,7 @@ pub enum End {
     Right,
 }
 
-/// A list that a constructor was given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum List {
-    /// Ordinates, one per knot.
-    Ordinates,
-    /// Slopes, one per knot.
-    Slopes,
-    /// Vertical factors, one per map.
-    Factors,
-    /// Polynomials, one per map.
-    Polynomials,
-    /// The storage that is to hold the maps.
-    Storage,
-}
-
-/// Why a system of maps was refused. Maps are counted from 1, as in the literature, knots and powers from 0.
+/// The refusal of a system of maps. Maps are counted from 1, as in the literature, knots and powers from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SystemError {
@@ -36,17 +20,19 @@ pub enum SystemError {
         /// The number of maps.
         maps: usize,
     },
-    /// A list's length does not fit the number of knots.
+    /// A list's length does not fit the number of knots, or `storage` holds another number of maps.
     Length {
-        /// Which list.
-        list: List,
+        /// The list.
+        parameter: &'static str,
         /// The length that fits.
         expected: usize,
         /// Its length.
-        found: usize,
+        got: usize,
     },
-    /// A knot is NaN or infinite.
-    KnotNotFinite {
+    /// A knot, an ordinate or a slope is NaN or infinite.
+    NotFinite {
+        /// The list: `x`, `y` or `slope`.
+        parameter: &'static str,
         /// Which knot, from 0.
         knot: usize,
         /// Its value.
@@ -60,20 +46,6 @@ pub enum SystemError {
         left: f64,
         /// The knot.
         right: f64,
-    },
-    /// An ordinate is NaN or infinite.
-    OrdinateNotFinite {
-        /// Which knot, from 0.
-        knot: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A slope is NaN or infinite.
-    SlopeNotFinite {
-        /// Which knot, from 0.
-        knot: usize,
-        /// Its value.
-        value: f64,
     },
     /// A vertical factor is not in `(−1, 1)`.
     VerticalFactor {
@@ -137,51 +109,37 @@ pub enum SystemError {
 impl fmt::Display for SystemError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::TooFewMaps { maps } => write!(f, "a system needs at least 2 maps, this one has {maps}"),
-            Self::Length { list, expected, found } => {
-                let list = match list {
-                    List::Ordinates => "ordinates",
-                    List::Slopes => "slopes",
-                    List::Factors => "vertical factors",
-                    List::Polynomials => "polynomials",
-                    List::Storage => "places for maps",
-                };
-                write!(f, "{expected} {list} are needed, {found} are given")
+            Self::TooFewMaps { maps } => write!(f, "`maps` must be at least 2, got {maps}"),
+            Self::Length { parameter, expected, got } => {
+                write!(f, "`{parameter}` must have {expected} elements, got {got}")
             }
-            Self::KnotNotFinite { knot, value } => write!(f, "knot {knot} is {value}, not finite"),
+            Self::NotFinite { parameter, knot, value } => {
+                write!(f, "`{parameter}[{knot}]` must be finite, got {value}")
+            }
             Self::KnotOrder { knot, left, right } => {
-                write!(f, "knot {knot} at {right} is not right of the one before at {left}")
-            }
-            Self::OrdinateNotFinite { knot, value } => {
-                write!(f, "the ordinate of knot {knot} is {value}, not finite")
-            }
-            Self::SlopeNotFinite { knot, value } => {
-                write!(f, "the slope at knot {knot} is {value}, not finite")
+                write!(f, "`x[{knot}]` must be right of {left}, got {right}")
             }
             Self::VerticalFactor { map, alpha } => {
-                write!(f, "the vertical factor of map {map} is {alpha}, not in (-1, 1)")
+                write!(f, "`alpha` of map {map} must be in (-1, 1), got {alpha}")
             }
             Self::SteepFactor { map, alpha, a } => {
-                write!(f, "the vertical factor of map {map} is {alpha}, not under its horizontal factor {a}")
+                write!(f, "`alpha` of map {map} must be under {a} in magnitude, got {alpha}")
             }
             Self::CoefficientNotFinite { map, power, value } => {
-                write!(f, "the coefficient of x^{power} of map {map} is {value}, not finite")
+                write!(f, "`q` of map {map} must have a finite coefficient of x^{power}, got {value}")
             }
             Self::JoinUp { map, end, expected, found } => {
                 let end = if end == End::Left { "left" } else { "right" };
-                write!(f, "map {map} sends its {end} end to {found}, the knot is at {expected}")
+                write!(f, "`q` of map {map} must send the {end} end to {expected}, got {found}")
             }
             Self::Tiling { map, expected, found } => {
-                write!(f, "the image of map {map} begins or ends at {found}, not at {expected}")
+                write!(f, "`maps` must tile the domain, map {map} at {expected}, got {found}")
             }
             Self::Unbounded { alpha } => {
-                write!(
-                    f,
-                    "no finite bound can be proved with numbers this large and a vertical factor of {alpha}"
-                )
+                write!(f, "`alpha` and `q` must leave room for a finite bound, got a factor of {alpha}")
             }
             Self::Degree { expected, found } => {
-                write!(f, "{expected} coefficients are needed, the type holds {found}")
+                write!(f, "`C` must be at least {expected}, got {found}")
             }
         }
     }
@@ -195,7 +153,7 @@ pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
         return Err(SystemError::TooFewMaps { maps });
     }
     if let Some((knot, &value)) = x.iter().enumerate().find(|(_, x)| !x.is_finite()) {
-        return Err(SystemError::KnotNotFinite { knot, value });
+        return Err(SystemError::NotFinite { parameter: "x", knot, value });
     }
     let pairs = x.iter().zip(x.iter().skip(1)).enumerate();
     for (knot, (&left, &right)) in pairs {
@@ -206,15 +164,15 @@ pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
     Ok(maps)
 }
 
-pub(crate) fn check_length(list: List, expected: usize, found: usize) -> Result<(), SystemError> {
-    if expected == found { Ok(()) } else { Err(SystemError::Length { list, expected, found }) }
+pub(crate) fn check_length(parameter: &'static str, expected: usize, got: usize) -> Result<(), SystemError> {
+    if expected == got { Ok(()) } else { Err(SystemError::Length { parameter, expected, got }) }
 }
 
 pub(crate) fn check_data(maps: usize, y: &[f64], alpha: &[f64]) -> Result<(), SystemError> {
-    check_length(List::Ordinates, maps + 1, y.len())?;
-    check_length(List::Factors, maps, alpha.len())?;
+    check_length("y", maps + 1, y.len())?;
+    check_length("alpha", maps, alpha.len())?;
     if let Some((knot, &value)) = y.iter().enumerate().find(|(_, y)| !y.is_finite()) {
-        return Err(SystemError::OrdinateNotFinite { knot, value });
+        return Err(SystemError::NotFinite { parameter: "y", knot, value });
     }
     check_factors(alpha)
 }
@@ -260,16 +218,16 @@ mod tests {
 
     #[test]
     fn fewer_than_two_maps_are_refused() {
-        says(affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "a system needs at least 2 maps, this one has 1");
-        says(affine(&[], &[], &[]), "a system needs at least 2 maps, this one has 0");
+        says(affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "`maps` must be at least 2, got 1");
+        says(affine(&[], &[], &[]), "`maps` must be at least 2, got 0");
     }
 
     #[test]
     fn knots_must_be_finite_and_rise() {
-        says(affine(&[0.0, f64::NAN, 2.0], &Y, &ALPHA), "knot 1 is NaN, not finite");
-        says(affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "knot 2 is inf, not finite");
-        says(affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "knot 2 at 1 is not right of the one before at 1");
-        says(affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "knot 2 at 2 is not right of the one before at 3");
+        says(affine(&[0.0, f64::NAN, 2.0], &Y, &ALPHA), "`x[1]` must be finite, got NaN");
+        says(affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "`x[2]` must be finite, got inf");
+        says(affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "`x[2]` must be right of 1, got 1");
+        says(affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "`x[2]` must be right of 3, got 2");
     }
 
     #[test]
@@ -277,7 +235,7 @@ mod tests {
         for (alpha, text) in
             [(1.0, "1"), (-1.0, "-1"), (1.5, "1.5"), (f64::NAN, "NaN"), (f64::NEG_INFINITY, "-inf")]
         {
-            let message = alloc::format!("the vertical factor of map 2 is {text}, not in (-1, 1)");
+            let message = alloc::format!("`alpha` of map 2 must be in (-1, 1), got {text}");
             says(affine(&X, &Y, &[0.5, alpha]), &message);
             says(polynomials(&[0.5, alpha], &Q), &message);
         }
@@ -285,38 +243,35 @@ mod tests {
 
     #[test]
     fn data_must_be_finite() {
-        says(affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "the ordinate of knot 1 is NaN, not finite");
+        says(affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "the ordinate of `x[1]` must be finite, got NaN");
         says(
             polynomials(&ALPHA, &[[0.0, 0.5], [1.0, f64::INFINITY]]),
-            "the coefficient of x^1 of map 2 is inf, not finite",
+            "`q` of map 2 must have a finite coefficient of x^1, got inf",
         );
         let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0, f64::NAN, 1.0], &[0.1, 0.1]).unwrap_err();
-        says(error, "the slope at knot 1 is NaN, not finite");
+        says(error, "the slope at `x[1]` must be finite, got NaN");
     }
 
     #[test]
     fn lengths_must_fit() {
-        says(affine(&X, &[0.0, 1.0], &ALPHA), "3 ordinates are needed, 2 are given");
-        says(affine(&X, &[0.0; 4], &ALPHA), "3 ordinates are needed, 4 are given");
-        says(affine(&X, &Y, &[0.5; 3]), "2 vertical factors are needed, 3 are given");
-        says(affine(&X, &Y, &[0.5]), "2 vertical factors are needed, 1 are given");
-        says(polynomials(&ALPHA, &Q[..1]), "2 polynomials are needed, 1 are given");
-        says(
-            affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]),
-            "3 places for maps are needed, 2 are given",
-        );
+        says(affine(&X, &[0.0, 1.0], &ALPHA), "`y` must have 3 elements, got 2");
+        says(affine(&X, &[0.0; 4], &ALPHA), "`y` must have 3 elements, got 4");
+        says(affine(&X, &Y, &[0.5; 3]), "`alpha` must have 2 elements, got 3");
+        says(affine(&X, &Y, &[0.5]), "`alpha` must have 2 elements, got 1");
+        says(polynomials(&ALPHA, &Q[..1]), "`q` must have 2 elements, got 1");
+        says(affine(&[0.0, 1.0, 2.0, 3.0], &[0.0; 4], &[0.5; 3]), "`storage` must have 3 elements, got 2");
         let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0, 1.0], &[0.1, 0.1]).unwrap_err();
-        says(error, "3 slopes are needed, 2 are given");
+        says(error, "`slope` must have 3 elements, got 2");
     }
 
     #[test]
     fn maps_must_join_up() {
         let error = polynomials(&ALPHA, &[[0.0, 1.0], [1.0, -0.5]]);
-        says(error, "map 2 sends its left end to 1, the knot is at 2");
+        says(error, "`q` of map 2 must send the left end to 2, got 1");
         let error = FixedFif::<2, 2>::with_ordinates(&X, &[0.0, 1.5, 0.0], &ALPHA, &Q).unwrap_err();
-        says(error, "map 1 sends its right end to 1, the knot is at 1.5");
+        says(error, "`q` of map 1 must send the right end to 1.5, got 1");
         let error = FixedFif::<2, 2>::with_ordinates(&X, &[0.25, 1.0, 0.0], &ALPHA, &Q).unwrap_err();
-        says(error, "map 1 sends its left end to 0.125, the knot is at 0.25");
+        says(error, "`q` of map 1 must send the left end to 0.25, got 0.125");
         // Within the tolerance: the rounding of decimal data does not matter.
         let nearly = [[0.0, 0.5], [1.0 + 1e-13, -0.5]];
         assert!(FixedFif::<2, 2>::with_ordinates(&X, &Y, &ALPHA, &nearly).is_ok());
@@ -325,7 +280,7 @@ mod tests {
     #[test]
     fn hermite_needs_gentle_factors() {
         let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0; 3], &[0.1, -0.5]).unwrap_err();
-        says(error, "the vertical factor of map 2 is -0.5, not under its horizontal factor 0.5");
+        says(error, "`alpha` of map 2 must be under 0.5 in magnitude, got -0.5");
     }
 
     #[test]
@@ -343,13 +298,13 @@ mod tests {
     fn integrals_need_room() {
         let f = crate::paper::f().unwrap();
         let error = f.integral::<[crate::system::Piece<2>; 2], 2>(0.0).unwrap_err();
-        says(error, "3 coefficients are needed, the type holds 2");
+        says(error, "`C` must be at least 3, got 2");
         let error = f.integral::<[crate::system::Piece<3>; 3], 3>(0.0).unwrap_err();
-        says(error, "2 places for maps are needed, 3 are given");
+        says(error, "`storage` must have 2 elements, got 3");
         let error = f.integral::<[crate::system::Piece<3>; 2], 3>(f64::NAN).unwrap_err();
-        says(error, "the ordinate of knot 0 is NaN, not finite");
+        says(error, "the ordinate of `x[0]` must be finite, got NaN");
         let error =
             crate::paper::f_hat().unwrap().derivative::<[crate::system::Piece<1>; 2], 1>().unwrap_err();
-        says(error, "2 coefficients are needed, the type holds 1");
+        says(error, "`C` must be at least 2, got 1");
     }
 }

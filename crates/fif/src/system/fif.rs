@@ -4,7 +4,7 @@ use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::cell::Cell;
 use crate::system::error::{
-    End, List, SystemError, check_coefficients, check_data, check_factors, check_knots, check_length,
+    End, SystemError, check_coefficients, check_data, check_factors, check_knots, check_length,
 };
 use crate::system::map::Piece;
 use crate::system::range::box_of_range;
@@ -71,8 +71,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// See [`SystemError`]; the join-up is violated when `F_{j+1}(x_0, y_0) ≠ y_j` beyond [`JOIN_TOLERANCE`].
     pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
-        check_length(List::Factors, maps, alpha.len())?;
-        check_length(List::Polynomials, maps, q.len())?;
+        check_length("alpha", maps, alpha.len())?;
+        check_length("q", maps, q.len())?;
         check_factors(alpha)?;
         check_coefficients(q)?;
         let too_few = SystemError::TooFewMaps { maps };
@@ -100,7 +100,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// See [`SystemError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`].
     pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
-        check_length(List::Polynomials, maps, q.len())?;
+        check_length("q", maps, q.len())?;
         check_data(maps, y, alpha)?;
         check_coefficients(q)?;
         Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), |j| q.get(j).copied())
@@ -115,9 +115,9 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         q: impl Fn(usize) -> Option<[f64; C]>,
     ) -> Result<Self, SystemError> {
         let mut pieces = S::with_len(maps).ok_or(SystemError::Length {
-            list: List::Storage,
+            parameter: "storage",
             expected: maps,
-            found: S::capacity(),
+            got: S::capacity(),
         })?;
         let domain = [x(0), x(maps)];
         let width = domain[1] - domain[0];
@@ -281,9 +281,9 @@ impl<S: Storage<4>> System<S, 4> {
     pub fn hermite(x: &[f64], y: &[f64], slope: &[f64], alpha: &[f64]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_data(maps, y, alpha)?;
-        check_length(List::Slopes, maps + 1, slope.len())?;
+        check_length("slope", maps + 1, slope.len())?;
         if let Some((knot, &value)) = slope.iter().enumerate().find(|(_, d)| !d.is_finite()) {
-            return Err(SystemError::SlopeNotFinite { knot, value });
+            return Err(SystemError::NotFinite { parameter: "slope", knot, value });
         }
         let (x0, width) = (value(x, 0), value(x, maps) - value(x, 0));
         for (j, &alpha) in alpha.iter().enumerate() {

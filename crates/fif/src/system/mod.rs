@@ -11,7 +11,7 @@ pub(crate) mod range;
 pub(crate) mod serde;
 pub(crate) mod storage;
 
-pub use error::{End, List};
+pub use error::End;
 pub use fif::JOIN_TOLERANCE;
 pub use map::Piece;
 pub use storage::Storage;

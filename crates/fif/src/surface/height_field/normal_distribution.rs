@@ -37,12 +37,12 @@ pub enum NormalDistributionError {
 impl fmt::Display for NormalDistributionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Rough => write!(f, "an axis has no slope"),
+            Self::Rough => write!(f, "`self` must have slopes along both axes, got one without"),
             Self::Size { width, height, len } => {
-                write!(f, "an image of {width} by {height} texels does not fill {len} places")
+                write!(f, "`texels` must have {width} times {height} elements, got {len}")
             }
-            Self::Samples { samples } => write!(f, "{samples} samples per axis, not 1 to {MOST}"),
-            Self::Empty => write!(f, "the rectangle does not meet the domain"),
+            Self::Samples { samples } => write!(f, "`samples` must be 1 to {MOST}, got {samples}"),
+            Self::Empty => write!(f, "`x` and `y` must meet the domain, got a rectangle beside it"),
         }
     }
 }
