@@ -4,6 +4,7 @@
 use asperity_fif::glam::DVec3;
 use asperity_fif::{Estimate, Fif, HeightField, Interval, NormalDistributionError, paper, surface::Axis};
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, ratio, ratios, read};
 use serde_json::Value;
 
@@ -64,10 +65,9 @@ fn rectangles_without_area_give_values() {
     let (height, slope) = (surface.height(0.7, 1.2), surface.gradient(0.7, 1.2).unwrap());
     assert!((point.height.value - height).abs() <= point.height.bound);
     let slopes = point.slopes.unwrap();
-    assert!(
-        (slopes.slope[0].value - slope.x).abs() < 1e-14 && (slopes.slope[1].value - slope.y).abs() < 1e-14
-    );
-    assert!((slopes.product.value - slope.x * slope.y).abs() < 1e-14);
+    assert_abs_diff_eq!(slopes.slope[0].value, slope.x, epsilon = 1e-14);
+    assert_abs_diff_eq!(slopes.slope[1].value, slope.y, epsilon = 1e-14);
+    assert_abs_diff_eq!(slopes.product.value, slope.x * slope.y, epsilon = 1e-14);
     let nan = surface.area_means(Interval::new(f64::NAN, 1.0), Interval::new(0.0, 1.0)).unwrap();
     assert!(nan.height.value.is_nan() && nan.slopes.unwrap().product.value.is_nan());
 }
@@ -83,7 +83,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
     let mut texels = vec![0.0; width * height];
     surface.normal_distribution([x, y], 512, [width, height], &mut texels).unwrap();
     let texel_area = 4.0 / (width * height) as f32;
-    assert!((texels.iter().sum::<f32>() * texel_area - 1.0).abs() < 1e-4);
+    assert_abs_diff_eq!(texels.iter().sum::<f32>() * texel_area, 1.0, epsilon = 1e-4);
     let map =
         NdfMap::from_texels(width, height, &texels, Measure::Normals, Reconstruction::Constant).unwrap();
     // The mean of the slopes, in closed form, against the mean over the texels' centres.
@@ -98,7 +98,7 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
             let density = map.density(normal.as_vec3());
             // Every texel inside the disk is the map's density, up to its scale: texels at the rim count in part.
             let share = density / texel;
-            assert!((share - 1.0).abs() < 0.01, "{nx} {ny}: {density} != {texel}");
+            assert_abs_diff_eq!(share, 1.0, epsilon = 0.01, "{nx} {ny}: {density} != {texel}");
             let weighted = f64::from(texel);
             for (axis, slope) in [-nx / nz, -ny / nz].into_iter().enumerate() {
                 mean[axis] += weighted * slope;
@@ -110,9 +110,9 @@ fn the_distribution_of_normals_feeds_a_map_of_normals() {
     for axis in 0..2 {
         let (got, want) = (mean[axis] / weight, exact.slope[axis].value);
         // Texels are 1/64 and 1/48 wide.
-        assert!((got - want).abs() < 0.01, "mean slope {axis}: {got} != {want}");
+        assert_abs_diff_eq!(got, want, epsilon = 0.01, "mean slope {axis}: {got} != {want}");
         let (got, want) = (square[axis] / weight, exact.squared[axis].value);
-        assert!((got / want - 1.0).abs() < 0.02, "mean square slope {axis}: {got} != {want}");
+        assert_abs_diff_eq!(got / want, 1.0, epsilon = 0.02, "mean square slope {axis}: {got} != {want}");
     }
 }
 

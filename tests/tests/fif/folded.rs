@@ -1,6 +1,7 @@
 //! The folded surface: exact references, interpolation, its equation, continuity, bounds, grain.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
+use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::PI;
 
 use asperity_fif::glam::DVec2;
@@ -242,7 +243,7 @@ fn extrema_of_a_folded_surface_hold_what_a_grid_finds() {
         assert!(extrema.maximum.contains(attained(extrema.highest)));
         let grid = sum / f64::from(GRID * GRID);
         // The midpoint rule on 150² points; measured 3e-5.
-        assert!((grid - surface.mean().value).abs() < 3e-4, "{grid} {:?}", surface.mean());
+        assert_abs_diff_eq!(grid, surface.mean().value, epsilon = 3e-4, "{grid} {:?}", surface.mean());
     }
 }
 

@@ -3,6 +3,7 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{Fif, FifRef, HeightField, Intersect, Ray, paper, surface::Function};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, decimal, ratio, read};
 use serde_json::Value;
 
@@ -29,7 +30,8 @@ fn check_rays(file: &str, surface: &impl Intersect) -> (usize, usize, f64) {
                 wide += usize::from(hi - lo > 1e-6);
                 worst = worst.max(outside);
                 let at = half_line.at(hit.t);
-                assert!((at.x - hit.x).abs() < 1e-12 && (at.y - hit.y).abs() < 1e-12);
+                assert_abs_diff_eq!(at.x, hit.x, epsilon = 1e-12);
+                assert_abs_diff_eq!(at.y, hit.y, epsilon = 1e-12);
                 if let (Some(gradient), Some(hx)) = (hit.gradient, ray["hx"].as_array()) {
                     let (lo, hi) = (hx[0].as_f64().unwrap(), hx[1].as_f64().unwrap());
                     assert!(

@@ -1,6 +1,7 @@
 //! Recurrent systems: the functional equation, and what they share with systems whose sources are the whole domain.
 
 use asperity_fif::{Fif, Recurrent, RecurrentError, System};
+use asperity_tests::assert_abs_diff_eq;
 use proptest::prelude::*;
 
 use crate::properties::{affine, config};
@@ -165,7 +166,7 @@ fn a_half_that_copies_itself_is_the_plain_system_of_that_half() {
         assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
     }
     // A straight line over the third map.
-    assert!((f.evaluate(2.3, 1e-12).value - 0.3).abs() < 1e-14);
+    assert_abs_diff_eq!(f.evaluate(2.3, 1e-12).value, 0.3, epsilon = 1e-14);
     for nan in [f.evaluate(f64::NAN, 1e-9), f.integral(f64::NAN)] {
         assert!(nan.value.is_nan() && nan.bound.is_nan());
     }

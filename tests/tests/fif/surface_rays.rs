@@ -6,6 +6,7 @@ use asperity_fif::{
     FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, Surface, Tabulated, Torus, paper,
     surface::Curve,
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
 const ALL: Interval = Interval::new(0.0, f64::INFINITY);
@@ -124,9 +125,11 @@ fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
                     let hit = found.unwrap_or_else(|| panic!("{ray:?} is missed, [{lo}, {hi}]"));
                     assert!(lo - 1e-12 <= hit.t && hit.t <= hi + 1e-12, "{ray:?}: {hit:?}, [{lo}, {hi}]");
                     let at = ray.at(hit.t);
-                    assert!((at.z - hit.height).abs() < 1e-10, "{ray:?}: {hit:?}");
-                    assert!(
-                        (surface.evaluate(hit.x, hit.y, 0.0).value - hit.height).abs() < 1e-12,
+                    assert_abs_diff_eq!(at.z, hit.height, epsilon = 1e-10, "{ray:?}: {hit:?}");
+                    assert_abs_diff_eq!(
+                        surface.evaluate(hit.x, hit.y, 0.0).value,
+                        hit.height,
+                        epsilon = 1e-12,
                         "{hit:?}"
                     );
                     seen[0] += 1;
@@ -210,7 +213,8 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
         // Straight down and nearly so onto a node; straight up from under it.
         for d in [[0.0, 0.0, -2.0], [1e-9, 0.0, -2.0], [0.0, 1e-12, -2.0]] {
             let hit = fast.first_hit(&ray([x, y, z + 4.0], d)).unwrap();
-            assert!((hit.t - 2.0).abs() < 1e-8 && (hit.height - z).abs() < 1e-8, "{hit:?}");
+            assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-8, "{hit:?}");
+            assert_abs_diff_eq!(hit.height, z, epsilon = 1e-8, "{hit:?}");
             assert_eq!(fast.first_hit(&ray([x, y, z + 4.0], [d[0], d[1], 2.0])), None);
         }
         assert!(fast.first_hit(&ray([x, y, z - 4.0], [0.0, 0.0, 1.0])).is_some());
@@ -227,7 +231,8 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
     for [o, d] in [[[-1.0, 0.25, z], [1.0, 0.0, 0.0]], [[0.5, 3.0, z], [0.0, -1.0, 0.0]]] {
         let (plain, fast) = (surface.first_hit(&ray(o, d)), fast.first_hit(&ray(o, d)));
         let [plain, fast] = [plain, fast].map(Option::unwrap);
-        assert!((plain.t - fast.t).abs() < 1e-10 && (plain.height - z).abs() < 1e-10, "{plain:?} {fast:?}");
+        assert_abs_diff_eq!(plain.t, fast.t, epsilon = 1e-10, "{plain:?} {fast:?}");
+        assert_abs_diff_eq!(plain.height, z, epsilon = 1e-10, "{plain:?} {fast:?}");
     }
     // One period, and no more.
     assert!(fast.first_hit(&ray([0.5, 0.5, 9.0], [0.0, 0.0, -1.0])).is_some());
@@ -255,7 +260,7 @@ fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
     let t = surface.first_hit(&slanted(1.0)).unwrap().t;
     for scale in [1e-300, 1e-12, 1e12, 1e300] {
         let hit = surface.first_hit(&slanted(scale)).unwrap();
-        assert!((hit.t * scale - t).abs() < 1e-10, "{scale}: {hit:?}");
+        assert_abs_diff_eq!(hit.t * scale, t, epsilon = 1e-10, "{scale}: {hit:?}");
     }
     for scale in [1e-320, 1e-308, f64::MAX] {
         let _ = surface.first_hit(&slanted(scale));
@@ -269,9 +274,9 @@ fn a_level_surface_is_hit_and_grazed() {
         level.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
         Tabulated::new(&level).first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
     ] {
-        assert!((hit.unwrap().t - 2.0).abs() < 1e-11, "{hit:?}");
+        assert_abs_diff_eq!(hit.unwrap().t, 2.0, epsilon = 1e-11, "{hit:?}");
     }
     let along = level.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
-    assert!((along.t - 1.0).abs() < 1e-11, "{along:?}");
+    assert_abs_diff_eq!(along.t, 1.0, epsilon = 1e-11, "{along:?}");
     assert_eq!(level.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
 }

@@ -1,6 +1,7 @@
 //! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
 
 use asperity_fif::{HeightField, Interval, SelfAffineError, Torus, paper};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
 use asperity_tests::reference;
@@ -99,7 +100,7 @@ fn the_torus_is_continuous_with_its_gradient_across_patches_and_the_seam() {
             }
             let (on, over) = (surface.height(line, along), surface.height(line + 2.0, along - 5.0));
             // along − 5 is rounded to half a unit in its last place.
-            assert!((on - over).abs() < 1e-14, "({line}, {along}): {on} and {over}");
+            assert_abs_diff_eq!(on, over, epsilon = 1e-14, "({line}, {along}): {on} and {over}");
         }
     }
 }
@@ -159,9 +160,8 @@ fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
     for factor in [0.448, -0.448, f64::NAN, f64::INFINITY] {
         let error = new(4, ROTATING, factor, &z, &d).unwrap();
         let SelfAffineError::Factor { most, .. } = error else { panic!("{factor}: {error}") };
-        assert!(
-            (most - 0.2_f64.sqrt()).abs() < 1e-15 && error.to_string().starts_with("`factor` must be under")
-        );
+        assert_abs_diff_eq!(most, 0.2_f64.sqrt(), epsilon = 1e-15);
+        assert!(error.to_string().starts_with("`factor` must be under"));
     }
     assert_eq!(new(3, ROTATING, 0.3, &z[..9], &d[..9]), Some(SelfAffineError::Side { side: 3 }));
     assert_eq!(new(1, ROTATING, 0.3, &z[..1], &d[..1]), Some(SelfAffineError::Side { side: 1 }));
@@ -363,6 +363,6 @@ fn the_torus_has_no_grain_and_a_product_of_curves_has() {
         |_| 1.0,
     );
     // Measured: 0.19, 6.57 and 0.97; five replicas turned by an irrational angle leave most of the axes out.
-    assert!((isotropic - 1.0).abs() < 0.1, "{isotropic}");
+    assert_abs_diff_eq!(isotropic, 1.0, epsilon = 0.1, "{isotropic}");
     assert!(torus < 1.0 && product > 2.0, "torus {torus}, product {product}");
 }

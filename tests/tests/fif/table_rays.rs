@@ -3,6 +3,7 @@
 
 use asperity_fif::glam::DVec3;
 use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, paper, surface::TabulatedCurve};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::read;
 use asperity_tests::random::Random;
 use serde_json::Value;
@@ -177,7 +178,7 @@ fn tolerances_change_no_decision_and_batches_no_hit() {
             assert_eq!(hit.is_some(), exact.is_some(), "{ray:?}");
             assert_eq!(hit.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
             if let (Some(hit), Some(exact)) = (hit, exact) {
-                assert!((hit.t - exact.t).abs() < 1e-10, "{ray:?}: {hit:?}, {exact:?}");
+                assert_abs_diff_eq!(hit.t, exact.t, epsilon = 1e-10, "{ray:?}: {hit:?}, {exact:?}");
                 let (got, want) = (exact.gradient.unwrap(), hit.gradient.unwrap());
                 // The hits are some units in the last place apart, and what the rough slopes take between them is slack.
                 let spread = |a: f64, b: f64| {
@@ -241,7 +242,7 @@ fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
             assert_eq!(got.is_some(), want.is_some(), "{ray:?}: {got:?}, {want:?}");
             assert_eq!(got.is_some(), surface.hits_any(ray, ALL), "{ray:?}");
             if let (Some(got), Some(want)) = (got, want) {
-                assert!((got.t - want.t).abs() < 1e-8, "{ray:?}: {got:?}, {want:?}");
+                assert_abs_diff_eq!(got.t, want.t, epsilon = 1e-8, "{ray:?}: {got:?}, {want:?}");
             }
             let near = surface.first_hit_within(ray, ALL, 1e-4);
             assert_eq!(near.is_some(), want.is_some(), "{ray:?}: {near:?}, {want:?}");
@@ -277,7 +278,7 @@ fn a_value_that_tables_know_coarsely_decides_nothing() {
                 (got.t - want.t).abs() <= tolerance + 1e-11,
                 "{ray:?} to {tolerance:e}: {got:?}, {want:?}"
             );
-            assert!((got.normal.unwrap().length() - 1.0).abs() < 1e-15, "{got:?}");
+            assert_abs_diff_eq!(got.normal.unwrap().length(), 1.0, epsilon = 1e-15, "{got:?}");
         }
     }
 }

@@ -271,6 +271,7 @@ fn mean<const C: usize>(local: &[f64; C]) -> f64 {
 #[cfg(test)]
 mod tests {
     use crate::{FixedFif, SystemError, paper};
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn a_rough_function_has_no_derivative() {
@@ -287,10 +288,8 @@ mod tests {
         let g = paper::g().unwrap();
         let back: FixedFif<2, 2> = paper::g_hat().unwrap().derivative().unwrap();
         for (a, b) in back.pieces().iter().zip(g.pieces()) {
-            assert!(
-                (a.map().alpha - b.map().alpha).abs() < 1e-15 && a.map().q == b.map().q,
-                "{a:?} != {b:?}"
-            );
+            assert_abs_diff_eq!(a.map().alpha, b.map().alpha, epsilon = 1e-15);
+            assert!(a.map().q == b.map().q, "{a:?} != {b:?}");
         }
     }
 }

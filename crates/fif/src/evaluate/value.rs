@@ -223,6 +223,7 @@ enum Location {
 #[cfg(test)]
 mod tests {
     use crate::{FixedFif, paper};
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn points_outside_are_clamped_and_nan_is_nan() {
@@ -277,7 +278,7 @@ mod tests {
         }
         let g = paper::g().unwrap();
         check(&g, 2f64.powi(-128), 127);
-        assert!((g.evaluate(2f64.powi(-128), 0.0).value - 2.24e-9).abs() < 1e-11);
+        assert_abs_diff_eq!(g.evaluate(2f64.powi(-128), 0.0).value, 2.24e-9, epsilon = 1e-11);
     }
 
     #[test]

@@ -161,12 +161,15 @@ fn solve(matrix: &[f64], right: &[f64], damping: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_equations_are_solved() {
         let matrix = [4.0, 1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 0.0];
         let z = solve(&matrix, &[9.0, 5.0, 0.0], 0.0);
-        assert!((z[0] - 2.0).abs() < 1e-14 && (z[1] - 1.0).abs() < 1e-14 && z[2] == 0.0, "{z:?}");
+        assert_abs_diff_eq!(z[0], 2.0, epsilon = 1e-14);
+        assert_abs_diff_eq!(z[1], 1.0, epsilon = 1e-14);
+        assert!(z[2] == 0.0, "{z:?}");
     }
 
     #[test]

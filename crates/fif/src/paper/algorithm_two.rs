@@ -78,6 +78,7 @@ fn expanded<const C: usize>(outer: &Map<C>, inner: &Map<C>) -> Map<C> {
 mod tests {
     use super::*;
     use crate::paper;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_expansion_is_the_composite() {
@@ -85,7 +86,7 @@ mod tests {
         let v = Map { a: 0.25, b: -1.5, alpha: 0.9, q: [-0.4, 0.2, 1.5, -0.3] };
         let (got, want) = (expanded(&w, &v), w.compose(&v));
         for (got, want) in got.q.iter().zip(want.q) {
-            assert!((got - want).abs() < 1e-14, "{got} != {want}");
+            assert_abs_diff_eq!(*got, want, epsilon = 1e-14);
         }
     }
 

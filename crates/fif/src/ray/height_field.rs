@@ -200,6 +200,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
 mod tests {
     use super::*;
     use crate::{FixedFif, paper, surface::Curve};
+    use approx::assert_abs_diff_eq;
 
     fn mirror() -> HeightField<Curve<FixedFif<2, 3>>, Curve<FixedFif<2, 3>>> {
         HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
@@ -262,9 +263,10 @@ mod tests {
         let surface = mirror();
         // Along y at x = 1: f̂(1) ĝ(y) = ĝ(y) = 1 at y = 1.
         let hit = surface.first_hit(&ray([1.0, -3.0, 1.0], [0.0, 1.0, 0.0])).unwrap();
-        assert!((hit.t - 4.0).abs() < 1e-12 && (hit.y - 1.0).abs() < 1e-12, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 4.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(hit.y, 1.0, epsilon = 1e-12);
         let hit = surface.first_hit(&ray([4.0, 1.0, 1.0], [-2.0, 0.0, 0.0])).unwrap();
-        assert!((hit.t - 1.5).abs() < 1e-12, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 1.5, epsilon = 1e-12);
         assert_eq!(surface.first_hit(&ray([1.0, -3.0, 2.5], [0.0, 1.0, 0.0])), None);
     }
 
@@ -272,16 +274,16 @@ mod tests {
     fn a_ray_within_the_surface_hits_where_it_enters() {
         // h = 0 along the border y = 0.
         let hit = mirror().first_hit(&ray([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0])).unwrap();
-        assert!((hit.t - 1.0).abs() < 1e-12, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 1.0, epsilon = 1e-12);
     }
 
     #[test]
     fn rays_from_below_and_from_within_the_box_hit() {
         let surface = mirror();
         let below = surface.first_hit(&ray([1.5, 1.5, 0.1], [0.1, -0.2, 1.0])).unwrap();
-        assert!((0.1 + below.t - below.height).abs() < 1e-13, "{below:?}");
+        assert_abs_diff_eq!(0.1 + below.t, below.height, epsilon = 1e-13);
         let within = surface.first_hit(&ray([0.2, 0.2, 0.5], [1.0, 1.0, 0.1])).unwrap();
-        assert!((0.5 + 0.1 * within.t - within.height).abs() < 1e-13, "{within:?}");
+        assert_abs_diff_eq!(0.5 + 0.1 * within.t, within.height, epsilon = 1e-13);
     }
 
     #[test]
@@ -343,9 +345,9 @@ mod tests {
         let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
         let surface = HeightField::new(one, one);
         let hit = surface.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
-        assert!((hit.t - 2.0).abs() < 1e-11, "{hit:?}");
+        assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-11);
         let along = surface.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
-        assert!((along.t - 1.0).abs() < 1e-11, "{along:?}");
+        assert_abs_diff_eq!(along.t, 1.0, epsilon = 1e-11);
         assert_eq!(surface.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
     }
 }

@@ -83,6 +83,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
 mod tests {
     use super::*;
     use crate::{FixedFif, paper};
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_normal_diverges_by_twice_the_mean_curvature() {
@@ -101,7 +102,7 @@ mod tests {
         let cross = (normal(0.0, 1.0).x - normal(0.0, -1.0).x) * (normal(1.0, 0.0).y - normal(-1.0, 0.0).y);
         let determinant = along_x * along_y - cross / (4.0 * step * step);
         // The Gauss map's area ratio on the surface is K; projected, both areas shrink by the same cosine.
-        assert!((determinant - got.gauss).abs() < 1e-3, "{determinant} != {got:?}");
+        assert_abs_diff_eq!(determinant, got.gauss, epsilon = 1e-3);
         let rough = HeightField::new(f, y_axis);
         assert!(rough.curvature(x, y, &f, &g).is_none());
     }
