@@ -50,14 +50,6 @@
 //! | [`Torus`] | a periodic surface without grain, through heights with gradients |
 //! | [`Folded`] | the like on a grid of unequal cells, not periodic |
 //! | [`SelfAffine::bounds`], [`SelfAffine::extrema_over`], [`SelfAffine::mean`] | rigorous bounds and means of either |
-//! | [`Surface`] | any surface over a rectangle, and its bounds |
-//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to the rounding error or a tolerance |
-//! | [`Intersect::hits_any`], [`Intersect::first_hits`] | any hit, and many rays |
-//! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
-//! | [`Torus`], [`Torus`], [`Torus`], [`TorusView`] | a periodic surface without grain, through heights with gradients |
-//! | [`Torus::bounds`], [`Torus::extrema_over`], [`Torus::mean`] | its rigorous bounds and means |
-//! | [`Folded`], [`Folded`], [`Folded`], [`FoldedView`] | the like on a grid of unequal cells, not periodic |
-//! | [`Folded::bounds`], [`Folded::extrema_over`], [`Folded::mean`] | its rigorous bounds and its mean |
 //! | [`SelfAffine::narrowed`] | narrower global ranges, before searches |
 //! | [`Recurrent`] | systems whose maps copy parts of the graph, each its own |
 //! | [`Interval`], [`Bounded`] | enclosures |
@@ -81,12 +73,12 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`Fif`], [`Table`], [`Tabulated`], [`Recurrent`], [`fit`] |
+//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables behind `tabulated()` |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets in SIMD lanes, with the same bits |
 //!
-//! One of `std` and `libm` is needed. Without `alloc` everything else works in arrays and borrowed slices.
+//! One of `std` and `libm` is needed. Without `alloc` there are [`FixedFif`] and [`FifRef`], and height fields of arrays with their rays.
 //!
 //! ## Sources
 //!
@@ -133,9 +125,9 @@ pub use ray::ray::{Hit, Ray};
 pub use ray::tabulated::Tabulated;
 #[cfg(feature = "alloc")]
 pub use recurrent::{error::RecurrentError, recurrent::Recurrent};
+pub use surface::bounds::{Surface, SurfaceBounds};
 pub use surface::height_field::area::{AreaMeans, SlopeMeans};
 pub use surface::height_field::{curvature::Curvature, height_field::HeightField};
-pub use surface::surface::{Surface, SurfaceBounds};
 #[cfg(feature = "alloc")]
 pub use surface::{
     extrema::SurfaceExtrema,

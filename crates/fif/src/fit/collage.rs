@@ -32,7 +32,7 @@ pub struct Fit {
 ///
 /// with `chord` the line through the first and last point of the data and `chord_j` through those of the part, and `Y`
 /// the polygon through the data. Each `α_j` makes the squares of the collage error at the data over its part least; it
-/// is cut to [`STEEPEST`] in size, and 0 where `v` is. The sum over all parts is not the error of the fit: see [`refined`].
+/// is cut to [`STEEPEST`] in size, and 0 where `v` is. The sum over all parts is not the error of the fit: see [`refined`](crate::fit::refined).
 ///
 /// Time: one binary search per point, and as many for each map to measure the collage error.
 ///

@@ -10,7 +10,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// It composes the maps that close in on `x`, each by the binomial expansion of eq. 28, until the horizontal factor is at
     /// most `epsilon`, and then maps the middle control point. Two things are wrong with that, and kept here: the
     /// horizontal factor bounds no error of `y`, which is the product of the vertical ones times the range; and the composite
-    /// is taken at a knot where `x` itself has an inverse image. Use [`System::evaluate`] or [`Fast`](crate::Fast), which
+    /// is taken at a knot where `x` itself has an inverse image. Use [`System::evaluate`] or [`System::table`], which
     /// is 25 to 70 times as fast.
     ///
     /// NaN gives NaN; at most [`MAX_DEPTH`] maps are composed.

@@ -4,7 +4,7 @@ use crate::evaluate::batch_error::BatchError;
 use crate::numeric::interval::Interval;
 use crate::ray::quadtree::{Unbounded, any, first};
 use crate::ray::ray::{Hit, Ray};
-use crate::surface::surface::Surface;
+use crate::surface::bounds::Surface;
 
 /// Rays against a [`Surface`]; an `impl Intersect for X {}` gives them to one of your own.
 ///

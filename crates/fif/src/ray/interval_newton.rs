@@ -4,7 +4,7 @@ use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::Aim;
 use crate::ray::way::Way;
-use crate::surface::surface::{Surface, SurfaceBounds};
+use crate::surface::bounds::{Surface, SurfaceBounds};
 
 /// Stretches that wait at most: every split halves one.
 const WAITING: usize = 64;

@@ -4,8 +4,8 @@ use crate::numeric::interval::Interval;
 use crate::ray::interval_newton::Stretches;
 use crate::ray::ray::{Aim, Hit, Ray};
 use crate::ray::way::{Way, padded};
+use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::normal::upward_normal;
-use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// A square of the quartered domain.
 #[derive(Clone, Copy)]

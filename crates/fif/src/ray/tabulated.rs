@@ -8,8 +8,8 @@ use crate::numeric::interval::{Bounded, Interval};
 use crate::ray::intersect::Intersect;
 use crate::ray::quadtree::{self, Square, Squares};
 use crate::ray::ray::{Hit, Ray};
+use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
-use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// A surface with bounds over the squares of its quartered domain: hits are found several times as fast.
 ///

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::numeric::interval::{Bounded, Interval};
 use crate::ray::box_descent::{BUDGET, CLOSE, slab};
 use crate::ray::ray::Ray;
-use crate::surface::surface::Surface;
+use crate::surface::bounds::Surface;
 
 /// One ray on its way.
 pub(crate) struct Way<'a, S: ?Sized> {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::numeric::interval::Interval;
-use crate::surface::surface::Surface;
+use crate::surface::bounds::Surface;
 
 /// Brackets of the two extrema of a surface over a rectangle, and where it is that low and that high.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! Surfaces over rectangles: bounds, extrema, normals.
 
+pub(crate) mod bounds;
 #[cfg(feature = "alloc")]
 pub(crate) mod extrema;
 pub(crate) mod height_field;
@@ -8,7 +9,6 @@ pub(crate) mod hermite_patch;
 pub(crate) mod normal;
 #[cfg(feature = "alloc")]
 pub(crate) mod self_affine;
-pub(crate) mod surface;
 
 pub use height_field::axis::{Axis, Curve};
 pub use height_field::function::Function;

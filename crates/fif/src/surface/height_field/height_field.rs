@@ -4,13 +4,13 @@ use glam::{DVec2, DVec3};
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
+use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::height_field::axis::{Axis, Curve};
 use crate::surface::height_field::cover::covered;
 use crate::surface::height_field::function::Function;
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::tabulated::TabulatedCurve;
 use crate::surface::normal::upward_normal;
-use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// The surface `z = f(x) g(y)`; `f` and `g` may be different systems on different knots.
 ///

@@ -2,13 +2,13 @@
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
+use crate::surface::bounds::SurfaceBounds;
 use crate::surface::hermite_patch::{Corner, Patch};
 use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::folded_limits::{limits, slope_rounding, value_rounding};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
 use crate::surface::self_affine::zig_zag::{Node, Strip, ZigZag, part_of};
-use crate::surface::surface::SurfaceBounds;
 
 /// A fractal surface through given heights with given gradients on a grid of unequal cells, once continuously
 /// differentiable, that is no product of curves.
@@ -80,12 +80,10 @@ impl SelfAffine<ZigZag> {
             z.get(i * (x.len() - 1) * y.len() + j * (y.len() - 1)).copied().unwrap_or(0.0)
         };
         let corners = [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]];
-        let places = x.iter().enumerate().flat_map(|p| y.iter().enumerate().map(move |q| (p, q)));
-        let node = |((&z, &[z_x, z_y]), ((i, &px), (j, &py))): (
-            (&f64, &[f64; 2]),
-            ((usize, &f64), (usize, &f64)),
-        )| {
-            let at = [part_of(domain[0], px), part_of(domain[1], py)];
+        let node = |(index, (&z, &[z_x, z_y])): (usize, (&f64, &[f64; 2]))| {
+            let (i, j) = (index / y.len(), index % y.len());
+            let knot = |along: &[f64], k: usize| along.get(k).copied().unwrap_or(0.0);
+            let at = [part_of(domain[0], knot(x, i)), part_of(domain[1], knot(y, j))];
             let [base, base_x, base_y] = bilinear(&corners, at);
             let (ends_x, ends_y) = (i == 0 || i + 1 == x.len(), j == 0 || j + 1 == y.len());
             let own = [
@@ -95,7 +93,7 @@ impl SelfAffine<ZigZag> {
             ];
             Node { at, data: [z, z_x, z_y], own }
         };
-        let nodes = z.iter().zip(d).zip(places).map(node).collect();
+        let nodes = z.iter().zip(d).enumerate().map(node).collect();
         let fold = ZigZag { nodes, cells: [x.len() - 1, y.len() - 1], domain };
         let widest = along[0].widest.max(along[1].widest);
         let limits = limits(&fold, factor, [ratio, widest], contraction);

@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::matrix2::{IDENTITY, transposed};
+use crate::surface::bounds::{Surface, SurfaceBounds};
 use crate::surface::extrema::{SurfaceExtrema, extrema};
 use crate::surface::hermite_patch::{Corner, Patch};
 use crate::surface::normal::upward_normal;
 use crate::surface::self_affine::limits::Limits;
-use crate::surface::surface::{Surface, SurfaceBounds};
 
 /// Steps that one evaluation takes at most.
 pub(crate) const MOST_STEPS: u32 = 1 << 16;

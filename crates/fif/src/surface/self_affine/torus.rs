@@ -5,13 +5,13 @@ use alloc::vec::Vec;
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::matrix2::product;
 use crate::numeric::polynomial::UNIT;
+use crate::surface::bounds::SurfaceBounds;
 use crate::surface::self_affine::address::Address;
 use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
 use crate::surface::self_affine::torus_fold::{Node, TorusFold};
 use crate::surface::self_affine::torus_limits::{limits, slope_rounding, spectral_norm, value_rounding};
-use crate::surface::surface::SurfaceBounds;
 
 /// A periodic fractal surface through given heights with given gradients, once continuously differentiable, that is no
 /// product of curves and has no grain along the axes.

@@ -4,12 +4,12 @@ use crate::math::sqrt;
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::matrix2::{IDENTITY, added, product, transposed};
 use crate::numeric::polynomial::UNIT;
+use crate::surface::bounds::SurfaceBounds;
 use crate::surface::extrema::ceiling;
 use crate::surface::self_affine::address::Address;
 use crate::surface::self_affine::self_affine::{MOST_STEPS, SelfAffine};
 use crate::surface::self_affine::torus_fold::TorusFold;
 use crate::surface::self_affine::torus_limits::{slope_rounding, value_rounding};
-use crate::surface::surface::SurfaceBounds;
 
 /// Enclosures over a rectangle, and one of the mean height over it.
 pub(crate) struct BoundsAndMean {
