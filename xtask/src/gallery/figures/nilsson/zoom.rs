@@ -89,7 +89,7 @@ fn surfaces() -> Result<[Surface; 6], Failure> {
         surface("paint", 1.0, [-0.134, 0.094], Box::new(paint)),
         surface("scratches", 0.26, [0.2, 0.25], Box::new(scratches)),
         surface("plastic", 0.45, [-0.134, 0.094], Box::new(plastic)),
-        surface("glass", 25.0, [0.0, 0.0], Box::new(glass)),
+        surface("glass", 14.0, [0.0, 0.0], Box::new(glass)),
         surface("bumps", 0.38, [0.14, 0.2], Box::new(bumps)),
     ])
 }
