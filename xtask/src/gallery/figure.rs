@@ -2,12 +2,10 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use asperity_render::{
-    geometry::camera::Camera,
-    image::Image,
-    integrator::pixels::{Sampling, render},
-    scene::Scene,
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::image::Image;
+use asperity_render::integrator::pixels::{Sampling, render};
+use asperity_render::scene::Scene;
 use glam::Vec3;
 use indicatif::ProgressBar;
 use rayon::prelude::*;

@@ -1,27 +1,22 @@
 //! `cargo xtask render`: one picture of one object with chosen parameters.
 
-use std::{
-    path::Path,
-    sync::{Arc, atomic::AtomicBool},
-};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
-use asperity_render::{
-    geometry::{camera::Camera, mesh::TracedMesh, mesh_file, shape::Shape},
-    image::{
-        Image,
-        read::ImageFile,
-        tone::{hex, linear},
-    },
-    integrator::pixels::Sampling,
-    light::environments::Studio,
-    materials::{
-        Bumped, Facets,
-        field::{Bumps, NoiseKind},
-        in_metres,
-    },
-    scene::{Backdrop, Light, Object, Scene, Surface},
-    scenes::{Approach, RenderRequest, Set, backdrop, ground},
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::geometry::mesh::TracedMesh;
+use asperity_render::geometry::mesh_file;
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::Image;
+use asperity_render::image::read::ImageFile;
+use asperity_render::image::tone::{hex, linear};
+use asperity_render::integrator::pixels::Sampling;
+use asperity_render::light::environments::Studio;
+use asperity_render::materials::field::{Bumps, NoiseKind};
+use asperity_render::materials::{Bumped, Facets, in_metres};
+use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
+use asperity_render::scenes::{Approach, RenderRequest, Set, backdrop, ground};
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaint,
@@ -32,13 +27,11 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-use crate::{
-    cli::{self, Material, Noise, Render, Rule, Tone},
-    failure::Failure,
-    input::density::{Density, NORMAL_MAP},
-    output::Output,
-    progress,
-};
+use crate::cli::{Material, Noise, Render, Rule, Tone};
+use crate::failure::Failure;
+use crate::input::density::{Density, NORMAL_MAP};
+use crate::output::Output;
+use crate::{cli, progress};
 
 /// Draws what was asked for and tells where it lies.
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Failure> {

@@ -5,10 +5,8 @@ use asperity_render::image::formats::npy;
 use serde_json::{Value, json};
 
 use super::made::Made;
-use crate::{
-    failure::Failure,
-    input::fif_system::{COEFFICIENTS, System},
-};
+use crate::failure::Failure;
+use crate::input::fif_system::{COEFFICIENTS, System};
 use asperity_render::{image::Image, integrator::hemisphere::ember};
 
 /// Values of a function from end to end.

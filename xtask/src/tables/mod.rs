@@ -10,24 +10,18 @@ mod noise_means;
 mod noise_pictures;
 mod shipped;
 
-use std::{
-    fmt::Write,
-    sync::atomic::{AtomicBool, Ordering},
-};
+use std::fmt::Write;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde_json::json;
 
-use crate::{
-    cli::Tables,
-    failure::{Failure, Interrupted},
-    gallery::page,
-    input::{
-        density::{Density, NORMAL_MAP},
-        fif_system::System,
-    },
-    output::Output,
-    progress,
-};
+use crate::cli::Tables;
+use crate::failure::{Failure, Interrupted};
+use crate::gallery::page;
+use crate::input::density::{Density, NORMAL_MAP};
+use crate::input::fif_system::System;
+use crate::output::Output;
+use crate::progress;
 use made::Made;
 pub(crate) use shipped::{check, ship};
 

@@ -15,10 +15,8 @@ use asperity_shading::{
 };
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Texels along the map, which covers a square of this many metres.
 const SIZE: usize = 256;

@@ -1,12 +1,11 @@
 //! The reflectances on spheres.
 
-use asperity_render::{
-    geometry::{camera::Camera, shape::Shape},
-    image::tone::hex,
-    light::environments::Studio,
-    materials::Layers,
-    scene::{Backdrop, Light, Object, Scene},
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::tone::hex;
+use asperity_render::light::environments::Studio;
+use asperity_render::materials::Layers;
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_shading::reflectance::{
     BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
 };
@@ -16,10 +15,8 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 type Lobes = Vec<Box<dyn Brdf + Sync>>;
 

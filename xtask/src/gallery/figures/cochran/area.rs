@@ -4,10 +4,8 @@ use asperity_fif::{AreaMeans, HeightField, Interval, SlopeMeans, paper};
 use asperity_render::image::{Image, tone::hex};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Pixels along a side.
 const SIDE: u32 = 48;

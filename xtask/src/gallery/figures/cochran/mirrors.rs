@@ -11,10 +11,8 @@ use asperity_render::{
 use asperity_shading::{Conductor, Fresnel, reflectance::Coat};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Heights are multiplied by these, so that the reflections stay within the room; they reach 4 and 1.02.
 const RISE: [f64; 2] = [0.3, 0.1];

@@ -3,17 +3,15 @@
 use std::{f32::consts::PI, sync::Arc};
 
 use asperity_fif::{FixedFif, SystemError};
-use asperity_render::{
-    geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape},
-    image::tone::hex,
-    light::lamps::{Lamps, direction, studio},
-    materials::{
-        chalk,
-        pattern::{checker, grid},
-        shaded,
-    },
-    scene::{Backdrop, Light, Object, Scene, Surface},
-};
+use asperity_render::geometry::camera::Camera;
+use asperity_render::geometry::fractal::Fractal;
+use asperity_render::geometry::ray::Ray;
+use asperity_render::geometry::shape::Shape;
+use asperity_render::image::tone::hex;
+use asperity_render::light::lamps::{Lamps, direction, studio};
+use asperity_render::materials::pattern::{checker, grid};
+use asperity_render::materials::{chalk, shaded};
+use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_shading::{
     Beckmann, Brdf, Conductor, Dielectric, Fresnel, Phong, SurfacePoint, TorranceSparrow,
     bump::Facet,
@@ -23,10 +21,8 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Vertical factors of the slopes.
 const FACTORS: [f64; 2] = [0.25, 0.5];

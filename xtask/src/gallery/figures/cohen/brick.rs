@@ -10,10 +10,8 @@ use asperity_shading::bump::{bumped_normal, surface_gradient};
 use asperity_shading::{Brick, PixelEllipse};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wall = Brick::default();

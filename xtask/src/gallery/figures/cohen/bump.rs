@@ -6,17 +6,13 @@ use asperity_render::{
     materials::{chalk, sky},
     scene::{Backdrop, Light, Object, Scene},
 };
+use asperity_shading::SurfacePoint;
 use asperity_shading::bump::{bumped_normal, differences, displace, surface_gradient, tangential};
-use asperity_shading::{
-    SurfacePoint,
-    noise::{Field, Normalisation, Octaves, Perlin2002, Sample, Spectrum},
-};
+use asperity_shading::noise::{Field, Normalisation, Octaves, Perlin2002, Sample, Spectrum};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 const HEIGHT: f32 = 0.055;
 const FREQUENCY: f32 = 3.2;

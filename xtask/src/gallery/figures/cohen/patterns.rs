@@ -5,10 +5,8 @@ use asperity_shading::texture::{PerturbedTexture, StarWallpaper};
 use asperity_shading::{Footprint, Marble};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let wallpaper = StarWallpaper::default();

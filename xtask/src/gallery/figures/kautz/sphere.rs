@@ -1,22 +1,16 @@
 //! A bump mapped sphere at four zooms beside its density, by both rules of level of detail.
 
 use asperity_ndf_sampling::Ggx;
-use asperity_render::{
-    integrator::hemisphere::hemisphere,
-    materials::Facets,
-    scenes::{RenderRequest, Set, peak},
-};
+use asperity_render::integrator::hemisphere::hemisphere;
+use asperity_render::materials::Facets;
+use asperity_render::scenes::{RenderRequest, Set, peak};
 use asperity_shading::LevelOfDetail;
 use asperity_shading::ndf_sampling::conditional_density;
 use glam::Vec2;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        panels::{common_parameters, density_panel, object_panel, rule_words},
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::{common_parameters, density_panel, object_panel, rule_words};
 
 const ALPHA: [f32; 2] = [0.18, 0.5];
 const ZOOMS: [f32; 4] = [1.0, 4.0, 16.0, 64.0];

@@ -8,13 +8,9 @@ use asperity_shading::material::SeamPattern;
 use asperity_shading::{Carpet, CarpetParameters, MetallicPaint, Scratches, TemperedGlass, Variations};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn},
-        figures::nilsson::sliders::strip::draw,
-    },
-};
+use crate::failure::Failure;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figures::nilsson::sliders::strip::draw;
 
 pub(crate) fn carpet(context: &Context<'_>) -> Result<Drawn, Failure> {
     draw(context, &parameters::carpet(), Carpet::new)
