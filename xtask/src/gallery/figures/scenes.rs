@@ -209,7 +209,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn, Failure> {
     for (stem, label, subject) in subjects {
         let body = (stem == "glass").then_some(Vec3::new(0.80, 0.93, 0.89));
         let image = picture(context, Set::Teapot, view, sampling, subject, body)?;
-        panels.push(Panel::raster(stem, label, &format!("The Utah teapot: {}", label.to_lowercase()), image));
+        panels.push(Panel::raster(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
     Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")))
 }

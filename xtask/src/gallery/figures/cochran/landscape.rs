@@ -67,13 +67,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
         let grain = format!("{:.2}", grain(context, ground.surface())?);
         let image = context.draw(&block(ground), sampling, &camera)?;
-        panels.push(Panel::raster(stem, &format!("{label}, grain {grain}"), alt, image));
+        panels.push(Panel::raster(stem, format!("{label}, grain {grain}"), alt, image));
         grains.push(grain);
     }
     Ok(Drawn::new(2, panels)
         .fact("torus", format!("{0} \u{d7} {0} nodes, M = (2, \u{2212}1; 1, 2), s = {FACTOR}", NODES[0]))
         .fact("curves", format!("{} maps, vertical factors \u{b1}{ROUGHNESS}, integrated once", NODES[1]))
-        .fact("grain", &grains.join(" and "))
+        .fact("grain", grains.join(" and "))
         .fact("waves measured", format!("{} to {} periods per side", RING[0], RING[1])))
 }
 

@@ -57,7 +57,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         panels.push(Panel::raster(
             stem,
             label,
-            &format!("A star-shaped plate with bevelled edges, {label}"),
+            format!("A star-shaped plate with bevelled edges, {label}"),
             image.exposed(1.0),
         ));
     }

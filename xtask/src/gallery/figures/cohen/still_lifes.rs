@@ -113,8 +113,8 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
             seen.light + seen.transmittance * behind.radiance
         })?;
         panels.push(Panel::raster(
-            &format!("exponent-{exponent}"),
-            &format!("Exponent {exponent}"),
+            format!("exponent-{exponent}"),
+            format!("Exponent {exponent}"),
             "A white tea cup on its saucer, with steam over it",
             image.filmic(1.45),
         ));
