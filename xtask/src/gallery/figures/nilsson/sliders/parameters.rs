@@ -167,7 +167,9 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
         mirrored: lattice,
         exposure: 1.0,
     };
-    let lit = View { lamps: View::patch(1.0).lit(0.6).lamps, ..view.clone() };
+    // A lamp whose image is in the pane: what a rough one blurs.
+    let lamp = Lamp { direction: direction(90.0, 86.0), colour: Vec3::splat(0.6) };
+    let lit = View { lamps: vec![lamp], ..view.clone() };
     let directions =
         [Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y, Vec3::new(-1.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 1.0)];
     let with_waves = TemperedGlassParameters { waves: GlassWaves::Sine, ..noise };
