@@ -14,6 +14,9 @@ use asperity_noise::{
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
+/// Why a bench of a list must not fail.
+const ONE: &str = "one number per point";
+
 const SEED: u32 = 7;
 /// Distance of neighbours on a grid, in lattice cells.
 const STEP: f32 = 0.05;
@@ -107,13 +110,12 @@ fn field<V: Point>(criterion: &mut Criterion, name: &str, field: &dyn Field<V>, 
         });
     };
     let batch = Batch::new();
-    const ONE: &str = "one number per point";
     bench("grid_values", &mut |values, _| field.grid_values(&grid, values).expect(ONE));
     bench("grid_samples", &mut |values, slopes| field.grid_samples(&grid, values, slopes).expect(ONE));
     bench("values", &mut |values, _| field.values(&points, values).expect(ONE));
     bench("list_values", &mut |values, _| batch.list_values(field, lists(), values).expect(ONE));
     bench("list_samples", &mut |values, slopes| {
-        batch.list_samples(field, lists(), values, slopes).expect(ONE)
+        batch.list_samples(field, lists(), values, slopes).expect(ONE);
     });
 }
 

@@ -61,7 +61,7 @@ fn warps_have_exact_gradients_and_jacobians() {
     let place = |p: Vec3| warp.displacement(p).point.to_array();
     assert_close("displacement", jacobian_error(place, |p: Vec3| warp.displacement(p).jacobian));
 
-    let by = [5, 6].map(|seed| Perlin2002::new(seed));
+    let by = [5, 6].map(Perlin2002::new);
     let inner = Warp::new(Simplex::new(7), by, 0.3).unwrap();
     let twice = Warp::new(inner, by, 0.3).unwrap();
     let gradient = |p: Vec2| [twice.sample(p).gradient.to_array()];
@@ -73,7 +73,7 @@ fn warps_have_exact_gradients_and_jacobians() {
 fn a_warp_looks_up_the_displaced_point() {
     let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::CLOUD);
     let field = octaves.with_shape(Turbulence);
-    let by = [1, 2].map(|seed| Simplex::new(seed));
+    let by = [1, 2].map(Simplex::new);
     let warp = Warp::new(field.first(3.0), by, 0.7).unwrap();
     let mut random = Random(1);
     for _ in 0..100 {

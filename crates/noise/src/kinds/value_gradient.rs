@@ -71,7 +71,7 @@ impl<L> ValueGradient<L> {
     ///
     /// If the weight is not in [0, 1].
     pub fn with_weight(self, weight: f32) -> Result<Self, ValueGradientError> {
-        if weight >= 0.0 && weight <= 1.0 {
+        if (0.0..=1.0).contains(&weight) {
             Ok(Self { weight, ..self })
         } else {
             Err(ValueGradientError::WeightOutOfRange { weight })

@@ -206,9 +206,7 @@ impl<V: Point> Target<'_, V> {
 
 /// Buffers of values and gradients, as an array of N where the dimension is a number.
 #[inline(always)]
-pub(crate) fn by_axes<'a, V: Point, const N: usize>(
-    mut slices: V::Array<&'a mut [f32]>,
-) -> [&'a mut [f32]; N] {
+pub(crate) fn by_axes<V: Point, const N: usize>(mut slices: V::Array<&mut [f32]>) -> [&mut [f32]; N] {
     let mut slices = slices.as_mut().iter_mut();
     array::from_fn(|_| slices.next().map(core::mem::take).unwrap_or_default())
 }

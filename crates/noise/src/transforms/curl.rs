@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn velocities_stand_on_the_gradients() {
-        let fields = [1, 2, 3].map(|seed| Perlin2002::new(seed));
+        let fields = [1, 2, 3].map(Perlin2002::new);
         for i in 0..20_u8 {
             let p = Vec3::new(0.31 * f32::from(i), 1.7, -0.4 * f32::from(i));
             let [a, b, _] = fields.map(|field| field.sample(p).gradient);
@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn both_ways_give_one_velocity() {
-        let fields = [1, 2, 3].map(|seed| Simplex::new(seed));
+        let fields = [1, 2, 3].map(Simplex::new);
         let p = Vec3::new(0.2, -1.3, 5.5);
         let pair = Curl3(fields[0], fields[1]);
         assert_eq!(pair.velocity(p), pair.velocity_and_jacobian(p).velocity);

@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn a_warp_of_strength_zero_is_the_field() {
         let field = Perlin2002::new(1);
-        let warp = Warp::new(field, [2, 3, 4].map(|seed| Simplex::new(seed)), 0.0).unwrap();
+        let warp = Warp::new(field, [2, 3, 4].map(Simplex::new), 0.0).unwrap();
         let p = Vec3::new(0.3, -4.1, 7.7);
         assert_eq!(warp.sample(p), field.sample(p));
         assert_eq!(warp.displacement(p).jacobian, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);

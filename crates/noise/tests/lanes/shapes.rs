@@ -54,8 +54,8 @@ fn composed(which: usize) -> Box<dyn Field<Vec2>> {
         3 => Box::new(Clamp(noise(), -0.2, 0.1)),
         4 => Box::new(Map(noise(), |n: f32| n * n * n, |n: f32| 3.0 * (n * n))),
         5 => Box::new(Affine(noise(), -2.0, 3.0)),
-        6 => Box::new(Warp::new(noise(), by, 0.3).unwrap()),
-        7 => Box::new(Warp::new(composed(6), [composed(0), composed(3)], 0.2).unwrap()),
+        6 => Box::new(Warp::new(noise(), by, 0.3).expect("a finite amplitude")),
+        7 => Box::new(Warp::new(composed(6), [composed(0), composed(3)], 0.2).expect("a finite amplitude")),
         _ => Box::new(Add(composed(6), Multiply(composed(2), composed(4)))),
     }
 }

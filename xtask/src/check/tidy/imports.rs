@@ -169,12 +169,10 @@ pub(super) fn read(source: &str, children: &[&str]) -> Imports {
                 imports.public_modules.push(text(i + 1).into());
             }
             "struct" | "enum" | "union" | "trait" | "fn" | "const" | "static" | "type"
-                if public && depth == 0 =>
-            {
-                if !["fn", "unsafe", "async", "extern"].contains(&text(i + 1)) {
+                if public && depth == 0
+                && !["fn", "unsafe", "async", "extern"].contains(&text(i + 1)) => {
                     imports.public.push(text(i + 1).into());
                 }
-            }
             "use" if text(i + 1) != "<" => {
                 let first = imports.paths.len();
                 let within: Vec<String> = inline.iter().map(|(_, name)| (*name).into()).collect();
