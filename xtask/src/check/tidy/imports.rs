@@ -169,10 +169,10 @@ pub(super) fn read(source: &str, children: &[&str]) -> Imports {
                 imports.public_modules.push(text(i + 1).into());
             }
             "struct" | "enum" | "union" | "trait" | "fn" | "const" | "static" | "type"
-                if public && depth == 0
-                && !["fn", "unsafe", "async", "extern"].contains(&text(i + 1)) => {
-                    imports.public.push(text(i + 1).into());
-                }
+                if public && depth == 0 && !["fn", "unsafe", "async", "extern"].contains(&text(i + 1)) =>
+            {
+                imports.public.push(text(i + 1).into());
+            }
             "use" if text(i + 1) != "<" => {
                 let first = imports.paths.len();
                 let within: Vec<String> = inline.iter().map(|(_, name)| (*name).into()).collect();
@@ -260,7 +260,7 @@ fn read_tree(tokens: &[Token<'_>], mut i: usize, prefix: &mut Vec<String>, paths
     let line = tokens.get(i).map_or(0, |token| token.line);
     loop {
         match text(i) {
-            "::" => i += 1,
+            "::" | "$" => i += 1,
             "{" => {
                 i += 1;
                 while !["}", ""].contains(&text(i)) {
@@ -283,7 +283,6 @@ fn read_tree(tokens: &[Token<'_>], mut i: usize, prefix: &mut Vec<String>, paths
                 i += 2;
                 break;
             }
-            "$" => i += 1,
             name => {
                 prefix.push(name.into());
                 i += 1;
