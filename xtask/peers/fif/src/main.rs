@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                     }
                     drop(mesh.take());
                     let nodes: Vec<f64> = (0..=side)
-                        .map(|i| axis.value().evaluate(SIZE * i as f64 / side as f64, 0.0).value)
+                        .map(|i| curve.evaluate(SIZE * i as f64 / side as f64, 0.0).value)
                         .collect();
                     let (before, start) = (resident(), now());
                     let built = Mesh::new(side, |i, j| nodes[i] * nodes[j]);
