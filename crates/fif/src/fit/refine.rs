@@ -39,7 +39,7 @@ const LEAST: f64 = 1e-10;
 /// ```
 ///
 /// # Errors
-/// Those of [`affine`](crate::fit::affine).
+/// [`FitError`], for the reasons of [`affine`](crate::fit::affine).
 pub fn refined(x: &[f64], y: &[f64], knots: &[usize], steps: usize) -> Result<Fit, FitError> {
     check_points(x, y)?;
     check_knots(x.len(), knots)?;

@@ -1,7 +1,7 @@
 //! Heads and words of one source file: its first line, its name, what does not stay, and doc lines that say nothing alone.
 
 /// Folders whose doc lines must be readable alone.
-pub(super) const DOC_LINES_HELD: &[&str] = &["crates/ndf-sampling"];
+pub(super) const DOC_LINES_HELD: &[&str] = &["crates/fif", "crates/ndf-sampling"];
 
 /// Words that begin a doc line which cannot be read alone, or which hides its noun.
 const VAGUE: [&str; 6] = ["The same", "What", "Where", "How", "As", "Those of"];

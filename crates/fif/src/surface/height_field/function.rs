@@ -71,32 +71,21 @@ pub trait Lower<const C: usize>: AsRef<[Piece<C>]> + Clone + Debug {
 }
 
 macro_rules! lower {
+    (@[$($n:tt)*] $storage:ty, $c:literal => $derivative:ty) => {
+        impl<$($n)*> Lower<$c> for $storage {
+            type Derivative = $derivative;
+
+            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
+                system.derivative().ok()
+            }
+        }
+    };
     ($($c:literal to $d:literal),*) => {$(
-        impl<const N: usize> Lower<$c> for [Piece<$c>; N] {
-            type Derivative = System<[Piece<$d>; N], $d>;
-
-            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
-                system.derivative().ok()
-            }
-        }
-
+        lower!(@[const N: usize] [Piece<$c>; N], $c => System<[Piece<$d>; N], $d>);
         #[cfg(feature = "alloc")]
-        impl Lower<$c> for alloc::vec::Vec<Piece<$c>> {
-            type Derivative = crate::system::fif::Fif<$d>;
-
-            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
-                system.derivative().ok()
-            }
-        }
-
+        lower!(@[] alloc::vec::Vec<Piece<$c>>, $c => System<alloc::vec::Vec<Piece<$d>>, $d>);
         #[cfg(feature = "alloc")]
-        impl Lower<$c> for &[Piece<$c>] {
-            type Derivative = crate::system::fif::Fif<$d>;
-
-            fn lower(system: &System<Self, $c>) -> Option<Self::Derivative> {
-                system.derivative().ok()
-            }
-        }
+        lower!(@[] &[Piece<$c>], $c => System<alloc::vec::Vec<Piece<$d>>, $d>);
     )*};
 }
 
