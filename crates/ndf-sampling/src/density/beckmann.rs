@@ -28,7 +28,7 @@ use crate::simd::lanes::Lanes;
 /// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
 ///   `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`; the height falls where it is positive.
-/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a`. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness
+/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a` up to 87, beyond which `D` is 0. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness
 ///   1e-4 to 1.
 ///
 /// ```

@@ -13,6 +13,8 @@ use crate::range_error::RangeError;
 /// family serves every number of octaves and every blend, where a table measured at one of them errs by a Kolmogorov–Smirnov distance
 /// of up to 0.03 at the others.
 ///
+/// `a` is of the first order in `κ`: the excess kurtosis of the result is 1.17 for `κ = 0.85`.
+///
 /// - **Domain:** `κ` in [−2, 2], where both forms increase everywhere. Values beyond 13 Gaussian standard deviations count as that.
 /// - **Accuracy:** the inverse of each form to `f32` rounding. Kolmogorov–Smirnov distance to the measured distributions of
 ///   classic noises in 3-D, eight octaves of gain ½, whose kurtosis is 0.6 of one octave's:
