@@ -128,8 +128,8 @@ mod transforms;
 
 pub use glam;
 
-pub use contract::batch::BatchError;
 pub use contract::field::{Curved, Field};
+pub use contract::many::BatchError;
 pub use contract::noise::Noise;
 pub use kinds::gaussian::Gaussian;
 pub use kinds::perlin::{Perlin1985, Perlin2002};

@@ -199,14 +199,16 @@ fn table(text: &mut String, name: &str, rows: impl FnOnce(&mut String)) {
 }
 
 fn row(text: &mut String, [sigma, excess, range]: [f64; 3], cdf: &[f64]) {
-    let _ = writeln!(text, "    Statistics {{\n        standard_deviation: {:?},", sigma as f32);
-    let _ = writeln!(text, "        excess_kurtosis: {:?},", excess as f32);
-    let _ = writeln!(text, "        range: {:?},\n        cdf: &[", range as f32);
-    for row in cdf.chunks(8) {
+    let [sigma, excess, range] = [sigma, excess, range].map(|x| x as f32);
+    let _ = writeln!(
+        text,
+        "    Statistics {{ standard_deviation: {sigma:?}, excess_kurtosis: {excess:?}, range: {range:?}, cdf: &["
+    );
+    for row in cdf.chunks(32) {
         let row: Vec<String> = row.iter().map(|&g| format!("{:?}", g as f32)).collect();
-        let _ = writeln!(text, "            {},", row.join(", "));
+        let _ = writeln!(text, "        {},", row.join(", "));
     }
-    text.push_str("        ],\n    },\n");
+    text.push_str("    ] },\n");
 }
 
 #[cfg(test)]

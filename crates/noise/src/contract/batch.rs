@@ -1,13 +1,11 @@
-//! Fields at many points: lists and grids, checked and handed on at one SIMD level.
-
-use core::{error::Error, fmt};
+//! Batches at a SIMD level of choice.
 
 use crate::{
     contract::field::Field,
+    contract::many::{self, BatchError},
     lanes::level::Level,
     point::Point,
     row::grid::Grid,
-    row::points::{Buffer, Points, Target, buffers},
     sample::Sample,
 };
 
@@ -34,9 +32,6 @@ impl Default for Batch {
         Self::new()
     }
 }
-
-/// Points that are gone through at once where their coordinates lie point by point.
-const LIST: usize = 128;
 
 impl Batch {
     /// A batch at the best level of this machine; without `std`, at the best level that the program was built for.
@@ -68,16 +63,7 @@ impl Batch {
         points: &[V],
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        check("values", points.len(), values.len())?;
-        let instructions = self.level.instructions();
-        let mut lists = buffers::<V, LIST>();
-        for (points, values) in points.chunks(LIST).zip(values.chunks_mut(LIST)) {
-            write::<V>(points, &mut lists);
-            let stride = points.len();
-            let points = Points::buffered(&lists, stride);
-            field.fill(&points, Target { instructions, values, gradients: None, stride });
-        }
-        Ok(())
+        many::values(self.level, |points, target| field.fill(points, target), points, values)
     }
 
     /// [`Field::samples`] at the level.
@@ -91,19 +77,7 @@ impl Batch {
         points: &[V],
         samples: &mut [Sample<V>],
     ) -> Result<(), BatchError> {
-        check("samples", points.len(), samples.len())?;
-        let instructions = self.level.instructions();
-        let (mut lists, mut buffer) = (buffers::<V, LIST>(), Buffer::<V, LIST>::empty());
-        for (points, samples) in points.chunks(LIST).zip(samples.chunks_mut(LIST)) {
-            write::<V>(points, &mut lists);
-            let points = Points::buffered(&lists, points.len());
-            field.fill(&points, buffer.target(instructions, samples.len(), true));
-            for (i, sample) in samples.iter_mut().enumerate() {
-                let gradient = V::from_axes(|axis| buffer.gradients.as_ref()[axis][i]);
-                *sample = Sample { value: buffer.values[i], gradient };
-            }
-        }
-        Ok(())
+        many::samples(self.level, |points, target| field.fill(points, target), points, samples)
     }
 
     /// [`Field::grid_values`] at the level.
@@ -117,13 +91,7 @@ impl Batch {
         grid: &Grid<V>,
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        check("values", grid.len(), values.len())?;
-        let instructions = self.level.instructions();
-        field.fill(
-            &Points::of_grid(grid),
-            Target { instructions, values, gradients: None, stride: grid.width() },
-        );
-        Ok(())
+        many::grid(self.level, |points, target| field.fill(points, target), grid, values, None)
     }
 
     /// [`Field::grid_samples`] at the level.
@@ -138,17 +106,7 @@ impl Batch {
         values: &'a mut [f32],
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
-        check("values", grid.len(), values.len())?;
-        gradients
-            .as_ref()
-            .iter()
-            .try_for_each(|component| check("gradients", grid.len(), component.len()))?;
-        let (instructions, stride) = (self.level.instructions(), grid.width());
-        field.fill(
-            &Points::of_grid(grid),
-            Target { instructions, values, gradients: Some(gradients), stride },
-        );
-        Ok(())
+        many::grid(self.level, |points, target| field.fill(points, target), grid, values, Some(gradients))
     }
 
     /// The values at points given by lists of their coordinates, one for each axis.
@@ -162,10 +120,7 @@ impl Batch {
         points: V::Array<&[f32]>,
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        points.as_ref().iter().try_for_each(|list| check("values", list.len(), values.len()))?;
-        let (instructions, stride) = (self.level.instructions(), values.len());
-        field.fill(&Points::lists(points), Target { instructions, values, gradients: None, stride });
-        Ok(())
+        many::lists(self.level, |points, target| field.fill(points, target), points, values, None)
     }
 
     /// Values and gradients at points given by lists of their coordinates, one for each axis.
@@ -180,48 +135,6 @@ impl Batch {
         values: &'a mut [f32],
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
-        points.as_ref().iter().try_for_each(|list| check("values", list.len(), values.len()))?;
-        gradients.as_ref().iter().try_for_each(|list| check("gradients", values.len(), list.len()))?;
-        let (instructions, stride) = (self.level.instructions(), values.len());
-        field.fill(
-            &Points::lists(points),
-            Target { instructions, values, gradients: Some(gradients), stride },
-        );
-        Ok(())
+        many::lists(self.level, |points, target| field.fill(points, target), points, values, Some(gradients))
     }
 }
-
-/// The coordinates of points as one list for each axis.
-#[inline]
-fn write<V: Point>(points: &[V], lists: &mut V::Array<[f32; LIST]>) {
-    for (i, p) in points.iter().take(LIST).enumerate() {
-        for (list, x) in lists.as_mut().iter_mut().zip(p.coordinates().as_ref()) {
-            list[i] = *x;
-        }
-    }
-}
-
-fn check(parameter: &'static str, expected: usize, got: usize) -> Result<(), BatchError> {
-    if got == expected { Ok(()) } else { Err(BatchError { parameter, expected, got }) }
-}
-
-/// A slice that does not hold one element for each point; nothing was written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct BatchError {
-    /// The name of the slice.
-    pub parameter: &'static str,
-    /// The number of points.
-    pub expected: usize,
-    /// The slice's length.
-    pub got: usize,
-}
-
-impl fmt::Display for BatchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { parameter, expected, got } = self;
-        write!(f, "`{parameter}` must have {expected} elements, got {got}")
-    }
-}
-
-impl Error for BatchError {}

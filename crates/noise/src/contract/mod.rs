@@ -4,4 +4,5 @@ pub(crate) mod batch;
 pub(crate) mod field;
 pub(crate) mod hessian;
 pub(crate) mod kernel;
+pub(crate) mod many;
 pub(crate) mod noise;

@@ -147,11 +147,9 @@ pub trait Lanes: Copy + sealed::Sealed {
 /// A value in lanes, and its gradient.
 pub type LaneSample<S, const N: usize> = (<S as Lanes>::F, [<S as Lanes>::F; N]);
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Scalar {}
-    #[cfg(feature = "simd")]
-    impl<S: fearless_simd::Simd> Sealed for crate::lanes::registers::Wide<S> {}
 }
 
 /// One lane: the noise of one point.

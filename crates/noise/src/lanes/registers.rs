@@ -2,11 +2,13 @@
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
 
-use crate::lanes::lanes::Lanes;
+use crate::lanes::lanes::{Lanes, sealed::Sealed};
 
 /// As many lanes as a register of the SIMD level has.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide<S>(pub(crate) S);
+
+impl<S: Simd> Sealed for Wide<S> {}
 
 impl<S: Simd> Lanes for Wide<S> {
     const LEN: usize = S::f32s::LEN;

@@ -122,9 +122,10 @@ fn lone_whole(octaves: f32) -> f32 {
 impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     #[inline]
     fn active(&self, octaves: f32) -> Active {
+        let counted = octaves;
         let octaves = lone_whole(octaves);
         let mut active = Active {
-            octaves,
+            octaves: if counted > 0.0 { counted } else { 0.0 },
             amplitudes: [0.0; MAX_OCTAVES as usize],
             count: 0,
             constant: 0.0,
@@ -230,7 +231,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     }
 
     fn standard_deviation(&self, active: &Active) -> f32 {
-        active.factor * self.moments()[1] * self.spectrum.root_sum_of_squares(active.octaves)
+        active.factor * self.moments()[1] * self.spectrum.root_sum_of_squares(lone_whole(active.octaves))
     }
 }
 
@@ -387,7 +388,7 @@ macro_rules! sum {
                 self.terms.normalisation
             }
 
-            /// The number of octaves that take part, 0 or at least 1.
+            /// The number of octaves, 0 or more; a lone octave is whole however small its part.
             #[must_use]
             pub const fn octaves(&self) -> f32 {
                 self.active.octaves

@@ -1,0 +1,127 @@
+//! Many points at once: lists and grids, checked and handed on at one SIMD level.
+
+use core::{error::Error, fmt};
+
+use crate::{
+    lanes::level::Level,
+    point::Point,
+    row::grid::Grid,
+    row::points::{Buffer, Points, Target, buffers},
+    sample::Sample,
+};
+
+/// Points that are gone through at once where their coordinates lie point by point.
+const LIST: usize = 128;
+
+/// Values at points, by what fills a list.
+pub(crate) fn values<V: Point>(
+    level: Level,
+    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    points: &[V],
+    values: &mut [f32],
+) -> Result<(), BatchError> {
+    check("values", points.len(), values.len())?;
+    let instructions = level.instructions();
+    let mut lists = buffers::<V, LIST>();
+    for (points, values) in points.chunks(LIST).zip(values.chunks_mut(LIST)) {
+        write::<V>(points, &mut lists);
+        let stride = points.len();
+        fill(&Points::buffered(&lists, stride), Target { instructions, values, gradients: None, stride });
+    }
+    Ok(())
+}
+
+/// Values and gradients at points, by what fills a list.
+pub(crate) fn samples<V: Point>(
+    level: Level,
+    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    points: &[V],
+    samples: &mut [Sample<V>],
+) -> Result<(), BatchError> {
+    check("samples", points.len(), samples.len())?;
+    let instructions = level.instructions();
+    let (mut lists, mut buffer) = (buffers::<V, LIST>(), Buffer::<V, LIST>::empty());
+    for (points, samples) in points.chunks(LIST).zip(samples.chunks_mut(LIST)) {
+        write::<V>(points, &mut lists);
+        fill(&Points::buffered(&lists, points.len()), buffer.target(instructions, samples.len(), true));
+        for (i, sample) in samples.iter_mut().enumerate() {
+            let gradient = V::from_axes(|axis| buffer.gradients.as_ref()[axis][i]);
+            *sample = Sample { value: buffer.values[i], gradient };
+        }
+    }
+    Ok(())
+}
+
+/// Values on a grid, and gradients if there is room for them.
+pub(crate) fn grid<'a, V: Point>(
+    level: Level,
+    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    grid: &Grid<V>,
+    values: &'a mut [f32],
+    gradients: Option<V::Array<&'a mut [f32]>>,
+) -> Result<(), BatchError> {
+    check_all::<V>(grid.len(), values, gradients.as_ref())?;
+    let (instructions, stride) = (level.instructions(), grid.width());
+    fill(&Points::of_grid(grid), Target { instructions, values, gradients, stride });
+    Ok(())
+}
+
+/// Values at points given by lists of their coordinates, and gradients if there is room for them.
+pub(crate) fn lists<'a, V: Point>(
+    level: Level,
+    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    points: V::Array<&[f32]>,
+    values: &'a mut [f32],
+    gradients: Option<V::Array<&'a mut [f32]>>,
+) -> Result<(), BatchError> {
+    points.as_ref().iter().try_for_each(|list| check("values", list.len(), values.len()))?;
+    check_all::<V>(values.len(), values, gradients.as_ref())?;
+    let (instructions, stride) = (level.instructions(), values.len());
+    fill(&Points::lists(points), Target { instructions, values, gradients, stride });
+    Ok(())
+}
+
+/// The coordinates of points as one list for each axis.
+#[inline]
+fn write<V: Point>(points: &[V], lists: &mut V::Array<[f32; LIST]>) {
+    for (i, p) in points.iter().take(LIST).enumerate() {
+        for (list, x) in lists.as_mut().iter_mut().zip(p.coordinates().as_ref()) {
+            list[i] = *x;
+        }
+    }
+}
+
+fn check_all<V: Point>(
+    points: usize,
+    values: &[f32],
+    gradients: Option<&V::Array<&mut [f32]>>,
+) -> Result<(), BatchError> {
+    check("values", points, values.len())?;
+    let gradients = gradients.map(AsRef::as_ref).unwrap_or_default();
+    gradients.iter().try_for_each(|component| check("gradients", points, component.len()))
+}
+
+fn check(parameter: &'static str, expected: usize, got: usize) -> Result<(), BatchError> {
+    if got == expected { Ok(()) } else { Err(BatchError { parameter, expected, got }) }
+}
+
+/// A slice that does not hold one element for each point; nothing was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct BatchError {
+    /// The name of the slice.
+    pub parameter: &'static str,
+    /// The number of points.
+    pub expected: usize,
+    /// The slice's length.
+    pub got: usize,
+}
+
+impl fmt::Display for BatchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { parameter, expected, got } = self;
+        write!(f, "`{parameter}` must have {expected} elements, got {got}")
+    }
+}
+
+impl Error for BatchError {}
