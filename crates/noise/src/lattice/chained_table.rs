@@ -22,7 +22,7 @@ use crate::{
 /// texture's format open; bytes are the 256 values that it speaks of.
 ///
 /// ```
-/// use asperity_noise::{ChainedTable, PermutationTable};
+/// use asperity_noise::lattice::{ChainedTable, PermutationTable};
 ///
 /// let table = ChainedTable(PermutationTable::new(7));
 /// let cell = f32::from(table.index([3, -1, 40])) / 255.0;

@@ -54,7 +54,7 @@ impl PermutationTable {
     /// let reversed = core::array::from_fn(|i| 255 - i as u8);
     /// assert_eq!(PermutationTable::from_entries(reversed)?.index(1, 0, 0), 254);
     /// assert!(PermutationTable::from_entries([7; 256]).is_err());
-    /// # Ok::<(), asperity_noise::PermutationTableError>(())
+    /// # Ok::<(), asperity_noise::lattice::PermutationTableError>(())
     /// ```
     pub const fn from_entries(entries: [u8; 256]) -> Result<Self, PermutationTableError> {
         let mut seen = [false; 256];
