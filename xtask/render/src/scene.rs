@@ -44,6 +44,13 @@ impl<'a> Object<'a> {
     }
 }
 
+/// A hit on an object.
+#[derive(Clone, Copy)]
+pub struct Meeting<'s, 'm> {
+    pub object: &'s Object<'m>,
+    pub hit: Hit,
+}
+
 /// Light of a scene, which decides on the integrator.
 pub enum Light<'a> {
     /// Lamps, by [`direct`](crate::integrator::direct), and the room that mirrors show.
@@ -85,11 +92,12 @@ impl<'m, 'l> Scene<'m, 'l> {
         Self { objects, light, backdrop, start: 3e-4 }
     }
 
-    /// The nearest hit, and the object's number.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<(usize, Hit)> {
-        let hits = self.objects.iter().enumerate();
-        hits.filter_map(|(k, object)| Some((k, object.shape.first_hit(origin, direction)?)))
-            .min_by(|a, b| a.1.t.total_cmp(&b.1.t))
+    /// The nearest meeting of a ray with an object.
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
+        let hits = self.objects.iter().filter_map(|object| {
+            object.shape.first_hit(origin, direction).map(|hit| Meeting { object, hit })
+        });
+        hits.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t))
     }
 
     /// The share of the light from a direction that comes to a point.

@@ -23,7 +23,7 @@ use crate::{
         low_discrepancy::r2_from,
         sampler::{Sampler, hash},
     },
-    scene::{Light, Scene},
+    scene::{Light, Meeting, Scene},
 };
 
 /// The most round footprints of a pixel.
@@ -58,7 +58,7 @@ impl Scene<'_, '_> {
     pub fn seen(&self, ray: &Ray, place: [f32; 2], sampler: &mut Sampler) -> Sight {
         match self.first_hit(ray.origin, ray.direction) {
             Some(meeting) => {
-                Sight { radiance: self.shade(ray, meeting, sampler, 0, 1), distance: meeting.1.t }
+                Sight { radiance: self.shade(ray, meeting, sampler, 0, 1), distance: meeting.hit.t }
             }
             None => Sight { radiance: self.behind(ray, Some(place)), distance: f32::INFINITY },
         }
@@ -75,12 +75,11 @@ impl Scene<'_, '_> {
     fn shade(
         &self,
         ray: &Ray,
-        (object, hit): (usize, Hit),
+        Meeting { object, hit }: Meeting<'_, '_>,
         sampler: &mut Sampler,
         mirrors: u32,
         bounces: u32,
     ) -> Vec3 {
-        let object = &self.objects[object];
         let facing = hit.facing(ray.direction);
         let step = self.start * hit.t.max(1e-3) * facing.normal;
         let (above, below) = (hit.position + step, hit.position - step);
