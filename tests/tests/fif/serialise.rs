@@ -115,7 +115,7 @@ fn numbers_that_are_not_finite_are_refused_when_read() {
     assert_eq!(read(1.0, 1.0, 0.5, -0.5).unwrap().pieces(), paper::f().unwrap().pieces());
     let refusals = [
         (read(f64::NAN, 1.0, 0.5, -0.5), "`x[1]` must be finite, got NaN"),
-        (read(1.0, f64::INFINITY, 0.5, -0.5), "the ordinate of `x[1]` must be finite, got inf"),
+        (read(1.0, f64::INFINITY, 0.5, -0.5), "`y[1]` must be finite, got inf"),
         (read(1.0, 1.0, f64::NAN, -0.5), "`alpha` of map 2 must be in (-1, 1), got NaN"),
         (read(1.0, 1.0, 0.5, f64::NAN), "`q` of map 2 must have a finite coefficient of x^1, got NaN"),
     ];

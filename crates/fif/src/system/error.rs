@@ -243,13 +243,13 @@ mod tests {
 
     #[test]
     fn data_must_be_finite() {
-        says(affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "the ordinate of `x[1]` must be finite, got NaN");
+        says(affine(&X, &[0.0, f64::NAN, 0.0], &ALPHA), "`y[1]` must be finite, got NaN");
         says(
             polynomials(&ALPHA, &[[0.0, 0.5], [1.0, f64::INFINITY]]),
             "`q` of map 2 must have a finite coefficient of x^1, got inf",
         );
         let error = FixedFif::<2, 4>::hermite(&X, &Y, &[0.0, f64::NAN, 1.0], &[0.1, 0.1]).unwrap_err();
-        says(error, "the slope at `x[1]` must be finite, got NaN");
+        says(error, "`slope[1]` must be finite, got NaN");
     }
 
     #[test]
@@ -302,7 +302,7 @@ mod tests {
         let error = f.integral::<[crate::system::Piece<3>; 3], 3>(0.0).unwrap_err();
         says(error, "`storage` must have 2 elements, got 3");
         let error = f.integral::<[crate::system::Piece<3>; 2], 3>(f64::NAN).unwrap_err();
-        says(error, "the ordinate of `x[0]` must be finite, got NaN");
+        says(error, "`y[0]` must be finite, got NaN");
         let error =
             crate::paper::f_hat().unwrap().derivative::<[crate::system::Piece<1>; 2], 1>().unwrap_err();
         says(error, "`C` must be at least 2, got 1");
