@@ -24,8 +24,8 @@ pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 /// |α_j| < 1                         F_j(x, y) = α_j y + q_j(x),   F_j(x_0, y_0) = y_{j−1},   F_j(x_N, y_N) = y_j
 /// ```
 ///
-/// `S` holds the pieces: `[Piece<C>; N]` ([`FixedFif`](crate::FixedFif)), `Vec<Piece<C>>`
-/// ([`Fif`](crate::Fif), feature `alloc`) or `&[Piece<C>]` ([`System::view`]). `C` is the number of coefficients of
+/// `S` holds the pieces: `[Piece<C>; N]` ([`FixedFif`]), `Vec<Piece<C>>`
+/// ([`Fif`], feature `alloc`) or `&[Piece<C>]` ([`System::view`]). `C` is the number of coefficients of
 /// each `q_j`, its degree plus one.
 ///
 /// Knots that lie within two units in the last place of equal spacing are taken as exactly equally spaced.

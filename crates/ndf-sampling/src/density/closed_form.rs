@@ -27,7 +27,7 @@ pub(crate) fn probabilities<S: Lanes>(s: S, [u1, u2]: [S::F; 2]) -> [S::F; 2] {
     [s.at_most(s.at_least(u1, 0.0), BELOW_ONE), s.at_most(s.at_least(u2, 0.0), BELOW_ONE)]
 }
 
-/// The calls of [`Ndf`] for a density in closed form, its formulas in one lane; and those for arrays, in as many as there are.
+/// The calls of `Ndf` for a density in closed form, its formulas in one lane; and those for arrays, in as many as there are.
 macro_rules! closed_form {
     ($density:ident) => {
         impl crate::ndf::Ndf for $density {

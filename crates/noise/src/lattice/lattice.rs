@@ -10,7 +10,7 @@ use crate::lanes::lanes::Scalar;
 /// [`IntegerHash`](crate::IntegerHash) is the default; [`PermutationTable`](crate::lattice::PermutationTable) and
 /// [`ChainedTable`](crate::lattice::ChainedTable) reproduce the sources; [`Tiled`](crate::Tiled) repeats any of them.
 ///
-/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`](crate::simd::Lanes) follow from it.
+/// Implement [`word`](Self::word) for a lattice of your own; the methods over [`Lanes`] follow from it.
 ///
 /// ```
 /// use asperity_noise::{Field, IntegerHash, Lattice, Perlin2002, glam::Vec2};

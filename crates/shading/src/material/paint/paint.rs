@@ -108,7 +108,7 @@ impl Default for MetallicPaintParameters {
 /// flakes would make them diffuse.
 ///
 /// Nilsson 2008, §4.3 and Appendix B. For a base layer that keeps its energy at every distance take a
-/// [`GlintField`](crate::material::GlintField) for the sparkles.
+/// [`GlintField`] for the sparkles.
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
