@@ -34,9 +34,12 @@ struct Case<'a> {
     ratios: Vec<f64>,
 }
 
+/// A half-vector by its name and its first two coordinates.
+type Look = (&'static str, f32, f32);
+
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
-    let subjects: [([&str; 2], &SharedNdf, [(&str, f32, f32); 2]); 3] = [
+    let subjects: [([&str; 2], &SharedNdf, [Look; 2]); 3] = [
         (["ggx", "GGX 0.2, 0.4"], &ggx, [("peak", 0.0, 0.0), ("tail", 0.24, 0.42)]),
         (["beckmann", "Beckmann 0.3"], &beckmann, [("peak", 0.0, 0.0), ("tail", 0.34, 0.26)]),
         (

@@ -72,7 +72,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let zoom = zoom.get(power as usize).copied().unwrap_or_default();
         let label = format!("\u{d7}{zoom}");
         let alt = format!("Jagged mountains in low light, magnified {zoom} times");
-        panels.push(Panel::raster(format!("e{power}"), &label, &alt, image.exposed(1.1)));
+        panels.push(Panel::raster(format!("e{power}"), label, alt, image.exposed(1.1)));
     }
     Ok(Drawn::new(4, panels)
         .fact("heights times", RISE.to_string())

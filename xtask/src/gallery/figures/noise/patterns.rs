@@ -15,6 +15,8 @@ const CELLS: f32 = 4.0;
 const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
+type Pattern<'a> = &'a (dyn Fn(Vec3) -> f32 + Sync);
+
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let noise = Simplex::wide(context.seed);
     let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum).with_normalisation(Normalisation::Range);
@@ -23,7 +25,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let billow = clouds.with_shape(Billow);
     let entangled = threads.with_shape(Plasma);
     let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
-    let patterns: [(f32, &(dyn Fn(Vec3) -> f32 + Sync), [f32; 2], [&str; 3]); 8] = [
+    let patterns: [(f32, Pattern<'_>, [f32; 2], [&str; 3]); 8] = [
         (
             CELLS,
             &|p| clouds.value(p),

@@ -10,6 +10,8 @@ use crate::gallery::figures::noise::plane::{Window, grey};
 /// Cells of a tile along its side.
 const PERIOD: u32 = 6;
 
+type Tile<'a> = &'a (dyn Fn(Vec2) -> f32 + Sync);
+
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
     let seed = context.seed;
@@ -18,7 +20,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let side = (context.size / 2) as usize;
     let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
     let whole = Window { side: 2 * side, ..tile };
-    let noises: [(&str, &str, &(dyn Fn(Vec2) -> f32 + Sync), f32); 6] = [
+    let noises: [(&str, &str, Tile<'_>, f32); 6] = [
         ("seams", "Perlin 2002, not tiled", &|p| Perlin2002::new(seed).value(p), 0.76),
         (
             "perlin-2002",

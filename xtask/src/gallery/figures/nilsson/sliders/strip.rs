@@ -135,7 +135,7 @@ impl<P: Copy + Debug + Default> Strip<P> {
             values.first().map_or("", String::as_str),
             values.last().map_or("", String::as_str)
         );
-        Ok(Panel::raster(self.field.replace('_', "-"), self.label(), &alt, image))
+        Ok(Panel::raster(self.field.replace('_', "-"), self.label(), alt, image))
     }
 
     /// The name of the field, its values, what else is not the default, and how much is seen.
