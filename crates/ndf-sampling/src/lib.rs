@@ -74,6 +74,10 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-ndf-sampling needs a float backend: enable the feature `std` or `libm`");
 
+#[cfg(test)]
+#[macro_use]
+mod assertions;
+
 #[cfg(feature = "approx")]
 mod approx;
 mod batch_error;

@@ -147,3 +147,21 @@ mod tests {
         }
     }
 }
+
+/// Totality of densities with masking, for their tests.
+#[cfg(test)]
+pub(crate) mod totality {
+    use super::*;
+    use crate::ndf::totality::{self, BAD, facet};
+
+    /// Asserts that every call gives a number on every input, or an infinite Λ.
+    pub(crate) fn check(ndf: &impl Microfacet) {
+        totality::check(ndf);
+        for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {
+            let (u, v) = (Vec2::new(x, y), Vec3::new(x, 0.3, y));
+            facet(ndf.sample_visible(v, u), v);
+            assert!(ndf.lambda(v) >= 0.0 && ndf.projected_area(v) >= 0.0, "{v}");
+            assert!(ndf.visible_density(v, v).is_finite(), "{v}");
+        }
+    }
+}

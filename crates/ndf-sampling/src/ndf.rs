@@ -154,3 +154,33 @@ mod tests {
         assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
     }
 }
+
+/// Totality of densities, for their tests.
+#[cfg(test)]
+pub(crate) mod totality {
+
+    use super::*;
+
+    pub(crate) const BAD: [f32; 10] =
+        [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1e38, -1.0, 0.5];
+
+    /// Asserts that `m` is a unit vector above the horizon.
+    pub(crate) fn facet(m: Vec3, from: impl core::fmt::Debug) {
+        assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6, "{from:?}: {m}");
+        assert!(m.z > 0.0, "{from:?}: {m}");
+    }
+
+    /// Asserts that every call gives a number on every input.
+    pub(crate) fn check(ndf: &impl Ndf) {
+        for (x, y) in BAD.into_iter().flat_map(|x| BAD.map(|y| (x, y))) {
+            let z = Vec2::new(x, y);
+            facet(ndf.from_gaussian(z), z);
+            facet(ndf.sample(z), z);
+            for m in BAD.map(|up| z.extend(up)) {
+                let density = ndf.density(m);
+                assert!((0.0..=f32::MAX).contains(&density), "{m}: {density}");
+                assert!(ndf.to_gaussian(m).is_finite(), "{m}: {}", ndf.to_gaussian(m));
+            }
+        }
+    }
+}

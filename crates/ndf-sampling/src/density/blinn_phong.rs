@@ -114,7 +114,7 @@ mod tests {
     fn exponents_and_roughnesses_convert() {
         for alpha in [1.0_f32, 0.5, 0.01, 1e-3, 2e-6] {
             let back = BlinnPhong::from_roughness(alpha).unwrap().roughness();
-            assert!((back / alpha - 1.0).abs() < 1e-6, "{alpha}: {back}");
+            assert_abs_diff_eq!(back / alpha, 1.0, epsilon = 1e-6, "{alpha}");
         }
         for exponent in [f32::NAN, -1.0, f32::INFINITY, 3e12] {
             let text = BlinnPhong::new(exponent).unwrap_err().to_string();
@@ -132,8 +132,8 @@ mod tests {
         let (diffuse, ggx) = (BlinnPhong::new(0.0).unwrap(), Ggx::isotropic(1.0).unwrap());
         for z in [Vec2::new(0.7, -1.2), Vec2::ZERO, Vec2::new(-3.0, 0.1)] {
             let m = diffuse.from_gaussian(z);
-            assert!(m.abs_diff_eq(ggx.from_gaussian(z), 1e-6), "{m}");
-            assert!((diffuse.density(m) * core::f32::consts::PI - 1.0).abs() < 1e-6, "{m}");
+            assert_abs_diff_eq!(m, ggx.from_gaussian(z), epsilon = 1e-6, "{m}");
+            assert_abs_diff_eq!(diffuse.density(m) * core::f32::consts::PI, 1.0, epsilon = 1e-6);
         }
         assert_eq!(diffuse.density(Vec3::NEG_Z), 0.0);
     }

@@ -66,6 +66,6 @@ mod tests {
         {
             assert_eq!(ward.lobe(h), 0.0, "{h}");
         }
-        assert!((ward.lobe(Vec3::Z) * 0.04 * PI - 1.0).abs() < 1e-6);
+        assert_abs_diff_eq!(ward.lobe(Vec3::Z) * 0.04 * PI, 1.0, epsilon = 1e-6);
     }
 }

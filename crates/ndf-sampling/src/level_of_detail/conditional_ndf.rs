@@ -85,6 +85,7 @@ impl<N: Ndf> Ndf for ConditionalNdf<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ndf::totality;
     use crate::{Beckmann, Ggx, conditional_density, level_of_detail::MAX_SHARE};
 
     #[test]
@@ -95,7 +96,7 @@ mod tests {
             for k in -12..=12 {
                 let xi = Vec2::new(k as f32 * 0.25, 1.0 - k as f32 * 0.2);
                 let back = seen.to_gaussian(seen.from_gaussian(xi));
-                assert!(back.abs_diff_eq(xi, 4e-6 / (1.0 - s).sqrt()), "{s} {xi}: {back}");
+                assert_abs_diff_eq!(back, xi, epsilon = 4e-6 / (1.0 - s).sqrt(), "{s}");
             }
         }
     }
@@ -110,7 +111,7 @@ mod tests {
             for xi in [Vec2::ZERO, Vec2::ONE, Vec2::new(-3.0, 2.0)] {
                 // 4 · 10⁻³ standard deviations of slope at most.
                 let facet = seen.from_gaussian(xi);
-                assert!(facet.abs_diff_eq(beckmann.from_gaussian(z_b), 1.5e-3), "{s} {xi}: {facet}");
+                assert_abs_diff_eq!(facet, beckmann.from_gaussian(z_b), epsilon = 1.5e-3, "{s} {xi}");
                 assert!(seen.density(facet).is_finite());
             }
         }
@@ -127,22 +128,14 @@ mod tests {
         for k in 0..20 {
             let h = ggx.from_gaussian(Vec2::new(0.1 * k as f32 - 1.0, 0.5 - 0.07 * k as f32));
             let (got, expected) = (twice.density(h), conditional_density(&ggx, h, z, s));
-            assert!((got / expected - 1.0).abs() < 1e-4, "{h}: {got} {expected}");
+            assert_abs_diff_eq!(got / expected, 1.0, epsilon = 1e-4, "{h}");
         }
     }
 
     #[test]
     fn total_on_every_input() {
-        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, 1e-40, 1e38, -1.0];
-        for (s, z) in bad.into_iter().flat_map(|s| bad.map(|z| (s, z))) {
-            let seen = ConditionalNdf::new(Ggx::isotropic(0.2).unwrap(), Vec2::new(z, 0.5), s);
-            for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
-                let m = seen.from_gaussian(Vec2::new(x, y));
-                assert!((m.length() - 1.0).abs() < 1e-6 && m.z > 0.0, "{s} {z} {x} {y}: {m}");
-                let density = seen.density(Vec3::new(x, y, z));
-                assert!(density.is_finite() && density >= 0.0, "{s} {z} {x} {y}: {density}");
-                assert!(seen.to_gaussian(Vec3::new(x, y, z)).is_finite(), "{s} {z} {x} {y}");
-            }
+        for (s, z) in totality::BAD.into_iter().flat_map(|s| totality::BAD.map(|z| (s, z))) {
+            totality::check(&ConditionalNdf::new(Ggx::isotropic(0.2).unwrap(), Vec2::new(z, 0.5), s));
         }
     }
 }

@@ -171,10 +171,11 @@ mod tests {
     #[test]
     fn stretch_is_the_roughness_of_ggx() {
         let stretch = ConditionalTable::new(&Ggx::new(0.003, 0.5).unwrap(), 2).unwrap().stretch;
-        assert!((stretch.x / 0.003 - 1.0).abs() < 1e-5 && (stretch.y / 0.5 - 1.0).abs() < 1e-5, "{stretch}");
+        assert_abs_diff_eq!(stretch.x / 0.003, 1.0, epsilon = 1e-5);
+        assert_abs_diff_eq!(stretch.y / 0.5, 1.0, epsilon = 1e-5);
         // Beckmann's slopes are closer together: √ln 2 of the roughness.
         let stretch = ConditionalTable::new(&Beckmann::isotropic(0.3).unwrap(), 2).unwrap().stretch;
-        assert!((stretch.x / 0.249_77 - 1.0).abs() < 1e-4, "{stretch}");
+        assert_abs_diff_eq!(stretch.x / 0.249_77, 1.0, epsilon = 1e-4);
     }
 
     #[test]
@@ -194,7 +195,7 @@ mod tests {
             [64, 128].map(|size| ConditionalTable::new(&beckmann, size).unwrap().accuracy(&beckmann));
         assert!(coarse.variation < 3e-3 && coarse.coordinates < 4e-3, "{coarse:?}");
         for ratio in [coarse.variation / fine.variation, coarse.coordinates / fine.coordinates] {
-            assert!((ratio / 4.0 - 1.0).abs() < 0.1, "{coarse:?} {fine:?}");
+            assert_abs_diff_eq!(ratio / 4.0, 1.0, epsilon = 0.1, "{coarse:?} {fine:?}");
         }
     }
 
@@ -209,7 +210,7 @@ mod tests {
                 for s in [0.0, 0.5, 0.9] {
                     let exact = conditional_density(&ggx, h, z_b, s);
                     let got = table.density(h, GaussianSplit::new(z_b, s));
-                    assert!((got / exact - 1.0).abs() < 0.02, "{alpha} {z} {s}: {got} {exact}");
+                    assert_abs_diff_eq!(got / exact, 1.0, epsilon = 0.02, "{alpha} {z} {s}");
                 }
             }
         }

@@ -338,18 +338,22 @@ mod tests {
     fn one_texel_is_the_uniform_disk() {
         let bilinear = cdf(1, 1, &[7.0], Reconstruction::Bilinear);
         for cdf in [constant(1, 1, &[7.0]).unwrap(), bilinear.unwrap()] {
-            assert!((cdf.density([0.3, 0.6]) - 4.0 / core::f64::consts::PI).abs() < 1e-13);
-            assert!((cdf.marginal_cdf(0.5) - 0.5).abs() < 1e-15);
-            assert!((cdf.marginal_inverse(0.5) - 0.5).abs() < 1e-15);
+            assert_abs_diff_eq!(cdf.density([0.3, 0.6]), 4.0 / core::f64::consts::PI, epsilon = 1e-13);
+            assert_abs_diff_eq!(cdf.marginal_cdf(0.5), 0.5, epsilon = 1e-15);
+            assert_abs_diff_eq!(cdf.marginal_inverse(0.5), 0.5, epsilon = 1e-15);
             // At a breakpoint M is that of the circle, (θ − sin θ cos θ)/π; between two it differs by less than their segment.
             let breakpoint = cdf.places[100];
             let theta = (1.0 - 2.0 * breakpoint).acos();
             let circle = (theta - theta.sin() * theta.cos()) / core::f64::consts::PI;
-            assert!((cdf.marginal_cdf(breakpoint) - circle).abs() < 1e-14);
+            assert_abs_diff_eq!(cdf.marginal_cdf(breakpoint), circle, epsilon = 1e-14);
             let [x, y] = cdf.inverse([0.0, 0.0]);
-            assert!(x > 0.0 && x < 1e-6 && (y - 0.5).abs() < 1e-3, "{x} {y}");
+            assert!(x > 0.0, "{x} {y}");
+            assert!(x < 1e-6, "{x} {y}");
+            assert_abs_diff_eq!(y, 0.5, epsilon = 1e-3, "{x}");
             let [x, y] = cdf.inverse([1.0, 1.0]);
-            assert!(x < 1.0 && x > 0.999 && (y - 0.5).abs() < 1e-3, "{x} {y}");
+            assert!(x < 1.0, "{x} {y}");
+            assert!(x > 0.999, "{x} {y}");
+            assert_abs_diff_eq!(y, 0.5, epsilon = 1e-3, "{x}");
         }
     }
 
@@ -360,8 +364,8 @@ mod tests {
         let cdf = constant(4, 4, &texels).unwrap();
         let c = cdf.pieces[cdf.piece(0.8)].half_chord(cdf.pieces[cdf.piece(0.8)].place(0.8));
         assert_eq!(cdf.marginal(0.8), 0.0);
-        assert!((cdf.conditional_inverse(0.8, 0.25) - (0.5 - 0.5 * c)).abs() < 1e-15);
-        assert!((cdf.conditional_cdf(0.8, 0.5 - 0.5 * c) - 0.25).abs() < 1e-15);
+        assert_abs_diff_eq!(cdf.conditional_inverse(0.8, 0.25), (0.5 - 0.5 * c), epsilon = 1e-15);
+        assert_abs_diff_eq!(cdf.conditional_cdf(0.8, 0.5 - 0.5 * c), 0.25, epsilon = 1e-15);
     }
 
     #[test]
@@ -391,7 +395,7 @@ mod tests {
                 assert!((0.25..0.375).contains(&x) && (0.625..0.75).contains(&y), "{u1} {u2}: {x} {y}");
             }
         }
-        assert!((cdf.density([0.3, 0.7]) - 64.0).abs() < 1e-10);
+        assert_abs_diff_eq!(cdf.density([0.3, 0.7]), 64.0, epsilon = 1e-10);
     }
 
     #[test]

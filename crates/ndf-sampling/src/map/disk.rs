@@ -96,7 +96,7 @@ mod tests {
             let sum: f64 =
                 (0..n).map(|k| segment([x(k), x(k + 1)], [half_chord(x(k)), half_chord(x(k + 1))])).sum();
             let polygon = 0.25 * f64::from(n) * angle(1).sin();
-            assert!((2.0 * sum + polygon - core::f64::consts::FRAC_PI_4).abs() < 1e-14, "{n}");
+            assert_abs_diff_eq!(2.0 * sum + polygon, core::f64::consts::FRAC_PI_4, epsilon = 1e-14, "{n}");
         }
     }
 
@@ -111,9 +111,9 @@ mod tests {
     fn secant_of_the_whole_disk_is_two() {
         // Solid angle 2π of the hemisphere over the area π.
         let mean = mean_secant([-1.0, 1.0], [-1.0, 1.0]);
-        assert!((mean - 2.0).abs() < 1e-3, "{mean}");
+        assert_abs_diff_eq!(mean, 2.0, epsilon = 1e-3, "{mean}");
         let mean = mean_secant([-0.01, 0.01], [-0.01, 0.01]);
-        assert!((mean - 1.0).abs() < 1e-4, "{mean}");
+        assert_abs_diff_eq!(mean, 1.0, epsilon = 1e-4, "{mean}");
     }
 
     #[test]
@@ -132,6 +132,6 @@ mod tests {
             total += area * width * mean_secant(x, y);
         }
         let error = total / (2.0 * core::f64::consts::PI) - 1.0;
-        assert!(error.abs() < 2e-5, "{error:e}");
+        assert_abs_diff_eq!(error, 0.0, epsilon = 2e-5, "{error:e}");
     }
 }

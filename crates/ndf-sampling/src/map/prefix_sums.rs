@@ -338,13 +338,23 @@ mod tests {
                 for k in 0..cells {
                     let cell = 0.5 * (f64::from(found[k]) + f64::from(found[k + step]));
                     let error = found_sums[k + 1] - found_sums[k] - cell;
-                    assert!(error.abs() < 1e-14 * height as f64, "{i} {k} {width} × {height}: {error:e}");
+                    assert_abs_diff_eq!(
+                        error,
+                        0.0,
+                        epsilon = 1e-14 * height as f64,
+                        "{i} {k} {width} × {height}: {error:e}"
+                    );
                 }
                 let cell = cells / 2;
                 let ends = [found[cell.min(stride - 1)], found[(cell + step).min(stride - 1)]].map(f64::from);
                 let below = if cells.is_multiple_of(2) { 0.0 } else { 0.375 * ends[0] + 0.125 * ends[1] };
                 let error = found_sums[cell] + below;
-                assert!(error.abs() < 1e-15, "{i} {width} × {height} {kind:?}: {error:e}");
+                assert_abs_diff_eq!(
+                    error,
+                    0.0,
+                    epsilon = 1e-15,
+                    "{i} {width} × {height} {kind:?}: {error:e}"
+                );
             }
         }
     }

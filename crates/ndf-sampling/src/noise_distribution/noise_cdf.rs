@@ -274,7 +274,7 @@ mod tests {
         assert_eq!((g.inverse(0.5), g.inverse(1.0), g.inverse(0.0)), (1.0, 2.5, 0.5));
         for k in 1..80 {
             let r = 0.5 + 0.025 * k as f32;
-            assert!((g.from_gaussian(g.gaussian(r)) - r).abs() < 2e-6, "{r}");
+            assert_abs_diff_eq!(g.from_gaussian(g.gaussian(r)), r, epsilon = 2e-6);
         }
     }
 

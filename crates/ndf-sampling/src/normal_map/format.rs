@@ -166,8 +166,8 @@ mod tests {
                     [format.decode_u8(format.encode_u8(n)), format.decode_u16(format.encode_u16(n))];
                 // Half a step of each channel; near the horizon the reconstructed root magnifies it.
                 let magnified = if format.blue == Blue::Reconstructed { 1.0 / n.z.max(0.1) } else { 1.0 };
-                assert!(small.abs_diff_eq(n, 0.006 * magnified), "{format:?} {n}: {small}");
-                assert!(large.abs_diff_eq(n, 0.006 / 256.0 * magnified), "{format:?} {n}: {large}");
+                assert_abs_diff_eq!(small, n, epsilon = 0.006 * magnified, "{format:?}");
+                assert_abs_diff_eq!(large, n, epsilon = 0.006 / 256.0 * magnified, "{format:?}");
             }
         }
     }
@@ -175,7 +175,8 @@ mod tests {
     #[test]
     fn flat_texel_of_unsigned_normalised_textures_is_tilted() {
         let n = NormalMapFormat::default().decode_u8([128, 128, 255]);
-        assert!((n.x - 0.003_921_5).abs() < 1e-6 && (n.y - 0.003_921_5).abs() < 1e-6, "{n}");
+        assert_abs_diff_eq!(n.x, 0.003_921_5, epsilon = 1e-6);
+        assert_abs_diff_eq!(n.y, 0.003_921_5, epsilon = 1e-6);
     }
 
     #[test]
@@ -185,12 +186,14 @@ mod tests {
             for (r, g) in values.into_iter().flat_map(|r| values.map(|g| (r, g))) {
                 for b in values {
                     let n = format.decode_u8([r, g, b]);
-                    assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{format:?} {r} {g} {b}: {n}");
+                    assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{format:?} {r} {g} {b}");
+                    assert!(n.z >= 0.0, "{format:?} {r} {g} {b}: {n}");
                 }
             }
             for bad in [f32::NAN, f32::INFINITY, 1e38, -1e38, 0.0] {
                 let n = format.decode_signed([bad, 0.5, bad]);
-                assert!((n.length() - 1.0).abs() < 1e-6 && n.z >= 0.0, "{format:?} {bad}: {n}");
+                assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{format:?} {bad}");
+                assert!(n.z >= 0.0, "{format:?} {bad}: {n}");
                 assert!(format.encode_u8(Vec3::splat(bad)).len() == 3);
             }
         }

@@ -165,7 +165,7 @@ mod tests {
         let accuracy = NormalTable::with_layout(&beckmann, 32, layout).unwrap().accuracy(&beckmann);
         assert!(accuracy.bilinear.largest < 5e-7, "{accuracy:?}");
         // The nearest entry is half a texel off along both axes: 0.14 α/√2 each.
-        assert!((accuracy.nearest.rms / 0.041 - 1.0).abs() < 0.1, "{accuracy:?}");
+        assert_abs_diff_eq!(accuracy.nearest.rms / 0.041, 1.0, epsilon = 0.1);
     }
 
     #[test]

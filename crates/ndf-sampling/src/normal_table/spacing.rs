@@ -91,12 +91,12 @@ mod tests {
     #[test]
     fn warp_ends_at_the_range() {
         let (r, c) = (f64::from(Spacing::RANGE), f64::from(Spacing::WARP));
-        assert!((f64::from(STRETCH) - (r * r + c * c).sqrt() / r).abs() < 1e-7);
+        assert_abs_diff_eq!(f64::from(STRETCH), (r * r + c * c).sqrt() / r, epsilon = 1e-7);
         for spacing in [Spacing::Coordinates, Spacing::Warped] {
-            assert!((spacing.place(4.5) - 1.0).abs() < 1e-6 && spacing.place(-4.5).abs() < 1e-6);
-            assert!(
-                (spacing.coordinate(1.0) - 4.5).abs() < 1e-5 && (spacing.coordinate(0.0) + 4.5).abs() < 1e-5
-            );
+            assert_abs_diff_eq!(spacing.place(4.5), 1.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(spacing.place(-4.5), 0.0, epsilon = 1e-6);
+            assert_abs_diff_eq!(spacing.coordinate(1.0), 4.5, epsilon = 1e-5);
+            assert_abs_diff_eq!(spacing.coordinate(0.0), -4.5, epsilon = 1e-5);
         }
     }
 
@@ -111,7 +111,7 @@ mod tests {
                 before = w;
                 // An f32 next to 1 resolves 6e-8, which the quantiles' slope magnifies.
                 let rounding = if spacing == Spacing::Quantiles { 2e-7 * (0.5 * z * z).exp() } else { 5e-6 };
-                assert!((spacing.coordinate(w) - z).abs() < 5e-6 + rounding, "{spacing:?} at {z}");
+                assert_abs_diff_eq!(spacing.coordinate(w), z, epsilon = 5e-6 + rounding, "{spacing:?} at");
             }
         }
     }

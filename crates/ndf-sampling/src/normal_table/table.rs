@@ -238,7 +238,12 @@ mod tests {
                 assert_eq!(table.nearest(z), frame, "{layout:?} {z}");
                 // √(1 − r²) of the projected chart magnifies the rounding of r, and the flat chord of coarse slopes that of z.
                 let tolerance = if layout.chart == Chart::Projected { 2e-5 } else { 2e-6 };
-                assert!(table.bilinear(z).normal.abs_diff_eq(frame.normal, tolerance), "{layout:?} {z}");
+                assert_abs_diff_eq!(
+                    table.bilinear(z).normal,
+                    frame.normal,
+                    epsilon = tolerance,
+                    "{layout:?}"
+                );
             }
         }
     }
@@ -247,10 +252,10 @@ mod tests {
     fn even_table_tilts_the_nearest_flat_normal_by_half_a_texel() {
         let ggx = Ggx::isotropic(0.3).unwrap();
         let table = NormalTable::standard(&ggx);
-        assert!(table.bilinear(Vec2::ZERO).normal.abs_diff_eq(Vec3::Z, 1e-7));
+        assert_abs_diff_eq!(table.bilinear(Vec2::ZERO).normal, Vec3::Z, epsilon = 1e-7);
         let half = NormalTable::RANGE / 256.0;
         let expected = ggx.from_gaussian(Vec2::splat(half));
-        assert!(table.nearest(Vec2::ZERO).normal.abs_diff_eq(expected, 1e-6));
+        assert_abs_diff_eq!(table.nearest(Vec2::ZERO).normal, expected, epsilon = 1e-6);
     }
 
     #[test]

@@ -189,11 +189,10 @@ mod tests {
             Ok(table) => table,
             Err(_) => panic!("one entry"),
         };
-        assert!(
-            TABLE
-                .bilinear(Vec2::new(3.0, f32::NAN))
-                .normal
-                .abs_diff_eq(Vec3::new(0.5, 0.0, 0.75_f32.sqrt()), 1e-7)
+        assert_abs_diff_eq!(
+            TABLE.bilinear(Vec2::new(3.0, f32::NAN)).normal,
+            Vec3::new(0.5, 0.0, 0.75_f32.sqrt()),
+            epsilon = 1e-7
         );
     }
 
@@ -211,7 +210,12 @@ mod tests {
                 let table = NormalTableRef::new(size, TableLayout { spacing, chart }, entries).unwrap();
                 for (x, y) in bad.into_iter().flat_map(|x| bad.map(|y| (x, y))) {
                     for frame in [table.nearest(Vec2::new(x, y)), table.bilinear(Vec2::new(x, y))] {
-                        assert!((frame.normal.length() - 1.0).abs() < 1e-6, "{chart:?} {size} {x} {y}");
+                        assert_abs_diff_eq!(
+                            frame.normal.length(),
+                            1.0,
+                            epsilon = 1e-6,
+                            "{chart:?} {size} {x} {y}"
+                        );
                         assert!(frame.normal.z >= 0.0, "{chart:?} {size} {x} {y}");
                     }
                 }

@@ -92,7 +92,7 @@ mod tests {
             for k in 0..=1000 {
                 let u = f64::from(k) / 1000.0;
                 let error = share(marginal, inverse_share(marginal, u)) - u;
-                assert!(error.abs() < 4e-15, "{marginal:?} {u}: {error:e}");
+                assert_abs_diff_eq!(error, 0.0, epsilon = 4e-15, "{marginal:?} {u}: {error:e}");
             }
         }
     }

@@ -268,7 +268,6 @@ fn inverse(marginal: Cubic, mass: f64) -> ([f32; 4], f32) {
 mod tests {
     use super::*;
     use crate::{Ggx, NdfMap, Reconstruction};
-    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn cubics_are_interpolated_and_cut() {
@@ -277,8 +276,8 @@ mod tests {
         let part = part(b, [0.2, 0.7]);
         for k in 0..=10 {
             let s = f64::from(k) / 10.0;
-            assert!(abs_diff_eq!(cubic(through, s), cubic(b, s), epsilon = 1e-14), "{s}");
-            assert!(abs_diff_eq!(cubic(part, s), cubic(b, 0.2 + 0.5 * s), epsilon = 1e-14), "{s}");
+            assert_abs_diff_eq!(cubic(through, s), cubic(b, s), epsilon = 1e-14);
+            assert_abs_diff_eq!(cubic(part, s), cubic(b, 0.2 + 0.5 * s), epsilon = 1e-14);
         }
     }
 
