@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::material::GlintField;
+use asperity_shading::material::{BrickWall, GlintField, Material};
 use asperity_shading::reflectance::{
     BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
 };
@@ -39,12 +39,20 @@ fn materials(c: &mut Criterion) {
                 b.iter(|| f(black_box(&point(&mut k, width))));
             });
         };
-        time("carpet", &|p| carpet.surface(p, Vec3::Z).diffuse.x);
-        time("paint", &|p| paint.surface(p).coat_normal.x);
         time("glints", &|p| glints.density(h, p.position, p.footprint()));
-        time("glass", &|p| glass.surface(p).normal.x);
-        time("variations", &|p| varied.surface(p).normal.x);
-        time("scratches", &|p| scratches.surface(p).amount);
+        let materials: [(&str, &dyn Material); 6] = [
+            ("carpet", &carpet),
+            ("paint", &paint),
+            ("glass", &glass),
+            ("variations", &varied),
+            ("scratches", &scratches),
+            ("bricks", &BrickWall::default()),
+        ];
+        let (wi, wo) = (Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
+        for (name, material) in materials {
+            time(&format!("bsdf_{name}"), &|p| material.bsdf(p, wo).emitted().x);
+            time(&format!("bsdf_value_{name}"), &|p| material.bsdf(p, wo).scattered(wi, wo).x);
+        }
     }
 }
 

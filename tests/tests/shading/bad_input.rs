@@ -107,10 +107,6 @@ fn is_colour(colour: Vec3) -> bool {
     colour.to_array().iter().all(|c| (0.0..=1.0).contains(c))
 }
 
-fn is_variance(variance: f32) -> bool {
-    variance >= 0.0 && variance.is_finite()
-}
-
 /// Whether all that a BSDF tells is finite and not negative, and its samples are directions with a density.
 fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) -> Result<(), TestCaseError> {
     let is_light = |c: Vec3| c.is_finite() && c.cmpge(Vec3::ZERO).all();
@@ -226,12 +222,6 @@ proptest! {
     fn carpets(parameters in carpet(), point in point(), view in direction(), light in direction()) {
         let carpet = Carpet::new(parameters).unwrap();
         is_bsdf(&carpet, &point, view, light)?;
-        let got = carpet.surface(&point, view);
-        prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
-        prop_assert!(is_colour(got.diffuse) && is_colour(got.specular), "{got:?}");
-        prop_assert!(is_variance(got.slope_variance), "{got:?}");
-        prop_assert!((0.0..=1.0).contains(&got.rim) && got.roughness == parameters.roughness, "{got:?}");
-        prop_assert!(got.reflectance().is_ok(), "{got:?}");
     }
 }
 
@@ -239,17 +229,9 @@ proptest! {
     #![proptest_config(config(2000))]
 
     #[test]
-    fn paints(parameters in paint(), point in point(), view in direction(), light in vector()) {
+    fn paints(parameters in paint(), point in point(), view in direction(), light in direction()) {
         let paint = MetallicPaint::new(parameters).unwrap();
         is_bsdf(&paint, &point, view, light)?;
-        let got = paint.surface(&point);
-        for normal in [got.coat_normal, got.base_normal] {
-            prop_assert!(is_normal(point.normal, normal), "{got:?}");
-        }
-        prop_assert!(is_variance(got.coat_slope_variance) && is_colour(got.specular), "{got:?}");
-        for facet in [got.towards(view), got.mirroring(view, |_| light)].into_iter().chain(got.sparkle) {
-            prop_assert!(is_normal(point.normal, facet.normal) && is_colour(facet.specular), "{got:?} {facet:?}");
-        }
     }
 
     #[test]
@@ -273,9 +255,6 @@ proptest! {
             seed,
         }).unwrap();
         is_bsdf(&glass, &point, view, light)?;
-        let glass = glass.surface(&point);
-        prop_assert!(is_normal(point.normal, glass.normal), "{glass:?}");
-        prop_assert!(is_variance(glass.slope_variance), "{glass:?}");
         let varied = Variations::new(VariationsParameters {
             diffuse,
             specular,
@@ -291,10 +270,6 @@ proptest! {
             seed,
         }).unwrap();
         is_bsdf(&varied, &point, view, light)?;
-        let varied = varied.surface(&point);
-        prop_assert!(is_normal(point.normal, varied.normal), "{varied:?}");
-        prop_assert!(is_colour(varied.diffuse) && is_colour(varied.specular), "{varied:?}");
-        prop_assert!(is_variance(varied.slope_variance) && varied.reflectance().is_ok(), "{varied:?}");
     }
 
     #[test]
@@ -319,9 +294,6 @@ proptest! {
             seed,
         }).unwrap();
         is_bsdf(&scratches, &point, h, view)?;
-        let got = scratches.surface(&point);
-        prop_assert!(is_normal(point.normal, got.normal), "{got:?}");
-        prop_assert!(got.amount >= 0.0 && got.amount.is_finite() && is_variance(got.slope_variance), "{got:?}");
         let field = GlintField::new(Beckmann::isotropic(alpha).unwrap(), spacing, bin, seed).unwrap();
         let density = field.density(h, point.position, point.footprint());
         prop_assert!(density >= 0.0 && density.is_finite(), "{density}");
@@ -336,10 +308,9 @@ proptest! {
 
     #[test]
     fn fibres_are_bright_and_have_a_direction(parameters in fibres(), point in point()) {
-        let (fibre, gradient, variance) = Fibres::new(parameters).unwrap().surface(&point);
+        let fibre = Fibres::new(parameters).unwrap().sample(point.uv, point.footprint());
         prop_assert!(fibre.factor >= 0.0 && fibre.factor.is_finite(), "{fibre:?}");
         prop_assert!((fibre.direction.length() - 1.0).abs() < 1e-5 && fibre.slope.is_finite(), "{fibre:?}");
-        prop_assert!(gradient.is_finite() && is_variance(variance), "{gradient} {variance}");
     }
 }
 
@@ -401,7 +372,7 @@ proptest! {
         }
         prop_assert!(is_normal(n, bumped_normal(n, g)));
         for normal in [lecture_normal(n, p, slope), displace(g, n, p, [m, wo], slope.x, slope).normal] {
-            prop_assert!((normal.length() - 1.0).abs() < 1e-5, "{normal}");
+            prop_assert!((normal.length() - 1.0).abs() < 1e-5);
         }
         let rim = rim_light(n, wo, 0.5);
         prop_assert!((0.0..=1.0).contains(&rim), "{rim}");

@@ -13,6 +13,7 @@ use asperity_shading::level_of_detail::{
 };
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::pixel::FrequencyClamp;
+use asperity_shading::pixel::Tap;
 use asperity_shading::reflectance::{
     BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
 };
@@ -116,7 +117,7 @@ fn levels_of_detail() {
         SINGLE,
     );
     let ellipse = PixelEllipse::from_derivatives(0.1 * N, 0.2 * P);
-    let (tap, width) = ellipse.taps(4).next().unwrap();
+    let Tap { offset: tap, footprint: width } = ellipse.taps(4).next().unwrap();
     pinned("PixelEllipse", vec3(tap), [-0.0289145112, 0.0886110812, -0.214146763], SINGLE);
     pinned("PixelEllipse, width", one(width.width()), [0.155701712], SINGLE);
     let clamp = FrequencyClamp::new(2.0, 2.17, 16.0).unwrap();

@@ -37,8 +37,7 @@ impl Facet {
 /// slopes g and g + 2√variance (cos kπ/3, sin kπ/3),   shares 1/2 and six times 1/12,   g the slope of `bumped`
 /// ```
 ///
-/// `variance` is that along each axis, such as that of a carpet's pile: what fading
-/// took from the bumps. The mean of any lighting model over the facets is what the pixel shows, exactly so for models that are
+/// `variance` is that along each axis: what fading took from the bumps of a material. The mean of any lighting model over the facets is what the pixel shows, exactly so for models that are
 /// polynomials of the slope up to the fifth degree (Stroud 1971, *Approximate Calculation of Multiple Integrals*, E₂^{r²} 5-1). A
 /// lobe of the width α = √2 · deviation or more sees no gaps between them; for a narrower one α² + 2 · variance is the better
 /// approximation.

@@ -209,6 +209,7 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     const ODD: [f32; 8] = [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, 0.0, 1e-30, 1e30, f32::INFINITY];
 
@@ -235,7 +236,7 @@ mod tests {
         let p = [frame.tangent, frame.bitangent];
         let slope = Vec2::new(0.4, -0.9);
         let ours = bumped_normal(frame.normal, surface_gradient(frame.normal, p, slope));
-        assert!((ours - lecture_normal(frame.normal, p, slope)).length() < 1e-6);
+        assert_abs_diff_eq!(ours, lecture_normal(frame.normal, p, slope), epsilon = 1e-6);
     }
 
     #[test]

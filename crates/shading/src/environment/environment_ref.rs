@@ -126,6 +126,7 @@ impl Environment for EnvironmentRef<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
     use core::f32::consts::FRAC_1_PI;
 
     #[test]
@@ -166,7 +167,7 @@ mod tests {
         assert!((map.total() - 3.0 * 4.0 / FRAC_1_PI).abs() < 1e-4, "{}", map.total());
         for k in 0..100 {
             let w = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 99.0));
-            assert!((map.density(w) - 0.25 * FRAC_1_PI).abs() < 1e-7, "{w}");
+            assert_abs_diff_eq!(map.density(w), 0.25 * FRAC_1_PI, epsilon = 1e-7);
         }
     }
 

@@ -99,6 +99,7 @@ mod tests {
     use super::*;
     use crate::environment::environment_map::EnvironmentMap;
     use crate::environment::prefiltered::PrefilteredRef;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn it_is_what_it_borrows() {
@@ -114,7 +115,7 @@ mod tests {
                 assert_eq!(reflected, borrowed.reflected(&table, Vec3::ONE, alpha, Vec3::Z, w));
             }
         }
-        assert!((map.radiance(Vec3::Z, 0.0) - sky.radiance(Vec3::Z)).length() < 1e-6);
+        assert_abs_diff_eq!(map.radiance(Vec3::Z, 0.0), sky.radiance(Vec3::Z), epsilon = 1e-6);
         for rows in [0, 8193] {
             let refused = PrefilteredMap::new(&sky, &[(0.0, 8), (0.3, rows)], 16);
             assert_eq!(refused, Err(PrefilteredError::Rows { level: 1, rows }));

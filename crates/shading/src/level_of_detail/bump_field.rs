@@ -60,6 +60,7 @@ impl<F: GaussianField> BumpField<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
     use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 
     #[test]
@@ -69,7 +70,7 @@ mod tests {
         let p = Vec3::new(0.21, -1.3, 0.77);
         // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
         let pixel = Footprint::from_width(0.5 / 72.0);
-        assert!((bumps.octaves(pixel) - 2.0).abs() < 1e-6);
+        assert_abs_diff_eq!(bumps.octaves(pixel), 2.0, epsilon = 1e-6);
         assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.octaves(pixel)));
         assert_eq!(bumps.octaves(Footprint::from_width(0.0)), 5.0);
     }

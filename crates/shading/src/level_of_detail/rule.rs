@@ -139,6 +139,7 @@ impl LevelOfDetail {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
     fn near(x: f32, y: f32, share: f32, fade: f32) -> Coordinates {
@@ -168,7 +169,7 @@ mod tests {
         assert_eq!(m, ndf.from_gaussian(coordinates.z));
         // Straight at the facet the whole density's peak is seen.
         let peak = LevelOfDetail::Fractal.radiance(&ndf, m, coordinates);
-        assert!((peak / ndf.density(Vec3::Z) - 1.0).abs() < 1e-4, "{peak}");
+        assert_abs_diff_eq!(peak / ndf.density(Vec3::Z), 1.0, epsilon = 1e-4);
     }
 
     #[test]
@@ -180,7 +181,7 @@ mod tests {
             for i in 1..=100 {
                 let w = i as f32 / 100.0;
                 let normal = rule.normal(&ndf, near(1.0, -0.5, 0.75 * w * w, w));
-                assert!((normal.length() - 1.0).abs() < 1e-6);
+                assert_abs_diff_eq!(normal.length(), 1.0, epsilon = 1e-6);
                 let next = normal.x.hypot(normal.y);
                 assert!(next > tilt && next - tilt < 0.01, "{rule:?}, w = {w}: {next} after {tilt}");
                 tilt = next;

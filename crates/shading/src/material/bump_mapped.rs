@@ -12,7 +12,7 @@ use crate::reflectance::{Bsdf, Lobe};
 /// A bump map of a density of normals, shaded with it by a rule of level of detail.
 ///
 /// ```text
-/// f_r = colour · p(h | what the pixel resolves)/(4 max(cos θ_i, cos θ_o))
+/// f_r = colour · p(h | what the pixel resolves) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
 /// Its mean over the surface is that of the far field at every zoom under [`LevelOfDetail::Exact`].

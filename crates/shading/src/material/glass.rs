@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::bump::{Facet, bumped_normal, slope_facets, tangential};
+use crate::bump::{bumped_normal, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
 use crate::material::form::Form;
 use crate::material::interface::Material;
@@ -77,17 +77,18 @@ impl Default for TemperedGlassParameters {
 /// h = A sin(f p·d),   g = (d − n (n·d)) f A cos(f p·d),   n′ = normalize(n − g)
 /// ```
 ///
-/// or h = A N(f p). Waves that a pixel cannot resolve fade to none; [`GlassSurface::slope_variance`] is what is lost.
+/// or h = A N(f p). Waves that a pixel cannot resolve fade to none; their slopes are then facets of the [`Bsdf`].
 ///
 /// Nilsson 2008, §4.4 and Appendix B.
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
-/// use asperity_shading::{Footprint, SurfacePoint, TemperedGlass, TemperedGlassParameters};
+/// use asperity_shading::{Footprint, Material, SurfacePoint, TemperedGlass, TemperedGlassParameters, glam::Vec2};
 ///
 /// let glass = TemperedGlass::new(TemperedGlassParameters::default())?;
 /// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1e-3));
-/// assert!((glass.surface(&point).normal.y + 0.002).abs() < 1e-6);
+/// let [mirrored, through] = glass.bsdf(&point, Vec3::Z).deltas(Vec3::Z, Vec2::ZERO);
+/// assert!((mirrored.wi.y + 2.0 * 0.002).abs() < 1e-5 && through.wi == Vec3::NEG_Z);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,30 +100,13 @@ pub struct TemperedGlass {
 
 /// Tempered glass as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GlassSurface {
+pub(crate) struct GlassSurface {
     /// The unit normal.
     pub normal: Vec3,
     /// The variance of the slope that the footprint took, the mean of both axes: α² grows by twice that.
     pub slope_variance: f32,
     /// The steepest slope of a sine that the footprint took, along its direction; zero for noise.
     pub swing: Vec3,
-}
-
-impl GlassSurface {
-    /// Facets that stand for the slopes that the footprint took, on a surface of unit normal `n`: the share and the unit normal of each.
-    ///
-    /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev; of noise [`slope_facets`](fn@crate::bump::slope_facets).
-    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
-        let swing = 0.866_025_4 * self.swing;
-        let (cosine, bumped) = (self.normal.dot(n), self.normal);
-        let sine = swing != Vec3::ZERO && cosine > 0.0;
-        let sides = if sine { [-1.0, 1.0].as_slice() } else { [].as_slice() };
-        let share = if sine { 1.0 / 3.0 } else { 1.0 };
-        let variance = if sine { 0.0 } else { self.slope_variance };
-        let middle = slope_facets(n, bumped, variance).map(move |facet| facet.part(share));
-        let slope = n - bumped / cosine;
-        middle.chain(sides.iter().map(move |side| Facet::new(share, bumped_normal(n, slope + *side * swing))))
-    }
 }
 
 /// The height of waves in glass: `A sin(f p·d)`.
@@ -194,7 +178,7 @@ impl TemperedGlass {
 
     /// Normal and lost slopes of the glass at a pixel; total: flat where the position is not finite.
     #[must_use]
-    pub fn surface(&self, point: &SurfacePoint) -> GlassSurface {
+    pub(crate) fn surface(&self, point: &SurfacePoint) -> GlassSurface {
         let p = &self.parameters;
         let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
         let (gradient, slope_variance, swing) = match p.waves {

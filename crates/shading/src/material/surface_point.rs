@@ -4,7 +4,7 @@ use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
 use crate::bump::surface_gradient;
-use crate::pixel::{Footprint, PixelEllipse};
+use crate::pixel::{Footprint, PixelEllipse, Tap};
 
 /// A point of a surface with the pixel about it: what every material needs to know.
 ///
@@ -61,7 +61,7 @@ impl SurfacePoint {
     /// Points with round footprints along the pixel's long axis, whose mean is what the pixel sees: [`PixelEllipse::taps`].
     pub fn taps(self, most: u32) -> impl Iterator<Item = Self> {
         let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.gradient(axis));
-        self.pixel.taps(most).map(move |(offset, footprint)| {
+        self.pixel.taps(most).map(move |Tap { offset, footprint }| {
             let moved = Vec2::new(u.dot(offset), v.dot(offset));
             let uv = if moved.is_finite() { self.uv + moved } else { self.uv };
             Self { position: self.position + offset, uv, pixel: footprint.into(), ..self }

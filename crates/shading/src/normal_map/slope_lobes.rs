@@ -153,6 +153,7 @@ pub(super) fn centres<const K: usize>(slopes: &[Vec2]) -> [Vec2; K] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn groups_are_found() {
@@ -167,9 +168,9 @@ mod tests {
         let lobes = SlopeLobes::mixed(slopes.map(|s| (2.0, SlopeLobes::point(s, &found))));
         let all = SlopeMoments::mixed(slopes.map(|s| (1.0, SlopeMoments::point(s))));
         assert!(lobes.lobes().iter().all(|lobe| (lobe.weight - 1.0 / 3.0).abs() < 1e-5), "{lobes:?}");
-        assert!((lobes.moments().mean - all.mean).length() < 1e-5);
+        assert_abs_diff_eq!(lobes.moments().mean, all.mean, epsilon = 1e-5);
         for (got, all) in lobes.moments().covariance.into_iter().zip(all.covariance) {
-            assert!((got - all).abs() < 1e-5, "{got} {all}");
+            assert_abs_diff_eq!(got, all, epsilon = 1e-5);
         }
         // More groups than slopes.
         assert_eq!(centres::<4>(&[Vec2::ONE]), [Vec2::ONE; 4]);

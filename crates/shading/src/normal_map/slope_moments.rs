@@ -148,6 +148,7 @@ impl SlopeMoments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
     use asperity_ndf_sampling::Ndf as _;
 
     #[test]
@@ -163,7 +164,7 @@ mod tests {
         assert!((all.mean - mean).length() < 1e-3 && (all.covariance[2] - yy).abs() < 1e-6, "{all:?}");
         for k in 0..3 {
             // Of values of 1000 the variance of 0.1 is left, to the rounding of the values.
-            assert!((all.covariance[k] - again.covariance[k]).abs() < 1e-3, "{all:?} {again:?}");
+            assert_abs_diff_eq!(all.covariance[k], again.covariance[k], epsilon = 1e-3);
         }
         assert_eq!(SlopeMoments::mixed([]), SlopeMoments::default());
     }
@@ -177,7 +178,7 @@ mod tests {
             assert!((got - expected).abs() < 1e-7, "{rough:?}");
         }
         assert_eq!(rough.mean(), moments.mean);
-        assert!((moments.normal() - Vec3::new(0.3, -0.1, 1.0).normalize()).length() < 1e-6);
+        assert_abs_diff_eq!(moments.normal(), Vec3::new(0.3, -0.1, 1.0).normalize(), epsilon = 1e-6);
         assert!(moments.mean_normal().length() < 0.99);
     }
 
@@ -187,7 +188,7 @@ mod tests {
         let fine = Beckmann::new(0.2, 0.4).unwrap();
         let unresolved = moments.detailed(fine, Coordinates::FAR);
         let rough = moments.beckmann(0.2, 0.4);
-        assert!((unresolved.mean() - rough.mean()).length() < 1e-7);
+        assert_abs_diff_eq!(unresolved.mean(), rough.mean(), epsilon = 1e-7);
         let resolved =
             moments.detailed(fine, Coordinates { z: Vec2::new(1.0, -2.0), share: 0.75, fade: 1.0 });
         let slope = Vec2::new(0.2, -0.8) * (0.75_f32 / 2.0).sqrt();
@@ -210,7 +211,7 @@ mod tests {
                         [moments.beckmann(x, y), moments.detailed(fine, noise)].map(|d| d.density(h));
                     assert!(densities.iter().all(|d| *d >= 0.0 && d.is_finite()), "{moments:?}, {h}");
                 }
-                assert!((moments.normal().length() - 1.0).abs() < 1e-5, "{moments:?}");
+                assert_abs_diff_eq!(moments.normal().length(), 1.0, epsilon = 1e-5);
                 assert!(moments.mean_normal().length() <= 1.0 + 1e-5, "{moments:?}");
                 assert!(moments.roughened(c).is_finite(), "{moments:?}");
             }

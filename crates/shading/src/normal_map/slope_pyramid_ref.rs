@@ -6,7 +6,7 @@ use crate::math::{floor, log2};
 use crate::normal_map::error::{SlopePyramidError, check_values, texel_count};
 use crate::normal_map::levels::{fill, last_level, level_size, level_start};
 use crate::normal_map::slope_lobes::{SlopeLobes, centres};
-use crate::pixel::{Footprint, PixelEllipse};
+use crate::pixel::{Footprint, PixelEllipse, Tap};
 
 /// A periodic map of slopes with levels, each of whose texels has the moments of its slopes in `K` groups; all borrowed.
 ///
@@ -174,7 +174,7 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     /// The ellipse is in the unit of `uv`: made of the derivatives of `(u, v, 0)` by one pixel to the right and one down.
     #[must_use]
     pub fn sample_along(&self, uv: Vec2, pixel: &PixelEllipse, most: u32) -> SlopeLobes<K> {
-        SlopeLobes::mixed(pixel.taps(most).map(|(offset, footprint)| {
+        SlopeLobes::mixed(pixel.taps(most).map(|Tap { offset, footprint }| {
             let Vec3 { x, y, .. } = offset;
             (1.0, self.sample(uv + Vec2::new(x, y), footprint))
         }))
@@ -205,6 +205,7 @@ fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
 mod tests {
     use super::*;
     use crate::normal_map::slope_moments::SlopeMoments;
+    use approx::assert_abs_diff_eq;
 
     const SIZE: usize = 16;
 
@@ -263,8 +264,8 @@ mod tests {
             (1.0, SlopeMoments::point(map.slope(uv + Vec2::Y * 0.25 * ((k as f32 + 0.5) / 256.0 - 0.5))))
         });
         let exact = SlopeMoments::mixed(points);
-        assert!((seen.mean - exact.mean).length() < 0.02, "{seen:?} {exact:?}");
-        assert!((seen.covariance[2] - exact.covariance[2]).abs() < 0.02, "{seen:?} {exact:?}");
+        assert_abs_diff_eq!(seen.mean, exact.mean, epsilon = 0.02);
+        assert_abs_diff_eq!(seen.covariance[2], exact.covariance[2], epsilon = 0.02);
         let round = map.sample(uv, pixel.long()).moments();
         assert!((round.mean - exact.mean).length() > 0.05, "{round:?} {exact:?}");
     }

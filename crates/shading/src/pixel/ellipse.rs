@@ -15,10 +15,10 @@ use crate::pixel::footprint::Footprint;
 ///
 /// // A pixel twelve times as long as it is wide, in taps of a quarter of that.
 /// let pixel = PixelEllipse::from_derivatives(Vec3::new(0.01, 0.0, 0.0), Vec3::new(0.0, 0.12, 0.0));
-/// let taps: Vec<Vec3> = pixel.taps(4).map(|(offset, _)| offset).collect();
+/// let taps: Vec<Vec3> = pixel.taps(4).map(|tap| tap.offset).collect();
 /// assert_eq!(taps.len(), 4);
 /// assert!((taps[3] - taps[0]).length() - 0.09 < 1e-6);
-/// assert!(pixel.taps(4).all(|(_, tap)| (tap.width() - 0.03).abs() < 1e-6));
+/// assert!(pixel.taps(4).all(|tap| (tap.footprint.width() - 0.03).abs() < 1e-6));
 /// ```
 #[doc(alias = "anisotropic filtering")]
 #[doc(alias = "ewa")]
@@ -30,6 +30,15 @@ pub struct PixelEllipse {
     minor: Vec3,
     /// Widths along the long and the short axis.
     widths: [Footprint; 2],
+}
+
+/// One of the round footprints that cover a [`PixelEllipse`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tap {
+    /// The place of its middle from that of the pixel.
+    pub offset: Vec3,
+    /// Its width.
+    pub footprint: Footprint,
 }
 
 impl PixelEllipse {
@@ -127,7 +136,7 @@ impl PixelEllipse {
     ///
     /// As many as the axes have to one another, at least 1 and at most `most` (and 64), evenly spaced; each as wide as the short axis, or as
     /// their distance where that is more. A texture's mean over them is what the pixel sees of it.
-    pub fn taps(&self, most: u32) -> impl Iterator<Item = (Vec3, Footprint)> + use<> {
+    pub fn taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());
         let ratio = long / short;
         let most = most.clamp(1, 64);
@@ -143,7 +152,8 @@ impl PixelEllipse {
         let count = count.max(1);
         let width = Footprint::from_width(if count == 1 { long } else { short.max(long / count as f32) });
         let major = self.major;
-        (0..count).map(move |k| (major * ((k as f32 + 0.5) / count as f32 - 0.5), width))
+        (0..count)
+            .map(move |k| Tap { offset: major * ((k as f32 + 0.5) / count as f32 - 0.5), footprint: width })
     }
 
     /// Twice as many along either axis, half as wide, where there are enough of them: for textures whose mean over a pixel is
@@ -157,9 +167,9 @@ impl PixelEllipse {
     ///
     /// let pixel = PixelEllipse::from_derivatives(Vec3::new(0.01, 0.0, 0.0), Vec3::new(0.0, 0.01, 0.0));
     /// assert_eq!(pixel.fine_taps(32).count(), 4);
-    /// assert!(pixel.fine_taps(32).all(|(_, tap)| (tap.width() - 0.005).abs() < 1e-6));
+    /// assert!(pixel.fine_taps(32).all(|tap| (tap.footprint.width() - 0.005).abs() < 1e-6));
     /// ```
-    pub fn fine_taps(&self, most: u32) -> impl Iterator<Item = (Vec3, Footprint)> + use<> {
+    pub fn fine_taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());
         let most = most.clamp(1, 64);
         // Written so that NaN, of a pixel without an axis, has one line.
@@ -169,7 +179,7 @@ impl PixelEllipse {
         let minor = self.minor;
         (0..lines).flat_map(move |k| {
             let aside = minor * ((k as f32 + 0.5) / lines as f32 - 0.5);
-            line.taps(most / lines).map(move |(along, tap)| (aside + along, tap))
+            line.taps(most / lines).map(move |tap| Tap { offset: aside + tap.offset, ..tap })
         })
     }
 }
@@ -184,6 +194,7 @@ impl From<Footprint> for PixelEllipse {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn axes_are_the_singular_values() {
@@ -205,10 +216,10 @@ mod tests {
         let pixel = PixelEllipse::from_derivatives(Vec3::new(0.2, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
         for (most, count) in [(1, 1), (3, 3), (5, 5), (16, 5), (0, 1)] {
             assert_eq!(pixel.taps(most).count(), count, "{most}");
-            let sum: Vec3 = pixel.taps(most).map(|tap| tap.0).sum();
+            let sum: Vec3 = pixel.taps(most).map(|tap| tap.offset).sum();
             assert!(sum.length() < 1e-6);
             let width = 1.0 / count as f32;
-            assert!(pixel.taps(most).all(|tap| (tap.1.width() - width).abs() < 1e-6), "{most}");
+            assert!(pixel.taps(most).all(|tap| (tap.footprint.width() - width).abs() < 1e-6), "{most}");
         }
     }
 
@@ -220,12 +231,12 @@ mod tests {
             assert_eq!(pixel.taps(8).count(), 1);
         }
         let point = PixelEllipse::from_derivatives(Vec3::ZERO, Vec3::ZERO);
-        assert!(point.taps(8).eq([(Vec3::ZERO, Footprint::from_width(0.0))]));
+        assert!(point.taps(8).eq([Tap { offset: Vec3::ZERO, footprint: Footprint::from_width(0.0) }]));
         let line = PixelEllipse::from_derivatives(Vec3::X, Vec3::ZERO);
         assert_eq!((line.short().width(), line.taps(8).count()), (0.0, 8));
         for scale in [1e-30, 1e30] {
             let pixel = PixelEllipse::from_derivatives(scale * Vec3::X, 2.0 * scale * Vec3::Y);
-            assert!((pixel.short().width() / scale - 1.0).abs() < 1e-5);
+            assert_abs_diff_eq!(pixel.short().width() / scale, 1.0, epsilon = 1e-5);
         }
     }
 }

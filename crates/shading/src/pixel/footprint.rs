@@ -79,6 +79,7 @@ impl Footprint {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn derivatives_give_the_longest_axis() {
@@ -114,7 +115,7 @@ mod tests {
         let by_distance = Footprint::from_distance(5.0, 1e-3, 0.5).width();
         let dy = 5e-3 / 0.5 * Vec3::new(0.0, 0.5, 0.75_f32.sqrt());
         let by_derivatives = Footprint::from_derivatives(5e-3 * Vec3::X, dy).width();
-        assert!((by_distance - by_derivatives).abs() < 1e-8, "{by_distance} != {by_derivatives}");
+        assert_abs_diff_eq!(by_distance, by_derivatives, epsilon = 1e-8);
     }
 
     #[test]

@@ -96,6 +96,7 @@ impl FrequencyClamp {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     fn clamp() -> FrequencyClamp {
         FrequencyClamp::new(16.0, 2.17, 6.0).unwrap()
@@ -137,7 +138,7 @@ mod tests {
         for i in 0..=60 {
             let octaves = i as f32 / 10.0;
             let got = clamp().octaves(clamp().footprint(octaves));
-            assert!((got - octaves).abs() < 2e-6, "{got} != {octaves}");
+            assert_abs_diff_eq!(got, octaves, epsilon = 2e-6);
         }
         assert_eq!(clamp().footprint(f32::NAN), clamp().footprint(0.0));
         assert_eq!(clamp().footprint(f32::INFINITY), clamp().footprint(6.0));

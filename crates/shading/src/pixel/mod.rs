@@ -4,6 +4,6 @@ mod ellipse;
 mod footprint;
 mod frequency_clamp;
 
-pub use ellipse::PixelEllipse;
+pub use ellipse::{PixelEllipse, Tap};
 pub use footprint::Footprint;
 pub use frequency_clamp::FrequencyClamp;

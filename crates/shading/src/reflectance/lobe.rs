@@ -18,10 +18,11 @@ use crate::reflectance::fresnel::{Dielectric, Fresnel};
 /// pixel resolves a part reflect by
 ///
 /// ```text
-/// f_r = colour · p(h | what is resolved)/(4 max(cos θ_i, cos θ_o))
+/// f_r = colour · p(h | what is resolved) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o))
 /// ```
 ///
-/// whose denominator makes a reciprocal reflectance of the density that is shown as it is (Kautz, Heidrich, Seidel 2001, §3.1).
+/// whose factors make a reciprocal reflectance that keeps its energy of the density that is shown as it is (Kautz, Heidrich, Seidel
+/// 2001, §3.1): the albedo is at most `∫ p(h) h_z dh = 1`.
 ///
 /// ```
 /// use asperity_shading::reflectance::Lobe;
@@ -156,16 +157,18 @@ impl Brdf for Lobe<'_> {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
-        let facets = |density: f32| Vec3::splat(finite(density / (4.0 * wi.z.max(wo.z))));
+        let h = half_vector(wi, wo);
+        // p(h) h_z is what a surface has of facets; they send on no more.
+        let shown = (h.z / wo.dot(h)).min(1.0) / (4.0 * wi.z.max(wo.z));
+        let facets = |density: f32| Vec3::splat(finite(density * shown));
         let value = match &self.kind {
             Kind::Diffuse(diffuse) => diffuse.value(wi, wo),
             Kind::Glossy(glossy) => glossy.value(wi, wo),
             Kind::Varnish(varnish) => varnish.value(wi, wo),
             Kind::Counted { all, flakes, position, footprint } => {
-                all.value(wi, wo) * flakes.relative(half_vector(wi, wo), *position, *footprint)
+                all.value(wi, wo) * flakes.relative(h, *position, *footprint)
             }
             Kind::Sparkling { base, flake, colour } => {
-                let h = half_vector(wi, wo);
                 if flake.dot(h) > h.z {
                     let frame = Frame::from_normal(*flake);
                     let (i, o) = (frame.to_local(wi), frame.to_local(wo));
@@ -176,10 +179,8 @@ impl Brdf for Lobe<'_> {
                     base.value(wi, wo)
                 }
             }
-            Kind::Resolved { ndf, rule, coordinates } => {
-                facets(rule.radiance(*ndf, half_vector(wi, wo), *coordinates))
-            }
-            Kind::Slopes(slopes) => facets(slopes.density(half_vector(wi, wo))),
+            Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
+            Kind::Slopes(slopes) => facets(slopes.density(h)),
             Kind::Other(brdf) => brdf.value(wi, wo),
         };
         self.weight * value
@@ -193,7 +194,9 @@ impl Brdf for Lobe<'_> {
             }
             Kind::Varnish(varnish) => varnish.sample(wo, u),
             Kind::Resolved { ndf, rule, coordinates } => {
-                reflect(wo, resolved_normal(*ndf, *rule, *coordinates, u))
+                let m = resolved_normal(*ndf, *rule, *coordinates, u);
+                // A facet of a facet may lie below the surface, where nothing is seen of it.
+                if m.z > 0.0 { reflect(wo, m) } else { Vec3::NEG_Z }
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
             Kind::Other(brdf) => brdf.sample(wo, u),

@@ -169,6 +169,7 @@ impl Brdf for BlinnPhongLobe {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn refuses_what_is_no_lobe() {
@@ -185,6 +186,6 @@ mod tests {
         let phong = Phong::new(Vec3::ONE, 30.0).unwrap();
         let wo = Vec3::new(0.48, 0.36, 0.8);
         let peak = phong.value(reflect(wo, Vec3::Z), wo).x;
-        assert!((peak - 32.0 / TAU).abs() < 1e-4, "{peak}");
+        assert_abs_diff_eq!(peak, 32.0 / TAU, epsilon = 1e-4);
     }
 }

@@ -61,9 +61,9 @@ impl Pixel {
         let [dx, dy] = self.derivatives;
         let pixel = PixelEllipse::from_derivatives(dx.extend(0.0), dy.extend(0.0));
         let taps = pixel.fine_taps(self.taps);
-        let (sum, count) = taps.fold((Vec3::ZERO, 0.0), |(sum, count), (offset, tap)| {
-            let there = Self { at: self.at + offset.truncate(), ..*self };
-            (sum + radiance(&there, tap), count + 1.0)
+        let (sum, count) = taps.fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
+            let there = Self { at: self.at + tap.offset.truncate(), ..*self };
+            (sum + radiance(&there, tap.footprint), count + 1.0)
         });
         sum / count
     }

@@ -120,8 +120,8 @@ impl Default for CarpetParameters {
 ///
 /// Each noise fades to its own mean with the footprint of the pixel. All factors are independent of one another, so the mean
 /// colour over a surface is the same from every distance, as long as the strength of the diffuse threads is at most the diffuse
-/// colour and no colour is cut off at 1: clamps change what is seen from nearby. [`CarpetSurface::slope_variance`] is what fading takes from
-/// the bumps.
+/// colour and no colour is cut off at 1: clamps change what is seen from nearby. Slopes that fade are facets of
+/// the [`Bsdf`].
 ///
 /// - **Deviations:** the slope of seams does not depend on the scale of the texture, nor that of threads on their size: a
 ///   strength of 0.5 is a slope of about a half. The thesis gives no scale. Creases of seams are rounded, see [`Seams::filtered`].
@@ -130,15 +130,15 @@ impl Default for CarpetParameters {
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::{Carpet, CarpetParameters, Footprint, SurfacePoint};
+/// use asperity_shading::{Carpet, CarpetParameters, Footprint, Material, SurfacePoint};
 ///
 /// let carpet = Carpet::new(CarpetParameters { dark_area_strength: 0.8, ..Default::default() })?;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.0), Vec3::Z, Footprint::from_width(1e-4))
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
-/// let surface = carpet.surface(&point, Vec3::new(0.6, 0.0, 0.8));
-/// assert!((surface.normal.length() - 1.0).abs() < 1e-5);
-/// assert!(surface.reflectance()?.albedo().max_element() <= 1.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
+/// let light = carpet.bsdf(&point, wo).scattered(wi, wo);
+/// assert!(light.min_element() > 0.0 && light.max_element() < 0.1, "dark grey");
+/// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "sheen")]
 #[doc(alias = "fabric")]
@@ -156,7 +156,7 @@ pub struct Carpet {
 
 /// Carpet as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CarpetSurface {
+pub(crate) struct CarpetSurface {
     /// The diffuse colour, in [0, 1]³.
     pub diffuse: Vec3,
     /// The specular colour, in [0, 1]³.
@@ -170,16 +170,6 @@ pub struct CarpetSurface {
     /// The variance of the slope along each axis that the footprint took from the bumps. A lobe of Beckmann's density gets wider by
     /// it: α² + 2 · variance.
     pub slope_variance: f32,
-}
-
-impl CarpetSurface {
-    /// The diffuse reflectance.
-    ///
-    /// # Errors
-    /// None for what [`Carpet::surface`] returns; [`ParameterError`] if its fields were changed to something out of range.
-    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, ParameterError> {
-        EnergyPreservingOrenNayar::new(self.diffuse, self.roughness)
-    }
 }
 
 impl Carpet {
@@ -229,7 +219,7 @@ impl Carpet {
     /// Total: noises are 0 where a coordinate of the position is not finite, there are no seams where a texture coordinate is
     /// not, the normal is the surface's where its gradient is not finite, and the rim is dark for a view that is NaN.
     #[must_use]
-    pub fn surface(&self, point: &SurfacePoint, view: Vec3) -> CarpetSurface {
+    pub(crate) fn surface(&self, point: &SurfacePoint, view: Vec3) -> CarpetSurface {
         let (p, n) = (&self.parameters, point.normal);
         let threads = self.diffuse_threads.sample(point.position, point.footprint());
         let shine = self.specular_threads.value(point.position, point.footprint());
@@ -295,6 +285,7 @@ impl Material for Carpet {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use approx::assert_abs_diff_eq;
 
     fn point(x: f32, y: f32, width: f32) -> SurfacePoint {
         SurfacePoint::new(Vec3::new(x, y, 0.3), Vec3::Z, Footprint::from_width(width))
@@ -318,7 +309,7 @@ mod tests {
         .unwrap();
         let surface = carpet.surface(&point(0.31, 0.17, 1e-4), Vec3::Z);
         assert_eq!(surface.normal, Vec3::Z);
-        assert!((surface.diffuse - carpet.parameters().diffuse).length() < 1e-6, "{surface:?}");
+        assert_abs_diff_eq!(surface.diffuse, carpet.parameters().diffuse, epsilon = 1e-6);
         assert_eq!((surface.specular, surface.rim, surface.slope_variance), (Vec3::ZERO, 0.0, 0.0));
     }
 
@@ -362,7 +353,7 @@ mod tests {
                     SurfacePoint { pixel: Footprint::from_width(y).into(), ..even },
                 ] {
                     let s = carpet.surface(&p, Vec3::new(x, y, 1.0));
-                    assert!(s.reflectance().is_ok(), "{p:?}: {s:?}");
+                    assert!((0.0..=1.0).contains(&s.diffuse.x), "{p:?}: {s:?}");
                     assert!((s.normal.length() - 1.0).abs() < 1e-5, "{p:?}: {s:?}");
                     assert!(
                         (0.0..=1.0).contains(&s.specular.x) && (0.0..=1.0).contains(&s.rim),

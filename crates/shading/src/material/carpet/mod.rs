@@ -7,7 +7,7 @@ mod rim_light;
 mod seam;
 mod thread;
 
-pub use carpet::{Carpet, CarpetParameters, CarpetSurface};
+pub use carpet::{Carpet, CarpetParameters};
 pub use dark_area::DarkAreas;
 pub use fibre::{Fibre, Fibres, FibresParameters};
 pub use rim_light::rim_light;

@@ -7,6 +7,7 @@ use glam::Vec2;
 use crate::material::form::Form;
 use crate::math::{cos, floor, sin, sqrt};
 use crate::parameter::{ParameterError, SHARES, SIZES, direction_in_plane, within};
+use crate::pixel::PixelEllipse;
 
 /// Pattern of seams.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -154,7 +155,7 @@ impl Seams {
         }
     }
 
-    /// The mean amount over a pixel that is `widths` wide in texture coordinates, across the first and the second set of seams.
+    /// Mean amount over a pixel of the plane of texture coordinates, as wide across either set of seams as the box about it.
     ///
     /// ```text
     /// lines:  (S(p + W/2) − S(p − W/2))/W,   S = ∫|sin|,   W² = (f width)² + (π/20)²
@@ -168,16 +169,19 @@ impl Seams {
     /// least width rounds the creases.
     ///
     /// ```
+    /// use asperity_shading::Footprint;
     /// use asperity_shading::material::{SeamPattern, Seams};
     /// use asperity_shading::glam::Vec2;
     ///
     /// let seams = Seams::new(Vec2::X, SeamPattern::Lines, 0.5, 1.0)?;
-    /// let far = seams.filtered(Vec2::new(0.1, 0.0), Vec2::splat(5.0)).amount;
+    /// let far = seams.filtered(Vec2::new(0.1, 0.0), Footprint::from_width(5.0).into()).amount;
     /// assert!((far - 2.0 / core::f32::consts::PI).abs() < 1e-3);
     /// # Ok::<(), asperity_shading::ParameterError>(())
     /// ```
     #[must_use]
-    pub fn filtered(&self, uv: Vec2, widths: Vec2) -> Seam {
+    pub fn filtered(&self, uv: Vec2, pixel: PixelEllipse) -> Seam {
+        let widths = [self.direction, self.direction.perp()].map(|across| pixel.change(across.extend(0.0)));
+        let widths = Vec2::from(widths);
         let crease = self.crease(uv, widths.abs() * self.frequency);
         let slope = self.direction * crease.slope.x + self.direction.perp() * crease.slope.y;
         Seam { amount: self.amount(crease.height), slope: slope * (self.amplitude * self.frequency) }
@@ -346,6 +350,7 @@ fn mean_of_smaller(x: &Stretch, y: &Stretch) -> Crease {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     const PATTERNS: [SeamPattern; 3] = [SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid];
 
@@ -361,7 +366,7 @@ mod tests {
             let seams = seams(pattern);
             let forms: [&dyn Fn(Vec2) -> Seam; 3] =
                 [&|uv| seams.sample(uv, Form::Corrected), &|uv| seams.rounded(uv, 0.3), &|uv| {
-                    seams.filtered(uv, Vec2::splat(0.05))
+                    seams.filtered(uv, PixelEllipse::aligned(Vec2::splat(0.05)))
                 }];
             for (k, form) in forms.into_iter().enumerate() {
                 for i in 0..200_u8 {
@@ -391,7 +396,7 @@ mod tests {
                 for i in 0..64_u8 {
                     for j in 0..64_u8 {
                         let uv = Vec2::new(f32::from(i) + 0.5, f32::from(j) + 0.5) * (PI / 64.0);
-                        sum += seams.filtered(uv, Vec2::splat(width)).amount;
+                        sum += seams.filtered(uv, PixelEllipse::aligned(Vec2::splat(width))).amount;
                     }
                 }
                 // Of the least width the rule's own error is 1e-4.
@@ -412,7 +417,7 @@ mod tests {
                 let place = Vec2::new(f32::from(i % 100), f32::from(i / 100)) / 100.0 - 0.495;
                 sum += f64::from(seams.sample(uv + place * wide, Form::Corrected).amount) / 1e4;
             }
-            let got = seams.filtered(uv, widths).amount;
+            let got = seams.filtered(uv, PixelEllipse::aligned(widths)).amount;
             // The rule of 100² points errs by 1e-4.
             assert!((f64::from(got) - sum).abs() < 3e-4, "{uv}, {widths}: {got} for {sum}");
         }
@@ -423,9 +428,13 @@ mod tests {
         let seams = Seams::new(Vec2::X, SeamPattern::Lines, PI, 1.0).unwrap();
         let at = |p: f32| seams.rounded(Vec2::new(p, 0.0), 0.1);
         assert!((at(0.0).amount - 0.1 / 1.01_f32.sqrt()).abs() < 1e-6 && at(0.0).slope == Vec2::ZERO);
-        assert!((at(FRAC_PI_2).amount - 1.0).abs() < 1e-6);
+        assert_abs_diff_eq!(at(FRAC_PI_2).amount, 1.0, epsilon = 1e-6);
         let sharp = seams.rounded(Vec2::new(1.0, 0.0), f32::NAN);
-        assert!((sharp.amount - seams.sample(Vec2::new(1.0, 0.0), Form::Corrected).amount).abs() < 1e-6);
+        assert_abs_diff_eq!(
+            sharp.amount,
+            seams.sample(Vec2::new(1.0, 0.0), Form::Corrected).amount,
+            epsilon = 1e-6
+        );
     }
 
     #[test]
@@ -439,7 +448,7 @@ mod tests {
                         seams.sample(uv, Form::Printed),
                         seams.sample(uv, Form::Corrected),
                         seams.rounded(uv, y),
-                        seams.filtered(uv, Vec2::new(y, x)),
+                        seams.filtered(uv, PixelEllipse::aligned(Vec2::new(y, x))),
                     ] {
                         assert!((-1e-5..=1.00001).contains(&seam.amount), "{pattern:?}, {uv}: {seam:?}");
                         assert!(seam.slope.is_finite(), "{pattern:?}, {uv}: {seam:?}");

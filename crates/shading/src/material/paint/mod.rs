@@ -10,7 +10,7 @@ mod sparkle;
 pub use flake_patch::{FlakePatch, flake_patch, flake_patch_printed, flake_tilt_printed};
 pub use glint::{GlintField, GlintFlake};
 pub use orange_peel::OrangePeel;
-pub use paint::{Facet, MetallicPaint, MetallicPaintParameters, PaintFlakes, PaintSurface};
+pub use paint::{MetallicPaint, MetallicPaintParameters, PaintFlakes};
 pub use passive_flakes::PassiveFlakes;
 pub use sparkle::{
     Elimination, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection, sparkle_width,

@@ -230,6 +230,7 @@ pub fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     /// The share of points on a plane with a flake.
     fn cover(sparkles: &Sparkles, width: f32) -> f32 {
@@ -257,7 +258,7 @@ mod tests {
         let fixed = Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Fixed, 1).unwrap();
         let all = Sparkles::new(2.0, 1.0, 0.3, 0.0, Elimination::Fixed, 1).unwrap();
         // Of 20000 points at least 700 different flakes: four standard errors of 0.3 are 0.07.
-        assert!((cover(&fixed, 0.2) / cover(&all, 0.2) - 0.3).abs() < 0.07);
+        assert_abs_diff_eq!(cover(&fixed, 0.2) / cover(&all, 0.2), 0.3, epsilon = 0.07);
         let smart = Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit: 0.5 }, 1).unwrap();
         assert_eq!(cover(&smart, 0.05), cover(&fixed, 0.05));
         assert_eq!(cover(&smart, 0.2), cover(&all, 0.2));

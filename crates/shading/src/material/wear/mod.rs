@@ -7,5 +7,5 @@ mod variations;
 
 pub use blemish::{Blemishes, varied};
 pub use dent::Dents;
-pub use scratch::{ScratchedSurface, Scratches, ScratchesParameters};
-pub use variations::{Variations, VariationsParameters, VariedSurface};
+pub use scratch::{Scratches, ScratchesParameters};
+pub use variations::{Variations, VariationsParameters};

@@ -68,18 +68,20 @@ impl Default for ScratchesParameters {
 ///
 /// A pixel wider than a scratch sees it wider and shallower by as much, so that the mean amount is the same at every footprint,
 /// and in closed form: [`mean`](Self::mean). Where a pixel gets as wide as a cell the amount fades to it. The mean square slope is
-/// in closed form as well: [`ScratchedSurface::slope_variance`] is what the footprint took of it.
+/// in closed form as well: what the footprint took of it are facets of the [`Bsdf`].
 ///
 /// Nilsson 2008, §6.2 names the problem and leaves it open.
 ///
 /// ```
 /// use asperity_shading::glam::{Vec2, Vec3};
-/// use asperity_shading::{Footprint, Scratches, ScratchesParameters, SurfacePoint};
+/// use asperity_shading::{Footprint, Material, Scratches, ScratchesParameters, SurfacePoint};
 ///
 /// let scratches = Scratches::new(ScratchesParameters::default())?;
 /// let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(1.0))
 ///     .with_uv(Vec2::new(0.3, 0.2), [Vec3::X, Vec3::Y]);
-/// assert_eq!(scratches.surface(&point).amount, scratches.mean());
+/// let elsewhere = SurfacePoint { uv: Vec2::new(7.3, -1.8), ..point };
+/// let seen = |point| scratches.bsdf(point, Vec3::Z).scattered(Vec3::Z, Vec3::Z);
+/// assert_eq!(seen(&point), seen(&elsewhere));
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[doc(alias = "wear")]
@@ -94,7 +96,7 @@ pub struct Scratches {
 
 /// Scratches as a pixel sees them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScratchedSurface {
+pub(crate) struct ScratchedSurface {
     /// Amount of scratch: 1 on its floor, the sum where several cross.
     pub amount: f32,
     /// The unit normal.
@@ -115,7 +117,7 @@ impl ScratchedSurface {
     /// each.
     ///
     /// Most of a scratched surface is smooth, and has one facet; the share that is scratched has seven, across its grooves.
-    pub fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
+    fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let Self { normal, covered, axes, .. } = *self;
         let smooth = (covered < 1.0).then_some(Facet::new(1.0 - covered, normal));
         let grooves = facets_along(n, normal, axes, FLOOR).map(move |facet| facet.part(covered));
@@ -183,8 +185,8 @@ impl Scratches {
     /// The amount at a point of the texture, and the slope of the height, over a pixel of this width in texture coordinates.
     ///
     /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
-    #[must_use]
-    pub fn sample(&self, uv: Vec2, width: f32) -> (f32, Vec2) {
+    #[cfg(test)]
+    fn sample(&self, uv: Vec2, width: f32) -> (f32, Vec2) {
         let Grooves { amount, slope, .. } = self.grooves(uv, width);
         (amount, slope)
     }
@@ -238,7 +240,7 @@ impl Scratches {
 
     /// Amount, normal and lost slopes at a pixel; total.
     #[must_use]
-    pub fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
+    pub(crate) fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
         let Grooves { amount, slope, covered, removed } = self.grooves(point.uv, point.uv_width());
         // A slope in the texture is one on the surface, whatever the texture's scale.
         let on_surface = |slope: Vec2| point.gradient(slope).normalize_or_zero() * slope.length();

@@ -69,11 +69,12 @@ impl Default for VariationsParameters {
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
-/// use asperity_shading::{Footprint, SurfacePoint, Variations, VariationsParameters};
+/// use asperity_shading::{Footprint, Material, SurfacePoint, Variations, VariationsParameters};
 ///
 /// let panel = Variations::new(VariationsParameters { dent_cover: 1.0, ..Default::default() })?;
 /// let point = SurfacePoint::new(Vec3::new(0.3, 0.2, 0.1), Vec3::Z, Footprint::from_width(1e-4));
-/// assert!(panel.surface(&point).normal.z < 1.0);
+/// let light = panel.bsdf(&point, Vec3::Z).scattered(Vec3::Z, Vec3::Z);
+/// assert!(light.min_element() > 0.05);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +86,7 @@ pub struct Variations {
 
 /// Varied material as a pixel sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VariedSurface {
+pub(crate) struct VariedSurface {
     /// The diffuse colour.
     pub diffuse: Vec3,
     /// The specular colour with blemishes, in [0, 1]³.
@@ -96,16 +97,6 @@ pub struct VariedSurface {
     pub roughness: f32,
     /// The variance of the slope along each axis that the footprint took: α² grows by twice that.
     pub slope_variance: f32,
-}
-
-impl VariedSurface {
-    /// The diffuse reflectance.
-    ///
-    /// # Errors
-    /// None for what [`Variations::surface`] returns; [`ParameterError`] if its fields were changed to something out of range.
-    pub fn reflectance(&self) -> Result<EnergyPreservingOrenNayar, ParameterError> {
-        EnergyPreservingOrenNayar::new(self.diffuse, self.roughness)
-    }
 }
 
 impl Variations {
@@ -142,7 +133,7 @@ impl Variations {
 
     /// Colours, normal and lost slopes at a pixel; total: even and flat where the position is not finite.
     #[must_use]
-    pub fn surface(&self, point: &SurfacePoint) -> VariedSurface {
+    pub(crate) fn surface(&self, point: &SurfacePoint) -> VariedSurface {
         let (p, n) = (&self.parameters, point.normal);
         let (at, footprint) = (point.position, point.footprint());
         let (bump, dent) = (p.small_blemish_bump_strength, p.dent_strength);
@@ -192,10 +183,7 @@ mod tests {
                     (s.normal.length() - 1.0).abs() < 1e-5 && s.slope_variance >= 0.0,
                     "{x}, {width}: {s:?}"
                 );
-                assert!(
-                    s.reflectance().is_ok() && (0.0..=1.0).contains(&s.specular.x),
-                    "{x}, {width}: {s:?}"
-                );
+                assert!((0.0..=1.0).contains(&s.specular.x), "{x}, {width}: {s:?}");
             }
         }
     }

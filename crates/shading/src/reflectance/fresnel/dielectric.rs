@@ -100,6 +100,7 @@ channels!(Dielectric);
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn normal_incidence_has_the_textbook_value() {
@@ -116,7 +117,7 @@ mod tests {
         let eta = 1.5_f32;
         let r_s = (eta * eta - 1.0) / (eta * eta + 1.0);
         let got = Dielectric::new(eta).unwrap().reflectance(1.0 / (1.0 + eta * eta).sqrt());
-        assert!((got - 0.5 * r_s * r_s).abs() < 1e-6, "{got}");
+        assert_abs_diff_eq!(got, 0.5 * r_s * r_s, epsilon = 1e-6);
     }
 
     #[test]

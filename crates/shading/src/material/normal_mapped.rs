@@ -1,0 +1,57 @@
+//! Normal maps made by hand as a material.
+
+use asperity_ndf_sampling::Beckmann;
+use glam::Vec3;
+
+use crate::bump::Facet;
+use crate::level_of_detail::Coordinates;
+use crate::material::interface::Material;
+use crate::material::surface_point::SurfacePoint;
+use crate::normal_map::SlopePyramidRef;
+use crate::reflectance::{Bsdf, Lobe};
+
+/// A glossy surface with a normal map made by hand, by the slopes within the pixel in up to 16 groups.
+///
+/// ```text
+/// f_r = colour · p(h) min(1, h_z/(ωo·h))/(4 max(cos θ_i, cos θ_o)),   p(h) of SlopeLobes::density
+/// ```
+///
+/// The map lies along the tangents of the surface: texture coordinates of the points are those of the map.
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::material::NormalMapped;
+/// use asperity_shading::{Beckmann, Footprint, Material, SlopePyramid, SurfacePoint};
+///
+/// let ridges: Vec<Vec3> = (0..64).map(|k| Vec3::new(if k % 2 == 0 { 0.6 } else { -0.6 }, 0.0, 0.8)).collect();
+/// let map = SlopePyramid::<2>::from_normals(8, 8, &ridges)?;
+/// let stone = NormalMapped { map: map.as_ref(), roughness: Beckmann::isotropic(0.2)?, colour: Vec3::ONE };
+/// let seen = |width: f32, wi: Vec3| {
+///     let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width)).with_uv(Vec2::splat(0.3), [Vec3::X, Vec3::Y]);
+///     stone.bsdf(&point, Vec3::Z).scattered(wi, Vec3::Z).x
+/// };
+/// // From afar ridges shine to both sides and not straight up, where their mean normal points.
+/// let (left, right) = (Vec3::new(-0.96, 0.0, 0.28), Vec3::new(0.96, 0.0, 0.28));
+/// assert!(seen(10.0, left) > 5.0 * seen(10.0, Vec3::Z) && seen(10.0, right) > 5.0 * seen(10.0, Vec3::Z));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalMapped<'a, const K: usize> {
+    /// The slopes of the map at every zoom.
+    pub map: SlopePyramidRef<'a, K>,
+    /// The facets of the surface between the slopes of the map.
+    pub roughness: Beckmann,
+    /// The reflectance of the facets; what is not positive counts as 0.
+    pub colour: Vec3,
+}
+
+impl<const K: usize> Material for NormalMapped<'_, K> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let seen = self.map.sample_along(point.uv, &point.uv_pixel(), 8);
+        let lobes = seen.lobes().iter().filter(|lobe| lobe.weight > 0.0).map(|lobe| {
+            let slopes = lobe.moments.detailed(self.roughness, Coordinates::FAR);
+            Lobe::from(slopes).weighted(self.colour * lobe.weight)
+        });
+        Bsdf::new(wo).with([Facet::FLAT], lobes)
+    }
+}
