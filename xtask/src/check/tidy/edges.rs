@@ -10,7 +10,7 @@ const EDGES: &[(&str, &[&str], &[&str])] = &[
     (
         "asperity-shading",
         &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm"],
-        &["criterion"],
+        &["criterion", "png"],
     ),
 ];
 
