@@ -79,6 +79,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
+//! | `approx` | the traits of `approx` for glam's values, and for those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
 
 #[cfg(feature = "std")]
