@@ -150,7 +150,7 @@ impl<const N: usize> Point for Coordinates<N> {
     }
 }
 
-/// How many times fewer points a kind gets than others: those that visit 3ⁿ or 4ⁿ cells are slow in space and in 4-D.
+/// The factor by which a kind gets fewer points than others: those that visit 3ⁿ or 4ⁿ cells are slow in space and in 4-D.
 #[must_use]
 pub fn thinning<const N: usize>(name: &str) -> u32 {
     match N {
@@ -193,7 +193,7 @@ impl Collection {
     }
 }
 
-/// What is done with each kind in each dimension.
+/// A test of each kind in each dimension.
 pub trait VisitAny {
     /// One kind in one dimension.
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>);

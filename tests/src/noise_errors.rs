@@ -1,4 +1,4 @@
-//! How far a noise is from its reference.
+//! Errors of a noise beside its reference.
 
 use asperity_noise::{IntegerHash, Lattice, Point, Sample};
 
@@ -27,7 +27,7 @@ pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     errors_on(&IntegerHash, kind, scale, divisor, noise)
 }
 
-/// The same on a lattice.
+/// The worst errors on a lattice.
 ///
 /// # Panics
 /// If nearly no gradient could be compared.

@@ -12,7 +12,7 @@ pub trait Testable<V: Point, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync
 
 impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
-/// What is done with each kind in each dimension.
+/// A test of each kind in each dimension.
 pub trait Visit {
     /// One kind in one dimension.
     fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(

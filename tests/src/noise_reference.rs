@@ -54,7 +54,7 @@ impl Kind {
         n / v.sqrt()
     }
 
-    /// What a lattice point with a word adds at a way `d` from it, where it has the weight `w`.
+    /// The part that a lattice point with a word adds at a way `d` from it, where it has the weight `w`.
     #[must_use]
     pub fn part<const D: usize>(self, word: u32, w: f64, d: [f64; D]) -> f64 {
         match self {

@@ -88,7 +88,7 @@ fn lines(criterion: &mut Criterion) {
     calls(criterion, "value/3-d/perlin-2002-tiled", |i| noise.value(line(i)));
 }
 
-/// What writes values, and gradients if it has any.
+/// A call that writes values, and gradients if it has any.
 type Run<'r, V> = &'r mut dyn for<'a> FnMut(&'a mut [f32], <V as Point>::Array<&'a mut [f32]>);
 
 /// Calls, a grid and lists of points of a field.

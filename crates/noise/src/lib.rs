@@ -73,7 +73,7 @@
 //!
 //! # Reproducibility
 //!
-//! The same bits on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×, ÷, √ and
+//! Bits are the same on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×, ÷, √ and
 //! integers only, no fused multiply-add, no logarithm and no trigonometry of a library. Changed bits are a value-breaking
 //! change.
 //!
@@ -81,7 +81,7 @@
 //!
 //! Value and gradient are within 4e-6 and 9e-6 of an `f64` evaluation at the same point (kinds of range 1: 1e-6 and
 //! 3e-6; simplex noise within 8 cells of the origin: 2e-6 and 1.3e-5). A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so.
-//! What happens far out and at points that are not finite is stated at [`Field`].
+//! Values far out and at points that are not finite are stated at [`Field`].
 //!
 //! # What it does not do
 //!

@@ -1,4 +1,4 @@
-//! What one evaluation of a field returns: value and gradient, or these and the Hessian.
+//! The result of one evaluation of a field: value and gradient, or these and the Hessian.
 
 use crate::point::Point;
 

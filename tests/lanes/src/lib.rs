@@ -1,4 +1,4 @@
-//! What the workspace's tests share, for the test of every kind at every SIMD level.
+//! Modules that the workspace's tests share, for the test of every kind at every SIMD level.
 
 #[path = "../../../crates/noise/tests/lanes/compare.rs"]
 pub mod compare;

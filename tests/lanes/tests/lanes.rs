@@ -1,4 +1,4 @@
-//! The same bits at every SIMD level: batches against single points, for every kind, dimension and sum.
+//! Equal bits at every SIMD level: batches against single points, for every kind, dimension and sum.
 
 use asperity_lanes::{
     compare::{ORIGIN, Random, coordinate, cut, far_cases, grid, grids, lengths, near_cases, points},

@@ -26,7 +26,7 @@ macro_rules! bytes {
         /// A memory function that compiled code may call, byte by byte.
         ///
         /// # Safety
-        /// As C's function of this name.
+        /// The conditions of C's function of this name.
         #[unsafe(no_mangle)]
         unsafe extern "C" fn $name($($argument: $type),*) -> $result { unsafe { $body } }
     )*};

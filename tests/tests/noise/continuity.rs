@@ -11,7 +11,7 @@ use asperity_tests::{
 };
 
 const STEP: f32 = 1.0 / 1024.0;
-/// What a step, 1.37/1024 long, may add beyond the mean of the two gradients: h²/4 times the jump of the second derivative
+/// The most that a step, 1.37/1024 long, may add beyond the mean of the two gradients: h²/4 times the jump of the second derivative
 /// (at most 24) and rounding. Worst seen 5.5e-6, for Gaussian noise, and 1.6e-6 for the others.
 const LEAP: f32 = 1.1e-5;
 

@@ -7,7 +7,7 @@ use asperity_noise::{
 };
 use asperity_tests::{noise_errors::errors, noise_reference::Kind};
 
-/// What ±4096 is divided by: ±64, and ±4 for simplex noise, whose corners are rounded by |p|·2⁻²².
+/// The divisor of ±4096: ±64, and ±4 for simplex noise, whose corners are rounded by |p|·2⁻²².
 const NEAR: f32 = 64.0;
 const NEAREST: f32 = 1024.0;
 const FAR: f32 = 1.0;

@@ -1,4 +1,4 @@
-//! What stands between a change and `main`.
+//! Checks that stand between a change and `main`.
 
 pub(crate) mod bare_metal;
 pub(crate) mod cargo;

@@ -20,7 +20,7 @@ pub(crate) struct PowerSpectrum {
 impl PowerSpectrum {
     /// The mean over `2 · pairs` samples of `size`² numbers (a power of two), `spacing` apart; `sample(k)` makes the k-th.
     ///
-    /// The same bits whatever the number of threads: spectra are summed in the order of their pairs.
+    /// Its bits do not depend on the number of threads: spectra are summed in the order of their pairs.
     pub(crate) fn mean(
         size: usize,
         spacing: f64,

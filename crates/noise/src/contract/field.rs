@@ -124,7 +124,7 @@ pub trait Field<V: Point> {
         many::grid(Level::best(), |points, target| self.fill(points, target), grid, values, Some(gradients))
     }
 
-    /// What lists and grids are evaluated by: point by point, unless a field of this crate knows better.
+    /// Evaluation of lists and grids: point by point, unless a field of this crate knows better.
     #[doc(hidden)]
     fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {
         let width = points.width();

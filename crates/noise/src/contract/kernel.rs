@@ -24,10 +24,10 @@ pub trait Sealed<const N: usize> {}
             blended, clamped, mapped and warped"
 )]
 pub trait Kernel<const N: usize>: Sealed<N> {
-    /// Where Σ |xᵢ| reaches this the noise is 0. By default coordinates go on to ∞ with their cells modulo 2³².
+    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells modulo 2³².
     const REACH: f32 = REACH;
 
-    /// What rows of a grid share, from row to row.
+    /// Intermediate results that rows of a grid share, from row to row.
     type RowScratch: Default;
 
     /// The seed of the noise by itself; octaves have seeds of their own.
@@ -170,7 +170,7 @@ pub(crate) struct FillRow<'a, K: Kernel<N>, const N: usize> {
     pub(crate) row: Row<N>,
     pub(crate) scratch: &'a mut K::RowScratch,
     pub(crate) values: &'a mut [f32],
-    /// As long as `values`.
+    /// One slice per axis, as long as `values`.
     pub(crate) gradients: Option<[&'a mut [f32]; N]>,
 }
 
@@ -228,7 +228,7 @@ pub(crate) struct FillList<'a, K: Kernel<N>, const N: usize> {
     pub(crate) seed: u32,
     pub(crate) points: [&'a [f32]; N],
     pub(crate) values: &'a mut [f32],
-    /// As long as `values`.
+    /// One slice per axis, as long as `values`.
     pub(crate) gradients: Option<[&'a mut [f32]; N]>,
 }
 
@@ -260,7 +260,7 @@ impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
     }
 }
 
-/// As many points as there are lanes, from index `i` on.
+/// Points from index `i` on, one in each lane.
 #[inline(always)]
 pub(crate) fn load<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], i: usize) -> [S::F; N] {
     let mut p = [s.float(0.0); N];

@@ -1,4 +1,4 @@
-//! What every kind of noise knows of itself beside its values.
+//! Kinds of noise: their statistics, moments and seeds, beside their values.
 
 use crate::{contract::field::Field, point::Point, statistics::statistics::Statistics};
 

@@ -11,9 +11,9 @@ use crate::{
     row::row::{Row, put, put_sample},
 };
 
-/// What a noise draws at lattice points.
+/// A noise by its numbers at lattice points.
 pub(crate) trait SplineNoise<const N: usize> {
-    /// Where the words come from.
+    /// The source of the words.
     type Lattice: Lattice;
 
     fn lattice(&self) -> &Self::Lattice;

@@ -70,7 +70,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
         &tables::WHITE[N - 1]
     }
 
-    /// Those of the uniform distribution, 1/(k + 1).
+    /// Moments of the uniform distribution, 1/(k + 1).
     fn absolute_moments(&self) -> [f32; 4] {
         [0.5, 1.0 / 3.0, 0.25, 0.2]
     }

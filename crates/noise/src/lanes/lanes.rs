@@ -62,9 +62,9 @@ pub trait Lanes: Copy + sealed::Sealed {
     /// One truth value per lane.
     type M: Copy;
 
-    /// The same float in every lane.
+    /// One float in every lane.
     fn float(self, x: f32) -> Self::F;
-    /// The same word in every lane.
+    /// One word in every lane.
     fn word(self, x: u32) -> Self::U;
     /// The float of each lane.
     fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F;

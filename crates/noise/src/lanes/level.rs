@@ -121,7 +121,7 @@ pub(crate) struct Instructions {
     token: Option<fearless_simd::Level>,
 }
 
-/// What is run at a level.
+/// Work that is run at a level.
 pub(crate) trait Task {
     fn run<S: Lanes>(self, s: S);
 }

@@ -4,7 +4,7 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
 
 use crate::lanes::lanes::{Lanes, sealed::Sealed};
 
-/// As many lanes as a register of the SIMD level has.
+/// The lanes of a register of the SIMD level.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide<S>(pub(crate) S);
 

@@ -59,7 +59,7 @@ impl<S: Lanes> Along<S> {
 }
 
 impl Along<Scalar> {
-    /// The same in every lane.
+    /// This place along an axis in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Along<S> {
         Along { place: s.float(self.place), weight: s.float(self.weight), slope: s.float(self.slope) }

@@ -79,7 +79,7 @@ impl Lattice for IntegerHash {
     }
 }
 
-/// What a seed adds between the rounds.
+/// The word that a seed adds between the rounds.
 #[inline(always)]
 fn key(seed: u32) -> u32 {
     (mix(u64::from(seed)) >> 32) as u32

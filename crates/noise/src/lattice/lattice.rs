@@ -31,7 +31,7 @@ pub trait Lattice {
     /// The random word of a lattice point in N dimensions.
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32;
 
-    /// What the coordinate of a cell along an axis contributes to its word.
+    /// The part of a cell's word that its coordinate along an axis makes.
     #[inline(always)]
     fn term<S: Lanes>(&self, _: S, _axis: usize, cell: S::U) -> S::U {
         cell
@@ -53,7 +53,7 @@ pub trait Lattice {
 /// From here on cells do not fit an `i32`.
 const LIMIT: f32 = 2_147_483_648.0;
 
-/// Where a kind of noise evaluates points: Σ |xᵢ| < 2³⁰, so that every coordinate has a cell.
+/// The reach of a kind of noise: Σ |xᵢ| < 2³⁰, so that every coordinate has a cell.
 pub(crate) const REACH: f32 = LIMIT / 2.0;
 
 /// Whether Σ |xᵢ| < `reach` in every lane.

@@ -105,7 +105,7 @@ pub enum PermutationTableError {
     Repeated {
         /// The number.
         entry: u8,
-        /// Where it stands again.
+        /// The index at which it stands again.
         position: usize,
     },
 }

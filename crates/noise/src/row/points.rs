@@ -152,19 +152,19 @@ pub(crate) fn buffers<V: Point, const M: usize>() -> V::Array<[f32; M]> {
     V::array(|_| [0.0; M])
 }
 
-/// Where the values of a batch go, and the gradients if they are wanted, handed to [`Field::fill`](crate::Field::fill); opaque.
+/// Room for the values of a batch, and the gradients if they are wanted, handed to [`Field::fill`](crate::Field::fill); opaque.
 #[expect(missing_debug_implementations, reason = "opaque")]
 pub struct Target<'a, V: Point> {
     pub(crate) instructions: Instructions,
     pub(crate) values: &'a mut [f32],
-    /// As long as `values`.
+    /// One slice per axis, as long as `values`.
     pub(crate) gradients: Option<V::Array<&'a mut [f32]>>,
-    /// How far apart rows are.
+    /// The distance from row to row.
     pub(crate) stride: usize,
 }
 
 impl<V: Point> Target<'_, V> {
-    /// Where a part of the points goes.
+    /// The room for a part of the points.
     pub(crate) fn part(&mut self, block: &Block) -> Target<'_, V> {
         let start = block.rows.start * self.stride + block.columns.start;
         Target {
@@ -178,7 +178,7 @@ impl<V: Point> Target<'_, V> {
         }
     }
 
-    /// Where `width` points of a row go; as many gradients as values.
+    /// The room for `width` points of a row; as many gradients as values.
     #[inline(always)]
     pub(crate) fn row(&mut self, row: usize, width: usize) -> (&mut [f32], Option<V::Array<&mut [f32]>>) {
         let part = row * self.stride..row * self.stride + width;

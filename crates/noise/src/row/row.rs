@@ -42,7 +42,7 @@ impl<const N: usize> Row<N> {
         Self { start: self.start + start, ..*self }
     }
 
-    /// What the first coordinates depend on.
+    /// All that the first coordinates depend on.
     #[inline(always)]
     pub(crate) fn key(&self) -> RowKey {
         let x = [self.origin[0], self.step, self.frequency, self.offset];
@@ -78,7 +78,7 @@ impl<const N: usize> Row<N> {
         s.float(self.frequency) * x + s.float(self.offset)
     }
 
-    /// As many points as there are lanes, from point i on.
+    /// Points from point i on, one in each lane.
     #[inline(always)]
     pub(crate) fn points<S: Lanes>(&self, s: S, i: usize) -> [S::F; N] {
         let mut p = [self.xs(s, i); N];
@@ -94,7 +94,7 @@ impl<const N: usize> Row<N> {
         self.origin
     }
 
-    /// How far apart points are, but for rounding.
+    /// The distance from point to point, but for rounding.
     #[inline(always)]
     pub(crate) fn stride(&self) -> f32 {
         self.frequency * self.step
@@ -107,7 +107,7 @@ impl<const N: usize> Row<N> {
     }
 }
 
-/// What the first coordinates of a row depend on.
+/// All that the first coordinates of a row depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RowKey {
     x: [u32; 4],

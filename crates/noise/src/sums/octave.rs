@@ -71,7 +71,7 @@ impl<const N: usize> Layer<N> {
         q
     }
 
-    /// The same for an aligned layer, where all off the diagonal is 0.
+    /// The point in an aligned layer, where all off the diagonal is 0.
     #[inline(always)]
     pub(crate) fn aligned<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
         let mut q = p;

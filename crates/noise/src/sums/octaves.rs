@@ -17,7 +17,7 @@ use crate::{
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
 
-/// What a sum of octaves is divided by.
+/// The divisor of a sum of octaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Normalisation {
     /// Σ wᵢ aᵢ: the sum stays in [−1, 1]. Its variance shrinks as octaves are added.
@@ -104,9 +104,9 @@ struct Active {
     octaves: f32,
     /// wᵢ aᵢ, less what a footprint has removed.
     amplitudes: [f32; MAX_OCTAVES as usize],
-    /// How many octaves take part.
+    /// The number of octaves that take part.
     count: usize,
-    /// What is added to the sum before it is normalised.
+    /// A constant that is added to the sum before it is normalised.
     constant: f32,
     factor: f32,
     /// Lower and upper bound of the sum.
@@ -366,7 +366,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     }
 }
 
-/// What a sum and a sum with another number of octaves have in common.
+/// Methods that a sum and a sum with another number of octaves have in common.
 macro_rules! sum {
     ($sum:ty) => {
         impl<K: Kernel<N>, const N: usize, T: Shape> $sum {
@@ -382,7 +382,7 @@ macro_rules! sum {
                 &self.terms.spectrum
             }
 
-            /// What the sum is divided by.
+            /// The divisor of the sum.
             #[must_use]
             pub const fn normalisation(&self) -> Normalisation {
                 self.terms.normalisation

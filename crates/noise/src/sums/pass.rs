@@ -27,7 +27,7 @@ pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) rotation: Rotation,
     pub(crate) layers: &'a [Layer<N>],
     pub(crate) amplitudes: &'a [f32],
-    /// What is added to the sum before it is normalised.
+    /// A constant that is added to the sum before it is normalised.
     pub(crate) constant: f32,
     pub(crate) factor: f32,
 }

@@ -1,4 +1,4 @@
-//! How frequency and amplitude go from octave to octave, and how a fractional octave fades in.
+//! Spectra: frequency and amplitude from octave to octave, and how a fractional octave fades in.
 
 use core::{error::Error, fmt};
 
@@ -136,7 +136,7 @@ impl Spectrum {
     /// gain ≥ 1:   share = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
     /// ```
     ///
-    /// What is missing to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless and includes
+    /// The rest to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless and includes
     /// those beyond the maximum, for others it ends there. The share grows continuously from 0 at `octaves` = 0 and stays under
     /// 1 (2⁻²⁴ under at least).
     #[must_use]

@@ -41,7 +41,7 @@ pub struct Warp<F, W, const N: usize> {
     strength: f32,
 }
 
-/// Where a [`Warp`] takes a point, and how it stretches and turns what lies around it.
+/// The place to which a [`Warp`] takes a point, and how it stretches and turns what lies around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Displacement<V: Point> {

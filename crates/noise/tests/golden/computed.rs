@@ -1,4 +1,4 @@
-//! What the golden bits are bits of: every kind and sum in every dimension. Needs neither std nor an allocator.
+//! Values whose bits are golden: every kind and sum in every dimension. Needs neither std nor an allocator.
 
 use asperity_noise::{
     Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Normalisation, Octaves, Perlin1985, Perlin2002,

@@ -31,7 +31,7 @@ fn bits<V: Point>(sample: Sample<V>) -> [u32; 5] {
     bits
 }
 
-/// What a batch fills: values alone, and values with gradients.
+/// Results of a batch: values alone, and values with gradients.
 struct Filled<V: Point> {
     alone: Vec<f32>,
     values: Vec<f32>,
@@ -156,7 +156,7 @@ pub fn grids<V: Point>(name: &str, field: &dyn Field<V>, cases: &[([f32; 4], [f3
     }
 }
 
-/// Where most grids begin.
+/// The origin of most grids.
 pub const ORIGIN: [f32; 4] = [-3.0, -2.5, 0.7, -0.1];
 const LARGE: f32 = 2_147_483_648.0;
 

@@ -1,4 +1,4 @@
-//! The same bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and dimension.
+//! Equal bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and dimension.
 
 #[expect(unreachable_pub, reason = "the package that has every kind exports it")]
 mod compare;
@@ -27,7 +27,7 @@ fn grids_of_simplex_noise_have_the_scalar_bits() {
     lengths("simplex 2-D", field);
 }
 
-/// Where a kernel ends between two points, rounding is all that tells which of them it reaches.
+/// A kernel that ends between two points: rounding is all that tells which of them it reaches.
 #[test]
 fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
     for seed in 0..40 {

@@ -39,7 +39,7 @@ impl EnvironmentMap {
     /// The environment of these texels, laid out as in [`LatitudeLongitude`].
     ///
     /// # Errors
-    /// As [`LatitudeLongitude::new`].
+    /// The errors of [`LatitudeLongitude::new`].
     pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, EnvironmentError> {
         let image = LatitudeLongitude::new(width, height, &texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
@@ -51,7 +51,7 @@ impl EnvironmentMap {
     /// The environment of a function of unit directions, taken at the centres of the texels.
     ///
     /// # Errors
-    /// As [`EnvironmentMap::new`].
+    /// The errors of [`EnvironmentMap::new`].
     pub fn from_fn(
         width: usize,
         height: usize,

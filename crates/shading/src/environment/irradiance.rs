@@ -13,7 +13,7 @@ use crate::math::sqrt;
 /// E(n) = ∫ L(ω) max(0, n·ω) dω ≈ Σ A_l L_lm Y_lm(n),   L_lm = ∫ L Y_lm dω,   A₀ = π, A₁ = 2π/3, A₂ = π/4,   l ≤ 2
 /// ```
 ///
-/// What [`Lambert`](crate::Lambert) of the albedo ρ sends on is `ρ E(n)/π`.
+/// [`Lambert`](crate::Lambert) of the albedo ρ sends on `ρ E(n)/π`.
 ///
 /// - **Error:** what is left out of the light's higher orders, a deviation of 0.5 % of the mean irradiance for a soft sky and of 5.5 % where
 ///   a sun brings most of the light, at most 1 % and 13 %, measured beside sampled light over all normals. Values below 0 are 0.

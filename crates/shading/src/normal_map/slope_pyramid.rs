@@ -49,7 +49,7 @@ impl<const K: usize> SlopePyramid<K> {
     /// The map of these slopes.
     ///
     /// # Errors
-    /// As [`SlopePyramidRef::new`].
+    /// The errors of [`SlopePyramidRef::new`].
     pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, SlopePyramidError> {
         check_values(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
@@ -61,7 +61,7 @@ impl<const K: usize> SlopePyramid<K> {
     /// The slopes of a normal map whose first row is at v = 0; slopes above 32 count as 32.
     ///
     /// # Errors
-    /// As [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or that is no number.
+    /// The errors of [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or that is no number.
     pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, SlopePyramidError> {
         let mut slopes = Vec::with_capacity(normals.len());
         for (index, &n) in normals.iter().enumerate() {

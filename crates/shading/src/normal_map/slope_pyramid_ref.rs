@@ -131,7 +131,7 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
 
     /// The slopes in one level, bilinear between the centres of its texels; a level beyond the last is the last one.
     ///
-    /// What the texels' means lack of one another belongs to the covariance.
+    /// The differences of the texels' means belong to the covariance.
     #[must_use]
     pub fn level(&self, uv: Vec2, level: u32) -> SlopeLobes<K> {
         let level = level.min(self.last_level());

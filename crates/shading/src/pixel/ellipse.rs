@@ -134,7 +134,7 @@ impl PixelEllipse {
 
     /// Equal round footprints along the long axis that cover the pixel: where each lies, from the middle, and its width.
     ///
-    /// As many as the axes have to one another, at least 1 and at most `most` (and 64), evenly spaced; each as wide as the short axis, or as
+    /// Their number is the ratio of the axes, at least 1 and at most `most` (and 64), evenly spaced; each as wide as the short axis, or as
     /// their distance where that is more. A texture's mean over them is what the pixel sees of it.
     pub fn taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());

@@ -99,7 +99,7 @@ mod tests {
 
     use super::*;
 
-    /// How many triangles share each edge, by the bits of its end points.
+    /// The number of triangles that share each edge, by the bits of its end points.
     fn edges(mesh: &Mesh) -> HashMap<[[u32; 3]; 2], u32> {
         let mut count = HashMap::new();
         for triangle in &mesh.triangles {

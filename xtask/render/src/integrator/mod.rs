@@ -116,7 +116,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// What a smooth surface mirrors and transmits, each along a ray from its own side.
+    /// Light that a smooth surface mirrors and transmits, each along a ray from its own side.
     fn smooth(
         &self,
         spot: &Spot<'_>,

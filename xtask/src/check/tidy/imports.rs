@@ -3,7 +3,7 @@
 /// An inline module of a file and how deep its braces are.
 type Inline<'a> = (usize, &'a str);
 
-/// What one file asks of other modules, test modules left out.
+/// Everything that one file asks of other modules, test modules left out.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Imports {
     /// Paths as they are written, one name a segment: `crate::a::B`, `super::C`, `a::D` where `a` may be a module below.

@@ -6,7 +6,7 @@ pub(super) const DOC_LINES_HELD: &[&str] = &["crates/fif", "crates/ndf-sampling"
 /// Words that begin a doc line which cannot be read alone, or which hides its noun.
 const VAGUE: [&str; 6] = ["The same", "What", "Where", "How", "As", "Those of"];
 
-/// What is wrong with one source file.
+/// Rules that one source file breaks.
 pub(super) fn offences(path: &str, text: &str) -> Vec<String> {
     let mut found = Vec::new();
     if !text.starts_with("//! ") {

@@ -133,7 +133,7 @@ impl Plot {
     /// The picture as a complete `<svg>` element.
     ///
     /// # Errors
-    /// What the drawing backend reports; it writes to memory, so none is expected.
+    /// Everything that the drawing backend reports; it writes to memory, so none is expected.
     pub(crate) fn svg(&self) -> Result<String, Failure> {
         let mut text = String::new();
         {

@@ -31,9 +31,9 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
     }
 }
 
-/// What a noise draws at the corners of its cells, and how it blends them.
+/// A noise by its values and gradients at the corners of cells, and by their blend.
 pub(crate) trait CellNoise<const N: usize> {
-    /// Where the words come from.
+    /// The source of the words.
     type Lattice: Lattice;
     /// Whether corners have values other than 0.
     const HAS_VALUE: bool;

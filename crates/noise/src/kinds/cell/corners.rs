@@ -26,7 +26,7 @@ impl<const N: usize> Place<Scalar, N> {
     pub(crate) const NOWHERE: Self =
         Self { terms: [[Wrapping(0); 2]; N], along: [Along { place: 0.0, weight: 0.0, slope: 0.0 }; N] };
 
-    /// The same in every lane.
+    /// This place in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Place<S, N> {
         let mut place = Place { terms: [[s.word(0); 2]; N], along: [self.along[0].splat(s); N] };
@@ -43,7 +43,7 @@ impl<const N: usize> Place<Scalar, N> {
 pub(crate) type Corners<T> = [[[T; 4]; 2]; 2];
 
 impl<S: Lanes, const N: usize> Place<S, N> {
-    /// Where a point lies, from axis `first` on; nowhere along those before.
+    /// The place of a point, from axis `first` on; nowhere along those before.
     #[inline(always)]
     pub(crate) fn new<K: CellNoise<N>>(s: S, noise: &K, p: &[S::F; N], first: usize) -> Self {
         let zero = s.float(0.0);
@@ -76,7 +76,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         noise.lattice().words(s, terms, seed)
     }
 
-    /// What is drawn of the words at the corners of the cell.
+    /// Numbers drawn from the words at the corners of the cell.
     #[inline(always)]
     pub(crate) fn corners<K: CellNoise<N>, T: Copy>(
         &self,

@@ -20,7 +20,7 @@ pub(crate) struct Columns<const N: usize> {
 /// e and f of the edges above a row's points, and of their derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Edges<const N: usize> {
-    /// Where the edges lie along the second axis.
+    /// The place of the edges along the second axis.
     pub(crate) second: Option<i32>,
     pub(crate) lines: [Numbers; 2],
     pub(crate) derivatives: [[Numbers; 2]; N],

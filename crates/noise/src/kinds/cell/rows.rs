@@ -53,13 +53,13 @@ fn pays<const N: usize>(row: &Row<N>) -> bool {
     row.stride().abs() < 1.0
 }
 
-/// Where the edge at a place along the second axis is kept.
+/// The slot that keeps the edge at a place along the second axis.
 #[inline(always)]
 fn slot(second: i32) -> usize {
     second as usize % 2
 }
 
-/// What the edges of a stretch depend on beside the plan and their place along the second axis.
+/// All that the edges of a stretch depend on beside the plan and their place along the second axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Key<const N: usize> {
     /// The bits of the coordinates from the third on.
@@ -73,7 +73,7 @@ struct Key<const N: usize> {
 pub struct Stretch<const N: usize> {
     plan: Plan,
     key: Option<Key<N>>,
-    /// Where the row lies along all axes but the first, and its cell along the second.
+    /// The place of the row along all axes but the first, and its cell along the second.
     place: Place<Scalar, N>,
     second: i32,
     columns: Columns<N>,

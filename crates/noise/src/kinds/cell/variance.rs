@@ -77,7 +77,7 @@ impl<S: Lanes, const N: usize> Variance<S, N> {
 }
 
 impl<const N: usize> Variance<Scalar, N> {
-    /// The same in every lane.
+    /// This variance in every lane.
     #[inline(always)]
     pub(crate) fn splat<S: Lanes>(&self, s: S) -> Variance<S, N> {
         Variance {

@@ -43,7 +43,7 @@ pub(crate) fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Cor
     corner
 }
 
-/// Where kernels end: t is 0 from here down.
+/// The end of kernels: t is 0 from here down.
 ///
 /// Corners of other simplices come as near as t = 0, and nearer by rounding. Were there no gap, it would depend on the order of
 /// evaluation whether they count. The leap is t⁴ A |g·d| < 1e-10, and that of the gradient 5e-7.

@@ -109,7 +109,7 @@ impl Seams {
     ///   without seams they are those of a seam at phase 0, so that a plain carpet has bumps.
     /// - **Corrected:** none of these.
     ///
-    /// Where a coordinate is not finite there is no seam.
+    /// There is no seam where a coordinate is not finite.
     #[must_use]
     pub fn sample(&self, uv: Vec2, form: Form) -> Seam {
         let phases = self.phases(uv);

@@ -46,7 +46,7 @@ impl PassiveFlakes {
     /// Flakes of a seed, one field of many.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn with_seed(size: f32, strength: f32, detail: u32, seed: u32) -> Result<Self, ParameterError> {
         let spectrum = spectrum("passive_flake_detail", [2.4, 2.7], detail)?;
         let size = within("passive_flake_size", size, SIZES)?;

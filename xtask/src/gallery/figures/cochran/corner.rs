@@ -119,7 +119,7 @@ fn bricks(wall: &Brick, p: Vec2) -> Vec3 {
     hex(0xee_e9e0).lerp(hex(0xa5_7f6b).lerp(hex(0xcf_b29c), tone), sample.brick)
 }
 
-/// What a ray sees that leaves the corner: a window of panes overhead, a pale wall elsewhere.
+/// The light that a ray sees which leaves the corner: a window of panes overhead, a pale wall elsewhere.
 fn skylight(ray: &Ray) -> Vec3 {
     let p = ray.origin + ray.direction * ((CEILING - ray.origin.z) / ray.direction.z);
     if ray.direction.z <= 0.0 || p.x.abs().max(p.y.abs()) > 6.0 {

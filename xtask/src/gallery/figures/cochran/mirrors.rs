@@ -75,7 +75,7 @@ const ROOM: [Vec3; 2] = [Vec3::new(-6.0, -6.0, 0.0), Vec3::new(8.0, 8.0, 9.0)];
 /// Distance between the lines on the walls.
 const SPACING: f32 = 2.0;
 
-/// What a ray sees that starts within the room: ruled walls and ceiling, a tiled floor.
+/// The light that a ray sees which starts within the room: ruled walls and ceiling, a tiled floor.
 fn room(ray: &Ray) -> Vec3 {
     let Ray { origin, direction, .. } = *ray;
     let far = Vec3::select(direction.cmpgt(Vec3::ZERO), ROOM[1], ROOM[0]);

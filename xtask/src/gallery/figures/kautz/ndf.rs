@@ -79,7 +79,7 @@ pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> R
     Ok(Panel::raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
 }
 
-/// How a surface over the unit disk is seen and coloured.
+/// View and colours of a surface over the unit disk.
 struct View<'a> {
     eye: Vec3,
     centre: Vec3,
