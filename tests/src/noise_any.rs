@@ -150,7 +150,8 @@ impl<const N: usize> Point for Coordinates<N> {
     }
 }
 
-/// The factor by which a kind gets fewer points than others: those that visit 3ⁿ or 4ⁿ cells are slow in space and in 4-D.
+/// The factor by which a kind gets fewer points than others: those that visit 3ⁿ or 4ⁿ cells are slow in
+/// space and in 4-D.
 #[must_use]
 pub fn thinning<const N: usize>(name: &str) -> u32 {
     match N {

@@ -73,9 +73,9 @@
 //!
 //! # Reproducibility
 //!
-//! Bits are the same on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×, ÷, √ and
-//! integers only, no fused multiply-add, no logarithm and no trigonometry of a library. Changed bits are a value-breaking
-//! change.
+//! Bits are the same on every platform, at every SIMD level and with every feature: evaluation uses +, −, ×,
+//! ÷, √ and integers only, no fused multiply-add, no logarithm and no trigonometry of a library. Changed bits
+//! are a value-breaking change.
 //!
 //! # Precision
 //!

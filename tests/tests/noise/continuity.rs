@@ -11,8 +11,9 @@ use asperity_tests::{
 };
 
 const STEP: f32 = 1.0 / 1024.0;
-/// The most that a step, 1.37/1024 long, may add beyond the mean of the two gradients: h²/4 times the jump of the second derivative
-/// (at most 24) and rounding. Worst seen 5.5e-6, for Gaussian noise, and 1.6e-6 for the others.
+/// The most that a step, 1.37/1024 long, may add beyond the mean of the two gradients: h²/4 times the jump of
+/// the second derivative (at most 24) and rounding. Worst seen 5.5e-6, for Gaussian noise, and 1.6e-6 for the
+/// others.
 const LEAP: f32 = 1.1e-5;
 
 /// Whether a kind leaps by its definition: white noise at the borders of cells, wide simplex noise at the faces of simplices.

@@ -36,8 +36,9 @@ struct Case {
 
 /// Three densities, each with a half vector at its peak, three in its bulk and one in its tail.
 ///
-/// Half vectors of the closed forms are given by their slopes, those of the painted one by n_x and n_y: its two lobes, the
-/// valley at the flat normal, a flank, and the saddle. In the tails `p` is a twelfth (GGX) and a quarter (Beckmann) of its peak.
+/// Half vectors of the closed forms are given by their slopes, those of the painted one by n_x and n_y: its
+/// two lobes, the valley at the flat normal, a flank, and the saddle. In the tails `p` is a twelfth (GGX) and
+/// a quarter (Beckmann) of its peak.
 fn cases() -> [Case; 3] {
     let slopes = |slopes: [[f32; 2]; 5]| slopes.map(|[x, y]| Vec3::new(x, y, 1.0).normalize());
     let on_map = |points: [[f32; 2]; 5]| points.map(|[x, y]| Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()));

@@ -24,7 +24,8 @@ pub trait Sealed<const N: usize> {}
             blended, clamped, mapped and warped"
 )]
 pub trait Kernel<const N: usize>: Sealed<N> {
-    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells modulo 2³².
+    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells
+    /// modulo 2³².
     const REACH: f32 = REACH;
 
     /// Intermediate results that rows of a grid share, from row to row.

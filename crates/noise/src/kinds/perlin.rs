@@ -43,8 +43,9 @@ pub struct Perlin1985<L = IntegerHash> {
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
 ///
-/// The sum of [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0) and its rotations.
-/// In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane (±√2, 0), (0, ±√2) and (±1, ±1), and in 1-D ±⅛ … ±1.
+/// The sum of [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0)
+/// and its rotations. In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane (±√2, 0), (0, ±√2) and
+/// (±1, ±1), and in 1-D ±⅛ … ±1.
 ///
 /// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
 ///

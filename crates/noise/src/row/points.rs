@@ -152,7 +152,8 @@ pub(crate) fn buffers<V: Point, const M: usize>() -> V::Array<[f32; M]> {
     V::array(|_| [0.0; M])
 }
 
-/// Room for the values of a batch, and the gradients if they are wanted, handed to [`Field::fill`](crate::Field::fill); opaque.
+/// Room for the values of a batch, and the gradients if they are wanted, handed to
+/// [`Field::fill`](crate::Field::fill); opaque.
 #[expect(missing_debug_implementations, reason = "opaque")]
 pub struct Target<'a, V: Point> {
     pub(crate) instructions: Instructions,

@@ -136,9 +136,9 @@ impl Spectrum {
     /// gain ≥ 1:   share = Σ wᵢ² aᵢ² / Σ_{i < max_octaves} aᵢ²
     /// ```
     ///
-    /// The rest to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless and includes
-    /// those beyond the maximum, for others it ends there. The share grows continuously from 0 at `octaves` = 0 and stays under
-    /// 1 (2⁻²⁴ under at least).
+    /// The rest to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless
+    /// and includes those beyond the maximum, for others it ends there. The share grows continuously from 0
+    /// at `octaves` = 0 and stays under 1 (2⁻²⁴ under at least).
     #[must_use]
     pub fn share(&self, octaves: f32) -> f32 {
         const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;

@@ -1,4 +1,5 @@
-//! Equal bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and dimension.
+//! Equal bits at every SIMD level, for the ways that a batch can take; `tests/lanes` has every kind and
+//! dimension.
 
 #[expect(unreachable_pub, reason = "the package that has every kind exports it")]
 mod compare;

@@ -60,7 +60,8 @@ impl<'a> EnvironmentRef<'a> {
     /// The environment of these texels; `table` is filled.
     ///
     /// # Errors
-    /// The errors of [`LatitudeLongitude::new`], and for a table whose length is not [`EnvironmentRef::table_len`].
+    /// The errors of [`LatitudeLongitude::new`], and for a table whose length is not
+    /// [`EnvironmentRef::table_len`].
     pub fn new(
         width: usize,
         height: usize,

@@ -110,7 +110,8 @@ pub struct PrefilteredLevel<'a> {
 /// | 0.3 | 0.018 | 0.075 | 0.15 |
 /// | 0.6 | 0.018 | 0.14 | 0.20 |
 ///
-/// Under a sun that brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle: highlights should be long there.
+/// Under a sun that brings most of the light it is 0.04 to 0.3 from above, and 0.6 to 2.6 at an angle:
+/// highlights should be long there.
 ///
 /// ```
 /// use asperity_shading::environment::{LatitudeLongitude, PrefilteredLevel, PrefilteredRef};

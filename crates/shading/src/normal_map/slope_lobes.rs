@@ -82,8 +82,8 @@ impl<const K: usize> SlopeLobes<K> {
     /// p(h) = Σ_k w_k N(s(h); μ_k + √t α z/√2, Σ_k + (1 − t) α²/2)/h_z⁴,   t the share that is resolved
     /// ```
     ///
-    /// If nothing finer is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of the surface. See
-    /// [`SlopeMoments::detailed`].
+    /// If nothing finer is resolved, `noise` is [`Coordinates::FAR`], and `fine` the roughness of the
+    /// surface. See [`SlopeMoments::detailed`].
     ///
     /// - **Domain:** unit `h` in the frame of the surface without the map, 0 for `h.z ≤ 0`, a zero vector and NaN.
     /// - **Range:** at least 0, finite.

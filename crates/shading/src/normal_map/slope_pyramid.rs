@@ -61,7 +61,8 @@ impl<const K: usize> SlopePyramid<K> {
     /// The slopes of a normal map whose first row is at v = 0; slopes above 32 count as 32.
     ///
     /// # Errors
-    /// The errors of [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or that is no number.
+    /// The errors of [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or
+    /// that is no number.
     pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, SlopePyramidError> {
         let mut slopes = Vec::with_capacity(normals.len());
         for (index, &n) in normals.iter().enumerate() {

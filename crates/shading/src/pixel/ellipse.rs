@@ -134,8 +134,9 @@ impl PixelEllipse {
 
     /// Equal round footprints along the long axis that cover the pixel: where each lies, from the middle, and its width.
     ///
-    /// Their number is the ratio of the axes, at least 1 and at most `most` (and 64), evenly spaced; each as wide as the short axis, or as
-    /// their distance where that is more. A texture's mean over them is what the pixel sees of it.
+    /// Their number is the ratio of the axes, at least 1 and at most `most` (and 64), evenly spaced; each as
+    /// wide as the short axis, or as their distance where that is more. A texture's mean over them is what
+    /// the pixel sees of it.
     pub fn taps(&self, most: u32) -> impl Iterator<Item = Tap> + use<> {
         let [long, short] = self.widths.map(|width| width.width());
         let ratio = long / short;

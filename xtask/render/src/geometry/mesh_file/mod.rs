@@ -18,8 +18,8 @@ use crate::geometry::mesh::Mesh;
 
 /// Reads the mesh of a file by its extension, and turns its `up` to z.
 ///
-/// Data that the file does not give are computed: normals by the angles of the triangles around a point, tangents along
-/// ∂P/∂u. Triangles without area are left out.
+/// Data that the file does not give are computed: normals by the angles of the triangles around a point,
+/// tangents along ∂P/∂u. Triangles without area are left out.
 pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
     let parse = parser(path)?;
     let file = File::open(path).map_err(MeshFileError::Unreadable)?;
