@@ -23,8 +23,9 @@ use crate::pixel::Footprint;
 /// Cohen, *Procedural Bump Mapping and Noise*, listing `wallpaper`.
 ///
 /// ```
-/// use asperity_shading::texture::StarWallpaper;
+/// use asperity_shading::Footprint;
 /// use asperity_shading::glam::Vec2;
+/// use asperity_shading::texture::StarWallpaper;
 ///
 /// let wallpaper = StarWallpaper::default();
 /// // From afar, the share of stars.
