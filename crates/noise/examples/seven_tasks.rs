@@ -2,8 +2,8 @@
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{
-    Field, Grid, IntegerHash, Normalisation, Octaves, Perlin2002, Ridged, Rotation, Sample, Simplex,
-    Spectrum, Tiled, Unit, Warp,
+    Field, Grid, IntegerHash, Octaves, Perlin2002, Ridged, Rotation, Sample, Simplex, Spectrum, Tiled, Unit,
+    Warp,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -40,8 +40,7 @@ fn normals(normals: &mut [Vec3; 32 * 32]) {
 }
 
 fn unit_value(p: Vec2) -> f32 {
-    Unit(Octaves::new(Perlin2002::new(42), Spectrum::default()).with_normalisation(Normalisation::Range))
-        .value(p)
+    Unit(Octaves::new(Perlin2002::new(42), Spectrum::default())).value(p)
 }
 
 fn main() {
