@@ -77,6 +77,7 @@ pub struct Octaves<K, const N: usize, T = Signed> {
 /// assert_eq!(first, noise.sample(Vec3::new(0.1, 0.2, 0.3)));
 /// assert!(first != second && noise.share() < 1.0);
 /// ```
+#[doc(alias("fbm", "fractal"))]
 pub type GaussianOctaves<const N: usize> = Octaves<Gaussian, N>;
 
 /// A sum of octaves seen with another number of octaves, as [`Octaves::detail`] gives it.

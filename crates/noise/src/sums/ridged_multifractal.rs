@@ -41,6 +41,7 @@ use crate::{
 /// assert!((0.0..=1.0).contains(&sample.value));
 /// # Ok::<(), asperity_noise::FeedbackError>(())
 /// ```
+#[doc(alias("ridged", "terrain", "mountains"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RidgedMultifractal<K, const N: usize> {
     octaves: Octaves<K, N, Ridged>,

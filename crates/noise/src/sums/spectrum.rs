@@ -11,6 +11,9 @@ pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 /// fᵢ = lacunarityⁱ,   aᵢ = gainⁱ,   wᵢ = clamp(octaves − i, 0, 1),   i = 0, 1, …
 /// ```
 ///
+/// Amplitudes go like f^−H, where H = −ln gain / ln lacunarity is the Hurst exponent of fractional Brownian motion if 0 < H < 1;
+/// above, the sum grows smooth, and at H ≤ 0 its finest octave is the strongest or as strong.
+///
 /// The count of octaves is a real number: its last octave has a weight between 0 and 1 and fades in as the count grows.
 /// Every method takes that count; negative and NaN counts are 0, counts above the maximum are the maximum.
 ///
@@ -21,6 +24,7 @@ pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 /// assert_eq!(spectrum.share(1.0), 0.75);
 /// assert!(Spectrum::new(2.17, -1.5, 8).is_err());
 /// ```
+#[doc(alias("hurst", "fbm"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spectrum {
     lacunarity: f32,
@@ -84,6 +88,7 @@ impl Spectrum {
     }
 
     /// The ratio of the amplitudes of successive octaves.
+    #[doc(alias("hurst", "persistence", "roughness"))]
     #[must_use]
     pub const fn gain(&self) -> f32 {
         self.gain

@@ -35,6 +35,7 @@ use crate::{
 /// assert_eq!(noise.sample(p), noise.sample(p + Vec3::new(6.0, -3.0, 9.0)));
 /// # Ok::<(), asperity_noise::TiledError>(())
 /// ```
+#[doc(alias("seamless", "tileable", "periodic"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TiledSimplex<L = IntegerHash> {
     noise: Simplex<Corners<L>>,
