@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use asperity_render::geometry::mesh_file;
+use asperity_ndf_sampling::{Measure, Reconstruction, normal_map::TangentSpace};
+use asperity_render::{geometry::mesh_file::Up, materials::field::NoiseKind, scenes::Set};
+use asperity_shading::LevelOfDetail;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// The builder of Asperity: tables, gallery, single pictures and every check.
@@ -126,13 +129,13 @@ pub(crate) struct Tables {
 #[derive(Debug, Args)]
 pub(crate) struct Render {
     /// The scene.
-    #[arg(long, value_enum, default_value_t = Scene::Teapot)]
-    pub(crate) scene: Scene,
+    #[arg(long, value_parser = one_of(SCENES), default_value = "teapot")]
+    pub(crate) scene: Set,
     /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply or .glb.
     #[arg(long, value_name = "FILE", conflicts_with = "scene")]
     pub(crate) mesh: Option<PathBuf>,
     /// Which way is up in the mesh's file.
-    #[arg(long, value_enum, default_value_t = Up::Y, requires = "mesh")]
+    #[arg(long, value_parser = one_of(UPS), default_value = "y", requires = "mesh")]
     pub(crate) up: Up,
     /// The material of the subject [default: what suits the scene].
     #[arg(long, value_enum)]
@@ -154,8 +157,8 @@ pub(crate) struct Render {
     #[command(flatten)]
     pub(crate) images: Images,
     /// The level-of-detail rule.
-    #[arg(long, value_enum, default_value_t = Rule::Exact)]
-    pub(crate) rule: Rule,
+    #[arg(long, value_parser = one_of(RULES), default_value = "exact")]
+    pub(crate) rule: LevelOfDetail,
     /// Magnification: 1 shows the whole object.
     #[arg(long, default_value_t = 1.0, value_parser = positive)]
     pub(crate) zoom: f32,
@@ -166,11 +169,11 @@ pub(crate) struct Render {
     #[arg(long, value_parser = positive)]
     pub(crate) frequency: Option<f32>,
     /// Each octave's amplitude over the one before, between 0 and 1 [default: 0.8].
-    #[arg(long, value_parser = positive)]
+    #[arg(long, value_parser = share)]
     pub(crate) gain: Option<f32>,
     /// The noise that the bumps are made of.
-    #[arg(long, value_enum, default_value_t = Noise::Gaussian)]
-    pub(crate) noise: Noise,
+    #[arg(long, value_parser = one_of(NOISES), default_value = "gaussian")]
+    pub(crate) noise: NoiseKind,
     /// Colour of the surface, sRGB in hexadecimal.
     #[arg(long, value_name = "RRGGBB", default_value = "f2b184", value_parser = colour)]
     pub(crate) tint: u32,
@@ -214,66 +217,77 @@ pub(crate) struct Bench {
 }
 
 /// Options for reading images.
-#[derive(Clone, Copy, Debug, Default, Args)]
+#[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Images {
     /// Measure that an image's grey values are a density over.
-    #[arg(long, value_enum, default_value_t = Measure::Normals)]
+    #[arg(long, value_parser = one_of(MEASURES), default_value = "normals")]
     pub(crate) measure: Measure,
     /// Reconstruction of a density between the pixels of its image.
-    #[arg(long, value_enum, default_value_t = Reconstruction::Constant)]
+    #[arg(long, value_parser = one_of(RECONSTRUCTIONS), default_value = "constant")]
     pub(crate) reconstruction: Reconstruction,
     /// Which way the green channel of a normal map points.
-    #[arg(long, value_enum, default_value_t = TangentSpace::Opengl)]
+    #[arg(long, value_parser = one_of(TANGENT_SPACES), default_value = "opengl")]
     pub(crate) tangent_space: TangentSpace,
 }
 
-/// Reconstruction of a density between the pixels of its image.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Reconstruction {
-    /// Constant on each pixel.
-    #[default]
-    Constant,
-    /// Bilinear between the centres of pixels.
-    Bilinear,
+impl Images {
+    /// Values of options that are not given.
+    pub(crate) const USUAL: Self = Self {
+        measure: Measure::Normals,
+        reconstruction: Reconstruction::Constant,
+        tangent_space: TangentSpace::OpenGl,
+    };
 }
 
-/// Which way the green channel of a normal map points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TangentSpace {
-    /// Up the image.
-    #[default]
-    Opengl,
-    /// Down the image.
-    Directx,
-}
+/// Words that an option takes: each with its help and its meaning.
+type Words<T> = [(&'static str, &'static str, T)];
 
-/// The measure that an image's values are a density over.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Measure {
-    /// Over (n_x, n_y): the value is D itself, up to a factor.
-    #[default]
-    Normals,
-    /// Over solid angle: the value is D cos θ, up to a factor.
-    SolidAngle,
-}
+const RECONSTRUCTIONS: &Words<Reconstruction> = &[
+    ("constant", "Constant on each pixel", Reconstruction::Constant),
+    ("bilinear", "Bilinear between the centres of pixels", Reconstruction::Bilinear),
+];
 
-/// The scenes of `render`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Scene {
-    /// The Utah teapot.
-    Teapot,
-    /// A sphere.
-    Sphere,
-    /// A plane, seen at an angle; of other materials than bumps, to the horizon.
-    Plane,
-    /// A smooth car-like body.
-    Car,
-    /// The corner of a room.
-    Room,
-    /// A wall, seen along it.
-    Wall,
-    /// A turned vase on a table.
-    Vase,
+const TANGENT_SPACES: &Words<TangentSpace> =
+    &[("opengl", "Up the image", TangentSpace::OpenGl), ("directx", "Down the image", TangentSpace::DirectX)];
+
+const MEASURES: &Words<Measure> = &[
+    ("normals", "Over (n_x, n_y): the value is D itself, up to a factor", Measure::Normals),
+    ("solid-angle", "Over solid angle: the value is D cos θ, up to a factor", Measure::SolidAngle),
+];
+
+const SCENES: &Words<Set> = &[
+    ("teapot", "The Utah teapot", Set::Teapot),
+    ("sphere", "A sphere", Set::Sphere),
+    ("plane", "A plane, seen at an angle; of other materials than bumps, to the horizon", Set::Plane),
+    ("car", "A smooth car-like body", Set::Car),
+    ("room", "The corner of a room", Set::Room),
+    ("wall", "A wall, seen along it", Set::Wall),
+    ("vase", "A turned vase on a table", Set::Vase),
+];
+
+const UPS: &Words<Up> = &[
+    ("y", "The convention of glTF and of most other formats", Up::Y),
+    ("z", "The convention of files of buildings and maps", Up::Z),
+];
+
+const RULES: &Words<LevelOfDetail> = &[
+    ("exact", "Keeps the mean at every zoom", LevelOfDetail::Exact),
+    ("fractal", "The paper's: every facet is shaded with the whole density", LevelOfDetail::Fractal),
+];
+
+const NOISES: &Words<NoiseKind> = &[
+    ("gaussian", "Exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
+    ("perlin", "Perlin's noise of 2002 through its measured distribution", NoiseKind::Perlin2002),
+    ("simplex", "Simplex noise through its measured distribution", NoiseKind::Simplex),
+];
+
+/// A parser of the words of a table into what they mean.
+fn one_of<T: Copy + Send + Sync>(words: &'static Words<T>) -> impl TypedValueParser<Value = T> {
+    let values = words.iter().map(|(word, help, _)| PossibleValue::new(*word).help(*help));
+    PossibleValuesParser::new(values).try_map(|said| {
+        let meant = words.iter().find(|(word, ..)| *word == said);
+        meant.map(|(_, _, meaning)| *meaning).ok_or("an unknown word")
+    })
 }
 
 /// The materials of `render`.
@@ -312,56 +326,20 @@ pub(crate) enum Tone {
     Plain,
 }
 
-/// The axis that points up in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Up {
-    /// The convention of glTF and of most other formats.
-    Y,
-    /// The convention of files of buildings and maps.
-    Z,
+fn positive(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0);
+    number.ok_or("must be a number above 0")
 }
 
-impl From<Up> for mesh_file::Up {
-    fn from(up: Up) -> Self {
-        match up {
-            Up::Y => Self::Y,
-            Up::Z => Self::Z,
-        }
-    }
+fn share(text: &str) -> Result<f32, &'static str> {
+    positive(text).ok().filter(|x| *x <= 1.0).ok_or("must be a number above 0, at most 1")
 }
 
-/// The level-of-detail rules.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Rule {
-    /// Keeps the mean at every zoom.
-    Exact,
-    /// The paper's: every facet is shaded with the whole density.
-    Fractal,
-}
-
-/// The noises that `render` offers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Noise {
-    /// Exactly Gaussian value-gradient noise.
-    Gaussian,
-    /// Perlin's noise of 2002 through its measured distribution.
-    Perlin,
-    /// Simplex noise through its measured distribution.
-    Simplex,
-}
-
-fn positive(text: &str) -> Result<f32, String> {
-    match text.parse::<f32>() {
-        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
-        _ => Err("a number above 0".into()),
-    }
-}
-
-fn colour(text: &str) -> Result<u32, String> {
+fn colour(text: &str) -> Result<u32, &'static str> {
     let digits = text.trim_start_matches('#');
     match u32::from_str_radix(digits, 16) {
         Ok(rgb) if digits.len() == 6 => Ok(rgb),
-        _ => Err("six hexadecimal digits, as in d9a066".into()),
+        _ => Err("must be six hexadecimal digits, as in d9a066"),
     }
 }
 
@@ -380,6 +358,9 @@ mod tests {
         for line in [
             "cargo-xtask render --zoom 0",
             "cargo-xtask render --zoom nan",
+            "cargo-xtask render --gain 1.5",
+            "cargo-xtask render --tint f2b18",
+            "cargo-xtask render --scene barn",
             "cargo-xtask render --mesh a.obj --scene plane",
             "cargo-xtask render --up z",
             "cargo-xtask render --mesh a.obj --up x",

@@ -54,7 +54,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
             }
             let pictures = output.inside("gallery")?;
             gallery::draw(&figures(), &wanted, &pictures, &interrupted)?;
-            tell("gallery", &pictures, "index.html");
+            progress::say(&format!("the gallery: {}", pictures.place("index.html")));
             Ok(())
         }
         Command::Tables(wanted) if wanted.check => tables::check(root).map(|()| {
@@ -65,31 +65,18 @@ fn run(cli: Cli) -> Result<(), Failure> {
             let sets = tables::chosen_sets(&wanted)?;
             let output = Output::new(&wanted.out)?;
             tables::build(&sets, &output, &interrupted)?;
-            tell("tables", &output, "index.html");
+            progress::say(&format!("the tables: {}", output.place("index.html")));
             Ok(())
         }
         Command::Render(wanted) => gallery::render::render(&wanted, &interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, &interrupted),
         Command::Tidy => {
             let report = tidy::report()?;
-            for line in &report.lines {
-                progress::say(line);
-            }
-            if report.offences.is_empty() {
-                progress::say("tidy");
-                Ok(())
-            } else {
-                Err(report.offences.join("\n       ").into())
-            }
+            report.lines.iter().for_each(|line| progress::say(line));
+            report.verdict().map(|()| progress::say("tidy"))
         }
-        Command::Ci(wanted) => ci::run(&wanted.only, root, &interrupted),
+        Command::Ci(wanted) => ci::gates(&wanted.only, root, &interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
     }
-}
-
-fn tell(what: &str, output: &Output, file: &str) {
-    let path = output.folder().join(file);
-    let path = std::path::absolute(&path).unwrap_or(path);
-    progress::say(&format!("the {what}: {}", path.display()));
 }

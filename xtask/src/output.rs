@@ -1,7 +1,7 @@
 //! Files that appear whole or not at all: written under a temporary name, then renamed.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{fmt, fs, io};
 
 use sha2::{Digest, Sha256};
@@ -37,9 +37,10 @@ impl Output {
         Ok(Self { folder })
     }
 
-    /// The folder itself.
-    pub(crate) fn folder(&self) -> &Path {
-        &self.folder
+    /// The whole path of a file in it, for people.
+    pub(crate) fn place(&self, name: &str) -> String {
+        let path = self.folder.join(name);
+        std::path::absolute(&path).unwrap_or(path).display().to_string()
     }
 
     /// A folder inside this one.
@@ -95,7 +96,7 @@ mod tests {
         let digest = output.write("a.txt", b"second").unwrap();
         assert_eq!(output.read("a.txt").unwrap(), b"second");
         assert_eq!(digest, sha256(b"second"));
-        assert_eq!(fs::read_dir(output.folder()).unwrap().count(), 1);
+        assert_eq!(fs::read_dir(&output.folder).unwrap().count(), 1);
     }
 
     #[test]

@@ -2,51 +2,28 @@
 
 use std::{fs, path::Path, process::Command, thread};
 
-use serde::{Deserialize, Serialize};
-
-/// The machine and the compilers, as far as they can be told.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Machine {
-    pub(crate) processor: String,
-    pub(crate) cores: usize,
-    /// Families of instructions that matter here.
-    pub(crate) features: Vec<String>,
-    pub(crate) platform: String,
-    pub(crate) rustc: String,
-    /// Compiler of FastNoise2; `None` where it was not measured.
-    pub(crate) fastnoise2: Option<String>,
-}
-
-impl Machine {
-    /// This machine; `library` is the static library of FastNoise2, if it is measured.
-    pub(crate) fn here(library: Option<&Path>) -> Self {
-        let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-        Self {
-            processor: processor(&cpuinfo).unwrap_or("unknown processor").to_owned(),
-            cores: thread::available_parallelism().map_or(1, usize::from),
-            features: features(),
-            platform: format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS),
-            rustc: rustc(),
-            fastnoise2: library.map(|path| {
-                let bytes = fs::read(path).unwrap_or_default();
-                compiler(&bytes).unwrap_or_else(|| "unknown compiler".to_owned())
-            }),
-        }
-    }
-
-    /// Lines of a list.
-    pub(crate) fn lines(&self) -> Vec<String> {
-        let mut lines = vec![
-            format!("Processor: {}, {} cores; {}", self.processor, self.cores, self.platform),
-            format!("Instructions: {}", self.features.join(", ")),
-            format!("Rust: {}, for the target's baseline unless the code asks for more", self.rustc),
-        ];
-        lines.push(match &self.fastnoise2 {
-            Some(compiler) => format!("FastNoise2: compiled with {compiler}"),
+/// Facts about this machine and the compilers, each a line; `library` is the static library of FastNoise2, if it is measured.
+pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
+    let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let compiled = library.map(|path| compiler(&fs::read(path).unwrap_or_default()));
+    [
+        format!(
+            "Processor: {}, {cores} cores; {}, {}",
+            processor(&cpuinfo).unwrap_or("unknown processor"),
+            std::env::consts::ARCH,
+            std::env::consts::OS
+        ),
+        format!("Instructions: {}", instructions().join(", ")),
+        format!("Rust: {}, for the target's baseline unless the code asks for more", rustc()),
+        match compiled {
+            Some(compiler) => format!(
+                "FastNoise2: compiled with {}",
+                compiler.unwrap_or_else(|| "unknown compiler".to_owned())
+            ),
             None => "FastNoise2: not measured".to_owned(),
-        });
-        lines
-    }
+        },
+    ]
 }
 
 /// The processor's name in `/proc/cpuinfo`.
@@ -57,25 +34,19 @@ fn processor(cpuinfo: &str) -> Option<&str> {
         .map(|(_, name)| name.trim())
 }
 
+/// Families of instructions that matter here.
 #[cfg(target_arch = "x86_64")]
-fn features() -> Vec<String> {
-    let all = [
-        ("sse4.1", is_x86_feature_detected!("sse4.1")),
-        ("sse4.2", is_x86_feature_detected!("sse4.2")),
-        ("avx2", is_x86_feature_detected!("avx2")),
-        ("fma", is_x86_feature_detected!("fma")),
-        ("avx512f", is_x86_feature_detected!("avx512f")),
-        ("avx512bw", is_x86_feature_detected!("avx512bw")),
-        ("avx512dq", is_x86_feature_detected!("avx512dq")),
-        ("avx512vl", is_x86_feature_detected!("avx512vl")),
-    ];
-    let there = all.iter().filter(|(_, there)| *there).map(|(name, _)| (*name).to_owned());
-    std::iter::once("sse2".to_owned()).chain(there).collect()
+fn instructions() -> Vec<&'static str> {
+    macro_rules! detected {
+        ($($name:tt)*) => { [("sse2", true), $(($name, is_x86_feature_detected!($name))),*] };
+    }
+    let all = detected!["sse4.1" "sse4.2" "avx2" "fma" "avx512f" "avx512bw" "avx512dq" "avx512vl"];
+    all.into_iter().filter(|(_, there)| *there).map(|(name, _)| name).collect()
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn features() -> Vec<String> {
-    vec!["the baseline".to_owned()]
+fn instructions() -> Vec<&'static str> {
+    vec!["the baseline"]
 }
 
 fn rustc() -> String {

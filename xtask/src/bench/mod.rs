@@ -6,18 +6,17 @@ mod table;
 mod times;
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::process::Stdio;
+use std::sync::atomic::AtomicBool;
 
-use serde::Serialize;
+use serde_json::json;
 
-use crate::check::cargo::cargo_program;
+use crate::check::cargo::{self, cargo};
 use crate::check::ci::CRATES;
 use crate::cli::Bench;
 use crate::failure::{Failure, Interrupted};
 use crate::output::Output;
 use crate::progress;
-use machine::Machine;
 use times::Times;
 
 /// The variable that names the folder of FastNoise2's static library.
@@ -26,13 +25,6 @@ const LIBRARY: &str = "FASTNOISE2_LIB_DIR";
 /// Folder of the checked-in copy.
 const SHIPPED: &str = "docs/bench";
 
-/// The file that keeps all that was measured.
-#[derive(Serialize)]
-struct Record<'a> {
-    machine: &'a Machine,
-    times: &'a Times,
-}
-
 /// Runs what was asked for.
 pub(crate) fn run(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
     if wanted.peers { peers(wanted, root, interrupted) } else { own(&wanted.only, root, interrupted) }
@@ -40,19 +32,13 @@ pub(crate) fn run(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Resu
 
 /// The criterion benches of the crates.
 fn own(only: &[String], root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
-    let mut command = Command::new(cargo_program());
-    command.arg("bench").current_dir(root);
-    for name in CRATES {
-        command.args(["--package", name]);
-    }
+    let mut command = cargo(root, &format!("bench --package {}", CRATES.join(" --package ")));
     if !only.is_empty() {
         command.args(["--", &only.join("|")]);
     }
-    let status = command.stdin(Stdio::null()).status()?;
-    if interrupted.load(Ordering::Relaxed) {
-        return Err(Interrupted.into());
-    }
-    if status.success() { Ok(()) } else { Err("the benches did not run to their end".into()) }
+    let ran = cargo::run(&mut command);
+    Interrupted::check(interrupted)?;
+    ran
 }
 
 fn peers(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
@@ -67,23 +53,16 @@ fn peers(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Result<(), Fa
     // Before the long part, so that a folder that cannot be written to is known at once.
     let output = Output::new(&wanted.out)?;
     let times = measure(wanted, root, library.is_some(), interrupted)?;
-    let machine = Machine::here(library.as_deref());
+    let machine = machine::facts(library.as_deref());
     let (text, chart) = (table::markdown(&machine, &times, "peers.svg"), chart::svg(&times)?);
-    let record = serde_json::to_vec(&Record { machine: &machine, times: &times })?;
+    output.write("peers.json", &serde_json::to_vec(&json!({ "machine": machine, "times": times }))?)?;
     progress::say(&table::ratios(&times));
-    let mut places = vec![output];
-    if wanted.ship {
-        places.push(Output::new(root.join(SHIPPED))?);
-    }
-    for (index, place) in places.iter().enumerate() {
-        place.write("peers.svg", chart.as_bytes())?;
-        place.write("peers.md", text.as_bytes())?;
-        if index == 0 {
-            place.write("peers.json", &record)?;
-        }
-        let folder = std::path::absolute(place.folder())?;
-        progress::say(&format!("the table: {}", folder.join("peers.md").display()));
-        progress::say(&format!("the chart: {}", folder.join("peers.svg").display()));
+    let shipped = wanted.ship.then(|| Output::new(root.join(SHIPPED))).transpose()?;
+    for folder in std::iter::once(output).chain(shipped) {
+        folder.write("peers.svg", chart.as_bytes())?;
+        folder.write("peers.md", text.as_bytes())?;
+        progress::say(&format!("the table: {}", folder.place("peers.md")));
+        progress::say(&format!("the chart: {}", folder.place("peers.svg")));
     }
     Ok(())
 }
@@ -95,19 +74,14 @@ fn measure(
     fastnoise2: bool,
     interrupted: &AtomicBool,
 ) -> Result<Times, Failure> {
-    let mut command = Command::new(cargo_program());
-    command.args(["run", "--release", "--locked"]).current_dir(root.join("xtask/peers"));
+    let mut command = cargo(&root.join("xtask/peers"), "run --release --locked");
     if fastnoise2 {
         command.args(["--features", "fastnoise2"]);
     }
     command.args(["--", "--rounds", &wanted.rounds.to_string(), "--step", &wanted.step.to_string()]);
-    for name in &wanted.only {
-        command.args(["--only", name]);
-    }
-    let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output()?;
-    if interrupted.load(Ordering::Relaxed) {
-        return Err(Interrupted.into());
-    }
+    command.args(wanted.only.iter().flat_map(|name| ["--only", name]));
+    let output = command.stderr(Stdio::inherit()).output()?;
+    Interrupted::check(interrupted)?;
     if !output.status.success() {
         return Err("the peers were not measured; what stands above says why".into());
     }
@@ -117,15 +91,12 @@ fn measure(
 /// The static library in the folder that was named, if one was.
 fn library(folder: Option<PathBuf>) -> Result<Option<PathBuf>, Failure> {
     let Some(folder) = folder else { return Ok(None) };
-    let found =
-        ["libFastNoise.a", "FastNoise.lib"].map(|name| folder.join(name)).into_iter().find(|p| p.is_file());
-    found.map(Some).ok_or_else(|| {
-        format!(
-            "{LIBRARY} is {}, but there is no libFastNoise.a in it; xtask/peers/README.md says how to build it",
-            folder.display()
-        )
-        .into()
-    })
+    let files = ["libFastNoise.a", "FastNoise.lib"].map(|name| folder.join(name));
+    let found = files.into_iter().find(|file| file.is_file()).ok_or_else(|| {
+        let folder = folder.display();
+        format!("{LIBRARY} is {folder}, but no libFastNoise.a is in it; xtask/peers/README.md says how to build it")
+    });
+    Ok(Some(found?))
 }
 
 #[cfg(test)]

@@ -1,44 +1,32 @@
 //! The times and ratios as Markdown.
 
-use std::fmt::Write;
+use std::collections::BTreeSet;
 
-use super::machine::Machine;
 use super::times::{Contender, OURS, Row, Times};
 
 /// The whole text of `peers.md`; `chart` is the name of the picture beside it.
-pub(crate) fn markdown(machine: &Machine, times: &Times, chart: &str) -> String {
-    let mut out = String::from("# Asperity beside its peers\n\n");
-    for line in machine.lines() {
-        let _ = writeln!(out, "- {line}");
-    }
-    let _ = writeln!(
-        out,
-        "- Medians of {} rounds in which all contenders of a row took turns, in one process; grids have a step of {} \
+pub(crate) fn markdown(machine: &[String], times: &Times, chart: &str) -> String {
+    let forms = times.rows.chunk_by(|a, b| a.form() == b.form());
+    let tables: String = forms.map(form_table).collect();
+    format!(
+        "# Asperity beside its peers\n\n- {}\n\
+         - Medians of {} rounds in which all contenders of a row took turns, in one process; grids have a step of {} \
          cells. `xtask/peers/README.md` says what is measured and how.\n\n![Nanoseconds per sample of Asperity and of \
-         the fastest peer]({chart})\n",
-        times.rounds, times.step
-    );
-    out += &ratios(times);
-    for form in forms(times) {
-        let rows: Vec<_> =
-            times.rows.iter().filter(|row| row.name.starts_with(&format!("{form}/"))).collect();
-        let _ = write!(
-            out,
-            "\n## `{form}`\n\nNanoseconds per sample, ± half the distance between the quartiles.\n\n"
-        );
-        out += &form_table(form, &rows);
-    }
-    out
+         the fastest peer]({chart})\n\n{}{tables}",
+        machine.join("\n- "),
+        times.rounds,
+        times.step,
+        ratios(times)
+    )
 }
 
 /// One line per row and level of ours; a peer counts at its level and at those above it.
 pub(crate) fn ratios(times: &Times) -> String {
-    let lines: Vec<_> = times
-        .rows
-        .iter()
-        .flat_map(|row| row.ratios().into_iter().map(move |ratio| (row, ratio)))
-        .map(|(row, ratio)| {
-            vec![
+    let mut lines =
+        vec![["row", "level", "Asperity, ns", "fastest peer, ns", "which", "ratio"].map(str::to_owned)];
+    for row in &times.rows {
+        lines.extend(row.ratios().into_iter().map(|ratio| {
+            [
                 format!("`{}`", row.name),
                 ratio.ours.level.clone(),
                 number(ratio.ours.median()),
@@ -46,53 +34,35 @@ pub(crate) fn ratios(times: &Times) -> String {
                 format!("{}, {}", ratio.peer.library, ratio.peer.level),
                 format!("{:.2}", ratio.value()),
             ]
-        })
-        .collect();
-    let head = ["row", "level", "Asperity, ns", "fastest peer, ns", "which", "ratio"].map(str::to_owned);
+        }));
+    }
+    let lines = table(&lines);
+    format!("## Ratios\n\nThe fastest peer at the same SIMD level or below, over Asperity.\n\n{lines}")
+}
+
+/// The times of rows of one form: a column each, and a line for every contender, ours first.
+fn form_table(rows: &[Row]) -> String {
+    let key = |contender: &Contender| (contender.library.clone(), contender.level.clone());
+    let mut contenders: Vec<&Contender> = rows.iter().flat_map(|row| &row.contenders).collect();
+    let mut seen = BTreeSet::new();
+    contenders.retain(|contender| seen.insert(key(contender)));
+    contenders.sort_by_key(|contender| contender.library != OURS);
+    let names = rows.iter().map(|row| row.name[row.form().len()..].trim_start_matches('/').to_owned());
+    let mut lines: Vec<Vec<String>> =
+        vec![["library".into(), "level".into()].into_iter().chain(names).collect()];
+    lines.extend(contenders.iter().map(|contender| {
+        let times = rows.iter().map(|row| {
+            let found = row.contenders.iter().find(|other| key(other) == key(contender));
+            found.map_or_else(String::new, |c| format!("{} ± {}", number(c.median()), number(c.spread())))
+        });
+        let name = format!("{} {}", contender.library, contender.version);
+        [name, contender.level.clone()].into_iter().chain(times).collect()
+    }));
+    let form = rows.first().map_or("", Row::form);
     format!(
-        "## Ratios\n\nThe fastest peer at the same SIMD level or below, over Asperity.\n\n{}",
-        table(&head, &lines)
+        "\n## `{form}`\n\nNanoseconds per sample, ± half the distance between the quartiles.\n\n{}",
+        table(&lines)
     )
-}
-
-fn forms(times: &Times) -> Vec<&str> {
-    let mut forms = Vec::new();
-    for row in &times.rows {
-        let form = row.name.split('/').next().unwrap_or_default();
-        if !forms.contains(&form) {
-            forms.push(form);
-        }
-    }
-    forms
-}
-
-fn form_table(form: &str, rows: &[&Row]) -> String {
-    let mut contenders: Vec<&Contender> = Vec::new();
-    for contender in rows.iter().flat_map(|row| &row.contenders) {
-        if !contenders.iter().any(|c| same(c, contender)) {
-            contenders.push(contender);
-        }
-    }
-    contenders.sort_by_key(|c| c.library != OURS);
-    let mut head = vec!["library".to_owned(), "level".to_owned()];
-    head.extend(rows.iter().map(|row| row.name.trim_start_matches(form).trim_start_matches('/').to_owned()));
-    let lines: Vec<_> = contenders
-        .iter()
-        .map(|contender| {
-            let mut line =
-                vec![format!("{} {}", contender.library, contender.version), contender.level.clone()];
-            line.extend(rows.iter().map(|row| {
-                let found = row.contenders.iter().find(|c| same(c, contender));
-                found.map_or_else(String::new, |c| format!("{} ± {}", number(c.median()), number(c.spread())))
-            }));
-            line
-        })
-        .collect();
-    table(&head, &lines)
-}
-
-fn same(a: &Contender, b: &Contender) -> bool {
-    (&a.library, &a.level) == (&b.library, &b.level)
 }
 
 /// Nanoseconds with the digits that mean something.
@@ -100,27 +70,28 @@ pub(super) fn number(value: f64) -> String {
     if value < 10.0 { format!("{value:.2}") } else { format!("{value:.1}") }
 }
 
-/// Columns of equal width, the first to the left.
-fn table(head: &[String], lines: &[Vec<String>]) -> String {
-    let width = |column: usize| {
-        let cells = lines.iter().filter_map(|line| line.get(column)).chain(head.get(column));
-        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<_> = (0..head.len()).map(width).collect();
-    let line = |cells: &[String]| {
-        cells.iter().zip(&widths).enumerate().fold(String::from("|"), |mut out, (column, (cell, &width))| {
-            let _ =
-                if column == 0 { write!(out, " {cell:<width$} |") } else { write!(out, " {cell:>width$} |") };
-            out
-        })
-    };
-    let rule = widths.iter().enumerate().fold(String::from("|"), |mut out, (column, &width)| {
-        let dashes = "-".repeat(width + 1);
-        let _ = if column == 0 { write!(out, "{dashes}-|") } else { write!(out, "{dashes}:|") };
-        out
-    });
-    let body = lines.iter().fold(String::new(), |out, cells| out + &line(cells) + "\n");
-    format!("{}\n{rule}\n{body}", line(head))
+/// Columns of equal width under the first line, the first to the left.
+fn table(lines: &[impl AsRef<[String]>]) -> String {
+    let mut widths: Vec<usize> = Vec::new();
+    for line in lines {
+        let line = line.as_ref();
+        widths.resize(widths.len().max(line.len()), 0);
+        widths.iter_mut().zip(line).for_each(|(width, cell)| *width = (*width).max(cell.chars().count()));
+    }
+    let mut out = String::new();
+    for (index, line) in lines.iter().enumerate() {
+        let cells = line.as_ref().iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
+            if column == 0 { format!(" {cell:<width$} |") } else { format!(" {cell:>width$} |") }
+        });
+        out += &format!("|{}\n", cells.collect::<String>());
+        if index == 0 {
+            let rules = widths.iter().enumerate().map(|(column, width)| {
+                format!("{}{}|", "-".repeat(width + 1), if column == 0 { '-' } else { ':' })
+            });
+            out += &format!("|{}\n", rules.collect::<String>());
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -151,14 +122,7 @@ mod tests {
 
     #[test]
     fn every_form_has_a_table_and_every_contender_a_line() {
-        let machine = Machine {
-            processor: "Some CPU".into(),
-            cores: 2,
-            features: vec!["sse2".into()],
-            platform: "x86_64, linux".into(),
-            rustc: "rustc 1.95.0".into(),
-            fastnoise2: None,
-        };
+        let machine = ["Processor: Some CPU".to_owned(), "FastNoise2: not measured".to_owned()];
         let text = markdown(&machine, &times(), "peers.svg");
         for part in ["Some CPU", "FastNoise2: not measured", "](peers.svg)", "## `fill_grid`", "## `value`"] {
             assert!(text.contains(part), "{part}: {text}");

@@ -60,6 +60,11 @@ impl Contender {
 }
 
 impl Row {
+    /// The beginning of its name, up to the dimension.
+    pub(crate) fn form(&self) -> &str {
+        self.name.split('/').next().unwrap_or_default()
+    }
+
     /// One ratio per level of ours, in the order of measurement.
     pub(crate) fn ratios(&self) -> Vec<Ratio<'_>> {
         let (ours, peers): (Vec<_>, Vec<_>) = self.contenders.iter().partition(|c| c.library == OURS);

@@ -13,22 +13,21 @@ pub(crate) fn cargo_program() -> OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// Runs cargo on the workspace.
-pub(crate) fn cargo(root: &Path, arguments: &[&str]) -> Result<(), Failure> {
-    cargo_with(root, arguments, &[])
+/// A command of cargo in a folder: its words with spaces between.
+pub(crate) fn cargo(folder: &Path, words: &str) -> Command {
+    let mut command = Command::new(cargo_program());
+    command.args(words.split(' ')).current_dir(folder).stdin(Stdio::null());
+    command
 }
 
-/// Runs cargo on the workspace with more in its environment.
-pub(crate) fn cargo_with(
-    root: &Path,
-    arguments: &[&str],
-    environment: &[(&str, &str)],
-) -> Result<(), Failure> {
-    let status = Command::new(cargo_program())
-        .args(arguments)
-        .current_dir(root)
-        .envs(environment.iter().copied())
-        .stdin(Stdio::null())
-        .status()?;
-    if status.success() { Ok(()) } else { Err(format!("`cargo {}` failed", arguments.join(" ")).into()) }
+/// Runs a command to its end.
+pub(crate) fn run(command: &mut Command) -> Result<(), Failure> {
+    let cause = match command.status() {
+        Ok(status) if status.success() => return Ok(()),
+        Ok(_) => "failed".to_owned(),
+        Err(error) => format!("cannot be run: {error}"),
+    };
+    let program = Path::new(command.get_program()).file_stem().unwrap_or_default();
+    let words = std::iter::once(program).chain(command.get_args()).map(|word| word.to_string_lossy());
+    Err(format!("`{}` {cause}", words.collect::<Vec<_>>().join(" ")).into())
 }

@@ -1,6 +1,6 @@
 //! A figure of the gallery: its name, the function that draws it, and what that hands back.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use asperity_render::geometry::camera::Camera;
 use asperity_render::image::Image;
@@ -38,7 +38,7 @@ pub(crate) struct Context<'a> {
 impl Context<'_> {
     /// Returns [`Interrupted`] once the user has pressed Ctrl-C.
     pub(crate) fn checkpoint(&self) -> Result<(), Interrupted> {
-        if self.interrupted.load(Ordering::Relaxed) { Err(Interrupted) } else { Ok(()) }
+        Interrupted::check(self.interrupted)
     }
 
     /// A square panel of the figure's size.

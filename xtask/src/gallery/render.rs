@@ -19,19 +19,18 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{Approach, RenderRequest, Set, backdrop, ground};
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
-    Carpet, CarpetParameters, Environment, EnvironmentMap, LevelOfDetail, Marble, MetallicPaint,
-    MetallicPaintParameters, Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters,
-    Variations, VariationsParameters,
+    Carpet, CarpetParameters, Environment, EnvironmentMap, Marble, MetallicPaint, MetallicPaintParameters,
+    Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
     material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper},
     reflectance::Coat,
 };
 use glam::Vec3;
 
-use crate::cli::{Material, Noise, Render, Rule, Tone};
+use crate::cli::{Material, Render, Tone};
 use crate::failure::Failure;
 use crate::input::density::{Density, NORMAL_MAP};
 use crate::output::Output;
-use crate::{cli, progress};
+use crate::progress;
 
 /// Draws what was asked for and tells where it lies.
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Failure> {
@@ -45,10 +44,14 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {
         return Err(format!("`{}` is a folder; name a file in it", wanted.out.display()).into());
     };
+    let has_ending = |ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    if !has_ending("png") && !has_ending("exr") {
+        return Err(format!("picture `{}`: its name must end in .png or .exr", wanted.out.display()).into());
+    }
     let mesh = match &wanted.mesh {
         Some(file) => {
             let named = |error| Failure::from(format!("mesh `{}`: {error}", file.display()));
-            Some(TracedMesh::new(mesh_file::open(file, wanted.up.into()).map_err(named)?))
+            Some(TracedMesh::new(mesh_file::open(file, wanted.up).map_err(named)?))
         }
         None => None,
     };
@@ -59,7 +62,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
         samples_per_pixel: wanted.spp,
         seed: wanted.seed,
     };
-    let material = wanted.material.unwrap_or(usual(set(wanted.scene)));
+    let material = wanted.material.unwrap_or(usual(wanted.scene));
     let lamps = match &wanted.light {
         Some(light) => light == LAMPS,
         None => material == Material::Bumps,
@@ -73,7 +76,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     };
     bar.finish_and_clear();
     let image = image?;
-    let bytes = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("exr")) {
+    let bytes = if has_ending("exr") {
         image.exr()?
     } else if lamps {
         // The lamps' exposure is chosen for the soft shoulder.
@@ -91,18 +94,6 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
 /// The word for light from single directions.
 const LAMPS: &str = "lamps";
 
-const fn set(scene: cli::Scene) -> Set {
-    match scene {
-        cli::Scene::Teapot => Set::Teapot,
-        cli::Scene::Sphere => Set::Sphere,
-        cli::Scene::Plane => Set::Plane,
-        cli::Scene::Car => Set::Car,
-        cli::Scene::Room => Set::Room,
-        cli::Scene::Wall => Set::Wall,
-        cli::Scene::Vase => Set::Vase,
-    }
-}
-
 /// The usual material of a set.
 const fn usual(set: Set) -> Material {
     match set {
@@ -114,21 +105,9 @@ const fn usual(set: Set) -> Material {
     }
 }
 
-fn rule(wanted: &Render) -> LevelOfDetail {
-    match wanted.rule {
-        Rule::Exact => LevelOfDetail::Exact,
-        Rule::Fractal => LevelOfDetail::Fractal,
-    }
-}
-
 fn bumps(wanted: &Render, usual: Bumps) -> Bumps {
-    let kind = match wanted.noise {
-        Noise::Gaussian => NoiseKind::Gaussian,
-        Noise::Perlin => NoiseKind::Perlin2002,
-        Noise::Simplex => NoiseKind::Simplex,
-    };
     Bumps {
-        kind,
+        kind: wanted.noise,
         octaves: wanted.octaves,
         frequency: wanted.frequency.unwrap_or(usual.frequency),
         gain: wanted.gain.unwrap_or(usual.gain),
@@ -144,7 +123,7 @@ fn by_lamps(
     sampling: Sampling,
     draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
 ) -> Result<Image, Failure> {
-    let set = set(wanted.scene);
+    let set = wanted.scene;
     if !matches!(set, Set::Teapot | Set::Sphere | Set::Plane) {
         return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
     }
@@ -152,10 +131,10 @@ fn by_lamps(
         return Err("lamps light bumps only; take `--light studio`".into());
     }
     let mut request = match &mesh {
-        Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf(), sampling),
-        None => RenderRequest::new(set, density.ndf(), sampling),
+        Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf.as_ref(), sampling),
+        None => RenderRequest::new(set, density.ndf.as_ref(), sampling),
     };
-    request.facets = Facets::Consistent(rule(wanted));
+    request.facets = Facets::Consistent(wanted.rule);
     request.zoom = wanted.zoom;
     request.bumps = bumps(wanted, request.bumps);
     request.tint = hex(wanted.tint);
@@ -173,7 +152,7 @@ fn staged(
     sampling: Sampling,
     draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
 ) -> Result<Image, Failure> {
-    let set = set(wanted.scene);
+    let set = wanted.scene;
     let surroundings: Box<dyn Environment + Sync> = match wanted.light.as_deref() {
         None | Some("studio") => Box::new(Studio::new(1.0)),
         Some("day") => Box::new(Studio::day(1.0)),
@@ -223,7 +202,12 @@ fn surface(
         Material::Bumps => {
             let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
             let bumps = bumps(wanted, usual).field(seed)?;
-            Box::new(Bumped { ndf: density.shared(), rule: rule(wanted), bumps, colour: hex(wanted.tint) })
+            Box::new(Bumped {
+                ndf: Arc::clone(&density.ndf),
+                rule: wanted.rule,
+                bumps,
+                colour: hex(wanted.tint),
+            })
         }
         Material::Carpet => {
             let diffuse = Vec3::new(0.24, 0.21, 0.19);

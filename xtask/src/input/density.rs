@@ -11,7 +11,6 @@ use asperity_ndf_sampling::{
 use asperity_render::image::read::{ImageFile, ImageFileError};
 use asperity_render::materials::SharedNdf;
 
-use crate::cli;
 use crate::cli::Images;
 use crate::failure::Failure;
 use crate::output::sha256;
@@ -34,62 +33,42 @@ const FORMULAS: [(&str, &str, &str); 6] = [
 
 /// A density of normals with the words that asked for it.
 pub(crate) struct Density {
-    spec: String,
-    form: Form,
-}
-
-enum Form {
-    Formula(Arc<SharedNdf>),
-    Map(Arc<NdfMap>),
+    pub(crate) spec: String,
+    pub(crate) ndf: Arc<SharedNdf>,
+    /// The map that it is, where it is no formula.
+    map: Option<NdfMap>,
 }
 
 impl Density {
     /// Reads a specification; an image is read from the file of that name.
     pub(crate) fn parse(text: &str, reading: Images) -> Result<Self, Failure> {
-        let fail = |error: Failure| Failure::from(format!("density `{text}`: {error}"));
-        let form = match text.split_once(':') {
-            Some((word, numbers)) if FORMULAS.iter().any(|formula| formula.0 == word) => {
-                Form::Formula(formula(word, numbers).map_err(fail)?)
-            }
-            _ if text == "painted" => Form::Map(Arc::new(painted()?)),
-            _ => Form::Map(Arc::new(match text.strip_prefix(NORMAL_MAP) {
-                Some(file) => estimated(Path::new(file), reading.tangent_space).map_err(fail)?,
-                None => image_density(Path::new(text), reading).map_err(fail)?,
-            })),
+        let read = || -> Result<(Arc<SharedNdf>, Option<NdfMap>), Failure> {
+            let map = match text.split_once(':') {
+                Some((word, numbers)) if FORMULAS.iter().any(|formula| formula.0 == word) => {
+                    return Ok((formula(word, numbers)?, None));
+                }
+                _ if text == "painted" => painted()?,
+                _ => match text.strip_prefix(NORMAL_MAP) {
+                    Some(file) => estimated(Path::new(file), reading.tangent_space)?,
+                    None => image_density(Path::new(text), reading)?,
+                },
+            };
+            Ok((Arc::new(map.clone()), Some(map)))
         };
-        Ok(Self { spec: text.into(), form })
+        let (ndf, map) = read().map_err(|error| format!("density `{text}`: {error}"))?;
+        Ok(Self { spec: text.into(), ndf, map })
     }
 
     /// The densities that the gallery shows.
     pub(crate) fn of_the_gallery() -> Vec<Self> {
         let specs = ["ggx:0.2,0.4", "beckmann:0.3", "painted"];
-        specs.iter().filter_map(|spec| Self::parse(spec, Images::default()).ok()).collect()
-    }
-
-    /// The density itself.
-    pub(crate) fn ndf(&self) -> &SharedNdf {
-        match &self.form {
-            Form::Formula(formula) => formula.as_ref(),
-            Form::Map(map) => map.as_ref(),
-        }
-    }
-
-    /// The density, to be kept.
-    pub(crate) fn shared(&self) -> Arc<SharedNdf> {
-        match &self.form {
-            Form::Formula(formula) => Arc::clone(formula),
-            Form::Map(map) => Arc::clone(map) as Arc<SharedNdf>,
-        }
+        specs.iter().filter_map(|spec| Self::parse(spec, Images::USUAL).ok()).collect()
     }
 
     /// The density on the (x, y) map: the image's own texels, or a function's at [`SIZE`]².
     pub(crate) fn map(&self) -> Result<NdfMap, Failure> {
-        Ok(match &self.form {
-            Form::Map(map) => map.as_ref().clone(),
-            Form::Formula(formula) => {
-                NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, formula.as_ref())?
-            }
-        })
+        let from_ndf = || NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, self.ndf.as_ref());
+        Ok(self.map.clone().map_or_else(from_ndf, Ok)?)
     }
 
     /// For people: `GGX 0.2, 0.4`.
@@ -106,11 +85,6 @@ impl Density {
             Some(path) => format!("Normals of {}", file(path)),
             None => formula.unwrap_or_else(|| file(&self.spec)),
         }
-    }
-
-    /// The words that asked for it.
-    pub(crate) fn spec(&self) -> &str {
-        &self.spec
     }
 
     /// For folders: `ggx-0.2-0.4`; two images of one name in different folders get different ones.
@@ -161,44 +135,24 @@ fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
     })
 }
 
-/// An image from a file; the error names the formulas, for a mistyped one is taken for a file.
-fn open(path: &Path) -> Result<ImageFile, Failure> {
-    ImageFile::open(path).map_err(|error| match error {
+/// The density of an image; the error names the formulas, for a mistyped one is taken for a file.
+fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
+    let image = ImageFile::open(path).map_err(|error| match error {
         ImageFileError::Unreadable(error) => {
             let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
             format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
                 .into()
         }
-        error => error.into(),
-    })
-}
-
-/// Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
-fn turned<T: Copy>(width: usize, values: &[T]) -> Vec<T> {
-    values.chunks(width.max(1)).rev().flatten().copied().collect()
-}
-
-fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
-    let image = open(path)?;
-    let measure = match reading.measure {
-        cli::Measure::Normals => Measure::Normals,
-        cli::Measure::SolidAngle => Measure::SolidAngle,
-    };
-    let reconstruction = match reading.reconstruction {
-        cli::Reconstruction::Constant => Reconstruction::Constant,
-        cli::Reconstruction::Bilinear => Reconstruction::Bilinear,
-    };
-    let texels = turned(image.width, &image.grey());
-    Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
+        error => Failure::from(error),
+    })?;
+    // Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
+    let texels: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
+    Ok(NdfMap::from_texels(image.width, image.height, &texels, reading.measure, reading.reconstruction)?)
 }
 
 /// The density of a normal map's normals: PNG unsigned, OpenEXR signed.
-fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Failure> {
-    let image = open(path)?;
-    let tangent_space = match tangent_space {
-        cli::TangentSpace::Opengl => TangentSpace::OpenGl,
-        cli::TangentSpace::Directx => TangentSpace::DirectX,
-    };
+fn estimated(path: &Path, tangent_space: TangentSpace) -> Result<NdfMap, Failure> {
+    let image = ImageFile::open(path)?;
     let format = NormalMapFormat { tangent_space, ..NormalMapFormat::default() };
     let [x, y, z] = image
         .components(&[["R", "G", "B"], ["n.X", "n.Y", "n.Z"], ["X", "Y", "Z"]])
@@ -216,11 +170,13 @@ fn estimated(path: &Path, tangent_space: cli::TangentSpace) -> Result<NdfMap, Fa
 mod tests {
     use approx::assert_abs_diff_eq;
 
-    use super::*;
+    use png::{BitDepth, ColorType};
     use std::fs;
 
+    use super::*;
+
     fn refused(text: &str) -> String {
-        let error = Density::parse(text, Images::default()).err().expect("must be refused").to_string();
+        let error = Density::parse(text, Images::USUAL).err().expect("must be refused").to_string();
         assert!(!error.contains('\n'), "{error}");
         error
     }
@@ -231,10 +187,10 @@ mod tests {
         path.to_str().unwrap().into()
     }
 
-    fn encode(width: u32, height: u32, depth: png::BitDepth, samples: &[u8]) -> Vec<u8> {
+    fn encode([width, height]: [u32; 2], color: ColorType, depth: BitDepth, samples: &[u8]) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_color(color);
         encoder.set_depth(depth);
         encoder.write_header().unwrap().write_image_data(samples).unwrap();
         bytes
@@ -253,8 +209,8 @@ mod tests {
             ("student-t:0.1,0.2,1.2", "gamma"),
             ("blinn-phong:-1", "exponent"),
             ("ashikhmin-shirley:1,nan", "n_v"),
-            ("normal-map:nowhere.png", "cannot be read"),
-            ("velvet", "cannot be read"),
+            ("normal-map:nowhere.png", ": the file cannot be read"),
+            ("velvet", "`ward:AX[,AY]`, `student-t:AX,AY,GAMMA`"),
         ] {
             let error = refused(text);
             assert!(error.contains(word) && error.contains(text), "{error}");
@@ -264,10 +220,10 @@ mod tests {
     #[test]
     fn bad_images_are_refused() {
         let folder = tempfile::tempdir().unwrap();
-        let good = encode(8, 8, png::BitDepth::Eight, &[200; 64]);
+        let good = encode([8, 8], ColorType::Grayscale, BitDepth::Eight, &[200; 64]);
         assert!(refused(&file(&folder, "empty.png", b"")).contains("empty"));
         assert!(refused(&file(&folder, "text.png", b"not an image")).contains("neither PNG nor OpenEXR"));
-        let black = encode(8, 8, png::BitDepth::Eight, &[0; 64]);
+        let black = encode([8, 8], ColorType::Grayscale, BitDepth::Eight, &[0; 64]);
         assert!(refused(&file(&folder, "black.png", &black)).contains("black"));
         for length in [8, 20, good.len() / 2, good.len() - 20] {
             refused(&file(&folder, "cut.png", &good[..length]));
@@ -278,47 +234,43 @@ mod tests {
     #[test]
     fn one_pixel_and_sixteen_bits_are_densities() {
         let folder = tempfile::tempdir().unwrap();
-        let one = file(&folder, "one.png", &encode(1, 1, png::BitDepth::Eight, &[9]));
-        let density = Density::parse(&one, Images::default()).unwrap();
+        let one = file(&folder, "one.png", &encode([1, 1], ColorType::Grayscale, BitDepth::Eight, &[9]));
+        let density = Density::parse(&one, Images::USUAL).unwrap();
         // Uniform over the disk: D = 1/π.
-        assert_abs_diff_eq!(density.ndf().density(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
+        assert_abs_diff_eq!(density.ndf.density(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
         // The lower byte of a sample decides: 0x0100 above, 0x0101 below.
         let deep = [[1_u8, 0], [1, 1]].concat();
-        let deep = file(&folder, "deep.png", &encode(1, 2, png::BitDepth::Sixteen, &deep));
-        let density = Density::parse(&deep, Images::default()).unwrap();
-        let ratio = density.ndf().density(Vec3::new(0.0, -0.6, 0.8))
-            / density.ndf().density(Vec3::new(0.0, 0.6, 0.8));
+        let deep = file(&folder, "deep.png", &encode([1, 2], ColorType::Grayscale, BitDepth::Sixteen, &deep));
+        let density = Density::parse(&deep, Images::USUAL).unwrap();
+        let ratio =
+            density.ndf.density(Vec3::new(0.0, -0.6, 0.8)) / density.ndf.density(Vec3::new(0.0, 0.6, 0.8));
         assert_abs_diff_eq!(ratio, 257.0 / 256.0, epsilon = 1e-5);
     }
 
     #[test]
     fn a_normal_map_is_read_in_both_tangent_spaces() {
         let folder = tempfile::tempdir().unwrap();
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
         // Both texels lean to the top of the image, where the green channel grows in OpenGL's sense.
-        encoder.write_header().unwrap().write_image_data(&[128, 204, 230, 128, 204, 230]).unwrap();
+        let bytes = encode([2, 1], ColorType::Rgb, BitDepth::Eight, &[128, 204, 230, 128, 204, 230]);
         let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &bytes));
         let up = Vec3::new(0.0, 0.6, 0.8);
         let down = Vec3::new(0.0, -0.6, 0.8);
         for (tangent_space, high, low) in
-            [(cli::TangentSpace::Opengl, up, down), (cli::TangentSpace::Directx, down, up)]
+            [(TangentSpace::OpenGl, up, down), (TangentSpace::DirectX, down, up)]
         {
-            let reading = Images { tangent_space, ..Images::default() };
+            let reading = Images { tangent_space, ..Images::USUAL };
             let density = Density::parse(&spec, reading).unwrap();
-            assert!(density.ndf().density(high) > 1.0 && density.ndf().density(low) == 0.0);
+            assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
         }
-        let grey = encode(1, 1, png::BitDepth::Eight, &[9]);
+        let grey = encode([1, 1], ColorType::Grayscale, BitDepth::Eight, &[9]);
         let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.png", &grey)));
         assert!(grey.contains("R, G, B"), "{grey}");
     }
 
     #[test]
     fn names_and_folders_follow_the_words() {
-        let density = Density::parse("ggx:0.2,0.4", Images::default()).unwrap();
+        let density = Density::parse("ggx:0.2,0.4", Images::USUAL).unwrap();
         assert_eq!((density.name(), density.slug()), ("GGX 0.2, 0.4".into(), "ggx-0.2-0.4".into()));
         assert_eq!(Density::of_the_gallery().len(), 3);
     }

@@ -66,16 +66,12 @@ impl System {
         let mut q = Vec::new();
         for (j, polynomial) in file.q.iter().enumerate() {
             let given = values(polynomial)?;
-            let mut padded = [0.0; COEFFICIENTS];
-            if given.len() > COEFFICIENTS {
-                let most = COEFFICIENTS - 1;
-                return Err(format!(
-                    "map {}: the degree must be at most {most}, got {}",
-                    j + 1,
-                    given.len() - 1
-                )
-                .into());
+            let degree = given.len().saturating_sub(1);
+            let most = COEFFICIENTS - 1;
+            if degree > most {
+                return Err(format!("map {}: the degree must be at most {most}, got {degree}", j + 1).into());
             }
+            let mut padded = [0.0; COEFFICIENTS];
             padded[..given.len()].copy_from_slice(&given);
             q.push(padded);
         }
@@ -89,13 +85,12 @@ impl System {
 
     /// The functions f and g of the gallery.
     pub(crate) fn of_the_gallery() -> Vec<Self> {
-        let line = |c: f64, m: f64| [c, m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let q = [line(0.0, 0.5), line(1.0, -0.5)];
-        let tent = |name: &str, alpha: [f64; 2]| {
-            Fif::new(&[0.0, 1.0, 2.0], &alpha, &q).ok().map(|fif| Self { name: name.into(), fif })
-        };
         // Cochran, Lewis, Hart 2000, eq. 18 to 23.
-        [tent("f", [0.5, 0.5]), tent("g", [17.0 / 20.0, -17.0 / 20.0])].into_iter().flatten().collect()
+        let read = |(name, alpha)| {
+            let maps = r#""knots": [0, 1, 2], "q": [[0, 0.5], [1, -0.5]]"#;
+            Self::parse(&format!(r#"{{ {maps}, "alpha": [{alpha}] }}"#), name).ok()
+        };
+        [("f", "0.5, 0.5"), ("g", "0.85, -0.85")].into_iter().filter_map(read).collect()
     }
 
     /// For people.

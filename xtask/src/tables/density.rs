@@ -1,8 +1,8 @@
 //! The tables of a density: the map, its distribution functions, and the normal table L with its frames.
 
-use asperity_ndf_sampling::glam::Vec3;
+use asperity_ndf_sampling::glam::{Mat3, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
-use asperity_ndf_sampling::{ConditionalTable, Frame, Ndf, NdfMap, NormalTable};
+use asperity_ndf_sampling::{ConditionalTable, Ndf, NdfMap, NormalTable};
 use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ use asperity_render::{image::Image, integrator::hemisphere::ember, materials::Sh
 const L_SIZE: usize = 256;
 
 pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
-    let ndf = density.ndf();
+    let ndf = density.ndf.as_ref();
     let map = density.map()?;
     let (width, height) = (map.cdf().width(), map.cdf().height());
     // Textures have their first row at the top, where n_y is near +1; arrays follow the map, from n_y = −1 up.
@@ -33,12 +33,17 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let accuracy = table.accuracy(ndf);
     let seen = ConditionalTable::new(ndf, L_SIZE)?;
     let loss = seen.accuracy(ndf);
+    // Rows of both textures run from the bottom up, as the tables have them: with z2 from −4.5, with p_y from −1.
+    let frames = table.frames().map(|f| Mat3::from_cols(f.normal, f.tangent, f.bitangent).to_cols_array());
+    let names = ["n.X", "n.Y", "n.Z", "t.X", "t.Y", "t.Z", "b.X", "b.Y", "b.Z"];
+    let half_vectors =
+        seen.view().entries().iter().map(|&[z1, z2, root]| [z1, z2, (root * root) * (root * root)]);
     let files = vec![
         ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
         ("marginal_cdf.npy".into(), npy(&[width + 1], &marginal)),
         ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
-        ("normal_table.exr".into(), frames(&table)?),
-        ("half_vectors.exr".into(), half_vectors(&seen)?),
+        ("normal_table.exr".into(), channels(L_SIZE, names, frames)?),
+        ("half_vectors.exr".into(), channels(L_SIZE, ["z1", "z2", "D"], half_vectors)?),
         packed(&map),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
@@ -67,7 +72,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         ),
         parameters: json!({
             "kind": "normal density function",
-            "ndf": density.spec(),
+            "ndf": density.spec,
             "map": [width, height],
             "normal_table": {
                 "size": L_SIZE,
@@ -135,36 +140,15 @@ fn at_centre(map: &dyn Ndf, [i, j]: [usize; 2], [width, height]: [usize; 2]) -> 
     if z2 > 0.0 { map.density(Vec3::new(x as f32, y as f32, z2.sqrt() as f32)) } else { 0.0 }
 }
 
-/// Rows run with p_y from −1 up, as the table has them.
-fn half_vectors(table: &ConditionalTable) -> Result<Vec<u8>, Failure> {
-    type Part = fn(&[f32; 3]) -> f32;
-    let channels: [(&str, Part); 3] =
-        [("z1", |e| e[0]), ("z2", |e| e[1]), ("D", |e| (e[2] * e[2]) * (e[2] * e[2]))];
-    let entries = table.view().entries();
-    let named: Vec<_> =
-        channels.iter().map(|(name, part)| (*name, entries.iter().map(part).collect())).collect();
-    exr(table.size(), table.size(), &named)
-}
-
-/// Rows run with z2 from −4.5 up, as the table has them.
-fn frames(table: &NormalTable) -> Result<Vec<u8>, Failure> {
-    type Part = fn(&Frame) -> f32;
-    let channels: [(&str, Part); 9] = [
-        ("n.X", |f| f.normal.x),
-        ("n.Y", |f| f.normal.y),
-        ("n.Z", |f| f.normal.z),
-        ("t.X", |f| f.tangent.x),
-        ("t.Y", |f| f.tangent.y),
-        ("t.Z", |f| f.tangent.z),
-        ("b.X", |f| f.bitangent.x),
-        ("b.Y", |f| f.bitangent.y),
-        ("b.Z", |f| f.bitangent.z),
-    ];
-    let named: Vec<_> = channels
-        .iter()
-        .map(|(name, part)| (*name, table.frames().map(|frame| part(&frame)).collect()))
-        .collect();
-    exr(table.size(), table.size(), &named)
+/// A square texture with these channels.
+fn channels<const N: usize>(
+    size: usize,
+    names: [&str; N],
+    texels: impl Iterator<Item = [f32; N]>,
+) -> Result<Vec<u8>, Failure> {
+    let texels: Vec<[f32; N]> = texels.collect();
+    let plane = |k: usize| texels.iter().map(|texel| texel[k]).collect();
+    exr(size, size, &std::array::from_fn::<_, N, _>(|k| (names[k], plane(k))))
 }
 
 #[cfg(test)]

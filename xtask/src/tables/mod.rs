@@ -11,7 +11,7 @@ mod noise_pictures;
 mod shipped;
 
 use std::fmt::Write;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use serde_json::json;
 
@@ -81,9 +81,7 @@ pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> 
     bar.set_length(sets.len() as u64);
     let mut rows = String::new();
     for set in sets {
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(Interrupted.into());
-        }
+        Interrupted::check(interrupted)?;
         rows += &store(set, &(set.make)()?, output)?;
         bar.inc(1);
     }

@@ -42,13 +42,20 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
 }
 
 pub(super) fn distributions() -> Result<Made, Failure> {
-    let mut kinds = Vec::new();
-    in_every_dimension(&mut kinds, "perlin_1985", &Perlin1985::default());
-    in_every_dimension(&mut kinds, "perlin_2002", &Perlin2002::default());
-    in_every_dimension(&mut kinds, "simplex_continuous", &Simplex::new(0));
-    in_every_dimension(&mut kinds, "simplex_wide", &Simplex::wide(0));
-    in_every_dimension(&mut kinds, "gaussian", &Gaussian::default());
-    let mut statistics = Map::new();
+    let kinds = [
+        ("perlin_1985", statistics(&Perlin1985::default())),
+        ("perlin_2002", statistics(&Perlin2002::default())),
+        ("simplex_continuous", statistics(&Simplex::new(0))),
+        ("simplex_wide", statistics(&Simplex::wide(0))),
+        ("gaussian", statistics(&Gaussian::default())),
+    ];
+    let kinds: Vec<(String, &Statistics)> = kinds
+        .iter()
+        .flat_map(|(name, all)| {
+            (1..).zip(all).map(move |(dimension, kind)| (format!("{name}_{dimension}d"), *kind))
+        })
+        .collect();
+    let mut parameters = Map::new();
     let mut files = Vec::new();
     for (name, kind) in &kinds {
         files.push((format!("{name}.npy"), npy(&[kind.cdf.len()], kind.cdf)));
@@ -57,28 +64,30 @@ pub(super) fn distributions() -> Result<Made, Failure> {
             "excess_kurtosis": kind.excess_kurtosis,
             "range": kind.range,
         });
-        statistics.insert(name.clone(), numbers);
+        parameters.insert(name.clone(), numbers);
     }
     Ok(Made {
         text: "G of each kind, measured over eight octaves with gain 0.5 and unit variance, at equal steps over ±4 standard \
                deviations; standard deviation, excess kurtosis and range of one octave. The picture shows the slopes of G: \
                each row is a kind."
             .into(),
-        parameters: json!({ "kind": "noise distribution", "range": 4.0, "kinds": statistics }),
+        parameters: json!({ "kind": "noise distribution", "range": 4.0, "kinds": parameters }),
         picture: slopes(&kinds),
         files,
     })
 }
 
-/// The statistics of a kind, named after it and its dimension.
-fn in_every_dimension<K>(kinds: &mut Vec<(String, &'static Statistics)>, name: &str, noise: &K)
+/// The statistics of a kind in 1 to 4 dimensions.
+fn statistics<K>(noise: &K) -> [&'static Statistics; 4]
 where
     K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
 {
-    kinds.push((format!("{name}_1d"), Kernel::<1>::statistics(noise)));
-    kinds.push((format!("{name}_2d"), Kernel::<2>::statistics(noise)));
-    kinds.push((format!("{name}_3d"), Kernel::<3>::statistics(noise)));
-    kinds.push((format!("{name}_4d"), Kernel::<4>::statistics(noise)));
+    [
+        Kernel::<1>::statistics(noise),
+        Kernel::<2>::statistics(noise),
+        Kernel::<3>::statistics(noise),
+        Kernel::<4>::statistics(noise),
+    ]
 }
 
 /// The density of each kind as a band of colour.

@@ -24,37 +24,29 @@ pub(crate) fn absolute_moments_source() -> String {
          //! Means over 1024 points uniform in a box of 128 cells a side, for each of 8192 seeds, of the last two kinds 1024. The\n\
          //! standard error of a mean, from its spread over seeds, is beside each row, relative to the mean, for the worst of the four.\n",
     );
-    kind(&mut text, "PERLIN_1985", Perlin1985::default());
-    kind(&mut text, "PERLIN_2002", Perlin2002::default());
-    kind(&mut text, "SIMPLEX_CONTINUOUS", Simplex::new(0));
-    kind(&mut text, "SIMPLEX_WIDE", Simplex::wide(0));
-    kind(&mut text, "VALUE", Value::default());
-    kind(&mut text, "VALUE_CATMULL_ROM", ValueCatmullRom::default());
+    table(&mut text, "PERLIN_1985", SEEDS, Perlin1985::default());
+    table(&mut text, "PERLIN_2002", SEEDS, Perlin2002::default());
+    table(&mut text, "SIMPLEX_CONTINUOUS", SEEDS, Simplex::new(0));
+    table(&mut text, "SIMPLEX_WIDE", SEEDS, Simplex::wide(0));
+    table(&mut text, "VALUE", SEEDS, Value::default());
+    table(&mut text, "VALUE_CATMULL_ROM", SEEDS, ValueCatmullRom::default());
     for quarters in 0..=4_u8 {
         // A quarter of each number is in [0, 1].
         if let Ok(noise) = ValueGradient::default().with_weight(f32::from(quarters) / 4.0) {
-            table(&mut text, &format!("VALUE_GRADIENT_{quarters}"), noise, FEW_SEEDS);
+            table(&mut text, &format!("VALUE_GRADIENT_{quarters}"), FEW_SEEDS, noise);
         }
     }
     for impulses in 1..=Sparse::MAX_IMPULSES {
         // Each number of impulses up to the maximum is one.
         if let Ok(noise) = Sparse::default().with_impulses(impulses) {
-            table(&mut text, &format!("SPARSE_{impulses}"), noise, FEW_SEEDS);
+            table(&mut text, &format!("SPARSE_{impulses}"), FEW_SEEDS, noise);
         }
     }
     text
 }
 
-/// One kind in 1 to 4 dimensions.
-fn kind<K>(text: &mut String, name: &str, noise: K)
-where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
-{
-    table(text, name, noise, SEEDS);
-}
-
 /// One kind in 1 to 4 dimensions, by so many seeds.
-fn table<K>(text: &mut String, name: &str, noise: K, seeds: u32)
+fn table<K>(text: &mut String, name: &str, seeds: u32, noise: K)
 where
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync,
 {

@@ -1,6 +1,6 @@
 //! Pixels in parallel rows, with samples that depend on the pixel alone.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
@@ -75,9 +75,7 @@ fn pixels(
     let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
         .into_par_iter()
         .map(|y| {
-            if interrupted.load(Ordering::Relaxed) {
-                return Err(Interrupted);
-            }
+            Interrupted::check(interrupted)?;
             let row = (0..width).map(|x| pixel(x, y)).collect();
             progress.inc(1);
             Ok(row)

@@ -4,24 +4,18 @@
 pub(super) fn by_hand(text: &str) -> usize {
     let code: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
     let code = code.join("\n");
-    let conditions = code.match_indices("assert!(").map(|(at, name)| condition(&code[at + name.len()..]));
+    let conditions = code.split("assert!(").skip(1).map(condition);
     conditions.filter(|text| [".abs() <", ".abs_diff_eq("].iter().any(|sign| text.contains(sign))).count()
 }
 
 /// The text up to the bracket that closes what was opened before it.
 fn condition(text: &str) -> &str {
     let mut depth = 1;
-    for (at, sign) in text.char_indices() {
-        match sign {
-            '(' => depth += 1,
-            ')' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return &text[..at];
-        }
-    }
-    text
+    let closes = |sign| {
+        depth += i32::from(sign == '(') - i32::from(sign == ')');
+        depth == 0
+    };
+    text.find(closes).map_or(text, |end| &text[..end])
 }
 
 #[cfg(test)]

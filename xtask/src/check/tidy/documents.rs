@@ -2,26 +2,13 @@
 
 use std::{fs, path::Path};
 
+use super::imports;
 use super::rooms::{HOUSES, House};
 
 /// Every path that `a::{b, c::{d, e}}` stands for.
 fn expanded(text: &str) -> Vec<String> {
-    let Some((head, list)) = text.split_once('{') else { return vec![text.trim().to_owned()] };
-    let list = list.strip_suffix('}').unwrap_or(list);
-    let (mut parts, mut depth) = (vec![String::new()], 0);
-    for c in list.chars() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        match parts.last_mut() {
-            Some(last) if c != ',' || depth > 0 => last.push(c),
-            _ => parts.push(String::new()),
-        }
-    }
-    let below = parts.iter().flat_map(|part| expanded(part.trim()));
-    below.map(|path| format!("{}{path}", head.trim())).collect()
+    let paths = imports::read(&format!("use {text};"), &[]).unwrap_or_default().paths;
+    paths.iter().map(|path| path.segments.join("::")).collect()
 }
 
 /// The words in backticks.
@@ -91,12 +78,7 @@ fn modules_of_the_architecture_are_there() {
 /// The place of a path in the order of crates and rooms.
 fn place(path: &str) -> Option<(usize, usize)> {
     let (index, house, modules) = house(path)?;
-    let module = modules.replace("::", "/");
-    let within = |name: &str| module == name || module.starts_with(&format!("{name}/"));
-    let rooms = house.rooms.iter().enumerate();
-    let named = rooms.flat_map(|(room, names)| names.split(' ').map(move |name| (room, name)));
-    let (room, _) = named.filter(|(_, name)| within(name)).max_by_key(|(_, name)| name.len())?;
-    Some((index, room))
+    Some((index, house.room(&modules.replace("::", "/"))?))
 }
 
 #[test]
@@ -122,7 +104,7 @@ fn the_picture_of_the_rooms_is_their_order() {
     let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     for house in HOUSES {
-        let line = format!("{}: {}", house.name, house.rooms.join(" → "));
+        let line = format!("{}: {}", house.name, house.rooms);
         assert!(page.contains(&line), "ARCHITECTURE.md must have `{line}`");
     }
 }

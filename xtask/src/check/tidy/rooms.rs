@@ -5,12 +5,10 @@ pub(super) struct House {
     pub(super) name: &'static str,
     /// The folder of its sources, from the workspace's root.
     pub(super) sources: &'static str,
-    /// One room each, earliest first: the folder or the files that it is, without `.rs`. A longer name wins over a shorter.
-    pub(super) rooms: &'static [&'static str],
+    /// Rooms, earliest first: each the folders or the files that it is, without `.rs`. A longer name wins over a shorter.
+    pub(super) rooms: &'static str,
     /// The most names that its root may export; none where it is a program.
     pub(super) face: Option<usize>,
-    /// Whether what breaks the order fails the check.
-    pub(super) held: bool,
 }
 
 /// Every crate whose rooms are ordered.
@@ -18,108 +16,57 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "noise",
         sources: "crates/noise/src",
-        rooms: &[
-            "math",
-            "point sample",
-            "lanes",
-            "lattice",
-            "row",
-            "statistics",
-            "contract",
-            "kinds/cell kinds/simplex",
-            "kinds",
-            "sums",
-            "transforms",
-            "printed",
-        ],
+        rooms: "math → point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
+                kinds → sums → transforms → printed",
         face: Some(60),
-        held: true,
     },
     House {
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
-        rooms: &[
-            "math",
-            "numeric",
-            "range_error batch_error ndf microfacet radial frame approx",
-            "simd",
-            "density",
-            "map",
-            "map/packed",
-            "noise_distribution",
-            "normal_table",
-            "normal_map",
-            "level_of_detail",
-        ],
+        rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx → simd → density → map → \
+                map/packed → noise_distribution → normal_table → normal_map → level_of_detail",
         face: Some(65),
-        held: true,
     },
     House {
         name: "fif",
         sources: "crates/fif/src",
-        rooms: &[
-            "math",
-            "numeric",
-            "system",
-            "evaluate",
-            "paper",
-            "table",
-            "calculus",
-            "analysis",
-            "recurrent",
-            "fit",
-            "surface",
-            "ray",
-            "approx",
-        ],
+        rooms: "math → numeric → system → evaluate → paper → table → calculus → analysis → recurrent → fit → surface → \
+                ray → approx",
         face: Some(45),
-        held: true,
     },
     House {
         name: "shading",
         sources: "crates/shading/src",
-        rooms: &[
-            "math direction parameter",
-            "pixel",
-            "bump",
-            "level_of_detail",
-            "reflectance",
-            "environment",
-            "normal_map",
-            "texture",
-            "material",
-        ],
+        rooms: "math direction parameter → pixel → bump → level_of_detail → reflectance → environment → normal_map → \
+                texture → material",
         face: Some(60),
-        held: true,
     },
     House {
         name: "render",
         sources: "xtask/render/src",
-        rooms: &[
-            "failure interpolation sampling",
-            "image",
-            "geometry",
-            "light",
-            "materials",
-            "scene integrator",
-            "scenes",
-            "shaded",
-        ],
+        rooms: "failure interpolation sampling → image → geometry → light → materials → scene integrator → scenes → \
+                shaded",
         face: None,
-        held: true,
     },
     House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: &[
-            "failure cli progress output",
-            "input",
-            "gallery",
-            "gallery/figures",
-            "tables",
-            "check bench",
-        ],
+        rooms: "failure cli progress output → input → gallery → gallery/figures → tables → check bench",
         face: None,
-        held: true,
     },
 ];
+
+impl House {
+    /// The rooms, each the names of its folders and files.
+    pub(super) fn rooms(&self) -> impl Iterator<Item = &'static str> {
+        self.rooms.split(" → ")
+    }
+
+    /// The room of a file: the one with the longest name that is the file or a folder around it.
+    pub(super) fn room(&self, file: &str) -> Option<usize> {
+        let around = |name: &&str| file == *name || file.starts_with(&format!("{name}/"));
+        let named =
+            self.rooms().enumerate().flat_map(|(at, room)| room.split(' ').map(move |name| (at, name)));
+        named.filter(|(_, name)| around(name)).max_by_key(|(_, name)| name.len()).map(|(at, _)| at)
+    }
+}

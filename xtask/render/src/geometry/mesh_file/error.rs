@@ -74,7 +74,15 @@ impl fmt::Display for MeshFileError {
             Self::NoSuchIndex { line, what, index, count } => {
                 write!(f, "line {line}: {what} {index} does not exist, there are {count}")
             }
-            Self::Ply(error) => write!(f, "the PLY cannot be read: {}", one_line(&error.to_string())),
+            Self::Ply(error) => {
+                // The library's words, without its parser's state behind them.
+                let said = error.to_string();
+                write!(
+                    f,
+                    "the PLY cannot be read: {}",
+                    one_line(said.split(" Error: ").next().unwrap_or(&said))
+                )
+            }
             Self::PlyLacks(what) => write!(f, "the PLY header has no {what}"),
             Self::PlyTruncated { element, count, bytes } => {
                 write!(f, "{bytes} bytes cannot hold the {count} of `{element}` that the header claims")
