@@ -3,17 +3,15 @@
 use std::hint::black_box;
 
 use asperity_noise::{
-    self as ours, Field, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
-    Value,
+    self as ours, Field, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum, Value,
     glam::{Vec2, Vec3, Vec4},
-    simd::{self, Batch, Kernel},
+    simd::{Batch, Kernel, Level},
 };
 
 use crate::{
-    inputs::{self, Grid, POINTS, SEED},
-    level::Level,
+    inputs::{self, Grid, SEED},
     measure::Contender,
-    row::{Form, Kind, Row},
+    row::{Kind, Order, Row},
     scalar::{derivatives, values},
 };
 
@@ -32,71 +30,52 @@ pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
 fn of_dimension<V, const N: usize>(row: Row, step: f32) -> Vec<Contender>
 where
     V: Point<Coordinates = [f32; N]>,
-    Perlin2002: Kernel<N> + Noise<V>,
-    Simplex: Kernel<N> + Noise<V>,
-    Value: Kernel<N> + Noise<V>,
+    Perlin2002: Kernel<N> + Field<V>,
+    Simplex: Field<V>,
+    Value: Field<V>,
 {
     match row.kind {
-        Kind::Perlin => of_kind::<V, N>(row, step, Perlin2002::new(SEED)),
-        Kind::Simplex => of_kind::<V, N>(row, step, Simplex::new(SEED)),
-        Kind::Value => of_kind::<V, N>(row, step, Value::new(SEED)),
-        Kind::Octaves => match Spectrum::new(2.0, 0.5, 5) {
-            Ok(spectrum) => {
-                let sum = Octaves::<_, N>::new(Perlin2002::new(SEED), spectrum);
-                let sum = sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned);
-                batches::<V, N>(row.form, step, sum)
-            }
-            Err(_) => Vec::new(),
-        },
-    }
-}
-
-fn of_kind<V, const N: usize>(row: Row, step: f32, noise: impl Noise<V> + Copy + 'static) -> Vec<Contender>
-where
-    V: Point<Coordinates = [f32; N]>,
-{
-    match row.form {
-        Form::Calls => {
-            let call = move |p| noise.value(V::from_coordinates(p));
-            vec![values(NAME, row.form, step, call)]
-        }
-        Form::CallsGradients => {
-            let call = move |p| {
-                let sample = noise.sample(V::from_coordinates(p));
-                (sample.value, sample.gradient.coordinates())
-            };
-            vec![derivatives(NAME, row.form, step, call)]
-        }
-        Form::Grid | Form::GridGradients | Form::Points | Form::PointsGradients => {
-            batches::<V, N>(row.form, step, noise)
+        Kind::Perlin => of::<V, N>(row, step, Perlin2002::new(SEED)),
+        Kind::Simplex => of::<V, N>(row, step, Simplex::new(SEED)),
+        Kind::Value => of::<V, N>(row, step, Value::new(SEED)),
+        Kind::Octaves => {
+            let spectrum = Spectrum::new(2.0, 0.5, 5).expect("five octaves");
+            let sum = Octaves::<_, N>::new(Perlin2002::new(SEED), spectrum);
+            of::<V, N>(
+                row,
+                step,
+                sum.with_normalisation(Normalisation::Range).with_rotation(Rotation::Aligned),
+            )
         }
     }
 }
 
-/// One contender per level.
-fn batches<V, const N: usize>(form: Form, step: f32, field: impl Field<V> + Copy + 'static) -> Vec<Contender>
+/// One contender per level, but one for single calls.
+fn of<V, const N: usize>(row: Row, step: f32, field: impl Field<V> + Copy + 'static) -> Vec<Contender>
 where
     V: Point<Coordinates = [f32; N]>,
 {
-    simd::Level::available()
-        .map(|at| {
-            let level = if at == simd::Level::Scalar { Level::Scalar } else { Level::Simd(at.name()) };
-            let samples = match form {
-                Form::Grid | Form::GridGradients => Grid::<N>::new(step).samples(),
-                _ => POINTS,
-            };
-            Contender {
-                library: NAME,
-                level,
-                samples,
-                pass: pass::<V, N>(form, step, Batch::with_level(at), field),
-            }
+    if row.order != Order::Calls {
+        let batch = |level: Level| Contender {
+            library: NAME,
+            level: level.name(),
+            samples: inputs::samples::<N>(row.order),
+            pass: pass::<V, N>(row, step, Batch::with_level(level), field),
+        };
+        return Level::available().map(batch).collect();
+    }
+    vec![if row.gradients {
+        derivatives(NAME, row, step, move |p| {
+            let sample = field.sample(V::from_coordinates(p));
+            (sample.value, sample.gradient.coordinates())
         })
-        .collect()
+    } else {
+        values(NAME, row, step, move |p| field.value(V::from_coordinates(p)))
+    }]
 }
 
 fn pass<V, const N: usize>(
-    form: Form,
+    row: Row,
     step: f32,
     batch: Batch,
     field: impl Field<V> + 'static,
@@ -109,20 +88,18 @@ where
     let (origin, size) = (V::from_coordinates(grid.origin), grid.size);
     let grid = ours::Grid { origin, step: V::from_axes(|_| grid.step), size: V::array(|axis| size[axis]) };
     let points = inputs::points::<N>();
-    let samples = if matches!(form, Form::Grid | Form::GridGradients) { grid.len() } else { POINTS };
+    let samples = inputs::samples::<N>(row.order);
     let mut values = vec![0.0; samples];
     let mut slopes = V::array(|_| vec![0.0; samples]);
     Box::new(move || {
         let mut slots = slopes.as_mut().iter_mut();
         let slots = V::array(|_| slots.next().map(Vec::as_mut_slice).unwrap_or_default());
         let points = V::array(|axis| &points[axis][..]);
-        let done = match form {
-            Form::Grid => batch.grid_values(&field, &grid, &mut values),
-            Form::GridGradients => batch.grid_samples(&field, &grid, &mut values, slots),
-            Form::PointsGradients => batch.list_samples(&field, points, &mut values, slots),
-            Form::Points | Form::Calls | Form::CallsGradients => {
-                batch.list_values(&field, points, &mut values)
-            }
+        let done = match (row.order, row.gradients) {
+            (Order::Grid, false) => batch.grid_values(&field, &grid, &mut values),
+            (Order::Grid, true) => batch.grid_samples(&field, &grid, &mut values, slots),
+            (_, false) => batch.list_values(&field, points, &mut values),
+            (_, true) => batch.list_samples(&field, points, &mut values, slots),
         };
         done.expect("every array is as long as the grid or the list of points");
         black_box(&mut values);

@@ -1,26 +1,22 @@
 //! FastNoise2: C++ with SIMD, `f32`, hashes; fused multiply-add and relaxed floats where the level has them.
 #![expect(unsafe_code, reason = "a C interface")]
 
-use std::{
-    ffi::{CStr, c_void},
-    hint::black_box,
-};
+use std::ffi::{CStr, c_void};
 
 use fastnoise2_sys as sys;
 
 use crate::{
-    differences::Differences,
-    inputs::{self, DIFFERENCE, Grid, POINTS, SEED},
-    level::Level,
+    arrays,
+    inputs::{self, Grid, SEED},
     measure::Contender,
-    row::{Form, Kind, Row},
+    row::{Kind, Order, Row},
 };
 
 const NAME: &str = "fastnoise2";
 
 /// The library's sets of features, one bit per extension, that this processor has; the library itself does not look.
 #[cfg(target_arch = "x86_64")]
-fn levels() -> Vec<(Level, u32)> {
+fn levels() -> Vec<(&'static str, u32)> {
     // Bits 1 to 13: x86, SSE, SSE2, SSE3, SSSE3, SSE4.1, SSE4.2, AVX, AVX2 and four parts of AVX-512.
     let up_to = |bit: u32| (2 << bit) - 2;
     let avx512 = is_x86_feature_detected!("avx512f")
@@ -30,10 +26,10 @@ fn levels() -> Vec<(Level, u32)> {
     // Its AVX2 code is compiled with fused multiply-add.
     let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
     [
-        (Level::Simd("sse2"), up_to(3), true),
-        (Level::Simd("sse4.1"), up_to(6), is_x86_feature_detected!("sse4.1")),
-        (Level::Simd("avx2"), up_to(9), avx2),
-        (Level::Simd("avx512"), up_to(13), avx512),
+        ("sse2", up_to(3), true),
+        ("sse4.1", up_to(6), is_x86_feature_detected!("sse4.1")),
+        ("avx2", up_to(9), avx2),
+        ("avx512", up_to(13), avx512),
     ]
     .into_iter()
     .filter_map(|(level, features, there)| there.then_some((level, features)))
@@ -42,26 +38,34 @@ fn levels() -> Vec<(Level, u32)> {
 
 /// The library's set of features where NEON is the baseline.
 #[cfg(not(target_arch = "x86_64"))]
-fn levels() -> Vec<(Level, u32)> {
+fn levels() -> Vec<(&'static str, u32)> {
     // Bits 14 to 16: ARM, NEON, AArch64.
-    vec![(Level::Simd("neon"), 0b111 << 14)]
+    vec![("neon", 0b111 << 14)]
 }
 
 pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
-    levels()
-        .into_iter()
-        .filter_map(|(level, features)| {
-            let node = Node::of(row.kind, features)?;
-            match (row.form, row.dimension) {
-                (Form::Grid | Form::GridGradients, 2) => Some(grid::<2>(row.form, level, step, node)),
-                (Form::Grid | Form::GridGradients, 3) => Some(grid::<3>(row.form, level, step, node)),
-                (Form::Points | Form::PointsGradients, 2) => Some(points::<2>(row.form, level, node)),
-                (Form::Points | Form::PointsGradients, 3) => Some(points::<3>(row.form, level, node)),
-                // One call of this library walks a tree of virtual functions and fills a whole register.
-                _ => None,
-            }
-        })
-        .collect()
+    match row.dimension {
+        // One call of this library walks a tree of virtual functions and fills a whole register.
+        _ if row.order == Order::Calls => Vec::new(),
+        2 => levels().into_iter().filter_map(|level| contender::<2>(row, step, level)).collect(),
+        3 => levels().into_iter().filter_map(|level| contender::<3>(row, step, level)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn contender<const N: usize>(
+    row: Row,
+    step: f32,
+    (level, features): (&'static str, u32),
+) -> Option<Contender> {
+    let node = Node::of(row.kind, features)?;
+    Some(if row.order == Order::Grid {
+        let grid = Grid::<N>::new(step);
+        arrays::contender(NAME, level, row, move |moved, values| node.fill_grid(&grid.moved(moved), values))
+    } else {
+        let points = inputs::points::<N>();
+        arrays::contender(NAME, level, row, move |moved, values| node.fill_points(&points, moved, values))
+    })
 }
 
 /// A reference to a generator of the library.
@@ -166,44 +170,4 @@ impl Node {
             }
         }
     }
-}
-
-fn grid<const N: usize>(form: Form, level: Level, step: f32, node: Node) -> Contender {
-    let grid = Grid::<N>::new(step);
-    let samples = grid.samples();
-    let pass: Box<dyn FnMut()> = if form == Form::Grid {
-        let mut values = vec![0.0; samples];
-        Box::new(move || {
-            node.fill_grid(&grid, &mut values);
-            black_box(&mut values);
-        })
-    } else {
-        let mut differences = Differences::<N>::new(samples);
-        Box::new(move || {
-            differences.pass(|axis, values| {
-                node.fill_grid(&axis.map_or(grid, |axis| grid.moved(axis, DIFFERENCE)), values);
-            });
-        })
-    };
-    Contender { library: NAME, level, samples, pass }
-}
-
-fn points<const N: usize>(form: Form, level: Level, node: Node) -> Contender {
-    let points = inputs::points::<N>();
-    let pass: Box<dyn FnMut()> = if form == Form::Points {
-        let mut values = vec![0.0; POINTS];
-        Box::new(move || {
-            node.fill_points(&points, [0.0; N], &mut values);
-            black_box(&mut values);
-        })
-    } else {
-        let mut differences = Differences::<N>::new(POINTS);
-        Box::new(move || {
-            differences.pass(|axis, values| {
-                let moved = std::array::from_fn(|of| if axis == Some(of) { DIFFERENCE } else { 0.0 });
-                node.fill_points(&points, moved, values);
-            });
-        })
-    };
-    Contender { library: NAME, level, samples: POINTS, pass }
 }

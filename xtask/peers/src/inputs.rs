@@ -2,6 +2,8 @@
 
 use std::hint::black_box;
 
+use crate::row::Order;
+
 /// The seed of every noise.
 pub(crate) const SEED: u32 = 1;
 
@@ -38,11 +40,15 @@ impl<const N: usize> Grid<N> {
         self.size.iter().product()
     }
 
-    /// This grid moved along one axis.
-    pub(crate) fn moved(mut self, axis: usize, by: f32) -> Self {
-        self.origin[axis] += by;
-        self
+    /// This grid moved by a vector.
+    pub(crate) fn moved(self, by: [f32; N]) -> Self {
+        Self { origin: std::array::from_fn(|axis| self.origin[axis] + by[axis]), ..self }
     }
+}
+
+/// Samples of one pass.
+pub(crate) fn samples<const N: usize>(order: Order) -> usize {
+    if order == Order::Grid { Grid::<N>::new(1.0).samples() } else { POINTS }
 }
 
 /// Arbitrary points, one array per coordinate.
@@ -67,7 +73,7 @@ mod tests {
             let end = space.origin[axis] + 64.0 * space.step;
             assert!(space.origin[axis] < 0.0 && end > 0.0, "axis {axis}");
         }
-        assert_eq!(space.moved(1, 0.5).origin[1], space.origin[1] + 0.5);
+        assert_eq!(space.moved([0.0, 0.5, 0.0]).origin[1], space.origin[1] + 0.5);
     }
 
     #[test]

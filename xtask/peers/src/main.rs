@@ -1,32 +1,24 @@
 //! Times Asperity's noises and those of other libraries side by side, and prints the times of all rounds as JSON.
 
+mod arrays;
 mod asperity;
-mod bracket;
-mod differences;
 #[cfg(feature = "fastnoise2")]
 mod fastnoise2;
-mod fastnoise_lite;
 mod inputs;
-mod level;
-mod libnoise_rs;
+mod libraries;
 mod measure;
-mod noise_functions;
-mod noise_rs;
-mod noiz_rs;
-mod opensimplex2_rs;
 mod row;
 mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod simdnoise_rs;
-mod times;
 
 use std::{error::Error, io::Write, process::ExitCode};
 
 use clap::Parser;
+use serde_json::json;
 
 use measure::Contender;
 use row::Row;
-use times::{RowTimes, Times};
 
 /// Times noises side by side; `cargo xtask bench --peers` makes tables and charts of what this prints.
 #[derive(Debug, Parser)]
@@ -72,10 +64,15 @@ fn run(cli: &Cli) -> Result<(), Box<dyn Error>> {
         writeln!(std::io::stderr(), "{:>2}/{} {row}", index + 1, rows.len())?;
         let mut contenders = contenders(row, cli.step);
         let times = measure::rounds(&mut contenders, cli.rounds);
-        measured.push(RowTimes::new(row, &contenders, times));
+        let contenders_times = contenders.iter().zip(times).map(|(contender, nanoseconds)| {
+            let Contender { library, level, .. } = contender;
+            json!({ "library": library, "version": version(library), "level": level, "nanoseconds": nanoseconds })
+        });
+        let samples = contenders.first().map_or(0, |contender| contender.samples);
+        let contenders: Vec<_> = contenders_times.collect();
+        measured.push(json!({ "name": row.to_string(), "samples": samples, "contenders": contenders }));
     }
-    let times = Times { step: cli.step, rounds: cli.rounds, rows: measured };
-    writeln!(out, "{}", serde_json::to_string(&times)?)?;
+    writeln!(out, "{}", json!({ "step": cli.step, "rounds": cli.rounds, "rows": measured }))?;
     Ok(())
 }
 
@@ -96,17 +93,20 @@ fn contenders(row: Row, step: f32) -> Vec<Contender> {
     all.extend(fastnoise2::contenders(row, step));
     #[cfg(target_arch = "x86_64")]
     all.extend(simdnoise_rs::contenders(row, step));
-    let scalar = [
-        noise_rs::contender,
-        noise_functions::contender,
-        fastnoise_lite::contender,
-        libnoise_rs::contender,
-        noiz_rs::contender,
-        opensimplex2_rs::contender,
-        bracket::contender,
-    ];
-    all.extend(scalar.into_iter().filter_map(|contender| contender(row, step)));
+    all.extend(libraries::ALL.iter().filter_map(|contender| contender(row, step)));
     all
+}
+
+/// The version that the lockfile holds.
+fn version(library: &str) -> &'static str {
+    let package = match library {
+        "asperity" => "asperity-noise",
+        "fastnoise2" => "fastnoise2-sys",
+        other => other,
+    };
+    let head = format!("name = \"{package}\"\nversion = \"");
+    let after = include_str!("../Cargo.lock").split_once(&head).and_then(|(_, rest)| rest.split_once('"'));
+    after.map_or("", |(version, _)| version)
 }
 
 #[cfg(test)]
@@ -122,13 +122,16 @@ mod tests {
     }
 
     #[test]
-    fn every_row_has_contenders_and_all_of_them_run() {
+    fn every_row_has_contenders_of_known_versions_and_all_of_them_run() {
         for row in row::all() {
             let mut all = contenders(row, 0.05);
             assert!(all.len() >= 3, "{row}");
             for contender in &mut all {
+                assert_ne!(version(contender.library), "", "{}", contender.library);
                 (contender.pass)();
             }
         }
+        assert_eq!(version("asperity"), env!("CARGO_PKG_VERSION"));
+        assert_eq!(version("no-such-library"), "");
     }
 }

@@ -5,8 +5,6 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::level::Level;
-
 /// Shortest time that is measured at once: far above the clock's own cost and grain.
 const SHORTEST: Duration = Duration::from_micros(300);
 
@@ -16,7 +14,9 @@ const DEPTHS: u32 = 32;
 /// One library at one SIMD level, ready to work off a row's samples once.
 pub(crate) struct Contender {
     pub(crate) library: &'static str,
-    pub(crate) level: Level,
+    /// `scalar`, what the compiler makes of plain code for the target's baseline, or the set of instructions as the
+    /// processor's makers name it, in lower case.
+    pub(crate) level: &'static str,
     /// Samples of one pass.
     pub(crate) samples: usize,
     pub(crate) pass: Box<dyn FnMut()>,
@@ -107,7 +107,7 @@ mod tests {
                     log.borrow_mut().push(name);
                     std::thread::sleep(SHORTEST);
                 };
-                Contender { library: "", level: Level::Scalar, samples: 1, pass: Box::new(pass) }
+                Contender { library: "", level: "scalar", samples: 1, pass: Box::new(pass) }
             })
             .collect();
         let times = rounds(&mut contenders, 4);

@@ -1,16 +1,15 @@
 //! Makes every form of evaluation out of a function of one point, as a user of the library would.
 
-use std::hint::black_box;
+use std::{hint::black_box, ops::Add};
 
 use crate::{
-    inputs::{self, DIFFERENCE, Grid, POINTS},
-    level::Level,
+    inputs::{DIFFERENCE, Grid, POINTS, points, samples},
     measure::Contender,
-    row::Form,
+    row::{Order, Row},
 };
 
 /// The float that a library computes in.
-pub(crate) trait Real: Copy + From<f32> + 'static {}
+pub(crate) trait Real: Copy + From<f32> + Add<Output = Self> + 'static {}
 
 impl Real for f32 {}
 impl Real for f64 {}
@@ -18,122 +17,77 @@ impl Real for f64 {}
 /// A library that has values only; where gradients are asked for, forward differences of N + 1 calls.
 pub(crate) fn values<T: Real, const N: usize>(
     library: &'static str,
-    form: Form,
+    row: Row,
     step: f32,
     f: impl Fn([T; N]) -> f32 + 'static,
 ) -> Contender {
-    // What a library is set up with is not known to the optimiser, as it would not be in a program.
-    let f = black_box(f);
-    match form {
-        Form::Grid => grid(library, step, f),
-        Form::Points => points(library, f),
-        Form::Calls => calls(library, f),
-        Form::GridGradients | Form::PointsGradients | Form::CallsGradients => {
-            gradients(library, form, step, move |p: [T; N], moved: [T; N]| {
-                let value = f(p);
-                let slope = std::array::from_fn(|axis| {
-                    let mut q = p;
-                    q[axis] = moved[axis];
-                    (f(q) - value) * (1.0 / DIFFERENCE)
-                });
-                (value, slope)
-            })
-        }
+    if row.gradients {
+        return derivatives(library, row, step, move |p: [T; N]| {
+            let value = f(p);
+            let slope = std::array::from_fn(|axis| {
+                let mut moved = p;
+                moved[axis] = moved[axis] + T::from(DIFFERENCE);
+                (f(moved) - value) * (1.0 / DIFFERENCE)
+            });
+            (value, slope)
+        });
     }
+    let mut values = vec![0.0; samples::<N>(row.order)];
+    contender(library, row, step, f, move |index, value| values[index] = value)
 }
 
 /// A library that has gradients of its own.
 pub(crate) fn derivatives<T: Real, const N: usize>(
     library: &'static str,
-    form: Form,
+    row: Row,
     step: f32,
     f: impl Fn([T; N]) -> (f32, [f32; N]) + 'static,
 ) -> Contender {
-    let f = black_box(f);
-    gradients(library, form, step, move |p, _| f(p))
-}
-
-/// `f` is given a point and the coordinates of its neighbours one difference further along each axis.
-fn gradients<T: Real, const N: usize>(
-    library: &'static str,
-    form: Form,
-    step: f32,
-    f: impl Fn([T; N], [T; N]) -> (f32, [f32; N]) + 'static,
-) -> Contender {
-    let at = move |p: [f32; N]| f(p.map(T::from), p.map(|x| T::from(x + DIFFERENCE)));
-    if form == Form::CallsGradients {
-        let points = together(inputs::points::<N>());
-        let pass = move || {
-            for &p in &points {
-                black_box(at(p));
-            }
-        };
-        return contender(library, POINTS, pass);
-    }
-    let grid = Grid::<N>::new(step);
-    let samples = if form == Form::GridGradients { grid.samples() } else { POINTS };
-    let mut values = vec![0.0; samples];
-    let mut slopes: [Vec<f32>; N] = std::array::from_fn(|_| vec![0.0; samples]);
-    let mut store = move |index: usize, (value, slope): (f32, [f32; N])| {
+    let mut values = vec![0.0; samples::<N>(row.order)];
+    let mut slopes: [Vec<f32>; N] = std::array::from_fn(|_| values.clone());
+    contender(library, row, step, f, move |index, (value, slope): (f32, [f32; N])| {
         values[index] = value;
         for (out, slope) in slopes.iter_mut().zip(slope) {
             out[index] = slope;
         }
-    };
-    if form == Form::GridGradients {
-        contender(library, samples, move || {
-            over(&grid, |index, p| store(index, at(p)));
-            black_box(&mut store);
-        })
-    } else {
-        let points = inputs::points::<N>();
-        contender(library, samples, move || {
-            (0..POINTS).for_each(|index| store(index, at(std::array::from_fn(|axis| points[axis][index]))));
-            black_box(&mut store);
-        })
-    }
+    })
 }
 
-fn grid<T: Real, const N: usize>(
+fn contender<T: Real, R, const N: usize>(
     library: &'static str,
+    row: Row,
     step: f32,
-    f: impl Fn([T; N]) -> f32 + 'static,
+    f: impl Fn([T; N]) -> R + 'static,
+    mut store: impl FnMut(usize, R) + 'static,
 ) -> Contender {
-    let grid = Grid::<N>::new(step);
-    let mut values = vec![0.0; grid.samples()];
-    contender(library, grid.samples(), move || {
-        over(&grid, |index, p| values[index] = f(p.map(T::from)));
-        black_box(&mut values);
-    })
-}
-
-fn points<T: Real, const N: usize>(library: &'static str, f: impl Fn([T; N]) -> f32 + 'static) -> Contender {
-    let points = inputs::points::<N>();
-    let mut values = vec![0.0; POINTS];
-    contender(library, POINTS, move || {
-        for (index, value) in values.iter_mut().enumerate() {
-            *value = f(std::array::from_fn(|axis| T::from(points[axis][index])));
+    // What a library is set up with is not known to the optimiser, as it would not be in a program.
+    let f = black_box(f);
+    let points = points::<N>();
+    let at = |index: usize| std::array::from_fn(|axis| T::from(points[axis][index]));
+    let pass: Box<dyn FnMut()> = match row.order {
+        Order::Grid => {
+            let grid = Grid::<N>::new(step);
+            Box::new(move || {
+                over(&grid, |index, p| store(index, f(p.map(T::from))));
+                black_box(&mut store);
+            })
         }
-        black_box(&mut values);
-    })
-}
-
-/// One call after the other: the result of each goes through memory, so that no two are computed together.
-fn calls<T: Real, const N: usize>(library: &'static str, f: impl Fn([T; N]) -> f32 + 'static) -> Contender {
-    let points = together(inputs::points::<N>()).into_iter().map(|p| p.map(T::from)).collect::<Vec<_>>();
-    contender(library, POINTS, move || {
-        for &p in &points {
-            black_box(f(p));
+        Order::Points => Box::new(move || {
+            (0..POINTS)
+                .for_each(|index| store(index, f(std::array::from_fn(|axis| T::from(points[axis][index])))));
+            black_box(&mut store);
+        }),
+        // One call after the other: the result of each goes through memory, so that no two are computed together.
+        Order::Calls => {
+            let points: Vec<[T; N]> = (0..POINTS).map(at).collect();
+            Box::new(move || {
+                for &p in &points {
+                    black_box(f(p));
+                }
+            })
         }
-    })
-}
-
-fn contender(library: &'static str, samples: usize, pass: impl FnMut() + 'static) -> Contender {
-    Contender { library, level: Level::Scalar, samples, pass: Box::new(pass) }
-}
-
-fn together<const N: usize>(points: [Vec<f32>; N]) -> Vec<[f32; N]> {
-    (0..POINTS).map(|index| std::array::from_fn(|axis| points[axis][index])).collect()
+    };
+    Contender { library, level: "scalar", samples: samples::<N>(row.order), pass }
 }
 
 /// Visits every sample of a grid, the first axis fastest.
@@ -166,24 +120,20 @@ mod tests {
         over(&grid, |index, p| seen.push((index, p)));
         assert_eq!(seen.len(), 24);
         assert!(seen.iter().enumerate().all(|(at, (index, _))| at == *index));
-        assert_eq!(seen[1].1, [1.5, 2.0, 3.0]);
-        assert_eq!(seen[2].1, [1.0, 2.5, 3.0]);
-        assert_eq!(seen[23].1, [1.5, 3.0, 4.5]);
+        assert_eq!([1, 2, 23].map(|k| seen[k].1), [[1.5, 2.0, 3.0], [1.0, 2.5, 3.0], [1.5, 3.0, 4.5]]);
     }
 
     #[test]
     fn differences_take_one_call_more_than_there_are_axes() {
-        for (form, calls) in
-            [(Form::Grid, 1), (Form::GridGradients, 4), (Form::PointsGradients, 4), (Form::CallsGradients, 4)]
-        {
+        for row in crate::row::all().into_iter().filter(|row| row.dimension == 3) {
             let count = Rc::new(Cell::new(0));
             let counted = Rc::clone(&count);
-            let mut contender = values::<f64, 3>("", form, 0.05, move |p| {
+            let mut contender = values::<f64, 3>("", row, 0.05, move |p| {
                 counted.set(counted.get() + 1);
                 p[0] as f32
             });
             (contender.pass)();
-            assert_eq!(count.get(), calls * contender.samples, "{form:?}");
+            assert_eq!(count.get(), contender.samples * if row.gradients { 4 } else { 1 }, "{row}");
         }
     }
 }

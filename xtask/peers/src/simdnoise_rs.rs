@@ -1,62 +1,50 @@
 //! `simdnoise`: simplex noise for SSE2, SSE4.1 and AVX2; a block of values is a new vector each time.
 #![expect(unsafe_code, reason = "its functions for one instruction set are unsafe to call")]
 
-use std::{arch::x86_64, hint::black_box};
+use std::arch::x86_64;
 
 use simdnoise::{NoiseBuilder, NoiseType, avx2, scalar, sse2, sse41};
 
 use crate::{
-    differences::Differences,
-    inputs::{self, DIFFERENCE, Grid, POINTS, SEED},
-    level::Level,
+    arrays,
+    inputs::{self, Grid, SEED},
     measure::Contender,
-    row::{Form, Kind, Row},
+    row::{Kind, Order, Row},
     scalar::values,
 };
 
 const NAME: &str = "simdnoise";
 
 pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
-    if row.kind != Kind::Simplex {
-        return Vec::new();
+    match row.dimension {
+        _ if row.kind != Kind::Simplex => Vec::new(),
+        _ if row.order == Order::Calls => calls(row, step).into_iter().collect(),
+        2 => levels().map(|level| contender::<2>(row, step, level)).collect(),
+        3 => levels().map(|level| contender::<3>(row, step, level)).collect(),
+        _ => Vec::new(),
     }
-    if matches!(row.form, Form::Calls | Form::CallsGradients) {
-        return calls(row, step).into_iter().collect();
-    }
-    levels()
-        .into_iter()
-        .filter_map(|level| match (row.form, row.dimension) {
-            (Form::Grid | Form::GridGradients, 2) => Some(grid::<2>(row.form, level, step)),
-            (Form::Grid | Form::GridGradients, 3) => Some(grid::<3>(row.form, level, step)),
-            (Form::Points | Form::PointsGradients, 2) => Some(points::<2>(row.form, level)),
-            (Form::Points | Form::PointsGradients, 3) => Some(points::<3>(row.form, level)),
-            _ => None,
-        })
-        .collect()
 }
 
-fn levels() -> Vec<Level> {
-    [
-        (Level::Simd("sse2"), is_x86_feature_detected!("sse2")),
-        (Level::Simd("sse4.1"), is_x86_feature_detected!("sse4.1")),
-        (Level::Simd("avx2"), is_x86_feature_detected!("avx2")),
-    ]
-    .into_iter()
-    .filter_map(|(level, there)| there.then_some(level))
-    .collect()
+fn levels() -> impl Iterator<Item = &'static str> {
+    let levels = [
+        ("sse2", is_x86_feature_detected!("sse2")),
+        ("sse4.1", is_x86_feature_detected!("sse4.1")),
+        ("avx2", is_x86_feature_detected!("avx2")),
+    ];
+    levels.into_iter().filter_map(|(level, there)| there.then_some(level))
 }
 
 fn calls(row: Row, step: f32) -> Option<Contender> {
     match row.dimension {
-        2 => Some(values(NAME, row.form, step, |[x, y]: [f32; 2]| {
+        2 => Some(values(NAME, row, step, |[x, y]: [f32; 2]| {
             // SAFETY: plain arithmetic on floats; nothing of the processor is asked for.
             unsafe { scalar::simplex_2d(x, y, SEED as i32) }
         })),
-        3 => Some(values(NAME, row.form, step, |[x, y, z]: [f32; 3]| {
+        3 => Some(values(NAME, row, step, |[x, y, z]: [f32; 3]| {
             // SAFETY: as above.
             unsafe { scalar::simplex_3d(x, y, z, SEED as i32) }
         })),
-        4 => Some(values(NAME, row.form, step, |[x, y, z, w]: [f32; 4]| {
+        4 => Some(values(NAME, row, step, |[x, y, z, w]: [f32; 4]| {
             // SAFETY: as above.
             unsafe { scalar::simplex_4d(x, y, z, w, SEED as i32) }
         })),
@@ -64,24 +52,22 @@ fn calls(row: Row, step: f32) -> Option<Contender> {
     }
 }
 
-fn grid<const N: usize>(form: Form, level: Level, step: f32) -> Contender {
-    let grid = Grid::<N>::new(step);
-    let samples = grid.samples();
-    let pass: Box<dyn FnMut()> = if form == Form::Grid {
-        let settings = settings(&grid);
-        Box::new(move || {
-            black_box(block::<N>(level, &settings));
-        })
-    } else {
-        let still = settings(&grid);
-        let moved: [NoiseType; N] = std::array::from_fn(|axis| settings(&grid.moved(axis, DIFFERENCE)));
-        let mut differences = Differences::<N>::new(samples);
-        Box::new(move || {
-            differences
-                .pass(|axis, values| *values = block::<N>(level, axis.map_or(&still, |axis| &moved[axis])));
-        })
-    };
-    Contender { library: NAME, level, samples, pass }
+fn contender<const N: usize>(row: Row, step: f32, level: &'static str) -> Contender {
+    if row.order == Order::Grid {
+        let grid = Grid::<N>::new(step);
+        return arrays::contender(NAME, level, row, move |moved, values| {
+            *values = block::<N>(level, &settings(&grid.moved(moved)));
+        });
+    }
+    let points = inputs::points::<N>();
+    // SAFETY: `levels` offers only what this processor has; the arrays of points and values are equally long.
+    arrays::contender(NAME, level, row, move |moved, values| unsafe {
+        match level {
+            "avx2" => fill_avx2(&points, moved, values),
+            "sse4.1" => fill_sse41(&points, moved, values),
+            _ => fill_sse2(&points, moved, values),
+        }
+    })
 }
 
 /// Its grids step by 1 and are scaled by the frequency afterwards.
@@ -96,46 +82,18 @@ fn settings<const N: usize>(grid: &Grid<N>) -> NoiseType {
     settings.wrap()
 }
 
-fn block<const N: usize>(level: Level, settings: &NoiseType) -> Vec<f32> {
+fn block<const N: usize>(level: &str, settings: &NoiseType) -> Vec<f32> {
     // SAFETY: `levels` offers only what this processor has.
     unsafe {
         match (level, N) {
-            (Level::Simd("avx2"), 2) => avx2::get_2d_noise(settings).0,
-            (Level::Simd("avx2"), _) => avx2::get_3d_noise(settings).0,
-            (Level::Simd("sse4.1"), 2) => sse41::get_2d_noise(settings).0,
-            (Level::Simd("sse4.1"), _) => sse41::get_3d_noise(settings).0,
+            ("avx2", 2) => avx2::get_2d_noise(settings).0,
+            ("avx2", _) => avx2::get_3d_noise(settings).0,
+            ("sse4.1", 2) => sse41::get_2d_noise(settings).0,
+            ("sse4.1", _) => sse41::get_3d_noise(settings).0,
             (_, 2) => sse2::get_2d_noise(settings).0,
             (_, _) => sse2::get_3d_noise(settings).0,
         }
     }
-}
-
-fn points<const N: usize>(form: Form, level: Level) -> Contender {
-    let points = inputs::points::<N>();
-    // SAFETY: `levels` offers only what this processor has; the arrays of points and values are equally long.
-    let fill = move |moved: [f32; N], values: &mut [f32]| unsafe {
-        match level {
-            Level::Simd("avx2") => fill_avx2(&points, moved, values),
-            Level::Simd("sse4.1") => fill_sse41(&points, moved, values),
-            _ => fill_sse2(&points, moved, values),
-        }
-    };
-    let pass: Box<dyn FnMut()> = if form == Form::Points {
-        let mut values = vec![0.0; POINTS];
-        Box::new(move || {
-            fill([0.0; N], &mut values);
-            black_box(&mut values);
-        })
-    } else {
-        let mut differences = Differences::<N>::new(POINTS);
-        Box::new(move || {
-            differences.pass(|axis, values| {
-                let moved = std::array::from_fn(|of| if axis == Some(of) { DIFFERENCE } else { 0.0 });
-                fill(moved, values);
-            });
-        })
-    };
-    Contender { library: NAME, level, samples: POINTS, pass }
 }
 
 macro_rules! fill {

@@ -18,13 +18,13 @@ const SIDE: usize = 256;
 const ALPHA: [f32; 2] = [0.2, 0.4];
 
 /// A name, samples of one pass, and the pass.
-type Row = (&'static str, usize, Box<dyn FnMut()>);
+type Row = (String, usize, Box<dyn FnMut()>);
 
 fn main() -> Result<(), Box<dyn Error>> {
     let samples = std::env::args().nth(1).map_or(Ok(1_000_000), |text| text.parse())?;
     let mut rows = rows(samples)?;
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{}", rows.iter().map(|row| row.0).collect::<Vec<_>>().join(" "))?;
+    writeln!(out, "{}", rows.iter().map(|row| row.0.as_str()).collect::<Vec<_>>().join(" "))?;
     out.flush()?;
     for line in std::io::stdin().lock().lines() {
         let line = line?;
@@ -42,22 +42,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// SplitMix64: uniform numbers with 24 bits.
+/// Uniform numbers.
 fn uniforms(seed: u64, count: usize) -> Vec<f32> {
-    let mut state = seed;
-    let mut next = || {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
-    };
-    (0..count).map(|_| next()).collect()
-}
-
-/// The coordinates as two arrays.
-fn gaussian_coordinates(z: &[Vec2]) -> [Vec<f32>; 2] {
-    [0, 1].map(|k| z.iter().map(|z| z[k]).collect())
+    SmallRng::seed_from_u64(seed).random_iter().take(count).collect()
 }
 
 /// `rand_distr`'s alias table over the same texels: points uniform in a texel, which it cannot invert.
@@ -74,7 +61,7 @@ fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
         }
         black_box(&points);
     };
-    Ok(("alias_table", samples, Box::new(pass)))
+    Ok(("alias_table".into(), samples, Box::new(pass)))
 }
 
 /// The density on the map's texels, 0 outside the disk.
@@ -90,137 +77,91 @@ fn texels() -> Vec<f32> {
 }
 
 /// A row from arrays into arrays.
-fn row<const I: usize, const O: usize>(
-    name: &'static str,
-    inputs: [Vec<f32>; I],
-    mut pass: impl FnMut([&[f32]; I], [&mut [f32]; O]) -> bool + 'static,
+fn row<const I: usize, const O: usize, E: std::fmt::Debug>(
+    name: impl Into<String>,
+    inputs: [&[f32]; I],
+    mut pass: impl FnMut([&[f32]; I], [&mut [f32]; O]) -> Result<(), E> + 'static,
 ) -> Row {
+    let inputs = inputs.map(<[f32]>::to_vec);
     let samples = inputs[0].len();
     let mut outputs: [Vec<f32>; O] = std::array::from_fn(|_| vec![0.0; samples]);
     let run = move || {
         let done = pass(inputs.each_ref().map(Vec::as_slice), outputs.each_mut().map(Vec::as_mut_slice));
-        assert!(black_box(done), "arrays of one length");
+        black_box(done).expect("arrays of one length");
     };
-    (name, samples, Box::new(run))
+    (name.into(), samples, Box::new(run))
+}
+
+/// A row of single calls.
+fn calls(name: &str, points: &[Vec2], mut call: impl FnMut(Vec2) -> Vec3 + 'static) -> Row {
+    let (samples, points) = (points.len(), points.to_vec());
+    let mut normals = vec![Vec3::ZERO; samples];
+    let run = move || {
+        for (m, &point) in normals.iter_mut().zip(&points) {
+            *m = call(point);
+        }
+        black_box(&normals);
+    };
+    (name.into(), samples, Box::new(run))
 }
 
 /// Every row that can be asked for.
 fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
-    let [u1, u2] = [1, 2].map(|seed| uniforms(seed, samples));
+    let [u1, u2, up, azimuth] = [1, 2, 3, 4].map(|seed| uniforms(seed, samples));
+    let uniform: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
+    let u: [&[f32]; 2] = [&u1, &u2];
     let ggx = Ggx::new(ALPHA[0], ALPHA[1])?;
     let beckmann = Beckmann::new(ALPHA[0], ALPHA[1])?;
-    let view: Vec<Vec3> = uniforms(3, samples)
-        .into_iter()
-        .zip(uniforms(4, samples))
-        .map(|(up, azimuth)| {
-            let (up, (sin, cos)) = (0.9 * up + 0.1, (std::f32::consts::TAU * azimuth).sin_cos());
-            let across = (1.0 - up * up).sqrt();
-            Vec3::new(across * cos, across * sin, up)
-        })
-        .collect();
+    let view = up.iter().zip(&azimuth).map(|(up, azimuth)| {
+        let (up, (sin, cos)) = (0.9 * up + 0.1, (std::f32::consts::TAU * azimuth).sin_cos());
+        let across = (1.0 - up * up).sqrt();
+        Vec3::new(across * cos, across * sin, up)
+    });
+    let view: Vec<Vec3> = view.collect();
     let view = [0, 1, 2].map(|k| view.iter().map(|v| v[k]).collect::<Vec<_>>());
-    let z: Vec<Vec2> = (0..samples).map(|k| ggx.to_gaussian(ggx.sample(Vec2::new(u1[k], u2[k])))).collect();
-    let gaussian = gaussian_coordinates(&z);
-    let mut rows: Vec<Row> = Vec::new();
-
-    let u = || [u1.clone(), u2.clone()];
-    let seen = || [view[0].clone(), view[1].clone(), view[2].clone(), u1.clone(), u2.clone()];
-    rows.push(row("ggx_sample", u(), move |u, m: [&mut [f32]; 3]| ggx.samples(u, m).is_ok()));
-    rows.push(row("beckmann_sample", u(), move |u, m: [&mut [f32]; 3]| {
-        beckmann.samples(u, m).is_ok()
-    }));
-    rows.push(row("ggx_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
-        ggx.visible_samples([x, y, z], [u1, u2], m).is_ok()
-    }));
-    rows.push(row("beckmann_visible", seen(), move |[x, y, z, u1, u2], m: [&mut [f32]; 3]| {
-        beckmann.visible_samples([x, y, z], [u1, u2], m).is_ok()
-    }));
-    rows.push(row("ggx_from_gaussian", gaussian.clone(), move |z, m: [&mut [f32]; 3]| {
-        ggx.normals(z, m).is_ok()
-    }));
-    rows.push(row("beckmann_from_gaussian", gaussian, move |z, m: [&mut [f32]; 3]| {
-        beckmann.normals(z, m).is_ok()
-    }));
-    let kinds = [
-        (
-            Reconstruction::Bilinear,
-            ["map_sample_bilinear", "map_forward_bilinear", "map_density_bilinear"],
-            "map_build_bilinear",
-        ),
-        (
-            Reconstruction::Constant,
-            ["map_sample_constant", "map_forward_constant", "map_density_constant"],
-            "map_build_constant",
-        ),
+    let seen: [&[f32]; 5] = [&view[0], &view[1], &view[2], &u1, &u2];
+    let z: Vec<Vec2> = uniform.iter().map(|&u| ggx.to_gaussian(ggx.sample(u))).collect();
+    let gaussian = [0, 1].map(|k| z.iter().map(|z| z[k]).collect::<Vec<_>>());
+    let gaussian = gaussian.each_ref().map(Vec::as_slice);
+    let table = NormalTable::standard(&ggx);
+    let nearest = table.clone();
+    let mut rows: Vec<Row> = vec![
+        row("ggx_sample", u, move |u, m: [_; 3]| ggx.samples(u, m)),
+        row("beckmann_sample", u, move |u, m: [_; 3]| beckmann.samples(u, m)),
+        row("ggx_visible", seen, move |[x, y, z, u1, u2], m: [_; 3]| {
+            ggx.visible_samples([x, y, z], [u1, u2], m)
+        }),
+        row("beckmann_visible", seen, move |[x, y, z, u1, u2], m: [_; 3]| {
+            beckmann.visible_samples([x, y, z], [u1, u2], m)
+        }),
+        row("ggx_from_gaussian", gaussian, move |z, m: [_; 3]| ggx.normals(z, m)),
+        row("beckmann_from_gaussian", gaussian, move |z, m: [_; 3]| beckmann.normals(z, m)),
     ];
-    for (kind, [sample, forward, density], build) in kinds {
-        let map = NdfMap::from_texels(SIDE, SIDE, &texels(), Measure::Normals, kind)?;
+    for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
+        let values = texels();
+        let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind)?;
         // As in flash: for the whole run.
         let packed = PackedMapRef::new(map.pack().leak())?;
         let mut points = [vec![0.0; samples], vec![0.0; samples]];
-        packed.inverses([&u1, &u2], points.each_mut().map(Vec::as_mut_slice))?;
-        rows.push(row(sample, u(), move |u, n: [&mut [f32]; 2]| packed.inverses(u, n).is_ok()));
-        rows.push(row(forward, points.clone(), move |n, u: [&mut [f32]; 2]| {
-            packed.forwards(n, u).is_ok()
-        }));
-        rows.push(row(density, points, move |n, [density]: [&mut [f32]; 1]| {
-            packed.densities(n, density).is_ok()
-        }));
-        let values = texels();
-        rows.push((
-            build,
-            1,
-            Box::new(move || {
-                black_box(NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind).is_ok());
-            }),
-        ));
+        packed.inverses(u, points.each_mut().map(Vec::as_mut_slice))?;
+        let points = points.each_ref().map(Vec::as_slice);
+        rows.push(row(format!("map_sample_{name}"), u, move |u, n: [_; 2]| packed.inverses(u, n)));
+        rows.push(row(format!("map_forward_{name}"), points, move |n, u: [_; 2]| packed.forwards(n, u)));
+        rows.push(row(format!("map_density_{name}"), points, move |n, [d]: [_; 1]| packed.densities(n, d)));
+        let build = move || {
+            black_box(NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind).is_ok());
+        };
+        rows.push((format!("map_build_{name}"), 1, Box::new(build)));
         if kind == Reconstruction::Bilinear {
-            let uniforms: Vec<Vec2> = u1.iter().zip(&u2).map(|(&x, &y)| Vec2::new(x, y)).collect();
-            let mut normals = vec![Vec3::ZERO; samples];
-            rows.push((
-                "map_call_bilinear",
-                samples,
-                Box::new(move || {
-                    for (m, &u) in normals.iter_mut().zip(&uniforms) {
-                        *m = packed.sample(u);
-                    }
-                    black_box(&normals);
-                }),
-            ));
+            rows.push(calls("map_call_bilinear", &uniform, move |u| packed.sample(u)));
         }
     }
-    let table = NormalTable::standard(&ggx);
-    let nearest = table.clone();
-    rows.push(row("table_nearest", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
-        nearest.view().nearest_normals(z, m).is_ok()
-    }));
-    rows.push(row("table_bilinear", gaussian_coordinates(&z), move |z, m: [&mut [f32]; 3]| {
-        table.view().bilinear_normals(z, m).is_ok()
-    }));
-    rows.push(alias(samples)?);
-    let coordinates = z.clone();
-    let mut normals = vec![Vec3::ZERO; samples];
-    rows.push((
-        "ggx_call",
-        samples,
-        Box::new(move || {
-            for (m, &z) in normals.iter_mut().zip(&coordinates) {
-                *m = ggx.from_gaussian(z);
-            }
-            black_box(&normals);
-        }),
-    ));
-    let coordinates = z.clone();
-    let mut normals = vec![Vec3::ZERO; samples];
-    rows.push((
-        "beckmann_call",
-        samples,
-        Box::new(move || {
-            for (m, &z) in normals.iter_mut().zip(&coordinates) {
-                *m = beckmann.from_gaussian(z);
-            }
-            black_box(&normals);
-        }),
-    ));
+    rows.extend([
+        row("table_nearest", gaussian, move |z, m: [_; 3]| nearest.view().nearest_normals(z, m)),
+        row("table_bilinear", gaussian, move |z, m: [_; 3]| table.view().bilinear_normals(z, m)),
+        alias(samples)?,
+        calls("ggx_call", &z, move |z| ggx.from_gaussian(z)),
+        calls("beckmann_call", &z, move |z| beckmann.from_gaussian(z)),
+    ]);
     Ok(rows)
 }
