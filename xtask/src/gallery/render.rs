@@ -16,7 +16,7 @@ use asperity_render::light::environments::Studio;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::materials::{Bumped, Facets, in_metres};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
-use asperity_render::scenes::{Approach, RenderRequest, Set, backdrop, ground};
+use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, Marble, MetallicPaint, MetallicPaintParameters,
@@ -162,7 +162,7 @@ fn staged(
     let subject = surface(wanted, material, density, metres)?;
     let (mut objects, camera) = match mesh {
         Some(mesh) => {
-            let camera = Approach::of_mesh(&mesh).camera(wanted.zoom, sampling);
+            let camera = View::of_mesh(&mesh).camera(wanted.zoom, sampling);
             let bottom = mesh.bottom();
             let body = Object::new(Shape::Mesh(mesh), subject);
             (vec![body, ground(bottom)?], camera)

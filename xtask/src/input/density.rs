@@ -138,7 +138,7 @@ fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
 /// The density of an image; the error names the formulas, for a mistyped one is taken for a file.
 fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     let image = ImageFile::open(path).map_err(|error| match error {
-        ImageFileError::Unreadable(error) => {
+        ImageFileError::Unreadable { error } => {
             let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
             format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
                 .into()

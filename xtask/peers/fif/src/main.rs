@@ -38,17 +38,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let plain = HeightField::new(curve, curve);
         // Often enough for the clock of a thread, which counts milliseconds.
         const BUILDS: u32 = 32;
-        let start = now();
-        for _ in 1..BUILDS {
-            black_box(black_box(plain).tabulated());
-        }
         let surface = plain.tabulated();
-        let took = (now() - start) / f64::from(BUILDS);
-        costs += &format!(
-            "| {name}, Asperity | {:.2} ms | {:.3} MB |\n",
-            took * 1e3,
-            (surface.x.bytes() + surface.y.bytes()) as f64 * 1e-6
-        );
+        let build = |_| drop(black_box(black_box(plain).tabulated()));
+        let took = timed(|| (0..BUILDS).for_each(build)).1 * 1e3 / f64::from(BUILDS);
+        let memory = (surface.x.bytes() + surface.y.bytes()) as f64 * 1e-6;
+        costs += &format!("| {name}, Asperity | {took:.2} ms | {memory:.3} MB |\n");
         let sets = [("primary", primary()), ("random", random())];
         let exact: Vec<Vec<Option<Hit>>> =
             sets.iter().map(|(_, rays)| trace(&surface, rays, 0.0).0).collect();
@@ -65,13 +59,10 @@ fn main() -> Result<(), Box<dyn Error>> {
                     let nodes: Vec<f64> = (0..=side)
                         .map(|i| curve.evaluate(SIZE * i as f64 / side as f64, 0.0).value)
                         .collect();
-                    let (before, start) = (resident(), now());
-                    let built = Mesh::new(side, |i, j| nodes[i] * nodes[j]);
-                    costs += &format!(
-                        "| {name}, Embree, {side}² | {:.0} ms | {:.0} MB |\n",
-                        (now() - start) * 1e3,
-                        resident() - before
-                    );
+                    let before = resident();
+                    let (built, took) = timed(|| Mesh::new(side, |i, j| nodes[i] * nodes[j]));
+                    let (took, memory) = (took * 1e3, resident() - before);
+                    costs += &format!("| {name}, Embree, {side}² | {took:.0} ms | {memory:.0} MB |\n");
                     for (error, ((_, rays), exact)) in errors.iter_mut().zip(sets.iter().zip(&exact)) {
                         let found = intersect(&built, rays).0;
                         *error = percentile(rays, exact, |i| f64::from(found[i]));
@@ -90,14 +81,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                     ours = hits;
                 }
                 let error = percentile(rays, &exact[k], |i| ours[i].map_or(f64::INFINITY, |hit| hit.t));
-                let rates = times.map(|times| f64::from(RAYS) / median(times) * 1e-6);
+                let [theirs, single, batch] = times.map(|times| f64::from(RAYS) / median(times) * 1e-6);
+                let (its_error, ratio) = (errors[k], single.max(batch) / theirs);
                 text += &format!(
-                    "| {name} | {kind} | {goal:e} | {side}² | {:.1e} | {:.2} | {error:.1e} | {:.2} | {:.2} | {:.2} | {wanted} |\n",
-                    errors[k],
-                    rates[0],
-                    rates[1],
-                    rates[2],
-                    rates[1].max(rates[2]) / rates[0]
+                    "| {name} | {kind} | {goal:e} | {side}² | {its_error:.1e} | {theirs:.2} | {error:.1e} | {single:.2} | {batch:.2} | \
+                     {ratio:.2} | {wanted} |\n"
                 );
                 eprintln!("{}", text.lines().last().unwrap_or_default());
             }
@@ -152,36 +140,33 @@ fn single(origin: DVec3, direction: DVec3) -> Ray {
 
 /// `t` of every ray on the mesh, and the seconds they took.
 fn intersect(mesh: &Mesh, rays: &[Ray]) -> (Vec<f32>, f64) {
-    let rays: Vec<[[f32; 3]; 2]> = rays
-        .iter()
-        .map(|ray| [ray.origin.as_vec3().to_array(), ray.direction.as_vec3().to_array()])
-        .collect();
+    let single = |ray: &Ray| [ray.origin, ray.direction].map(|v| v.as_vec3().to_array());
+    let rays: Vec<[[f32; 3]; 2]> = rays.iter().map(single).collect();
     let mut found = vec![0.0; rays.len()];
-    let start = now();
-    for ([origin, direction], t) in rays.iter().zip(&mut found) {
-        *t = mesh.first_hit(*origin, *direction);
-    }
-    let took = now() - start;
+    let ((), took) = timed(|| {
+        for ([origin, direction], t) in rays.iter().zip(&mut found) {
+            *t = mesh.first_hit(*origin, *direction);
+        }
+    });
     (black_box(found), took)
 }
 
 /// The hits, one ray by itself, and the seconds they took.
 fn trace(surface: &Surface, rays: &[Ray], tolerance: f64) -> (Vec<Option<Hit>>, f64) {
     let mut hits = vec![None; rays.len()];
-    let start = now();
-    for (ray, hit) in rays.iter().zip(&mut hits) {
-        *hit = surface.first_hit_within(ray, ALL, tolerance);
-    }
-    let took = now() - start;
+    let ((), took) = timed(|| {
+        for (ray, hit) in rays.iter().zip(&mut hits) {
+            *hit = surface.first_hit_within(ray, ALL, tolerance);
+        }
+    });
     (black_box(hits), took)
 }
 
 /// The seconds for all of them together.
 fn batch(surface: &Surface, rays: &[Ray], tolerance: f64) -> f64 {
     let mut hits = vec![None; rays.len()];
-    let start = now();
-    surface.first_hits(rays, ALL, tolerance, &mut hits).expect("one length");
-    let took = now() - start;
+    let (done, took) = timed(|| surface.first_hits(rays, ALL, tolerance, &mut hits));
+    done.expect("one length");
     black_box(hits);
     took
 }
@@ -206,25 +191,32 @@ fn median(mut times: Vec<f64>) -> f64 {
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Seconds that this thread has run, where Linux counts them (to some milliseconds), so that other programs take none.
-fn now() -> f64 {
-    thread_local!(static START: Instant = Instant::now());
-    let run = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let run = run.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
-    run.map_or_else(|| START.with(|start| start.elapsed().as_secs_f64()), |nanoseconds| nanoseconds * 1e-9)
+/// What a function gives, and the seconds of this thread, where Linux counts them (to some milliseconds), so that other programs take none.
+fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
+    let thread = || {
+        let times = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+        Some(times.split_whitespace().next()?.parse::<f64>().ok()? * 1e-9)
+    };
+    let (start, before) = (Instant::now(), thread());
+    let given = run();
+    let took = before.and_then(|before| Some(thread()? - before));
+    (given, took.unwrap_or_else(|| start.elapsed().as_secs_f64()))
 }
 
 /// Memory of this process in MB.
 fn resident() -> f64 {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
-    line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok())
-        .map_or(f64::NAN, |kb| kb * 1.024e-3)
+    let kilobytes = line("/proc/self/status", "VmRSS:");
+    let kilobytes = kilobytes.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    kilobytes.map_or(f64::NAN, |kb| kb * 1.024e-3)
 }
 
 fn processor() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let line = info.lines().find(|line| line.starts_with("model name"));
-    line.and_then(|line| Some(line.split_once(':')?.1.trim().to_owned()))
-        .unwrap_or_else(|| "an unknown processor".into())
+    let name =
+        line("/proc/cpuinfo", "model name").and_then(|text| Some(text.split_once(':')?.1.trim().into()));
+    name.unwrap_or_else(|| "an unknown processor".into())
+}
+
+/// The rest of the first line of a file that begins with a word.
+fn line(file: &str, word: &str) -> Option<String> {
+    fs::read_to_string(file).ok()?.lines().find_map(|line| line.strip_prefix(word)).map(str::to_owned)
 }

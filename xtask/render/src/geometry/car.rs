@@ -7,6 +7,7 @@ use glam::{Vec2, Vec3};
 use crate::{
     geometry::{
         mesh::{Mesh, Vertex},
+        relief::differences,
         revolution::revolved,
     },
     interpolation::smootherstep,
@@ -18,9 +19,6 @@ const LENGTH: f32 = 2.15;
 const BELT: f32 = 0.86;
 /// Columns along the car and rows around it.
 const CELLS: [usize; 2] = [360, 220];
-
-/// Wide enough for differences in `f32`, narrow against a cell.
-const STEP: f32 = 1.5e-3;
 
 /// The height of the roof line.
 fn top(x: f32) -> f32 {
@@ -60,9 +58,7 @@ pub fn car_body() -> Mesh {
     let [columns, rows] = CELLS;
     Mesh::grid(columns, rows, |i, j| {
         let [along, around] = [i as f32 / columns as f32, j as f32 / rows as f32];
-        let (low, high) = ((along - STEP).max(0.0), (along + STEP).min(1.0));
-        let forward = body(high, around) - body(low, around);
-        let upward = body(along, around + STEP) - body(along, around - STEP);
+        let [forward, upward] = differences(body, [along, around], 1.5e-3);
         let position = body(along, around);
         let out = Vec3::new(position.x.signum(), 0.0, 0.0);
         let normal = forward.cross(-upward).try_normalize().unwrap_or(out);
@@ -114,19 +110,15 @@ pub fn wheel(centre: Vec3) -> [Mesh; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::checks::check;
 
     #[test]
-    fn the_body_is_closed_and_its_normals_point_outwards() {
+    fn normals_of_the_body_point_outwards() {
         let mesh = car_body();
-        for triangle in mesh.triangles.iter().step_by(7) {
-            let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
-            let across = (b.position - a.position).cross(c.position - a.position);
-            if across.length() > 1e-7 {
-                let normal = (a.normal + b.normal + c.normal).normalize_or_zero();
-                assert!(across.normalize().dot(normal) > 0.3, "{a:?} {across}");
-            }
-            let outward = a.position - Vec3::new(a.position.x * 0.9, 0.0, 0.55);
-            assert!(a.normal.dot(outward) > -0.02, "{a:?}");
+        check("car", &mesh, 0.0);
+        for v in &mesh.vertices {
+            let outward = v.position - Vec3::new(v.position.x * 0.9, 0.0, 0.55);
+            assert!(v.normal.dot(outward) > -0.02, "{v:?}");
         }
     }
 

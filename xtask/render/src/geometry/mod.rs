@@ -2,6 +2,8 @@
 
 pub mod camera;
 pub mod car;
+#[cfg(test)]
+mod checks;
 pub mod fractal;
 pub mod hit;
 pub mod mesh;

@@ -51,19 +51,7 @@ impl Ray {
 
     /// The ray that a facet of normal `m` mirrors at a hit, from `origin`; it bends as the surface does.
     pub fn mirrored(&self, hit: &Hit, m: Vec3, origin: Vec3) -> Self {
-        let cosine = self.direction.dot(m);
-        let spread = self.spread(hit);
-        let direction_by = [0, 1].map(|k| {
-            let turn = turned(hit, spread[k]);
-            let by = self.direction_by[k].dot(m) + self.direction.dot(turn);
-            self.direction_by[k] - 2.0 * (cosine * turn + by * m)
-        });
-        Self {
-            origin,
-            direction: (self.direction - 2.0 * cosine * m).normalize(),
-            origin_by: spread,
-            direction_by,
-        }
+        self.turned(hit, m, 1.0, [2.0 * self.direction.dot(m), 2.0], origin)
     }
 
     /// The ray refracted at a facet of normal `m`, towards the ray; `eta` is the index before over that behind. None where all is mirrored.
@@ -74,16 +62,22 @@ impl Ray {
             return None;
         }
         let behind = -square.sqrt();
-        let mu = eta * cosine - behind;
+        let mu = [eta * cosine - behind, eta - eta * eta * cosine / behind];
+        Some(self.turned(hit, m, eta, mu, origin))
+    }
+
+    /// The ray in the direction η D − μ m, with μ and its derivative by D·m.
+    fn turned(&self, hit: &Hit, m: Vec3, eta: f32, [mu, by_cosine]: [f32; 2], origin: Vec3) -> Self {
         let spread = self.spread(hit);
         let direction_by = [0, 1].map(|k| {
-            let turn = turned(hit, spread[k]);
+            // Change of the unit normal over the step along the surface.
+            let turn = hit.bend * spread[k];
+            let turn = turn - hit.normal * turn.dot(hit.normal);
             let by = self.direction_by[k].dot(m) + self.direction.dot(turn);
-            let mu_by = (eta - eta * eta * cosine / behind) * by;
-            eta * self.direction_by[k] - (mu * turn + mu_by * m)
+            eta * self.direction_by[k] - (mu * turn + by_cosine * by * m)
         });
         let direction = (eta * self.direction - mu * m).normalize();
-        Some(Self { origin, direction, origin_by: spread, direction_by })
+        Self { origin, direction, origin_by: spread, direction_by }
     }
 
     /// A ray from a hit into any direction whose neighbours spread by an angle as wide as its cone.
@@ -91,12 +85,6 @@ impl Ray {
         let (x, y) = direction.any_orthonormal_pair();
         Self { origin, direction, origin_by: self.spread(hit), direction_by: [angle * x, angle * y] }
     }
-}
-
-/// Change of the unit normal over a step along the surface.
-fn turned(hit: &Hit, step: Vec3) -> Vec3 {
-    let turn = hit.bend * step;
-    turn - hit.normal * turn.dot(hit.normal)
 }
 
 #[cfg(test)]

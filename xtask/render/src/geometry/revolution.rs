@@ -85,6 +85,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     use super::*;
+    use crate::geometry::checks::{check, open_edges};
 
     #[test]
     fn a_turned_quarter_circle_is_a_hemisphere() {
@@ -99,16 +100,8 @@ mod tests {
 
     #[test]
     fn a_ring_has_no_open_edge() {
-        let mesh = ring(Vec3::X, 0.3, 0.1);
-        let mut edges = std::collections::HashMap::new();
-        for t in &mesh.triangles {
-            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
-                let place =
-                    |i: u32| mesh.vertices[i as usize].position.to_array().map(|c| (c * 1e4).round() as i32);
-                let (a, b) = (place(a), place(b));
-                *edges.entry(if a < b { (a, b) } else { (b, a) }).or_insert(0) += 1;
-            }
-        }
-        assert!(edges.values().all(|count| *count == 2));
+        let ring = ring(Vec3::X, 0.3, 0.1);
+        check("ring", &ring, 0.99);
+        assert!(open_edges(&ring).is_empty());
     }
 }

@@ -91,87 +91,29 @@ fn bernstein_slope(t: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
-    use approx::assert_abs_diff_eq;
-
     use std::collections::HashMap;
 
     use glam::Vec3;
 
     use super::*;
-
-    /// The number of triangles that share each edge, by the bits of its end points.
-    fn edges(mesh: &Mesh) -> HashMap<[[u32; 3]; 2], u32> {
-        let mut count = HashMap::new();
-        for triangle in &mesh.triangles {
-            let p = triangle.map(|i| mesh.vertices[i as usize].position.to_array().map(f32::to_bits));
-            for k in 0..3 {
-                let mut edge = [p[k], p[(k + 1) % 3]];
-                edge.sort_unstable();
-                *count.entry(edge).or_insert(0) += 1;
-            }
-        }
-        count
-    }
+    use crate::geometry::checks::{check, open_edges, volume};
 
     #[test]
-    fn it_has_about_seventeen_thousand_triangles() {
-        assert_eq!(teapot().triangles.len(), 32 * 2 * 16 * 17 - 8 * 16);
-    }
-
-    #[test]
-    fn every_edge_has_two_triangles_but_the_open_ends_of_handle_and_spout() {
-        let edges = edges(&teapot());
-        assert!(edges.values().all(|&n| n <= 2), "an edge has more than two triangles");
-        let open: Vec<_> =
-            edges.iter().filter(|(_, n)| **n == 1).map(|(e, _)| e.map(|p| p.map(f32::from_bits))).collect();
+    fn it_is_closed_but_for_the_ends_of_handle_and_spout_and_seen_from_outside() {
+        let mesh = teapot();
+        assert_eq!(mesh.triangles.len(), 32 * 2 * 16 * 17 - 8 * 16);
+        // Measured least cosine 0.75, where the spout's lip turns.
+        check("teapot", &mesh, 0.7);
+        // The pot with its tubes is a little over 30.
+        assert!((25.0..35.0).contains(&volume(&mesh)), "volume {}", volume(&mesh));
+        let open = open_edges(&mesh);
         // Two tubes with two ends of two patch edges each.
         assert_eq!(open.len(), 2 * 2 * 2 * CELLS.0);
-        for edge in open {
-            for [x, y, z] in edge {
-                let handle = x < -1.49 && x > -2.01 && y.abs() < 0.31;
-                let spout = (x - 1.7).abs() < 1e-4 && y.abs() < 0.67 || (z - 2.4).abs() < 1e-4 && x > 2.79;
-                assert!(handle || spout, "open at ({x}, {y}, {z})");
-            }
+        for Vec3 { x, y, z } in open.into_iter().flatten() {
+            let handle = x < -1.49 && x > -2.01 && y.abs() < 0.31;
+            let spout = (x - 1.7).abs() < 1e-4 && y.abs() < 0.67 || (z - 2.4).abs() < 1e-4 && x > 2.79;
+            assert!(handle || spout, "open at ({x}, {y}, {z})");
         }
-    }
-
-    #[test]
-    fn normals_and_tangents_are_unit_orthogonal_and_agree_with_the_triangles() {
-        let mesh = teapot();
-        for v in &mesh.vertices {
-            assert_abs_diff_eq!(v.normal.length(), 1.0, epsilon = 1e-6);
-            assert_abs_diff_eq!(v.tangent.length(), 1.0, epsilon = 1e-6);
-            assert_abs_diff_eq!(v.normal.dot(v.tangent), 0.0, epsilon = 1e-6);
-        }
-        for triangle in &mesh.triangles {
-            let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
-            let flat = (b.position - a.position).cross(c.position - a.position).normalize();
-            for v in [a, b, c] {
-                // Measured least cosine 0.75, where the spout's lip turns.
-                assert!(flat.dot(v.normal) > 0.7, "{flat} against {v:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn normals_point_outwards() {
-        let mesh = teapot();
-        for v in &mesh.vertices {
-            let radial = Vec3::new(v.position.x, v.position.y, 0.0);
-            let belly = radial.length() > 1.75 && radial.length() < 2.01 && v.position.y.abs() > 0.7;
-            assert!(!belly || v.normal.dot(radial) > 0.0, "{v:?}");
-            assert!(v.position.z > 0.0 || v.normal.z < -0.99, "{v:?}");
-        }
-        // Six times the signed volume of the tetrahedra over the origin; the pot with its tubes is a little over 30.
-        let six: f32 = mesh
-            .triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = t.map(|i| mesh.vertices[i as usize].position);
-                a.dot(b.cross(c))
-            })
-            .sum();
-        assert!((25.0..35.0).contains(&(six / 6.0)), "volume {}", six / 6.0);
     }
 
     #[test]

@@ -8,6 +8,8 @@ use exr::{
     prelude::{ReadChannels, ReadLayers},
 };
 
+use crate::failure::Failure;
+
 /// No deflated data grows by more than this: a header that claims more than its file could hold is wrong.
 const MOST_INFLATED: usize = 1032;
 
@@ -25,7 +27,7 @@ pub struct ImageFile {
 impl ImageFile {
     /// Reads a file.
     pub fn open(path: &Path) -> Result<Self, ImageFileError> {
-        Self::decode(fs::read(path).map_err(ImageFileError::Unreadable)?)
+        Self::decode(fs::read(path).map_err(|error| ImageFileError::Unreadable { error })?)
     }
 
     /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
@@ -52,10 +54,8 @@ impl ImageFile {
     /// The planes of three components, by the first set of names that the file has.
     pub fn components(&self, names: &[[&str; 3]]) -> Option<[&[f32]; 3]> {
         let plane = |name: &str| {
-            self.planes
-                .iter()
-                .find(|(own, _)| own.eq_ignore_ascii_case(name))
-                .map(|(_, plane)| plane.as_slice())
+            let found = self.planes.iter().find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+            Some(found.1.as_slice())
         };
         names.iter().find_map(|&[x, y, z]| Some([plane(x)?, plane(y)?, plane(z)?]))
     }
@@ -70,9 +70,10 @@ fn check_size(width: usize, height: usize) -> Result<usize, ImageFileError> {
 }
 
 fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
+    let broken = |error: png::DecodingError| ImageFileError::Broken { format: "PNG", error: error.into() };
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().map_err(ImageFileError::Png)?;
+    let mut reader = decoder.read_info().map_err(broken)?;
     let (width, height) = (reader.info().width as usize, reader.info().height as usize);
     let pixels = check_size(width, height)?;
     let length = reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?;
@@ -80,7 +81,7 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
         return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
     }
     let mut samples = vec![0; length];
-    let info = reader.next_frame(&mut samples).map_err(ImageFileError::Png)?;
+    let info = reader.next_frame(&mut samples).map_err(broken)?;
     let channels = info.color_type.samples();
     let wide = info.bit_depth == png::BitDepth::Sixteen;
     let (step, top) = if wide { (2, 65_535.0) } else { (1, 255.0) };
@@ -97,7 +98,9 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
 }
 
 fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
-    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(ImageFileError::Exr)?;
+    let broken =
+        |error: exr::error::Error| ImageFileError::Broken { format: "OpenEXR file", error: error.into() };
+    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
     for header in &meta.headers {
         let (width, height) = (header.layer_size.0, header.layer_size.1);
         check_size(width, height)?;
@@ -114,7 +117,7 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
         .all_attributes()
         .non_parallel()
         .from_buffered(Cursor::new(bytes))
-        .map_err(ImageFileError::Exr)?;
+        .map_err(broken)?;
     let layer = image.layer_data;
     let planes: Vec<(String, Vec<f32>)> = layer
         .channel_data
@@ -134,7 +137,7 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
 #[non_exhaustive]
 pub enum ImageFileError {
     /// The file cannot be read.
-    Unreadable(std::io::Error),
+    Unreadable { error: std::io::Error },
     /// The file has no bytes.
     Empty,
     /// The file is neither PNG nor OpenEXR.
@@ -145,16 +148,14 @@ pub enum ImageFileError {
     Truncated { width: usize, height: usize, bytes: usize },
     /// The file has no channel but alpha.
     OnlyAlpha,
-    /// Error of the PNG decoder.
-    Png(png::DecodingError),
-    /// Error of the OpenEXR decoder.
-    Exr(exr::error::Error),
+    /// The file breaks its format, as the decoder has it.
+    Broken { format: &'static str, error: Failure },
 }
 
 impl fmt::Display for ImageFileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unreadable(error) => write!(f, "the file cannot be read: {error}"),
+            Self::Unreadable { error } => write!(f, "the file cannot be read: {error}"),
             Self::Empty => f.write_str("the file is empty"),
             Self::UnknownFormat => f.write_str("the file is neither PNG nor OpenEXR"),
             Self::Size { width, height } => {
@@ -164,8 +165,7 @@ impl fmt::Display for ImageFileError {
                 write!(f, "{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")
             }
             Self::OnlyAlpha => f.write_str("the image has no channel but alpha"),
-            Self::Png(error) => write!(f, "the PNG cannot be decoded: {error}"),
-            Self::Exr(error) => write!(f, "the OpenEXR file cannot be decoded: {error}"),
+            Self::Broken { format, error } => write!(f, "the {format} cannot be decoded: {error}"),
         }
     }
 }
@@ -173,9 +173,8 @@ impl fmt::Display for ImageFileError {
 impl Error for ImageFileError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Self::Unreadable(error) => Some(error),
-            Self::Png(error) => Some(error),
-            Self::Exr(error) => Some(error),
+            Self::Unreadable { error } => Some(error),
+            Self::Broken { error, .. } => Some(error.as_ref()),
             _ => None,
         }
     }
@@ -183,39 +182,31 @@ impl Error for ImageFileError {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use png::{BitDepth, ColorType};
 
+    use super::*;
+    use crate::image::formats::exr;
+
+    /// A PNG; without samples its header alone tells a size.
     fn encode(size: [u32; 2], color: ColorType, depth: BitDepth, samples: &[u8]) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
         encoder.set_color(color);
         encoder.set_depth(depth);
-        encoder.write_header().unwrap().write_image_data(samples).unwrap();
-        bytes
-    }
-
-    /// The bytes of a PNG whose header claims another size; its checksum is right.
-    fn claiming(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
-        bytes[16..20].copy_from_slice(&width.to_be_bytes());
-        bytes[20..24].copy_from_slice(&height.to_be_bytes());
-        let mut crc = u32::MAX;
-        for &byte in &bytes[12..29] {
-            crc ^= u32::from(byte);
-            for _ in 0..8 {
-                crc = (crc >> 1) ^ (0xEDB8_8320 & 0_u32.wrapping_sub(crc & 1));
-            }
-        }
-        bytes[29..33].copy_from_slice(&(!crc).to_be_bytes());
+        let mut writer = encoder.write_header().unwrap();
+        let written = match samples {
+            [] => writer.write_chunk(png::chunk::IDAT, &[]),
+            samples => writer.write_image_data(samples),
+        };
+        written.unwrap();
+        drop(writer);
         bytes
     }
 
     #[test]
     fn grey_with_alpha_keeps_its_grey_and_colours_their_planes() {
-        let image =
-            ImageFile::decode(encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]))
-                .unwrap();
-        assert_eq!(image.planes, [("Y".to_owned(), vec![1.0, 0.2])]);
+        let grey = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
+        assert_eq!(ImageFile::decode(grey).unwrap().planes, [("Y".to_owned(), vec![1.0, 0.2])]);
         let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
         let image = ImageFile::decode(encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba)).unwrap();
         let [r, g, b] = image.components(&[["n.X", "n.Y", "n.Z"], ["R", "G", "B"]]).unwrap();
@@ -225,24 +216,23 @@ mod tests {
 
     #[test]
     fn headers_without_data_are_refused_before_anything_is_allocated() {
-        let small = encode([8, 8], ColorType::Grayscale, BitDepth::Eight, &[200; 64]);
-        let refused = |width, height| {
-            ImageFile::decode(claiming(small.clone(), width, height)).unwrap_err().to_string()
-        };
-        assert_eq!(refused(10_000, 10_000), "an image must have 1 to 16777216 pixels, got 10000 × 10000");
-        assert!(
-            refused(4096, 4096).contains("cannot hold the 4096 × 4096 pixels"),
-            "{}",
-            refused(4096, 4096)
-        );
-        assert!(refused(8, 9).contains("PNG cannot be decoded"), "{}", refused(8, 9));
+        for (size, message) in [
+            ([10_000, 10_000], "an image must have 1 to 16777216 pixels, got 10000 × 10000"),
+            ([4096, 4096], "cannot hold the 4096 × 4096 pixels"),
+            ([8, 9], "the PNG cannot be decoded"),
+        ] {
+            let header = encode(size, ColorType::Grayscale, BitDepth::Eight, &[]);
+            let error = ImageFile::decode(header).unwrap_err().to_string();
+            assert!(error.contains(message), "{error}");
+        }
     }
 
     #[test]
-    fn textures_without_data_are_refused_too() {
-        let good = crate::image::formats::exr(4, 2, &[("Y", vec![0.5; 8]), ("A", vec![1.0; 8])]).unwrap();
+    fn textures_read_back_and_without_data_are_refused() {
+        let texels = vec![0.25, f32::MAX, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0];
+        let good = exr(4, 2, &[("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
         let image = ImageFile::decode(good.clone()).unwrap();
-        assert_eq!((image.width, image.height, image.planes), (4, 2, vec![("Y".to_owned(), vec![0.5; 8])]));
+        assert_eq!((image.width, image.height, image.planes), (4, 2, vec![("Y".to_owned(), texels)]));
         let claiming = |width: i32, height: i32| {
             let mut bytes = good.clone();
             for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {
@@ -250,12 +240,19 @@ mod tests {
                 bytes[at..at + 4].copy_from_slice(&(width - 1).to_le_bytes());
                 bytes[at + 4..at + 8].copy_from_slice(&(height - 1).to_le_bytes());
             }
-            ImageFile::decode(bytes).unwrap_err()
+            bytes
         };
-        assert!(matches!(claiming(10_000, 10_000), ImageFileError::Size { .. }));
-        assert!(matches!(claiming(4, 4_000_000), ImageFileError::Truncated { .. }));
-        assert!(matches!(ImageFile::decode(good[..20].to_vec()), Err(ImageFileError::Exr(_))));
-        let alpha = crate::image::formats::exr(1, 1, &[("A", vec![1.0])]).unwrap();
-        assert!(matches!(ImageFile::decode(alpha), Err(ImageFileError::OnlyAlpha)));
+        let alpha = exr(1, 1, &[("A", vec![1.0])]).unwrap();
+        for (bytes, message) in [
+            (claiming(10_000, 10_000), "an image must have 1 to 16777216 pixels"),
+            (claiming(4, 4_000_000), "cannot hold the 4 × 4000000 pixels"),
+            (good[..20].to_vec(), "the OpenEXR file cannot be decoded"),
+            (alpha, "the image has no channel but alpha"),
+            (b"GIF89a".to_vec(), "the file is neither PNG nor OpenEXR"),
+            (Vec::new(), "the file is empty"),
+        ] {
+            let error = ImageFile::decode(bytes).unwrap_err().to_string();
+            assert!(error.contains(message), "{error}");
+        }
     }
 }

@@ -8,8 +8,6 @@ use indicatif::ProgressBar;
 use crate::{
     failure::Failure,
     image::{Image, tone::hex},
-};
-use crate::{
     integrator::pixels::{Sampling, render},
     light::background::background,
 };
@@ -57,12 +55,8 @@ mod tests {
 
     #[test]
     fn the_colours_grow_lighter() {
-        let mut last = -1.0;
-        for i in 0..=50 {
-            let lightness = ember(i as f32 / 50.0).dot(Vec3::new(0.2126, 0.7152, 0.0722));
-            assert!(lightness > last, "{i}: {lightness}");
-            last = lightness;
-        }
+        let lightness = |i: u8| ember(f32::from(i) / 50.0).dot(Vec3::new(0.2126, 0.7152, 0.0722));
+        assert!((0..50).all(|i| lightness(i) < lightness(i + 1)));
         assert_eq!(ember(2.0), ember(1.0));
     }
 

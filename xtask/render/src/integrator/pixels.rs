@@ -6,13 +6,13 @@ use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
-use crate::sampling::{
-    low_discrepancy::r2_from,
-    sampler::{Sampler, hash},
-};
 use crate::{
     failure::{Failure, Interrupted},
     image::Image,
+    sampling::{
+        low_discrepancy::r2_from,
+        sampler::{Sampler, hash},
+    },
 };
 
 /// Size and samples of a picture.
@@ -34,14 +34,12 @@ pub fn render(
     interrupted: &AtomicBool,
     radiance: impl Fn(f32, f32) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
-    let count = sampling.samples_per_pixel.max(1);
     pixels(sampling, progress, interrupted, |x, y| {
-        let shift = jitter(x, y, sampling.seed);
-        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+        let (shift, radiance) = (jitter(x, y, sampling.seed), &radiance);
+        move |k| {
             let place = sample(k, shift);
-            sum + radiance(x as f32 + place.x, y as f32 + place.y)
-        });
-        sum / count as f32
+            radiance(x as f32 + place.x, y as f32 + place.y)
+        }
     })
 }
 
@@ -52,31 +50,32 @@ pub fn render_paths(
     interrupted: &AtomicBool,
     radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
 ) -> Result<Image, Failure> {
-    let count = sampling.samples_per_pixel.max(1);
     pixels(sampling, progress, interrupted, |x, y| {
-        let seed = hash(x ^ hash(y ^ hash(sampling.seed)));
-        let sum = (0..count).fold(Vec3::ZERO, |sum, k| {
+        let (seed, radiance) = (pixel_hash(x, y, sampling.seed), &radiance);
+        move |k| {
             let mut sampler = Sampler::new(k, seed);
             let place = sampler.point();
-            sum + radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler)
-        });
-        sum / count as f32
+            radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler)
+        }
     })
 }
 
-fn pixels(
+/// The mean of the samples that each pixel gives.
+fn pixels<S: Fn(u32) -> Vec3>(
     sampling: Sampling,
     progress: &ProgressBar,
     interrupted: &AtomicBool,
-    pixel: impl Fn(u32, u32) -> Vec3 + Sync,
+    pixel: impl Fn(u32, u32) -> S + Sync,
 ) -> Result<Image, Failure> {
-    let Sampling { width, height, .. } = sampling;
+    let Sampling { width, height, samples_per_pixel, .. } = sampling;
+    let count = samples_per_pixel.max(1);
+    let mean = |sample: S| (0..count).fold(Vec3::ZERO, |sum, k| sum + sample(k)) / count as f32;
     progress.inc_length(u64::from(height));
     let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
         .into_par_iter()
         .map(|y| {
             Interrupted::check(interrupted)?;
-            let row = (0..width).map(|x| pixel(x, y)).collect();
+            let row = (0..width).map(|x| mean(pixel(x, y))).collect();
             progress.inc(1);
             Ok(row)
         })
@@ -92,9 +91,13 @@ fn sample(k: u32, shift: Vec2) -> Vec2 {
 
 /// Two numbers in `[0, 1)` from a hash of the pixel, 24 bits each.
 pub fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
-    let first = hash(x ^ hash(y ^ hash(seed)));
+    let first = pixel_hash(x, y, seed);
     let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
     Vec2::new(unit(first), unit(hash(first ^ 0x9e37_79b9)))
+}
+
+fn pixel_hash(x: u32, y: u32, seed: u32) -> u32 {
+    hash(x ^ hash(y ^ hash(seed)))
 }
 
 #[cfg(test)]

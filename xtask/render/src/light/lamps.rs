@@ -33,60 +33,29 @@ impl Lamps {
     }
 }
 
-/// A rectangle in the sky.
-struct SoftBox {
-    /// Of its centre, in degrees: about the z axis, and above the horizon.
-    azimuth: f32,
-    elevation: f32,
-    /// Full angles in degrees.
-    size: [f32; 2],
-    /// Lights along and across, near enough to each other that a lobe of the widths in the figures spans several.
-    count: [u32; 2],
-    colour: Vec3,
-}
-
-impl SoftBox {
-    fn lights(&self) -> impl Iterator<Item = Lamp> {
-        let [columns, rows] = self.count;
-        let centre = direction(self.azimuth, self.elevation);
+/// A warm key from the upper left, a cool fill from the right and a rim from behind, all times `scale`.
+///
+/// Each is a rectangle in the sky of lights near enough to each other that a lobe of the widths in the figures spans several.
+pub fn studio(scale: Vec3) -> Vec<Lamp> {
+    let mut lamps = Vec::new();
+    // Azimuth and elevation of the centre and full angles in degrees, lights along and across, colour, brightness.
+    for ([azimuth, elevation], size, [columns, rows], colour, brightness) in [
+        ([-132.0, 46.0], [26.0_f32, 26.0], [4, 4], 0xff_f2e2, 1.0),
+        ([-18.0, 16.0], [16.0, 40.0], [2, 4], 0xb9_d0ff, 0.5),
+        ([100.0, 34.0], [40.0, 16.0], [4, 2], 0xff_d6a8, 0.6),
+    ] {
+        let centre = direction(azimuth, elevation);
         let right = Vec3::Z.cross(centre).normalize();
         let up = centre.cross(right);
-        let half = self.size.map(|angle| (0.5 * angle.to_radians()).tan());
-        let colour = self.colour / (columns * rows) as f32;
-        (0..columns * rows).map(move |k| {
+        let half = size.map(|angle| (0.5 * angle.to_radians()).tan());
+        let colour = scale * hex(colour) * brightness / (columns * rows) as f32;
+        lamps.extend((0..columns * rows).map(|k| {
             let place = |i: u32, n: u32| 2.0 * (i as f32 + 0.5) / n as f32 - 1.0;
             let (x, y) = (place(k % columns, columns) * half[0], place(k / columns, rows) * half[1]);
             Lamp { direction: (centre + right * x + up * y).normalize(), colour }
-        })
+        }));
     }
-}
-
-/// A warm key from the upper left, a cool fill from the right and a rim from behind, all times `scale`.
-pub fn studio(scale: Vec3) -> Vec<Lamp> {
-    let boxes = [
-        SoftBox {
-            azimuth: -132.0,
-            elevation: 46.0,
-            size: [26.0, 26.0],
-            count: [4, 4],
-            colour: scale * hex(0xff_f2e2),
-        },
-        SoftBox {
-            azimuth: -18.0,
-            elevation: 16.0,
-            size: [16.0, 40.0],
-            count: [2, 4],
-            colour: scale * hex(0xb9_d0ff) * 0.5,
-        },
-        SoftBox {
-            azimuth: 100.0,
-            elevation: 34.0,
-            size: [40.0, 16.0],
-            count: [4, 2],
-            colour: scale * hex(0xff_d6a8) * 0.6,
-        },
-    ];
-    boxes.iter().flat_map(SoftBox::lights).collect()
+    lamps
 }
 
 /// The unit vector at an azimuth about the z axis and an elevation, both in degrees.

@@ -85,9 +85,4 @@ mod tests {
             assert!(kinds[..i].iter().all(|&other| at(other, 16) != at(kind, 16)), "{kind:?}");
         }
     }
-
-    #[test]
-    fn more_octaves_than_there_are_is_refused() {
-        assert!(Field::new(NoiseKind::Gaussian, 17, 0.8, 1).is_err());
-    }
 }

@@ -4,6 +4,6 @@ mod portrait;
 mod sets;
 mod swatch;
 
-pub use portrait::{Approach, RenderRequest, peak};
-pub use sets::{Set, VASE_PROFILE, View, backdrop, ground};
+pub use portrait::{RenderRequest, peak};
+pub use sets::{Set, View, backdrop, ground};
 pub use swatch::Form;

@@ -16,16 +16,20 @@ use crate::{
         field::{Bumps, NoiseKind},
     },
     scene::{Backdrop, Light, Object, Scene},
-    scenes::sets::Set,
+    scenes::sets::{Set, View},
 };
 
 /// The share of the tint that is diffuse.
 const DIFFUSE: f32 = 0.13;
 
+/// Points of surfaces that pictures come close to.
+const SPHERE_FOCUS: Vec3 = Vec3::new(-0.30, -0.80, 0.52);
+const TEAPOT_FOCUS: Vec3 = Vec3::new(-0.45, -1.85, 1.45);
+
 /// One picture.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
-    view: Approach,
+    view: View,
     pub ndf: &'a SharedNdf,
     pub facets: Facets<'a>,
     /// Magnification over the view of the whole object.
@@ -41,20 +45,22 @@ pub struct RenderRequest<'a> {
 impl<'a> RenderRequest<'a> {
     /// A copper-coloured picture of the whole subject of a set by the `Exact` rule.
     pub fn new(set: Set, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
-        let frequency = match set {
-            Set::Sphere => 55.0,
-            Set::Teapot => 16.0,
-            _ => 24.0,
+        let (view, frequency) = match set {
+            Set::Sphere => {
+                (View::new([0.0, -4.9, 1.2], [0.0; 3], 27.0).towards(SPHERE_FOCUS.normalize()), 55.0)
+            }
+            Set::Teapot => (set.view().towards(TEAPOT_FOCUS), 16.0),
+            _ => (View::new([0.0, -3.0, 3.0], [0.0; 3], 27.0), 24.0),
         };
-        Self::seen(Approach::of(set), frequency, ndf, sampling)
+        Self::seen(view, frequency, ndf, sampling)
     }
 
     /// A copper-coloured picture of a mesh in the unit ball.
     pub fn of_mesh(mesh: &TracedMesh, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
-        Self::seen(Approach::of_mesh(mesh), 24.0, ndf, sampling)
+        Self::seen(View::of_mesh(mesh), 24.0, ndf, sampling)
     }
 
-    fn seen(view: Approach, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
+    fn seen(view: View, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
         Self {
             view,
             ndf,
@@ -89,58 +95,6 @@ impl<'a> RenderRequest<'a> {
         let material = Printed { ndf, facets, bumps, lamps, diffuse: self.tint * DIFFUSE };
         let objects = vec![Object::new(Arc::clone(shape), material)];
         Ok(Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio))
-    }
-}
-
-/// Way of a camera from the whole object to a point of its surface.
-#[derive(Clone, Copy)]
-pub struct Approach {
-    eye: Vec3,
-    centre: Vec3,
-    focus: Vec3,
-    /// Full angle in degrees.
-    field: f32,
-}
-
-impl Approach {
-    fn of(set: Set) -> Self {
-        match set {
-            Set::Sphere => Self {
-                eye: Vec3::new(0.0, -4.9, 1.2),
-                centre: Vec3::ZERO,
-                focus: Vec3::new(-0.30, -0.80, 0.52).normalize(),
-                field: 27.0,
-            },
-            Set::Teapot => Self {
-                eye: Vec3::new(4.4, -12.6, 5.6),
-                centre: Vec3::new(0.25, 0.0, 1.42),
-                focus: Vec3::new(-0.45, -1.85, 1.45),
-                field: 29.0,
-            },
-            _ => Self { eye: Vec3::new(0.0, -3.0, 3.0), centre: Vec3::ZERO, focus: Vec3::ZERO, field: 27.0 },
-        }
-    }
-
-    /// The unit ball from the front, a little from the right and from above, just inside the picture; nearby, the
-    /// point that is in its middle, or else the corner that is nearest to the eye.
-    pub fn of_mesh(mesh: &TracedMesh) -> Self {
-        let eye = Vec3::new(1.3, -4.0, 1.7);
-        let field = 27.0_f32;
-        let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
-        let focus = match mesh.first_hit(eye, -eye.normalize()) {
-            Some(hit) => hit.position,
-            None => mesh.nearest_corner(eye),
-        };
-        Self { eye, centre: Vec3::ZERO, focus, field }
-    }
-
-    /// The camera: towards the whole object at zoom 1, and from there straight to a point of its surface.
-    pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
-        let near = 1.0 / zoom;
-        // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
-        let aim = self.focus + (self.centre - self.focus) * near * near;
-        let eye = self.focus + (self.eye - self.focus) * near;
-        Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
     }
 }
 

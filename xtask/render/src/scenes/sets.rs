@@ -9,8 +9,8 @@ use asperity_shading::{
 };
 use glam::{Vec2, Vec3};
 
-use crate::{failure::Failure, image::tone::hex};
 use crate::{
+    failure::Failure,
     geometry::{
         camera::Camera,
         car::{WHEELS, arch, car_body, wheel, window},
@@ -19,6 +19,7 @@ use crate::{
         shape::Shape,
         teapot::teapot,
     },
+    image::tone::hex,
     integrator::pixels::Sampling,
     materials::glazed,
     scene::{Object, Surface},
@@ -43,29 +44,50 @@ pub enum Set {
     Vase,
 }
 
-/// Place and angle of a camera.
+/// Place and angle of a camera, and its way from the whole to a point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub eye: Vec3,
     pub target: Vec3,
+    pub focus: Vec3,
     /// Full angle in degrees.
     pub field: f32,
 }
 
 impl View {
-    const fn new(eye: [f32; 3], target: [f32; 3], field: f32) -> Self {
-        Self { eye: Vec3::from_array(eye), target: Vec3::from_array(target), field }
+    /// A view that comes closer to its target.
+    pub const fn new(eye: [f32; 3], target: [f32; 3], field: f32) -> Self {
+        let target = Vec3::from_array(target);
+        Self { eye: Vec3::from_array(eye), target, focus: target, field }
     }
 
-    /// The camera, so many times closer to the target.
+    /// The view that comes closer to a point.
+    pub const fn towards(self, focus: Vec3) -> Self {
+        Self { focus, ..self }
+    }
+
+    /// The unit ball from the front, a little from the right and from above, just inside the picture; nearby, the
+    /// point that is in its middle, or else the corner that is nearest to the eye.
+    pub fn of_mesh(mesh: &TracedMesh) -> Self {
+        let (eye, field) = (Vec3::new(1.3, -4.0, 1.7), 27.0_f32);
+        let eye = eye.normalize() / (0.48 * field.to_radians()).sin();
+        let hit = mesh.first_hit(eye, -eye.normalize());
+        let focus = hit.map_or_else(|| mesh.nearest_corner(eye), |hit| hit.position);
+        Self { eye, target: Vec3::ZERO, focus, field }
+    }
+
+    /// The camera: towards the target at zoom 1, and from there straight to the focus.
     pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
-        let eye = self.target + (self.eye - self.target) / zoom;
-        Camera::new(eye, self.target, self.field.to_radians(), sampling.width, sampling.height)
+        let near = 1.0 / zoom;
+        // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
+        let aim = self.focus + (self.target - self.focus) * near * near;
+        let eye = self.focus + (self.eye - self.focus) * near;
+        Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
     }
 }
 
 /// Points of the vase's profile, radius and height.
-pub const VASE_PROFILE: [[f32; 2]; 12] = [
+const VASE_PROFILE: [[f32; 2]; 12] = [
     [0.0, 0.0],
     [0.44, 0.0],
     [0.50, 0.06],
@@ -113,17 +135,9 @@ impl Set {
     pub fn objects(self, subject: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
         let mesh = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
         Ok(match self {
-            Self::Sphere => {
-                let ball = mesh(ball(Vec3::Z, 1.0));
-                vec![Object::new(ball, subject), ground(0.0)?]
-            }
-            Self::Teapot => {
-                vec![Object::new(mesh(teapot()), subject), ground(0.0)?]
-            }
-            Self::Vase => {
-                let vase = mesh(revolved(&VASE_PROFILE));
-                vec![Object::new(vase, subject), ground(0.0)?]
-            }
+            Self::Sphere => vec![Object::new(mesh(ball(Vec3::Z, 1.0)), subject), ground(0.0)?],
+            Self::Teapot => vec![Object::new(mesh(teapot()), subject), ground(0.0)?],
+            Self::Vase => vec![Object::new(mesh(revolved(&VASE_PROFILE)), subject), ground(0.0)?],
             Self::Plane => vec![Object::new(Shape::Plane, subject)],
             Self::Car => car(subject)?,
             Self::Room => {

@@ -4,9 +4,8 @@ use asperity_shading::glam::{Vec2, Vec3};
 
 use crate::sampling::low_discrepancy::r2;
 use crate::shaded::{
-    light::Sky,
     pixel::{Eye, Pixel},
-    subject::Subject,
+    subject::{Sky, Subject},
 };
 
 /// A picture of the plane z = 0 from a height of 1, in the direction of y; its horizon is its upper edge.

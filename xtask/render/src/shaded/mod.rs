@@ -3,7 +3,6 @@
 //! The tests measure them, and the gallery shows what the tests measure.
 
 mod horizon;
-mod light;
 mod materials;
 mod pixel;
 mod subject;
@@ -11,9 +10,8 @@ mod telephoto;
 mod textures;
 
 pub use horizon::{Horizon, Seen, errors};
-pub use light::Sky;
 pub use materials::{fractal_bumps, materials};
 pub use pixel::{Eye, Pixel};
-pub use subject::Subject;
+pub use subject::{Sky, Subject};
 pub use telephoto::{Frame, Mean, Patch, largest_pop};
 pub use textures::textures;

@@ -35,18 +35,23 @@ impl Pixel {
         }
     }
 
+    /// The ellipse that it covers.
+    fn ellipse(&self) -> PixelEllipse {
+        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
+        PixelEllipse::from_derivatives(dx, dy)
+    }
+
     /// The round footprint: the long axis of the pixel.
     #[must_use]
     pub fn footprint(&self) -> Footprint {
-        let [dx, dy] = self.derivatives;
-        Footprint::from_derivatives(dx.extend(0.0), dy.extend(0.0))
+        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
+        Footprint::from_derivatives(dx, dy)
     }
 
     /// The point of the surface with its whole pixel.
     #[must_use]
     pub fn whole(&self) -> SurfacePoint {
-        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
-        self.point(PixelEllipse::from_derivatives(dx, dy))
+        self.point(self.ellipse())
     }
 
     /// The point of the surface, with this pixel.
@@ -58,13 +63,11 @@ impl Pixel {
     /// The mean of a radiance over the taps of the pixel.
     #[must_use]
     pub fn over(&self, radiance: impl Fn(&Self, Footprint) -> Vec3) -> Vec3 {
-        let [dx, dy] = self.derivatives;
-        let pixel = PixelEllipse::from_derivatives(dx.extend(0.0), dy.extend(0.0));
-        let taps = pixel.fine_taps(self.taps);
-        let (sum, count) = taps.fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
-            let there = Self { at: self.at + tap.offset.truncate(), ..*self };
-            (sum + radiance(&there, tap.footprint), count + 1.0)
-        });
+        let (sum, count) =
+            self.ellipse().fine_taps(self.taps).fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
+                let there = Self { at: self.at + tap.offset.truncate(), ..*self };
+                (sum + radiance(&there, tap.footprint), count + 1.0)
+            });
         sum / count
     }
 

@@ -1,8 +1,35 @@
-//! A surface with its reflectance.
+//! Surfaces with their reflectance, in the light of a lamp and a soft sky.
 
-use asperity_shading::glam::Vec3;
+use std::f32::consts::PI;
 
-use crate::shaded::{light::Sky, pixel::Pixel};
+use asperity_shading::{Footprint, SurfacePoint, material::Material, reflectance::Bsdf};
+use glam::Vec3;
+
+use crate::{light::lamps::Lamp, shaded::pixel::Pixel};
+
+/// A lamp, and a soft sky of three more.
+#[derive(Clone, Copy, Debug)]
+pub struct Sky([Lamp; 4]);
+
+impl Sky {
+    /// A sky about a lamp in this direction; half as bright as the lamp, straight up.
+    #[must_use]
+    pub fn about(lamp: Vec3) -> Self {
+        let sky = |k: u8, z: f32| {
+            let (turn, r) = (2.1 * f32::from(k), (1.0 - z * z).sqrt());
+            Lamp { direction: Vec3::new(r * turn.cos(), r * turn.sin(), z), colour: Vec3::splat(0.25) }
+        };
+        let lamp = Lamp { direction: lamp.normalize(), colour: Vec3::ONE };
+        Self([lamp, sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)])
+    }
+
+    /// Radiance of a surface of this BSDF along `view`.
+    pub(super) fn on(&self, bsdf: &Bsdf<'_>, view: Vec3) -> Vec3 {
+        self.0
+            .iter()
+            .fold(bsdf.emitted(), |sum, lamp| sum + PI * lamp.colour * bsdf.scattered(lamp.direction, view))
+    }
+}
 
 type Radiance = dyn Fn(&Pixel, &Sky) -> Vec3 + Send + Sync;
 
@@ -23,6 +50,20 @@ impl Subject {
         radiance: impl Fn(&Pixel, &Sky) -> Vec3 + Send + Sync + 'static,
     ) -> Self {
         Self { name, width, radiance: Box::new(radiance) }
+    }
+
+    /// A surface of this material at points moved by a function: the mean over the taps of a pixel.
+    pub(super) fn of(
+        name: &'static str,
+        width: f32,
+        material: impl Material + Send + Sync + 'static,
+        point: fn(SurfacePoint) -> SurfacePoint,
+    ) -> Self {
+        Self::new(name, width, move |pixel, sky| {
+            pixel.over(|tap, footprint: Footprint| {
+                sky.on(&material.bsdf(&point(tap.point(footprint)), tap.view()), tap.view())
+            })
+        })
     }
 
     /// Radiance of a sample under a sky.

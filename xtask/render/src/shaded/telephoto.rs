@@ -5,9 +5,8 @@ use rayon::prelude::*;
 
 use crate::sampling::low_discrepancy::r2;
 use crate::shaded::{
-    light::Sky,
     pixel::{Eye, Pixel},
-    subject::Subject,
+    subject::{Sky, Subject},
 };
 
 /// Pixels along a side of the patch, as it is seen first.

@@ -1,61 +1,47 @@
 //! Every texture of the lecture, in the light that shows it.
 
-use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
-    BevelledTiles, BrickWall, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
+    BevelledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
 };
-use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Bsdf, Coat};
 use asperity_shading::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, march};
+use glam::{Vec2, Vec3};
 
-use crate::shaded::materials::{VALID, subject};
-use crate::shaded::subject::Subject;
+use crate::shaded::{materials::VALID, subject::Subject};
 
 /// Every texture.
 #[must_use]
 pub fn textures() -> Vec<Subject> {
-    vec![brick(), bumped_brick(), bevel(), stars(), perturbed(), marble(), gas()]
-}
-
-fn flat_wall() -> BrickWall {
-    BrickWall {
+    let flat = BrickWall {
         bricks: Brick::new(0.5, 0.25, 0.04).expect(VALID),
         clay: Vec3::new(0.5, 0.15, 0.14),
         mortar: Vec3::splat(0.5),
         variation: 0.0,
         depth: 0.0,
         roughness: 0.0,
-    }
+    };
+    let colour = Vec3::splat(0.6);
+    let bumped = BrickWall { clay: colour, mortar: colour, depth: 0.02, ..flat };
+    // Square tiles with a ridge along their edges.
+    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
+    let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
+    // A wall that runs.
+    let by = PerturbedTexture { scale: 0.5, strength: Vec2::new(0.15, 0.08), ..Default::default() };
+    let marble = PolishedMarble { marble: Marble::default(), brightness: 1.0, polish: 0.0 };
+    vec![
+        wall("brick", flat),
+        wall("bumped brick", bumped),
+        Subject::of("bevel", 8.0, BevelledTiles { bevel, side: 1.0, colour, roughness: 0.0 }, |p| p),
+        Subject::of("stars", 8.0, Wallpaper { stars, paper: Vec3::ZERO, star: Vec3::ONE }, |p| p),
+        Subject::of("perturbed texture", 8.0, Perturbed { by, material: flat }, raised),
+        Subject::of("marble", 8.0, marble, raised),
+        gas(),
+    ]
 }
 
 /// A wall is filtered by the box about its pixel, without taps.
-fn wall(
-    name: &'static str,
-    wall: impl asperity_shading::material::Material + Send + Sync + 'static,
-) -> Subject {
+fn wall(name: &'static str, wall: BrickWall) -> Subject {
     Subject::new(name, 8.0, move |pixel, sky| sky.on(&wall.bsdf(&pixel.whole(), pixel.view()), pixel.view()))
-}
-
-fn brick() -> Subject {
-    wall("brick", flat_wall())
-}
-
-fn bumped_brick() -> Subject {
-    let colour = Vec3::splat(0.6);
-    wall("bumped brick", BrickWall { clay: colour, mortar: colour, depth: 0.02, ..flat_wall() })
-}
-
-/// Square tiles with a ridge along their edges.
-fn bevel() -> Subject {
-    let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
-    let tiles = BevelledTiles { bevel, side: 1.0, colour: Vec3::splat(0.6), roughness: 0.0 };
-    subject("bevel", 8.0, tiles, |point| point)
-}
-
-/// A wall that runs.
-fn perturbed() -> Subject {
-    let by = PerturbedTexture { scale: 0.5, strength: Vec2::new(0.15, 0.08), ..Default::default() };
-    subject("perturbed texture", 8.0, Perturbed { by, material: flat_wall() }, raised)
 }
 
 /// The plane as a cut through space at 0.3, beside the planes of lattices.
@@ -67,7 +53,7 @@ fn raised(point: SurfacePoint) -> SurfacePoint {
 fn gas() -> Subject {
     let gas = Gas::default();
     Subject::new("gas", 8.0, move |pixel, _| {
-        pixel.over(|tap, footprint: Footprint| {
+        pixel.over(|tap, footprint| {
             let extinction = |p: Vec3| gas.clamped_density(p, footprint);
             let seen = march(tap.at.extend(0.0), Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
             let veil = Coat::veil(Vec3::splat(seen.transmittance));
@@ -76,14 +62,4 @@ fn gas() -> Subject {
             bsdf.emitted() + 0.05 * ground.weight
         })
     })
-}
-
-fn stars() -> Subject {
-    let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
-    subject("stars", 8.0, Wallpaper { stars, paper: Vec3::ZERO, star: Vec3::ONE }, |point| point)
-}
-
-fn marble() -> Subject {
-    let marble = PolishedMarble { marble: Marble::default(), brightness: 1.0, polish: 0.0 };
-    subject("marble", 8.0, marble, raised)
 }

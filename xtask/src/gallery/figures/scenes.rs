@@ -48,8 +48,7 @@ fn picture(
 
 pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn, Failure> {
     let paint = MetallicPaintParameters::default();
-    let door =
-        View { eye: Vec3::new(-0.21, -0.93, 0.66), target: Vec3::new(-0.25, -0.82, 0.63), field: 34.0 };
+    let door = View::new([-0.21, -0.93, 0.66], [-0.25, -0.82, 0.63], 34.0);
     let mut panels = Vec::new();
     let whole = Box::new(MetallicPaint::new(paint)?);
     let sampling = context.sampling([24, 11], 5);
@@ -104,7 +103,7 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn, Failure> {
     };
     let grid = CarpetParameters { seams_pattern: SeamPattern::Grid, ..lines };
     let rim = CarpetParameters { fake_rim_light: 0.6, fake_rim_light_width: 0.5, ..lines };
-    let near = View { eye: Vec3::new(0.30, -0.62, 0.16), target: Vec3::new(0.2, -0.46, 0.0), field: 36.0 };
+    let near = View::new([0.30, -0.62, 0.16], [0.2, -0.46, 0.0], 36.0);
     let sampling = context.sampling([12, 12], 6);
     let mut panels = Vec::new();
     for (stem, label, alt, set, view, carpet) in [

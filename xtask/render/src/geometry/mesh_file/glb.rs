@@ -5,7 +5,10 @@ use gltf::{
     Accessor, Document, Glb, Node, Primitive, Semantic,
     accessor::{DataType, Dimensions},
     buffer::Source,
-    json::{Root, validation::Checked},
+    json::{
+        Root,
+        validation::{Checked, Error},
+    },
     mesh::Mode,
 };
 
@@ -18,8 +21,10 @@ use crate::geometry::mesh_file::{
 /// materials are passed over; v goes upwards.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let (document, blob) = read(bytes)?;
-    let scene =
-        document.default_scene().or_else(|| document.scenes().next()).ok_or(MeshFileError::NoScene)?;
+    let scene = document
+        .default_scene()
+        .or_else(|| document.scenes().next())
+        .ok_or(MeshFileError::Lacks { what: "scene" })?;
     let mut soup = TriangleSoup::default();
     let mut seen = vec![false; document.nodes().count()];
     let mut open: Vec<(Node<'_>, DMat4)> = scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect();
@@ -41,32 +46,31 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
 
 /// The document, checked by the rules of the library, and the binary chunk.
 fn read(bytes: &[u8]) -> Result<(Document, Vec<u8>), MeshFileError> {
+    let container = |error| MeshFileError::broken("glTF container", error);
     // The library takes the header's own length off the one in the header, however short that is.
-    let claimed = bytes.get(8..12).and_then(|field| field.try_into().ok()).map_or(0, u32::from_le_bytes);
-    if claimed < 20 {
-        let length_read = bytes.len();
-        let error = gltf::binary::Error::Length { length: claimed, length_read };
-        return Err(MeshFileError::Glb(gltf::Error::Binary(error)));
+    let length = bytes.get(8..12).and_then(|field| field.try_into().ok()).map_or(0, u32::from_le_bytes);
+    if length < 20 {
+        return Err(container(gltf::binary::Error::Length { length, length_read: bytes.len() }.into()));
     }
-    let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(MeshFileError::Glb)?;
-    let root = Root::from_slice(&json).map_err(MeshFileError::GltfJson)?;
+    let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(container)?;
+    let broken = |path: &str, error| MeshFileError::broken("glTF", format!("{path}: {error}"));
+    let root = Root::from_slice(&json).map_err(|error| MeshFileError::broken("glTF", error))?;
     // The library's own check looks up positions before it has checked that they are there.
     for (m, mesh) in root.meshes.iter().enumerate() {
         for (p, primitive) in mesh.primitives.iter().enumerate() {
             let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
             if positions.is_some_and(|accessor| accessor.value() >= root.accessors.len()) {
                 let path = format!("meshes[{m}].primitives[{p}].attributes[\"POSITION\"]");
-                let error = gltf::json::validation::Error::IndexOutOfBounds;
-                return Err(MeshFileError::Gltf { path, error });
+                return Err(broken(&path, Error::IndexOutOfBounds));
             }
         }
     }
     let document = Document::from_json(root).map_err(|error| match error {
         gltf::Error::Validation(mut all) if !all.is_empty() => {
             let (path, error) = all.swap_remove(0);
-            MeshFileError::Gltf { path: path.to_string(), error }
+            broken(path.as_str(), error)
         }
-        error => MeshFileError::Glb(error),
+        error => container(error),
     })?;
     Ok((document, bin.unwrap_or_default().into_owned()))
 }
@@ -100,11 +104,6 @@ fn append(
         linear.z_axis.cross(linear.x_axis),
         linear.x_axis.cross(linear.y_axis),
     ) * linear.determinant().signum();
-    let position = |i: usize| place.transform_point3(Vec3::from(positions[i]).as_dvec3());
-    let upright = |[u, v]: [f32; 2]| Vec2::new(u, 1.0 - v);
-    let first = soup.positions.len();
-    soup.normals.resize(first, Vec3::ZERO);
-    soup.uv.resize(first, Vec2::ZERO);
     if let Some(&index) = triangles.iter().flatten().find(|&&i| i as usize >= positions.len()) {
         return Err(MeshFileError::NoSuchVertex { index: index.into(), count: positions.len() });
     }
@@ -113,39 +112,34 @@ fn append(
         Some(_) => (0..positions.len()).collect(),
         None => triangles.iter().flatten().map(|&i| i as usize).collect(),
     };
+    let first = soup.positions.len();
     // Any number of primitives may name the same accessor.
     if first + vertices.len() > 3 * MOST_TRIANGLES {
         return Err(MeshFileError::TooLarge);
     }
-    soup.positions.extend(vertices.iter().map(|&i| position(i)));
+    soup.positions
+        .extend(vertices.iter().map(|&i| place.transform_point3(Vec3::from(positions[i]).as_dvec3())));
     if let Some(uv) = uv {
-        soup.uv.extend(vertices.iter().map(|&i| uv.get(i).copied().map_or(Vec2::ZERO, upright)));
+        let upright = |&[u, v]: &[f32; 2]| Vec2::new(u, 1.0 - v);
+        soup.uv.resize(first, Vec2::ZERO);
+        soup.uv.extend(vertices.iter().map(|&i| uv.get(i).map_or(Vec2::ZERO, upright)));
     }
+    soup.normals.resize(first, Vec3::ZERO);
     match normals {
-        Some(normals) => {
-            soup.normals.extend(vertices.iter().map(|&i| {
-                let given = normals.get(i).copied().map_or(Vec3::ZERO, Vec3::from);
-                if given.is_finite() {
-                    (cofactors * given.as_dvec3()).normalize_or_zero().as_vec3()
-                } else {
-                    given
-                }
-            }));
-            for triangle in triangles {
-                soup.push(triangle.map(|i| first as u32 + i))?;
-            }
-        }
+        Some(normals) => soup.normals.extend(vertices.iter().map(|&i| {
+            let given = normals.get(i).copied().map_or(Vec3::ZERO, Vec3::from);
+            let turned = (cofactors * given.as_dvec3()).normalize_or_zero().as_vec3();
+            if given.is_finite() { turned } else { given }
+        })),
         None => {
-            for k in 0..triangles.len() {
-                let corners = [0, 1, 2].map(|c| (first + 3 * k + c) as u32);
-                let [a, b, c] = corners.map(|i| soup.positions[i as usize]);
-                let flat = (b - a).cross(c - a).normalize_or_zero().as_vec3();
-                soup.normals.extend([flat; 3]);
-                soup.push(corners)?;
-            }
+            let (flat, _) = soup.positions[first..].as_chunks::<3>();
+            soup.normals.extend(
+                flat.iter().flat_map(|[a, b, c]| [(b - a).cross(c - a).normalize_or_zero().as_vec3(); 3]),
+            );
+            triangles = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         }
     }
-    Ok(())
+    triangles.into_iter().try_for_each(|triangle| soup.push(triangle.map(|i| first as u32 + i)))
 }
 
 /// Corners by threes, as the mode has them.
@@ -176,7 +170,7 @@ fn floats<const N: usize>(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<[f
     let whole = N == 2 && accessor.normalized() && matches!(kind, DataType::U8 | DataType::U16);
     if accessor.dimensions() != dimensions || !(kind == DataType::F32 || whole) {
         let wanted = if N == 3 { "vectors of three floats" } else { "vectors of two floats or shares" };
-        return Err(MeshFileError::Accessor { accessor: accessor.index(), wanted });
+        return Err(must_be(accessor, wanted));
     }
     let item = |bytes: &[u8]| {
         let mut out = [0.0; N];
@@ -189,8 +183,7 @@ fn floats<const N: usize>(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<[f
 fn indices(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<u32>, MeshFileError> {
     let known = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if accessor.dimensions() != Dimensions::Scalar || !known {
-        let wanted = "unsigned integers";
-        return Err(MeshFileError::Accessor { accessor: accessor.index(), wanted });
+        return Err(must_be(accessor, "unsigned integers"));
     }
     let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte));
     Ok(items(accessor, blob)?.map(number).collect())
@@ -201,13 +194,11 @@ fn items<'a>(
     accessor: &Accessor<'_>,
     blob: &'a [u8],
 ) -> Result<impl Iterator<Item = &'a [u8]>, MeshFileError> {
-    let index = accessor.index();
     let (Some(view), None) = (accessor.view(), accessor.sparse()) else {
-        return Err(MeshFileError::Accessor { accessor: index, wanted: "dense, with a buffer view" });
+        return Err(must_be(accessor, "dense, with a buffer view"));
     };
-    let buffer = view.buffer();
-    if !matches!(buffer.source(), Source::Bin) || buffer.index() != 0 {
-        return Err(MeshFileError::ExternalBuffer { buffer: buffer.index() });
+    if !matches!(view.buffer().source(), Source::Bin) || view.buffer().index() != 0 {
+        return Err(must_be(accessor, "in the file's own binary chunk"));
     }
     let size = accessor.size();
     let stride = view.stride().unwrap_or(size);
@@ -216,7 +207,10 @@ fn items<'a>(
         let last = stride.checked_mul(accessor.count().checked_sub(1)?)?.checked_add(size)?;
         blob.get(view.offset()..end)?.get(accessor.offset()..)?.get(..last)
     };
-    let bytes =
-        bytes().filter(|_| stride >= size).ok_or(MeshFileError::AccessorTruncated { accessor: index })?;
+    let bytes = bytes().filter(|_| stride >= size).ok_or(must_be(accessor, "within its buffer"))?;
     Ok(bytes.chunks(stride).map(move |item| &item[..size]))
+}
+
+fn must_be(accessor: &Accessor<'_>, wanted: &'static str) -> MeshFileError {
+    MeshFileError::Accessor { accessor: accessor.index(), wanted }
 }

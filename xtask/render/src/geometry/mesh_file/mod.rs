@@ -22,13 +22,14 @@ use crate::geometry::mesh::Mesh;
 /// tangents along ∂P/∂u. Triangles without area are left out.
 pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
     let parse = parser(path)?;
-    let file = File::open(path).map_err(MeshFileError::Unreadable)?;
-    let metadata = file.metadata().map_err(MeshFileError::Unreadable)?;
+    let unreadable = |error| MeshFileError::Unreadable { error };
+    let file = File::open(path).map_err(unreadable)?;
+    let metadata = file.metadata().map_err(unreadable)?;
     if !metadata.is_file() {
         return Err(MeshFileError::NotAFile);
     }
     let mut bytes = Vec::new();
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(MeshFileError::Unreadable)?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > MOST_BYTES {
         return Err(MeshFileError::TooLong { bytes: metadata.len() });
     }

@@ -20,7 +20,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
         let behind = &text.as_bytes()[..reader.position() as usize];
         let line =
             behind.iter().filter(|&&byte| byte == b'\n').count() + usize::from(!behind.ends_with(b"\n"));
-        MeshFileError::Obj { line, error }
+        MeshFileError::broken("OBJ", format!("line {line}: {error}"))
     })?;
     let mut soup = TriangleSoup::default();
     for model in &models {
@@ -44,30 +44,17 @@ fn append(soup: &mut TriangleSoup, mesh: &tobj::Mesh) -> Result<(), MeshFileErro
         soup.uv.resize(first, Vec2::ZERO);
         soup.uv.extend(uv.iter().map(|&t| Vec2::from(t)));
     }
-    let corners: Vec<u32> = mesh.indices.iter().map(|&i| first as u32 + i).collect();
-    let mut rest = corners.as_slice();
+    let mut corners = mesh.indices.iter().map(|&i| first as u32 + i);
     // No list of arities: triangles only.
     let arities = mesh.face_arities.iter().map(|&n| n as usize).chain(std::iter::repeat(3));
-    for arity in arities {
-        let Some((face, others)) = rest.split_at_checked(arity).filter(|(face, _)| !face.is_empty()) else {
-            break;
-        };
-        soup.push_polygon(face)?;
-        rest = others;
-    }
-    Ok(())
+    let faces = arities.map(|arity| corners.by_ref().take(arity).collect::<Vec<_>>());
+    faces.take_while(|face| !face.is_empty()).try_for_each(|face| soup.push_polygon(&face))
 }
 
 /// The text without lines of points, which the loader takes for faces when they have three or more.
 fn faces_alone(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for line in text.lines() {
-        if line.split_whitespace().next() != Some("l") {
-            out.push_str(line);
-        }
-        out.push('\n');
-    }
-    out
+    let kept = |line| if str::split_whitespace(line).next() == Some("l") { "" } else { line };
+    text.lines().flat_map(|line| [kept(line), "\n"]).collect()
 }
 
 /// Refuses indices that name nothing. The loader says so only for vertices, and computes with the others unchecked.

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use glam::{DVec3, Vec2, Vec3};
 use ply_rs_bw::{
-    parser::{Parser, Reader},
+    parser::{ParseError, Parser, Reader},
     ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
 };
 
@@ -13,15 +13,20 @@ use crate::geometry::mesh_file::{error::MeshFileError, triangle_soup::TriangleSo
 /// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
 /// names, and the element `face` with a list of corners. All others are passed over.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
+    let broken = |error: ParseError| {
+        // The library's words, without its parser's state behind them.
+        let said = error.to_string();
+        MeshFileError::broken("PLY", said.split(" Error: ").next().unwrap_or(&said))
+    };
     let mut reader = Reader::new(Cursor::new(bytes));
-    let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(MeshFileError::Ply)?;
-    let vertex = header.elements.get("vertex").ok_or(MeshFileError::PlyLacks("element `vertex`"))?;
-    let face = header.elements.get("face").ok_or(MeshFileError::PlyLacks("element `face`"))?;
-    for (name, lack) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
-        vertex.properties.get(name).ok_or(MeshFileError::PlyLacks(lack))?;
+    let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(broken)?;
+    let element = |name, what| header.elements.get(name).ok_or(MeshFileError::Lacks { what });
+    let (vertex, face) = (element("vertex", "element `vertex`")?, element("face", "element `face`")?);
+    for (name, what) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
+        vertex.properties.get(name).ok_or(MeshFileError::Lacks { what })?;
     }
     if !CORNERS.iter().any(|&name| face.properties.contains_key(name)) {
-        return Err(MeshFileError::PlyLacks("property `vertex_indices`"));
+        return Err(MeshFileError::Lacks { what: "property `vertex_indices`" });
     }
     let mut soup = TriangleSoup::default();
     let mut faces: Vec<Face> = Vec::new();
@@ -32,30 +37,21 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
             let (element, count) = (name.chars().take(40).collect(), element.count);
             return Err(MeshFileError::PlyTruncated { element, count, bytes: left });
         }
-        match name.as_str() {
-            "vertex" => {
-                let corners: Vec<Corner> = Parser::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(MeshFileError::Ply)?;
-                soup.positions = corners.iter().map(|c| c.position).collect();
-                soup.normals = corners.iter().map(|c| c.normal).collect();
-                soup.uv = corners.iter().map(|c| c.uv).collect();
-            }
-            "face" => {
-                faces = Parser::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(MeshFileError::Ply)?;
-            }
-            _ => {
-                Parser::<Passed>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(MeshFileError::Ply)?;
+        if name == "vertex" {
+            let corners: Vec<Corner> =
+                Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
+            soup.positions = corners.iter().map(|c| c.position).collect();
+            soup.normals = corners.iter().map(|c| c.normal).collect();
+            soup.uv = corners.iter().map(|c| c.uv).collect();
+        } else {
+            let read =
+                Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
+            if name == "face" {
+                faces = read;
             }
         }
     }
-    for Face(corners) in &faces {
-        soup.push_polygon(corners)?;
-    }
+    faces.iter().try_for_each(|Face(corners)| soup.push_polygon(corners))?;
     Ok(soup)
 }
 
@@ -74,12 +70,10 @@ impl PropertyAccess for Corner {
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
         let value = match property {
-            Property::Double(value) => value,
-            other => match other.to_f32_lossy() {
-                Some(value) => value.into(),
-                None => return PropertyAccessResult::Ignored,
-            },
+            Property::Double(value) => Some(value),
+            other => other.to_f32_lossy().map(f64::from),
         };
+        let Some(value) = value else { return PropertyAccessResult::Ignored };
         match name {
             "x" => self.position.x = value,
             "y" => self.position.y = value,
@@ -95,6 +89,7 @@ impl PropertyAccess for Corner {
     }
 }
 
+/// Corners of a face; an element that nothing is taken from has none.
 struct Face(Vec<u32>);
 
 impl PropertyAccess for Face {
@@ -114,14 +109,5 @@ impl PropertyAccess for Face {
             // Numbers with a fraction, or below 0.
             None => PropertyAccessResult::UnsupportedType,
         }
-    }
-}
-
-/// An element that nothing is taken from.
-struct Passed;
-
-impl PropertyAccess for Passed {
-    fn new() -> Self {
-        Self
     }
 }

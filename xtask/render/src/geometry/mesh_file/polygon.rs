@@ -4,15 +4,15 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::mesh_file::error::{MOST_CORNERS, MeshFileError};
 
-/// Hands out triangles, as places in the list of corners, in the polygon's own sense: two fewer than corners that differ
-/// from the one before.
+/// Triangles, as places in the list of corners, in the polygon's own sense: two fewer than corners that differ from the one
+/// before.
 ///
 /// Convex polygons become a fan about the first corner; others lose one ear after the other (Meisters 1975, "Polygons
 /// have ears"), in the plane that the polygon is nearest to. Of one that crosses itself, there is always something to
 /// cut off, though not always an ear.
-pub(super) fn triangulate(corners: &[DVec3], mut emit: impl FnMut([usize; 3])) -> Result<(), MeshFileError> {
+pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, MeshFileError> {
     if corners.len() < 3 {
-        return Ok(());
+        return Ok(Vec::new());
     }
     let flat = flattened(corners);
     let turn = |[a, b, c]: [usize; 3]| (flat[b] - flat[a]).perp_dot(flat[c] - flat[b]);
@@ -22,15 +22,15 @@ pub(super) fn triangulate(corners: &[DVec3], mut emit: impl FnMut([usize; 3])) -
         (0..=last).filter(|&i| flat[i] != flat[i.checked_sub(1).unwrap_or(last)]).collect();
     let n = left.len();
     if n < 3 {
-        return Ok(());
+        return Ok(Vec::new());
     }
     if (0..n).all(|i| turn([left[i], left[(i + 1) % n], left[(i + 2) % n]]) >= 0.0) {
-        (2..n).for_each(|i| emit([left[0], left[i - 1], left[i]]));
-        return Ok(());
+        return Ok((2..n).map(|i| [left[0], left[i - 1], left[i]]).collect());
     }
     if n > MOST_CORNERS {
         return Err(MeshFileError::PolygonTooLarge { corners: n });
     }
+    let mut triangles = Vec::new();
     while left.len() > 3 {
         let m = left.len();
         let around = |i: usize| [left[(i + m - 1) % m], left[i], left[(i + 1) % m]];
@@ -43,11 +43,11 @@ pub(super) fn triangulate(corners: &[DVec3], mut emit: impl FnMut([usize; 3])) -
                 })
         });
         let i = ear.unwrap_or(0);
-        emit(around(i));
+        triangles.push(around(i));
         left.remove(i);
     }
-    emit([left[0], left[1], left[2]]);
-    Ok(())
+    triangles.push([left[0], left[1], left[2]]);
+    Ok(triangles)
 }
 
 /// The corners along the axis that Newell's normal is longest on, turning to the left.
@@ -67,51 +67,39 @@ fn flattened(corners: &[DVec3]) -> Vec<DVec2> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use approx::assert_abs_diff_eq;
 
     use super::*;
 
     fn area(corners: &[DVec3]) -> DVec3 {
-        let mut sum = DVec3::ZERO;
-        triangulate(corners, |[a, b, c]| {
+        let halves = triangulate(corners).unwrap().into_iter().map(|[a, b, c]| {
             let cross = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
             // In the sense of the whole.
             assert!(cross.dot(DVec3::new(1.0, -2.0, 3.0)) >= -1e-12, "{a} {b} {c}");
-            sum += 0.5 * cross;
-        })
-        .unwrap();
-        sum
+            0.5 * cross
+        });
+        halves.sum()
     }
 
-    /// Points of a plane with normal (1, −2, 3) and area factor √14.
+    /// Points of a plane with normal (1, −2, 3), a fifth of U × V.
     fn lifted(points: &[[f64; 2]]) -> Vec<DVec3> {
-        let (u, v) = (DVec3::new(2.0, 1.0, 0.0), DVec3::new(-3.0, 6.0, 5.0));
-        let n = DVec3::new(1.0, -2.0, 3.0);
-        assert_eq!((u.dot(n), v.dot(n)), (0.0, 0.0));
-        let points = points.iter().map(|p| u * p[0] + v * p[1] + DVec3::splat(1000.0));
-        if u.cross(v).dot(n) > 0.0 { points.collect() } else { points.rev().collect() }
+        points.iter().map(|p| U * p[0] + V * p[1] + DVec3::splat(1000.0)).collect()
     }
+
+    const U: DVec3 = DVec3::new(2.0, 1.0, 0.0);
+    const V: DVec3 = DVec3::new(-3.0, 6.0, 5.0);
 
     #[test]
     fn triangles_of_a_polygon_cover_it_once() {
-        let scale = DVec3::new(2.0, 1.0, 0.0).cross(DVec3::new(-3.0, 6.0, 5.0)).length();
+        let scale = U.cross(V).length();
         let cases: [(&[[f64; 2]], f64); 4] = [
             (&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], 2.0),
             // An arrow's head: a fan about the first corner would leave it.
             (&[[0.0, 0.0], [2.0, -1.0], [0.5, 0.0], [2.0, 1.0]], 0.5),
-            (
-                &[
-                    [0.0, 0.0],
-                    [3.0, 0.0],
-                    [3.0, 3.0],
-                    [2.0, 3.0],
-                    [2.0, 1.0],
-                    [1.0, 1.0],
-                    [1.0, 3.0],
-                    [0.0, 3.0],
-                ],
-                7.0,
-            ),
+            // A crown, with two corners that turn to the right.
+            (&[[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [2.0, 1.0], [1.0, 1.0], [0.0, 3.0]], 5.0),
             // A corner twice, and one on a straight edge.
             (&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.5], [1.0, 0.5], [0.0, 2.0]], 2.5),
         ];
@@ -128,24 +116,14 @@ mod tests {
     #[test]
     fn what_is_no_simple_polygon_ends_too() {
         let bow = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::Y];
-        let mut count = 0;
-        triangulate(&bow, |_| count += 1).unwrap();
-        triangulate(&[DVec3::ONE; 7], |_| count += 1).unwrap();
-        triangulate(&[DVec3::ONE; 2], |_| count += 1).unwrap();
-        triangulate(&[], |_| count += 1).unwrap();
-        assert_eq!(count, 2);
-        let star = |n: usize| -> Vec<DVec3> {
-            (0..n)
-                .map(|k| {
-                    let (sin, cos) = (k as f64 / n as f64 * std::f64::consts::TAU).sin_cos();
-                    DVec3::new(cos, sin, 0.0) * if k % 2 == 0 { 1.0 } else { 0.4 }
-                })
-                .collect()
+        for (corners, count) in [(&bow[..], 2), (&[DVec3::ONE; 7], 0), (&[DVec3::ONE; 2], 0), (&[], 0)] {
+            assert_eq!(triangulate(corners).unwrap().len(), count);
+        }
+        let star = |n: usize| {
+            let point = |k| DVec2::from_angle(k as f64 / n as f64 * TAU) * if k % 2 == 0 { 1.0 } else { 0.4 };
+            triangulate(&(0..n).map(|k| point(k).extend(0.0)).collect::<Vec<_>>())
         };
-        assert!(triangulate(&star(MOST_CORNERS), |_| ()).is_ok());
-        assert!(matches!(
-            triangulate(&star(MOST_CORNERS + 2), |_| ()),
-            Err(MeshFileError::PolygonTooLarge { .. })
-        ));
+        assert!(star(MOST_CORNERS).is_ok());
+        assert!(matches!(star(MOST_CORNERS + 2), Err(MeshFileError::PolygonTooLarge { .. })));
     }
 }

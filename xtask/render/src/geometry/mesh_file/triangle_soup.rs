@@ -51,19 +51,12 @@ impl TriangleSoup {
         if let &[a, b, c] = corners {
             return self.push([a, b, c]);
         }
-        let mut places = Vec::with_capacity(corners.len());
-        for &index in corners {
-            let count = self.positions.len();
-            let place = self.positions.get(index as usize);
-            places.push(*place.ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })?);
-        }
-        let mut result = Ok(());
-        triangulate(&places, |triangle| {
-            if result.is_ok() {
-                result = self.push(triangle.map(|k| corners[k]));
-            }
-        })?;
-        result
+        let place = |&index: &u32| {
+            let (place, count) = (self.positions.get(index as usize), self.positions.len());
+            place.copied().ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
+        };
+        let places = corners.iter().map(place).collect::<Result<Vec<_>, _>>()?;
+        triangulate(&places)?.into_iter().try_for_each(|triangle| self.push(triangle.map(|k| corners[k])))
     }
 
     /// The mesh, turned so that `up` is z, and into the unit ball.
@@ -126,16 +119,18 @@ impl TriangleSoup {
     }
 }
 
-/// The angle of a triangle at its first corner.
-fn angle([a, b, c]: [DVec3; 3]) -> f64 {
-    (b - a).cross(c - a).length().atan2((b - a).dot(c - a))
-}
-
-/// Corners of a triangle, each first in its turn, with its vertex.
-fn turns(mesh: &Mesh, triangle: [u32; 3]) -> [(usize, [DVec3; 3]); 3] {
-    let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize].position.as_dvec3());
-    let [i, j, k] = triangle.map(|i| i as usize);
-    [(i, [a, b, c]), (j, [b, c, a]), (k, [c, a, b])]
+/// Hands out a vector of each triangle to its vertices, with the triangle's angle there.
+fn at_vertices(mesh: &Mesh, of: impl Fn([Vertex; 3]) -> DVec3, mut add: impl FnMut(usize, DVec3, f64)) {
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|i| mesh.vertices[i as usize]);
+        let vector = of(corners);
+        let places = corners.map(|v| v.position.as_dvec3());
+        for (k, &vertex) in triangle.iter().enumerate() {
+            let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| places[k]);
+            let angle = (b - a).cross(c - a).length().atan2((b - a).dot(c - a));
+            add(vertex as usize, vector, angle);
+        }
+    }
 }
 
 /// Gives each vertex without a normal the mean of the triangles around its point, weighted by their angles there
@@ -147,17 +142,17 @@ fn complete_normals(mesh: &mut Mesh) {
     // Plus zero: −0 is where 0 is.
     let point = |v: &Vertex| (v.position + Vec3::ZERO).to_array().map(f32::to_bits);
     let mut sums: HashMap<[u32; 3], (DVec3, DVec3)> = HashMap::new();
-    for &triangle in &mesh.triangles {
-        for (i, corners) in turns(mesh, triangle) {
-            let [a, b, c] = corners;
-            let normal = (b - a).cross(c - a).normalize_or_zero();
-            let (sum, first) = sums.entry(point(&mesh.vertices[i])).or_default();
-            *sum += normal * angle(corners);
-            if *first == DVec3::ZERO {
-                *first = normal;
-            }
+    let normal = |corners: [Vertex; 3]| {
+        let [a, b, c] = corners.map(|v| v.position.as_dvec3());
+        (b - a).cross(c - a).normalize_or_zero()
+    };
+    at_vertices(mesh, normal, |i, normal, angle| {
+        let (sum, first) = sums.entry(point(&mesh.vertices[i])).or_default();
+        *sum += normal * angle;
+        if *first == DVec3::ZERO {
+            *first = normal;
         }
-    }
+    });
     for v in mesh.vertices.iter_mut().filter(|v| v.normal == Vec3::ZERO) {
         let (sum, first) = sums.get(&point(v)).copied().unwrap_or_default();
         // Two faces of one sheet, back to back, cancel; then one of them it is.
@@ -170,18 +165,19 @@ fn complete_normals(mesh: &mut Mesh) {
 /// not vary, those of the minimal rotation.
 fn lay_tangents(mesh: &mut Mesh) {
     let mut sums = vec![DVec3::ZERO; mesh.vertices.len()];
-    for &triangle in &mesh.triangles {
-        let [s, t, r] = triangle.map(|i| mesh.vertices[i as usize].uv.as_dvec2());
+    // ∂P/∂u times the determinant of the coordinates' differences.
+    let along = |corners: [Vertex; 3]| {
+        let [p, q, o] = corners.map(|v| v.position.as_dvec3());
+        let [s, t, r] = corners.map(|v| v.uv.as_dvec2());
         let (b, c) = (t - s, r - s);
-        let [(_, [p, q, o]), ..] = turns(mesh, triangle);
-        // ∂P/∂u times the determinant of the coordinates' differences.
-        let along = ((q - p) * c.y - (o - p) * b.y) * b.perp_dot(c).signum();
-        if b.perp_dot(c) != 0.0 {
-            for (i, corners) in turns(mesh, triangle) {
-                sums[i] += along.normalize_or_zero() * angle(corners);
-            }
-        }
-    }
+        let turn = b.perp_dot(c);
+        if turn == 0.0 { DVec3::ZERO } else { ((q - p) * c.y - (o - p) * b.y) * turn.signum() }
+    };
+    at_vertices(
+        mesh,
+        |corners| along(corners).normalize_or_zero(),
+        |i, along, angle| sums[i] += along * angle,
+    );
     for (v, sum) in mesh.vertices.iter_mut().zip(sums) {
         // Unit to the last bit of f64, for the sum may be nearly along it.
         let normal = v.normal.as_dvec3().normalize();
