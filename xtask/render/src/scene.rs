@@ -6,7 +6,10 @@ use asperity_shading::{Environment, SurfacePoint, material::Material, reflectanc
 use glam::Vec3;
 
 use crate::{
-    geometry::{hit::Hit, ray::Ray, shape::Shape},
+    geometry::{
+        ray::{Hit, Ray},
+        shape::Shape,
+    },
     light::{background::background, lamps::Lamps},
     materials::shaded,
 };

@@ -6,7 +6,7 @@ use asperity_fif::{
 };
 use glam::{Mat3, Vec3};
 
-use crate::geometry::hit::Hit;
+use crate::geometry::ray::Hit;
 
 /// The surface `z = rise · (f(x, y) − base)`, of which the scene shows a neighbourhood.
 pub struct Fractal {

@@ -10,7 +10,7 @@ use obvhs::{
     ray::{Ray, RayHit},
 };
 
-use crate::geometry::hit::Hit;
+use crate::geometry::ray::Hit;
 
 /// A corner of triangles with its shading frame.
 #[derive(Clone, Copy, Debug)]

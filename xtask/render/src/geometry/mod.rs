@@ -5,7 +5,6 @@ pub mod car;
 #[cfg(test)]
 mod checks;
 pub mod fractal;
-pub mod hit;
 pub mod mesh;
 pub mod mesh_file;
 pub mod ray;

@@ -1,9 +1,7 @@
-//! Rays that know how far apart the rays of neighbouring pixels are: ray differentials.
+//! Rays that know how far apart the rays of neighbouring pixels are, and their hits: points of surfaces with their frames.
 
-use asperity_shading::Footprint;
-use glam::Vec3;
-
-use crate::geometry::hit::Hit;
+use asperity_shading::{Footprint, PixelEllipse, SurfacePoint};
+use glam::{Mat3, Vec2, Vec3};
 
 /// A ray and its derivatives by one pixel to the right and one down.
 ///
@@ -84,6 +82,41 @@ impl Ray {
     pub fn scattered(&self, hit: &Hit, direction: Vec3, angle: f32, origin: Vec3) -> Self {
         let (x, y) = direction.any_orthonormal_pair();
         Self { origin, direction, origin_by: self.spread(hit), direction_by: [angle * x, angle * y] }
+    }
+}
+
+/// Hit of a ray on a shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Ray parameter, the distance for a unit direction.
+    pub t: f32,
+    pub position: Vec3,
+    /// Unit, outwards.
+    pub normal: Vec3,
+    /// Unit, orthogonal to the normal; the local x axis of an anisotropic density.
+    pub tangent: Vec3,
+    /// Texture coordinates.
+    pub uv: Vec2,
+    /// ∂P/∂u and ∂P/∂v.
+    pub tangents: [Vec3; 2],
+    /// Curvature, by the turn of the normal along the surface: dn = bend · dP, before it is made unit.
+    pub bend: Mat3,
+}
+
+impl Hit {
+    /// The point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
+    /// shaded like the outside.
+    pub fn facing(mut self, direction: Vec3) -> Self {
+        if self.normal.dot(direction) > 0.0 {
+            self.normal = -self.normal;
+            self.bend = -self.bend;
+        }
+        self
+    }
+
+    /// The point at which a material is evaluated, with its pixel.
+    pub fn point(&self, pixel: impl Into<PixelEllipse>) -> SurfacePoint {
+        SurfacePoint::new(self.position, self.normal, pixel).with_uv(self.uv, self.tangents)
     }
 }
 

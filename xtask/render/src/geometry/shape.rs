@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Vec2, Vec3};
 
-use crate::geometry::{fractal::Fractal, hit::Hit, mesh::TracedMesh};
+use crate::geometry::{fractal::Fractal, mesh::TracedMesh, ray::Hit};
 
 /// A shape in its own space, z up.
 pub enum Shape {

@@ -16,7 +16,10 @@ use indicatif::ProgressBar;
 
 use crate::{
     failure::Failure,
-    geometry::{camera::Camera, hit::Hit, ray::Ray},
+    geometry::{
+        camera::Camera,
+        ray::{Hit, Ray},
+    },
     image::Image,
     integrator::pixels::{Sampling, render, render_paths},
     sampling::{
