@@ -13,7 +13,7 @@ const ROW: f64 = 34.0;
 pub(crate) fn svg(times: &Times) -> Result<String, Failure> {
     let rows: Vec<_> =
         times.rows.iter().filter_map(|row| row.best().map(|best| (row.name.as_str(), best))).collect();
-    let picture = plot(&rows).svg()?;
+    let picture = plot(&rows).svg("Nanoseconds per sample of Asperity and of the fastest peer")?;
     let style = format!("<style>\n{}svg {{ background: var(--card) }}\n</style>\n", page::colours());
     Ok(picture.replacen("<title>", &format!("{style}<title>"), 1))
 }
@@ -26,12 +26,11 @@ fn plot(rows: &[(&str, Ratio<'_>)]) -> Plot {
     let count = rows.len() as f64;
     let ticks: Vec<_> =
         rows.iter().enumerate().map(|(index, (name, _))| (count - index as f64 - 0.5, *name)).collect();
-    let x = Axis::log2("nanoseconds per sample", [low, high], 1);
+    let x = Axis::log2("nanoseconds per sample", [low, high]);
     let y = Axis::linear("", [0.0, count.max(1.0)], 1.0).with_ticks(&ticks);
     // Of the lines of the legend: a single point draws nothing.
     let (nowhere, thick) = ([[1.0, 0.0]], |series: u8| Stroke::solid(series).wide(8.0));
     let mut plot = Plot::new([1100.0, ROW * count.max(1.0) + 110.0], x, y, Names::Above)
-        .titled("Nanoseconds per sample of Asperity and of the fastest peer")
         .curve("Asperity at its highest level", nowhere, thick(1))
         .curve("the fastest peer at that level or below", nowhere, thick(2));
     for (index, (_, ratio)) in rows.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::OnceLock};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 
 /// One page of the gallery.
 pub(crate) struct Page {
@@ -41,7 +41,7 @@ pub(crate) fn captions() -> &'static Captions {
 
 impl Captions {
     /// The words of a figure.
-    pub(crate) fn of(&self, figure: &str) -> Result<&Caption, Failure> {
+    pub(crate) fn of(&self, figure: &str) -> Result<&Caption> {
         self.figures.get(figure).ok_or_else(|| format!("captions.md has no words for `{figure}`").into())
     }
 

@@ -2,15 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
-use asperity_render::geometry::camera::Camera;
-use asperity_render::image::Image;
 use asperity_render::integrator::pixels::{Sampling, render};
-use asperity_render::scene::Scene;
+use asperity_render::{geometry::camera::Camera, image::Image, scene::Scene};
 use glam::Vec3;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
-use crate::failure::{Failure, Interrupted};
+use crate::failure::{Interrupted, Result};
 
 /// One figure of the gallery.
 #[derive(Clone, Copy)]
@@ -18,7 +17,12 @@ pub(crate) struct Figure {
     /// Name on the command line and stem of the files, `kautz-1-sphere`.
     pub(crate) name: &'static str,
     /// Draws it.
-    pub(crate) draw: fn(&Context<'_>) -> Result<Drawn, Failure>,
+    pub(crate) draw: fn(&Context<'_>) -> Result<Drawn>,
+}
+
+/// A figure of a name and the function that draws it.
+pub(crate) const fn figure(name: &'static str, draw: fn(&Context<'_>) -> Result<Drawn>) -> Figure {
+    Figure { name, draw }
 }
 
 /// Settings of a figure, from the command line.
@@ -61,18 +65,24 @@ impl Context<'_> {
         &self,
         sampling: Sampling,
         radiance: impl Fn(f32, f32) -> Vec3 + Sync,
-    ) -> Result<Image, Failure> {
+    ) -> Result<Image> {
         render(sampling, self.progress, self.interrupted, radiance)
     }
 
     /// A picture of a scene, in linear radiance.
-    pub(crate) fn draw(
+    pub(crate) fn draw(&self, scene: &Scene<'_, '_>, sampling: Sampling, camera: &Camera) -> Result<Image> {
+        scene.draw(sampling, camera, self.progress, self.interrupted)
+    }
+
+    /// A picture of a scene from an eye towards a target, over this angle in radians.
+    pub(crate) fn look(
         &self,
         scene: &Scene<'_, '_>,
         sampling: Sampling,
-        camera: &Camera,
-    ) -> Result<Image, Failure> {
-        scene.draw(sampling, camera, self.progress, self.interrupted)
+        [eye, target]: [Vec3; 2],
+        field: f32,
+    ) -> Result<Image> {
+        self.draw(scene, sampling, &Camera::new(eye, target, field, sampling.width, sampling.height))
     }
 
     /// Rows one below the other, made on all threads, in their order whatever the number of threads.
@@ -80,7 +90,7 @@ impl Context<'_> {
         &self,
         count: usize,
         row: impl Fn(usize) -> R + Sync,
-    ) -> Result<Vec<T>, Failure> {
+    ) -> Result<Vec<T>> {
         self.progress.inc_length(count as u64);
         let rows: Result<Vec<Vec<T>>, Interrupted> = (0..count)
             .into_par_iter()
@@ -96,11 +106,12 @@ impl Context<'_> {
 }
 
 /// A drawn figure: panels, parameters and a table.
-pub(crate) struct Drawn {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Drawn<P = Picture> {
     /// Square panels side by side on a wide page.
     pub(crate) columns: u32,
     /// The pictures, in reading order.
-    pub(crate) panels: Vec<Panel>,
+    pub(crate) panels: Vec<Panel<P>>,
     /// Parameters by name, shown under the caption.
     pub(crate) parameters: Vec<(String, String)>,
     /// Measured figures, shown as a table: header, then rows.
@@ -113,15 +124,23 @@ impl Drawn {
         Self { columns, panels, parameters: Vec::new(), table: None }
     }
 
-    /// One more parameter.
-    pub(crate) fn fact(mut self, name: &str, value: impl Into<String>) -> Self {
-        self.parameters.push((name.to_owned(), value.into()));
-        self
+    /// A picture of each case by its words, those of [`Panel::new`].
+    pub(crate) fn pictures<W: Into<String>, C>(
+        columns: u32,
+        cases: impl IntoIterator<Item = ([W; 3], C)>,
+        mut picture: impl FnMut(C) -> Result<Image>,
+    ) -> Result<Self> {
+        let mut panels = Vec::new();
+        for ([stem, label, alt], case) in cases {
+            panels.push(Panel::new(stem, label, alt, picture(case)?));
+        }
+        Ok(Self::new(columns, panels))
     }
 
-    /// Some more parameters.
-    pub(crate) fn facts(mut self, facts: Vec<(String, String)>) -> Self {
-        self.parameters.extend(facts);
+    /// One more parameter.
+    #[expect(clippy::needless_pass_by_value, reason = "numbers are given as they are")]
+    pub(crate) fn fact(mut self, name: &str, value: impl ToString) -> Self {
+        self.parameters.push((name.to_owned(), value.to_string()));
         self
     }
 
@@ -137,7 +156,8 @@ impl Drawn {
 }
 
 /// One picture of a figure.
-pub(crate) struct Panel {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Panel<P = Picture> {
     /// Stem of its file, unique in the figure: `zoom-4`.
     pub(crate) stem: String,
     /// A few words under the picture.
@@ -147,28 +167,19 @@ pub(crate) struct Panel {
     /// Relative width in its row: 1 for a square panel, 2 for twice as wide.
     pub(crate) span: u32,
     /// The picture itself.
-    pub(crate) picture: Picture,
+    #[serde(flatten)]
+    pub(crate) picture: P,
 }
 
 impl Panel {
-    /// A picture of one column with its words.
+    /// A picture of one column with its words: the stem of its file, a few for all, and those for who cannot see it.
     pub(crate) fn new(
         stem: impl Into<String>,
         label: impl Into<String>,
         alt: impl Into<String>,
-        picture: Picture,
+        picture: impl Into<Picture>,
     ) -> Self {
-        Self { stem: stem.into(), label: label.into(), alt: alt.into(), span: 1, picture }
-    }
-
-    /// A picture of pixels with its words.
-    pub(crate) fn raster(
-        stem: impl Into<String>,
-        label: impl Into<String>,
-        alt: impl Into<String>,
-        image: Image,
-    ) -> Self {
-        Self::new(stem, label, alt, Picture::Raster(image))
+        Self { stem: stem.into(), label: label.into(), alt: alt.into(), span: 1, picture: picture.into() }
     }
 
     /// Several columns wide.
@@ -183,4 +194,10 @@ pub(crate) enum Picture {
     Raster(Image),
     /// A complete `<svg>` element whose colours are the page's custom properties.
     Vector(String),
+}
+
+impl From<Image> for Picture {
+    fn from(image: Image) -> Self {
+        Self::Raster(image)
+    }
 }

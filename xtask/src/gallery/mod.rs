@@ -12,15 +12,15 @@ pub(crate) mod render;
 use std::{sync::atomic::AtomicBool, time::Instant};
 
 use crate::cli::Gallery;
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::captions::captions;
 use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
-use crate::gallery::page::{PanelRecord, Record};
+use crate::gallery::page::{Record, Stored};
 use crate::output::{Output, sha256};
 use crate::progress;
 
 /// The figures whose names contain one of the words; every word must match one.
-pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>, Failure> {
+pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>> {
     for word in only {
         if !all.iter().any(|figure| figure.name.contains(word.as_str())) {
             let names: Vec<_> = all.iter().map(|figure| figure.name).collect();
@@ -32,7 +32,7 @@ pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a 
 }
 
 /// Says the name, the title and the source of the chosen figures.
-pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<(), Failure> {
+pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     for figure in chosen(all, only)? {
         let words = captions().of(figure.name)?;
         progress::say(&format!("{:<26} {} ({})", figure.name, words.title, words.source));
@@ -46,8 +46,9 @@ pub(crate) fn draw(
     wanted: &Gallery,
     output: &Output,
     interrupted: &AtomicBool,
-) -> Result<(), Failure> {
-    let key = format!("{} size {} spp {} seed {}", program_digest()?, wanted.size, wanted.spp, wanted.seed);
+) -> Result<()> {
+    let &Gallery { size, spp: samples_per_pixel, seed, .. } = wanted;
+    let key = format!("{} size {size} spp {samples_per_pixel} seed {seed}", program_digest()?);
     let figures = chosen(all, &wanted.only)?;
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
@@ -56,73 +57,50 @@ pub(crate) fn draw(
             continue;
         }
         let bar = progress::bar(&place);
-        let context = Context {
-            size: wanted.size,
-            samples_per_pixel: wanted.spp,
-            seed: wanted.seed,
-            progress: &bar,
-            interrupted,
-        };
+        let context = Context { size, samples_per_pixel, seed, progress: &bar, interrupted };
         let start = Instant::now();
         let drawn = (figure.draw)(&context);
         bar.finish_and_clear();
         let drawn = drawn?;
         let seconds = start.elapsed().as_secs_f64();
-        let record = store(figure, drawn, seconds, key.clone(), wanted.seed, output)?;
+        let (name, drawn) = (figure.name.to_owned(), store(figure, drawn, output)?);
+        let record = Record { name, seed, seconds, key: key.clone(), drawn };
         output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
         progress::say(&format!("{place} {seconds:6.1} s"));
     }
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
     for page in &captions().pages {
-        let text = page.gallery(&records, env!("CARGO_PKG_VERSION"), drawing);
+        let text = page.gallery(&records, drawing);
         output.write(page.file, text.as_bytes())?;
     }
     Ok(())
 }
 
 // A picture is up to date only if this very program drew it.
-fn program_digest() -> Result<String, Failure> {
+fn program_digest() -> Result<String> {
     Ok(sha256(&std::fs::read(std::env::current_exe()?)?))
 }
 
 /// The record of an earlier run, if all of its pictures are still as they were.
 fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
     let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
-    let whole = |p: &PanelRecord| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256);
-    record.panels.iter().all(whole).then_some(record)
+    let whole = |p: &Stored| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256);
+    record.drawn.panels.iter().all(|panel| whole(&panel.picture)).then_some(record)
 }
 
-fn store(
-    figure: &Figure,
-    drawn: Drawn,
-    seconds: f64,
-    key: String,
-    seed: u32,
-    output: &Output,
-) -> Result<Record, Failure> {
-    let mut panels = Vec::new();
-    for Panel { stem, label, alt, span, picture } in drawn.panels {
+/// Writes the pictures of a figure.
+fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>> {
+    let stored = |Panel { stem, label, alt, span, picture }| {
         let (bytes, ending, pixels) = match picture {
             Picture::Raster(image) => (image.png()?, "png", Some((image.width, image.height))),
             Picture::Vector(svg) => (svg.into_bytes(), "svg", None),
         };
-        let file = format!("{}-{}.{ending}", figure.name, stem);
+        let file = format!("{}-{stem}.{ending}", figure.name);
         let sha256 = output.write(&file, &bytes)?;
-        panels.push(PanelRecord { file, sha256, label, alt, span, pixels });
-    }
-    let caption = captions().of(figure.name)?;
-    Ok(Record {
-        name: figure.name.into(),
-        title: caption.title.into(),
-        source: caption.source.into(),
-        caption: caption.text.clone(),
-        seed,
-        seconds,
-        key,
-        columns: drawn.columns,
-        panels,
-        parameters: drawn.parameters,
-        table: drawn.table,
-    })
+        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256, pixels } })
+    };
+    let Drawn { columns, panels, parameters, table } = drawn;
+    let panels = panels.into_iter().map(stored).collect::<Result<_>>()?;
+    Ok(Drawn { columns, panels, parameters, table })
 }

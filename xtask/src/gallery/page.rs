@@ -2,36 +2,29 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::gallery::captions::{Page, captions};
+use crate::gallery::captions::{Caption, Page, captions};
+use crate::gallery::figure::{Drawn, Panel};
 
 const STYLE: &str = include_str!("page.css");
 
-/// A drawn figure on disk: words, pictures with checksums, provenance.
+/// A drawn figure on disk, with its provenance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Record {
     pub(crate) name: String,
-    pub(crate) title: String,
-    pub(crate) source: String,
-    pub(crate) caption: String,
     pub(crate) seed: u32,
     pub(crate) seconds: f64,
     /// Names the program and the settings that drew it: equal keys give equal files.
     pub(crate) key: String,
-    pub(crate) columns: u32,
-    pub(crate) panels: Vec<PanelRecord>,
-    pub(crate) parameters: Vec<(String, String)>,
-    pub(crate) table: Option<(Vec<String>, Vec<Vec<String>>)>,
+    #[serde(flatten)]
+    pub(crate) drawn: Drawn<Stored>,
 }
 
-/// One picture on disk.
+/// A picture on disk.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct PanelRecord {
+pub(crate) struct Stored {
     pub(crate) file: String,
     pub(crate) sha256: String,
-    pub(crate) label: String,
-    pub(crate) alt: String,
-    pub(crate) span: u32,
-    /// Height over width of a raster picture in pixels; `None` for a drawing.
+    /// Width and height of a raster picture; `None` for a drawing.
     pub(crate) pixels: Option<(u32, u32)>,
 }
 
@@ -45,13 +38,16 @@ pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The head of every page that the builder writes, up to and with the opening of `<body>`.
-pub(crate) fn head(title: &str) -> String {
+/// A whole page that the builder writes: its title, its heading with a few words, and what follows.
+pub(crate) fn page(title: &str, heading: &str, about: &str, rest: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
-        escape(title)
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <div class=\"wide\"><header><h1>{}</h1>\n<p>{}</p></header></div>\n{rest}</body>\n</html>\n",
+        escape(title),
+        escape(heading),
+        escape(about),
     )
 }
 
@@ -67,56 +63,42 @@ pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
 
 impl Page {
     /// The page over its records; `drawing` hands over the text of an SVG file by its name.
-    pub(crate) fn gallery(
-        &self,
-        records: &[Record],
-        version: &str,
-        drawing: impl Fn(&str) -> String,
-    ) -> String {
+    pub(crate) fn gallery(&self, records: &[Record], drawing: impl Fn(&str) -> String) -> String {
         let prefix = if self.title == "Asperity" { String::new() } else { format!("{}: ", self.title) };
-        let others = captions().pages.iter().filter(|other| other.file != self.file);
-        let others = others
-            .map(|o| format!("<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>\n", o.file, o.name));
-        let section_of = |record: &Record| {
-            let caption = captions().of(&record.name).ok().filter(|caption| caption.page == self.file);
-            caption.map(|caption| caption.section)
-        };
-        let records: Vec<_> = records.iter().filter_map(|r| Some((section_of(r)?, r))).collect();
-        let links = records
-            .iter()
-            .map(|(_, r)| format!("<li><a href=\"#{}\">{}</a></li>\n", escape(&r.name), escape(&r.title)));
-        let sections = records.chunk_by(|a, b| a.0 == b.0).map(|records| {
-            let articles: String = records.iter().map(|(_, record)| article(record, &drawing)).collect();
-            format!("<section><h2>{}</h2>\n{articles}</section>\n", records[0].0)
+        let others = captions().pages.iter().filter(|other| other.file != self.file).map(|other| {
+            format!("<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>\n", other.file, other.name)
         });
-        format!(
-            "{head}<div class=\"wide\"><header><h1>{title}</h1>\n<p>{about}</p></header></div>\n\
-             <nav><div class=\"wide\"><ol>\n{others}{links}</ol></div></nav>\n\
-             <main class=\"wide\">\n{sections}</main>\n\
-             <footer class=\"wide\">Asperity {version}. The same settings and seeds give the same files, byte for \
-             byte, on any number of threads. The tables behind the pictures: \
-             <a href=\"../tables/index.html\">tables</a>.</footer>\n</body>\n</html>\n",
-            head = head(&format!("{prefix}Asperity gallery")),
-            title = escape(self.title),
-            about = escape(&self.about),
-            others = others.collect::<String>(),
-            links = links.collect::<String>(),
-            sections = sections.collect::<String>(),
-            version = escape(version),
-        )
+        let words = |record: &Record| captions().of(&record.name).ok().filter(|c| c.page == self.file);
+        let records: Vec<_> = records.iter().filter_map(|record| Some((words(record)?, record))).collect();
+        let links = records.iter().map(|(caption, record)| {
+            format!("<li><a href=\"#{}\">{}</a></li>\n", escape(&record.name), escape(caption.title))
+        });
+        let sections = records.chunk_by(|a, b| a.0.section == b.0.section).map(|records| {
+            let articles: String = records.iter().map(|(words, r)| article(words, r, &drawing)).collect();
+            format!("<section><h2>{}</h2>\n{articles}</section>\n", records[0].0.section)
+        });
+        let rest = format!(
+            "<nav><div class=\"wide\"><ol>\n{}</ol></div></nav>\n<main class=\"wide\">\n{}</main>\n\
+             <footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for byte, on \
+             any number of threads. The tables behind the pictures: \
+             <a href=\"../tables/index.html\">tables</a>.</footer>\n",
+            others.chain(links).collect::<String>(),
+            sections.collect::<String>(),
+            env!("CARGO_PKG_VERSION"),
+        );
+        page(&format!("{prefix}Asperity gallery"), self.title, &self.about, &rest)
     }
 }
 
-fn article(record: &Record, drawing: &impl Fn(&str) -> String) -> String {
-    let panel = |panel: &PanelRecord| {
-        let picture = match panel.pixels {
+fn article(words: &Caption, record: &Record, drawing: &impl Fn(&str) -> String) -> String {
+    let panel = |panel: &Panel<Stored>| {
+        let (file, alt) = (escape(&panel.picture.file), escape(&panel.alt));
+        let picture = match panel.picture.pixels {
             Some((width, height)) => format!(
                 "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" \
-                 alt=\"{}\"></a>",
-                escape(&panel.alt),
-                file = escape(&panel.file),
+                 alt=\"{alt}\"></a>"
             ),
-            None => drawing(&panel.file),
+            None => drawing(&panel.picture.file),
         };
         format!(
             "<figure{} style=\"grid-column: span {}\">{picture}<figcaption>{}</figcaption></figure>\n",
@@ -133,18 +115,19 @@ fn article(record: &Record, drawing: &impl Fn(&str) -> String) -> String {
     let fact = |(name, value): &(String, String)| {
         format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escape(name), escape(value))
     };
+    let drawn = &record.drawn;
     format!(
         "<article id=\"{}\">\n<h3>{}</h3>\n<p class=\"source\">{}</p>\n<p class=\"caption\">{}</p>\n\
          <div class=\"panels\" style=\"grid-template-columns: repeat({}, minmax(0, 1fr))\">\n{}</div>\n\
          <dl class=\"facts\">\n{}</dl>\n{}</article>\n",
         escape(&record.name),
-        escape(&record.title),
-        escape(&record.source),
-        escape(&record.caption),
-        record.columns.max(1),
-        record.panels.iter().map(panel).collect::<String>(),
-        record.parameters.iter().chain(&own).map(fact).collect::<String>(),
-        record.table.as_ref().map(|(head, rows)| table(head, rows)).unwrap_or_default(),
+        escape(words.title),
+        escape(words.source),
+        escape(&words.text),
+        drawn.columns.max(1),
+        drawn.panels.iter().map(panel).collect::<String>(),
+        drawn.parameters.iter().chain(&own).map(fact).collect::<String>(),
+        drawn.table.as_ref().map(|(head, rows)| table(head, rows)).unwrap_or_default(),
     )
 }
 
@@ -152,68 +135,31 @@ fn article(record: &Record, drawing: &impl Fn(&str) -> String) -> String {
 mod tests {
     use super::*;
 
-    fn record() -> Record {
-        Record {
-            name: "kautz-1-sphere".into(),
-            title: "A <sphere>".into(),
-            source: "fig. 1".into(),
-            caption: "bumps & \"zoom\"".into(),
-            seed: 7,
-            seconds: 1.25,
-            key: "k".into(),
-            columns: 2,
-            panels: vec![PanelRecord {
-                file: "kautz-1-sphere-far.png".into(),
-                sha256: "00".into(),
-                label: "far".into(),
-                alt: "a sphere".into(),
-                span: 1,
-                pixels: Some((8, 8)),
-            }],
-            parameters: vec![("alpha_x".into(), "0.2".into())],
-            table: Some((vec!["zoom".into()], vec![vec!["1".into()]])),
-        }
+    fn record(name: &str) -> Record {
+        let picture = Stored { file: "far.png".into(), sha256: "00".into(), pixels: Some((8, 8)) };
+        let (stem, label, alt) = ("far".into(), "A <sphere>".into(), "bumps & \"zoom\"".into());
+        let panels = vec![Panel { stem, label, alt, span: 1, picture }];
+        let parameters = vec![("alpha_x".into(), "0.2".into())];
+        let table = Some((vec!["zoom".into()], vec![vec!["1".into()]]));
+        let drawn = Drawn { columns: 2, panels, parameters, table };
+        Record { name: name.into(), seed: 7, seconds: 1.25, key: "k".into(), drawn }
+    }
+
+    fn page_of(index: usize, names: &[&str]) -> String {
+        let records: Vec<_> = names.iter().copied().map(record).collect();
+        captions().pages[index].gallery(&records, |_| String::new())
     }
 
     #[test]
-    fn text_from_outside_cannot_become_markup() {
-        let page = captions().pages[0].gallery(&[record()], "0.1.0", |_| String::new());
+    fn the_page_is_safe_whole_and_needs_no_network_and_no_script() {
+        let page = page_of(0, &["kautz-1-sphere", "kautz-2-ndf"]);
         assert!(page.contains("A &lt;sphere&gt;") && page.contains("bumps &amp; &quot;zoom&quot;"));
         assert!(!page.contains("A <sphere>"));
-    }
-
-    #[test]
-    fn the_page_needs_no_network_and_no_script() {
-        let page = captions().pages[0].gallery(&[record()], "0.1.0", |_| String::new());
         for banned in ["http:", "https:", "<script", "<link", "@import", "url("] {
             assert!(!page.contains(banned), "{banned}");
         }
-    }
-
-    #[test]
-    fn a_figure_of_noise_is_on_the_page_of_noise_alone_and_pages_know_one_another() {
-        let noise = Record { name: "noise-kind-white".into(), title: "White".into(), ..record() };
-        let [first, second] = [0, 1].map(|k: usize| {
-            captions().pages[k].gallery(&[record(), noise.clone()], "0.1.0", |_| String::new())
-        });
-        assert!(
-            first.contains("A &lt;sphere&gt;")
-                && !first.contains("White")
-                && first.contains("href=\"noise.html\"")
-        );
-        assert!(
-            second.contains("White")
-                && !second.contains("A &lt;sphere")
-                && second.contains("href=\"index.html\"")
-        );
-    }
-
-    #[test]
-    fn every_opened_element_is_closed() {
-        let page = captions().pages[0].gallery(&[record(), record()], "0.1.0", |_| String::new());
-        for tag in
-            ["article", "section", "figure", "dl", "table", "main", "nav", "ol", "li", "div", "html", "body"]
-        {
+        let tags = "article section figure dl table main nav ol li div html body";
+        for tag in tags.split(' ') {
             let opened =
                 page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
             assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
@@ -221,8 +167,20 @@ mod tests {
     }
 
     #[test]
+    fn a_figure_of_noise_is_on_the_page_of_noise_alone_and_pages_know_one_another() {
+        let [sphere, noise] = ["kautz-1-sphere", "noise-kind-white"];
+        for (index, own, foreign, other) in
+            [(0, sphere, noise, "noise.html"), (1, noise, sphere, "index.html")]
+        {
+            let page = page_of(index, &[sphere, noise]);
+            let has = |text: &str, name: &str| page.contains(&format!("{text}=\"{name}\""));
+            assert!(has("id", own) && !has("id", foreign) && has("href", other), "{other}");
+        }
+    }
+
+    #[test]
     fn a_record_survives_its_file() {
-        let text = serde_json::to_string(&record()).unwrap();
-        assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record());
+        let text = serde_json::to_string(&record("kautz-1-sphere")).unwrap();
+        assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record("kautz-1-sphere"));
     }
 }

@@ -1,44 +1,22 @@
-//! Panels of rendered objects and of densities over the disk of normals.
+//! Panels of densities over the disk of normals, pictures side by side, and words of rules.
 
-use std::sync::Arc;
-
-use asperity_render::geometry::shape::Shape;
-use asperity_render::image::Image;
-use asperity_render::integrator::hemisphere::hemisphere;
-use asperity_render::materials::{Facets, SharedNdf};
-use asperity_render::scenes::{RenderRequest, peak};
+use asperity_render::{image::Image, integrator::hemisphere::hemisphere, materials::SharedNdf, scenes::peak};
 use asperity_shading::LevelOfDetail;
 use glam::Vec3;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Panel};
 
 /// A function over the disk of normals, in colours up to its peak.
-pub(crate) fn disk(
-    context: &Context<'_>,
-    peak: f32,
-    value: impl Fn(Vec3) -> f32 + Sync,
-) -> Result<Image, Failure> {
+pub(crate) fn disk(context: &Context<'_>, peak: f32, value: impl Fn(Vec3) -> f32 + Sync) -> Result<Image> {
     hemisphere(context.square(), peak, context.progress, context.interrupted, value)
 }
 
 /// The density over the map of normals.
-pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, name: &str) -> Result<Panel, Failure> {
+pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, stem: &str, name: &str) -> Result<Panel> {
     let image = disk(context, peak(ndf), |m| ndf.density(m))?;
     let alt = format!("The density {name} over the disk of normals, brightest at its peak.");
-    Ok(Panel::raster("density", format!("the NDF: {name}"), alt, image))
-}
-
-/// One picture of an object.
-pub(crate) fn object_panel(
-    context: &Context<'_>,
-    request: &RenderRequest<'_>,
-    shape: &Arc<Shape>,
-    words: [&str; 3],
-) -> Result<Panel, Failure> {
-    let image = context.draw(&request.scene(shape)?, request.sampling, &request.camera())?.exposed(1.0);
-    let [stem, label, alt] = words;
-    Ok(Panel::raster(stem, label, alt, image))
+    Ok(Panel::new(stem, format!("the NDF: {name}"), alt, image))
 }
 
 /// The rule's name in a sentence and in a file name.
@@ -49,21 +27,26 @@ pub(crate) fn rule_words(rule: LevelOfDetail) -> [&'static str; 2] {
     }
 }
 
-/// Parameters that every rendered object has.
-pub(crate) fn common_parameters(request: &RenderRequest<'_>) -> Vec<(String, String)> {
-    let bumps = request.bumps;
-    let rule = match request.facets {
-        Facets::Consistent(rule) => rule_words(rule)[0],
-        Facets::Table(_) => "table L, whole density",
-    };
-    [
-        ("rule", rule.to_owned()),
-        (
-            "noise",
-            format!("{:?}, first octave {} cells per unit, gain {}", bumps.kind, bumps.frequency, bumps.gain),
-        ),
-        ("samples per pixel", request.sampling.samples_per_pixel.to_string()),
-    ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .to_vec()
+/// Pictures of equal heights in a row.
+pub(crate) fn side_by_side(pictures: &[Image], gap: u32, between: Vec3) -> Image {
+    let [width, height] = pictures.first().map_or([1, 1], |picture| [picture.width, picture.height]);
+    let step = width + gap;
+    let across = (step * pictures.len() as u32).saturating_sub(gap);
+    Image::from_fn(across, height, |x, y| {
+        let picture = &pictures[(x / step) as usize];
+        if x % step < width { picture.pixels[(y * width + x % step) as usize] } else { between }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_stand_side_by_side() {
+        let plain = |value| Image::from_fn(2, 2, |_, _| Vec3::splat(value));
+        let row = side_by_side(&[plain(1.0), plain(2.0)], 1, Vec3::ZERO);
+        assert_eq!([row.width, row.height], [5, 2]);
+        assert_eq!([0, 1, 2, 3, 4].map(|x| row.at(x, 1).x), [1.0, 1.0, 0.0, 2.0, 2.0]);
+    }
 }

@@ -2,10 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use glam::DVec2;
 use rayon::prelude::*;
-
-/// A complex number.
-type Complex = [f64; 2];
 
 /// The mean power spectrum of square samples: at each frequency the variance per unit of frequency space.
 pub(crate) struct PowerSpectrum {
@@ -27,28 +25,23 @@ impl PowerSpectrum {
         pairs: usize,
         sample: impl Fn(usize) -> Vec<f32> + Sync,
     ) -> Self {
-        let window = hann(size);
+        // Hann's window, ½ − ½ cos: of all leakage only that into the neighbours is left.
+        let hann = |k: usize| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / size as f64).cos();
+        let window: Vec<f64> = (0..size).map(hann).collect();
         let gain: f64 = window.iter().map(|w| w * w).sum::<f64>().powi(2);
-        let spectra: Vec<Vec<f64>> = (0..pairs)
-            .into_par_iter()
-            .map(|pair| {
-                let (a, b) = (sample(2 * pair), sample(2 * pair + 1));
-                let mut z: Vec<Complex> = a
-                    .iter()
-                    .zip(&b)
-                    .enumerate()
-                    .map(|(i, (&a, &b))| {
-                        let weight = window[i / size] * window[i % size];
-                        [f64::from(a) * weight, f64::from(b) * weight]
-                    })
-                    .collect();
-                transform_square(&mut z, size);
-                // Two real samples in one transform: the mean of a point and its mirror image holds the mean of both powers.
-                let norm = |z: &Complex| z[0] * z[0] + z[1] * z[1];
-                let mirror = |i: usize| (size - i / size) % size * size + (size - i % size) % size;
-                (0..z.len()).map(|i| 0.25 * (norm(&z[i]) + norm(&z[mirror(i)]))).collect()
-            })
-            .collect();
+        let spectrum = |pair: usize| -> Vec<f64> {
+            let (a, b) = (sample(2 * pair), sample(2 * pair + 1));
+            let windowed = |(i, (&a, &b)): (usize, (&f32, &f32))| {
+                window[i / size] * window[i % size] * DVec2::new(a.into(), b.into())
+            };
+            let mut z: Vec<_> = a.iter().zip(&b).enumerate().map(windowed).collect();
+            transform_square(&mut z, size);
+            // Two real samples in one transform: the mean of a point and its mirror image holds the mean of both powers.
+            let mirror = |i: usize| (size - i / size) % size * size + (size - i % size) % size;
+            let power = |i: usize| 0.25 * (z[i].length_squared() + z[mirror(i)].length_squared());
+            (0..z.len()).map(power).collect()
+        };
+        let spectra: Vec<Vec<f64>> = (0..pairs).into_par_iter().map(spectrum).collect();
         let mut power = vec![0.0; size * size];
         for spectrum in &spectra {
             for (sum, p) in power.iter_mut().zip(spectrum) {
@@ -58,14 +51,19 @@ impl PowerSpectrum {
         Self { size, step: 1.0 / (size as f64 * spacing), power }
     }
 
+    /// The power at a whole multiple of the step along each axis.
+    fn entry(&self, kx: i64, ky: i64) -> f64 {
+        let index = |k: i64| k.rem_euclid(self.size as i64) as usize;
+        self.power[index(ky) * self.size + index(kx)]
+    }
+
     /// The density at a frequency, bilinear between its neighbours; periodic beyond the highest.
     pub(crate) fn at(&self, fx: f64, fy: f64) -> f64 {
         let (x, y) = (fx / self.step, fy / self.step);
         let (tx, ty) = (x - x.floor(), y - y.floor());
-        let index = |v: f64| (v as i64).rem_euclid(self.size as i64) as usize;
-        let entry = |dx: f64, dy: f64| self.power[index(y.floor() + dy) * self.size + index(x.floor() + dx)];
-        (entry(0.0, 0.0) * (1.0 - tx) + entry(1.0, 0.0) * tx) * (1.0 - ty)
-            + (entry(0.0, 1.0) * (1.0 - tx) + entry(1.0, 1.0) * tx) * ty
+        let (kx, ky) = (x.floor() as i64, y.floor() as i64);
+        let along = |ky| self.entry(kx, ky) * (1.0 - tx) + self.entry(kx + 1, ky) * tx;
+        along(ky) * (1.0 - ty) + along(ky + 1) * ty
     }
 
     /// The mean density over rings, six to a doubling, from `range[0]` to `range[1]`: frequency and density.
@@ -77,20 +75,14 @@ impl PowerSpectrum {
         let count = ((range[1] / range[0]).log2() * PER_DOUBLING).round().max(1.0) as usize;
         let mut rings = vec![[0.0_f64; 3]; count];
         let half = (self.size / 2) as i64;
-        for ky in -half..half {
-            for kx in -half..half {
-                let (x, y) = (kx as f64, ky as f64);
-                let square = x * x + y * y;
-                let place = ((square.sqrt() * self.step / range[0]).log2() * PER_DOUBLING).floor();
-                let cos_4 = 1.0 - 8.0 * (x * y / square).powi(2);
-                if !(0.0..count as f64).contains(&place) || !wanted(cos_4) {
-                    continue;
-                }
-                let index = |k: i64| k.rem_euclid(self.size as i64) as usize;
-                let ring = &mut rings[place as usize];
-                ring[0] += 1.0;
-                ring[1] += 0.5 * square.log2();
-                ring[2] += self.power[index(ky) * self.size + index(kx)];
+        for (ky, kx) in (-half..half).flat_map(|ky| (-half..half).map(move |kx| (ky, kx))) {
+            let (x, y) = (kx as f64, ky as f64);
+            let square = x * x + y * y;
+            let place = ((square.sqrt() * self.step / range[0]).log2() * PER_DOUBLING).floor();
+            let cos_4 = 1.0 - 8.0 * (x * y / square).powi(2);
+            if (0.0..count as f64).contains(&place) && wanted(cos_4) {
+                let [n, log, power] = &mut rings[place as usize];
+                (*n, *log, *power) = (*n + 1.0, *log + 0.5 * square.log2(), *power + self.entry(kx, ky));
             }
         }
         let mean = |[n, log, power]: [f64; 3]| (n > 0.0).then(|| [(log / n).exp2() * self.step, power / n]);
@@ -98,23 +90,12 @@ impl PowerSpectrum {
     }
 }
 
-/// Hann's window, ½ − ½ cos: of all leakage only that into the neighbours is left.
-fn hann(size: usize) -> Vec<f64> {
-    (0..size).map(|k| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / size as f64).cos()).collect()
-}
-
 /// The discrete Fourier transform along both axes.
-fn transform_square(z: &mut [Complex], size: usize) {
-    let roots: Vec<Complex> = (0..size / 2)
-        .map(|k| {
-            let (sin, cos) = (TAU * k as f64 / size as f64).sin_cos();
-            [cos, -sin]
-        })
-        .collect();
+fn transform_square(z: &mut [DVec2], size: usize) {
+    let root = |k: usize| DVec2::from_angle(-TAU * k as f64 / size as f64);
+    let roots: Vec<_> = (0..size / 2).map(root).collect();
     for _ in 0..2 {
-        for row in z.chunks_exact_mut(size) {
-            transform(row, &roots);
-        }
+        z.chunks_exact_mut(size).for_each(|row| transform(row, &roots));
         for y in 0..size {
             for x in 0..y {
                 z.swap(y * size + x, x * size + y);
@@ -124,7 +105,7 @@ fn transform_square(z: &mut [Complex], size: usize) {
 }
 
 /// Σ_j z_j exp(−2πi jk/n) for all k, in place: Cooley and Tukey 1965, radix 2.
-fn transform(z: &mut [Complex], roots: &[Complex]) {
+fn transform(z: &mut [DVec2], roots: &[DVec2]) {
     let n = z.len();
     let bits = n.trailing_zeros();
     for i in 0..n {
@@ -138,8 +119,8 @@ fn transform(z: &mut [Complex], roots: &[Complex]) {
         for block in z.chunks_exact_mut(2 * half) {
             let (low, high) = block.split_at_mut(half);
             for ((a, b), w) in low.iter_mut().zip(high).zip(roots.iter().step_by(n / (2 * half))) {
-                let t = [b[0] * w[0] - b[1] * w[1], b[0] * w[1] + b[1] * w[0]];
-                (*a, *b) = ([a[0] + t[0], a[1] + t[1]], [a[0] - t[0], a[1] - t[1]]);
+                let t = w.rotate(*b);
+                (*a, *b) = (*a + t, *a - t);
             }
         }
         half *= 2;
@@ -160,18 +141,14 @@ mod tests {
     #[test]
     fn the_transform_is_the_sum_that_defines_it() {
         const N: usize = 8;
-        let a = arbitrary(3, N * N);
-        let mut z: Vec<Complex> = a.iter().map(|&a| [f64::from(a), 0.5 * f64::from(a)]).collect();
+        let mut z: Vec<_> =
+            arbitrary(3, N * N).into_iter().map(|a| f64::from(a) * DVec2::new(1.0, 0.5)).collect();
         let before = z.clone();
         transform_square(&mut z, N);
         for (k, got) in z.iter().enumerate() {
-            let mut sum = [0.0; 2];
-            for (j, v) in before.iter().enumerate() {
-                let turns = (j / N * (k / N) + j % N * (k % N)) as f64 / N as f64;
-                let (sin, cos) = (-TAU * turns).sin_cos();
-                sum = [sum[0] + v[0] * cos - v[1] * sin, sum[1] + v[0] * sin + v[1] * cos];
-            }
-            assert!((got[0] - sum[0]).abs() + (got[1] - sum[1]).abs() < 1e-12, "{k}: {got:?} and {sum:?}");
+            let turns = |j: usize| (j / N * (k / N) + j % N * (k % N)) as f64 / N as f64;
+            let terms = before.iter().enumerate().map(|(j, v)| DVec2::from_angle(-TAU * turns(j)).rotate(*v));
+            assert_abs_diff_eq!(*got, terms.sum(), epsilon = 1e-12);
         }
     }
 

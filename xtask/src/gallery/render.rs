@@ -1,39 +1,33 @@
 //! `cargo xtask render`: one picture of one object with chosen parameters.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use asperity_render::geometry::camera::Camera;
-use asperity_render::geometry::mesh::TracedMesh;
-use asperity_render::geometry::mesh_file;
-use asperity_render::geometry::shape::Shape;
-use asperity_render::image::Image;
-use asperity_render::image::read::ImageFile;
+use asperity_render::geometry::{camera::Camera, mesh::TracedMesh, mesh_file, shape::Shape};
 use asperity_render::image::tone::{hex, linear};
-use asperity_render::integrator::pixels::Sampling;
-use asperity_render::light::environments::Studio;
+use asperity_render::image::{Image, read::ImageFile};
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::materials::{Bumped, Facets, in_metres};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
-use asperity_shading::texture::StarWallpaper;
+use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
+use asperity_shading::material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper};
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, Marble, MetallicPaint, MetallicPaintParameters,
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
-    material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper},
-    reflectance::Coat,
+    reflectance::Coat, texture::StarWallpaper,
 };
 use glam::Vec3;
 
 use crate::cli::{Material, Render, Tone};
-use crate::failure::Failure;
+use crate::failure::{Failure, Result};
 use crate::input::density::{Density, NORMAL_MAP};
 use crate::output::Output;
 use crate::progress;
 
 /// Draws what was asked for and tells where it lies.
-pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Failure> {
+pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let spec = match &wanted.normal_map {
         Some(file) => format!("{NORMAL_MAP}{}", file.display()),
         None => wanted.ndf.clone(),
@@ -48,20 +42,14 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     if !has_ending("png") && !has_ending("exr") {
         return Err(format!("picture `{}`: its name must end in .png or .exr", wanted.out.display()).into());
     }
-    let mesh = match &wanted.mesh {
-        Some(file) => {
-            let named = |error| Failure::from(format!("mesh `{}`: {error}", file.display()));
-            Some(TracedMesh::new(mesh_file::open(file, wanted.up).map_err(named)?))
-        }
-        None => None,
+    let open = |file: &PathBuf| {
+        let named = |error| Failure::from(format!("mesh `{}`: {error}", file.display()));
+        mesh_file::open(file, wanted.up).map(TracedMesh::new).map_err(named)
     };
+    let mesh = wanted.mesh.as_ref().map(open).transpose()?;
     let output = Output::new(folder)?;
-    let sampling = Sampling {
-        width: wanted.size,
-        height: wanted.size,
-        samples_per_pixel: wanted.spp,
-        seed: wanted.seed,
-    };
+    let &Render { size, spp: samples_per_pixel, seed, .. } = wanted;
+    let sampling = Sampling { width: size, height: size, samples_per_pixel, seed };
     let material = wanted.material.unwrap_or(usual(wanted.scene));
     let lamps = match &wanted.light {
         Some(light) => light == LAMPS,
@@ -76,15 +64,13 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<(), Fa
     };
     bar.finish_and_clear();
     let image = image?;
-    let bytes = if has_ending("exr") {
-        image.exr()?
-    } else if lamps {
+    let bytes = match (lamps, wanted.tone) {
+        _ if has_ending("exr") => image.exr()?,
         // The lamps' exposure is chosen for the soft shoulder.
-        if wanted.tone == Tone::Filmic { image.exposed(1.0).png()? } else { image.png()? }
-    } else if wanted.tone == Tone::Filmic {
-        image.filmic(wanted.exposure).png()?
-    } else {
-        image.scaled(wanted.exposure).png()?
+        (true, Tone::Filmic) => image.exposed(1.0).png()?,
+        (true, Tone::Plain) => image.png()?,
+        (false, Tone::Filmic) => image.filmic(wanted.exposure).png()?,
+        (false, Tone::Plain) => image.scaled(wanted.exposure).png()?,
     };
     output.write(&name, &bytes)?;
     progress::say(&format!("the picture: {}", path.display()));
@@ -121,8 +107,8 @@ fn by_lamps(
     material: Material,
     density: &Density,
     sampling: Sampling,
-    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
-) -> Result<Image, Failure> {
+    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image>,
+) -> Result<Image> {
     let set = wanted.scene;
     if !matches!(set, Set::Teapot | Set::Sphere | Set::Plane) {
         return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
@@ -150,8 +136,8 @@ fn staged(
     material: Material,
     density: &Density,
     sampling: Sampling,
-    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image, Failure>,
-) -> Result<Image, Failure> {
+    draw: impl Fn(&Scene<'_, '_>, Camera) -> Result<Image>,
+) -> Result<Image> {
     let set = wanted.scene;
     let surroundings: Box<dyn Environment + Sync> = match wanted.light.as_deref() {
         None | Some("studio") => Box::new(Studio::new(1.0)),
@@ -178,7 +164,7 @@ fn staged(
 }
 
 /// The image of the surroundings in a file.
-fn surroundings(file: &Path) -> Result<EnvironmentMap, Failure> {
+fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     let fail = |error: &dyn std::fmt::Display| Failure::from(format!("light `{}`: {error}", file.display()));
     let image = ImageFile::open(file).map_err(|error| fail(&error))?;
     let grey = image.grey();
@@ -195,7 +181,7 @@ fn surface(
     material: Material,
     density: &Density,
     metres: f32,
-) -> Result<Box<Surface<'static>>, Failure> {
+) -> Result<Box<Surface<'static>>> {
     let seed = wanted.seed;
     let paint = MetallicPaintParameters { seed, ..Default::default() };
     Ok(match material {
@@ -250,6 +236,8 @@ fn surface(
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -259,16 +247,10 @@ mod tests {
         let file = scratch.path().join("sky.exr");
         std::fs::write(&file, sky.exr().unwrap()).unwrap();
         let map = surroundings(&file).unwrap();
-        assert!(
-            (map.radiance(Vec3::X) - Vec3::new(3.0, 2.0, 3.5)).length() < 0.01,
-            "{}",
-            map.radiance(Vec3::X)
-        );
+        assert_abs_diff_eq!(map.radiance(Vec3::X), Vec3::new(3.0, 2.0, 3.5), epsilon = 0.01);
         std::fs::write(&file, b"no image").unwrap();
         let error = surroundings(&file).err().unwrap().to_string();
-        assert!(
-            error.starts_with("light `") && error.contains("sky.exr") && !error.contains('\n'),
-            "{error}"
-        );
+        let whole = error.starts_with("light `") && error.contains("sky.exr") && !error.contains('\n');
+        assert!(whole, "{error}");
     }
 }

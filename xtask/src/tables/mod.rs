@@ -86,12 +86,10 @@ pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> 
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let page = format!(
-        "{}<div class=\"wide\"><header><h1>Tables</h1><p>Textures are OpenEXR with 32-bit floats, arrays are NumPy's \
-         .npy, parameters and checksums are JSON. The same inputs give the same bytes, on any number of \
-         threads.</p></header></div>\n<main class=\"wide\">\n{rows}</main>\n</body>\n</html>\n",
-        page::head("Asperity tables")
-    );
+    let about = "Textures are OpenEXR with 32-bit floats, arrays are NumPy's .npy, parameters and checksums are JSON. The \
+                 same inputs give the same bytes, on any number of threads.";
+    let rest = format!("<main class=\"wide\">\n{rows}</main>\n");
+    let page = page::page("Asperity tables", "Tables", about, &rest);
     output.write("index.html", page.as_bytes())?;
     progress::say(&format!("tables: {} sets", sets.len()));
     Ok(())

@@ -12,6 +12,13 @@ pub struct Lamp {
     pub colour: Vec3,
 }
 
+impl Lamp {
+    /// At an azimuth and an elevation, those of [`direction`].
+    pub fn at(azimuth: f32, elevation: f32, colour: Vec3) -> Self {
+        Self { direction: direction(azimuth, elevation), colour }
+    }
+}
+
 /// Lamps that cast one shadow, or none.
 #[derive(Clone, Debug)]
 pub enum Lamps {

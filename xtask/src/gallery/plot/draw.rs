@@ -7,7 +7,7 @@ use plotters::drawing::DrawingArea;
 use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
 use plotters::prelude::{Cartesian2d, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontDesc, FontFamily, FontStyle, TextStyle};
+use plotters::style::{Color, FontDesc, FontFamily, FontStyle, ShapeStyle, TextStyle};
 
 use crate::gallery::plot::ink::{Dash, Ink, Stroke, colour, line, line_of};
 use crate::gallery::plot::place::{LETTERS, UNIT, spread, units, width_of};
@@ -20,6 +20,8 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 /// Last finite point of a line, its stroke, its name.
 type Named<'a> = ([f64; 2], Stroke, &'a str);
+/// A place in whole units of the drawing.
+type Place = (i32, i32);
 type Drawing = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 
 impl Plot {
@@ -27,28 +29,24 @@ impl Plot {
         let named: Vec<_> = self.named().collect();
         let longest = named.iter().map(|(_, _, n)| width_of(n)).fold(0.0, f64::max);
         let right = if self.names == Names::AtEnds { longest + 10.0 } else { 12.0 };
-        let ticks = self.y.ticks.iter().map(|(_, t)| width_of(t)).fold(0.0, f64::max);
-        let rows = match self.names {
-            Names::Above => self.legend(&named, ticks + 12.0),
-            Names::AtEnds | Names::Hidden => Vec::new(),
-        };
+        let left = self.y.ticks.iter().map(|(_, t)| width_of(t)).fold(0.0, f64::max) + 12.0;
+        let rows = if self.names == Names::Above { self.legend(&named, left) } else { Vec::new() };
         let head = rows.last().map_or(0, |row| row.1 + 1) + u32::from(!self.y.label.is_empty());
+        let [x, y] = [&self.x, &self.y].map(|axis| axis.range.map(axis.place));
         let chart = ChartBuilder::on(area)
-            .margin_left(units(ticks + 12.0))
+            .margin_left(units(left))
             .margin_right(units(right))
             .margin_top(units(14.0 + 20.0 * f64::from(head)))
             .margin_bottom(units(if self.x.label.is_empty() { 26.0 } else { 42.0 }))
-            .build_cartesian_2d(
-                self.x.place(self.x.range[0])..self.x.place(self.x.range[1]),
-                self.y.place(self.y.range[0])..self.y.place(self.y.range[1]),
-            )?;
-        self.draw_axes(area, &chart)?;
+            .build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
+        let canvas = Canvas { plot: self, area, chart };
+        canvas.draw_axes()?;
         for mark in &self.marks {
-            self.draw_mark(area, &chart, mark)?;
+            canvas.draw_mark(mark)?;
         }
         match self.names {
-            Names::AtEnds => self.name_at_ends(area, &chart, &named),
-            Names::Above => name_above(area, &rows, &named),
+            Names::AtEnds => canvas.name_at_ends(&named),
+            Names::Above => canvas.name_above(&rows, &named),
             Names::Hidden => Ok(()),
         }
     }
@@ -57,106 +55,10 @@ impl Plot {
     fn named(&self) -> impl Iterator<Item = Named<'_>> {
         self.marks.iter().filter_map(|mark| match mark {
             Mark::Line { points, stroke, name } if !name.is_empty() => {
-                let end = points.iter().rev().find(|p| p[0].is_finite() && p[1].is_finite())?;
-                Some((*end, *stroke, name.as_str()))
+                Some((*points.iter().rfind(|p| is_finite(p))?, *stroke, name.as_str()))
             }
             _ => None,
         })
-    }
-
-    fn at(&self, chart: &Chart<'_, '_>, point: [f64; 2]) -> (i32, i32) {
-        chart.backend_coord(&(self.x.place(point[0]), self.y.place(point[1])))
-    }
-
-    fn draw_axes(&self, area: &Area<'_>, chart: &Chart<'_, '_>) -> Drawing {
-        let (left, bottom) = self.at(chart, [self.x.range[0], self.y.range[0]]);
-        let (right, top) = self.at(chart, [self.x.range[1], self.y.range[1]]);
-        for (value, text) in &self.y.ticks {
-            let (_, y) = self.at(chart, [self.x.range[0], *value]);
-            area.draw(&PathElement::new([(left, y), (right, y)], line(Ink::Rule, 0.75)))?;
-            let place = (left - units(7.0) as i32, y);
-            area.draw(&words(text, place, Ink::Muted, HPos::Right, VPos::Center))?;
-        }
-        let axis = line(Ink::Muted, 0.9);
-        area.draw(&PathElement::new([(left, bottom), (right, bottom)], axis))?;
-        for (value, text) in &self.x.ticks {
-            let (x, _) = self.at(chart, [*value, self.y.range[0]]);
-            let end = bottom + units(4.0) as i32;
-            area.draw(&PathElement::new([(x, bottom), (x, end)], axis))?;
-            let place = (x, bottom + units(8.0) as i32);
-            area.draw(&words(text, place, Ink::Muted, HPos::Center, VPos::Top))?;
-        }
-        if !self.x.label.is_empty() {
-            let place = ((left + right) / 2, bottom + units(26.0) as i32);
-            area.draw(&words(&self.x.label, place, Ink::Text, HPos::Center, VPos::Top))?;
-        }
-        if !self.y.label.is_empty() {
-            let place = (units(4.0) as i32, top - units(24.0) as i32);
-            area.draw(&words(&self.y.label, place, Ink::Text, HPos::Left, VPos::Top))?;
-        }
-        Ok(())
-    }
-
-    fn draw_mark(&self, area: &Area<'_>, chart: &Chart<'_, '_>, mark: &Mark) -> Drawing {
-        match mark {
-            Mark::Line { points, stroke, .. } => {
-                let style = line_of(*stroke);
-                for run in finite_runs(points) {
-                    let path: Vec<_> = run.iter().map(|&p| self.at(chart, p)).collect();
-                    area.draw(&PathElement::new(path, style))?;
-                }
-            }
-            Mark::Area { points, base, ink, opacity } => {
-                for run in finite_runs(points) {
-                    let (first, last) = (run[0], run[run.len() - 1]);
-                    let mut path: Vec<_> = run.iter().map(|&p| self.at(chart, p)).collect();
-                    path.push(self.at(chart, [last[0], *base]));
-                    path.push(self.at(chart, [first[0], *base]));
-                    area.draw(&Polygon::new(path, colour(*ink, Dash::Solid).mix(*opacity).filled()))?;
-                }
-            }
-            Mark::Frame { x, y, ink, opacity, width } => {
-                let (a, b) = (self.at(chart, [x[0], y[0]]), self.at(chart, [x[1], y[1]]));
-                let fill = colour(*ink, Dash::Solid).mix(*opacity).filled();
-                let corners = [(a.0.min(b.0), a.1.min(b.1)), (a.0.max(b.0), a.1.max(b.1))];
-                area.draw(&Rectangle::new(corners, fill))?;
-                if *width > 0.0 {
-                    let ring = [a, (b.0, a.1), b, (a.0, b.1), a, (b.0, a.1)];
-                    area.draw(&PathElement::new(ring, line(*ink, *width)))?;
-                }
-            }
-            Mark::Dots { points, ink, radius } => {
-                for &point in points.iter().filter(|p| p[0].is_finite() && p[1].is_finite()) {
-                    let place = self.at(chart, point);
-                    for (ink, radius) in [(Ink::Card, radius + 1.5), (*ink, *radius)] {
-                        let fill = colour(ink, Dash::Solid).filled();
-                        area.draw(&Circle::new(place, units(radius), fill))?;
-                    }
-                }
-            }
-            Mark::Note { at, shift, text, ink } => {
-                let (x, y) = self.at(chart, *at);
-                let place = (x + (shift[0] * UNIT) as i32, y + (shift[1] * UNIT) as i32);
-                area.draw(&words(text, place, *ink, HPos::Right, VPos::Center))?;
-            }
-            Mark::Label { at, text, ink } => {
-                let (x, y) = self.at(chart, *at);
-                let place = (x + units(8.0) as i32, y);
-                area.draw(&words(text, place, *ink, HPos::Left, VPos::Center))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn name_at_ends(&self, area: &Area<'_>, chart: &Chart<'_, '_>, named: &[Named<'_>]) -> Drawing {
-        let places: Vec<_> = named.iter().map(|(end, ..)| self.at(chart, *end)).collect();
-        let heights: Vec<_> = places.iter().map(|p| f64::from(p.1)).collect();
-        let apart = spread(&heights, LETTERS * 1.15 * UNIT);
-        for (((_, stroke, name), (x, _)), y) in named.iter().zip(places).zip(apart) {
-            let place = (x + units(7.0) as i32, y.round() as i32);
-            area.draw(&words(name, place, stroke.ink, HPos::Left, VPos::Center))?;
-        }
-        Ok(())
     }
 
     /// Left edge in CSS pixels and row of each sample of the legend, in rows as wide as the plot.
@@ -175,26 +77,125 @@ impl Plot {
     }
 }
 
-fn name_above(area: &Area<'_>, rows: &[(f64, u32)], named: &[Named<'_>]) -> Drawing {
-    for ((_, stroke, name), &(x, row)) in named.iter().zip(rows) {
-        let (left, right) = (units(x) as i32, units(x + SAMPLE) as i32);
-        let y = units(12.0 + 20.0 * f64::from(row)) as i32;
-        area.draw(&PathElement::new([(left, y), (right, y)], line_of(*stroke)))?;
-        let place = (right + units(6.0) as i32, y);
-        area.draw(&words(name, place, Ink::Text, HPos::Left, VPos::Center))?;
-    }
-    Ok(())
+/// A plot with the area and the chart that it is drawn on.
+struct Canvas<'a, 'b> {
+    plot: &'a Plot,
+    area: &'a Area<'b>,
+    chart: Chart<'a, 'b>,
 }
 
-fn words(text: &str, place: (i32, i32), ink: Ink, h: HPos, v: VPos) -> Text<'static, (i32, i32), &str> {
-    // The backend divides the size by 1.24, its guess of a font's line height.
-    let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
-    let mut style = TextStyle::from(font).pos(Pos::new(h, v));
-    style.color = colour(ink, Dash::Solid).to_backend_color();
-    Text::new(text, place, style)
+impl Canvas<'_, '_> {
+    fn at(&self, [x, y]: [f64; 2]) -> Place {
+        self.chart.backend_coord(&((self.plot.x.place)(x), (self.plot.y.place)(y)))
+    }
+
+    fn path(&self, places: impl Into<Vec<Place>>, style: ShapeStyle) -> Drawing {
+        Ok(self.area.draw(&PathElement::new(places, style))?)
+    }
+
+    fn words(&self, text: &str, place: Place, ink: Ink, h: HPos, v: VPos) -> Drawing {
+        // The backend divides the size by 1.24, its guess of a font's line height.
+        let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
+        let mut style = TextStyle::from(font).pos(Pos::new(h, v));
+        style.color = colour(ink, Dash::Solid).to_backend_color();
+        Ok(self.area.draw(&Text::new(text, place, style))?)
+    }
+
+    fn draw_axes(&self) -> Drawing {
+        let (x, y) = (&self.plot.x, &self.plot.y);
+        let [(left, bottom), (right, top)] = [0, 1].map(|end| self.at([x.range[end], y.range[end]]));
+        let step = |pixels: f64| units(pixels) as i32;
+        for (value, text) in &y.ticks {
+            let (_, y) = self.at([x.range[0], *value]);
+            self.path([(left, y), (right, y)], line(Ink::Rule, 0.75))?;
+            self.words(text, (left - step(7.0), y), Ink::Muted, HPos::Right, VPos::Center)?;
+        }
+        let axis = line(Ink::Muted, 0.9);
+        self.path([(left, bottom), (right, bottom)], axis)?;
+        for (value, text) in &x.ticks {
+            let (x, _) = self.at([*value, y.range[0]]);
+            self.path([(x, bottom), (x, bottom + step(4.0))], axis)?;
+            self.words(text, (x, bottom + step(8.0)), Ink::Muted, HPos::Center, VPos::Top)?;
+        }
+        if !x.label.is_empty() {
+            let place = ((left + right) / 2, bottom + step(26.0));
+            self.words(&x.label, place, Ink::Text, HPos::Center, VPos::Top)?;
+        }
+        if !y.label.is_empty() {
+            self.words(&y.label, (step(4.0), top - step(24.0)), Ink::Text, HPos::Left, VPos::Top)?;
+        }
+        Ok(())
+    }
+
+    fn draw_mark(&self, mark: &Mark) -> Drawing {
+        match mark {
+            Mark::Line { points, stroke, .. } => {
+                for run in finite_runs(points) {
+                    self.path(run.iter().map(|&p| self.at(p)).collect::<Vec<_>>(), line_of(*stroke))?;
+                }
+            }
+            Mark::Area { points, base, ink, opacity } => {
+                for run in finite_runs(points) {
+                    let foot = [run[run.len() - 1], run[0]].map(|[x, _]| [x, *base]);
+                    let path: Vec<_> = run.iter().chain(&foot).map(|&p| self.at(p)).collect();
+                    self.area.draw(&Polygon::new(path, fill(*ink, *opacity)))?;
+                }
+            }
+            Mark::Frame { x, y, ink, fill: opacity, width } => {
+                let (a, b) = (self.at([x[0], y[0]]), self.at([x[1], y[1]]));
+                let corners = [(a.0.min(b.0), a.1.min(b.1)), (a.0.max(b.0), a.1.max(b.1))];
+                self.area.draw(&Rectangle::new(corners, fill(*ink, *opacity)))?;
+                if *width > 0.0 {
+                    self.path([a, (b.0, a.1), b, (a.0, b.1), a, (b.0, a.1)], line(*ink, *width))?;
+                }
+            }
+            Mark::Dots { points, ink, radius } => {
+                for &point in points.iter().filter(|p| is_finite(p)) {
+                    for (ink, radius) in [(Ink::Card, radius + 1.5), (*ink, *radius)] {
+                        self.area.draw(&Circle::new(self.at(point), units(radius), fill(ink, 1.0)))?;
+                    }
+                }
+            }
+            Mark::Words { at, text, ink, side } => {
+                let (x, y) = self.at(*at);
+                let aside = units(8.0) as i32 * if matches!(side, HPos::Left) { 1 } else { -1 };
+                self.words(text, (x + aside, y), *ink, *side, VPos::Center)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn name_at_ends(&self, named: &[Named<'_>]) -> Drawing {
+        let places: Vec<_> = named.iter().map(|(end, ..)| self.at(*end)).collect();
+        let heights: Vec<_> = places.iter().map(|p| f64::from(p.1)).collect();
+        let apart = spread(&heights, LETTERS * 1.15 * UNIT);
+        for (((_, stroke, name), (x, _)), y) in named.iter().zip(places).zip(apart) {
+            let place = (x + units(7.0) as i32, y.round() as i32);
+            self.words(name, place, stroke.ink, HPos::Left, VPos::Center)?;
+        }
+        Ok(())
+    }
+
+    fn name_above(&self, rows: &[(f64, u32)], named: &[Named<'_>]) -> Drawing {
+        for ((_, stroke, name), &(x, row)) in named.iter().zip(rows) {
+            let [left, right, words] = [x, x + SAMPLE, x + SAMPLE + 6.0].map(|x| units(x) as i32);
+            let y = units(12.0 + 20.0 * f64::from(row)) as i32;
+            self.path([(left, y), (right, y)], line_of(*stroke))?;
+            self.words(name, (words, y), Ink::Text, HPos::Left, VPos::Center)?;
+        }
+        Ok(())
+    }
+}
+
+fn fill(ink: Ink, opacity: f64) -> ShapeStyle {
+    colour(ink, Dash::Solid).mix(opacity).filled()
+}
+
+fn is_finite(point: &[f64; 2]) -> bool {
+    point.iter().all(|x| x.is_finite())
 }
 
 /// Runs of two and more finite points.
 fn finite_runs(points: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
-    points.split(|p| !(p[0].is_finite() && p[1].is_finite())).filter(|run| run.len() > 1)
+    points.split(|p| !is_finite(p)).filter(|run| run.len() > 1)
 }

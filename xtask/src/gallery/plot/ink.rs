@@ -2,6 +2,7 @@
 
 use plotters::style::{Color, RGBAColor, RGBColor, ShapeStyle};
 
+use crate::gallery::page::escape;
 use crate::gallery::plot::place::units;
 
 /// A colour of the page.
@@ -82,16 +83,14 @@ pub(super) fn line_of(stroke: Stroke) -> ShapeStyle {
 pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
     const NAMES: [&str; 8] = ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"];
     const DASHES: [&str; 2] = ["", " stroke-dasharray=\"55 45\""];
-    let body = svg.find('\n').map_or("", |end| &svg[end..]);
-    let mut text = body.to_owned();
+    let mut text = svg.find('\n').map_or("", |end| &svg[end..]).to_owned();
     for (index, name) in NAMES.iter().enumerate() {
         for (dash, pattern) in DASHES.iter().enumerate() {
-            let placeholder = format!("\"#A5{dash:02X}{index:02X}\"");
-            text = text.replace(&placeholder, &format!("\"var(--{name})\"{pattern}"));
+            let dressed = format!("\"var(--{name})\"{pattern}");
+            text = text.replace(&format!("\"#A5{dash:02X}{index:02X}\""), &dressed);
         }
     }
-    let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    let (width, height) = (units(size[0]), units(size[1]));
+    let (title, [width, height]) = (escape(title), size.map(units));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"100%\" role=\"img\" \
          stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{title}</title>{}",

@@ -5,20 +5,18 @@ mod draw;
 mod ink;
 mod place;
 
-pub(crate) use axis::Axis;
+pub(crate) use axis::{Axis, decimal};
 pub(crate) use ink::{Ink, Stroke};
 
-use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend};
+use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend, style::text_anchor::HPos};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Panel, Picture};
 use ink::dress;
 use place::units;
 
 /// A plot: two axes and what is drawn between them, first mark lowest.
 pub(crate) struct Plot {
-    /// Said by screen readers.
-    title: String,
     /// Width and height in CSS pixels at natural size; the picture scales with its column.
     size: [f64; 2],
     x: Axis,
@@ -42,26 +40,20 @@ pub(crate) enum Names {
 enum Mark {
     Line { points: Vec<[f64; 2]>, stroke: Stroke, name: String },
     Area { points: Vec<[f64; 2]>, base: f64, ink: Ink, opacity: f64 },
-    Frame { x: [f64; 2], y: [f64; 2], ink: Ink, opacity: f64, width: f64 },
+    Frame { x: [f64; 2], y: [f64; 2], ink: Ink, fill: f64, width: f64 },
     Dots { points: Vec<[f64; 2]>, ink: Ink, radius: f64 },
-    Note { at: [f64; 2], shift: [f64; 2], text: String, ink: Ink },
-    Label { at: [f64; 2], text: String, ink: Ink },
+    Words { at: [f64; 2], text: String, ink: Ink, side: HPos },
 }
 
 impl Plot {
     /// An empty plot of a size in CSS pixels.
     pub(crate) fn new(size: [f64; 2], x: Axis, y: Axis, names: Names) -> Self {
-        Self { title: String::new(), size, x, y, names, marks: Vec::new() }
+        Self { size, x, y, names, marks: Vec::new() }
     }
 
     fn with(mut self, mark: Mark) -> Self {
         self.marks.push(mark);
         self
-    }
-
-    /// A title for screen readers.
-    pub(crate) fn titled(self, title: impl Into<String>) -> Self {
-        Self { title: title.into(), ..self }
     }
 
     /// A line through points, without a name.
@@ -84,16 +76,9 @@ impl Plot {
         self.with(Mark::Area { points, base, ink: ink.into(), opacity })
     }
 
-    /// A rectangle, filled with an opacity and framed by a border in CSS pixels; 0 leaves out either.
-    pub(crate) fn frame(
-        self,
-        x: [f64; 2],
-        y: [f64; 2],
-        ink: impl Into<Ink>,
-        opacity: f64,
-        width: f64,
-    ) -> Self {
-        self.with(Mark::Frame { x, y, ink: ink.into(), opacity, width })
+    /// A rectangle, filled with this opacity and framed by a border in CSS pixels; 0 leaves out either.
+    pub(crate) fn frame(self, x: [f64; 2], y: [f64; 2], ink: impl Into<Ink>, fill: f64, width: f64) -> Self {
+        self.with(Mark::Frame { x, y, ink: ink.into(), fill, width })
     }
 
     /// Round dots with a halo in the background's colour; the radius in CSS pixels.
@@ -106,43 +91,40 @@ impl Plot {
         self.with(Mark::Dots { points: points.into_iter().collect(), ink: ink.into(), radius })
     }
 
-    /// A few words that end at a point, moved by some CSS pixels (right and down).
-    pub(crate) fn note(self, at: [f64; 2], shift: [f64; 2], text: &str, ink: impl Into<Ink>) -> Self {
-        self.with(Mark::Note { at, shift, text: text.into(), ink: ink.into() })
+    /// A few words that end right before a point.
+    pub(crate) fn note(self, at: [f64; 2], text: impl Into<String>, ink: impl Into<Ink>) -> Self {
+        self.with(Mark::Words { at, text: text.into(), ink: ink.into(), side: HPos::Right })
     }
 
     /// A few words that begin right behind a point.
     pub(crate) fn label(self, at: [f64; 2], text: impl Into<String>, ink: impl Into<Ink>) -> Self {
-        self.with(Mark::Label { at, text: text.into(), ink: ink.into() })
+        self.with(Mark::Words { at, text: text.into(), ink: ink.into(), side: HPos::Left })
     }
 
-    /// The plot as a panel; its title is the picture in words, unless it has one.
+    /// The plot as a panel; its title is the picture in words.
     pub(crate) fn panel(
-        mut self,
+        self,
         stem: impl Into<String>,
         label: impl Into<String>,
         alt: impl Into<String>,
-    ) -> Result<Panel, Failure> {
+    ) -> Result<Panel> {
         let alt = alt.into();
-        if self.title.is_empty() {
-            self.title.clone_from(&alt);
-        }
-        Ok(Panel::new(stem, label, alt, Picture::Vector(self.svg()?)))
+        let picture = Picture::Vector(self.svg(&alt)?);
+        Ok(Panel::new(stem, label, alt, picture))
     }
 
-    /// The picture as a complete `<svg>` element.
+    /// The picture as a complete `<svg>` element with a title, which screen readers say.
     ///
     /// # Errors
     /// Everything that the drawing backend reports; it writes to memory, so none is expected.
-    pub(crate) fn svg(&self) -> Result<String, Failure> {
+    pub(crate) fn svg(&self, title: &str) -> Result<String> {
         let mut text = String::new();
         {
-            let size = (units(self.size[0]), units(self.size[1]));
-            let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+            let area = SVGBackend::with_string(&mut text, self.size.map(units).into()).into_drawing_area();
             self.draw(&area).map_err(|error| error.to_string())?;
             area.present().map_err(|error| error.to_string())?;
         }
-        Ok(dress(&text, &self.title, self.size))
+        Ok(dress(&text, title, self.size))
     }
 }
 
@@ -151,21 +133,20 @@ mod tests {
     use super::*;
 
     fn plot(names: Names, points: Vec<[f64; 2]>) -> Plot {
-        let (x, y) = (Axis::log2("zoom", [0.25, 4.0], 1), Axis::linear("ratio <1>", [-1.0, 1.0], 0.5));
+        let (x, y) = (Axis::log2("zoom", [0.25, 4.0]), Axis::linear("ratio <1>", [-1.0, 1.0], 0.5));
         Plot::new([400.0, 260.0], x, y, names)
-            .titled("a < b & c")
             .area(points.clone(), 0.0, 2, 0.1)
             .curve("f & g", points.clone(), Stroke::dashed(1))
             .dots(points, 7, 3.0)
             .frame([0.5, 1.0], [-0.5, 0.5], 4, 0.0, 1.0)
-            .note([1.0, 0.0], [0.0, -8.0], "here", Ink::Muted)
+            .note([1.0, 0.0], "here", Ink::Muted)
             .label([1.0, 0.0], "x > y", Ink::Muted)
     }
 
     #[test]
     fn colours_are_the_page_s_and_texts_are_escaped() {
         for names in [Names::AtEnds, Names::Above, Names::Hidden] {
-            let svg = plot(names, vec![[0.25, -1.0], [1.0, 0.5], [4.0, 1.0]]).svg().unwrap();
+            let svg = plot(names, vec![[0.25, -1.0], [1.0, 0.5], [4.0, 1.0]]).svg("a < b & c").unwrap();
             assert!(!svg.contains("=\"#") && !svg.contains("rgb"), "{svg}");
             for name in ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"] {
                 assert!(svg.contains(&format!("var(--{name})")), "{name} is missing");
@@ -179,17 +160,10 @@ mod tests {
 
     #[test]
     fn points_that_are_not_finite_break_the_line() {
-        let nan = f64::NAN;
-        let points = vec![
-            [0.25, 0.0],
-            [0.5, 0.5],
-            [nan, 0.0],
-            [1.0, f64::INFINITY],
-            [2.0, 0.0],
-            [4.0, 0.5],
-            [nan, nan],
-        ];
-        let svg = plot(Names::AtEnds, points).svg().unwrap();
+        let (nan, inf) = (f64::NAN, f64::INFINITY);
+        let (x, y) = ([0.25, 0.5, nan, 1.0, 2.0, 4.0, nan], [0.0, 0.5, 0.0, inf, 0.0, 0.5, nan]);
+        let points = x.into_iter().zip(y).map(<[f64; 2]>::from).collect();
+        let svg = plot(Names::AtEnds, points).svg("a < b & c").unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("-2147483648"), "{svg}");
         assert_eq!(svg.matches("dasharray").count(), 2, "two runs of two points");
         assert_eq!(svg.matches("<circle").count(), 8, "four dots with their halos");

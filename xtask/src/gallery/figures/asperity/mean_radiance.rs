@@ -1,13 +1,12 @@
 //! The mean radiance of a patch against zoom, for both rules of level of detail.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
-use asperity_render::integrator::pixels::jitter;
-use asperity_render::materials::SharedNdf;
 use asperity_render::materials::field::{Field, NoiseKind};
+use asperity_render::{integrator::pixels::jitter, materials::SharedNdf};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 use glam::Vec3;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::panels::rule_words;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
@@ -37,16 +36,13 @@ struct Case<'a> {
 /// A half-vector by its name and its first two coordinates.
 type Look = (&'static str, f32, f32);
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let (ggx, beckmann, painted) = (Ggx::new(0.2, 0.4)?, Beckmann::isotropic(0.3)?, painted()?);
+    let lobes = [("brighter lobe", -0.38, 0.22), ("between the lobes", 0.0, 0.0)];
     let subjects: [([&str; 2], &SharedNdf, [Look; 2]); 3] = [
         (["ggx", "GGX 0.2, 0.4"], &ggx, [("peak", 0.0, 0.0), ("tail", 0.24, 0.42)]),
         (["beckmann", "Beckmann 0.3"], &beckmann, [("peak", 0.0, 0.0), ("tail", 0.34, 0.26)]),
-        (
-            ["painted", "painted, two lobes"],
-            &painted,
-            [("brighter lobe", -0.38, 0.22), ("between the lobes", 0.0, 0.0)],
-        ),
+        (["painted", "painted, two lobes"], &painted, lobes),
     ];
     let mut cases = Vec::new();
     for (density, ndf, looks) in subjects {
@@ -75,12 +71,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
 }
 
 /// Appends the mean of every case over the patch at one zoom, over the far field.
-fn measure(
-    context: &Context<'_>,
-    cases: &mut [Case<'_>],
-    bumps: &BumpField<Field>,
-    zoom: f32,
-) -> Result<(), Failure> {
+fn measure(context: &Context<'_>, cases: &mut [Case<'_>], bumps: &BumpField<Field>, zoom: f32) -> Result<()> {
     let footprint = Footprint::from_width(0.5 / zoom);
     // Slanted, so that no plane of the lattice is sampled alone.
     let (across, along) = (Vec3::new(0.8, 0.36, -0.48), Vec3::new(0.0, 0.8, 0.6));
@@ -105,8 +96,8 @@ fn measure(
 }
 
 /// The cases of one density.
-fn panel(cases: &[Case<'_>]) -> Result<Panel, Failure> {
-    let (x, y) = (Axis::log2("zoom", [1.0, 64.0], 1), Axis::log2("", [1.0 / 32.0, 16.0], 1));
+fn panel(cases: &[Case<'_>]) -> Result<Panel> {
+    let (x, y) = (Axis::log2("zoom", [1.0, 64.0]), Axis::log2("", [1.0 / 32.0, 16.0]));
     let mut plot = Plot::new([420.0, 380.0], x, y, Names::Above);
     for (k, case) in cases.iter().enumerate() {
         let series = (k % 2) as u8 + 1;

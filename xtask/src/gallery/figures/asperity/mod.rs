@@ -1,7 +1,6 @@
 //! Figures of the level of detail and of reflectance.
 
-pub(super) mod horizon;
 pub(super) mod mean_radiance;
+pub(super) mod measured;
 pub(super) mod normal_maps;
 pub(super) mod reflectance;
-pub(super) mod zoom_means;

@@ -2,11 +2,10 @@
 
 use std::f32::consts::PI;
 
+use asperity_render::light::lamps::{Lamp, direction};
 use asperity_render::{
-    image::{Image, tone::hex},
-    integrator::pixels::Sampling,
-    light::lamps::{Lamp, direction},
-    materials::{chalk, cobbles::cobbles},
+    image::Image, image::tone::hex, integrator::pixels::Sampling, materials::chalk,
+    materials::cobbles::cobbles,
 };
 use asperity_shading::level_of_detail::Coordinates;
 use asperity_shading::normal_map::{SlopeLobes, SlopeMoments};
@@ -15,7 +14,7 @@ use asperity_shading::{
 };
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 
 /// Texels along the map, which covers a square of this many metres.
@@ -30,7 +29,7 @@ const TAPS: u32 = 16;
 /// Roughness of the wet stone.
 const ALPHA: f32 = 0.2;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let normals = cobbles(SIZE);
     let street = Street {
         groups: SlopePyramid::from_normals(SIZE, SIZE, &normals)?,
@@ -42,87 +41,72 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let once = Sampling { height: context.size * 5 / 8, samples_per_pixel: 1, ..context.square() };
     let view = View { width: once.width as f32, height: once.height as f32 };
     let many = Sampling { samples_per_pixel: SAMPLES, ..once };
-    let draw = |sampling: Sampling, seen: &(dyn Fn(Vec2, &PixelEllipse, Vec3) -> Vec3 + Sync)| {
-        context.render(sampling, |x, y| {
+    let plain =
+        |uv: Vec2, _: &PixelEllipse, wo: Vec3| street.alone(SlopeMoments::point(street.one.slope(uv)), wo);
+    let averaged = |uv: Vec2, pixel: &PixelEllipse, wo| {
+        let seen = street.one.sample_along(uv, pixel, TAPS).moments();
+        street.alone(SlopeMoments::point(seen.mean), wo)
+    };
+    let one =
+        |uv: Vec2, pixel: &PixelEllipse, wo| street.grouped(&street.one.sample_along(uv, pixel, TAPS), wo);
+    let groups =
+        |uv: Vec2, pixel: &PixelEllipse, wo| street.grouped(&street.groups.sample_along(uv, pixel, TAPS), wo);
+    let ways: [(&str, &str, Sampling, &Way<'_>); 5] = [
+        ("plain", "One sample a pixel", once, &plain),
+        ("averaged", "One sample, averaged normals", once, &averaged),
+        ("one", "One sample, one group of slopes", once, &one),
+        ("groups", "One sample, sixteen groups of slopes", once, &groups),
+        ("reference", "1024 samples a pixel", many, &plain),
+    ];
+    let draw = |(stem, label, sampling, seen): (_, _, Sampling, &Way<'_>)| {
+        let image = context.render(sampling, |x, y| {
             // One sample is the pixel's middle.
             let (x, y) =
                 if sampling.samples_per_pixel == 1 { (x.floor() + 0.5, y.floor() + 0.5) } else { (x, y) };
             let ray = view.ray(x, y);
-            match view.ground(x, y) {
-                Some(uv) => seen(uv, &view.pixel(x, y), -ray),
-                None => sky(ray),
-            }
-        })
+            view.ground(x, y).map_or_else(|| sky(ray), |uv| seen(uv, &view.pixel(x, y), -ray))
+        })?;
+        Ok((stem, label, image))
     };
-    let plain =
-        |uv: Vec2, _: &PixelEllipse, wo: Vec3| street.alone(SlopeMoments::point(street.one.slope(uv)), wo);
-    let pictures = [
-        ("plain", "One sample a pixel", draw(once, &plain)?),
-        (
-            "averaged",
-            "One sample, averaged normals",
-            draw(once, &|uv, pixel, wo| {
-                let seen = street.one.sample_along(uv, pixel, TAPS).moments();
-                street.alone(SlopeMoments::point(seen.mean), wo)
-            })?,
-        ),
-        (
-            "one",
-            "One sample, one group of slopes",
-            draw(once, &|uv, pixel, wo| street.grouped(&street.one.sample_along(uv, pixel, TAPS), wo))?,
-        ),
-        (
-            "groups",
-            "One sample, sixteen groups of slopes",
-            draw(once, &|uv, pixel, wo| street.grouped(&street.groups.sample_along(uv, pixel, TAPS), wo))?,
-        ),
-        ("reference", "1024 samples a pixel", draw(many, &plain)?),
-    ];
+    let pictures = ways.into_iter().map(draw).collect::<Result<Vec<Picture>>>()?;
     let rows = compare(&pictures, &view);
-    let panels = pictures
-        .into_iter()
-        .filter(|picture| picture.0 != "one")
-        .map(|(stem, label, image)| {
-            let alt = format!("A wet street of cobbles under a low sun, {}", label.to_lowercase());
-            Panel::raster(stem, label, &alt, image.exposed(1.0))
-        })
-        .collect();
+    let panel = |(stem, label, image): Picture| {
+        let alt = format!("A wet street of cobbles under a low sun, {}", label.to_lowercase());
+        Panel::new(stem, label, alt, image.exposed(1.0))
+    };
+    let shown = pictures.into_iter().filter(|picture| picture.0 != "one");
     let head = ["street", "mean radiance over that of 1024 samples", "RMSE", "RMSE over that of one sample"];
-    Ok(Drawn::new(2, panels)
-        .fact("normal map", format!("{SIZE} \u{d7} {SIZE} texels on {TILE} m"))
-        .fact("roughness of the wet stone", ALPHA.to_string())
+    Ok(Drawn::new(2, shown.map(panel).collect())
+        .fact("normal map", format!("{SIZE} × {SIZE} texels on {TILE} m"))
+        .fact("roughness of the wet stone", ALPHA)
         .fact("footprints of a pixel", format!("at most {TAPS}"))
         .table(head, rows))
 }
 
+/// Light from a place of the street, over a pixel, to the eye.
+type Way<'a> = dyn Fn(Vec2, &PixelEllipse, Vec3) -> Vec3 + Sync + 'a;
+/// A picture with its stem and its label.
+type Picture = (&'static str, &'static str, Image);
+
 /// Each picture's street beside the last one's: mean radiance, and root mean square error over that of the first.
-fn compare(pictures: &[(&str, &str, Image); 5], view: &View) -> Vec<[String; 4]> {
-    let [.., (_, _, reference)] = pictures;
-    let street = |image: &Image| -> Vec<Vec3> {
+fn compare(pictures: &[Picture], view: &View) -> Vec<[String; 4]> {
+    let street = |(.., image): &Picture| -> Vec<Vec3> {
         let rows = image.pixels.chunks_exact(image.width as usize).enumerate();
-        rows.filter(|(y, _)| view.ground(0.0, *y as f32 + 0.5).is_some())
-            .flat_map(|(_, row)| row.to_vec())
-            .collect()
+        let seen = rows.filter(|(y, _)| view.ground(0.0, *y as f32 + 0.5).is_some());
+        seen.flat_map(|(_, row)| row.to_vec()).collect()
     };
-    let expected = street(reference);
+    let streets: Vec<_> = pictures.iter().map(street).collect();
+    let expected = &streets[streets.len() - 1];
     let mean = |pixels: &[Vec3]| pixels.iter().map(|p| f64::from(p.element_sum())).sum::<f64>();
     let error = |pixels: &[Vec3]| {
-        let squares = pixels.iter().zip(&expected).map(|(p, e)| f64::from((*p - *e).length_squared()));
+        let squares = pixels.iter().zip(expected).map(|(p, e)| f64::from((*p - *e).length_squared()));
         (squares.sum::<f64>() / (3 * expected.len()) as f64).sqrt()
     };
-    let worst = error(&street(&pictures[0].2));
-    pictures
-        .iter()
-        .map(|(_, label, image)| {
-            let pixels = street(image);
-            [
-                (*label).to_owned(),
-                format!("{:.3}", mean(&pixels) / mean(&expected)),
-                format!("{:.4}", error(&pixels)),
-                format!("{:.3}", error(&pixels) / worst),
-            ]
-        })
-        .collect()
+    let row = |((_, label, _), pixels): (&Picture, &Vec<Vec3>)| {
+        let [share, over] = [mean(pixels) / mean(expected), error(pixels) / error(&streets[0])];
+        [(*label).to_owned(), format!("{share:.3}"), format!("{:.4}", error(pixels)), format!("{over:.3}")]
+    };
+    pictures.iter().zip(&streets).map(row).collect()
 }
 
 /// A camera at the height of the eyes that looks along +y, a little down.
@@ -155,11 +139,10 @@ impl View {
 
 /// The sun, the glow above it and the sky.
 fn lights() -> Vec<Lamp> {
-    let light = |azimuth, elevation, colour| Lamp { direction: direction(azimuth, elevation), colour };
     vec![
-        light(86.0, 13.0, hex(0xff_c890) * 0.3),
-        light(86.0, 30.0, hex(0xe8_9c90) * 0.12),
-        light(110.0, 55.0, hex(0x7c_94e0) * 0.3),
+        Lamp::at(86.0, 13.0, hex(0xff_c890) * 0.3),
+        Lamp::at(86.0, 30.0, hex(0xe8_9c90) * 0.12),
+        Lamp::at(110.0, 55.0, hex(0x7c_94e0) * 0.3),
     ]
 }
 
@@ -196,9 +179,8 @@ impl Street {
         let water = TorranceSparrow::new(Facets(density), self.water);
         let street = chalk(wo, slopes.mean_normal(), hex(0x4e_4c50), Vec3::ZERO)
             .with([Facet::FLAT], [Lobe::from(&water as &dyn Brdf)]);
-        self.lights
-            .iter()
-            .fold(Vec3::ZERO, |sum, light| sum + PI * light.colour * street.scattered(light.direction, wo))
+        let lit = self.lights.iter().map(|light| PI * light.colour * street.scattered(light.direction, wo));
+        lit.sum()
     }
 }
 

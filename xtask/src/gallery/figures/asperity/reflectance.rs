@@ -1,11 +1,8 @@
 //! The reflectances on spheres.
 
-use asperity_render::geometry::camera::Camera;
-use asperity_render::geometry::shape::Shape;
-use asperity_render::image::tone::hex;
-use asperity_render::light::environments::Studio;
 use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
 use asperity_shading::reflectance::{
     BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
 };
@@ -15,63 +12,46 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
 type Lobes = Vec<Box<dyn Brdf + Sync>>;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let clay = hex(0xd9_8a5f);
-    let lacquer = |lobe: Box<dyn Brdf + Sync>| -> Result<Lobes, Failure> {
+    let lacquer = |lobe: Box<dyn Brdf + Sync>| -> Result<Lobes> {
         Ok(vec![Box::new(Lambert::new(hex(0x8a_2a2a))?), lobe])
     };
     let gold = [Conductor::new(0.18, 3.42)?, Conductor::new(0.42, 2.35)?, Conductor::new(1.37, 1.77)?];
     let groove: Vec<f32> = (0..64).map(|k| (k as f32 / 63.0).powi(24)).collect();
-    let balls: Vec<(&str, &str, Lobes)> = vec![
-        ("lambert", "Lambert", vec![Box::new(Lambert::new(clay)?)]),
-        (
-            "oren-nayar",
-            "Oren\u{2013}Nayar, full, \u{3c3} = 0.6",
-            vec![Box::new(OrenNayar::new(clay, 0.6, OrenNayarForm::Full)?)],
-        ),
-        ("fujii", "Fujii, \u{3c3} = 1", vec![Box::new(OrenNayar::new(clay, 1.0, OrenNayarForm::Fujii)?)]),
-        (
-            "preserving",
-            "Energy-preserving, r = 1",
-            vec![Box::new(EnergyPreservingOrenNayar::new(clay, 1.0)?)],
-        ),
-        ("phong", "Phong, n = 40", lacquer(Box::new(Phong::new(Vec3::splat(0.25), 40.0)?))?),
-        (
-            "blinn-phong",
-            "Blinn\u{2013}Phong, n = 160",
-            lacquer(Box::new(BlinnPhongLobe::new(Vec3::splat(0.25), 160.0, BlinnPhongFactor::Albedo)?))?,
-        ),
-        (
-            "ward",
-            "Ward, 0.08 and 0.35",
-            vec![Box::new(WardReflection::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?)],
-        ),
-        (
-            "gold",
-            "Cook\u{2013}Torrance, GGX 0.25, gold",
-            vec![Box::new(CookTorrance::new(Ggx::isotropic(0.25)?, gold))],
-        ),
-        (
-            "grooves",
-            "Torrance\u{2013}Sparrow, a table, gold",
-            vec![Box::new(TorranceSparrow::new(Isotropic::new(&groove)?, gold))],
-        ),
+    let lambert = Lambert::new(clay)?;
+    let full = OrenNayar::new(clay, 0.6, OrenNayarForm::Full)?;
+    let fujii = OrenNayar::new(clay, 1.0, OrenNayarForm::Fujii)?;
+    let preserving = EnergyPreservingOrenNayar::new(clay, 1.0)?;
+    let phong = lacquer(Box::new(Phong::new(Vec3::splat(0.25), 40.0)?))?;
+    let blinn = BlinnPhongLobe::new(Vec3::splat(0.25), 160.0, BlinnPhongFactor::Albedo)?;
+    let ward = WardReflection::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?;
+    let smooth = CookTorrance::new(Ggx::isotropic(0.25)?, gold);
+    let grooves = TorranceSparrow::new(Isotropic::new(&groove)?, gold);
+    let balls: [(&str, &str, Lobes); 9] = [
+        ("lambert", "Lambert", vec![Box::new(lambert)]),
+        ("oren-nayar", "Oren–Nayar, full, σ = 0.6", vec![Box::new(full)]),
+        ("fujii", "Fujii, σ = 1", vec![Box::new(fujii)]),
+        ("preserving", "Energy-preserving, r = 1", vec![Box::new(preserving)]),
+        ("phong", "Phong, n = 40", phong),
+        ("blinn-phong", "Blinn–Phong, n = 160", lacquer(Box::new(blinn))?),
+        ("ward", "Ward, 0.08 and 0.35", vec![Box::new(ward)]),
+        ("gold", "Cook–Torrance, GGX 0.25, gold", vec![Box::new(smooth)]),
+        ("grooves", "Torrance–Sparrow, a table, gold", vec![Box::new(grooves)]),
     ];
-    let sampling = context.sampling([8, 8], 12);
-    let camera = Camera::new(Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO, 0.4, sampling.width, sampling.height);
-    let studio = Studio::new(1.0);
-    let mut panels = Vec::new();
-    for (stem, label, layers) in balls {
+    let words = |label| format!("A sphere in a room with three lamps: {label}");
+    let balls =
+        balls.map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], layers));
+    let (sampling, studio) = (context.sampling([8, 8], 12), Studio::new(1.0));
+    let drawn = Drawn::pictures(3, balls, |layers| {
         let ball = Object::new(Shape::Sphere, Layers(layers));
         let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
-        let alt = format!("A sphere in a room with three lamps: {label}");
-        let image = context.draw(&scene, sampling, &camera)?.exposed(1.0);
-        panels.push(Panel::raster(stem, label, &alt, image));
-    }
-    Ok(Drawn::new(3, panels).fact("samples per pixel", sampling.samples_per_pixel.to_string()))
+        Ok(context.look(&scene, sampling, [Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO], 0.4)?.exposed(1.0))
+    })?;
+    Ok(drawn.fact("samples per pixel", sampling.samples_per_pixel))
 }

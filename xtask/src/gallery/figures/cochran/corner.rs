@@ -1,53 +1,38 @@
 //! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one sample per pixel and with sixteen.
 
 use asperity_fif::paper;
-use asperity_render::geometry::camera::Camera;
-use asperity_render::geometry::fractal::Fractal;
 use asperity_render::geometry::mesh::{Mesh, TracedMesh};
-use asperity_render::geometry::ray::Ray;
-use asperity_render::geometry::shape::Shape;
-use asperity_render::image::tone::hex;
-use asperity_render::integrator::pixels::Sampling;
-use asperity_render::light::lamps::Lamps;
+use asperity_render::geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape};
 use asperity_render::materials::chalk;
 use asperity_render::materials::pattern::{checker, grid};
 use asperity_render::sampling::sampler::{Sampler, hash};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::{image::tone::hex, integrator::pixels::Sampling, light::lamps::Lamps};
 use asperity_shading::{Brick, Footprint, Schlick, SurfacePoint, reflectance::Coat};
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
-/// Rays along each side of a pixel.
-const GRIDS: [u32; 2] = [1, 4];
-
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let scene = corner()?;
-    let words = [
-        ["one-sample", "1 sample per pixel", "The corner with its object in hard, grainy pixels"],
-        [
-            "jittered",
-            "4 \u{d7} 4 jittered samples per pixel",
-            "The same corner, smooth: bricks, tiles and their reflections",
-        ],
+    let sampling = Sampling { samples_per_pixel: 1, ..context.sampling([18, 18], 1) };
+    let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
+    let smooth = "The same corner, smooth: bricks, tiles and their reflections";
+    let pictures = [
+        (["one-sample", "1 sample per pixel", "The corner with its object in hard, grainy pixels"], 1),
+        (["jittered", "4 × 4 jittered samples per pixel", smooth], 4),
     ];
-    let mut panels = Vec::new();
-    for (grid, [stem, label, alt]) in GRIDS.into_iter().zip(words) {
-        let sampling = Sampling { samples_per_pixel: 1, ..context.sampling([18, 18], 1) };
-        let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
+    let drawn = Drawn::pictures(2, pictures, |grid| {
         let image = context.render(sampling, |x, y| {
             let rays = jittered([x as u32, y as u32], grid, context.seed);
             let mut sampler = Sampler::new(0, 0);
-            let sum: Vec3 =
-                rays.map(|[x, y]| scene.seen(&camera.ray(x, y), [0.0; 2], &mut sampler).radiance).sum();
-            sum / (grid * grid) as f32
+            let seen = rays.map(|[x, y]| scene.seen(&camera.ray(x, y), [0.0; 2], &mut sampler).radiance);
+            seen.sum::<Vec3>() / (grid * grid) as f32
         })?;
-        panels.push(Panel::raster(stem, label, alt, image.exposed(EXPOSURE)));
-    }
-    Ok(Drawn::new(2, panels)
-        .fact("heights times", RISE.to_string())
-        .fact("reflectance at normal incidence", GLOSS.to_string()))
+        Ok(image.exposed(EXPOSURE))
+    })?;
+    Ok(drawn.fact("heights times", RISE).fact("reflectance at normal incidence", GLOSS))
 }
 
 const RISE: f64 = 0.3;
@@ -73,7 +58,7 @@ const SIDE: f32 = 2.0;
 const CEILING: f32 = 4.0;
 const LAMP: Vec3 = Vec3::new(-1.1, 0.1, 3.0);
 
-fn corner() -> Result<Scene<'static, 'static>, Failure> {
+fn corner() -> Result<Scene<'static, 'static>> {
     let gloss = Schlick::new(GLOSS)?;
     // Schlick's reflectance is also that of a metal of this colour.
     let mirror = Coat::metal(Vec3::splat(GLOSS));
@@ -83,23 +68,21 @@ fn corner() -> Result<Scene<'static, 'static>, Failure> {
     };
     let flat = |corner: Vec3, sides| Shape::Mesh(TracedMesh::new(Mesh::parallelogram(corner, sides)));
     let floor = flat(Vec3::new(-30.0, -30.0, 0.0), [Vec3::X * (30.0 + SIDE), Vec3::Y * (30.0 + SIDE)]);
-    let [long, high] = [-Vec3::splat(30.0 + SIDE), Vec3::Z * CEILING];
-    let right = flat(Vec3::new(SIDE, SIDE, 0.0), [Vec3::Y * long, high]);
-    let left = flat(Vec3::new(SIDE, SIDE, 0.0), [Vec3::X * long, high]);
     // Bricks of 42 by 16 cm, with 2 cm of mortar.
-    let wall = Brick::new(0.394, 0.138, 0.022)?;
+    let brick = Brick::new(0.394, 0.138, 0.022)?;
     let matte = |point: &SurfacePoint, wo, colour: Vec3| chalk(wo, Vec3::Z, colour, colour * around(point));
+    let wall = |axis: Vec3, along: Vec3| {
+        let side = flat(Vec3::new(SIDE, SIDE, 0.0), [axis * -(30.0 + SIDE), Vec3::Z * CEILING]);
+        Object::shaded(side, move |point, wo| {
+            let place = Vec2::new(point.position.dot(along), point.position.z);
+            matte(point, wo, bricks(&brick, place))
+        })
+    };
     let objects = vec![
         Object::shaded(Shape::Fractal(Fractal::square(paper::f()?, RISE)?), object),
         Object::shaded(floor, move |point, wo| matte(point, wo, tiles(point.position.truncate()))),
-        Object::shaded(right, move |point, wo| {
-            let Vec3 { y, z, .. } = point.position;
-            matte(point, wo, bricks(&wall, Vec2::new(y, z)))
-        }),
-        Object::shaded(left, move |point, wo| {
-            let Vec3 { x, z, .. } = point.position;
-            matte(point, wo, bricks(&wall, Vec2::new(-x, z)))
-        }),
+        wall(Vec3::Y, Vec3::Y),
+        wall(Vec3::X, Vec3::NEG_X),
     ];
     let lamps = vec![Lamps::Near { place: LAMP, colour: Vec3::new(6.0, 5.7, 5.2) }];
     Ok(Scene::new(objects, Light::Lamps { lamps, room: &skylight }, Backdrop::Light))
@@ -141,13 +124,12 @@ mod tests {
 
     #[test]
     fn one_jittered_ray_passes_each_cell_and_the_same_each_time() {
-        let rays: Vec<_> = jittered([7, 9], 4, 1).collect();
-        for (cell, ray) in rays.iter().enumerate() {
-            let place = [7.0 + (cell % 4) as f32 / 4.0, 9.0 + (cell / 4) as f32 / 4.0];
+        let rays = || jittered([7, 9], 4, 1);
+        for (cell, ray) in (0_u8..).zip(rays()) {
+            let place = [7.0 + f32::from(cell % 4) / 4.0, 9.0 + f32::from(cell / 4) / 4.0];
             assert!((0..2).all(|i| ray[i] >= place[i] && ray[i] <= place[i] + 0.25), "cell {cell}: {ray:?}");
         }
-        assert!(jittered([7, 9], 4, 1).eq(rays.iter().copied()));
-        assert!(jittered([9, 7], 4, 1).zip(&rays).all(|(a, b)| a[0].fract() != b[0].fract()));
-        assert!(jittered([3, 4], 1, 1).eq([[3.5, 4.5]]));
+        assert!(rays().eq(rays()) && jittered([3, 4], 1, 1).eq([[3.5, 4.5]]));
+        assert!(jittered([9, 7], 4, 1).zip(rays()).all(|(a, b)| a[0].fract() != b[0].fract()));
     }
 }

@@ -1,8 +1,9 @@
-//! Figures 1 and 3 of Cochran, Lewis and Hart: two fractal functions and their integrals.
+//! Figures 1 and 3 of Cochran, Lewis and Hart: two fractal functions and their integrals; their second integrals, whose
+//! curvature is fractal; and the dimension of graphs against their vertical factor, by the formula and by counting boxes.
 
-use asperity_fif::{FixedFif, paper};
+use asperity_fif::{FixedFif, SystemError, paper};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::plot::{Axis, Ink, Names, Plot, Stroke};
 
@@ -17,8 +18,8 @@ pub(super) fn plot(size: [f64; 2], y: Axis, names: Names) -> Plot {
 /// Of a plot that takes half of the page's width.
 pub(super) const HALF: [f64; 2] = [520.0, 330.0];
 
-pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
-    let panel = |[name, alt, label]: [&str; 3], fif: &FixedFif<2, 2>, range| -> Result<Panel, Failure> {
+pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
+    let panel = |name, fif: &FixedFif<2, 2>, range, label, alt| {
         let curve = outline(fif);
         let knots = paper::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
         plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
@@ -28,63 +29,94 @@ pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn, Failure> {
             .dots(knots, 2, 3.5)
             .panel(name, label, alt)
     };
-    let f = [
-        "f",
-        "Graph of f: a symmetric mound with bumps on bumps, 4/3 high",
-        "f, vertical factors 1/2 and 1/2",
+    let f = "Graph of f: a symmetric mound with bumps on bumps, 4/3 high";
+    let g = "Graph of g: jagged peaks up to almost 2 on the left, and a hanging copy of them on the right";
+    let panels = vec![
+        panel("f", &paper::f()?, [0.0, 1.5], "f, vertical factors 1/2 and 1/2", f)?,
+        panel("g", &paper::g()?, [-1.0, 2.0], "g, vertical factors 17/20 and −17/20", g)?,
     ];
-    let g = [
-        "g",
-        "Graph of g: jagged peaks up to almost 2 on the left, and a hanging copy of them on the right",
-        "g, vertical factors 17/20 and \u{2212}17/20",
-    ];
-    let panels = vec![panel(f, &paper::f()?, [0.0, 1.5])?, panel(g, &paper::g()?, [-1.0, 2.0])?];
     Ok(Drawn::new(2, panels).fact("knots", "0, 1, 2").fact("tolerance", format!("{TOLERANCE:e}")))
 }
 
-pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn, Failure> {
-    let panel = |[stem, name, rough]: [&str; 3], alt: &str, fif: [&dyn Fn(f64) -> f64; 2], mut plot: Plot| {
-        let touched = TANGENTS.map(|x| [x, fif[0](x)]);
-        for [x, y] in touched {
-            let rise = fif[1](x);
-            let reach = 0.2 / (1.0 + rise * rise).sqrt();
-            let ends = [[x - reach, y - rise * reach], [x + reach, y + rise * reach]];
-            plot = plot.line(ends, Stroke::solid(Ink::Text).wide(1.0));
-        }
-        let label = format!("{name} and its derivative {rough}");
-        plot.dots(touched, Ink::Text, 2.6).panel(stem, label, alt)
-    };
-    let mut panels = Vec::new();
-    for (names, alt, integral, slope, range) in [
-        (
-            ["f-hat", "f\u{302}", "f"],
-            "The integral of f rises from 0 to 2 like a soft step; f is drawn thin",
-            paper::f_hat()?,
-            paper::f()?,
-            [0.0, 2.0],
-        ),
-        (
-            ["g-hat", "\u{11d}", "g"],
-            "The integral of g rises with many small undulations to 1; g, drawn thin, is jagged",
-            paper::g_hat()?,
-            paper::g()?,
-            [-1.0, 2.0],
-        ),
-    ] {
+pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn> {
+    const AT: [f64; 4] = [0.25, 2.0 / 3.0, 1.2, 1.75];
+    let panel = |[stem, name, rough]: [&str; 3], slope: &FixedFif<2, 2>, range, alt| -> Result<Panel> {
+        let integral: FixedFif<2, 3> = slope.integral(0.0)?;
+        let touched = AT.map(|x| {
+            let rise = slope.evaluate(x, TOLERANCE).value;
+            Taylor {
+                x,
+                orders: [integral.evaluate(x, TOLERANCE).value, rise, 0.0],
+                reach: 0.2 / rise.hypot(1.0),
+            }
+        });
         let curves = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
-            .curve(names[2], outline(&slope), Stroke::solid(2).wide(0.6))
-            .curve(names[1], outline(&integral), Stroke::solid(1).wide(2.0));
-        let values: [&dyn Fn(f64) -> f64; 2] =
-            [&|x| integral.evaluate(x, TOLERANCE).value, &|x| slope.evaluate(x, TOLERANCE).value];
-        panels.push(panel(names, alt, values, curves)?);
-    }
+            .curve(rough, outline(slope), Stroke::solid(2).wide(0.6))
+            .curve(name, outline(&integral), Stroke::solid(1).wide(2.0));
+        touching(curves, touched, 1.0).panel(stem, format!("{name} and its derivative {rough}"), alt)
+    };
+    let f = "The integral of f rises from 0 to 2 like a soft step; f is drawn thin";
+    let g = "The integral of g rises with many small undulations to 1; g, drawn thin, is jagged";
+    let panels = vec![
+        panel(["f-hat", "f\u{302}", "f"], &paper::f()?, [0.0, 2.0], f)?,
+        panel(["g-hat", "ĝ", "g"], &paper::g()?, [-1.0, 2.0], g)?,
+    ];
     Ok(Drawn::new(2, panels)
         .fact("knots", "0, 1, 2")
         .fact("tangents at", "1/4, 2/3, 6/5, 7/4")
         .fact("tolerance", format!("{TOLERANCE:e}")))
 }
 
-const TANGENTS: [f64; 4] = [0.25, 2.0 / 3.0, 1.2, 1.75];
+pub(crate) fn draw_second_integrals(_: &Context<'_>) -> Result<Drawn> {
+    const AT: [f64; 4] = [0.3, 2.0 / 3.0, 1.2, 1.75];
+    const FINE: f64 = 1e-9;
+    let panel = |names: [&str; 3], rough: &FixedFif<2, 2>, range| -> Result<Panel> {
+        let first: FixedFif<2, 3> = rough.integral(0.0)?;
+        let second: FixedFif<2, 4> = first.integral(0.0)?;
+        let touched = AT.map(|x| {
+            let orders = [second.evaluate(x, FINE), first.evaluate(x, FINE), rough.evaluate(x, FINE)];
+            Taylor { x, orders: orders.map(|bounded| bounded.value), reach: 0.2 }
+        });
+        let curves = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
+            .curve(names[0], outline(rough), Stroke::solid(3).wide(0.6))
+            .curve(names[1], outline(&first), Stroke::solid(2).wide(1.1))
+            .curve(names[2], outline(&second), Stroke::solid(1).wide(3.6));
+        touching(curves, touched, 0.9).panel(
+            names[0],
+            format!("{}, its derivative {} and its second derivative {}", names[2], names[1], names[0]),
+            format!(
+                "A smooth arc, {}, over its rougher derivative and its jagged second derivative",
+                names[2]
+            ),
+        )
+    };
+    let panels = vec![
+        panel(["f", "f\u{302}", "f\u{302}\u{302}"], &paper::f()?, [0.0, 2.15])?,
+        panel(["g", "ĝ", "ĝ\u{302}"], &paper::g()?, [-1.0, 2.0])?,
+    ];
+    Ok(Drawn::new(2, panels)
+        .fact("vertical factors", "1/2, 1/4, 1/8 and ±17/20, ±17/40, ±17/80")
+        .fact("parabolas at", "3/10, 2/3, 6/5, 7/4")
+        .fact("tolerance", "1e-9"))
+}
+
+/// The Taylor polynomial of second order at a point, by the value and two derivatives, to this distance from it.
+struct Taylor {
+    x: f64,
+    orders: [f64; 3],
+    reach: f64,
+}
+
+/// A plot with tangents or parabolas that touch a curve, and dots where they do.
+fn touching(mut plot: Plot, touched: [Taylor; 4], width: f64) -> Plot {
+    for &Taylor { x, orders: [value, slope, bend], reach } in &touched {
+        let steps = if bend == 0.0 { 1 } else { 16 };
+        let point = |step: f64| [x + step, value + step * (slope + 0.5 * step * bend)];
+        let points = (-steps..=steps).map(|k| point(reach * f64::from(k) / f64::from(steps)));
+        plot = plot.line(points, Stroke::solid(Ink::Text).wide(width));
+    }
+    plot.dots(touched.map(|taylor| [taylor.x, taylor.orders[0]]), Ink::Text, 2.6)
+}
 
 /// The graph as it looks at the plot's resolution: of every narrow column the lowest and the highest of some points.
 ///
@@ -110,6 +142,73 @@ pub(super) fn outline<const C: usize>(fif: &FixedFif<2, C>) -> Vec<[f64; 2]> {
     }
     points.push([domain.hi, fif.end_values()[1]]);
     points
+}
+
+/// Vertical factors whose boxes are counted.
+const COUNTED: [f64; 7] = [0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];
+
+/// Vertical factors whose graphs are drawn.
+const DRAWN: [f64; 3] = [0.3, 0.7, 0.95];
+
+/// Levels between which boxes are counted.
+const LEVELS: [u32; 2] = [6, 9];
+
+pub(crate) fn draw_dimension(context: &Context<'_>) -> Result<Drawn> {
+    context.progress.inc_length(COUNTED.len() as u64);
+    let mut dots = Vec::new();
+    for alpha in COUNTED {
+        dots.push([alpha, counted(&symmetric(1.0, alpha)?).ok_or("a cell without bounds")?]);
+        context.progress.inc(1);
+        context.checkpoint()?;
+    }
+    let panels = [by_factor(dots)].into_iter().chain(DRAWN.map(graph)).collect::<Result<_, _>>()?;
+    Ok(Drawn::new(2, panels)
+        .fact("boxes counted at levels", "6 and 9")
+        .fact("knots", "0, 1, 2 and 0, 1/2, 2"))
+}
+
+/// Both maps with the same factor, the middle knot at `middle`.
+fn symmetric(middle: f64, alpha: f64) -> Result<FixedFif<2, 2>, SystemError> {
+    FixedFif::affine(&[paper::KNOTS[0], middle, paper::KNOTS[2]], &[0.0, 1.0, 0.0], &[alpha; 2])
+}
+
+/// The slope of the logarithm of the number of boxes between the two levels.
+fn counted(fif: &FixedFif<2, 2>) -> Option<f64> {
+    let logs = LEVELS.map(|level| {
+        let side = 2.0 / f64::from(1_u32 << level);
+        let boxes = (0..1_u32 << level).map(|cell| {
+            let left = side * f64::from(cell);
+            Some(fif.extrema_over(left, left + side, 0.05 * side)?.enclosure().width() / side + 1.0)
+        });
+        boxes.sum::<Option<f64>>().map(f64::log2)
+    });
+    Some((logs[1]? - logs[0]?) / f64::from(LEVELS[1] - LEVELS[0]))
+}
+
+fn by_factor(dots: Vec<[f64; 2]>) -> Result<Panel> {
+    let curve = |middle: f64| -> Result<Vec<[f64; 2]>, SystemError> {
+        let alphas = (1..200).map(|k| 0.005 * f64::from(k));
+        alphas.map(|alpha| Ok([alpha, symmetric(middle, alpha)?.dimension().middle()])).collect()
+    };
+    let alt = "The dimension stays 1 up to the factor 1/2 and rises to 2 at factor 1; counted boxes lie on the curve";
+    let x = Axis::linear("vertical factor α", [0.0, 1.0], 0.25);
+    Plot::new(HALF, x, Axis::linear("dimension", [0.9, 2.05], 0.25), Names::Above)
+        .curve("knots 0, 1/2, 2", curve(0.5)?, Stroke::dashed(2))
+        .curve("knots 0, 1, 2", curve(1.0)?, Stroke::solid(1).wide(2.0))
+        .dots(dots, 1, 3.2)
+        .panel("plot", "Dimension by the formula; dots: boxes counted", alt)
+}
+
+fn graph(alpha: f64) -> Result<Panel> {
+    let fif = symmetric(1.0, alpha)?;
+    let range = fif.range();
+    let step = if range.hi > 4.0 { 2.0 } else { 0.5 };
+    let y = Axis::linear("", [range.lo.min(0.0), 1.05 * range.hi], step);
+    plot(HALF, y, Names::Hidden).line(outline(&fif), Stroke::solid(1).wide(1.0)).panel(
+        format!("graph-{}", (100.0 * alpha).round()),
+        format!("α = {alpha}, dimension {:.3}", fif.dimension().middle()),
+        format!("The graph with vertical factor {alpha}"),
+    )
 }
 
 #[cfg(test)]

@@ -1,31 +1,18 @@
 //! A landscape that is no product of curves beside one that is, with the grain of both measured.
 
 use asperity_fif::{Fif, HeightField, Intersect, Surface, Tabulated, Torus, glam::DVec2};
+use asperity_render::geometry::mesh::{Mesh, TracedMesh, Vertex};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
-    geometry::{
-        camera::Camera,
-        fractal::Fractal,
-        mesh::{Mesh, TracedMesh, Vertex},
-        ray::Ray,
-        shape::Shape,
-    },
-    image::tone::hex,
-    interpolation::smoothstep,
-    light::lamps::Lamps,
-    materials::chalk,
-    sampling::sampler::hash,
-    scene::{Backdrop, Light, Object, Scene},
+    geometry::fractal::Fractal, geometry::ray::Ray, geometry::shape::Shape, image::tone::hex,
+    interpolation::smoothstep, light::lamps::Lamps, materials::chalk, sampling::sampler::hash,
 };
 use asperity_shading::{SurfacePoint, reflectance::Bsdf};
 use glam::{Vec2, Vec3};
 
-use crate::{
-    failure::Failure,
-    gallery::{
-        figure::{Context, Drawn, Panel},
-        power_spectrum::PowerSpectrum,
-    },
-};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::power_spectrum::PowerSpectrum;
 
 /// Nodes along a side of the torus, and maps of a curve.
 const NODES: [usize; 2] = [4, 8];
@@ -47,37 +34,32 @@ const FIELD: f32 = 0.76;
 const SUN: Vec3 = Vec3::new(-0.85, 0.05, 0.40);
 const SUNLIGHT: Vec3 = Vec3::new(1.75, 1.52, 1.16);
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let seed = hash(context.seed + 2);
     let random = |k: usize| f64::from(hash(k as u32 ^ seed)) / f64::from(u32::MAX) - 0.5;
     let [f, g] = [curve(&random, 1000)?, curve(&random, 2000)?];
     let grounds =
         [ground(Tabulated::with_levels(torus(&random)?, 8)), ground(HeightField::new(f, g).tabulated())];
-    let words = [
-        ["torus", "the torus surface", "A block of mountains with ridges and gorges in every direction"],
-        [
-            "product",
-            "a product of two curves",
-            "A block of mountains whose ridges all run along its two sides",
-        ],
+    let grains = [grain(context, grounds[0].surface())?, grain(context, grounds[1].surface())?];
+    let [first, second] = grains.map(|grain| format!("{grain:.2}"));
+    let torus = format!("the torus surface, grain {first}");
+    let product = format!("a product of two curves, grain {second}");
+    let alts = [
+        "A block of mountains with ridges and gorges in every direction",
+        "A block of mountains whose ridges all run along its two sides",
     ];
-    let (mut panels, mut grains) = (Vec::new(), Vec::new());
-    for (ground, [stem, label, alt]) in grounds.into_iter().zip(words) {
-        let sampling = context.sampling([18, 18], 1);
-        let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
-        let grain = format!("{:.2}", grain(context, ground.surface())?);
-        let image = context.draw(&block(ground), sampling, &camera)?;
-        panels.push(Panel::raster(stem, format!("{label}, grain {grain}"), alt, image));
-        grains.push(grain);
-    }
-    Ok(Drawn::new(2, panels)
-        .fact("torus", format!("{0} \u{d7} {0} nodes, M = (2, \u{2212}1; 1, 2), s = {FACTOR}", NODES[0]))
-        .fact("curves", format!("{} maps, vertical factors \u{b1}{ROUGHNESS}, integrated once", NODES[1]))
-        .fact("grain", grains.join(" and "))
+    let words = [["torus", &torus, alts[0]], ["product", &product, alts[1]]];
+    let drawn = Drawn::pictures(2, words.into_iter().zip(grounds), |ground| {
+        context.look(&block(ground), context.sampling([18, 18], 1), [EYE, TARGET], FIELD)
+    })?;
+    Ok(drawn
+        .fact("torus", format!("{0} × {0} nodes, M = (2, −1; 1, 2), s = {FACTOR}", NODES[0]))
+        .fact("curves", format!("{} maps, vertical factors ±{ROUGHNESS}, integrated once", NODES[1]))
+        .fact("grain", format!("{first} and {second}"))
         .fact("waves measured", format!("{} to {} periods per side", RING[0], RING[1])))
 }
 
-fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus, Failure> {
+fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus> {
     let count = NODES[0] * NODES[0];
     let z: Vec<f64> = (0..count).map(|k| 2.0 * random(k)).collect();
     let d: Vec<[f64; 2]> = (0..count).map(|k| [100, 200].map(|row| 6.0 * random(k + row))).collect();
@@ -85,7 +67,7 @@ fn torus(random: &impl Fn(usize) -> f64) -> Result<Torus, Failure> {
 }
 
 /// The integral of a rough function of mean 0 on the unit interval.
-fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<Fif<3>, Failure> {
+fn curve(random: &impl Fn(usize) -> f64, row: usize) -> Result<Fif<3>> {
     let knots: Vec<f64> = (0..=NODES[1]).map(|k| k as f64 / NODES[1] as f64).collect();
     let alpha: Vec<f64> = (0..NODES[1]).map(|k| ROUGHNESS.copysign(random(row + 100 + k))).collect();
     let mut y: Vec<f64> = (0..=NODES[1]).map(|k| random(row + k)).collect();
@@ -190,7 +172,7 @@ fn sky(direction: Vec3) -> Vec3 {
 }
 
 /// The mean density of the slopes' power within 5° of the axes over that in all directions.
-fn grain(context: &Context<'_>, surface: &(dyn Surface + Send + Sync)) -> Result<f64, Failure> {
+fn grain(context: &Context<'_>, surface: &(dyn Surface + Send + Sync)) -> Result<f64> {
     const SIDE: usize = 512;
     let at = |k: usize| (k as f64 + 0.5) / SIDE as f64;
     let slope = |i, j| surface.gradient_near(at(i), at(j), 1e-4).unwrap_or(DVec2::ZERO);
@@ -209,16 +191,16 @@ fn grain(context: &Context<'_>, surface: &(dyn Surface + Send + Sync)) -> Result
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_relative_eq;
+
     use super::*;
 
     #[test]
     fn heights_have_the_relief_that_is_asked_for() {
         let random = |k: usize| f64::from(hash(k as u32)) / f64::from(u32::MAX) - 0.5;
         let ground = ground(torus(&random).unwrap());
-        let at = |k: u32| f64::from(k) / 64.0;
-        let squares: f64 =
-            (0..4096).map(|k| ground.height(DVec2::new(at(k % 64), at(k / 64))).powi(2)).sum::<f64>()
-                / 4096.0;
-        assert!((squares.sqrt() / RELIEF - 1.0).abs() < 0.1, "{}", squares.sqrt());
+        let at = |k: u32| DVec2::new(f64::from(k % 64), f64::from(k / 64)) / 64.0;
+        let squares = (0..4096).map(|k| ground.height(at(k)).powi(2)).sum::<f64>() / 4096.0;
+        assert_relative_eq!(squares.sqrt(), RELIEF, max_relative = 0.1);
     }
 }

@@ -1,68 +1,48 @@
 //! Figure 6 of Cochran, Lewis and Hart: two fractal mirrors in a ruled room.
 
 use asperity_fif::paper;
+use asperity_render::materials::pattern::{grid, line};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
-    geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape},
-    image::tone::hex,
-    integrator::pixels::Sampling,
-    materials::pattern::{grid, line},
-    scene::{Backdrop, Light, Object, Scene},
+    geometry::fractal::Fractal, geometry::ray::Ray, geometry::shape::Shape, image::tone::hex,
 };
 use asperity_shading::{Conductor, Fresnel, reflectance::Coat};
 use glam::Vec3;
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
-/// Heights are multiplied by these, so that the reflections stay within the room; they reach 4 and 1.02.
-const RISE: [f64; 2] = [0.3, 0.1];
-
-/// Samples per pixel, as multiples of the figure's.
-const OVERSAMPLING: [u32; 2] = [4, 16];
-
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let mut panels = Vec::new();
-    let words = [
-        [
-            "f-hat",
-            "f\u{302} \u{d7} f\u{302}",
-            "A tent-shaped mirror; red and blue lines run over it in frayed arcs",
-        ],
-        ["g-hat", "\u{11d} \u{d7} \u{11d}", "A low mirror that scatters the red and blue lines into grain"],
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
+    // Heights, which reach 4 and 1.02, are multiplied so that reflections stay within the room; the right mirror is flatter.
+    let tent = [Vec3::new(-2.5, -2.5, 2.7), Vec3::new(1.0, 1.0, 0.5)];
+    let low = [Vec3::new(-2.1, -2.1, 2.55), Vec3::new(1.0, 1.0, 0.2)];
+    let alts = [
+        "A tent-shaped mirror; red and blue lines run over it in frayed arcs",
+        "A low mirror that scatters the red and blue lines into grain",
     ];
-    for ((((slope, rise), factor), [stem, label, alt]), [eye, target]) in
-        [paper::f()?, paper::g()?].into_iter().zip(RISE).zip(OVERSAMPLING).zip(words).zip(VIEWS)
-    {
-        let sampling = context.sampling([18, 18], 1);
-        let sampling = Sampling { samples_per_pixel: sampling.samples_per_pixel * factor, ..sampling };
-        let camera = Camera::new(eye, target, FIELD, sampling.width, sampling.height);
+    let mirrors = [
+        (["f-hat", "f\u{302} × f\u{302}", alts[0]], (paper::f()?, 0.3, 4, tent)),
+        (["g-hat", "ĝ × ĝ", alts[1]], (paper::g()?, 0.1, 16, low)),
+    ];
+    let drawn = Drawn::pictures(2, mirrors, |(slope, rise, times, view)| {
         let scene = mirror(Fractal::square(slope, rise)?)?;
-        panels.push(Panel::raster(stem, label, alt, context.draw(&scene, sampling, &camera)?));
-    }
-    let samples = OVERSAMPLING.map(|factor| (factor * context.samples_per_pixel).to_string()).join(" and ");
-    Ok(Drawn::new(2, panels)
-        .fact("heights times", RISE.map(|r| r.to_string()).join(" and "))
-        .fact("samples per pixel", samples)
-        .fact("metal", "silver"))
+        context.look(&scene, context.sampling([18, 18], times), view, FIELD)
+    })?;
+    let samples = format!("{} and {}", 4 * context.samples_per_pixel, 16 * context.samples_per_pixel);
+    Ok(drawn.fact("heights times", "0.3 and 0.1").fact("samples per pixel", samples).fact("metal", "silver"))
 }
-
-/// Eye and target of each picture: the right mirror is flatter.
-const VIEWS: [[Vec3; 2]; 2] = [
-    [Vec3::new(-2.5, -2.5, 2.7), Vec3::new(1.0, 1.0, 0.5)],
-    [Vec3::new(-2.1, -2.1, 2.55), Vec3::new(1.0, 1.0, 0.2)],
-];
 
 /// Angle of view in radians.
 const FIELD: f32 = 0.56;
 
 /// Complex refractive indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the
 /// Noble Metals".
-fn silver() -> Result<[Conductor; 3], Failure> {
+fn silver() -> Result<[Conductor; 3]> {
     Ok([Conductor::new(0.159, 3.93)?, Conductor::new(0.145, 3.19)?, Conductor::new(0.135, 2.38)?])
 }
 
 /// A silver mirror in the ruled room.
-fn mirror(surface: Fractal) -> Result<Scene<'static, 'static>, Failure> {
+fn mirror(surface: Fractal) -> Result<Scene<'static, 'static>> {
     // At normal incidence, from where it grows as Schlick has it.
     let silver = Coat::metal(silver()?.reflectance_rgb(1.0));
     let light = Light::Lamps { lamps: Vec::new(), room: &room };
@@ -113,9 +93,8 @@ mod tests {
     fn directions_along_the_walls_see_the_wall_ahead() {
         let origin = Vec3::new(1.5, 1.6, 0.9);
         for zero in [0.0, -0.0] {
-            for direction in
-                [Vec3::new(zero, -0.02, 1.0), Vec3::new(zero, zero, 1.0), Vec3::new(1.0, zero, 0.3)]
-            {
+            for [x, y, z] in [[zero, -0.02, 1.0], [zero, zero, 1.0], [1.0, zero, 0.3]] {
+                let direction = Vec3::new(x, y, z);
                 let near = room(&ray(origin, direction + Vec3::splat(1e-9)));
                 assert!(abs_diff_eq!(room(&ray(origin, direction)), near, epsilon = 1e-5), "{direction}");
             }

@@ -2,12 +2,9 @@
 
 pub(super) mod area;
 pub(super) mod bounds;
-pub(super) mod contractions;
 pub(super) mod corner;
 pub(super) mod curves;
-pub(super) mod dimension;
 pub(super) mod landscape;
 pub(super) mod mirrors;
 pub(super) mod models;
-pub(super) mod second_integrals;
 pub(super) mod zoom;

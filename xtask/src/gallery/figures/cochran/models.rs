@@ -3,26 +3,21 @@
 use std::{f32::consts::PI, sync::Arc};
 
 use asperity_fif::{FixedFif, SystemError};
-use asperity_render::geometry::camera::Camera;
-use asperity_render::geometry::fractal::Fractal;
-use asperity_render::geometry::ray::Ray;
-use asperity_render::geometry::shape::Shape;
+use asperity_render::geometry::{fractal::Fractal, ray::Ray, shape::Shape};
 use asperity_render::image::tone::hex;
 use asperity_render::light::lamps::{Lamps, direction, studio};
 use asperity_render::materials::pattern::{checker, grid};
 use asperity_render::materials::{chalk, shaded};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
+use asperity_shading::reflectance::{Bsdf, Coat, Lobe};
 use asperity_shading::{
-    Beckmann, Brdf, Conductor, Dielectric, Fresnel, Phong, SurfacePoint, TorranceSparrow,
-    bump::Facet,
-    material::Material,
-    reflect,
-    reflectance::{Bsdf, Coat, Lobe},
+    Beckmann, Brdf, Conductor, Dielectric, Fresnel, Phong, SurfacePoint, TorranceSparrow, bump::Facet,
+    material::Material, reflect,
 };
 use glam::Vec3;
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
 /// Vertical factors of the slopes.
 const FACTORS: [f64; 2] = [0.25, 0.5];
@@ -34,31 +29,32 @@ const EYE: Vec3 = Vec3::new(3.6, -3.0, 3.3);
 const TARGET: Vec3 = Vec3::new(1.0, 1.0, 0.2);
 const FIELD: f32 = 0.46;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.square();
-    let camera = Camera::new(EYE, TARGET, FIELD, sampling.width, sampling.height);
-    let mut panels = Vec::new();
+    let mut pictures = Vec::new();
     for factor in FACTORS {
         let shape = Arc::new(Shape::Fractal(Fractal::square(slope(factor)?, RISE)?));
         for (stem, label, object) in models(&shape)? {
-            let floor = Object::shaded(Shape::Plane, |point, wo| matte(point, wo, tiles(point)));
-            let objects = vec![object, floor];
-            let light = Light::Lamps { lamps: lamps(), room: &room };
-            let image = context.draw(&Scene::new(objects, light, Backdrop::Light), sampling, &camera)?;
-            let alt =
-                format!("A square cushion with a fractal surface on a tiled floor: {}", label.to_lowercase());
-            let label = format!("{label}; factors {factor}");
-            let stem = format!("{stem}-{}", (100.0 * factor).round());
-            panels.push(Panel::raster(&stem, &label, &alt, image.exposed(1.0)));
+            let alt = label.to_lowercase();
+            let alt = format!("A square cushion with a fractal surface on a tiled floor: {alt}");
+            let (stem, label) =
+                (format!("{stem}-{}", (100.0 * factor).round()), format!("{label}; factors {factor}"));
+            pictures.push(([stem, label, alt], object));
         }
     }
-    Ok(Drawn::new(4, panels)
-        .fact("slope through", "(0, 0), (1/2, 1), (1, 0), (3/2, \u{2212}1), (2, 0)")
-        .fact("heights times", RISE.to_string())
-        .fact("Phong exponent", PHONG.to_string())
+    let drawn = Drawn::pictures(4, pictures, |object| {
+        let floor = Object::shaded(Shape::Plane, |point, wo| matte(point, wo, tiles(point)));
+        let light = Light::Lamps { lamps: lamps(), room: &room };
+        let scene = Scene::new(vec![object, floor], light, Backdrop::Light);
+        Ok(context.look(&scene, sampling, [EYE, TARGET], FIELD)?.exposed(1.0))
+    })?;
+    Ok(drawn
+        .fact("slope through", "(0, 0), (1/2, 1), (1, 0), (3/2, −1), (2, 0)")
+        .fact("heights times", RISE)
+        .fact("Phong exponent", PHONG)
         .fact("roughness of the copper", format!("{ROUGHNESS}, Beckmann"))
-        .fact("index of the glass", GLASS.to_string())
-        .fact("samples per pixel", sampling.samples_per_pixel.to_string()))
+        .fact("index of the glass", GLASS)
+        .fact("samples per pixel", sampling.samples_per_pixel))
 }
 
 const PHONG: f32 = 60.0;
@@ -72,14 +68,14 @@ fn slope(factor: f64) -> Result<FixedFif<4, 2>, SystemError> {
 
 /// Complex refractive indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the
 /// Noble Metals".
-fn copper() -> Result<[Conductor; 3], Failure> {
+fn copper() -> Result<[Conductor; 3]> {
     Ok([Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?])
 }
 
 /// Name, label, and the object of this shape.
 type Model = (&'static str, &'static str, Object<'static>);
 
-fn models(shape: &Arc<Shape>) -> Result<[Model; 4], Failure> {
+fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let object = |surface: Box<Surface<'static>>| Object::new(Arc::clone(shape), surface);
     let matte = |colour| shaded(move |point, wo| matte(point, wo, colour));
     let lacquer =
@@ -92,7 +88,7 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4], Failure> {
     Ok([
         ("matte", "Matte", object(Box::new(matte(hex(0xe6_dac6))))),
         ("phong", "Phong", object(Box::new(lacquer))),
-        ("torrance-sparrow", "Torrance\u{2013}Sparrow, copper", object(Box::new(copper))),
+        ("torrance-sparrow", "Torrance–Sparrow, copper", object(Box::new(copper))),
         ("glass", "Glass", glass),
     ])
 }
@@ -154,12 +150,10 @@ mod tests {
 
     #[test]
     fn the_object_touches_the_floor_without_an_edge() {
-        for factor in FACTORS {
-            let slope = slope(factor).unwrap();
+        for slope in FACTORS.map(|factor| slope(factor).unwrap()) {
             let hump: FixedFif<4, 3> = slope.integral(0.0).unwrap();
             assert_abs_diff_eq!(hump.end_values()[1], 0.0, epsilon = 1e-15);
-            assert!(slope.end_values() == [0.0, 0.0]);
-            assert!(hump.range().lo > -0.02, "{:?}", hump.range());
+            assert!(slope.end_values() == [0.0, 0.0] && hump.range().lo > -0.02, "{:?}", hump.range());
         }
     }
 }

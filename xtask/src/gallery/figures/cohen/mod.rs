@@ -1,7 +1,5 @@
 //! Figures of Cohen, Procedural Bump Mapping and Noise.
 
-pub(super) mod bevel;
-pub(super) mod brick;
-pub(super) mod bump;
+pub(super) mod bumps;
 pub(super) mod patterns;
 pub(super) mod still_lifes;

@@ -2,13 +2,13 @@
 
 use asperity_render::image::tone::hex;
 use asperity_shading::texture::{PerturbedTexture, StarWallpaper};
-use asperity_shading::{Footprint, Marble};
+use asperity_shading::{Footprint, Marble, noise::Perlin2002};
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let wallpaper = StarWallpaper::default();
     let running =
         PerturbedTexture { scale: 9.0, strength: Vec2::splat(0.035), ..PerturbedTexture::default() };
@@ -16,45 +16,38 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let pixel = 1.0 / sampling.width as f32;
     let half = Footprint::from_width(0.5 * pixel);
     let (ground, star) = (hex(0x27_3a5c), hex(0xff_b43c));
-    let mut panels = Vec::new();
-    for (stem, label, alt) in [
-        ("listed", "As listed", "Blunt stars, unevenly strewn"),
-        ("corrected", "Corrected", "Five-pointed stars, evenly strewn"),
-        ("perturbed", "Perturbed", "Five-pointed stars, bent and drawn out"),
-    ] {
-        let image = context.render(sampling, |x, y| {
-            let uv = Vec2::new(x, sampling.height as f32 - y) * pixel;
-            let share = match stem {
-                "listed" => f32::from(u8::from(wallpaper.as_listed(uv))),
-                "corrected" => wallpaper.coverage(uv, half),
-                _ => wallpaper.coverage(running.coordinates(Vec3::new(uv.x, uv.y, 0.37), uv), half),
-            };
-            ground.lerp(star, share)
-        })?;
-        panels.push(Panel::raster(stem, label, alt, image));
-    }
-    let share = format!("{:.1} %", 100.0 * wallpaper.mean());
-    Ok(Drawn::new(3, panels).fact("share of stars", share))
+    let stars: [([&str; 3], &(dyn Fn(Vec2) -> f32 + Sync)); 3] = [
+        (["listed", "As listed", "Blunt stars, unevenly strewn"], &|uv| {
+            f32::from(u8::from(wallpaper.as_listed(uv)))
+        }),
+        (["corrected", "Corrected", "Five-pointed stars, evenly strewn"], &|uv| wallpaper.coverage(uv, half)),
+        (["perturbed", "Perturbed", "Five-pointed stars, bent and drawn out"], &|uv| {
+            wallpaper.coverage(running.coordinates(Vec3::new(uv.x, uv.y, 0.37), uv), half)
+        }),
+    ];
+    let drawn = Drawn::pictures(3, stars, |share| {
+        context.render(sampling, |x, y| {
+            ground.lerp(star, share(Vec2::new(x, sampling.height as f32 - y) * pixel))
+        })
+    })?;
+    Ok(drawn.fact("share of stars", format!("{:.1} %", 100.0 * wallpaper.mean())))
 }
 
-pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn, Failure> {
-    use asperity_shading::{Footprint, noise::Perlin2002};
+pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.square();
     let marble = Marble::default();
     let side = sampling.width as f32;
-    let mut panels = Vec::new();
-    let image = context.render(sampling, |_, y| Marble::<Perlin2002>::spline(1.0 - y / side) * 2.2)?;
-    panels.push(Panel::raster("spline", "The spline of colours", "Bands of pale and dark blue", image));
-    for (stem, label, width) in [
-        ("slab", "A slab, four units wide", 0.0),
-        ("pixels-10", "Pixels of 0.1", 0.1),
-        ("pixels-60", "Pixels of 0.6", 0.6),
-    ] {
-        let image = context.render(sampling, |x, y| {
-            let p = Vec3::new(4.0 * x / side, 4.0 * (1.0 - y / side), 0.3);
-            2.2 * marble.colour(p, Footprint::from_width(width))
-        })?;
-        panels.push(Panel::raster(stem, label, "Veins of pale and dark blue", image));
-    }
-    Ok(Drawn::new(4, panels).fact("colours times", "2.2"))
+    let slab = |x: f32, y: f32, width| {
+        let p = Vec3::new(4.0 * x / side, 4.0 * (1.0 - y / side), 0.3);
+        marble.colour(p, Footprint::from_width(width))
+    };
+    let (bands, veins) = ("Bands of pale and dark blue", "Veins of pale and dark blue");
+    let colours: [([&str; 3], &(dyn Fn(f32, f32) -> Vec3 + Sync)); 4] = [
+        (["spline", "The spline of colours", bands], &|_, y| Marble::<Perlin2002>::spline(1.0 - y / side)),
+        (["slab", "A slab, four units wide", veins], &|x, y| slab(x, y, 0.0)),
+        (["pixels-10", "Pixels of 0.1", veins], &|x, y| slab(x, y, 0.1)),
+        (["pixels-60", "Pixels of 0.6", veins], &|x, y| slab(x, y, 0.6)),
+    ];
+    let drawn = Drawn::pictures(4, colours, |colour| context.render(sampling, |x, y| colour(x, y) * 2.2))?;
+    Ok(drawn.fact("colours times", "2.2"))
 }

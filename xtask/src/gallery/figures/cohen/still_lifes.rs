@@ -1,31 +1,19 @@
 //! The marble vase and the steaming tea cup.
 
+use asperity_render::geometry::revolution::{revolved, ring};
+use asperity_render::geometry::{camera::Camera, mesh::TracedMesh, shape::Shape};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::scenes::{Set, backdrop, ground};
 use asperity_render::{
-    geometry::{
-        camera::Camera,
-        mesh::TracedMesh,
-        revolution::{revolved, ring},
-        shape::Shape,
-    },
-    image::tone::hex,
-    integrator::pixels::render_paths,
-    light::environments::Studio,
-    materials::glazed,
-    scene::{Backdrop, Light, Object, Scene},
-    scenes::{Set, backdrop, ground},
+    image::tone::hex, integrator::pixels::render_paths, light::environments::Studio, materials::glazed,
 };
+use asperity_shading::noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
 use asperity_shading::texture::{Gas, Steam, march};
-use asperity_shading::{
-    Marble,
-    material::PolishedMarble,
-    noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence},
-};
+use asperity_shading::{Marble, material::PolishedMarble};
 use glam::Vec3;
 
-use crate::{
-    failure::Failure,
-    gallery::figure::{Context, Drawn, Panel},
-};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
 const CUP_PROFILE: [[f32; 2]; 11] = [
     [0.0, 0.05],
@@ -46,36 +34,26 @@ const SAUCER_PROFILE: [[f32; 2]; 7] =
 
 const TEA: f32 = 0.84;
 
-pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
-    let objects = Set::Vase.objects(Box::new(PolishedMarble {
-        marble: Marble::default(),
-        brightness: 2.6,
-        polish: 0.12,
-    }))?;
+    let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
+    let objects = Set::Vase.objects(Box::new(marble))?;
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
-    let mut panels = Vec::new();
-    for (stem, label, eye, target) in [
-        ("vase", "The vase", Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)),
-        ("neck", "Its neck, from nearby", Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)),
-    ] {
-        let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
-        let image = context.draw(&scene, sampling, &camera)?;
-        panels.push(Panel::raster(stem, label, "A tall vase with blue veins on a table", image.filmic(1.45)));
-    }
-    Ok(Drawn::new(2, panels).fact("cells of the first octave per unit", "2.5"))
+    let alt = "A tall vase with blue veins on a table";
+    let views = [
+        (["vase", "The vase", alt], [Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)]),
+        (["neck", "Its neck, from nearby", alt], [Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)]),
+    ];
+    let drawn =
+        Drawn::pictures(2, views, |view| Ok(context.look(&scene, sampling, view, 0.44)?.filmic(1.45)))?;
+    Ok(drawn.fact("cells of the first octave per unit", "2.5"))
 }
 
-pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.sampling([12, 16], 3);
-    let camera = Camera::new(
-        Vec3::new(1.2, -6.6, 3.0),
-        Vec3::new(0.1, 0.0, 1.15),
-        0.56,
-        sampling.width,
-        sampling.height,
-    );
+    let (eye, target) = (Vec3::new(1.2, -6.6, 3.0), Vec3::new(0.1, 0.0, 1.15));
+    let camera = Camera::new(eye, target, 0.56, sampling.width, sampling.height);
     let studio = Studio::new(1.0);
     let mesh = |mesh| Shape::Mesh(TracedMesh::new(mesh));
     let china = || glazed(0.1, hex(0xf0_ede6));
@@ -89,19 +67,22 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
     ];
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;
-    let mut panels = Vec::new();
-    for (exponent, densest) in [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)] {
-        let octaves =
-            Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(Normalisation::Range);
-        let gas = Gas::new(octaves.with_shape(Turbulence), 5.0, densest, exponent)?;
+    let octaves =
+        Octaves::new(Perlin2002::new(3), Spectrum::default()).with_normalisation(Normalisation::Range);
+    let alt = "A white tea cup on its saucer, with steam over it";
+    let pictures = [(2.0, 5.2), (4.0, 4.2), (8.0, 3.7)].map(|(exponent, densest)| {
+        let words = [format!("exponent-{exponent}"), format!("Exponent {exponent}"), alt.to_owned()];
+        (words, Gas::new(octaves.with_shape(Turbulence), 5.0, densest, exponent))
+    });
+    let drawn = Drawn::pictures(3, pictures, |gas| {
+        let gas = gas?;
         let extinction = |p: Vec3| {
             let share = steam.share(p);
-            // Steam rises in streaks: its noise is drawn out upwards.
-            if share > 0.0 {
-                3.2 * share * share * gas.density(p * Vec3::new(1.5, 1.5, 0.8)).min(3.0)
-            } else {
-                0.0
+            if share <= 0.0 {
+                return 0.0;
             }
+            // Steam rises in streaks: its noise is drawn out upwards.
+            3.2 * share * share * gas.density(p * Vec3::new(1.5, 1.5, 0.8)).min(3.0)
         };
         let image = render_paths(sampling, context.progress, context.interrupted, |x, y, sampler| {
             let ray = camera.ray(x, y);
@@ -112,12 +93,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn, Failure> {
             });
             seen.light + seen.transmittance * behind.radiance
         })?;
-        panels.push(Panel::raster(
-            format!("exponent-{exponent}"),
-            format!("Exponent {exponent}"),
-            "A white tea cup on its saucer, with steam over it",
-            image.filmic(1.45),
-        ));
-    }
-    Ok(Drawn::new(3, panels).fact("steps", "0.06").fact("height of the steam", "1.9"))
+        Ok(image.filmic(1.45))
+    })?;
+    Ok(drawn.fact("steps", "0.06").fact("height of the steam", "1.9"))
 }

@@ -3,22 +3,19 @@
 use std::f32::consts::FRAC_PI_2;
 
 use asperity_ndf_sampling::{Ggx, Ndf};
-use asperity_render::geometry::camera::Camera;
 use asperity_render::geometry::mesh::{Mesh, TracedMesh};
-use asperity_render::geometry::relief::relief;
-use asperity_render::geometry::shape::Shape;
-use asperity_render::image::Image;
-use asperity_render::image::tone::hex;
-use asperity_render::integrator::hemisphere::ember;
+use asperity_render::geometry::{relief::relief, shape::Shape};
+use asperity_render::image::{Image, tone::hex};
 use asperity_render::light::lamps::{Lamps, direction};
 use asperity_render::materials::{SharedNdf, chalk};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
-use asperity_render::scenes::peak;
+use asperity_render::{integrator::hemisphere::ember, scenes::peak};
 use asperity_shading::SurfacePoint;
 use glam::Vec3;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figures::kautz::objects::ggx;
 use crate::gallery::panels::density_panel;
 
 const ALPHA: [f32; 2] = [0.25, 0.5];
@@ -29,7 +26,7 @@ const HEIGHT: f32 = 1.15;
 /// Length of the lobe at the peak.
 const LENGTH: f32 = 1.7;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
     let top = peak(&ndf);
     let share = |x: f32, y: f32| {
@@ -46,23 +43,18 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let wall = ((1.02 - t) / 0.02).clamp(0.0, 1.0);
         Vec3::new(x, y, HEIGHT * share(x, y) * wall)
     });
-    let eye = Vec3::new(3.3, -4.1, 3.0);
-    let over_map = View { eye, centre: Vec3::new(0.0, 0.0, 0.36), value: &|p| p.z / HEIGHT };
+    let view = [Vec3::new(3.3, -4.1, 3.0), Vec3::new(0.0, 0.0, 0.36)];
+    let alt = "A steep ridge over a round map, longer in one direction.";
     let panels = vec![
-        density_panel(context, &ndf, "GGX 0.25, 0.5")?,
-        Panel::raster(
-            "relief",
-            "as a relief",
-            "A steep ridge over a round map, longer in one direction.",
-            over_map.draw(context, hill)?,
-        ),
+        density_panel(context, &ndf, "density", "GGX 0.25, 0.5")?,
+        Panel::new("relief", "as a relief", alt, picture(context, hill, view, |p| p.z / HEIGHT)?),
         lobe_panel(context, &ndf, "A flattened upright lobe above a disk.")?,
     ];
-    Ok(Drawn::new(3, panels).fact("density", format!("GGX, α = {}, {}", ALPHA[0], ALPHA[1])))
+    Ok(Drawn::new(3, panels).fact("density", ggx(ALPHA)))
 }
 
 /// The density as a lobe: in each direction as far from the centre as there are facets that face there.
-pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel, Failure> {
+pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel> {
     let top = peak(ndf);
     let lobe = relief(|t, phi| {
         let (sin, cos) = (t * FRAC_PI_2).sin_cos();
@@ -71,50 +63,36 @@ pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> R
         // Thousands of triangles too small to be seen, at one point, take the hierarchy of boxes half a minute.
         m * if share < 1e-3 { 0.0 } else { LENGTH * share }
     });
-    let around = View {
-        eye: Vec3::new(3.9, -4.6, 2.1),
-        centre: Vec3::new(0.0, 0.0, 0.72),
-        value: &|p| p.length() / LENGTH,
+    let view = [Vec3::new(3.9, -4.6, 2.1), Vec3::new(0.0, 0.0, 0.72)];
+    Ok(Panel::new("lobe", "as a lobe", alt, picture(context, lobe, view, |p| p.length() / LENGTH)?))
+}
+
+/// A surface over the unit disk, in the colours of the density at its points over its peak.
+fn picture(
+    context: &Context<'_>,
+    mesh: Mesh,
+    view: [Vec3; 2],
+    value: impl Fn(Vec3) -> f32 + Sync,
+) -> Result<Image> {
+    let shape = Shape::MeshOnDisk(TracedMesh::new(mesh));
+    let finish = |point: &SurfacePoint, wo: Vec3| {
+        let (p, normal) = (point.position, point.normal);
+        let colour = if p.z <= 0.0 { ground(p) } else { shade(value(p), normal) };
+        chalk(wo, Vec3::Z, colour, colour * (0.42 * (0.5 + 0.5 * normal.z)))
     };
-    Ok(Panel::raster("lobe", "as a lobe", alt, around.draw(context, lobe)?))
+    let lamps = vec![Lamps::one(direction(-122.0, 48.0), Vec3::splat(0.95))];
+    let mut scene = Scene::new(vec![Object::shaded(shape, finish)], Light::lamps(lamps), Backdrop::Studio);
+    // The rim and its wall, a cell away, would shade themselves.
+    scene.start = 4e-3;
+    Ok(context.look(&scene, context.sampling([12, 12], 4), view, 0.39)?.exposed(1.0))
 }
 
-/// View and colours of a surface over the unit disk.
-struct View<'a> {
-    eye: Vec3,
-    centre: Vec3,
-    /// The density at a point of the surface, over its peak.
-    value: &'a (dyn Fn(Vec3) -> f32 + Sync),
-}
-
-impl View<'_> {
-    fn draw(&self, context: &Context<'_>, mesh: Mesh) -> Result<Image, Failure> {
-        let sampling = context.sampling([12, 12], 4);
-        let camera = Camera::new(self.eye, self.centre, 0.39, sampling.width, sampling.height);
-        let shape = Shape::MeshOnDisk(TracedMesh::new(mesh));
-        let finish = |point: &SurfacePoint, wo: Vec3| {
-            let (normal, colour) = (point.normal, self.colour(point));
-            chalk(wo, Vec3::Z, colour, colour * (0.42 * (0.5 + 0.5 * normal.z)))
-        };
-        let lamps = vec![Lamps::one(direction(-122.0, 48.0), Vec3::splat(0.95))];
-        let mut scene =
-            Scene::new(vec![Object::shaded(shape, finish)], Light::lamps(lamps), Backdrop::Studio);
-        // The rim and its wall, a cell away, would shade themselves.
-        scene.start = 4e-3;
-        Ok(context.draw(&scene, sampling, &camera)?.exposed(1.0))
-    }
-
-    fn colour(&self, hit: &SurfacePoint) -> Vec3 {
-        if hit.position.z <= 0.0 {
-            return ground(hit.position);
-        }
-        let value = (self.value)(hit.position);
-        let base = ember(value.max(0.0).sqrt());
-        // Lines of equal density, of one width on the surface whatever its slope.
-        let steep = (1.0 - hit.normal.z * hit.normal.z).sqrt().max(0.05);
-        let off = (value * 10.0 - (value * 10.0).round()).abs() * 0.1 / steep;
-        if off < 0.0035 && value > 0.07 { base * 0.42 } else { base }
-    }
+/// The colour of a density with lines where it is equal, of one width on the surface whatever its slope.
+fn shade(value: f32, normal: Vec3) -> Vec3 {
+    let base = ember(value.max(0.0).sqrt());
+    let steep = (1.0 - normal.z * normal.z).sqrt().max(0.05);
+    let off = (value * 10.0 - (value * 10.0).round()).abs() * 0.1 / steep;
+    if off < 0.0035 && value > 0.07 { base * 0.42 } else { base }
 }
 
 /// The disk of normals with circles every 30° of tilt and its two axes.

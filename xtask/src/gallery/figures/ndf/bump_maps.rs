@@ -5,16 +5,13 @@ use std::f32::consts::PI;
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::{Ggx, Ndf, NdfEstimator, NdfMap, detailed_normal, estimate_ndf};
 use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_render::image::Image;
 use asperity_render::image::tone::{hex, linear};
-use asperity_render::light::lamps::direction;
-use asperity_render::materials::chalk;
-use asperity_render::materials::cobbles::cobbles;
+use asperity_render::{image::Image, light::lamps::direction, materials::chalk, materials::cobbles::cobbles};
 use asperity_shading::{Brdf, CookTorrance, bump::Facet, reflectance::Lobe};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::panels::density_panel;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
@@ -35,7 +32,7 @@ struct NormalMap {
 }
 
 impl NormalMap {
-    fn cobbles() -> Result<Self, Failure> {
+    fn cobbles() -> Result<Self> {
         let format = NormalMapFormat::default();
         let normals: Vec<_> =
             cobbles(SIZE).into_iter().map(|n| format.decode_u8(format.encode_u8(n))).collect();
@@ -56,42 +53,37 @@ impl NormalMap {
     }
 }
 
-pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_detail(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
     let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.8, 8)?);
-    let mut panels = Vec::new();
-    for with_detail in [false, true] {
-        for zoom in ZOOMS {
-            let side = 1.0 / zoom;
-            let pixel = side / context.size as f32;
-            // An octave is resolved when its cells are two pixels wide.
-            let cells = CELLS_PER_TEXEL * SIZE as f32;
-            let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
-            let amount = AMOUNT * noise.spectrum().share(octaves.max(0.0)).sqrt();
-            let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
-            let image = context.render(context.square(), |x, y| {
-                let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
-                let n = map.at(p);
-                let n = if with_detail && octaves > 0.0 {
-                    let [a, b] = noise.detail(octaves).pair(p * cells);
-                    detailed_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount)
-                } else {
-                    n
-                };
+    let pictures = [("plain", "as it is"), ("detail", "with detail")].into_iter().flat_map(|(stem, word)| {
+        ZOOMS.map(|zoom| {
+            let alt = format!("Worn cobbles at a magnification of {zoom}, {word}.");
+            ([format!("{stem}-{zoom}"), format!("×{zoom}, {word}"), alt], (stem == "detail", zoom))
+        })
+    });
+    let drawn = Drawn::pictures(3, pictures, |(with_detail, zoom)| {
+        let side = 1.0 / zoom;
+        let pixel = side / context.size as f32;
+        // An octave is resolved when its cells are two pixels wide.
+        let cells = CELLS_PER_TEXEL * SIZE as f32;
+        let octaves = (0.5 / (pixel * cells)).ln() / LACUNARITY.ln() + 1.0;
+        let amount = AMOUNT * noise.spectrum().share(octaves.max(0.0)).sqrt();
+        let corner = Vec2::new(0.437, 0.552) - Vec2::splat(0.5 * side);
+        context.render(context.square(), |x, y| {
+            let p = corner + Vec2::new(x, context.size as f32 - y) * pixel;
+            let n = map.at(p);
+            if with_detail && octaves > 0.0 {
+                let [a, b] = noise.detail(octaves).pair(p * cells);
+                lit(detailed_normal(&map.ndf, n, Vec2::new(a.value, b.value), amount))
+            } else {
                 lit(n)
-            })?;
-            let (stem, word) = if with_detail { ("detail", "with detail") } else { ("plain", "as it is") };
-            panels.push(Panel::raster(
-                format!("{stem}-{zoom}"),
-                format!("\u{d7}{zoom}, {word}"),
-                format!("Worn cobbles at a magnification of {zoom}, {word}."),
-                image,
-            ));
-        }
-    }
-    Ok(Drawn::new(3, panels)
-        .fact("normal map", "256 \u{d7} 256, 8 bits, OpenGL")
-        .fact("amount ε", AMOUNT.to_string())
+            }
+        })
+    })?;
+    Ok(drawn
+        .fact("normal map", "256 × 256, 8 bits, OpenGL")
+        .fact("amount ε", AMOUNT)
         .fact("first octave", format!("{CELLS_PER_TEXEL} cells per texel")))
 }
 
@@ -104,41 +96,38 @@ fn lit(n: Vec3) -> Vec3 {
     surface.emitted() + 0.95 * PI * surface.scattered(lamp, Vec3::Z)
 }
 
-pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_estimate(context: &Context<'_>) -> Result<Drawn> {
     let map = NormalMap::cobbles()?;
     let noise = GaussianOctaves::<2>::new(Gaussian::new(context.seed), Spectrum::new(LACUNARITY, 0.6, 6)?);
     let cells = 24.0 / SIZE as f32;
-    let again: Vec<Vec3> = (0..SIZE * SIZE)
-        .into_par_iter()
-        .map(|k| Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells)
-        .map(|p| noise.detail(6.0).pair(p).map(|channel| channel.value))
-        .map(|z| map.ndf.from_gaussian(Vec2::from(z)))
-        .collect();
-    let ndf_again = estimate_ndf(&again)?;
-    let density = |ndf: &NdfMap, stem: &str, name: &str| -> Result<Panel, Failure> {
-        Ok(Panel { stem: stem.into(), ..density_panel(context, ndf, name)? })
+    let normal = |k: usize| {
+        let p = Vec2::new((k % SIZE) as f32 + 0.5, (k / SIZE) as f32 + 0.5) * cells;
+        map.ndf.from_gaussian(Vec2::from(noise.detail(6.0).pair(p).map(|channel| channel.value)))
     };
+    let again: Vec<Vec3> = (0..SIZE * SIZE).into_par_iter().map(normal).collect();
+    let ndf_again = estimate_ndf(&again)?;
     let panels = vec![
         texels("map", "the normal map", &map.normals),
-        density(&map.ndf, "density-map", "of the map")?,
+        density_panel(context, &map.ndf, "density-map", "of the map")?,
         texels("again", "a bump map from the density alone", &again),
-        density(&ndf_again, "density-again", "of the new bump map")?,
+        density_panel(context, &ndf_again, "density-again", "of the new bump map")?,
         cuts(&map.ndf, &ndf_again)?,
     ];
     let kernel = NdfEstimator::suited(&map.normals);
-    let deviation = |normals: &[Vec3], axis: Vec3| {
-        let count = normals.len() as f32;
-        let mean = normals.iter().map(|n| n.dot(axis)).sum::<f32>() / count;
-        (normals.iter().map(|n| (n.dot(axis) - mean).powi(2)).sum::<f32>() / count).sqrt()
-    };
     let row = |name: &str, normals: &[Vec3]| {
-        let mean = normals.iter().map(|n| n.z).sum::<f32>() / normals.len() as f32;
-        let numbers = [deviation(normals, Vec3::X), deviation(normals, Vec3::Y), mean];
-        [name.to_owned()].into_iter().chain(numbers.map(|x| format!("{x:.3}"))).collect::<Vec<_>>()
+        let mean_of =
+            |f: &dyn Fn(Vec3) -> f32| normals.iter().map(|n| f(*n)).sum::<f32>() / normals.len() as f32;
+        let deviation = |axis: Vec3| {
+            let mean = mean_of(&|n| n.dot(axis));
+            mean_of(&|n| (n.dot(axis) - mean).powi(2)).sqrt()
+        };
+        let [x, y, z] =
+            [deviation(Vec3::X), deviation(Vec3::Y), mean_of(&|n| n.z)].map(|x| format!("{x:.3}"));
+        [name.to_owned(), x, y, z]
     };
     let rows = [row("the normal map", &map.normals), row("from the density alone", &again)];
     Ok(Drawn::new(5, panels)
-        .fact("estimate", format!("{0} \u{d7} {0} texels", kernel.size()))
+        .fact("estimate", format!("{0} × {0} texels", kernel.size()))
         .fact("kernel", format!("quadratic B-spline, width {:.3}", kernel.width()))
         .fact("total variation", format!("{:.3}", variation(&map.normals, &again)))
         .table(["", "deviation of n_x", "deviation of n_y", "mean of n_z"], rows))
@@ -152,44 +141,39 @@ fn texels(stem: &str, label: &str, normals: &[Vec3]) -> Panel {
         let n = normals[(SIZE - 1 - y as usize) * SIZE + x as usize];
         Vec3::from(format.encode_u8(n).map(|byte| linear(f32::from(byte) / 255.0)))
     });
-    Panel::raster(stem, label, "A normal map in its usual blue and violet colours.", image)
+    Panel::new(stem, label, "A normal map in its usual blue and violet colours.", image)
 }
 
 /// The densities of two bump maps along both axes.
-fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel, Failure> {
+fn cuts(first: &NdfMap, second: &NdfMap) -> Result<Panel> {
     let top = f64::from(first.density(Vec3::Z).max(second.density(Vec3::Z)));
     let curve = |ndf: &NdfMap, axis: Vec3| -> Vec<[f64; 2]> {
-        (-200..=200)
-            .map(|k| k as f32 / 200.0 * 0.99)
-            .map(|x| (x, axis * x + Vec3::Z * (1.0 - x * x).sqrt()))
-            .map(|(x, m)| [f64::from(x), f64::from(ndf.density(m))])
-            .collect()
+        let places = (-200..=200).map(|k| k as f32 / 200.0 * 0.99);
+        let density = |x: f32| ndf.density(axis * x + Vec3::Z * (1.0 - x * x).sqrt());
+        places.map(|x| [x, density(x)].map(f64::from)).collect()
     };
     let x = Axis::linear("n_x, n_y", [-1.0, 1.0], 0.5);
-    let y = Axis::linear("sr\u{207b}¹", [0.0, (top * 1.1).ceil()], (top / 4.0).ceil());
+    let y = Axis::linear("sr⁻¹", [0.0, (top * 1.1).ceil()], (top / 4.0).ceil());
+    let alt = "The densities of the normal map and of the new bump map along both axes";
     Plot::new([330.0, 330.0], x, y, Names::Above)
         .curve("map, x", curve(first, Vec3::X), Stroke::solid(1).wide(2.0))
         .curve("new, x", curve(second, Vec3::X), Stroke::dashed(1).wide(1.0))
         .curve("map, y", curve(first, Vec3::Y), Stroke::solid(2).wide(2.0))
         .curve("new, y", curve(second, Vec3::Y), Stroke::dashed(2).wide(1.0))
-        .panel(
-            "cuts",
-            "both densities along x and y",
-            "The densities of the normal map and of the new bump map along both axes",
-        )
+        .panel("cuts", "both densities along x and y", alt)
 }
 
 /// The total variation between two sets of normals in 32 × 32 bins.
 fn variation(first: &[Vec3], second: &[Vec3]) -> f64 {
     const BINS: usize = 32;
     let shares = |normals: &[Vec3]| {
-        let mut shares = vec![0.0; BINS * BINS];
+        let mut shares = vec![0.0_f64; BINS * BINS];
         let place = |n: f32| (((n * 0.5 + 0.5) * BINS as f32) as usize).min(BINS - 1);
         for n in normals {
             shares[place(n.y) * BINS + place(n.x)] += 1.0 / normals.len() as f64;
         }
         shares
     };
-    let (first, second): (Vec<f64>, Vec<f64>) = (shares(first), shares(second));
-    0.5 * first.iter().zip(&second).map(|(a, b)| (a - b).abs()).sum::<f64>()
+    let pairs = shares(first).into_iter().zip(shares(second));
+    0.5 * pairs.map(|(a, b)| (a - b).abs()).sum::<f64>()
 }

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{Ggx, conditional_density};
 use asperity_render::materials::SharedNdf;
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::panels::disk;
 use crate::input::density::painted;
@@ -13,7 +13,7 @@ const SHARES: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 /// The facet that is found.
 const FACET: Vec2 = Vec2::new(-0.9, 0.7);
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let (ggx, painted) = (Ggx::new(0.25, 0.5)?, painted()?);
     let subjects: [(&str, &str, &SharedNdf); 2] =
         [("ggx", "GGX 0.25, 0.5", &ggx), ("painted", "painted", &painted)];
@@ -24,12 +24,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let mut row = vec![name.to_owned()];
         for s in SHARES {
             let seen = |m: Vec3| conditional_density(ndf, m, FACET, s);
-            panels.push(Panel::raster(
-                format!("{stem}-{s}"),
-                format!("{name}, s = {s}"),
-                format!("The density {name} given a facet, with the share {s} of the variance resolved."),
-                disk(context, peak(&seen), seen)?,
-            ));
+            let label = format!("{name}, s = {s}");
+            let alt =
+                format!("The density {name} given a facet, with the share {s} of the variance resolved.");
+            let image = disk(context, peak(&seen), seen)?;
+            panels.push(Panel::new(format!("{stem}-{s}"), label, alt, image));
             row.push(format!("{:.5}", mean(ndf, h, s)));
         }
         row.push(format!("{:.5}", ndf.density(h)));
@@ -39,23 +38,17 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let head = ["mean over the surface".to_owned()].into_iter().chain(shares).chain(["D(h)".to_owned()]);
     Ok(Drawn::new(5, panels)
         .fact("facet", format!("z = ({}, {})", FACET.x, FACET.y).replace('-', "\u{2212}"))
-        .fact("half-vector of the table", "(0.15, \u{2212}0.2, 0.968)")
+        .fact("half-vector of the table", "(0.15, −0.2, 0.968)")
         .table(head, rows))
 }
 
 /// The greatest value on a fine grid of the disk.
 fn peak(density: &impl Fn(Vec3) -> f32) -> f32 {
     const SIDE: i32 = 160;
-    let mut peak = 0.0_f32;
-    for k in 0..(2 * SIDE + 1) * (2 * SIDE + 1) {
-        let place = |k: i32| (k - SIDE) as f32 / SIDE as f32;
-        let (x, y) = (place(k % (2 * SIDE + 1)), place(k / (2 * SIDE + 1)));
-        let z2 = 1.0 - x * x - y * y;
-        if z2 > 1e-3 {
-            peak = peak.max(density(Vec3::new(x, y, z2.sqrt())));
-        }
-    }
-    peak
+    let places = || (-SIDE..=SIDE).map(|k| k as f32 / SIDE as f32);
+    let points = places().flat_map(|x| places().map(move |y| (x, y, 1.0 - x * x - y * y)));
+    let inside = points.filter(|(.., z2)| *z2 > 1e-3);
+    inside.map(|(x, y, z2)| density(Vec3::new(x, y, z2.sqrt()))).fold(0.0, f32::max)
 }
 
 /// `∫∫ p_s(h | z_b) N(z_b) dz_b` by the trapezoidal rule, whose error is far below the digits shown.
@@ -64,14 +57,10 @@ fn mean(ndf: &SharedNdf, h: Vec3, s: f32) -> f64 {
     const POINTS: i32 = 420;
     let step = 2.0 * REACH / f64::from(POINTS);
     let gaussian = |z: f64| (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
-    let place = |k: i32| f64::from(k) * step - REACH;
-    (0..=POINTS)
-        .flat_map(|i| (0..=POINTS).map(move |j| (place(i), place(j))))
-        .map(|(x, y)| {
-            let z_b = Vec2::new(x as f32, y as f32);
-            f64::from(conditional_density(ndf, h, z_b, s)) * gaussian(x) * gaussian(y)
-        })
-        .sum::<f64>()
-        * step
-        * step
+    let places = || (0..=POINTS).map(|k| f64::from(k) * step - REACH);
+    let row = |x: f64| {
+        let seen = move |y: f64| f64::from(conditional_density(ndf, h, Vec2::new(x as f32, y as f32), s));
+        places().map(move |y| seen(y) * gaussian(x) * gaussian(y))
+    };
+    places().flat_map(row).sum::<f64>() * step * step
 }

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfa
 use asperity_render::sampling::low_discrepancy::r2;
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::panels::disk;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
@@ -13,7 +13,7 @@ const ALPHA: f32 = 0.45;
 const ANGLES: [f32; 4] = [0.0, 45.0, 70.0, 88.0];
 const DOTS: u32 = 400;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ggx = Ggx::isotropic(ALPHA)?;
     let mut panels = vec![shares()?];
     for angle in ANGLES {
@@ -35,18 +35,14 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             let line = (m.dot(v) / sin.max(1e-3)).abs() < 0.006 && angle > 0.0;
             if dot || line { 1.0 } else { 0.7 * seen(m) / peak }
         })?;
-        panels.push(Panel::raster(
-            format!("visible-{angle}"),
-            format!("seen from {angle}°"),
-            format!("Visible normals from {angle} degrees, with dots where normals were drawn."),
-            image,
-        ));
+        let alt = format!("Visible normals from {angle} degrees, with dots where normals were drawn.");
+        panels.push(Panel::new(format!("visible-{angle}"), format!("seen from {angle}°"), alt, image));
     }
-    Ok(Drawn::new(5, panels).fact("roughness", ALPHA.to_string()))
+    Ok(Drawn::new(5, panels).fact("roughness", ALPHA))
 }
 
 /// `G₁` against the angle of view.
-fn shares() -> Result<Panel, Failure> {
+fn shares() -> Result<Panel> {
     let (beckmann, ggx) = (Beckmann::isotropic(ALPHA)?, Ggx::isotropic(ALPHA)?);
     let student = StudentT::new(ALPHA, ALPHA, 1.6)?;
     let phong = BlinnPhong::from_roughness(ALPHA)?;
@@ -56,8 +52,8 @@ fn shares() -> Result<Panel, Failure> {
     let curves: [(&str, &dyn Microfacet, Stroke); 5] = [
         ("Student-t 1.6", &student, Stroke::dashed(1)),
         ("GGX", &ggx, Stroke::solid(1).wide(2.0)),
-        ("A\u{2013}S", &ashikhmin, Stroke::dashed(3)),
-        ("Blinn\u{2013}Phong", &phong, Stroke::solid(3)),
+        ("A–S", &ashikhmin, Stroke::dashed(3)),
+        ("Blinn–Phong", &phong, Stroke::solid(3)),
         ("Beckmann", &beckmann, Stroke::solid(2).wide(2.0)),
     ];
     for (name, ndf, stroke) in curves {

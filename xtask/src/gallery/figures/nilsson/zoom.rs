@@ -12,8 +12,8 @@ use asperity_shading::{
 };
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::failure::Result;
+use crate::gallery::figure::{Context, Drawn};
 
 /// Widths of the pictures in metres.
 const WIDTHS: [f32; 5] = [4.0, 0.4, 0.04, 0.004, 0.0004];
@@ -36,7 +36,7 @@ fn eye() -> Vec3 {
     Vec3::new(0.1, -0.25, 0.96).normalize()
 }
 
-fn surfaces() -> Result<[Surface; 6], Failure> {
+fn surfaces() -> Result<[Surface; 6]> {
     let surface = |name, exposure, [x, y]: [f32; 2], material| Surface {
         name,
         exposure,
@@ -74,15 +74,9 @@ fn surfaces() -> Result<[Surface; 6], Failure> {
         ..Default::default()
     })?;
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
-    let bumps = BumpMapped {
-        ndf: Ggx::new(0.2, 0.4)?,
-        bumps: BumpField::new(
-            GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?),
-            60.0,
-        )?,
-        rule: LevelOfDetail::Exact,
-        colour: hex(0xf2_b184),
-    };
+    let noise = GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?);
+    let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, 60.0)?, LevelOfDetail::Exact);
+    let bumps = BumpMapped { ndf, bumps, rule, colour: hex(0xf2_b184) };
     // Of all but scratches the lamp is near the highlight; they catch the light that the surface mirrors past the eye.
     Ok([
         surface("carpet", 2.4, [-0.134, 0.094], Box::new(carpet)),
@@ -111,22 +105,25 @@ impl Surface {
     }
 }
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let side = context.size * 3 / 5;
     let sampling = Sampling { width: side, height: side, ..context.square() };
     let side = side as f32;
-    let mut panels = Vec::new();
-    for surface in surfaces()? {
-        let name = surface.name;
-        for ((k, width), label) in WIDTHS.into_iter().enumerate().zip(NAMES) {
-            let pixel = Footprint::from_width(width / side);
-            let image = context.render(sampling, |x, y| {
-                surface.radiance(CENTRE + Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
-            })?;
-            let alt = format!("A patch of {name}, {} mm wide", width * 1000.0);
+    let surfaces = surfaces()?;
+    let pictures = surfaces.iter().flat_map(|surface| {
+        WIDTHS.into_iter().zip(NAMES).zip(0..).map(move |((width, label), k)| {
+            let name = surface.name;
             let label = if k == 0 { format!("{name}, {label}") } else { label.to_owned() };
-            panels.push(Panel::raster(format!("{name}-{k}"), label, alt, image.exposed(1.0)));
-        }
-    }
-    Ok(Drawn::new(5, panels).fact("widths", WIDTHS.map(|width| format!("{width} m")).join(", ")))
+            let alt = format!("A patch of {name}, {} mm wide", width * 1000.0);
+            ([format!("{name}-{k}"), label, alt], (surface, width))
+        })
+    });
+    let drawn = Drawn::pictures(5, pictures, |(surface, width)| {
+        let pixel = Footprint::from_width(width / side);
+        let image = context.render(sampling, |x, y| {
+            surface.radiance(CENTRE + Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
+        })?;
+        Ok(image.exposed(1.0))
+    })?;
+    Ok(drawn.fact("widths", WIDTHS.map(|width| format!("{width} m")).join(", ")))
 }

@@ -4,7 +4,7 @@ use asperity_noise::{Curved, Field, Octaves, Simplex, Spectrum, White, curl::Cur
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::figures::noise::gradients::{hue, steepness};
 use crate::gallery::figures::noise::plane::{Window, grey};
@@ -19,7 +19,7 @@ const STEPS: usize = 24;
 /// Fields of the dye per cell.
 const FIELDS: f32 = 3.0;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
     let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD).first(OCTAVES);
     let flow = Curl2(sum);
@@ -27,32 +27,23 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let time = WAY / speed;
     let curl = |p| carried(p, time, |p| flow.velocity(p));
     let gradient = |p| carried(p, time, |p| -flow.0.sample(p).gradient);
-    let dyed = [
-        ["dye", "dye carried by the curl", "A chequerboard stirred into spirals."],
-        [
-            "gradient",
-            "dye carried by the gradient",
-            "A chequerboard squeezed into thin lines around a few blown-up fields.",
-        ],
-    ];
+    let stirred = "A chequerboard stirred into spirals.";
+    let squeezed = "A chequerboard squeezed into thin lines around a few blown-up fields.";
     let panels = vec![
         streamlines(context, window, speed, &flow)?,
-        dye(window, dyed[0], &window.map(context, curl)?),
-        dye(window, dyed[1], &window.map(context, gradient)?),
+        window.draw(context, ["dye", "dye carried by the curl", stirred], |p| dye(curl(p)))?,
+        window.draw(context, ["gradient", "dye carried by the gradient", squeezed], |p| dye(gradient(p)))?,
     ];
     let row = |name: &str, divergence: f32, areas: &[f32]| {
         let share = |t: f32| format!("{:.3}", areas[(t * (areas.len() - 1) as f32) as usize]);
         [name.to_owned(), format!("{divergence:.0}"), share(0.05), share(0.5), share(0.95)]
     };
-    let divergences = divergences(window, &flow);
-    let rows = [
-        row("curl", divergences[0], &areas(window, curl)),
-        row("gradient", divergences[1], &areas(window, gradient)),
-    ];
+    let [first, second] = divergences(window, &flow);
+    let rows = [row("curl", first, &areas(window, curl)), row("gradient", second, &areas(window, gradient))];
     let noise = format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");
     Ok(Drawn::new(3, panels)
         .fact("noise", noise)
-        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells"))
+        .fact("picture", format!("{CELLS} × {CELLS} cells"))
         .fact("way", format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps"))
         .fact("area before", "of what fills a unit of area afterwards")
         .table(["carried by", "greatest divergence", "area before, 5 %", "median", "95 %"], rows))
@@ -64,9 +55,10 @@ fn streamlines<F: Field<Vec2> + Sync>(
     window: Window,
     speed: f32,
     flow: &Curl2<F>,
-) -> Result<Panel, Failure> {
+) -> Result<Panel> {
     let step = window.step();
-    let pixels = window.map(context, |p| {
+    let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
+    window.draw(context, words, |p| {
         let smeared = |sign: f32| {
             let (mut p, mut sum) = (p, 0.0);
             for _ in 0..REACH {
@@ -76,11 +68,8 @@ fn streamlines<F: Field<Vec2> + Sync>(
             sum
         };
         let mean = (smeared(1.0) + smeared(-1.0)) / (2 * REACH) as f32;
-        let velocity = flow.velocity(p) / (1.6 * speed);
-        hue(velocity) * grey(0.62 + 2.0 * mean) * 1.9
-    })?;
-    let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
-    Ok(window.panel(words, |i| pixels[i]))
+        hue(flow.velocity(p) / (1.6 * speed)) * grey(0.62 + 2.0 * mean) * 1.9
+    })
 }
 
 /// Origin of the fluid at a point, by the midpoint rule backwards in time.
@@ -94,27 +83,22 @@ fn carried(mut p: Vec2, time: f32, velocity: impl Fn(Vec2) -> Vec2) -> Vec2 {
 }
 
 /// A chequerboard with a second, coarser one in another tint.
-fn dye(window: Window, words: [&str; 3], origins: &[Vec2]) -> Panel {
-    window.panel(words, |i| {
-        let place = (origins[i] * FIELDS).floor();
-        let odd = |p: Vec2| (p.x + p.y).rem_euclid(2.0) >= 1.0;
-        let coarse = odd((origins[i] * FIELDS / 4.0).floor());
-        let [dark, light]: [Vec3; 2] =
-            if coarse { [hex(0x1f_4e6b), hex(0xe9_dcc4)] } else { [hex(0x8a_3b2e), hex(0xf3_e9d6)] };
-        if odd(place) { dark } else { light }
-    })
+fn dye(origin: Vec2) -> Vec3 {
+    let odd = |p: Vec2| p.floor().element_sum().rem_euclid(2.0) >= 1.0;
+    let place = origin * FIELDS;
+    let [dark, light] = if odd(place / 4.0) { [0x1f_4e6b, 0xe9_dcc4] } else { [0x8a_3b2e, 0xf3_e9d6] };
+    hex(if odd(place) { dark } else { light })
 }
 
 /// The area that a unit of area came from, at points of a grid, in order of size.
 fn areas(window: Window, origin: impl Fn(Vec2) -> Vec2) -> Vec<f32> {
     /// Half the distance of the differences: wide enough for `f32`, narrow enough for the folds.
     const H: f32 = 1.0 / 1024.0;
-    let mut areas: Vec<f32> = places(window)
-        .map(|p| {
-            let difference = |d: Vec2| (origin(p + d) - origin(p - d)) / (2.0 * H);
-            difference(Vec2::X * H).perp_dot(difference(Vec2::Y * H))
-        })
-        .collect();
+    let area = |p| {
+        let difference = |d: Vec2| (origin(p + d) - origin(p - d)) / (2.0 * H);
+        difference(Vec2::X * H).perp_dot(difference(Vec2::Y * H))
+    };
+    let mut areas: Vec<f32> = places(window).map(area).collect();
     areas.sort_by(f32::total_cmp);
     areas
 }

@@ -4,11 +4,12 @@ use asperity_noise::{
     Field, Normalisation, Octaves, Shape, Simplex, Spectrum, Turbulence, pixel_footprint, removed_share,
 };
 use asperity_render::image::{Image, tone::hex};
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::figures::noise::plane::grey;
+use crate::gallery::plot::decimal;
 
 const OCTAVES: f32 = 8.0;
 /// Samples along each side of a pixel of the reference.
@@ -44,33 +45,26 @@ impl View {
         Some(pixel_footprint(Vec2::new(step, 0.0), Vec2::new(dx, dz)))
     }
 
-    /// Values at one point of each pixel, or none over the horizon.
-    fn points(&self, value: &Way<'_>, context: &Context<'_>) -> Result<Pixels, Failure> {
+    /// Means over `fine`² samples of each pixel of a value at a point for the pixel's footprint; none over the horizon.
+    fn pixels(
+        &self,
+        context: &Context<'_>,
+        fine: usize,
+        value: impl Fn(Vec2, f32) -> f32 + Sync,
+    ) -> Result<Pixels> {
         context.rows(self.height, |y| {
-            let y = y as f32 + 0.5;
-            let pixel = move |x: usize| {
-                let x = x as f32 + 0.5;
-                let (step, z) = self.row(y)?;
-                value(Vec2::new(step * (x - 0.5 * self.width as f32), z), self.footprint(x, y)?)
-            };
-            (0..self.width).map(pixel)
-        })
-    }
-
-    /// Means over fine samples of each pixel.
-    fn means(&self, value: impl Fn(Vec2) -> f32 + Sync, context: &Context<'_>) -> Result<Pixels, Failure> {
-        context.rows(self.height, |y| {
-            let place = |k: usize| (k as f32 + 0.5) / FINE as f32;
-            let lines: Option<Vec<_>> = (0..FINE).map(|k| self.row(y as f32 + place(k))).collect();
+            let place = |k: usize| (k as f32 + 0.5) / fine as f32;
+            let lines: Option<Vec<_>> = (0..fine).map(|k| self.row(y as f32 + place(k))).collect();
             let pixel = |x: usize| {
+                let footprint = self.footprint(x as f32 + 0.5, y as f32 + 0.5)?;
                 let mut sum = 0.0;
                 for &(step, z) in lines.as_ref()? {
-                    for k in 0..FINE {
+                    for k in 0..fine {
                         let x = x as f32 + place(k) - 0.5 * self.width as f32;
-                        sum += value(Vec2::new(step * x, z));
+                        sum += value(Vec2::new(step * x, z), footprint);
                     }
                 }
-                Some(sum / (FINE * FINE) as f32)
+                Some(sum / (fine * fine) as f32)
             };
             (0..self.width).map(pixel).collect::<Vec<_>>()
         })
@@ -79,9 +73,6 @@ impl View {
 
 /// Values by pixel; none over the horizon.
 type Pixels = Vec<Option<f32>>;
-
-/// The value at a point for a footprint.
-type Way<'a> = dyn Fn(Vec2, f32) -> Option<f32> + Sync + 'a;
 
 /// The share of the sum's amplitudes that clamping removes.
 fn removed(footprint: f32) -> f32 {
@@ -92,94 +83,71 @@ fn removed(footprint: f32) -> f32 {
     lost / spectrum.sum_of_amplitudes(OCTAVES)
 }
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let width = context.size as usize * 3 / 2;
-    let view = View { width, height: width * 5 / 8 };
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let sum = Octaves::<_, 2>::new(Simplex::new(context.seed), Spectrum::CLOUD)
         .with_normalisation(Normalisation::Range);
-    let cloud = Subject { context, view, name: "cloud", range: [-0.6, 0.6] };
-    let (_, mut rows) = cloud.panels(&sum.first(OCTAVES), 0.0)?;
-    let turbulence = Subject { name: "turbulence", range: [0.0, 0.75], ..cloud };
-    let sum = sum.with_shape(Turbulence);
-    let (panels, more) = turbulence.panels(&sum.first(OCTAVES), sum.first(OCTAVES).mean())?;
+    let turbulence = sum.with_shape(Turbulence).first(OCTAVES);
+    let mean = turbulence.mean();
+    let (_, mut rows) = panels(context, "cloud", [-0.6, 0.6], &sum.first(OCTAVES), 0.0)?;
+    let (panels, more) = panels(context, "turbulence", [0.0, 0.75], &turbulence, mean)?;
     rows.extend(more);
     Ok(Drawn::new(2, panels)
         .fact("noise", format!("simplex, r² = 0.5, {OCTAVES} octaves, lacunarity 2, gain 0.5"))
         .fact("footprint", "largest change of a coordinate from pixel to pixel")
         .fact("near the horizon", "the sixth of the picture below it")
-        .fact("mean of turbulence", format!("{:.4}", sum.first(OCTAVES).mean()))
+        .fact("mean of turbulence", format!("{mean:.4}"))
         .table(["sum", "pixels", "rms error", "near the horizon", "mean near the horizon"], rows))
 }
 
-/// A sum on the plane.
-#[derive(Clone, Copy)]
-struct Subject<'a> {
-    context: &'a Context<'a>,
-    view: View,
-    name: &'static str,
-    /// Values of black and white.
-    range: [f32; 2],
+/// The panels and rows of one sum, which has the mean `mean`, in greys between two values.
+fn panels<T: Shape + Sync>(
+    context: &Context<'_>,
+    name: &str,
+    [black, white]: [f32; 2],
+    sum: &Octaves<Simplex, 2, T>,
+    mean: f32,
+) -> Result<(Vec<Panel>, Vec<[String; 5]>)> {
+    let width = context.size as usize * 3 / 2;
+    let view = View { width, height: width * 5 / 8 };
+    let clamped = |p, footprint| sum.clamped(footprint).value(p);
+    let reference = view.pixels(context, FINE, |p, _| sum.value(p))?;
+    let mut ways = vec![
+        ("one", "one sample per pixel", view.pixels(context, 1, |p, _| sum.value(p))?),
+        ("clamped", "one sample, clamped", view.pixels(context, 1, clamped)?),
+    ];
+    if mean != 0.0 {
+        let towards_zero = |p, footprint| clamped(p, footprint) - mean * removed(footprint);
+        ways.push(("zero", "one sample, clamped towards 0", view.pixels(context, 1, towards_zero)?));
+    }
+    ways.push(("reference", "64 samples", reference.clone()));
+    let (mut panels, mut rows) = (Vec::new(), Vec::new());
+    for (stem, label, pixels) in ways {
+        let alt = format!("A plane with the pattern {name} running to the horizon, {label}.");
+        let image = Image::from_fn(view.width as u32, view.height as u32, |x, y| {
+            let sky = (y as f32 / (HORIZON * view.height as f32)).min(1.0);
+            pixels[y as usize * view.width + x as usize].map_or_else(
+                || hex(0x2c_3340).lerp(hex(0x76_8596), sky),
+                |value| grey((value - black) / (white - black)),
+            )
+        });
+        panels.push(Panel::new(stem, label, alt, image));
+        let [all, near] = [1.0, 1.0 / 6.0].map(|share| compare(&view, &pixels, &reference, share));
+        let [all, near, mean] = [all[0], near[0], near[1]].map(|v| decimal(v, 4));
+        rows.push([name.to_owned(), label.to_owned(), all, near, mean]);
+    }
+    Ok((panels, rows))
 }
 
-impl Subject<'_> {
-    /// The panels and rows of one sum, which has the mean `mean`.
-    fn panels<T: Shape + Sync>(
-        &self,
-        sum: &Octaves<Simplex, 2, T>,
-        mean: f32,
-    ) -> Result<(Vec<Panel>, Vec<Vec<String>>), Failure> {
-        let reference = self.view.means(|p| sum.value(p), self.context)?;
-        let ways: [(&str, &str, &Way<'_>); 4] = [
-            ("one", "one sample per pixel", &|p, _| Some(sum.value(p))),
-            ("clamped", "one sample, clamped", &|p, footprint| Some(sum.clamped(footprint).value(p))),
-            ("zero", "one sample, clamped towards 0", &|p, footprint| {
-                let lost = mean * removed(footprint);
-                (mean != 0.0).then(|| sum.clamped(footprint).value(p) - lost)
-            }),
-            ("reference", "64 samples", &|_, _| None),
-        ];
-        let (mut panels, mut rows) = (Vec::new(), Vec::new());
-        for (stem, label, way) in ways {
-            let pixels =
-                if stem == "reference" { reference.clone() } else { self.view.points(way, self.context)? };
-            if pixels.iter().all(Option::is_none) {
-                continue;
-            }
-            let alt = format!("A plane with the pattern {} running to the horizon, {label}.", self.name);
-            panels.push(Panel::raster(stem, label, alt, self.image(&pixels)));
-            let [all, near] = [1.0, 1.0 / 6.0].map(|share| self.compare(&pixels, &reference, share));
-            let numbers = [all[0], near[0], near[1]].map(|v| format!("{v:.4}").replace('-', "\u{2212}"));
-            let mut row = vec![self.name.to_owned(), label.to_owned()];
-            row.extend(numbers);
-            rows.push(row);
+/// The root mean square difference over a share of the picture from the horizon down, and the mean there.
+fn compare(view: &View, pixels: &Pixels, reference: &Pixels, share: f32) -> [f64; 2] {
+    let last = ((HORIZON + share) * view.height as f32) as usize * view.width;
+    let (mut count, mut square, mut sum) = (0.0, 0.0, 0.0);
+    for (a, b) in pixels.iter().zip(reference).take(last) {
+        if let (Some(a), Some(b)) = (a, b) {
+            (count, square, sum) = (count + 1.0, square + f64::from(a - b).powi(2), sum + f64::from(*a));
         }
-        Ok((panels, rows))
     }
-
-    /// The root mean square difference over a share of the picture from the horizon down, and the mean there.
-    fn compare(&self, pixels: &Pixels, reference: &Pixels, share: f32) -> [f64; 2] {
-        let last = ((HORIZON + share) * self.view.height as f32) as usize * self.view.width;
-        let (mut count, mut square, mut sum) = (0.0, 0.0, 0.0);
-        for (a, b) in pixels.iter().zip(reference).take(last) {
-            if let (Some(a), Some(b)) = (a, b) {
-                (count, square, sum) = (count + 1.0, square + f64::from(a - b).powi(2), sum + f64::from(*a));
-            }
-        }
-        [(square / f64::max(count, 1.0)).sqrt(), sum / f64::max(count, 1.0)]
-    }
-
-    fn image(&self, pixels: &Pixels) -> Image {
-        let [black, white] = self.range;
-        let sky = |y: u32| {
-            hex(0x2c_3340).lerp(hex(0x76_8596), (y as f32 / (HORIZON * self.view.height as f32)).min(1.0))
-        };
-        Image::from_fn(self.view.width as u32, self.view.height as u32, |x, y| -> Vec3 {
-            match pixels[y as usize * self.view.width + x as usize] {
-                Some(value) => grey((value - black) / (white - black)),
-                None => sky(y),
-            }
-        })
-    }
+    [(square / f64::max(count, 1.0)).sqrt(), sum / f64::max(count, 1.0)]
 }
 
 #[cfg(test)]
@@ -196,10 +164,10 @@ mod tests {
             Vec2::new(step * (x - 320.0), z)
         };
         for (x, y) in [(10.5, 60.5), (320.5, 60.5), (500.5, 399.5)] {
-            let [ddx, ddy] = [[0.01, 0.0], [0.0, 0.01]]
-                .map(|[dx, dy]| (point(x + dx, y + dy) - point(x - dx, y - dy)) / 0.02);
-            let (expected, got) = (pixel_footprint(ddx, ddy), view.footprint(x, y).unwrap());
-            assert_relative_eq!(got, expected, max_relative = 0.01);
+            let by_x = (point(x + 0.01, y) - point(x - 0.01, y)) / 0.02;
+            let by_y = (point(x, y + 0.01) - point(x, y - 0.01)) / 0.02;
+            let got = view.footprint(x, y).unwrap();
+            assert_relative_eq!(got, pixel_footprint(by_x, by_y), max_relative = 0.01);
         }
         assert_eq!(view.footprint(320.0, 10.0), None);
     }

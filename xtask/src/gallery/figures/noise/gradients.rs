@@ -1,10 +1,10 @@
-//! Exact gradients: as arrows over the values, as colours, and as light on a relief.
+//! Exact gradients: as arrows over the values, as colours, and as light on a relief; and domains warped by them.
 
-use asperity_noise::{Field, Gaussian, Octaves, Sample, Spectrum};
+use asperity_noise::{Field, Gaussian, Octaves, Sample, Simplex, Spectrum, Warp};
 use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn};
 use crate::gallery::figures::noise::plane::{Window, grey};
 
@@ -14,7 +14,7 @@ const ARROWS: usize = 20;
 /// Length of the arrow of the mean square slope, in distances of arrows.
 const LENGTH: f32 = 0.62;
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let window = Window::new(context, CELLS);
     let samples = window.map(context, |p: Vec2| Gaussian::new(context.seed).sample(p))?;
     let slope = steepness(&samples);
@@ -27,11 +27,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         let along = Vec2::new(gradient.x, -gradient.y) * (LENGTH * spacing / slope);
         (centre, along.clamp_length_max(1.25 * spacing))
     };
-    let words = [
-        "arrows",
-        "the value in grey, the gradient as arrows",
-        "Grey blobs with arrows that point to the bright ones.",
-    ];
+    let alt = "Grey blobs with arrows that point to the bright ones.";
+    let words = ["arrows", "the value in grey, the gradient as arrows", alt];
     let arrows = window.panel(words, |i| {
         let pixel = Vec2::new((i % window.side) as f32 + 0.5, (i / window.side) as f32 + 0.5);
         let (column, row) = ((pixel.x / spacing) as usize, (pixel.y / spacing) as usize);
@@ -45,26 +42,19 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         grey(0.5 + 0.16 * samples[i].value).lerp(hex(0xff_d9a0), ink)
     });
 
-    let words = [
-        "colours",
-        "the gradient: direction as hue, length as strength",
-        "Coloured fans that meet in dark points.",
-    ];
+    let alt = "Coloured fans that meet in dark points.";
+    let words = ["colours", "the gradient: direction as hue, length as strength", alt];
     let colours = window.panel(words, |i| hue(samples[i].gradient / (2.0 * slope)));
 
     let sum = Octaves::<_, 2>::new(Gaussian::new(context.seed), Spectrum::new(2.17, RELIEF_GAIN, 6)?);
-    let relief = window.map(context, |p: Vec2| sum.detail(6.0).sample(p))?;
     let light = Vec3::new(-0.55, 0.55, 0.63).normalize();
-    let words =
-        ["relief", "six octaves, lit by their gradient", "A rugged relief of hills lit from the upper left."];
-    let lit = window.panel(words, |i| {
-        let g = relief[i].gradient * RELIEF;
-        let normal = Vec3::new(-g.x, -g.y, 1.0).normalize();
-        hex(0xe8_dcc8) * (0.06 + 0.94 * normal.dot(light).max(0.0))
-    });
+    let alt = "A rugged relief of hills lit from the upper left.";
+    let lit = window.draw(context, ["relief", "six octaves, lit by their gradient", alt], |p: Vec2| {
+        hex(0xe8_dcc8) * (0.06 + 0.94 * lambert(sum.detail(6.0).sample(p).gradient * RELIEF, light))
+    })?;
     Ok(Drawn::new(3, vec![arrows, colours, lit])
         .fact("noise", "Gaussian")
-        .fact("picture", format!("{CELLS} \u{d7} {CELLS} cells"))
+        .fact("picture", format!("{CELLS} × {CELLS} cells"))
         .fact("root mean square slope", format!("{slope:.2} per cell")))
 }
 
@@ -72,6 +62,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
 const RELIEF: f32 = 0.2;
 /// Its gain, smaller than the usual one: the slopes of an octave grow with its frequency.
 const RELIEF_GAIN: f32 = 0.38;
+
+/// The cosine of the light with the upward normal of a relief of this slope, if it is lit.
+fn lambert(slope: Vec2, light: Vec3) -> f32 {
+    (-slope).extend(1.0).normalize().dot(light).max(0.0)
+}
 
 /// The root mean square of the gradients' lengths.
 pub(super) fn steepness(samples: &[Sample<Vec2>]) -> f32 {
@@ -111,6 +106,51 @@ pub(super) fn hue(v: Vec2) -> Vec3 {
     )
 }
 
+/// Domain warping: a sum of octaves seen through others.
+pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
+    const CELLS: f32 = 3.0;
+    const OCTAVES: f32 = 6.0;
+    const STRENGTH: f32 = 0.22;
+    /// Octaves of the fields that move the points.
+    const MOVING: f32 = 3.0;
+    /// Height of the relief over a cell's width.
+    const RELIEF: f32 = 0.05;
+    let window = Window::new(context, CELLS);
+    let sums: [_; 5] = std::array::from_fn(|k| {
+        let seed = context.seed.wrapping_mul(16).wrapping_add(k as u32);
+        Octaves::<_, 2>::new(Simplex::new(seed), Spectrum::CLOUD)
+    });
+    let first = |k: usize| sums[k].first(OCTAVES);
+    let moving = |k: usize| sums[k].first(MOVING);
+    let once = Warp::new(first(0), [moving(1), moving(2)], STRENGTH)?;
+    let by = Warp::new(moving(3), [moving(1), moving(2)], STRENGTH)?;
+    let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;
+    let twice = Warp::new(first(0), [by, other], STRENGTH)?;
+    let shown = |words, field: &(dyn Field<Vec2> + Sync)| {
+        window.draw(context, words, |p| grey(0.5 + 0.22 * field.value(p)))
+    };
+    let light = Vec3::new(-0.5, 0.6, 0.62).normalize();
+    let words = ["lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks."];
+    let lit = window.draw(context, words, |p: Vec2| {
+        let Sample { value, gradient } = twice.sample(p);
+        let moved = (twice.displacement(p).point - p) / STRENGTH;
+        let tint = hex(0x3e_6a86).lerp(hex(0xd9_a066), (0.5 + 0.3 * moved.x).clamp(0.0, 1.0));
+        let tint = tint.lerp(hex(0xf2_e8d5), (0.28 + 0.2 * value).clamp(0.0, 1.0));
+        tint * (0.08 + 1.1 * lambert(gradient * RELIEF, light))
+    })?;
+    let panels = vec![
+        shown(["plain", "f(p)", "Soft clouds."], &first(0))?,
+        shown(["once", "f(p + s w(p))", "The clouds drawn out into streaks and folds."], &once)?,
+        shown(["twice", "w warped too", "Marbled streaks with eddies and sharp folds."], &twice)?,
+        lit,
+    ];
+    let noise = format!("simplex, r² = 0.5, f of {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");
+    Ok(Drawn::new(4, panels)
+        .fact("noise", noise)
+        .fact("picture", format!("{CELLS} × {CELLS} cells"))
+        .fact("w", format!("{MOVING} octaves, s = {STRENGTH}")))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,11 +172,9 @@ mod tests {
 
     #[test]
     fn an_arrow_covers_its_shaft_and_narrows_to_its_tip() {
-        let along = Vec2::new(20.0, 0.0);
-        assert_eq!(coverage(Vec2::new(0.0, 0.0), along, 1.0), 1.0);
-        assert_eq!(coverage(Vec2::new(0.0, 3.0), along, 1.0), 0.0);
-        assert!(coverage(Vec2::new(6.0, 1.0), along, 1.0) > coverage(Vec2::new(9.0, 1.0), along, 1.0));
-        assert_eq!(coverage(Vec2::new(12.0, 0.0), along, 1.0), 0.0);
+        let covered = |x, y| coverage(Vec2::new(x, y), Vec2::new(20.0, 0.0), 1.0);
+        assert_eq!([covered(0.0, 0.0), covered(0.0, 3.0), covered(12.0, 0.0)], [1.0, 0.0, 0.0]);
+        assert!(covered(6.0, 1.0) > covered(9.0, 1.0));
         assert_eq!(coverage(Vec2::ZERO, Vec2::ZERO, 1.0), 0.0);
     }
 }

@@ -7,5 +7,3 @@ pub(super) mod kinds;
 pub(super) mod patterns;
 pub(super) mod plane;
 pub(super) mod slope;
-pub(super) mod tiled;
-pub(super) mod warp;

@@ -1,11 +1,12 @@
-//! The basic noise patterns of Nilsson's thesis, and two of Musgrave's.
+//! The basic noise patterns of Nilsson's thesis, and two of Musgrave's; and noises that repeat, laid out two by two.
 
 use asperity_noise::{
-    Billow, Field, Normalisation, Octaves, Plasma, Power, RidgedMultifractal, Simplex, Spectrum, Turbulence,
+    Billow, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin2002, Plasma, Power,
+    RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, TiledSimplex, Turbulence, Value,
 };
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn};
 use crate::gallery::figures::noise::plane::{Window, grey, slanted};
 
@@ -15,9 +16,22 @@ const CELLS: f32 = 4.0;
 const THREAD_CELLS: f32 = 8.0;
 const OCTAVES: f32 = 8.0;
 
-type Pattern<'a> = &'a (dyn Fn(Vec3) -> f32 + Sync);
+const CLOUD: [&str; 3] = ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."];
+const TURBULENCE: [&str; 3] = ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."];
+const PLASMA: [&str; 3] =
+    ["plasma", "plasma: 1 − turbulence", "Bright branching veins on dark ground, like discharges."];
+const PILE: [&str; 3] = ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."];
+const ENTANGLED: [&str; 3] = ["entangled", "plasma with gain 1", "Dense entangled light veins."];
+const SEVENTH: [&str; 3] = ["threads", "threads: its seventh power", "Single light threads on black."];
+const BILLOW: [&str; 3] =
+    ["billow", "billow: Σ aᵢ (2|nᵢ| − 1)", "Round bright pads with creases between them."];
+const RIDGED: [&str; 3] = [
+    "ridged",
+    "ridged multifractal, feedback 2",
+    "Bright rough ridges around smooth dark valleys, like mountains from above.",
+];
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let noise = Simplex::wide(context.seed);
     let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum).with_normalisation(Normalisation::Range);
     let (clouds, threads) = (sum(Spectrum::CLOUD).first(OCTAVES), sum(Spectrum::THREADS));
@@ -25,69 +39,21 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
     let billow = clouds.with_shape(Billow);
     let entangled = threads.with_shape(Plasma);
     let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
-    let patterns: [(f32, Pattern<'_>, [f32; 2], [&str; 3]); 8] = [
-        (
-            CELLS,
-            &|p| clouds.value(p),
-            [-0.5, 0.5],
-            ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."],
-        ),
-        (
-            CELLS,
-            &|p| turbulence.value(p),
-            [0.0, 0.6],
-            ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."],
-        ),
-        (
-            CELLS,
-            &|p| plasma.value(p),
-            [0.4, 1.0],
-            [
-                "plasma",
-                "plasma: 1 \u{2212} turbulence",
-                "Bright branching veins on dark ground, like discharges.",
-            ],
-        ),
-        (
-            THREAD_CELLS,
-            &|p| threads.value(p),
-            [-0.6, 0.6],
-            ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."],
-        ),
-        (
-            THREAD_CELLS,
-            &|p| entangled.value(p),
-            [0.2, 1.0],
-            ["entangled", "plasma with gain 1", "Dense entangled light veins."],
-        ),
-        (
-            THREAD_CELLS,
-            &|p| Power(entangled, 7).value(p),
-            [0.0, 0.6],
-            ["threads", "threads: its seventh power", "Single light threads on black."],
-        ),
-        (
-            CELLS,
-            &|p| billow.value(p),
-            [-1.0, 0.2],
-            ["billow", "billow: Σ aᵢ (2|nᵢ| \u{2212} 1)", "Round bright pads with creases between them."],
-        ),
-        (
-            CELLS,
-            &|p| ridges.value(p),
-            [0.0, 0.8],
-            [
-                "ridged",
-                "ridged multifractal, feedback 2",
-                "Bright rough ridges around smooth dark valleys, like mountains from above.",
-            ],
-        ),
+    let seventh = Power(entangled, 7);
+    let patterns: [(f32, &(dyn Field<Vec3> + Sync), [f32; 2], [&str; 3]); 8] = [
+        (CELLS, &clouds, [-0.5, 0.5], CLOUD),
+        (CELLS, &turbulence, [0.0, 0.6], TURBULENCE),
+        (CELLS, &plasma, [0.4, 1.0], PLASMA),
+        (THREAD_CELLS, &threads, [-0.6, 0.6], PILE),
+        (THREAD_CELLS, &entangled, [0.2, 1.0], ENTANGLED),
+        (THREAD_CELLS, &seventh, [0.0, 0.6], SEVENTH),
+        (CELLS, &billow, [-1.0, 0.2], BILLOW),
+        (CELLS, &ridges, [0.0, 0.8], RIDGED),
     ];
     let mut panels = Vec::new();
-    for (cells, value, [black, white], words) in patterns {
-        let window = Window::new(context, cells);
-        let values = window.map(context, |p| value(slanted(p)))?;
-        panels.push(window.panel(words, |i| grey((values[i] - black) / (white - black))));
+    for (cells, field, [black, white], words) in patterns {
+        let shade = |p| grey((field.value(slanted(p)) - black) / (white - black));
+        panels.push(Window::new(context, cells).draw(context, words, shade)?);
     }
     Ok(Drawn::new(4, panels)
         .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
@@ -96,4 +62,38 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
             "picture",
             format!("{CELLS} cells a side, threads {THREAD_CELLS}; grey stretched over the values"),
         ))
+}
+
+/// Cells of a tile along its side.
+const PERIOD: u32 = 6;
+
+pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
+    let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
+    let seed = context.seed;
+    let space = TiledSimplex::new(Simplex::new(seed), [PERIOD; 3])?;
+    let (sparse, seams) = (Sparse::new(seed).with_lattice(lattice), Perlin2002::new(seed));
+    let perlin = seams.with_lattice(lattice);
+    let side = (context.size / 2) as usize;
+    let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
+    let whole = Window { side: 2 * side, ..tile };
+    let noises: [(&str, &str, &(dyn Fn(Vec2) -> f32 + Sync), f32); 6] = [
+        ("seams", "Perlin 2002, not tiled", &|p| seams.value(p), 0.76),
+        ("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76),
+        ("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9),
+        ("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5),
+        ("gaussian", "Gaussian, tiled", &|p| Gaussian::new(seed).with_lattice(lattice).value(p), 2.5),
+        ("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0),
+    ];
+    let mut panels = Vec::new();
+    for (stem, label, value, white) in noises {
+        let values = tile.map(context, value)?;
+        let seam = if stem == "seams" { "with a cross of seams" } else { "without a seam" };
+        let alt = format!("Four copies of a square of noise, {seam}.");
+        panels.push(whole.panel([stem, label, &alt], |i| {
+            let (x, y) = (i % (2 * side) % side, i / (2 * side) % side);
+            grey(0.5 + 0.5 * values[y * side + x] / white)
+        }));
+    }
+    let period = format!("{PERIOD} × {PERIOD} cells, {PERIOD} × {PERIOD} × {PERIOD} in space");
+    Ok(Drawn::new(3, panels).fact("period", period).fact("picture", "2 × 2 copies of one tile"))
 }

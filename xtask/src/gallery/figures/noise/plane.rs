@@ -3,8 +3,9 @@
 use asperity_render::image::{Image, tone::linear};
 use glam::{Vec2, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Panel};
+use crate::gallery::power_spectrum::PowerSpectrum;
 
 /// A square window into the plane, y upwards, and its pixels.
 #[derive(Clone, Copy)]
@@ -34,23 +35,40 @@ impl Window {
     }
 
     /// `f` at every pixel, row by row from the top; the same whatever the number of threads.
-    pub(super) fn map<T: Send>(
+    pub(super) fn map<T: Send>(&self, context: &Context<'_>, f: impl Fn(Vec2) -> T + Sync) -> Result<Vec<T>> {
+        context.rows(self.side, |y| (0..self.side).map(|x| f(self.point(x, y))).collect::<Vec<_>>())
+    }
+
+    /// The mean power spectrum of `2 · pairs` fields over the window, of which `field` makes the k-th.
+    pub(super) fn spectrum<F: Fn(Vec2) -> f32 + Sync>(
         &self,
         context: &Context<'_>,
-        f: impl Fn(Vec2) -> T + Sync,
-    ) -> Result<Vec<T>, Failure> {
-        context.rows(self.side, |y| (0..self.side).map(|x| f(self.point(x, y))).collect::<Vec<_>>())
+        pairs: usize,
+        field: impl Fn(u32) -> F + Sync,
+    ) -> Result<PowerSpectrum> {
+        let nothing = |_| vec![0.0; self.side * self.side];
+        // An interruption is reported after the sum.
+        let sample = |k: usize| self.map(context, field(k as u32)).unwrap_or_else(nothing);
+        let spectrum = PowerSpectrum::mean(self.side, f64::from(self.step()), pairs, sample);
+        context.checkpoint()?;
+        Ok(spectrum)
+    }
+
+    /// A panel of the window in the colours of its points.
+    pub(super) fn draw(
+        &self,
+        context: &Context<'_>,
+        words: [&str; 3],
+        colour: impl Fn(Vec2) -> Vec3 + Sync,
+    ) -> Result<Panel> {
+        let colours = self.map(context, colour)?;
+        Ok(self.panel(words, |i| colours[i]))
     }
 
     /// A panel of the window, one colour per pixel.
     pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], colour: impl Fn(usize) -> Vec3) -> Panel {
-        Panel::raster(stem, label, alt, self.picture(colour))
-    }
-
-    /// A picture of the window, one colour per pixel.
-    pub(super) fn picture(&self, colour: impl Fn(usize) -> Vec3) -> Image {
         let side = self.side as u32;
-        Image::from_fn(side, side, |x, y| colour(y as usize * self.side + x as usize))
+        Panel::new(stem, label, alt, Image::from_fn(side, side, |x, y| colour((y * side + x) as usize)))
     }
 }
 
@@ -66,8 +84,6 @@ pub(super) fn grey(t: f32) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
-    use approx::assert_abs_diff_eq;
-
     use std::sync::atomic::{AtomicBool, Ordering};
 
     use indicatif::ProgressBar;
@@ -77,24 +93,13 @@ mod tests {
     #[test]
     fn rows_run_downwards_and_stop_when_interrupted() {
         let (progress, interrupted) = (ProgressBar::hidden(), AtomicBool::new(false));
-        let context = Context {
-            size: 16,
-            samples_per_pixel: 1,
-            seed: 1,
-            progress: &progress,
-            interrupted: &interrupted,
-        };
+        let (progress, interrupted) = (&progress, &interrupted);
+        let context = Context { size: 16, samples_per_pixel: 1, seed: 1, progress, interrupted };
         let window = Window { corner: Vec2::new(1.0, 2.0), cells: 4.0, side: 16 };
         let points = window.map(&context, |p| p).unwrap();
         assert_eq!(points[0], Vec2::new(1.125, 5.875));
         assert_eq!(points[255], Vec2::new(4.875, 2.125));
         interrupted.store(true, Ordering::Relaxed);
         assert!(window.map(&context, |p| p).is_err());
-    }
-
-    #[test]
-    fn the_slanted_plane_keeps_distances() {
-        let (a, b) = (Vec2::new(0.3, -1.0), Vec2::new(2.0, 4.5));
-        assert_abs_diff_eq!(slanted(a).distance(slanted(b)), a.distance(b), epsilon = 1e-5);
     }
 }

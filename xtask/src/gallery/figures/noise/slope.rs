@@ -3,11 +3,10 @@
 use asperity_noise::{Field, Octaves, Perlin2002, Spectrum};
 use glam::Vec2;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::figures::noise::plane::Window;
-use crate::gallery::plot::{Axis, Names, Plot, Stroke};
-use crate::gallery::power_spectrum::PowerSpectrum;
+use crate::gallery::plot::{Axis, Names, Plot, Stroke, decimal};
 
 /// Cells of the first octave along a sample, and numbers along it.
 const CELLS: f64 = 12.0;
@@ -21,11 +20,10 @@ const SHOWN: [f64; 2] = [0.25, 32.0];
 const GAINS: [(f32, f32); 3] = [(2.17, 0.7), (2.17, 0.5), (2.17, 0.3)];
 const LACUNARITIES: [(f32, f32); 3] = [(1.6, 0.5), (2.17, 0.5), (3.2, 0.5)];
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
-    let (gains, mut rows) =
-        panel(context, &GAINS, ["gain", "gain, at lacunarity 2.17"], |(_, gain)| format!("{gain}"))?;
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
+    let (gains, mut rows) = panel(context, &GAINS, ["gain", "gain, at lacunarity 2.17"], |s| s.1)?;
     let (lacunarities, lacunarity_rows) =
-        panel(context, &LACUNARITIES, ["lacunarity", "lacunarity, at gain 0.5"], |(l, _)| format!("{l}"))?;
+        panel(context, &LACUNARITIES, ["lacunarity", "lacunarity, at gain 0.5"], |s| s.0)?;
     // The middle pair is in both plots.
     rows.extend(lacunarity_rows.into_iter().enumerate().filter(|(k, _)| *k != 1).map(|(_, row)| row));
     Ok(Drawn::new(2, vec![gains, lacunarities])
@@ -40,12 +38,11 @@ fn panel(
     context: &Context<'_>,
     settings: &[(f32, f32); 3],
     [stem, title]: [&str; 2],
-    name: impl Fn((f32, f32)) -> String,
-) -> Result<(Panel, Vec<[String; 5]>), Failure> {
-    let x = Axis::log2("cycles per cell of the first octave", SHOWN, 1);
+    varied: impl Fn((f32, f32)) -> f32,
+) -> Result<(Panel, Vec<[String; 5]>)> {
+    let x = Axis::log2("cycles per cell of the first octave", SHOWN);
     let y = Axis::linear(&format!("dB, by {title}"), [-95.0, 0.0], 20.0);
-    let mut plot = Plot::new([520.0, 380.0], x, y, Names::AtEnds)
-        .titled(format!("Power of the sum against frequency, by {title}"));
+    let mut plot = Plot::new([520.0, 380.0], x, y, Names::AtEnds);
     let mut rows = Vec::new();
     for (k, &(lacunarity, gain)) in settings.iter().enumerate() {
         let rings = rings(context, lacunarity, gain)?;
@@ -60,34 +57,28 @@ fn panel(
         let decibels = |power: f64| 10.0 * power.log10();
         let line = |f: f64| [f, decibels((y + exponent * (f.log2() - x)).exp2())];
         let series = k as u8 + 1;
-        plot = plot.line(FITTED.map(line), Stroke::dashed(series).wide(1.2)).curve(
-            name((lacunarity, gain)),
-            rings.iter().map(|r| [r[0], decibels(r[1])]),
-            Stroke::solid(series),
-        );
-        let minus = |value: f64| format!("{value:.2}").replace('-', "\u{2212}");
-        let [exponent, slope] = [exponent, slope].map(minus);
+        let curve = rings.iter().map(|r| [r[0], decibels(r[1])]);
+        plot = plot.line(FITTED.map(line), Stroke::dashed(series).wide(1.2));
+        plot = plot.curve(varied((lacunarity, gain)).to_string(), curve, Stroke::solid(series));
+        let [exponent, slope] = [exponent, slope].map(|value| decimal(value, 2));
         rows.push([lacunarity.to_string(), gain.to_string(), format!("{hurst:.2}"), exponent, slope]);
     }
-    let alt = format!("Three falling curves along dashed lines, the steeper the smaller the {stem}");
+    let alt = format!(
+        "Power of the sum against frequency, by {title}: three falling curves along dashed lines, the steeper the smaller \
+         the {stem}"
+    );
     Ok((plot.panel(stem, format!("by {stem}"), alt)?, rows))
 }
 
-fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 2]>, Failure> {
-    let spacing = CELLS / SAMPLES as f64;
+fn rings(context: &Context<'_>, lacunarity: f32, gain: f32) -> Result<Vec<[f64; 2]>> {
     let window = Window { corner: Vec2::new(0.2, 0.9), cells: CELLS as f32, side: SAMPLES };
     // Enough octaves that the last one shown does not end the spectrum.
     let octaves = ((2.0 * SHOWN[1]).log2() / f64::from(lacunarity).log2()).ceil().clamp(1.0, 16.0);
     let spectrum = Spectrum::new(lacunarity, gain, 16)?;
-    let sample = |k: usize| {
-        let seed = context.seed.wrapping_mul(100).wrapping_add(k as u32);
+    let power = window.spectrum(context, PAIRS, |k| {
+        let seed = context.seed.wrapping_mul(100).wrapping_add(k);
         let sum = Octaves::<_, 2>::new(Perlin2002::new(seed), spectrum);
-        // An interruption is reported after the sum.
-        window
-            .map(context, |p: Vec2| sum.detail(octaves as f32).value(p))
-            .unwrap_or_else(|_| vec![0.0; SAMPLES * SAMPLES])
-    };
-    let power = PowerSpectrum::mean(SAMPLES, spacing, PAIRS, sample);
-    context.checkpoint()?;
+        move |p: Vec2| sum.detail(octaves as f32).value(p)
+    })?;
     Ok(power.rings(SHOWN, |_| true))
 }

@@ -56,16 +56,16 @@ mod tests {
 
     #[test]
     fn fields_are_read_with_their_values() {
-        #[derive(Debug)]
-        #[expect(dead_code, reason = "only its text is read")]
-        struct Parameters {
-            colour: Vec3,
-            rule: Option<f32>,
-            detail: u32,
-        }
-        let parameters = Parameters { colour: Vec3::new(0.5, 1.0, 0.0), rule: Some(2.0), detail: 3 };
-        let expected = [("colour", "(0.5, 1, 0)"), ("rule", "Some(2)"), ("detail", "3")];
+        let parameters = Sphere { centre: Vec3::new(0.5, 1.0, 0.0), radius: Some(2.0) };
+        let expected = [("centre", "(0.5, 1, 0)"), ("radius", "Some(2)")];
         assert_eq!(fields(&parameters), expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
+    }
+
+    #[derive(Debug)]
+    #[expect(dead_code, reason = "only its text is read")]
+    struct Sphere {
+        centre: Vec3,
+        radius: Option<f32>,
     }
 
     #[test]

@@ -1,20 +1,13 @@
 //! Every parameter of the materials: what it is varied over, beside what, and from where it is seen.
 
-use asperity_render::{
-    geometry::ray::Ray,
-    image::tone::hex,
-    light::{
-        environments::Studio,
-        lamps::{Lamp, direction},
-    },
-    materials::pattern::grid,
-    scenes::Form,
+use asperity_render::light::{environments::Studio, lamps::Lamp};
+use asperity_render::{geometry::ray::Ray, image::tone::hex, materials::pattern::grid, scenes::Form};
+use asperity_shading::material::{
+    Elimination, FibresParameters, GlassBody, GlassWaves, PaintFlakes, SeamPattern,
 };
-use asperity_shading::material::{Elimination, FibresParameters, GlassWaves, SeamPattern};
 use asperity_shading::{
     CarpetParameters, Environment, MetallicPaintParameters, ScratchesParameters, TemperedGlassParameters,
     VariationsParameters,
-    material::{GlassBody, PaintFlakes},
 };
 use glam::{Vec2, Vec3};
 
@@ -161,15 +154,10 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
         wave_amplitude: 2e-4,
         ..base
     };
-    let view = View {
-        form: Form::Patch { height: 1.0, distance: 4.0 },
-        lamps: Vec::new(),
-        mirrored: lattice,
-        exposure: 1.0,
-    };
+    let form = Form::Patch { height: 1.0, distance: 4.0 };
+    let view = View { form, lamps: Vec::new(), mirrored: lattice, exposure: 1.0 };
     // A lamp whose image is in the pane: what a rough one blurs.
-    let lamp = Lamp { direction: direction(90.0, 86.0), colour: Vec3::splat(0.6) };
-    let lit = View { lamps: vec![lamp], ..view.clone() };
+    let lit = View { lamps: vec![Lamp::at(90.0, 86.0, Vec3::splat(0.6))], ..view.clone() };
     let directions =
         [Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y, Vec3::new(-1.0, 2.0, 0.0), Vec3::new(0.0, 1.0, 1.0)];
     let with_waves = TemperedGlassParameters { waves: GlassWaves::Sine, ..noise };
@@ -188,30 +176,13 @@ pub(super) fn glass() -> Vec<Strip<TemperedGlassParameters>> {
 
 pub(super) fn variations() -> Vec<Strip<VariationsParameters>> {
     let base = VariationsParameters::default();
-    let glossy = |height: f32| View {
-        form: Form::Patch { height, distance: 2.2 * height },
-        lamps: vec![
-            Lamp { direction: direction(125.0, 68.0), colour: hex(0xff_f2e2) * 0.9 },
-            Lamp { direction: direction(-30.0, 40.0), colour: hex(0xb9_d0ff) * 0.3 },
-        ],
-        ..View::patch(height)
-    };
-    let near = glossy(0.04).lit(0.45);
-    let wide = glossy(0.8).lit(0.45);
+    let near = View::glossy(0.04).lit(0.45);
+    let wide = View::glossy(0.8).lit(0.45);
     let ball = View::ball(0.1, 0.105).lit_from_the_eye().exposed(1.3);
-    let dented = VariationsParameters {
-        small_blemish_bump_strength: 0.0,
-        small_blemish_colour_strength: 0.0,
-        dent_strength: 0.1,
-        ..base
-    };
-    let matte = VariationsParameters {
-        specular: Vec3::ZERO,
-        small_blemish_bump_strength: 0.0,
-        small_blemish_colour_strength: 0.0,
-        dent_strength: 0.0,
-        ..base
-    };
+    let unblemished =
+        VariationsParameters { small_blemish_bump_strength: 0.0, small_blemish_colour_strength: 0.0, ..base };
+    let dented = VariationsParameters { dent_strength: 0.1, ..unblemished };
+    let matte = VariationsParameters { specular: Vec3::ZERO, dent_strength: 0.0, ..unblemished };
     let grey = Vec3::splat;
     strips! {
         near base diffuse: [Vec3::splat(0.02), base.diffuse, Vec3::new(0.5, 0.06, 0.04),

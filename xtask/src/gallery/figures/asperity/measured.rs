@@ -1,12 +1,16 @@
-//! The mean radiance of every material from afar to very near, from renders, and the pops of slow zooms.
+//! The mean radiance of every material from afar to very near, from renders, and the pops of slow zooms; and every texture and
+//! material on a plane to the horizon: one sample a pixel, plain and filtered, against 1024.
 
+use asperity_render::image::Image;
 use asperity_render::shaded::{
-    Frame, Mean, Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials,
+    Frame, Horizon, Mean, Patch, Pixel, Seen, Sky, Subject, errors, fractal_bumps, largest_pop, materials,
+    textures,
 };
 use glam::Vec3;
 
-use crate::failure::Failure;
+use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::panels::side_by_side;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 const ZOOMS: [f32; 5] = [1.0, 10.0, 100.0, 1e3, 1e4];
@@ -22,7 +26,7 @@ fn bound(name: &str) -> f64 {
     if ["flakes", "passive flakes", "bumps"].contains(&name) { 0.02 } else { 0.05 }
 }
 
-pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
+pub(crate) fn draw_means(context: &Context<'_>) -> Result<Drawn> {
     let sky = Sky::about(Vec3::new(-0.34, 0.42, 0.84));
     let subjects: Vec<Subject> = materials().into_iter().chain([fractal_bumps()]).collect();
     context.progress.inc_length(10 * subjects.len() as u64);
@@ -34,10 +38,10 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         for ((angle, _), means) in VIEWS.into_iter().zip(means) {
             let first = means[0].value;
             let mut row = vec![subject.name.to_owned(), angle.to_owned(), format!("{first:.4}")];
-            let changes = means.iter().skip(1);
-            row.extend(changes.map(|mean| {
-                format!("{:+.2} ± {:.2} %", 100.0 * (mean.value / first - 1.0), 100.0 * mean.error / first)
-            }));
+            let change = |Mean { value, error }: &Mean| {
+                format!("{:+.2} ± {:.2} %", 100.0 * (value / first - 1.0), 100.0 * error / first)
+            };
+            row.extend(means[1..].iter().map(change));
             row.push(if angle == "60°" { format!("{:.2} %", 100.0 * pop) } else { String::new() });
             rows.push(row);
         }
@@ -56,7 +60,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn, Failure> {
         .table(head, rows))
 }
 
-fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means, Failure> {
+fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means> {
     let mut means = [[Mean { value: 0.0, error: 0.0 }; 5]; 2];
     for ((_, view), means) in VIEWS.into_iter().zip(&mut means) {
         for (zoom, mean) in ZOOMS.into_iter().zip(means) {
@@ -64,12 +68,10 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means,
             let from_afar = ["glass", "glass, noise", "orange peel", "bumps"].contains(&subject.name);
             let fine = from_afar || (["flakes", "paint"].contains(&subject.name) && zoom > 500.0);
             // Where a pixel sees one flake or one wave, so do all of its samples: more pixels of fewer.
-            let (pixels, samples) = if zoom < 50.0 {
-                (8, SAMPLES)
-            } else if fine {
-                (104, SAMPLES / 16)
-            } else {
-                (24, SAMPLES)
+            let (pixels, samples) = match zoom {
+                zoom if zoom < 50.0 => (8, SAMPLES),
+                _ if fine => (104, SAMPLES / 16),
+                _ => (24, SAMPLES),
             };
             *mean = Patch { pixels, samples, view }.mean(subject, sky, zoom);
             context.progress.inc(1);
@@ -82,33 +84,22 @@ fn slow(subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
     Patch { pixels: 1, samples: SAMPLES / 4, view: VIEWS[1].1 }.slow_zooms(subject, sky)
 }
 
-fn zoom_axis() -> Axis {
-    let ticks = [(1.0, "1"), (10.0, "10"), (100.0, "100"), (1e3, "10³"), (1e4, "10⁴")];
-    Axis::log2("zoom", [0.7, 14_000.0], 1).with_ticks(&ticks)
-}
-
-fn panel(subject: &Subject, means: &Means) -> Result<Panel, Failure> {
+fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
     let fractal = subject.name == fractal_bumps().name;
     let bound = bound(if fractal { "bumps" } else { subject.name });
     let range = if fractal { [0.6, 1.1] } else { [0.9, 1.1] };
     let y = Axis::linear("", range, if fractal { 0.1 } else { 0.05 });
-    let mut plot = Plot::new([300.0, 220.0], zoom_axis(), y, Names::Above).frame(
-        [0.7, 14_000.0],
-        [1.0 - bound, 1.0 + bound],
-        3,
-        0.12,
-        0.0,
-    );
+    let (within, zooms) = ([1.0 - bound, 1.0 + bound], [0.7, 14_000.0]);
+    let ticks = [(1.0, "1"), (10.0, "10"), (100.0, "100"), (1e3, "10³"), (1e4, "10⁴")];
+    let x = Axis::log2("zoom", zooms).with_ticks(&ticks);
+    let mut plot = Plot::new([300.0, 220.0], x, y, Names::Above).frame(zooms, within, 3, 0.12, 0.0);
     for ((k, means), (angle, _)) in means.iter().enumerate().zip(VIEWS) {
         let series = k as u8 + 1;
         // Beside one another, so that bars do not hide bars.
         let aside = if k == 0 { 0.94 } else { 1.06 };
         let first = means[0].value;
-        let points: Vec<[f64; 2]> = ZOOMS
-            .into_iter()
-            .zip(means)
-            .map(|(zoom, mean)| [f64::from(zoom) * aside, mean.value / first])
-            .collect();
+        let point = |(zoom, mean): (f32, &Mean)| [f64::from(zoom) * aside, mean.value / first];
+        let points: Vec<_> = ZOOMS.into_iter().zip(means).map(point).collect();
         for (point, mean) in points.iter().zip(means) {
             let reach = 2.0 * mean.error / first;
             let bar = [[point[0], point[1] - reach], [point[0], point[1] + reach]];
@@ -117,12 +108,12 @@ fn panel(subject: &Subject, means: &Means) -> Result<Panel, Failure> {
         plot = plot.curve(angle, points.clone(), Stroke::solid(series)).dots(points, series, 2.5);
     }
     let alt = format!("{}: mean radiance over that from afar, against zoom", subject.name);
-    plot.panel(format!("mean-{}", stem(subject)), subject.name, alt)
+    plot.panel(format!("mean-{}", stem(subject.name)), subject.name, alt)
 }
 
 /// A pixel in a slow zoom, smoothly and in steps.
-fn followed(subject: Subject, sky: &Sky) -> Result<Panel, Failure> {
-    let (name, stem) = (subject.name, stem(&subject));
+fn followed(subject: Subject, sky: &Sky) -> Result<Panel> {
+    let name = subject.name;
     let smooth = curve(&slow(&subject, sky));
     let stepped = Subject::new(name, subject.width, move |pixel, sky| {
         let width = pixel.footprint().width();
@@ -132,15 +123,13 @@ fn followed(subject: Subject, sky: &Sky) -> Result<Panel, Failure> {
     let steps = curve(&slow(&stepped, sky));
     let most = smooth.iter().chain(&steps).fold(0.0_f64, |most, point| most.max(point[1]));
     let ticks = [(60.0, "60"), (120.0, "120"), (240.0, "240")];
-    let x = Axis::log2("zoom", [FROM, FROM * 7.3], 1).with_ticks(&ticks);
+    let x = Axis::log2("zoom", [FROM, FROM * 7.3]).with_ticks(&ticks);
+    let (label, alt) =
+        (format!("one pixel of {name}, slowly"), format!("The radiance of a pixel of {name} in a slow zoom"));
     Plot::new([300.0, 220.0], x, Axis::linear("", [0.0, 1.1 * most], tick(most)), Names::Above)
         .curve("octaves at once", steps, Stroke::solid(2))
         .curve("as they are", smooth, Stroke::solid(1))
-        .panel(
-            format!("slow-{stem}"),
-            format!("one pixel of {name}, slowly"),
-            format!("The radiance of a pixel of {name} in a slow zoom"),
-        )
+        .panel(format!("slow-{}", stem(name)), label, alt)
 }
 
 /// First zoom of the slow zoom shown: 1.01⁴⁰⁰.
@@ -157,8 +146,49 @@ fn tick(range: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|step| step * 4.0 > range).unwrap_or(power)
 }
 
-fn stem(subject: &Subject) -> String {
-    subject.name.replace(", ", "-").replace(' ', "-")
+const PICTURE: Horizon = Horizon { width: 60, height: 40 };
+
+/// Pixels of the page for each of the picture's, and between its parts.
+const SIDE: u32 = 6;
+const GAP: u32 = 8;
+
+pub(crate) fn draw_horizon(context: &Context<'_>) -> Result<Drawn> {
+    let sky = Sky::about(Vec3::new(-0.48, 0.6, 0.64));
+    let (mut panels, mut rows) = (Vec::new(), Vec::new());
+    for subject in textures().into_iter().chain(materials()) {
+        let seen = context.rows(PICTURE.height as usize, |y| {
+            (0..PICTURE.width).map(|x| PICTURE.seen([x, y as u32], &subject, &sky)).collect::<Vec<_>>()
+        })?;
+        let [plain, filtered] = errors(&seen);
+        let ratio = format!("{:.2}", filtered / plain);
+        let name = subject.name;
+        let alt = format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples");
+        panels.push(Panel::new(stem(name), format!("{name}: {ratio}"), alt, triple(&seen)));
+        rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
+    }
+    let picture = format!("{} × {} pixels, 1024 samples in the mean", PICTURE.width, PICTURE.height);
+    Ok(Drawn::new(2, panels)
+        .fact("picture", picture)
+        .fact("filter", "exact boxes, or up to 32 taps along the pixel's ellipse")
+        .table(["surface", "error of a plain sample", "of a filtered one", "ratio"], rows))
+}
+
+/// A name as a part of a file's.
+fn stem(name: &str) -> String {
+    name.replace(", ", "-").replace(' ', "-")
+}
+
+/// The three pictures side by side, as bright as their mean allows, with visible pixels.
+fn triple(seen: &[Seen]) -> Image {
+    let mut light: Vec<f32> = seen.iter().map(|pixel| pixel.mean.max_element()).collect();
+    light.sort_by(f32::total_cmp);
+    let bright = light.get(light.len() * 19 / 20).copied().unwrap_or(1.0).max(1e-6);
+    let part = |value: fn(&Seen) -> Vec3| {
+        Image::from_fn(PICTURE.width * SIDE, PICTURE.height * SIDE, |x, y| {
+            value(&seen[((y / SIDE) * PICTURE.width + x / SIDE) as usize]) * (0.75 / bright)
+        })
+    };
+    side_by_side(&[part(|p| p.plain), part(|p| p.filtered), part(|p| p.mean)], GAP, Vec3::ONE)
 }
 
 #[cfg(test)]
