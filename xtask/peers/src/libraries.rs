@@ -9,7 +9,7 @@ use crate::{
     scalar::{derivatives, values},
 };
 
-/// What each library has to offer for a row.
+/// Contenders of the libraries for a row.
 pub(crate) const ALL: [fn(Row, f32) -> Option<Contender>; 7] =
     [noise, noise_functions, fastnoise_lite, libnoise, noiz, opensimplex2, bracket_noise];
 

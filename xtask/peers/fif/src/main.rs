@@ -191,7 +191,7 @@ fn median(mut times: Vec<f64>) -> f64 {
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// What a function gives, and the seconds of this thread, where Linux counts them (to some milliseconds), so that other programs take none.
+/// Value of a function, and the seconds of this thread, where Linux counts them (to some milliseconds), so that other programs take none.
 fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
     let thread = || {
         let times = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
