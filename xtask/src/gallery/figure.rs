@@ -2,11 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use asperity_render::integrator::pixels::{Sampling, render};
+use asperity_render::integrator::pixels::{Sampling, render, rows};
 use asperity_render::{geometry::camera::Camera, image::Image, scene::Scene};
 use glam::Vec3;
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::{Interrupted, Result};
@@ -91,17 +90,7 @@ impl Context<'_> {
         count: usize,
         row: impl Fn(usize) -> R + Sync,
     ) -> Result<Vec<T>> {
-        self.progress.inc_length(count as u64);
-        let rows: Result<Vec<Vec<T>>, Interrupted> = (0..count)
-            .into_par_iter()
-            .map(|k| {
-                self.checkpoint()?;
-                let row = row(k).into_iter().collect();
-                self.progress.inc(1);
-                Ok(row)
-            })
-            .collect();
-        Ok(rows?.into_iter().flatten().collect())
+        rows(count, self.progress, self.interrupted, row)
     }
 }
 

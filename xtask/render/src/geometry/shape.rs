@@ -1,8 +1,12 @@
 //! Shapes that rays meet: a sphere, a plane, a mesh or a fractal surface.
 
+use std::sync::Arc;
+
 use glam::{Mat3, Vec2, Vec3};
 
-use crate::geometry::{fractal::Fractal, mesh::TracedMesh, ray::Hit};
+use crate::geometry::fractal::Fractal;
+use crate::geometry::mesh::{Mesh, TracedMesh};
+use crate::geometry::ray::Hit;
 
 /// A shape in its own space, z up.
 pub enum Shape {
@@ -16,6 +20,12 @@ pub enum Shape {
     MeshOnDisk(TracedMesh),
     /// A fractal height field.
     Fractal(Fractal),
+}
+
+impl From<Mesh> for Arc<Shape> {
+    fn from(mesh: Mesh) -> Self {
+        Self::new(Shape::Mesh(TracedMesh::new(mesh)))
+    }
 }
 
 impl Shape {

@@ -70,17 +70,26 @@ fn pixels<S: Fn(u32) -> Vec3>(
     let Sampling { width, height, samples_per_pixel, .. } = sampling;
     let count = samples_per_pixel.max(1);
     let mean = |sample: S| (0..count).fold(Vec3::ZERO, |sum, k| sum + sample(k)) / count as f32;
-    progress.inc_length(u64::from(height));
-    let rows: Result<Vec<Vec<Vec3>>, Interrupted> = (0..height)
-        .into_par_iter()
-        .map(|y| {
-            Interrupted::check(interrupted)?;
-            let row = (0..width).map(|x| mean(pixel(x, y))).collect();
-            progress.inc(1);
-            Ok(row)
-        })
-        .collect();
-    Ok(Image { width, height, pixels: rows?.concat() })
+    let row = |y: usize| (0..width).map(|x| mean(pixel(x, y as u32))).collect::<Vec<_>>();
+    Ok(Image { width, height, pixels: rows(height as usize, progress, interrupted, row)? })
+}
+
+/// Rows one below the other, made on all threads, in their order whatever the number of threads.
+pub fn rows<T: Send, R: IntoIterator<Item = T>>(
+    count: usize,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    row: impl Fn(usize) -> R + Sync,
+) -> Result<Vec<T>, Failure> {
+    progress.inc_length(count as u64);
+    let made = |k| {
+        Interrupted::check(interrupted)?;
+        let row = row(k).into_iter().collect();
+        progress.inc(1);
+        Ok(row)
+    };
+    let rows: Result<Vec<Vec<T>>, Interrupted> = (0..count).into_par_iter().map(made).collect();
+    Ok(rows?.into_iter().flatten().collect())
 }
 
 /// The `k`-th point of the R₂ sequence, shifted on the torus.

@@ -133,11 +133,10 @@ impl Set {
 
     /// The objects, of which the first has the subject's material.
     pub fn objects(self, subject: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
-        let mesh = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
         Ok(match self {
-            Self::Sphere => vec![Object::new(mesh(ball(Vec3::Z, 1.0)), subject), ground(0.0)?],
-            Self::Teapot => vec![Object::new(mesh(teapot()), subject), ground(0.0)?],
-            Self::Vase => vec![Object::new(mesh(revolved(&VASE_PROFILE)), subject), ground(0.0)?],
+            Self::Sphere => vec![Object::new(ball(Vec3::Z, 1.0), subject), ground(0.0)?],
+            Self::Teapot => vec![Object::new(teapot(), subject), ground(0.0)?],
+            Self::Vase => vec![Object::new(revolved(&VASE_PROFILE), subject), ground(0.0)?],
             Self::Plane => vec![Object::new(Shape::Plane, subject)],
             Self::Car => car(subject)?,
             Self::Room => {
@@ -145,16 +144,16 @@ impl Set {
                 let back = Mesh::parallelogram(Vec3::new(-1.0, 1.3, 0.0), [Vec3::X * 3.0, Vec3::Z * 1.6]);
                 let left = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::Y * 2.9, Vec3::Z * 1.6]);
                 vec![
-                    Object::new(mesh(floor), subject),
-                    Object::new(mesh(back), Lambert::new(hex(0xb9_b2a6))?),
-                    Object::new(mesh(left), Lambert::new(hex(0xa9_a49c))?),
-                    Object::new(mesh(ball(Vec3::new(-0.42, 0.72, 0.2), 0.2)), glazed(0.08, hex(0xc9_4a2c))),
+                    Object::new(floor, subject),
+                    Object::new(back, Lambert::new(hex(0xb9_b2a6))?),
+                    Object::new(left, Lambert::new(hex(0xa9_a49c))?),
+                    Object::new(ball(Vec3::new(-0.42, 0.72, 0.2), 0.2), glazed(0.08, hex(0xc9_4a2c))),
                 ]
             }
             Self::Wall => {
                 let wall = Mesh::parallelogram(Vec3::new(-2.0, 0.0, 0.0), [Vec3::X * 60.0, Vec3::Z * 4.0]);
                 let floor = Mesh::parallelogram(Vec3::new(-2.0, -9.0, 0.0), [Vec3::X * 60.0, Vec3::Y * 9.0]);
-                vec![Object::new(mesh(wall), subject), Object::new(mesh(floor), cloth(hex(0x6b_665e))?)]
+                vec![Object::new(wall, subject), Object::new(floor, cloth(hex(0x6b_665e))?)]
             }
         })
     }
@@ -174,7 +173,7 @@ fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
 fn faded_disc(height: f32, colour: Vec3, [from, over]: [f32; 2]) -> Result<Object<'static>, Failure> {
     let cloth = cloth(colour)?;
     let disc = revolved(&[[60.0, height], [9.0, height], [0.0, height]]);
-    Ok(Object::shaded(Shape::Mesh(TracedMesh::new(disc)), move |point, wo| {
+    Ok(Object::shaded(disc, move |point, wo| {
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
         let lobe = Lobe::from(cloth).weighted(Vec3::splat(kept));
@@ -223,7 +222,7 @@ impl Material for Body {
 fn car(paint: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
-    let mut objects = vec![Object::new(Shape::Mesh(TracedMesh::new(car_body())), body)];
+    let mut objects = vec![Object::new(car_body(), body)];
     objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
     let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
     for [x, z] in WHEELS {
@@ -233,8 +232,7 @@ fn car(paint: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
             discs.append(disc);
         }
     }
-    let shape = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
-    objects.push(Object::new(shape(tyres), cloth(hex(0x2a_2a2c))?));
-    objects.push(Object::new(shape(discs), Coat::metal(Vec3::new(0.62, 0.63, 0.65))));
+    objects.push(Object::new(tyres, cloth(hex(0x2a_2a2c))?));
+    objects.push(Object::new(discs, Coat::metal(Vec3::new(0.62, 0.63, 0.65))));
     Ok(objects)
 }

@@ -1,8 +1,7 @@
 //! Figure 7 of Cochran, Lewis and Hart: a fractal object in the corner of a room, with one sample per pixel and with sixteen.
 
 use asperity_fif::paper;
-use asperity_render::geometry::mesh::{Mesh, TracedMesh};
-use asperity_render::geometry::{camera::Camera, fractal::Fractal, ray::Ray, shape::Shape};
+use asperity_render::geometry::{camera::Camera, fractal::Fractal, mesh::Mesh, ray::Ray, shape::Shape};
 use asperity_render::materials::chalk;
 use asperity_render::materials::pattern::{checker, grid};
 use asperity_render::sampling::sampler::{Sampler, hash};
@@ -66,13 +65,14 @@ fn corner() -> Result<Scene<'static, 'static>> {
         let own = (1.0 - gloss.reflectance(wo.z)) * hex(0x2a_7d8c);
         chalk(wo, Vec3::Z, own, own * around(point)).with_coat(mirror)
     };
-    let flat = |corner: Vec3, sides| Shape::Mesh(TracedMesh::new(Mesh::parallelogram(corner, sides)));
-    let floor = flat(Vec3::new(-30.0, -30.0, 0.0), [Vec3::X * (30.0 + SIDE), Vec3::Y * (30.0 + SIDE)]);
+    let floor = [Vec3::X, Vec3::Y].map(|axis| axis * (30.0 + SIDE));
+    let floor = Mesh::parallelogram(Vec3::new(-30.0, -30.0, 0.0), floor);
     // Bricks of 42 by 16 cm, with 2 cm of mortar.
     let brick = Brick::new(0.394, 0.138, 0.022)?;
     let matte = |point: &SurfacePoint, wo, colour: Vec3| chalk(wo, Vec3::Z, colour, colour * around(point));
     let wall = |axis: Vec3, along: Vec3| {
-        let side = flat(Vec3::new(SIDE, SIDE, 0.0), [axis * -(30.0 + SIDE), Vec3::Z * CEILING]);
+        let sides = [axis * -(30.0 + SIDE), Vec3::Z * CEILING];
+        let side = Mesh::parallelogram(Vec3::new(SIDE, SIDE, 0.0), sides);
         Object::shaded(side, move |point, wo| {
             let place = Vec2::new(point.position.dot(along), point.position.z);
             matte(point, wo, bricks(&brick, place))

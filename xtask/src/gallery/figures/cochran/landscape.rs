@@ -1,7 +1,7 @@
 //! A landscape that is no product of curves beside one that is, with the grain of both measured.
 
 use asperity_fif::{Fif, HeightField, Intersect, Surface, Tabulated, Torus, glam::DVec2};
-use asperity_render::geometry::mesh::{Mesh, TracedMesh, Vertex};
+use asperity_render::geometry::mesh::{Mesh, Vertex};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
     geometry::fractal::Fractal, geometry::ray::Ray, geometry::shape::Shape, image::tone::hex,
@@ -90,10 +90,9 @@ fn ground(surface: impl Intersect + Send + Sync + 'static) -> Fractal {
 
 /// A block of ground over the unit square, on a table.
 fn block(ground: Fractal) -> Scene<'static, 'static> {
-    let mesh = |mesh: Mesh| Shape::Mesh(TracedMesh::new(mesh));
-    let sides = [Vec2::X, Vec2::Y].map(|along| Object::shaded(mesh(side(&ground, along)), stone));
+    let sides = [Vec2::X, Vec2::Y].map(|along| Object::shaded(side(&ground, along), stone));
     let [table, wide] = [Vec3::new(-20.0, -20.0, FLOOR), Vec3::splat(41.0)];
-    let table = mesh(Mesh::parallelogram(table, [Vec3::X * wide, Vec3::Y * wide]));
+    let table = Mesh::parallelogram(table, [Vec3::X * wide, Vec3::Y * wide]);
     let mut objects = vec![Object::shaded(Shape::Fractal(ground), land), Object::shaded(table, cloth)];
     objects.extend(sides);
     let lamps = vec![Lamps::one(SUN.normalize(), SUNLIGHT)];

@@ -1,7 +1,7 @@
 //! The marble vase and the steaming tea cup.
 
+use asperity_render::geometry::camera::Camera;
 use asperity_render::geometry::revolution::{revolved, ring};
-use asperity_render::geometry::{camera::Camera, mesh::TracedMesh, shape::Shape};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{Set, backdrop, ground};
 use asperity_render::{
@@ -55,14 +55,13 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
     let (eye, target) = (Vec3::new(1.2, -6.6, 3.0), Vec3::new(0.1, 0.0, 1.15));
     let camera = Camera::new(eye, target, 0.56, sampling.width, sampling.height);
     let studio = Studio::new(1.0);
-    let mesh = |mesh| Shape::Mesh(TracedMesh::new(mesh));
     let china = || glazed(0.1, hex(0xf0_ede6));
     let tea = revolved(&[[0.85, TEA], [0.4, TEA], [0.0, TEA]]);
     let objects = vec![
-        Object::new(mesh(revolved(&CUP_PROFILE)), china()),
-        Object::new(mesh(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065)), china()),
-        Object::new(mesh(revolved(&SAUCER_PROFILE)), china()),
-        Object::new(mesh(tea), glazed(0.05, hex(0x7a_2f10))),
+        Object::new(revolved(&CUP_PROFILE), china()),
+        Object::new(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065), china()),
+        Object::new(revolved(&SAUCER_PROFILE), china()),
+        Object::new(tea, glazed(0.05, hex(0x7a_2f10))),
         ground(0.0)?,
     ];
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
