@@ -48,7 +48,9 @@ pub(crate) fn draw(
     interrupted: &AtomicBool,
 ) -> Result<()> {
     let &Gallery { size, spp: samples_per_pixel, seed, .. } = wanted;
-    let key = format!("{} size {size} spp {samples_per_pixel} seed {seed}", program_digest()?);
+    // A picture is up to date only if this very program drew it.
+    let program = sha256(&std::fs::read(std::env::current_exe()?)?);
+    let key = format!("{program} size {size} spp {samples_per_pixel} seed {seed}");
     let figures = chosen(all, &wanted.only)?;
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
@@ -75,11 +77,6 @@ pub(crate) fn draw(
         output.write(page.file, text.as_bytes())?;
     }
     Ok(())
-}
-
-// A picture is up to date only if this very program drew it.
-fn program_digest() -> Result<String> {
-    Ok(sha256(&std::fs::read(std::env::current_exe()?)?))
 }
 
 /// The record of an earlier run, if all of its pictures are still as they were.

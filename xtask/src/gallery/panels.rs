@@ -1,7 +1,6 @@
-//! Panels of densities over the disk of normals, pictures side by side, and words of rules.
+//! Panels of densities over the disk of normals and pictures side by side.
 
 use asperity_render::{image::Image, integrator::hemisphere::hemisphere, materials::SharedNdf, scenes::peak};
-use asperity_shading::LevelOfDetail;
 use glam::Vec3;
 
 use crate::failure::Result;
@@ -17,14 +16,6 @@ pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, stem: &str, 
     let image = disk(context, peak(ndf), |m| ndf.density(m))?;
     let alt = format!("The density {name} over the disk of normals, brightest at its peak.");
     Ok(Panel::new(stem, format!("the NDF: {name}"), alt, image))
-}
-
-/// The rule's name in a sentence and in a file name.
-pub(crate) fn rule_words(rule: LevelOfDetail) -> [&'static str; 2] {
-    match rule {
-        LevelOfDetail::Exact => ["Exact", "exact"],
-        LevelOfDetail::Fractal => ["Fractal", "fractal"],
-    }
 }
 
 /// Pictures of equal heights in a row.

@@ -8,7 +8,6 @@ use glam::Vec3;
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
-use crate::gallery::panels::rule_words;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 use crate::input::density::painted;
 
@@ -60,7 +59,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let zooms = SHOWN.map(|k| format!("×{:.3}", f64::exp2(k)).replace(".000", ""));
     let rows = cases.iter().map(|case| {
         let shown = DOUBLINGS.iter().zip(&case.ratios).filter(|(k, _)| SHOWN.contains(k));
-        let words = [case.density[1], case.look, rule_words(case.rule)[0]].map(str::to_owned);
+        let words = [case.density[1].to_owned(), case.look.to_owned(), format!("{:?}", case.rule)];
         words.into_iter().chain(shown.map(|(_, ratio)| format!("{ratio:.3}"))).collect::<Vec<_>>()
     });
     Ok(Drawn::new(3, panels)
@@ -103,7 +102,7 @@ fn panel(cases: &[Case<'_>]) -> Result<Panel> {
         let series = (k % 2) as u8 + 1;
         let stroke = if k < 2 { Stroke::solid(series) } else { Stroke::dashed(series) };
         let points = DOUBLINGS.iter().zip(&case.ratios).map(|(k, ratio)| [f64::exp2(*k), *ratio]);
-        plot = plot.curve(format!("{}, {}", rule_words(case.rule)[0], case.look), points, stroke);
+        plot = plot.curve(format!("{:?}, {}", case.rule, case.look), points, stroke);
     }
     let [stem, name] = cases[0].density;
     let label = format!("{name}: mean over the patch / p(h)");

@@ -13,7 +13,7 @@ use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
-use crate::gallery::panels::{density_panel, disk, rule_words};
+use crate::gallery::panels::{density_panel, disk};
 
 /// One picture of an object.
 fn object(
@@ -34,8 +34,8 @@ pub(super) fn ggx([alpha_x, alpha_y]: [f32; 2]) -> String {
 /// With the rule of a picture.
 fn ruled(drawn: Drawn, request: &RenderRequest<'_>) -> Drawn {
     let rule = match request.facets {
-        Facets::Consistent(rule) => rule_words(rule)[0],
-        Facets::Table(_) => "table L, whole density",
+        Facets::Consistent(rule) => format!("{rule:?}"),
+        Facets::Table(_) => "table L, whole density".to_owned(),
     };
     described(drawn.fact("rule", rule), request)
 }
@@ -62,7 +62,8 @@ pub(crate) fn draw_sphere(context: &Context<'_>) -> Result<Drawn> {
             LevelOfDetail::Exact => remaining(context, &ndf)?,
         });
         request.facets = Facets::Consistent(rule);
-        let [name, stem] = rule_words(rule);
+        let name = format!("{rule:?}");
+        let stem = name.to_lowercase();
         for zoom in ZOOMS {
             request.zoom = zoom;
             let (label, alt) =
