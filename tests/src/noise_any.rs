@@ -5,7 +5,7 @@ use std::any::Any;
 use asperity_noise::{
     Field, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
     glam::{Vec2, Vec3, Vec4},
-    simd::{Kernel, LaneSample, Lanes, Sealed},
+    simd::{Kernel, LaneSample, Lanes, Measured},
 };
 
 use crate::noise_kinds::{Testable, Visit, every_dimension, every_kind, every_variant};
@@ -88,24 +88,9 @@ impl<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize> AnySum
 #[derive(Clone, Copy)]
 pub struct AnyKernel<'a, const N: usize>(pub &'a dyn AnyNoise<N>);
 
-impl<const N: usize> Sealed<N> for AnyKernel<'_, N> {}
-
-impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
-    type RowScratch = ();
-
+impl<const N: usize> Measured<N> for AnyKernel<'_, N> {
     fn seed(&self) -> u32 {
         0
-    }
-
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        s.floats(|lane| self.0.value(p.map(|x| s.lane(x, lane)), seed))
-    }
-
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        let samples: Vec<_> =
-            (0..S::LEN).map(|lane| self.0.sample(p.map(|x| s.lane(x, lane)), seed)).collect();
-        let gradient = std::array::from_fn(|axis| s.floats(|lane| samples[lane].gradient[axis]));
-        (s.floats(|lane| samples[lane].value), gradient)
     }
 
     fn statistics(&self) -> &'static Statistics {
@@ -118,6 +103,20 @@ impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
 
     fn absolute_moments(&self) -> [f32; 4] {
         self.0.absolute_moments()
+    }
+}
+
+impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
+    type RowScratch = ();
+
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        let lane = |lane| p.map(|x| s.lane(x, lane));
+        if !GRADIENTS {
+            return (s.floats(|i| self.0.value(lane(i), seed)), p);
+        }
+        let samples: Vec<_> = (0..S::LEN).map(|i| self.0.sample(lane(i), seed)).collect();
+        let gradient = std::array::from_fn(|axis| s.floats(|i| samples[i].gradient[axis]));
+        (s.floats(|i| samples[i].value), gradient)
     }
 }
 

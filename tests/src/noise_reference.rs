@@ -133,6 +133,21 @@ impl Kind {
         Some(gradient)
     }
 
+    /// The factors in 1 to 4 dimensions by which the noise is scaled to its range.
+    #[must_use]
+    pub fn scales(self) -> [f64; 4] {
+        let greatest = match self {
+            Self::White | Self::Sparse(_) | Self::Gaussian(_) => return [1.0; 4],
+            Self::Value | Self::ValueGradient(_) => [1.0; 4],
+            Self::CatmullRom => [1, 2, 3, 4].map(|n| 1.25_f64.powi(n)),
+            Self::Perlin1985 => [1.0, 2.0, 3.0, 4.0].map(|n| f64::sqrt(n) / 2.0),
+            Self::Perlin2002 => [0.5, 1.0, 1.036_353_8, 1.536_582_3],
+            Self::Simplex(0.5) => [0.009_196_735, 0.014_255_562, 0.013_007_157, 0.015_929_222],
+            Self::Simplex(_) => [0.020_895_276, 0.040_844_663, 0.030_584_887, 0.036_730_024],
+        };
+        greatest.map(|greatest| (1.0 - 2e-6) / greatest)
+    }
+
     /// Points that tell the cell or simplex of `p`, in an order that only another cell or simplex changes.
     #[must_use]
     pub fn lattice_points<const D: usize>(self, p: [f64; D]) -> Vec<[i32; D]> {

@@ -172,9 +172,9 @@ pub mod simd {
     pub use crate::contract::hessian::CurvedKernel;
     pub use crate::contract::kernel::Kernel;
     #[doc(hidden)]
-    pub use crate::contract::kernel::Sealed;
+    pub use crate::contract::kernel::Measured;
     pub use crate::lanes::lanes::{Floats, LaneSample, Lanes, Scalar, Words};
     pub use crate::lanes::level::Level;
     pub use crate::row::points::{Points, Target};
-    pub use crate::row::row::Row;
+    pub use crate::row::row::{Row, Strip};
 }

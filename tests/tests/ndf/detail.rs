@@ -6,7 +6,7 @@ use asperity_ndf_sampling::{
     normal_map::{NoiseChain, NormalMapFormat, TangentSpace},
     normal_table::TableLayout,
 };
-use asperity_noise::{Gaussian, Perlin2002, Simplex, simd::Kernel};
+use asperity_noise::{Gaussian, Noise, Perlin2002, Simplex};
 use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::disk_bins::DiskBins;
@@ -148,9 +148,9 @@ fn noise_values_of_a_normal_map_give_it_back() {
     let normals = ground();
     let ndf = estimate_ndf(&normals).unwrap();
     let distributions = [
-        ("Perlin 2002", Kernel::<3>::statistics(&Perlin2002::default()).cdf),
-        ("simplex", Kernel::<3>::statistics(&Simplex::new(0)).cdf),
-        ("Gaussian", Kernel::<3>::statistics(&Gaussian::default()).cdf),
+        ("Perlin 2002", Noise::<Vec3>::statistics(&Perlin2002::default()).cdf),
+        ("simplex", Noise::<Vec3>::statistics(&Simplex::new(0)).cdf),
+        ("Gaussian", Noise::<Vec3>::statistics(&Gaussian::default()).cdf),
     ];
     for (name, cdf) in distributions {
         let chain = NoiseChain { ndf: &ndf, noise: NoiseCdfRef::new(4.0, cdf).unwrap() };

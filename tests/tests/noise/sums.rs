@@ -6,7 +6,7 @@ use asperity_noise::{
     Field, Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Rotation,
     Sample, Simplex, Spectrum, Statistics,
     glam::{Vec2, Vec3, Vec4},
-    simd::{Kernel, LaneSample, Lanes, Sealed},
+    simd::{Kernel, LaneSample, Lanes, Measured},
 };
 use asperity_tests::{
     noise_reference::{Kind, difference},
@@ -16,26 +16,22 @@ use asperity_tests::{
 /// A noise that is 0 and notes where an octave asks for it, and with which seed.
 struct Notes<'a, const N: usize>(&'a RefCell<Vec<(u32, [f32; N])>>);
 
-impl<const N: usize> Sealed<N> for Notes<'_, N> {}
-
-impl<const N: usize> Kernel<N> for Notes<'_, N> {
-    type RowScratch = ();
-
+impl<const N: usize> Measured<N> for Notes<'_, N> {
     fn seed(&self) -> u32 {
         0
     }
 
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        self.0.borrow_mut().push((seed, p.map(|x| s.lane(x, 0))));
-        s.float(0.0)
-    }
-
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        (self.lane_values(s, p, seed), [s.float(0.0); N])
-    }
-
     fn statistics(&self) -> &'static Statistics {
         Noise::<f32>::statistics(&Perlin2002::default())
+    }
+}
+
+impl<const N: usize> Kernel<N> for Notes<'_, N> {
+    type RowScratch = ();
+
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        self.0.borrow_mut().push((seed, p.map(|x| s.lane(x, 0))));
+        (s.float(0.0), [s.float(0.0); N])
     }
 }
 
@@ -106,7 +102,6 @@ fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     octaves: &[Octave<N>],
     (amplitudes, norm): &(Vec<f64>, f64),
     kind: Kind,
-    scale: f64,
     sample: impl Fn(V) -> Sample<V>,
 ) -> [f64; 2] {
     let value = |p: [f64; N]| {
@@ -114,7 +109,7 @@ fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
             let q: [f64; N] = std::array::from_fn(|row| {
                 octave.offset[row] + octave.matrix[row].iter().zip(p).map(|(m, x)| m * x).sum::<f64>()
             });
-            amplitude * scale * kind.value(q, octave.seed)
+            amplitude * kind.scales()[N - 1] * kind.value(q, octave.seed)
         });
         terms.sum::<f64>() / norm
     };
@@ -154,7 +149,6 @@ fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(
     name: &str,
     noise: K,
     kind: Kind,
-    scale: f64,
 ) {
     let spectrum = Spectrum::default();
     let sigma = f64::from(noise.statistics().standard_deviation);
@@ -167,32 +161,21 @@ fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(
                     .with_rotation(rotation);
                 let octaves = octaves::<V, N>(spectrum, rotation, seed, f32::ceil(count) as usize);
                 let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
-                let worst = errors(&octaves, &amplitudes, kind, scale, |p: V| sum.detail(count).sample(p));
+                let worst = errors(&octaves, &amplitudes, kind, |p: V| sum.detail(count).sample(p));
                 assert_close(&format!("{name} {N}-D {rotation:?} {normalisation:?}"), worst);
             }
         }
     }
 }
 
-/// The scale of a kind is that of its values: the reference is not scaled.
-fn scale<V: Point<Coordinates = [f32; N]>, K: Noise<V> + Copy, const N: usize>(noise: &K, kind: Kind) -> f64 {
-    let p = [0.37, -0.61, 0.23, 0.54];
-    let p: [f32; N] = std::array::from_fn(|axis| p[axis]);
-    // The seed where the noise is greatest, for the least error.
-    let at = |seed| kind.value(p.map(f64::from), seed);
-    let seed = (0..200).max_by(|&a, &b| at(a).abs().total_cmp(&at(b).abs())).unwrap_or(0);
-    f64::from(noise.with_seed(seed).value(V::from_coordinates(p))) / at(seed)
-}
-
 fn sums<K>(name: &str, noise: K, kind: Kind)
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy,
 {
-    sum::<f32, K, 1>(name, noise, kind, scale::<f32, K, 1>(&noise, kind));
-    sum::<Vec2, K, 2>(name, noise, kind, scale::<Vec2, K, 2>(&noise, kind));
-    sum::<Vec3, K, 3>(name, noise, kind, scale::<Vec3, K, 3>(&noise, kind));
-    sum::<Vec4, K, 4>(name, noise, kind, scale::<Vec4, K, 4>(&noise, kind));
+    sum::<f32, K, 1>(name, noise, kind);
+    sum::<Vec2, K, 2>(name, noise, kind);
+    sum::<Vec3, K, 3>(name, noise, kind);
+    sum::<Vec4, K, 4>(name, noise, kind);
 }
 
 #[test]
@@ -213,10 +196,9 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
         let sum = GaussianOctaves::<N>::new(Gaussian::new(seed), spectrum);
         let octaves = octaves::<V, N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
         let amplitudes = amplitudes(&spectrum, count, Normalisation::Variance, 1.0);
-        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), 1.0, |p: V| sum.detail(count).sample(p));
+        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), |p: V| sum.detail(count).sample(p));
         assert_close(&format!("Gaussian octaves {N}-D"), worst);
-        let worst =
-            errors(&octaves, &amplitudes, Kind::Gaussian(1), 1.0, |p: V| sum.detail(count).pair(p)[1]);
+        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(1), |p: V| sum.detail(count).pair(p)[1]);
         assert_close(&format!("Gaussian octaves {N}-D, second channel"), worst);
     }
 }

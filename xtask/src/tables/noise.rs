@@ -1,9 +1,9 @@
 //! The tables of noise: the lattice of a seed, and the measured distributions G of the kinds.
 
 use asperity_noise::lattice::{PermutationTable, gaussian_corner};
-use asperity_noise::simd::Kernel;
-use asperity_noise::{Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Statistics};
+use asperity_noise::{Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Statistics};
 use asperity_render::image::formats::npy;
+use glam::{Vec2, Vec3, Vec4};
 use serde_json::{Map, json};
 
 use super::made::Made;
@@ -80,13 +80,13 @@ pub(super) fn distributions() -> Result<Made, Failure> {
 /// The statistics of a kind in 1 to 4 dimensions.
 fn statistics<K>(noise: &K) -> [&'static Statistics; 4]
 where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4>,
 {
     [
-        Kernel::<1>::statistics(noise),
-        Kernel::<2>::statistics(noise),
-        Kernel::<3>::statistics(noise),
-        Kernel::<4>::statistics(noise),
+        Noise::<f32>::statistics(noise),
+        Noise::<Vec2>::statistics(noise),
+        Noise::<Vec3>::statistics(noise),
+        Noise::<Vec4>::statistics(noise),
     ]
 }
 

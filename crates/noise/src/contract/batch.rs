@@ -63,7 +63,7 @@ impl Batch {
         points: &[V],
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        many::values(self.level, |points, target| field.fill(points, target), points, values)
+        many::values(self.level, &|points, target| field.fill(points, target), points, values)
     }
 
     /// [`Field::samples`] at the level.
@@ -77,7 +77,7 @@ impl Batch {
         points: &[V],
         samples: &mut [Sample<V>],
     ) -> Result<(), BatchError> {
-        many::samples(self.level, |points, target| field.fill(points, target), points, samples)
+        many::samples(self.level, &|points, target| field.fill(points, target), points, samples)
     }
 
     /// [`Field::grid_values`] at the level.
@@ -91,7 +91,7 @@ impl Batch {
         grid: &Grid<V>,
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        many::grid(self.level, |points, target| field.fill(points, target), grid, values, None)
+        many::grid(self.level, &|points, target| field.fill(points, target), grid, values, None)
     }
 
     /// [`Field::grid_samples`] at the level.
@@ -106,7 +106,7 @@ impl Batch {
         values: &'a mut [f32],
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
-        many::grid(self.level, |points, target| field.fill(points, target), grid, values, Some(gradients))
+        many::grid(self.level, &|points, target| field.fill(points, target), grid, values, Some(gradients))
     }
 
     /// The values at points given by lists of their coordinates, one for each axis.
@@ -120,7 +120,7 @@ impl Batch {
         points: V::Array<&[f32]>,
         values: &mut [f32],
     ) -> Result<(), BatchError> {
-        many::lists(self.level, |points, target| field.fill(points, target), points, values, None)
+        many::lists(self.level, &|points, target| field.fill(points, target), points, values, None)
     }
 
     /// Values and gradients at points given by lists of their coordinates, one for each axis.
@@ -135,6 +135,6 @@ impl Batch {
         values: &'a mut [f32],
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
-        many::lists(self.level, |points, target| field.fill(points, target), points, values, Some(gradients))
+        many::lists(self.level, &|points, target| field.fill(points, target), points, values, Some(gradients))
     }
 }

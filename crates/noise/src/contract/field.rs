@@ -76,7 +76,7 @@ pub trait Field<V: Point> {
     ///
     /// If `values` is not as long as `points`.
     fn values(&self, points: &[V], values: &mut [f32]) -> Result<(), BatchError> {
-        many::values(Level::best(), |points, target| self.fill(points, target), points, values)
+        many::values(Level::best(), &|points, target| self.fill(points, target), points, values)
     }
 
     /// Values and gradients at points.
@@ -85,7 +85,7 @@ pub trait Field<V: Point> {
     ///
     /// If `samples` is not as long as `points`.
     fn samples(&self, points: &[V], samples: &mut [Sample<V>]) -> Result<(), BatchError> {
-        many::samples(Level::best(), |points, target| self.fill(points, target), points, samples)
+        many::samples(Level::best(), &|points, target| self.fill(points, target), points, samples)
     }
 
     /// The values on a grid, the first axis running fastest.
@@ -94,7 +94,7 @@ pub trait Field<V: Point> {
     ///
     /// If `values` does not hold as many numbers as the grid has points.
     fn grid_values(&self, grid: &Grid<V>, values: &mut [f32]) -> Result<(), BatchError> {
-        many::grid(Level::best(), |points, target| self.fill(points, target), grid, values, None)
+        many::grid(Level::best(), &|points, target| self.fill(points, target), grid, values, None)
     }
 
     /// Values and gradients on a grid, the first axis running fastest; one slice for each component of the gradient.
@@ -121,7 +121,7 @@ pub trait Field<V: Point> {
         values: &'a mut [f32],
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
-        many::grid(Level::best(), |points, target| self.fill(points, target), grid, values, Some(gradients))
+        many::grid(Level::best(), &|points, target| self.fill(points, target), grid, values, Some(gradients))
     }
 
     /// Evaluation of lists and grids: point by point, unless a field of this crate knows better.

@@ -1,60 +1,22 @@
 //! The SIMD-generic interface that every kind of noise implements once; single points, rows and lists share it.
 
+use core::array;
+
 use crate::{
     lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
     lanes::level::{Instructions, Task},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::points::{Points, Source, Target, buffers, by_axes},
-    row::row::{Row, put, put_sample},
+    row::row::{Row, Strip, put},
     statistics::statistics::Statistics,
 };
 
-/// Kinds of noise of this crate. Not for users: its methods may change in any release.
+/// What a kind of noise of this crate knows of itself. Not for users: its methods may change in any release.
 #[doc(hidden)]
-pub trait Sealed<const N: usize> {}
-
-/// A kind of noise in N dimensions, written over [`Lanes`].
-///
-/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits. Sealed: a field of one's
-/// own implements [`Field`](crate::Field).
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no kind of noise in {N} dimensions",
-    note = "octaves are summed of the kinds of this crate, `Perlin2002` for instance; any field can be added, multiplied, \
-            blended, clamped, mapped and warped"
-)]
-pub trait Kernel<const N: usize>: Sealed<N> {
-    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells
-    /// modulo 2³².
-    const REACH: f32 = REACH;
-
-    /// Intermediate results that rows of a grid share, from row to row.
-    type RowScratch: Default;
-
+pub trait Measured<const N: usize> {
     /// The seed of the noise by itself; octaves have seeds of their own.
     fn seed(&self) -> u32;
-
-    /// The values at points.
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F;
-
-    /// Values and gradients at points.
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
-
-    /// The values along a row, and the gradients if `GRADIENTS`. What does not change along it may be computed once.
-    ///
-    /// `gradients` are there if `GRADIENTS`, and as long as `values` or longer.
-    #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        row: &Row<N>,
-        seed: u32,
-        _scratch: &mut Self::RowScratch,
-        values: &mut [f32],
-        gradients: Option<&mut [&mut [f32]; N]>,
-    ) {
-        by_lanes::<Self, S, N, GRADIENTS>(s, self, row, seed, values, gradients);
-    }
 
     /// The measured statistics of the kind in this dimension.
     fn statistics(&self) -> &'static Statistics;
@@ -65,56 +27,81 @@ pub trait Kernel<const N: usize>: Sealed<N> {
     }
 
     /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
-    ///
-    /// Measured for the kinds of this crate. The default is that of N(0, σ²), σ being the standard deviation: √(2/π) σ, σ²,
-    /// 2√(2/π) σ³ and 3σ⁴.
     fn absolute_moments(&self) -> [f32; 4] {
-        gaussian_moments(self.standard_deviation())
+        self.statistics().absolute_moments
     }
 }
 
-/// E|n|ᵏ of N(0, σ²), k = 1 … 4.
-pub(crate) fn gaussian_moments(sigma: f32) -> [f32; 4] {
-    const FIRST: f32 = 0.797_884_6;
-    let square = sigma * sigma;
-    [FIRST * sigma, square, 2.0 * FIRST * (square * sigma), 3.0 * (square * square)]
-}
+/// A kind of noise in N dimensions, written over [`Lanes`].
+///
+/// Points have finite coordinates of at most 2³¹ in magnitude. Every method gives a point the same bits. Sealed: a field of one's
+/// own implements [`Field`](crate::Field).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no kind of noise in {N} dimensions",
+    note = "octaves are summed of the kinds of this crate, `Perlin2002` for instance; any field can be added, multiplied, \
+            blended, clamped, mapped and warped"
+)]
+pub trait Kernel<const N: usize>: Measured<N> {
+    /// The noise is 0 from where Σ |xᵢ| reaches this. By default coordinates go on to ∞ with their cells
+    /// modulo 2³².
+    const REACH: f32 = REACH;
 
-/// The values at any points.
-#[inline(always)]
-pub(crate) fn values<K: Kernel<N>, S: Lanes, const N: usize>(
-    kernel: &K,
-    s: S,
-    p: [S::F; N],
-    seed: u32,
-) -> S::F {
-    if is_within(s, &p, K::REACH) {
-        kernel.lane_values(s, p, seed)
-    } else {
-        s.floats(|lane| far_value(kernel, p.map(|x| s.lane(x, lane)), seed))
+    /// Intermediate results that rows of a grid share, from row to row.
+    type RowScratch: Default;
+
+    /// The values at points, and the gradients if `GRADIENTS`; else those are of no meaning.
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
+
+    /// The values along a row, and the gradients if `GRADIENTS`. What does not change along it may be computed once.
+    #[inline(always)]
+    fn rows<S: Lanes, const GRADIENTS: bool>(
+        &self,
+        s: S,
+        _: &mut Self::RowScratch,
+        strip: Strip<'_, N, GRADIENTS>,
+    ) {
+        by_lanes(s, self, strip);
     }
 }
 
-/// Values and gradients at any points.
+/// The values at any points, and the gradients if `GRADIENTS`.
 #[inline(always)]
-pub(crate) fn samples<K: Kernel<N>, S: Lanes, const N: usize>(
+fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
     s: S,
     p: [S::F; N],
     seed: u32,
 ) -> LaneSample<S, N> {
     if is_within(s, &p, K::REACH) {
-        return kernel.lane_samples(s, p, seed);
+        return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
     }
     let mut far = [(0.0, [0.0; N]); LANES];
     for lane in 0..S::LEN {
-        far[lane % LANES] = far_sample(kernel, p.map(|x| s.lane(x, lane)), seed);
+        far[lane % LANES] = evaluate_far::<K, N, GRADIENTS>(kernel, p.map(|x| s.lane(x, lane)), seed);
     }
     let mut gradient = p;
-    for axis in 0..N {
-        gradient[axis] = s.floats(|lane| far[lane % LANES].1[axis]);
+    if GRADIENTS {
+        for axis in 0..N {
+            gradient[axis] = s.floats(|lane| far[lane % LANES].1[axis]);
+        }
     }
     (s.floats(|lane| far[lane % LANES].0), gradient)
+}
+
+/// The value at any point.
+#[inline(always)]
+pub(crate) fn value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
+    evaluate::<K, Scalar, N, false>(kernel, Scalar, p, seed).0
+}
+
+/// Value and gradient at any point.
+#[inline(always)]
+pub(crate) fn sample<K: Kernel<N>, const N: usize>(
+    kernel: &K,
+    p: [f32; N],
+    seed: u32,
+) -> LaneSample<Scalar, N> {
+    evaluate::<K, Scalar, N, true>(kernel, Scalar, p, seed)
 }
 
 /// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
@@ -131,36 +118,24 @@ pub(crate) fn evaluated<K: Kernel<N> + ?Sized, const N: usize>(p: [f32; N]) -> O
 
 #[cold]
 #[inline(never)]
-fn far_value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
-    evaluated::<K, N>(p).map_or(0.0, |p| kernel.lane_values(Scalar, p, seed))
-}
-
-#[cold]
-#[inline(never)]
-fn far_sample<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> (f32, [f32; N]) {
-    evaluated::<K, N>(p).map_or((0.0, [0.0; N]), |p| kernel.lane_samples(Scalar, p, seed))
+fn evaluate_far<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
+    kernel: &K,
+    p: [f32; N],
+    seed: u32,
+) -> LaneSample<Scalar, N> {
+    evaluated::<K, N>(p).map_or((0.0, [0.0; N]), |p| kernel.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed))
 }
 
 /// Values along a row, and gradients if `GRADIENTS`, from as many single points at once as there are lanes.
 #[inline(always)]
-pub(crate) fn by_lanes<K, S: Lanes, const N: usize, const GRADIENTS: bool>(
+pub(crate) fn by_lanes<K: Kernel<N> + ?Sized, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     kernel: &K,
-    row: &Row<N>,
-    seed: u32,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
-) where
-    K: Kernel<N> + ?Sized,
-{
-    for i in (0..values.len()).step_by(S::LEN) {
-        let p = row.points(s, i);
-        match &mut gradients {
-            Some(gradients) if GRADIENTS => {
-                put_sample(s, kernel.lane_samples(s, p, seed), values, gradients, i);
-            }
-            _ => put(s, kernel.lane_values(s, p, seed), values, i, values.len()),
-        }
+    mut strip: Strip<'_, N, GRADIENTS>,
+) {
+    for i in (0..strip.values.len()).step_by(S::LEN) {
+        let p = strip.row.points(s, i);
+        strip.put(s, kernel.evaluate::<S, GRADIENTS>(s, p, strip.seed), i);
     }
 }
 
@@ -215,10 +190,11 @@ impl<K: Kernel<N>, const N: usize> Task for FillRow<'_, K, N> {
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, seed, row, scratch, values, gradients } = self;
         match gradients {
-            Some(mut gradients) => {
-                kernel.rows::<S, true>(s, &row, seed, scratch, values, Some(&mut gradients));
+            Some(gradients) => kernel.rows(s, scratch, Strip::<N, true> { row, seed, values, gradients }),
+            None => {
+                let gradients = array::from_fn(|_| <&mut [f32]>::default());
+                kernel.rows(s, scratch, Strip::<N, false> { row, seed, values, gradients });
             }
-            None => kernel.rows::<S, false>(s, &row, seed, scratch, values, None),
         }
     }
 }
@@ -243,18 +219,22 @@ impl<K: Kernel<N>, const N: usize> FillList<'_, K, N> {
 impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
-        let Self { kernel, seed, points, values: out, gradients } = self;
-        let count = out.len();
+        let Self { kernel, seed, points, values, gradients } = self;
+        let count = values.len();
         match gradients {
-            Some(mut gradients) => {
+            Some(gradients) => {
                 for i in (0..count).step_by(S::LEN) {
-                    let sample = samples(kernel, s, load(s, &points, i), seed);
-                    put_sample(s, sample, out, &mut gradients, i);
+                    let (value, gradient) = evaluate::<K, S, N, true>(kernel, s, load(s, &points, i), seed);
+                    put(s, value, values, i, count);
+                    for axis in 0..N {
+                        put(s, gradient[axis], gradients[axis], i, count);
+                    }
                 }
             }
             None => {
                 for i in (0..count).step_by(S::LEN) {
-                    put(s, values(kernel, s, load(s, &points, i), seed), out, i, count);
+                    let (value, _) = evaluate::<K, S, N, false>(kernel, s, load(s, &points, i), seed);
+                    put(s, value, values, i, count);
                 }
             }
         }
@@ -284,7 +264,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
     let instructions = target.instructions;
     if let Source::Lists(lists) = &points.0 {
         let (values, gradients) = target.row(0, points.width());
-        let points = core::array::from_fn(|axis| lists.as_ref()[axis]);
+        let points = array::from_fn(|axis| lists.as_ref()[axis]);
         let gradients = gradients.map(by_axes::<V, N>);
         FillList { kernel, seed, points, values, gradients }.at(instructions);
     } else if points.len() < FEW_POINTS {
@@ -293,7 +273,7 @@ pub(crate) fn fill<K: Kernel<N>, V: Point<Coordinates = [f32; N]>, const N: usiz
         let width = points.width().max(1);
         for row in 0..points.rows() {
             let part = row * width..(row + 1) * width;
-            let points = core::array::from_fn(|axis| &lists.as_ref()[axis][part.clone()]);
+            let points = array::from_fn(|axis| &lists.as_ref()[axis][part.clone()]);
             let (values, gradients) = target.row(row, width);
             let gradients = gradients.map(by_axes::<V, N>);
             FillList { kernel, seed, points, values, gradients }.at(instructions);

@@ -10,13 +10,16 @@ use crate::{
     sample::Sample,
 };
 
+/// What fills a list or a grid; by reference, so that one field's batches are not compiled beside another's.
+type Fill<'f, V> = &'f dyn Fn(&Points<'_, V>, Target<'_, V>);
+
 /// Points that are gone through at once where their coordinates lie point by point.
 const LIST: usize = 128;
 
 /// Values at points, by what fills a list.
 pub(crate) fn values<V: Point>(
     level: Level,
-    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    fill: Fill<'_, V>,
     points: &[V],
     values: &mut [f32],
 ) -> Result<(), BatchError> {
@@ -34,7 +37,7 @@ pub(crate) fn values<V: Point>(
 /// Values and gradients at points, by what fills a list.
 pub(crate) fn samples<V: Point>(
     level: Level,
-    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    fill: Fill<'_, V>,
     points: &[V],
     samples: &mut [Sample<V>],
 ) -> Result<(), BatchError> {
@@ -55,7 +58,7 @@ pub(crate) fn samples<V: Point>(
 /// Values on a grid, and gradients if there is room for them.
 pub(crate) fn grid<'a, V: Point>(
     level: Level,
-    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    fill: Fill<'_, V>,
     grid: &Grid<V>,
     values: &'a mut [f32],
     gradients: Option<V::Array<&'a mut [f32]>>,
@@ -69,7 +72,7 @@ pub(crate) fn grid<'a, V: Point>(
 /// Values at points given by lists of their coordinates, and gradients if there is room for them.
 pub(crate) fn lists<'a, V: Point>(
     level: Level,
-    fill: impl Fn(&Points<'_, V>, Target<'_, V>),
+    fill: Fill<'_, V>,
     points: V::Array<&[f32]>,
     values: &'a mut [f32],
     gradients: Option<V::Array<&'a mut [f32]>>,

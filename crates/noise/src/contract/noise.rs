@@ -36,19 +36,19 @@ pub trait Noise<V: Point>: Field<V> {
         Self: Sized;
 }
 
-/// A kind without parameters: its constructor, its seed and its lattice.
+/// The constructors of a kind: of its parameters, if it has any, with the values that they begin with.
 macro_rules! kind {
-    ($kind:ident) => {
+    ($kind:ident $({ $parameter:ident: $value:expr }, $about:literal)?) => {
         impl $kind {
-            /// The noise that `seed` selects.
+            #[doc = concat!("The noise that `seed` selects", $(", ", $about,)? ".")]
             #[must_use]
             pub const fn new(seed: u32) -> Self {
-                Self { seed, lattice: IntegerHash }
+                Self { seed, $($parameter: $value,)? lattice: $crate::lattice::integer_hash::IntegerHash }
             }
         }
 
         impl Default for $kind {
-            /// Seed 0.
+            #[doc = concat!("Seed 0", $(", ", $about,)? ".")]
             fn default() -> Self {
                 Self::new(0)
             }
@@ -58,7 +58,7 @@ macro_rules! kind {
             /// Its words drawn from another lattice.
             #[must_use]
             pub fn with_lattice<M>(self, lattice: M) -> $kind<M> {
-                $kind { seed: self.seed, lattice }
+                $kind { seed: self.seed, $($parameter: self.$parameter,)? lattice }
             }
 
             /// Another seed.
@@ -67,80 +67,42 @@ macro_rules! kind {
                 Self { seed, ..self }
             }
         }
+
+        impl<L: $crate::lattice::lattice::Lattice> $crate::lattice::lattice::OnLattice for $kind<L> {
+            type Lattice = L;
+
+            #[inline(always)]
+            fn lattice(&self) -> &L {
+                &self.lattice
+            }
+        }
     };
 }
 
 pub(crate) use kind;
 
-/// The public traits of a kind that is a [`Kernel`](crate::simd::Kernel).
+/// What a kind knows of itself where all of it is in a table.
+macro_rules! measured {
+    ($kind:ident, |$self:ident| $table:expr) => {
+        impl<L, const N: usize> $crate::contract::kernel::Measured<N> for $kind<L> {
+            fn seed(&$self) -> u32 {
+                $self.seed
+            }
+
+            fn statistics(&$self) -> &'static $crate::statistics::statistics::Statistics {
+                let table: &[_; 4] = $table;
+                &table[N - 1]
+            }
+        }
+    };
+}
+
+pub(crate) use measured;
+
+/// The public traits of a kind that is a [`Kernel`](crate::simd::Kernel), in all dimensions or in one.
 macro_rules! noise {
     ($kind:ident) => {
-        impl<V, L, const N: usize> $crate::contract::field::Field<V> for $kind<L>
-        where
-            V: $crate::point::Point<Coordinates = [f32; N]>,
-            L: $crate::lattice::lattice::Lattice,
-        {
-            #[inline]
-            fn sample(&self, p: V) -> $crate::sample::Sample<V> {
-                let (value, gradient) = $crate::contract::kernel::samples(
-                    self,
-                    $crate::lanes::lanes::Scalar,
-                    p.coordinates(),
-                    self.seed,
-                );
-                $crate::sample::Sample { value, gradient: V::from_coordinates(gradient) }
-            }
-
-            #[inline]
-            fn value(&self, p: V) -> f32 {
-                $crate::contract::kernel::values(
-                    self,
-                    $crate::lanes::lanes::Scalar,
-                    p.coordinates(),
-                    self.seed,
-                )
-            }
-
-            fn range(&self) -> [f32; 2] {
-                let range = $crate::contract::kernel::Kernel::<N>::statistics(self).range;
-                [-range, range]
-            }
-
-            fn fill(
-                &self,
-                points: &$crate::row::points::Points<'_, V>,
-                target: $crate::row::points::Target<'_, V>,
-            ) {
-                $crate::contract::kernel::fill::<Self, V, N>(self, points, target);
-            }
-        }
-
-        impl<V, L, const N: usize> $crate::contract::noise::Noise<V> for $kind<L>
-        where
-            V: $crate::point::Point<Coordinates = [f32; N]>,
-            L: $crate::lattice::lattice::Lattice,
-        {
-            fn statistics(&self) -> &'static $crate::statistics::statistics::Statistics {
-                $crate::contract::kernel::Kernel::<N>::statistics(self)
-            }
-
-            fn standard_deviation(&self) -> f32 {
-                $crate::contract::kernel::Kernel::<N>::standard_deviation(self)
-            }
-
-            fn absolute_moments(&self) -> [f32; 4] {
-                $crate::contract::kernel::Kernel::<N>::absolute_moments(self)
-            }
-
-            fn seed(&self) -> u32 {
-                self.seed
-            }
-
-            #[inline]
-            fn with_seed(self, seed: u32) -> Self {
-                $kind::with_seed(self, seed)
-            }
-        }
+        noise!($kind, [, const N: usize], N);
     };
     ($kind:ident, curved) => {
         noise!($kind);
@@ -153,6 +115,66 @@ macro_rules! noise {
             #[inline]
             fn second_order(&self, p: V) -> $crate::sample::SecondOrder<V> {
                 $crate::contract::hessian::at(self, p.coordinates(), self.seed).at()
+            }
+        }
+    };
+    ($kind:ident, [$($generic:tt)*], $n:tt) => {
+        impl<V, L $($generic)*> $crate::contract::field::Field<V> for $kind<L>
+        where
+            V: $crate::point::Point<Coordinates = [f32; $n]>,
+            L: $crate::lattice::lattice::Lattice,
+        {
+            #[inline]
+            fn sample(&self, p: V) -> $crate::sample::Sample<V> {
+                let seed = $crate::contract::kernel::Measured::<$n>::seed(self);
+                let (value, gradient) = $crate::contract::kernel::sample(self, p.coordinates(), seed);
+                $crate::sample::Sample { value, gradient: V::from_coordinates(gradient) }
+            }
+
+            #[inline]
+            fn value(&self, p: V) -> f32 {
+                let seed = $crate::contract::kernel::Measured::<$n>::seed(self);
+                $crate::contract::kernel::value(self, p.coordinates(), seed)
+            }
+
+            fn range(&self) -> [f32; 2] {
+                let range = $crate::contract::kernel::Measured::<$n>::statistics(self).range;
+                [-range, range]
+            }
+
+            fn fill(
+                &self,
+                points: &$crate::row::points::Points<'_, V>,
+                target: $crate::row::points::Target<'_, V>,
+            ) {
+                $crate::contract::kernel::fill::<Self, V, $n>(self, points, target);
+            }
+        }
+
+        impl<V, L $($generic)*> $crate::contract::noise::Noise<V> for $kind<L>
+        where
+            V: $crate::point::Point<Coordinates = [f32; $n]>,
+            L: $crate::lattice::lattice::Lattice,
+        {
+            fn statistics(&self) -> &'static $crate::statistics::statistics::Statistics {
+                $crate::contract::kernel::Measured::<$n>::statistics(self)
+            }
+
+            fn standard_deviation(&self) -> f32 {
+                $crate::contract::kernel::Measured::<$n>::standard_deviation(self)
+            }
+
+            fn absolute_moments(&self) -> [f32; 4] {
+                $crate::contract::kernel::Measured::<$n>::absolute_moments(self)
+            }
+
+            fn seed(&self) -> u32 {
+                $crate::contract::kernel::Measured::<$n>::seed(self)
+            }
+
+            #[inline]
+            fn with_seed(self, seed: u32) -> Self {
+                $kind::with_seed(self, seed)
             }
         }
     };

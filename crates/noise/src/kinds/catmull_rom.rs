@@ -6,17 +6,13 @@
 use crate::{
     contract::kernel::{Kernel, by_lanes},
     lanes::lanes::{LaneSample, Lanes, Scalar},
-    lattice::lattice::{Lattice, cell},
+    lattice::lattice::{Lattice, OnLattice, cell},
     row::cells::{end_of_cell, has_columns},
-    row::row::{Row, put, put_sample},
+    row::row::Strip,
 };
 
 /// A noise by its numbers at lattice points.
-pub(crate) trait SplineNoise<const N: usize> {
-    /// The source of the words.
-    type Lattice: Lattice;
-
-    fn lattice(&self) -> &Self::Lattice;
+pub(crate) trait SplineNoise<const N: usize>: OnLattice {
     fn number<S: Lanes>(&self, s: S, word: S::U) -> S::F;
 }
 
@@ -150,14 +146,14 @@ impl<S: Lanes, const N: usize> Section<S, N> {
     }
 }
 
-/// The cubics through a point's columns, of their blends and derivatives, and the place between them.
+/// The value of the noise at points, and its gradient if `GRADIENTS`.
 #[inline(always)]
-fn cubics<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+pub(crate) fn spline<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
     p: [S::F; N],
     seed: u32,
-) -> ([Cubic<S>; N], S::F) {
+) -> LaneSample<S, N> {
     let section = Section::new(s, noise, &p);
     let (cell, t) = cell(s, p[0]);
     let terms = terms(s, noise.lattice(), 0, cell);
@@ -170,38 +166,22 @@ fn cubics<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
         let ends = [columns[0][axis], columns[1][axis], columns[2][axis], columns[3][axis]];
         cubics[axis] = Cubic::new(s, ends);
     }
-    (cubics, t)
+    at::<S, N, GRADIENTS>(s, &cubics, t)
 }
 
-/// [`Kernel::lane_values`] of the noise.
+/// The value of the first cubic, and if `GRADIENTS` its slope beside the values of the others.
 #[inline(always)]
-pub(crate) fn spline_values<K: SplineNoise<N>, S: Lanes, const N: usize>(
+fn at<S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
-    noise: &K,
-    p: [S::F; N],
-    seed: u32,
-) -> S::F {
-    let (cubics, t) = cubics::<K, S, N, false>(s, noise, p, seed);
-    cubics[0].value(t)
-}
-
-/// [`Kernel::lane_samples`] of the noise.
-#[inline(always)]
-pub(crate) fn spline_samples<K: SplineNoise<N>, S: Lanes, const N: usize>(
-    s: S,
-    noise: &K,
-    p: [S::F; N],
-    seed: u32,
+    cubics: &[Cubic<S>; N],
+    t: S::F,
 ) -> LaneSample<S, N> {
-    let (cubics, t) = cubics::<K, S, N, true>(s, noise, p, seed);
-    at(s, &cubics, t)
-}
-
-#[inline(always)]
-fn at<S: Lanes, const N: usize>(s: S, cubics: &[Cubic<S>; N], t: S::F) -> LaneSample<S, N> {
-    let mut gradient = [cubics[0].derivative(s, t); N];
-    for axis in 1..N {
-        gradient[axis] = cubics[axis].value(t);
+    let mut gradient = [t; N];
+    if GRADIENTS {
+        gradient[0] = cubics[0].derivative(s, t);
+        for axis in 1..N {
+            gradient[axis] = cubics[axis].value(t);
+        }
     }
     (cubics[0].value(t), gradient)
 }
@@ -220,14 +200,11 @@ type Numbers = [f32; COLUMNS + SPARE];
 pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
-    row: &Row<N>,
-    seed: u32,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
+    mut strip: Strip<'_, N, GRADIENTS>,
 ) {
-    let count = values.len();
+    let (row, seed, count) = (strip.row, strip.seed, strip.values.len());
     let mut i = 0;
-    if has_columns(row, count, LONG_STEP) {
+    if has_columns(&row, count, LONG_STEP) {
         let section = Section::<Scalar, N>::new(Scalar, noise, &row.origin());
         let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
         let mut cubics = [[[0.0; COLUMNS + SPARE]; 4]; N];
@@ -240,7 +217,7 @@ pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usiz
             for j in 0..cells {
                 let k = if descending { cells - 1 - j } else { j };
                 let floor = leftmost.wrapping_add(k as i32) as f32;
-                let end = end_of_cell(row, floor, inverse, i, count);
+                let end = end_of_cell(&row, floor, inverse, i, count);
                 let mut here = [Cubic([s.float(0.0); 4]); N];
                 for axis in 0..if GRADIENTS { N } else { 1 } {
                     for c in 0..4 {
@@ -249,10 +226,7 @@ pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usiz
                 }
                 while i < end {
                     let t = row.xs(s, i) - s.float(floor);
-                    match &mut gradients {
-                        Some(gradients) if GRADIENTS => put_sample(s, at(s, &here, t), values, gradients, i),
-                        _ => put(s, here[0].value(t), values, i, count),
-                    }
+                    strip.put(s, at::<S, N, GRADIENTS>(s, &here, t), i);
                     i += S::LEN;
                 }
                 i = end;
@@ -260,7 +234,7 @@ pub(crate) fn spline_rows<K: SplineNoise<N> + Kernel<N>, S: Lanes, const N: usiz
         }
         return;
     }
-    by_lanes::<K, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
+    by_lanes(s, noise, strip);
 }
 
 /// The cubics of as many cells of a row, from `leftmost` on.
@@ -309,32 +283,5 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
             }
             i += S::LEN;
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::abs_diff_eq;
-
-    #[test]
-    fn weights_are_the_cubic_s() {
-        let numbers = [0.3, -0.9, 0.7, 0.2];
-        let cubic = Cubic::<Scalar>::new(Scalar, numbers);
-        for i in 0..=32_u8 {
-            let t = f32::from(i) / 32.0;
-            let [w, dw] = [weights(Scalar, t), slopes(Scalar, t)];
-            let blend = |w: [f32; 4]| -> f32 { w.into_iter().zip(numbers).map(|(w, x)| w * x).sum() };
-            assert!(abs_diff_eq!(w.iter().sum::<f32>(), 1.0, epsilon = 3e-7), "{t}");
-            assert!(abs_diff_eq!(blend(w), cubic.value(t), epsilon = 3e-7), "{t}");
-            assert!(abs_diff_eq!(blend(dw), cubic.derivative(Scalar, t), epsilon = 1e-6), "{t}");
-        }
-    }
-
-    #[test]
-    fn the_cubic_meets_the_inner_points_with_the_slopes_of_chords() {
-        let cubic = Cubic::<Scalar>::new(Scalar, [0.25, -0.5, 0.75, 0.125]);
-        assert_eq!([cubic.value(0.0), cubic.value(1.0)], [-0.5, 0.75]);
-        assert_eq!([cubic.derivative(Scalar, 0.0), cubic.derivative(Scalar, 1.0)], [0.25, 0.3125]);
     }
 }

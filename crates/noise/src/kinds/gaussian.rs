@@ -1,18 +1,16 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
 use crate::{
-    contract::noise::{kind, noise},
+    contract::noise::{kind, measured, noise},
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::kernel::parts,
     lanes::lanes::{LaneSample, Lanes, Scalar},
-    lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, REACH, is_within, wrapped},
     lattice::variates::gaussian_variates,
     point::Point,
     sample::Sample,
-    statistics::statistics::Statistics,
     statistics::tables,
 };
 
@@ -46,6 +44,7 @@ pub struct Gaussian<L = IntegerHash> {
 }
 
 kind!(Gaussian);
+measured!(Gaussian, |self| &tables::GAUSSIAN);
 noise!(Gaussian, curved);
 
 impl<L: Lattice> Gaussian<L> {
@@ -76,7 +75,7 @@ impl<L: Lattice> Gaussian<L> {
 
     fn parts_at<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
         wrapped(p.coordinates()).map_or([Sample::default(); 2], |p| {
-            let (noise, variance) = parts(Scalar, self, p, self.seed);
+            let (noise, variance) = parts::<_, _, N, true>(Scalar, self, p, self.seed);
             [noise, variance]
                 .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
         })
@@ -98,7 +97,8 @@ impl<L: Lattice> Gaussian<L> {
         let channel = |k: usize| both.map(|ends| ends.map(|corners| corners.map(|pair| pair[k])));
         let (first, variance) = place.parts_of::<Self>(Scalar, &channel(0));
         let (second, _) = place.parts_of::<Self>(Scalar, &channel(1));
-        [normalised(Scalar, first, variance), normalised(Scalar, second, variance)]
+        let normalised = |sample| normalised::<_, N, true>(Scalar, sample, variance);
+        [normalised(first), normalised(second)]
     }
 
     #[cold]
@@ -109,29 +109,11 @@ impl<L: Lattice> Gaussian<L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
-    type Lattice = L;
-    const HAS_VALUE: bool = true;
-    const HAS_GRADIENT: bool = true;
-    const FADE: Fade = Fade::Quintic;
     const NORMALISED: bool = true;
-
-    #[inline(always)]
-    fn lattice(&self) -> &L {
-        &self.lattice
-    }
-
-    #[inline(always)]
-    fn seed(&self) -> u32 {
-        self.seed
-    }
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         corner::<S, N, 0>(s, word)
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        &tables::GAUSSIAN[N - 1]
     }
 }
 

@@ -1,15 +1,13 @@
 //! Gradient noise on the integer lattice, in Perlin's two forms.
 
 use crate::{
-    contract::noise::{kind, noise},
+    contract::noise::{kind, measured, noise},
     kinds::cell::corner::{CellNoise, Corner},
     lanes::lanes::Lanes,
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
-    lattice::variates::{edge_direction, unit_direction},
-    statistics::absolute_moments,
-    statistics::statistics::Statistics,
+    lattice::variates::{MARGIN, UNIT_SCALE, edge_direction, unit_direction},
     statistics::tables,
 };
 
@@ -65,75 +63,31 @@ pub struct Perlin2002<L = IntegerHash> {
 }
 
 kind!(Perlin1985);
+measured!(Perlin1985, |self| &tables::PERLIN_1985);
 noise!(Perlin1985, curved);
 
 kind!(Perlin2002);
+measured!(Perlin2002, |self| &tables::PERLIN_2002);
 noise!(Perlin2002, curved);
-
-/// Keeps rounding from crossing 1.
-const MARGIN: f32 = 1.0 - 2e-6;
-/// 2/√n.
-const SCALE_1985: [f32; 4] = [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
 
 /// The inverse of the searched max Σ W_c max_g g·(p − c).
 const SCALE_2002: [f32; 4] = [MARGIN * 2.0, MARGIN, MARGIN / 1.036_353_8, MARGIN / 1.536_582_3];
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
-    type Lattice = L;
     const HAS_VALUE: bool = false;
-    const HAS_GRADIENT: bool = true;
     const FADE: Fade = Fade::Cubic;
 
     #[inline(always)]
-    fn lattice(&self) -> &L {
-        &self.lattice
-    }
-
-    #[inline(always)]
-    fn seed(&self) -> u32 {
-        self.seed
-    }
-
-    #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
-        Corner { value: s.float(0.0), gradient: unit_direction(s, word, SCALE_1985[N - 1]) }
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        &tables::PERLIN_1985[N - 1]
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        absolute_moments::PERLIN_1985[N - 1]
+        Corner { value: s.float(0.0), gradient: unit_direction(s, word, UNIT_SCALE[N - 1]) }
     }
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
-    type Lattice = L;
     const HAS_VALUE: bool = false;
-    const HAS_GRADIENT: bool = true;
-    const FADE: Fade = Fade::Quintic;
-
-    #[inline(always)]
-    fn lattice(&self) -> &L {
-        &self.lattice
-    }
-
-    #[inline(always)]
-    fn seed(&self) -> u32 {
-        self.seed
-    }
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         Corner { value: s.float(0.0), gradient: edge_direction(s, word, SCALE_2002[N - 1]) }
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        &tables::PERLIN_2002[N - 1]
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        absolute_moments::PERLIN_2002[N - 1]
     }
 }

@@ -3,16 +3,15 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::kernel::{Kernel, Sealed, by_lanes},
-    contract::noise::noise,
+    contract::kernel::{Kernel, Measured, by_lanes},
+    contract::noise::{kind, noise},
     kinds::cell::blend::splat,
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::{Lattice, cell},
     lattice::variates::uniform,
     row::cells::{end_of_cell, has_columns},
-    row::row::{Row, put, put_sample},
-    statistics::absolute_moments,
+    row::row::Strip,
     statistics::statistics::Statistics,
     statistics::tables,
 };
@@ -53,21 +52,9 @@ pub struct Sparse<L = IntegerHash> {
 impl Sparse {
     /// The most impulses per cell.
     pub const MAX_IMPULSES: u32 = 4;
-
-    /// The noise that `seed` selects, of one impulse per cell.
-    #[must_use]
-    pub const fn new(seed: u32) -> Self {
-        Self { seed, impulses: 1, lattice: IntegerHash }
-    }
 }
 
-impl Default for Sparse {
-    /// Seed 0, one impulse per cell.
-    fn default() -> Self {
-        Self::new(0)
-    }
-}
-
+kind!(Sparse { impulses: 1 }, "of one impulse per cell");
 noise!(Sparse);
 
 impl<L> Sparse<L> {
@@ -82,18 +69,6 @@ impl<L> Sparse<L> {
         } else {
             Err(SparseError::ImpulsesOutOfRange { impulses })
         }
-    }
-
-    /// Its words drawn from another lattice.
-    #[must_use]
-    pub fn with_lattice<M>(self, lattice: M) -> Sparse<M> {
-        Sparse { seed: self.seed, impulses: self.impulses, lattice }
-    }
-
-    /// Another seed.
-    #[must_use]
-    pub fn with_seed(self, seed: u32) -> Self {
-        Self { seed, ..self }
     }
 
     /// K, the number of impulses per cell.
@@ -214,31 +189,6 @@ impl<L: Lattice> Sparse<L> {
     fn amplitude<const N: usize>(&self) -> f32 {
         AMPLITUDE[N - 1][usize::from(self.impulses - 1) & 3]
     }
-
-    #[inline(always)]
-    fn sum<S: Lanes, const N: usize, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        p: [S::F; N],
-        seed: u32,
-    ) -> LaneSample<S, N> {
-        let section = Section::new(s, &self.lattice, &p);
-        let (cell, t) = cell(s, p[0]);
-        let terms = terms(s, &self.lattice, 0, cell);
-        let mut sum = (s.float(0.0), [s.float(0.0); N]);
-        for i in 0..3 {
-            for j in 0..SECTION[N] {
-                let mut word = section.word(s, &self.lattice, terms[i], j, seed);
-                for _ in 0..self.impulses {
-                    let impulse = section.impulse(s, word, j, self.amplitude::<N>());
-                    let x = t - (s.float(i as f32 - 1.0) + impulse.x);
-                    add::<S, N, GRADIENTS>(s, &mut sum, &impulse, x);
-                    word = further::<S, 3>(s, word);
-                }
-            }
-        }
-        sum
-    }
 }
 
 /// Steps from here on leave too few points in a cell for columns to pay.
@@ -324,109 +274,85 @@ impl<const N: usize> Columns<N> {
     }
 }
 
-/// The values along a row, and the gradients if `GRADIENTS`.
-#[inline(always)]
-fn rows<L: Lattice, S: Lanes, const N: usize, const GRADIENTS: bool>(
-    s: S,
-    noise: &Sparse<L>,
-    row: &Row<N>,
-    seed: u32,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
-) {
-    let count = values.len();
-    let kept = SECTION[N] * usize::from(noise.impulses);
-    let mut i = 0;
-    if kept <= KEPT && has_columns(row, count, LONG_STEP) {
-        let section = Section::<S, N>::new(s, &noise.lattice, &splat(s, row.origin()));
-        let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
-        let mut columns = Columns::<N>::EMPTY;
-        let mut seen = [[0.0; 6]; 3 * KEPT];
-        while i < count {
-            let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
-            let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
-            let cells = crossed.min(COLUMNS - 2);
-            let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
-            columns.fill(s, noise, &section, leftmost.wrapping_sub(1), cells + 2, seed);
-            for j in 0..cells {
-                let k = if descending { cells - 1 - j } else { j };
-                let floor = leftmost.wrapping_add(k as i32) as f32;
-                let end = end_of_cell(row, floor, inverse, i, count);
-                if i == end {
-                    continue;
-                }
-                let n = columns.seen(kept, k, &mut seen);
-                while i < end {
-                    let t = row.xs(s, i) - s.float(floor);
-                    let mut sum = (s.float(0.0), [s.float(0.0); N]);
-                    for seen in &seen[..n] {
-                        let mut d = [t; N];
-                        for axis in 1..N {
-                            d[axis] = s.float(seen[2 + axis]);
-                        }
-                        let impulse = Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
-                        add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
-                    }
-                    match &mut gradients {
-                        Some(gradients) if GRADIENTS => put_sample(s, sum, values, gradients, i),
-                        _ => put(s, sum.0, values, i, count),
-                    }
-                    i += S::LEN;
-                }
-                i = end;
-            }
-        }
-        return;
-    }
-    by_lanes::<Sparse<L>, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
-}
-
-impl<L: Lattice, const N: usize> Sealed<N> for Sparse<L> {}
-
 impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     type RowScratch = ();
 
     #[inline(always)]
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+        let section = Section::new(s, &self.lattice, &p);
+        let (cell, t) = cell(s, p[0]);
+        let terms = terms(s, &self.lattice, 0, cell);
+        let mut sum = (s.float(0.0), [s.float(0.0); N]);
+        for i in 0..3 {
+            for j in 0..SECTION[N] {
+                let mut word = section.word(s, &self.lattice, terms[i], j, seed);
+                for _ in 0..self.impulses {
+                    let impulse = section.impulse(s, word, j, self.amplitude::<N>());
+                    let x = t - (s.float(i as f32 - 1.0) + impulse.x);
+                    add::<S, N, GRADIENTS>(s, &mut sum, &impulse, x);
+                    word = further::<S, 3>(s, word);
+                }
+            }
+        }
+        sum
+    }
+
+    #[inline(always)]
+    fn rows<S: Lanes, const GRADIENTS: bool>(&self, s: S, _: &mut (), mut strip: Strip<'_, N, GRADIENTS>) {
+        let (row, seed, count) = (strip.row, strip.seed, strip.values.len());
+        let kept = SECTION[N] * usize::from(self.impulses);
+        let mut i = 0;
+        if kept <= KEPT && has_columns(&row, count, LONG_STEP) {
+            let section = Section::<S, N>::new(s, &self.lattice, &splat(s, row.origin()));
+            let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
+            let mut columns = Columns::<N>::EMPTY;
+            let mut seen = [[0.0; 6]; 3 * KEPT];
+            while i < count {
+                let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
+                let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
+                let cells = crossed.min(COLUMNS - 2);
+                let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
+                columns.fill(s, self, &section, leftmost.wrapping_sub(1), cells + 2, seed);
+                for j in 0..cells {
+                    let k = if descending { cells - 1 - j } else { j };
+                    let floor = leftmost.wrapping_add(k as i32) as f32;
+                    let end = end_of_cell(&row, floor, inverse, i, count);
+                    if i == end {
+                        continue;
+                    }
+                    let n = columns.seen(kept, k, &mut seen);
+                    while i < end {
+                        let t = row.xs(s, i) - s.float(floor);
+                        let mut sum = (s.float(0.0), [s.float(0.0); N]);
+                        for seen in &seen[..n] {
+                            let mut d = [t; N];
+                            for axis in 1..N {
+                                d[axis] = s.float(seen[2 + axis]);
+                            }
+                            let impulse =
+                                Impulse { x: t, d, rest: s.float(seen[1]), weight: s.float(seen[2]) };
+                            add::<S, N, GRADIENTS>(s, &mut sum, &impulse, t - s.float(seen[0]));
+                        }
+                        strip.put(s, sum, i);
+                        i += S::LEN;
+                    }
+                    i = end;
+                }
+            }
+            return;
+        }
+        by_lanes(s, self, strip);
+    }
+}
+
+impl<L, const N: usize> Measured<N> for Sparse<L> {
     fn seed(&self) -> u32 {
         self.seed
-    }
-
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        self.sum::<S, N, false>(s, p, seed).0
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
-        self.sum::<S, N, true>(s, p, seed)
-    }
-
-    #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        row: &Row<N>,
-        seed: u32,
-        _scratch: &mut (),
-        values: &mut [f32],
-        gradients: Option<&mut [&mut [f32]; N]>,
-    ) {
-        rows::<L, S, N, GRADIENTS>(s, self, row, seed, values, gradients);
     }
 
     fn statistics(&self) -> &'static Statistics {
         let tables = [&tables::SPARSE_1, &tables::SPARSE_2, &tables::SPARSE_3, &tables::SPARSE_4];
         &tables[usize::from(self.impulses - 1) & 3][N - 1]
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        let tables = [
-            &absolute_moments::SPARSE_1,
-            &absolute_moments::SPARSE_2,
-            &absolute_moments::SPARSE_3,
-            &absolute_moments::SPARSE_4,
-        ];
-        tables[usize::from(self.impulses - 1) & 3][N - 1]
     }
 }
 
@@ -457,7 +383,7 @@ impl Error for SparseError {}
 mod tests {
     use super::*;
     use crate::contract::field::Field;
-    use approx::{abs_diff_eq, assert_abs_diff_eq};
+    use approx::assert_abs_diff_eq;
     use glam::{Vec2, Vec3, Vec4};
 
     #[test]
@@ -489,26 +415,6 @@ mod tests {
             // The kurtosis is at most 6: 4.5 standard errors of the mean square.
             let tolerance = 4.5 * (5.0_f32 / 4000.0).sqrt();
             assert!(squares.iter().all(|s| (s - 1.0).abs() < tolerance), "{impulses}: {squares:?}");
-        }
-    }
-
-    #[test]
-    fn gradients_are_differences() {
-        let noise = Sparse::default().with_impulses(2).unwrap();
-        let h = 1.0 / 256.0;
-        for i in 0..60_i16 {
-            let p = Vec4::new(0.37 * f32::from(i), 11.3 - 0.61 * f32::from(i), 0.23, -0.83 * f32::from(i));
-            let gradient = noise.with_seed(1).sample(p).gradient;
-            for axis in 0..4 {
-                let step = h * Vec4::AXES[axis];
-                let difference =
-                    (noise.with_seed(1).value(p + step) - noise.with_seed(1).value(p - step)) / (2.0 * h);
-                // h² max |n‴|/6, n‴ of an impulse at most 25, and rounding 2⁻²³ · 5/h; worst seen 7e-4.
-                assert!(
-                    abs_diff_eq!(gradient[axis], difference, epsilon = 2e-3),
-                    "{p}, axis {axis}: {difference}"
-                );
-            }
         }
     }
 

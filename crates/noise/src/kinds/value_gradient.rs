@@ -3,13 +3,13 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::noise::noise,
+    contract::kernel::Measured,
+    contract::noise::{kind, noise},
     kinds::cell::corner::{CellNoise, Corner},
     lanes::lanes::Lanes,
-    lattice::fade::Fade,
     lattice::integer_hash::{IntegerHash, further},
     lattice::lattice::Lattice,
-    lattice::variates::{uniform, unit_direction},
+    lattice::variates::{MARGIN, UNIT_SCALE, uniform, unit_direction},
     math,
     statistics::absolute_moments,
     statistics::statistics::Statistics,
@@ -49,20 +49,8 @@ pub struct ValueGradient<L = IntegerHash> {
     lattice: L,
 }
 
-impl ValueGradient {
-    /// The noise that `seed` selects, of equal weights.
-    #[must_use]
-    pub const fn new(seed: u32) -> Self {
-        Self { seed, weight: 0.5, lattice: IntegerHash }
-    }
-}
-
-impl Default for ValueGradient {
-    /// Seed 0, equal weights.
-    fn default() -> Self {
-        Self::new(0)
-    }
-}
+kind!(ValueGradient { weight: 0.5 }, "of equal weights");
+noise!(ValueGradient, curved);
 
 impl<L> ValueGradient<L> {
     /// The weight `weight` of gradient noise, and the rest of value noise.
@@ -78,18 +66,6 @@ impl<L> ValueGradient<L> {
         }
     }
 
-    /// Its words drawn from another lattice.
-    #[must_use]
-    pub fn with_lattice<M>(self, lattice: M) -> ValueGradient<M> {
-        ValueGradient { seed: self.seed, weight: self.weight, lattice }
-    }
-
-    /// Another seed.
-    #[must_use]
-    pub fn with_seed(self, seed: u32) -> Self {
-        Self { seed, ..self }
-    }
-
     /// μ, the weight of gradient noise.
     #[must_use]
     pub const fn weight(&self) -> f32 {
@@ -97,35 +73,19 @@ impl<L> ValueGradient<L> {
     }
 }
 
-noise!(ValueGradient, curved);
-
-/// Keeps rounding from crossing 1.
-const MARGIN: f32 = 1.0 - 2e-6;
-/// 2/√n.
-const SCALE: [f32; 4] = [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
-
 impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
-    type Lattice = L;
-    const HAS_VALUE: bool = true;
-    const HAS_GRADIENT: bool = true;
-    const FADE: Fade = Fade::Quintic;
-
-    #[inline(always)]
-    fn lattice(&self) -> &L {
-        &self.lattice
-    }
-
-    #[inline(always)]
-    fn seed(&self) -> u32 {
-        self.seed
-    }
-
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         Corner {
             value: uniform(s, further::<S, 6>(s, word)) * s.float(MARGIN * (1.0 - self.weight)),
-            gradient: unit_direction(s, word, SCALE[N - 1] * self.weight),
+            gradient: unit_direction(s, word, UNIT_SCALE[N - 1] * self.weight),
         }
+    }
+}
+
+impl<L, const N: usize> Measured<N> for ValueGradient<L> {
+    fn seed(&self) -> u32 {
+        self.seed
     }
 
     /// The statistics at equal weights.
@@ -144,16 +104,9 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
 
     /// σᵏ times E|n|ᵏ/σᵏ, which is measured at μ = 0, ¼, ½, ¾ and 1; between these by the polynomial through all five.
     fn absolute_moments(&self) -> [f32; 4] {
-        let tables = [
-            &absolute_moments::VALUE_GRADIENT_0,
-            &absolute_moments::VALUE_GRADIENT_1,
-            &absolute_moments::VALUE_GRADIENT_2,
-            &absolute_moments::VALUE_GRADIENT_3,
-            &absolute_moments::VALUE_GRADIENT_4,
-        ];
         let mut ratios = [0.0; 3];
-        for (i, table) in tables.into_iter().enumerate() {
-            let basis = (0..tables.len())
+        for (i, table) in absolute_moments::VALUE_GRADIENT.iter().enumerate() {
+            let basis = (0..absolute_moments::VALUE_GRADIENT.len())
                 .filter(|&j| j != i)
                 .fold(1.0, |product, j| product * (4.0 * self.weight - j as f32) / (i as f32 - j as f32));
             let [first, square, third, fourth] = table[N - 1];
@@ -162,7 +115,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
             ratios[1] += basis * (third / (square * root));
             ratios[2] += basis * (fourth / (square * square));
         }
-        let sigma = CellNoise::<N>::standard_deviation(self);
+        let sigma = Measured::<N>::standard_deviation(self);
         let square = sigma * sigma;
         [ratios[0] * sigma, square, ratios[1] * (square * sigma), ratios[2] * (square * square)]
     }
@@ -193,8 +146,7 @@ impl Error for ValueGradientError {}
 mod tests {
     use super::*;
     use crate::contract::field::Field;
-    use approx::{abs_diff_eq, assert_abs_diff_eq};
-    use glam::{Vec2, Vec3};
+    use glam::Vec2;
 
     #[test]
     fn only_weights_are_accepted() {
@@ -211,21 +163,6 @@ mod tests {
     }
 
     #[test]
-    fn the_sum_is_linear_in_the_weight() {
-        let noise = |weight| ValueGradient::default().with_weight(weight).unwrap();
-        for i in 0..100_i16 {
-            let p = Vec3::new(0.37 * f32::from(i), 3.0 - 0.61 * f32::from(i), 0.23 * f32::from(i));
-            let [value, gradient, both] = [0.0, 1.0, 0.25].map(|weight| noise(weight).with_seed(4).sample(p));
-            assert!(
-                abs_diff_eq!(0.75 * value.value + 0.25 * gradient.value, both.value, epsilon = 1e-6),
-                "{p}"
-            );
-            let sum = 0.75 * value.gradient + 0.25 * gradient.gradient;
-            assert!((sum - both.gradient).length() < 5e-6, "{p}");
-        }
-    }
-
-    #[test]
     fn parts_alone_are_0_or_flat_at_lattice_points() {
         let p = Vec2::new(3.0, -2.0);
         assert_eq!(ValueGradient::default().with_weight(1.0).unwrap().with_seed(1).value(p), 0.0);
@@ -233,23 +170,5 @@ mod tests {
             ValueGradient::default().with_weight(0.0).unwrap().with_seed(1).sample(p).gradient,
             Vec2::ZERO
         );
-    }
-
-    /// The corners of cell 0 on the line have gradients toward each other.
-    struct Facing;
-
-    impl Lattice for Facing {
-        fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
-            if cell[0] == 0 { 0 } else { 0x8000_0000 }
-        }
-    }
-
-    #[test]
-    fn the_bound_of_the_gradient_part_is_attained_in_the_centre() {
-        let noise = ValueGradient::default().with_weight(1.0).unwrap().with_lattice(Facing);
-        assert_abs_diff_eq!(noise.value(0.5), MARGIN, epsilon = 1e-7);
-        for i in 0..=100_u8 {
-            assert!(noise.value(f32::from(i) / 100.0) <= MARGIN);
-        }
     }
 }

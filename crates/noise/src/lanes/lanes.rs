@@ -13,39 +13,24 @@ use crate::math;
 /// The most lanes there are.
 pub(crate) const LANES: usize = 16;
 
-/// Floats in lanes.
-pub trait Floats:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
-{
+/// A trait of the numbers in lanes, by their operators.
+macro_rules! numbers {
+    ($(#[$doc:meta])* $name:ident: $($operator:ident)*) => {
+        $(#[$doc])*
+        pub trait $name: Copy $(+ $operator<Output = Self>)* {}
+
+        impl<T: Copy $(+ $operator<Output = T>)*> $name for T {}
+    };
 }
 
-impl<F> Floats for F where
-    F: Copy + Add<Output = F> + Sub<Output = F> + Mul<Output = F> + Div<Output = F> + Neg<Output = F>
-{
-}
-
-/// Words of 32 bits in lanes; sums and products wrap.
-pub trait Words:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + BitXor<Output = Self>
-    + BitAnd<Output = Self>
-    + BitOr<Output = Self>
-{
-}
-
-impl<U> Words for U where
-    U: Copy
-        + Add<Output = U>
-        + Sub<Output = U>
-        + Mul<Output = U>
-        + BitXor<Output = U>
-        + BitAnd<Output = U>
-        + BitOr<Output = U>
-{
-}
+numbers!(
+    /// Floats in lanes.
+    Floats: Add Sub Mul Div Neg
+);
+numbers!(
+    /// Words of 32 bits in lanes; sums and products wrap.
+    Words: Add Sub Mul BitXor BitAnd BitOr
+);
 
 /// A number of lanes and their operations, chosen by a token that costs nothing.
 ///

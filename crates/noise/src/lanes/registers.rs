@@ -1,6 +1,6 @@
 //! The lanes of a SIMD register, at every level that `fearless_simd` knows.
 
-use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
+use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
 
 use crate::lanes::lanes::{Lanes, sealed::Sealed};
 
@@ -77,22 +77,18 @@ impl<S: Simd> Lanes for Wide<S> {
     }
     #[inline(always)]
     fn integer(self, x: Self::F) -> Self::U {
-        use fearless_simd::Bytes;
         x.to_int::<S::i32s>().bitcast()
     }
     #[inline(always)]
     fn real(self, x: Self::U) -> Self::F {
-        use fearless_simd::Bytes;
         x.bitcast::<S::i32s>().to_float()
     }
     #[inline(always)]
     fn bits(self, x: Self::F) -> Self::U {
-        use fearless_simd::Bytes;
         x.bitcast()
     }
     #[inline(always)]
     fn float_of_bits(self, x: Self::U) -> Self::F {
-        use fearless_simd::Bytes;
         x.bitcast()
     }
     #[inline(always)]

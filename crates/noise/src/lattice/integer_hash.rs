@@ -1,8 +1,8 @@
 //! An integer hash of cell and seed without visible period: the default lattice.
 
 use crate::{
-    lanes::lanes::{Lanes, Scalar},
-    lattice::lattice::Lattice,
+    lanes::lanes::Lanes,
+    lattice::lattice::{Lattice, word_by_terms},
 };
 
 /// A 32-bit hash of cell and seed.
@@ -49,11 +49,7 @@ const GOLDEN: u32 = 0x9e37_79b9;
 impl Lattice for IntegerHash {
     #[inline(always)]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        let mut terms = [Scalar.word(0); N];
-        for axis in 0..N {
-            terms[axis] = self.term(Scalar, axis, Scalar.word(cell[axis] as u32));
-        }
-        self.words(Scalar, terms, seed).0
+        word_by_terms(self, cell, seed)
     }
 
     #[inline(always)]
@@ -111,7 +107,7 @@ pub(crate) fn further<S: Lanes, const K: u32>(s: S, word: S::U) -> S::U {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lattice::lattice::word_by_terms;
+    use crate::lanes::lanes::Scalar;
     use approx::abs_diff_eq;
 
     /// The shares of flips of each bit of the word over `COUNT` points when one bit of an input is flipped.
@@ -215,7 +211,6 @@ mod tests {
     fn the_plane_is_a_section_of_space() {
         let [z, w] = [0x3c6e_f372, 0x1b87_3593];
         assert_eq!(IntegerHash.word([5, -9], 3), IntegerHash.word([5, -9, -z, -w], 3));
-        assert_eq!(word_by_terms(&IntegerHash, [5, -9, 2], 3), IntegerHash.word([5, -9, 2], 3));
         let [here, next] = IntegerHash.terms(Scalar, 1, Scalar.word(41));
         assert_eq!(here, Scalar.word(41) * Scalar.word(P[1]) + Scalar.word(SHIFT[1]));
         assert_eq!(next, IntegerHash.term(Scalar, 1, Scalar.word(42)));

@@ -1,8 +1,6 @@
 //! The source of a lattice's random words, and the cell that a point lies in.
 
-use crate::lanes::lanes::Lanes;
-#[cfg(test)]
-use crate::lanes::lanes::Scalar;
+use crate::lanes::lanes::{Lanes, Scalar};
 
 /// A hash of lattice points, the only randomness of every noise of this crate.
 ///
@@ -50,6 +48,14 @@ pub trait Lattice {
     }
 }
 
+/// A noise that draws its words from a lattice.
+pub(crate) trait OnLattice {
+    /// The source of the words.
+    type Lattice: Lattice;
+
+    fn lattice(&self) -> &Self::Lattice;
+}
+
 /// From here on cells do not fit an `i32`.
 const LIMIT: f32 = 2_147_483_648.0;
 
@@ -91,14 +97,13 @@ pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
     })
 }
 
-/// The word of one lattice point through the path that lanes take.
-#[cfg(test)]
+/// The word of one lattice point from its terms.
+#[inline(always)]
 pub(crate) fn word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
-    let mut axis = 0;
-    let terms = cell.map(|c| {
-        axis += 1;
-        lattice.term(Scalar, axis - 1, Scalar.word(c as u32))
-    });
+    let mut terms = [Scalar.word(0); N];
+    for axis in 0..N {
+        terms[axis] = lattice.term(Scalar, axis, Scalar.word(cell[axis] as u32));
+    }
     lattice.words(Scalar, terms, seed).0
 }
 

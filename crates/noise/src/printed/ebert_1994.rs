@@ -2,21 +2,22 @@
 
 use crate::{
     contract::field::Field,
-    contract::kernel::{self, Kernel, Sealed, samples, values},
-    kinds::catmull_rom::{SplineNoise, spline_rows, spline_samples, spline_values},
+    contract::kernel::{self, Kernel, Measured},
+    kinds::catmull_rom::{SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::value_gradient::ValueGradientError,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
-    lattice::lattice::Lattice,
+    lattice::lattice::{Lattice, OnLattice},
     lattice::permutation_table::PermutationTable,
     math,
     point::Point,
     row::points::{Points, Target},
-    row::row::Row,
+    row::row::Strip,
     sample::Sample,
     statistics::statistics::Statistics,
     statistics::tables,
+    transforms::arithmetic::combined,
     transforms::pointwise::{self, Combine},
 };
 
@@ -102,31 +103,15 @@ fn clamped(u: f64) -> f64 {
 
 /// cos θ and sin θ, 0 ≤ θ ≤ 2π, by series around the nearest quarter turn.
 fn cos_sin(theta: f32) -> [f32; 2] {
-    const COSINE: [f64; 8] = [
-        1.0,
-        -1.0 / 2.0,
-        1.0 / 24.0,
-        -1.0 / 720.0,
-        1.0 / 40_320.0,
-        -1.0 / 3_628_800.0,
-        1.0 / 479_001_600.0,
-        0.0,
-    ];
-    const SINE: [f64; 8] = [
-        1.0,
-        -1.0 / 6.0,
-        1.0 / 120.0,
-        -1.0 / 5040.0,
-        1.0 / 362_880.0,
-        -1.0 / 39_916_800.0,
-        1.0 / 6_227_020_800.0,
-        0.0,
-    ];
     let theta = f64::from(theta);
     let quarter = (theta * core::f64::consts::FRAC_2_PI + 0.5) as u32;
     let x = theta - f64::from(quarter) * core::f64::consts::FRAC_PI_2;
-    let series = |coefficients: [f64; 8]| coefficients.iter().rev().fold(0.0, |sum, c| sum * (x * x) + c);
-    let (c, s) = (series(COSINE) as f32, (x * series(SINE)) as f32);
+    // 1 − x²/(m (m + 1)) (1 − x²/((m + 2) (m + 3)) (…)), of six quotients.
+    let series = |m: u32| {
+        let quotient = |k: u32| x * x / f64::from((m + 2 * k) * (m + 2 * k + 1));
+        (0..6).rev().fold(1.0, |sum, k| 1.0 - sum * quotient(k))
+    };
+    let (c, s) = (series(1) as f32, (x * series(2)) as f32);
     match quarter & 3 {
         0 => [c, s],
         1 => [-s, c],
@@ -227,12 +212,12 @@ macro_rules! field_of_kernel {
         /// Value and gradient are both 0 where a point is not finite.
         impl<V: Point<Coordinates = [f32; 3]>> Field<V> for $noise {
             fn sample(&self, p: V) -> Sample<V> {
-                let (value, gradient) = samples(&$kernel(self.0), Scalar, p.coordinates(), 0);
+                let (value, gradient) = kernel::sample(&$kernel(self.0), p.coordinates(), 0);
                 Sample { value, gradient: V::from_coordinates(gradient) }
             }
 
             fn value(&self, p: V) -> f32 {
-                values(&$kernel(self.0), Scalar, p.coordinates(), 0)
+                kernel::value(&$kernel(self.0), p.coordinates(), 0)
             }
 
             fn range(&self) -> [f32; 2] {
@@ -260,80 +245,32 @@ impl Combine<1> for Vgnoise<'_> {
     }
 }
 
-impl<V: Point<Coordinates = [f32; 3]>> Field<V> for Vgnoise<'_> {
-    fn sample(&self, p: V) -> Sample<V> {
-        let (value, slope) = samples(&Splines(self.tables), Scalar, p.coordinates(), 0);
-        let (gradient, steep) = samples(&Gradients(self.tables), Scalar, p.coordinates(), 0);
-        let slope = |axis: usize| self.slope(value, [gradient], slope[axis], [steep[axis]]);
-        Sample { value: Combine::combined(self, value, [gradient]), gradient: V::from_axes(slope) }
-    }
-
-    fn value(&self, p: V) -> f32 {
-        let value = values(&Splines(self.tables), Scalar, p.coordinates(), 0);
-        Combine::combined(self, value, [values(&Gradients(self.tables), Scalar, p.coordinates(), 0)])
-    }
-
-    fn range(&self) -> [f32; 2] {
-        let range = Combine::combined(self, 125.0 / 64.0, [0.866_025_4]);
-        [-range, range]
-    }
-
-    fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
-        pointwise::fill(self, &Vnoise(self.tables), [&Gnoise(self.tables)], points, target);
-    }
-}
+combined!([] Vgnoise<'_>, Point<Coordinates = [f32; 3]>, |self| Vnoise(self.tables), [Gnoise(self.tables)], {
+    let range = Combine::combined(self, 125.0 / 64.0, [0.866_025_4]);
+    [-range, range]
+});
 
 /// `vnoise` as a kind of noise without seed.
 struct Splines<'a>(&'a LectureTables);
 
 impl SplineNoise<3> for Splines<'_> {
-    type Lattice = Bytes;
-
-    #[inline(always)]
-    fn lattice(&self) -> &Bytes {
-        &self.0.permutation
-    }
-
     #[inline(always)]
     fn number<S: Lanes>(&self, s: S, word: S::U) -> S::F {
         s.floats(|lane| self.0.values[(s.lane_word(word, lane) & 255) as usize])
     }
 }
 
-impl Sealed<3> for Splines<'_> {}
-
 impl Kernel<3> for Splines<'_> {
     type RowScratch = ();
 
-    fn seed(&self) -> u32 {
-        0
+    #[inline(always)]
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
+        spline::<Self, S, 3, GRADIENTS>(s, self, p, seed)
     }
 
     #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
-        spline_values(s, self, p, seed)
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
-        spline_samples(s, self, p, seed)
-    }
-
-    #[inline(always)]
-    fn rows<S: Lanes, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        row: &Row<3>,
-        seed: u32,
-        _scratch: &mut (),
-        values: &mut [f32],
-        gradients: Option<&mut [&mut [f32]; 3]>,
-    ) {
-        spline_rows::<Self, S, 3, GRADIENTS>(s, self, row, seed, values, gradients);
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        &tables::VALUE_CATMULL_ROM[2]
+    fn rows<S: Lanes, const GRADIENTS: bool>(&self, s: S, _: &mut (), strip: Strip<'_, 3, GRADIENTS>) {
+        spline_rows(s, self, strip);
     }
 }
 
@@ -341,19 +278,8 @@ impl Kernel<3> for Splines<'_> {
 struct Gradients<'a>(&'a LectureTables);
 
 impl CellNoise<3> for Gradients<'_> {
-    type Lattice = Bytes;
     const HAS_VALUE: bool = false;
-    const HAS_GRADIENT: bool = true;
     const FADE: Fade = Fade::Cubic;
-
-    #[inline(always)]
-    fn lattice(&self) -> &Bytes {
-        &self.0.permutation
-    }
-
-    fn seed(&self) -> u32 {
-        0
-    }
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, 3> {
@@ -364,11 +290,33 @@ impl CellNoise<3> for Gradients<'_> {
         }
         Corner { value: s.float(0.0), gradient }
     }
-
-    fn statistics(&self) -> &'static Statistics {
-        &tables::PERLIN_1985[2]
-    }
 }
+
+macro_rules! of_tables {
+    ($kind:ident, $statistics:ident) => {
+        impl OnLattice for $kind<'_> {
+            type Lattice = Bytes;
+
+            #[inline(always)]
+            fn lattice(&self) -> &Bytes {
+                &self.0.permutation
+            }
+        }
+
+        impl Measured<3> for $kind<'_> {
+            fn seed(&self) -> u32 {
+                0
+            }
+
+            fn statistics(&self) -> &'static Statistics {
+                &tables::$statistics[2]
+            }
+        }
+    };
+}
+
+of_tables!(Splines, VALUE_CATMULL_ROM);
+of_tables!(Gradients, PERLIN_1985);
 
 #[cfg(test)]
 mod tests {
@@ -410,31 +358,6 @@ mod tests {
         let tables = LectureTables::new(PermutationTable::new(4), || f64::NAN, || 7.0);
         assert_eq!(tables.values()[9], 1.0);
         assert_eq!(tables.gradients()[9][2], -1.0);
-    }
-
-    #[test]
-    fn lattice_points_have_the_tables_entries() {
-        let tables = tables();
-        for i in -50..50_i16 {
-            let (x, y, z) = (i, 7 - 2 * i, 3 * i);
-            let p = Vec3::new(f32::from(x), f32::from(y), f32::from(z));
-            let index = usize::from(tables.permutation().index(x.into(), y.into(), z.into()));
-            assert_eq!(Vnoise(&tables).value(p), tables.values()[index]);
-            let gnoise = Gnoise(&tables).sample(p);
-            assert_eq!(gnoise.value, 0.0);
-            assert_eq!(gnoise.gradient.to_array(), tables.gradients()[index]);
-        }
-    }
-
-    #[test]
-    fn the_sum_is_weighted() {
-        let tables = tables();
-        let noise = Vgnoise::new(&tables, 0.25).unwrap();
-        let p = Vec3::new(0.3, -7.7, 2.1);
-        let expected = 0.75 * Vnoise(&tables).value(p) + 0.25 * Gnoise(&tables).value(p);
-        assert_eq!(noise.value(p), expected);
-        assert_eq!(noise.sample(p).value, expected);
-        assert!(Vgnoise::new(&tables, f32::NAN).is_err());
     }
 
     #[test]

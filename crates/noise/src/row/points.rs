@@ -80,8 +80,8 @@ impl<'a, V: Point> Points<'a, V> {
 
     /// The first points of buffers.
     pub(crate) fn buffered<const M: usize>(buffers: &'a V::Array<[f32; M]>, count: usize) -> Self {
-        let mut buffers = buffers.as_ref().iter();
-        Self::lists(V::array(|_| buffers.next().and_then(|x| x.get(..count)).unwrap_or_default()))
+        let list = |axis| buffers.as_ref().get(axis).and_then(|x: &[f32; M]| x.get(..count));
+        Self::lists(V::array(|axis| list(axis).unwrap_or_default()))
     }
 
     /// The points of a row.
@@ -111,10 +111,9 @@ impl<'a, V: Point> Points<'a, V> {
     pub(crate) fn part(&self, block: &Block) -> Points<'_, V> {
         Points(match &self.0 {
             Source::Lists(lists) => {
-                let mut lists = lists.as_ref().iter();
-                let part = || lists.next().and_then(|x| x.get(block.columns.clone())).unwrap_or_default();
-                let mut part = part;
-                Source::Lists(V::array(|_| part()))
+                let list =
+                    |axis| lists.as_ref().get(axis).and_then(|x: &&[f32]| x.get(block.columns.clone()));
+                Source::Lists(V::array(|axis| list(axis).unwrap_or_default()))
             }
             Source::Window(Window { grid, columns, rows }) => {
                 let moved = |range: &Range<usize>, by: usize| range.start + by..range.end + by;
@@ -167,14 +166,18 @@ pub struct Target<'a, V: Point> {
 impl<V: Point> Target<'_, V> {
     /// The room for a part of the points.
     pub(crate) fn part(&mut self, block: &Block) -> Target<'_, V> {
-        let start = block.rows.start * self.stride + block.columns.start;
+        self.after(block.rows.start * self.stride + block.columns.start)
+    }
+
+    /// The room for the points from an index on.
+    pub(crate) fn after(&mut self, start: usize) -> Target<'_, V> {
         Target {
             instructions: self.instructions,
             values: self.values.get_mut(start..).unwrap_or_default(),
-            gradients: self.gradients.as_mut().map(|gradients| {
-                let mut gradients = gradients.as_mut().iter_mut();
-                V::array(|_| gradients.next().and_then(|g| g.get_mut(start..)).unwrap_or_default())
-            }),
+            gradients: self
+                .gradients
+                .as_mut()
+                .map(|gradients| each::<V, _, _>(gradients, |g| g.get_mut(start..).unwrap_or_default())),
             stride: self.stride,
         }
     }
@@ -184,25 +187,22 @@ impl<V: Point> Target<'_, V> {
     pub(crate) fn row(&mut self, row: usize, width: usize) -> (&mut [f32], Option<V::Array<&mut [f32]>>) {
         let part = row * self.stride..row * self.stride + width;
         let values = self.values.get_mut(part.clone()).unwrap_or_default();
-        let gradients = self.gradients.as_mut().map(|gradients| {
-            let mut gradients = gradients.as_mut().iter_mut();
-            V::array(|_| gradients.next().and_then(|g| g.get_mut(part.clone())).unwrap_or_default())
-        });
+        let gradients = self
+            .gradients
+            .as_mut()
+            .map(|gradients| each::<V, _, _>(gradients, |g| g.get_mut(part.clone()).unwrap_or_default()));
         (values, gradients)
     }
+}
 
-    /// The whole once more, for a call that hands it on.
-    pub(crate) fn again(&mut self) -> Target<'_, V> {
-        Target {
-            instructions: self.instructions,
-            values: self.values,
-            gradients: self.gradients.as_mut().map(|gradients| {
-                let mut gradients = gradients.as_mut().iter_mut();
-                V::array(|_| gradients.next().map(|g| &mut **g).unwrap_or_default())
-            }),
-            stride: self.stride,
-        }
-    }
+/// One thing for each axis, made from another.
+#[inline(always)]
+fn each<'a, V: Point, T: 'a, U: Default>(
+    things: &'a mut V::Array<T>,
+    mut make: impl FnMut(&'a mut T) -> U,
+) -> V::Array<U> {
+    let mut things = things.as_mut().iter_mut();
+    V::array(|_| things.next().map(&mut make).unwrap_or_default())
 }
 
 /// Buffers of values and gradients, as an array of N where the dimension is a number.
@@ -231,13 +231,7 @@ impl<V: Point, const M: usize> Buffer<V, M> {
         width: usize,
         gradients: bool,
     ) -> Target<'_, V> {
-        let mut slices = self.gradients.as_mut().iter_mut();
-        let slices = V::array(|_| slices.next().map(|g| &mut g[..]).unwrap_or_default());
-        Target {
-            instructions,
-            values: &mut self.values,
-            gradients: gradients.then_some(slices),
-            stride: width,
-        }
+        let gradients = gradients.then(|| each::<V, _, _>(&mut self.gradients, |g| &mut g[..]));
+        Target { instructions, values: &mut self.values, gradients, stride: width }
     }
 }

@@ -1,5 +1,7 @@
 //! Rows of points: at equal steps along the first axis, in the coordinates of a field or of one of its octaves.
 
+use core::ops::Range;
+
 use crate::{
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::is_within,
@@ -124,18 +126,37 @@ pub(crate) fn put<S: Lanes>(s: S, x: S::F, out: &mut [f32], i: usize, count: usi
     }
 }
 
-/// Writes values and gradients in lanes for the points from `i` to the end of `values`.
-#[inline(always)]
-pub(crate) fn put_sample<S: Lanes, const N: usize>(
-    s: S,
-    (value, gradient): LaneSample<S, N>,
-    values: &mut [f32],
-    gradients: &mut [&mut [f32]; N],
-    i: usize,
-) {
-    let count = values.len();
-    put(s, value, values, i, count);
-    for axis in 0..N {
-        put(s, gradient[axis], gradients[axis], i, count);
+/// A row of points in the coordinates of a noise with a seed, and room for values there, and for gradients if `GRADIENTS`.
+#[derive(Debug)]
+pub struct Strip<'a, const N: usize, const GRADIENTS: bool> {
+    pub(crate) row: Row<N>,
+    pub(crate) seed: u32,
+    pub(crate) values: &'a mut [f32],
+    /// One slice per axis, as long as `values`; empty unless `GRADIENTS`.
+    pub(crate) gradients: [&'a mut [f32]; N],
+}
+
+impl<const N: usize, const GRADIENTS: bool> Strip<'_, N, GRADIENTS> {
+    /// The points of a range.
+    #[inline(always)]
+    pub(crate) fn part(&mut self, range: Range<usize>) -> Strip<'_, N, GRADIENTS> {
+        Strip {
+            row: self.row.after(range.start),
+            seed: self.seed,
+            gradients: self.gradients.each_mut().map(|g| g.get_mut(range.clone()).unwrap_or_default()),
+            values: self.values.get_mut(range).unwrap_or_default(),
+        }
+    }
+
+    /// Writes values and gradients in lanes for the points from `i` on.
+    #[inline(always)]
+    pub(crate) fn put<S: Lanes>(&mut self, s: S, (value, gradient): LaneSample<S, N>, i: usize) {
+        let count = self.values.len();
+        put(s, value, self.values, i, count);
+        if GRADIENTS {
+            for axis in 0..N {
+                put(s, gradient[axis], self.gradients[axis], i, count);
+            }
+        }
     }
 }

@@ -18,8 +18,22 @@ pub struct Statistics {
     pub standard_deviation: f32,
     /// κ₁, the excess kurtosis of one octave over all points and seeds.
     pub excess_kurtosis: f32,
+    /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds.
+    pub absolute_moments: [f32; 4],
     /// The bound of |n|, proved or searched.
     pub range: f32,
     /// G at an odd number of knots over ±4 standard deviations.
     pub cdf: &'static [f32],
+}
+
+/// The distribution at all knots from that at those below 0.
+pub(crate) const fn mirrored(low: [f32; 128]) -> [f32; 257] {
+    let mut cdf = [0.5; 257];
+    let mut k = 0;
+    while k < 128 {
+        cdf[k] = low[k];
+        cdf[256 - k] = 1.0 - low[k];
+        k += 1;
+    }
+    cdf
 }

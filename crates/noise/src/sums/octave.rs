@@ -26,6 +26,7 @@ pub enum Rotation {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Layer<const N: usize> {
     pub(crate) seed: u32,
+    pub(crate) rotation: Rotation,
     /// Rotation times frequency, by rows.
     pub(crate) matrix: [[f32; N]; N],
     pub(crate) offset: [f32; N],
@@ -46,6 +47,7 @@ impl<const N: usize> Layer<N> {
             let mut shift = 0;
             let layer = Self {
                 seed: (word(0) >> 32) as u32,
+                rotation,
                 matrix: matrix.map(|row: [f32; N]| row.map(|x| x * frequency)),
                 offset: [(); N].map(|()| {
                     shift += 20;
@@ -60,23 +62,9 @@ impl<const N: usize> Layer<N> {
     /// The octave's own coordinates of points.
     #[inline(always)]
     pub(crate) fn points<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
-        let mut q = p;
-        for row in 0..N {
-            let mut sum = s.float(self.matrix[row][0]) * p[0];
-            for k in 1..N {
-                sum = sum + s.float(self.matrix[row][k]) * p[k];
-            }
-            q[row] = sum + s.float(self.offset[row]);
-        }
-        q
-    }
-
-    /// The point in an aligned layer, where all off the diagonal is 0.
-    #[inline(always)]
-    pub(crate) fn aligned<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
-        let mut q = p;
-        for row in 0..N {
-            q[row] = s.float(self.matrix[row][row]) * p[row] + s.float(self.offset[row]);
+        let mut q = self.product::<S, false>(s, p);
+        for axis in 0..N {
+            q[axis] = q[axis] + s.float(self.offset[axis]);
         }
         q
     }
@@ -84,15 +72,27 @@ impl<const N: usize> Layer<N> {
     /// Mᵀ g: a gradient turned back to the coordinates of the sum.
     #[inline(always)]
     pub(crate) fn pull_back<S: Lanes>(&self, s: S, g: [S::F; N]) -> [S::F; N] {
-        let mut pulled = g;
-        for column in 0..N {
-            let mut sum = s.float(self.matrix[0][column]) * g[0];
-            for k in 1..N {
-                sum = sum + s.float(self.matrix[k][column]) * g[k];
+        self.product::<S, true>(s, g)
+    }
+
+    /// M v, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
+    #[inline(always)]
+    fn product<S: Lanes, const TRANSPOSED: bool>(&self, s: S, v: [S::F; N]) -> [S::F; N] {
+        let mut product = v;
+        if self.rotation == Rotation::Aligned {
+            for axis in 0..N {
+                product[axis] = s.float(self.matrix[axis][axis]) * v[axis];
             }
-            pulled[column] = sum;
+            return product;
         }
-        pulled
+        for row in 0..N {
+            for k in 0..N {
+                let entry = if TRANSPOSED { self.matrix[k][row] } else { self.matrix[row][k] };
+                let part = s.float(entry) * v[k];
+                product[row] = if k == 0 { part } else { product[row] + part };
+            }
+        }
+        product
     }
 
     /// The frequency along each axis of an aligned layer.
@@ -103,21 +103,6 @@ impl<const N: usize> Layer<N> {
             frequencies[axis] = self.matrix[axis][axis];
         }
         frequencies
-    }
-
-    /// sum + factor · sample in an aligned layer.
-    #[inline(always)]
-    pub(crate) fn accumulate_aligned<S: Lanes>(
-        &self,
-        s: S,
-        sum: &mut LaneSample<S, N>,
-        factor: S::F,
-        (value, gradient): LaneSample<S, N>,
-    ) {
-        sum.0 = sum.0 + factor * value;
-        for axis in 0..N {
-            sum.1[axis] = sum.1[axis] + factor * (s.float(self.matrix[axis][axis]) * gradient[axis]);
-        }
     }
 
     /// sum + factor · sample, with the gradient turned back.
@@ -230,6 +215,9 @@ mod tests {
         assert_eq!(first.matrix, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
         assert_eq!(second.matrix[1], [0.0, 2.17, 0.0]);
         assert_ne!((first.seed, first.offset), (second.seed, second.offset));
-        assert_eq!(first.aligned(Scalar, [1.5, 2.0, -3.0]), first.points(Scalar, [1.5, 2.0, -3.0]));
+        assert_eq!(
+            Layer { rotation: Rotation::Random, ..first }.points(Scalar, [1.5, 2.0, -3.0]),
+            first.points(Scalar, [1.5, 2.0, -3.0])
+        );
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     contract::field::{Curved, Field},
     contract::hessian::{self, CurvedKernel, Jet, mirror},
-    contract::kernel::{Kernel, samples, values},
+    contract::kernel::{self, Kernel},
     kinds::gaussian::Gaussian,
     lanes::lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
@@ -185,11 +185,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     fn value(&self, active: &Active, p: [f32; N]) -> f32 {
         let mut sum = active.constant;
         for (amplitude, layer) in self.octaves(active) {
-            let p = match self.rotation {
-                Rotation::Random => layer.points(Scalar, p),
-                Rotation::Aligned => layer.aligned(Scalar, p),
-            };
-            sum += amplitude * self.shape.value(values(&self.noise, Scalar, p, layer.seed));
+            let n = kernel::value(&self.noise, layer.points(Scalar, p), layer.seed);
+            sum += amplitude * self.shape.value(n);
         }
         sum * active.factor
     }
@@ -198,16 +195,10 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
     fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
         let mut sum = (active.constant, [0.0; N]);
         for (amplitude, layer) in self.octaves(active) {
-            let aligned = self.rotation == Rotation::Aligned;
-            let p = if aligned { layer.aligned(Scalar, p) } else { layer.points(Scalar, p) };
-            let (n, gradient) = samples(&self.noise, Scalar, p, layer.seed);
+            let (n, gradient) = kernel::sample(&self.noise, layer.points(Scalar, p), layer.seed);
             let slope = self.shape.slope(n);
             let sample = (self.shape.value(n), gradient.map(|g| slope * g));
-            if aligned {
-                layer.accumulate_aligned(Scalar, &mut sum, amplitude, sample);
-            } else {
-                layer.accumulate(Scalar, &mut sum, amplitude, sample);
-            }
+            layer.accumulate(Scalar, &mut sum, amplitude, sample);
         }
         (sum.0 * active.factor, sum.1.map(|g| g * active.factor))
     }
@@ -216,7 +207,6 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         Passes {
             noise: &self.noise,
             shape: self.shape,
-            rotation: self.rotation,
             layers: &self.layers,
             amplitudes: active.amplitudes.get(..active.count).unwrap_or_default(),
             constant: active.constant,
@@ -241,14 +231,8 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
     fn jet(&self, active: &Active, p: [f32; N]) -> Jet<N> {
         let (mut sum, mut hessian) = ((0.0, [0.0; N]), [[0.0; N]; N]);
         for (amplitude, layer) in active.amplitudes.iter().copied().take(active.count).zip(&self.layers) {
-            let octave;
-            if self.rotation == Rotation::Random {
-                octave = hessian::at(&self.noise, layer.points(Scalar, p), layer.seed);
-                layer.accumulate(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
-            } else {
-                octave = hessian::at(&self.noise, layer.aligned(Scalar, p), layer.seed);
-                layer.accumulate_aligned(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
-            }
+            let octave = hessian::at(&self.noise, layer.points(Scalar, p), layer.seed);
+            layer.accumulate(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
             // M as the rows of what it makes of the axes: H M, then Mᵀ (H M).
             let turned = octave.hessian.map(|row| layer.pull_back(Scalar, row));
             for i in 0..N {
@@ -273,15 +257,9 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
     fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
         let mut sums = [(0.0, [0.0; N]); 2];
         for (amplitude, layer) in self.octaves(active) {
-            let aligned = self.rotation == Rotation::Aligned;
-            let p = p.coordinates();
-            let p = if aligned { layer.aligned(Scalar, p) } else { layer.points(Scalar, p) };
+            let p = layer.points(Scalar, p.coordinates());
             for (sum, sample) in sums.iter_mut().zip(self.noise.channels(p, layer.seed)) {
-                if aligned {
-                    layer.accumulate_aligned(Scalar, sum, amplitude, sample);
-                } else {
-                    layer.accumulate(Scalar, sum, amplitude, sample);
-                }
+                layer.accumulate(Scalar, sum, amplitude, sample);
             }
         }
         sums.map(|(value, gradient)| Sample {

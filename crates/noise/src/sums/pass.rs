@@ -24,7 +24,6 @@ pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
 pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) noise: &'a K,
     pub(crate) shape: T,
-    pub(crate) rotation: Rotation,
     pub(crate) layers: &'a [Layer<N>],
     pub(crate) amplitudes: &'a [f32],
     /// A constant that is added to the sum before it is normalised.
@@ -47,7 +46,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                     .into_iter()
                     .for_each(|mut gradients| gradients.as_mut().iter_mut().for_each(|g| g.fill(0.0)));
             }
-        } else if self.rotation == Rotation::Aligned
+        } else if self.layers[0].rotation == Rotation::Aligned
             && points.len() >= FEW_POINTS
             && matches!(points.0, Source::Window(_))
         {
@@ -111,19 +110,33 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         mut target: Target<'_, V>,
     ) {
         let (instructions, count, wanted) = (target.instructions, block.len(), target.gradients.is_some());
+        let (mut sum, mut gradient) = ([0.0; LIST], [[0.0; LIST]; N]);
+        self.each_octave(points, instructions, wanted, |term, octave, slopes| {
+            let gradients = wanted.then(|| gradient.each_mut().map(|g| &mut g[..count]));
+            self.add(instructions, term, octave, slopes, &mut sum[..count], gradients);
+        });
+        copy_out(&mut target, block, &sum, &gradient);
+    }
+
+    /// Every octave with its number and amplitude: its values at up to [`LIST`] points, and its gradients if they are wanted.
+    pub(crate) fn each_octave<V: Point<Coordinates = [f32; N]>>(
+        &self,
+        points: &Points<'_, V>,
+        instructions: Instructions,
+        wanted: bool,
+        mut add: impl FnMut((usize, f32, &Layer<N>), &mut [f32; LIST], &Lists<N>),
+    ) {
+        let count = points.len().min(LIST);
         let (mut from, mut to) = ([[0.0; LIST]; N], [[0.0; LIST]; N]);
         let (mut octave, mut slopes) = ([0.0; LIST], [[0.0; LIST]; N]);
-        let (mut sum, mut gradient) = ([0.0; LIST], [[0.0; LIST]; N]);
         points.write(&mut from);
-        for (i, amplitude, layer) in self.octaves() {
-            instructions.run(Move { layer, rotation: self.rotation, from: &from, to: &mut to, count });
+        for term @ (_, _, layer) in self.octaves() {
+            instructions.run(Move { layer, from: &from, to: &mut to, count });
             let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
             let (kernel, seed, points) = (self.noise, layer.seed, to.each_ref().map(|x| &x[..count]));
             FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
-            let gradients = wanted.then(|| gradient.each_mut().map(|g| &mut g[..count]));
-            self.add(instructions, (i, amplitude, layer), &mut octave, &slopes, &mut sum[..count], gradients);
+            add(term, &mut octave, &slopes);
         }
-        copy_out(&mut target, block, &sum, &gradient);
     }
 
     /// Shapes an octave and adds it to a sum.
@@ -139,7 +152,6 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         let last = i + 1 == self.amplitudes.len();
         instructions.run(Add {
             shape: self.shape,
-            rotation: self.rotation,
             layer,
             amplitude,
             before: (i == 0).then_some(self.constant),
@@ -173,27 +185,23 @@ pub(crate) fn copy_out<V: Point, const N: usize>(
 }
 
 /// Points in the coordinates of an octave.
-pub(crate) struct Move<'a, const N: usize> {
-    pub(crate) layer: &'a Layer<N>,
-    pub(crate) rotation: Rotation,
-    pub(crate) from: &'a Lists<N>,
-    pub(crate) to: &'a mut Lists<N>,
-    pub(crate) count: usize,
+struct Move<'a, const N: usize> {
+    layer: &'a Layer<N>,
+    from: &'a Lists<N>,
+    to: &'a mut Lists<N>,
+    count: usize,
 }
 
 impl<const N: usize> Task for Move<'_, N> {
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
-        let Self { layer, rotation, from, to, count } = self;
+        let Self { layer, from, to, count } = self;
         for i in (0..count.min(LIST)).step_by(S::LEN) {
             let mut p = [s.float(0.0); N];
             for axis in 0..N {
                 p[axis] = s.load(&from[axis][i..]);
             }
-            let q = match rotation {
-                Rotation::Random => layer.points(s, p),
-                Rotation::Aligned => layer.aligned(s, p),
-            };
+            let q = layer.points(s, p);
             for axis in 0..N {
                 s.store(q[axis], &mut to[axis][i..]);
             }
@@ -204,7 +212,6 @@ impl<const N: usize> Task for Move<'_, N> {
 /// sum + amplitude · φ(octave); the sum is a constant before the first octave and normalised after the last.
 struct Add<'a, const N: usize, const M: usize, T> {
     shape: T,
-    rotation: Rotation,
     layer: &'a Layer<N>,
     amplitude: f32,
     before: Option<f32>,
@@ -219,8 +226,7 @@ struct Add<'a, const N: usize, const M: usize, T> {
 impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
-        let Self { shape, rotation, layer, amplitude, before, factor, octave, slopes, values, gradients } =
-            self;
+        let Self { shape, layer, amplitude, before, factor, octave, slopes, values, gradients } = self;
         let (count, amplitude, zero) = (values.len(), s.float(amplitude), s.float(0.0));
         if let Some(gradients) = gradients {
             let mut bends = [1.0; M];
@@ -243,10 +249,7 @@ impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
                         slope[axis] = s.load(&bends[i..]) * slope[axis];
                     }
                 }
-                match rotation {
-                    Rotation::Random => layer.accumulate(s, &mut sum, amplitude, (zero, slope)),
-                    Rotation::Aligned => layer.accumulate_aligned(s, &mut sum, amplitude, (zero, slope)),
-                }
+                layer.accumulate(s, &mut sum, amplitude, (zero, slope));
                 for axis in 0..N {
                     let total = factor.map_or(sum.1[axis], |factor| sum.1[axis] * s.float(factor));
                     put(s, total, gradients[axis], i, count);

@@ -4,15 +4,15 @@ use core::{error::Error, fmt};
 
 use crate::{
     contract::field::Field,
-    contract::kernel::{FillList, Kernel, samples, values},
+    contract::kernel::{self, Kernel},
     lanes::lanes::{Lanes, Scalar},
     lanes::level::Task,
     point::Point,
     row::points::{Points, Target},
     sample::Sample,
-    sums::octave::{Layer, Rotation},
+    sums::octave::Layer,
     sums::octaves::{Normalisation, Octaves},
-    sums::pass::{LIST, Lists, Move, copy_out},
+    sums::pass::{LIST, Lists, copy_out},
     sums::shape::Shape,
     sums::spectrum::Spectrum,
     sums::turbulence::Ridged,
@@ -81,7 +81,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (p, passes) = (p.coordinates(), self.octaves.parts());
         let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
-            let (n, slopes) = samples(passes.noise, Scalar, layer.points(Scalar, p), layer.seed);
+            let (n, slopes) = kernel::sample(passes.noise, layer.points(Scalar, p), layer.seed);
             let (value, slope) = (Ridged.value(n), Ridged.slope(n));
             let slopes = layer.pull_back(Scalar, slopes.map(|g| slope * g));
             let ridge = weight.0 * value;
@@ -102,7 +102,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (p, passes) = (p.coordinates(), self.octaves.parts());
         let (mut sum, mut weight) = (0.0, 1.0);
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
-            let n = values(passes.noise, Scalar, layer.points(Scalar, p), layer.seed);
+            let n = kernel::value(passes.noise, layer.points(Scalar, p), layer.seed);
             let ridge = weight * Ridged.value(n);
             sum += amplitude * ridge;
             let next = self.feedback * ridge;
@@ -120,18 +120,16 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (passes, feedback) = (self.octaves.parts(), self.feedback);
         for block in points.blocks(LIST) {
             let count = block.len();
-            let (mut from, mut to) = ([[0.0; LIST]; N], [[0.0; LIST]; N]);
-            let (mut octave, mut slopes) = ([0.0; LIST], [[0.0; LIST]; N]);
             let mut sums = Sums::empty();
-            points.part(&block).write(&mut from);
-            for (&amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
-                instructions.run(Move { layer, rotation: Rotation::Random, from: &from, to: &mut to, count });
-                let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
-                let (kernel, seed, points) = (passes.noise, layer.seed, to.each_ref().map(|x| &x[..count]));
-                FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
-                let (octave, slopes, sums) = (&octave, wanted.then_some(&slopes), &mut sums);
-                instructions.run(Add { layer, amplitude, feedback, octave, slopes, sums, count });
-            }
+            passes.each_octave(
+                &points.part(&block),
+                instructions,
+                wanted,
+                |(_, amplitude, layer), octave, slopes| {
+                    let (slopes, sums) = (wanted.then_some(slopes), &mut sums);
+                    instructions.run(Add { layer, amplitude, feedback, octave, slopes, sums, count });
+                },
+            );
             for value in sums.value.iter_mut().chain(sums.gradient.as_flattened_mut()) {
                 *value *= passes.factor;
             }

@@ -10,8 +10,11 @@ use crate::{
 
 /// A combination of fields that is made of their values alone: its methods, from those of [`Combine`].
 macro_rules! combined {
-    ([$($generic:ident),*] $name:ty, $($bound:ident: $trait:path)?, |$self:ident| $first:expr, [$($other:expr),*], $range:expr) => {
-        impl<V: Point, $($generic: Field<V>),* $(, $bound: $trait)?> Field<V> for $name {
+    ([$($generic:ident),*] $name:ty, |$self:ident| $first:expr, [$($other:expr),*], $range:expr) => {
+        combined!([$($generic),*] $name, Point, |$self| $first, [$($other),*], $range);
+    };
+    ([$($generic:ident),*] $name:ty, $point:path, |$self:ident| $first:expr, [$($other:expr),*], $range:expr) => {
+        impl<V: $point, $($generic: Field<V>),*> Field<V> for $name {
             #[inline]
             fn sample(&$self, p: V) -> Sample<V> {
                 let (first, others) = ($first.sample(p), [$($other.sample(p)),*]);
@@ -73,7 +76,7 @@ impl<A, B> Combine<1> for Add<A, B> {
     }
 }
 
-combined!([A, B] Add<A, B>, , |self| self.0, [self.1], {
+combined!([A, B] Add<A, B>, |self| self.0, [self.1], {
     let ([a, b], [c, d]) = (self.0.range(), self.1.range());
     [a + c, b + d]
 });
@@ -107,7 +110,7 @@ impl<A, B> Combine<1> for Multiply<A, B> {
     }
 }
 
-combined!([A, B] Multiply<A, B>, , |self| self.0, [self.1], product(self.0.range(), self.1.range()));
+combined!([A, B] Multiply<A, B>, |self| self.0, [self.1], product(self.0.range(), self.1.range()));
 
 /// Bounds of products; values are finite, so that 0 · ∞ is 0.
 fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
@@ -151,7 +154,7 @@ impl<A, B, T> Combine<2> for Blend<A, B, T> {
     }
 }
 
-combined!([A, B, T] Blend<A, B, T>, , |self| self.0, [self.1, self.2], {
+combined!([A, B, T] Blend<A, B, T>, |self| self.0, [self.1, self.2], {
     let ([a, b], [c, d], [low, high]) = (self.0.range(), self.1.range(), self.2.range());
     if low >= 0.0 && high <= 1.0 {
         [a.min(c), b.max(d)]
@@ -190,7 +193,7 @@ impl<F> Combine<0> for Clamp<F> {
     }
 }
 
-combined!([F] Clamp<F>, , |self| self.0, [], self.0.range().map(|bound| Combine::combined(self, bound, [])));
+combined!([F] Clamp<F>, |self| self.0, [], self.0.range().map(|bound| Combine::combined(self, bound, [])));
 
 /// A field times a factor and moved, factor · f + offset.
 ///
@@ -222,7 +225,7 @@ impl<F> Combine<0> for Affine<F> {
     }
 }
 
-combined!([F] Affine<F>, , |self| self.0, [], {
+combined!([F] Affine<F>, |self| self.0, [], {
     let [low, high] = product(self.0.range(), [self.1, self.1]);
     [low + self.2, high + self.2]
 });

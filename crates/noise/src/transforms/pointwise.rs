@@ -32,7 +32,7 @@ pub(crate) fn fill<V: Point, C: Combine<M>, const M: usize>(
     for block in points.blocks(if M == 0 { usize::MAX } else { BLOCK }) {
         let (points, width) = (points.part(&block), block.width());
         let mut target = target.part(&block);
-        first.fill(&points, target.again());
+        first.fill(&points, target.after(0));
         for (buffer, other) in buffers.iter_mut().zip(others) {
             other.fill(&points, buffer.target(instructions, width, wanted));
         }

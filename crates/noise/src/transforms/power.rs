@@ -51,7 +51,7 @@ impl<F> Combine<0> for Power<F> {
     }
 }
 
-combined!([F] Power<F>, , |self| self.0, [], {
+combined!([F] Power<F>, |self| self.0, [], {
     let [low, high] = self.0.range();
     let [a, b] = [low, high].map(|bound| Combine::combined(self, bound, []));
     let through_zero = self.1 > 0 && self.1.is_multiple_of(2) && low < 0.0 && high > 0.0;

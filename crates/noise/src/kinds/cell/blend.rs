@@ -153,19 +153,9 @@ fn offsets<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, [low, high]: [Line<S
     }
 }
 
-/// The value of two edges' blend.
+/// The value of two edges' blend along the second axis, and its gradient if `GRADIENTS`.
 #[inline(always)]
-pub(crate) fn blend_values<K: CellNoise<N>, S: Lanes, const N: usize>(
-    s: S,
-    [low, high]: &[Edge<S, N>; 2],
-    along: Along<S>,
-) -> S::F {
-    across::<K, S, N>(s, [low.line, high.line], along)
-}
-
-/// Value and gradient of two edges' blend along the second axis.
-#[inline(always)]
-pub(crate) fn blend_edges<K: CellNoise<N>, S: Lanes, const N: usize>(
+pub(crate) fn blend<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     [low, high]: &[Edge<S, N>; 2],
     along: Along<S>,
@@ -173,7 +163,7 @@ pub(crate) fn blend_edges<K: CellNoise<N>, S: Lanes, const N: usize>(
     let lines = [low.line, high.line];
     let value = across::<K, S, N>(s, lines, along);
     let mut gradient = [value; N];
-    for axis in 0..N {
+    for axis in 0..if GRADIENTS { N } else { 0 } {
         if axis == 1 {
             let [a, b] = offsets::<K, S, N>(s, lines, along.place);
             let rise = along.slope * (b - a);

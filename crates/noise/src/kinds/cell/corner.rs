@@ -10,11 +10,10 @@
 //! ```
 
 use crate::{
-    contract::kernel::gaussian_moments,
+    contract::kernel::Measured,
     lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
-    lattice::lattice::Lattice,
-    statistics::statistics::Statistics,
+    lattice::lattice::OnLattice,
 };
 
 /// The linear function of a corner: its value there and its gradient.
@@ -32,43 +31,34 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
 }
 
 /// A noise by its values and gradients at the corners of cells, and by their blend.
-pub(crate) trait CellNoise<const N: usize> {
-    /// The source of the words.
-    type Lattice: Lattice;
+pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     /// Whether corners have values other than 0.
-    const HAS_VALUE: bool;
+    const HAS_VALUE: bool = true;
     /// Whether corners have gradients other than 0.
-    const HAS_GRADIENT: bool;
+    const HAS_GRADIENT: bool = true;
     /// The weights.
-    const FADE: Fade;
+    const FADE: Fade = Fade::Quintic;
     /// Whether the sum is divided by its standard deviation at the point, see [`Gaussian`](crate::Gaussian).
     const NORMALISED: bool = false;
 
-    fn lattice(&self) -> &Self::Lattice;
-    fn seed(&self) -> u32;
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
-    fn statistics(&self) -> &'static Statistics;
-    fn standard_deviation(&self) -> f32 {
-        self.statistics().standard_deviation
-    }
-    fn absolute_moments(&self) -> [f32; 4] {
-        gaussian_moments(self.standard_deviation())
-    }
 }
 
-/// n/√v and its gradient.
+/// n/√v, and its gradient if `GRADIENTS`.
 #[inline(always)]
-pub(crate) fn normalised<S: Lanes, const N: usize>(
+pub(crate) fn normalised<S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     (value, gradient): LaneSample<S, N>,
     (v, dv): LaneSample<S, N>,
 ) -> LaneSample<S, N> {
     let inverse = s.float(1.0) / s.sqrt(v);
     let z = value * inverse;
-    let factor = z * (s.float(0.5) * inverse * inverse);
     let mut dz = gradient;
-    for axis in 0..N {
-        dz[axis] = gradient[axis] * inverse - factor * dv[axis];
+    if GRADIENTS {
+        let factor = z * (s.float(0.5) * inverse * inverse);
+        for axis in 0..N {
+            dz[axis] = gradient[axis] * inverse - factor * dv[axis];
+        }
     }
     (z, dz)
 }

@@ -3,7 +3,7 @@
 use core::num::Wrapping;
 
 use crate::{
-    kinds::cell::blend::{Column, Edge, blend_edges, edge, ends, lerp},
+    kinds::cell::blend::{Column, Edge, blend, edge, ends, lerp},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
     lanes::lanes::{LaneSample, Lanes, Scalar},
@@ -199,7 +199,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         [low, if N == 1 { low } else { self.drawn_edge(s, noise, 1, seed) }]
     }
 
-    /// n and its gradient, and v and its gradient where the noise is normalised, from the corners.
+    /// n and v with their gradients, from the corners.
     #[inline(always)]
     pub(crate) fn parts_of<K: CellNoise<N>>(
         &self,
@@ -211,20 +211,22 @@ impl<S: Lanes, const N: usize> Place<S, N> {
             let [low, high] = [self.column::<K>(s, &corners[0][j]), self.column::<K>(s, &corners[1][j])];
             edges[j] = edge::<K, S, N>(s, &low, &high, self.along[0]);
         }
-        self.parts::<K>(s, &edges)
+        self.parts::<K, true>(s, &edges)
     }
 
-    /// n and its gradient, and v and its gradient where the noise is normalised.
+    /// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
     #[inline(always)]
-    pub(crate) fn parts<K: CellNoise<N>>(
+    pub(crate) fn parts<K: CellNoise<N>, const GRADIENTS: bool>(
         &self,
         s: S,
         edges: &[Edge<S, N>; 2],
     ) -> (LaneSample<S, N>, LaneSample<S, N>) {
-        let sample = blend_edges::<K, S, N>(s, edges, self.along[1 % N]);
-        let variance = self.variance(s);
+        let sample = blend::<K, S, N, GRADIENTS>(s, edges, self.along[1 % N]);
+        if !K::NORMALISED {
+            return (sample, sample);
+        }
         let axis = axis_variance(s, &self.along[0]);
-        (sample, (variance.value(axis), variance.gradient(axis)))
+        (sample, self.variance(s).at::<GRADIENTS>(axis))
     }
 
     /// The variance of all axes but the first.

@@ -50,7 +50,8 @@ impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
             hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, &place));
         }
         mirror(&mut hessian);
-        let (value, gradient) = if K::NORMALISED { normalised(Scalar, sample, variance) } else { sample };
+        let (value, gradient) =
+            if K::NORMALISED { normalised::<_, N, true>(Scalar, sample, variance) } else { sample };
         Jet { value, gradient, hessian }
     }
 }

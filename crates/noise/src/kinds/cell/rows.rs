@@ -5,7 +5,7 @@
 
 use crate::{
     contract::kernel::by_lanes,
-    kinds::cell::blend::{blend_edges, blend_values, edge, ends},
+    kinds::cell::blend::{blend, edge, ends},
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::row_edges::{Columns, Edges},
@@ -14,38 +14,8 @@ use crate::{
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
     row::cells::{POINTS, Plan, Run},
-    row::row::Row,
+    row::row::{Row, Strip},
 };
-
-/// Values, and gradients if there is room for them, along a row.
-#[inline(always)]
-pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
-    s: S,
-    noise: &K,
-    row: &Row<N>,
-    seed: u32,
-    stretch: &mut Stretch<N>,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
-) {
-    if !pays(row) {
-        by_lanes::<K, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
-        return;
-    }
-    for start in (0..values.len()).step_by(POINTS) {
-        let end = values.len().min(start + POINTS);
-        stretch.plan(s, noise, &row.after(start), end - start, seed, GRADIENTS);
-        stretch.fill_edges::<K, S, GRADIENTS>(s, noise, seed);
-        let values = values.get_mut(start..end).unwrap_or_default();
-        match &mut gradients {
-            Some(gradients) if GRADIENTS => {
-                let mut slopes = gradients.each_mut().map(|g| g.get_mut(start..end).unwrap_or_default());
-                stretch.blend_samples::<K, S>(s, values, &mut slopes);
-            }
-            _ => stretch.blend_values::<K, S>(s, values),
-        }
-    }
-}
 
 /// Whether rows of a grid of such steps share edges.
 #[inline(always)]
@@ -96,6 +66,27 @@ impl<const N: usize> Default for Stretch<N> {
 }
 
 impl<const N: usize> Stretch<N> {
+    /// Values along a row, and gradients if `GRADIENTS`.
+    #[inline(always)]
+    pub(crate) fn rows<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(
+        &mut self,
+        s: S,
+        noise: &K,
+        mut strip: Strip<'_, N, GRADIENTS>,
+    ) {
+        if !pays(&strip.row) {
+            by_lanes(s, noise, strip);
+            return;
+        }
+        let count = strip.values.len();
+        for start in (0..count).step_by(POINTS) {
+            let part = strip.part(start..count.min(start + POINTS));
+            self.plan(s, noise, &part.row, part.values.len(), part.seed, GRADIENTS);
+            self.fill_edges::<K, S, GRADIENTS>(s, noise, part.seed);
+            self.blend::<K, S, GRADIENTS>(s, part);
+        }
+    }
+
     /// Plans the first `points` points of a row and forgets the edges of others.
     #[inline(always)]
     fn plan<K: CellNoise<N>, S: Lanes>(
@@ -201,45 +192,15 @@ impl<const N: usize> Stretch<N> {
         if slot(self.second) == 0 { [even, odd] } else { [odd, even] }
     }
 
-    /// The values of the planned points from the edges below and above them.
+    /// The values of the planned points, and the gradients if `GRADIENTS`, from the edges below and above them.
     #[inline(always)]
-    fn blend_values<K: CellNoise<N>, S: Lanes>(&self, s: S, values: &mut [f32]) {
+    fn blend<K: CellNoise<N>, S: Lanes, const GRADIENTS: bool>(&self, s: S, strip: Strip<'_, N, GRADIENTS>) {
+        let Strip { values, mut gradients, .. } = strip;
         let [below, above] = self.edges();
         let along = self.place.along[1 % N].splat(s);
         let rest = self.place.variance(Scalar).splat(s);
         let whole = values.len() / LANES;
         // The points after the last whole block are written by way of another block.
-        let mut tail = [[0.0; LANES]; 1];
-        for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
-            let (first, values) =
-                if part == 0 { (0, values.as_chunks_mut().0) } else { (whole, &mut tail[..]) };
-            for (b, block) in (first..=POINTS / LANES).zip(values) {
-                for k in (0..LANES).step_by(S::LEN) {
-                    let edges = [below.load::<K, S, false>(s, b, k), above.load::<K, S, false>(s, b, k)];
-                    let mut value = blend_values::<K, S, N>(s, &edges, along);
-                    if K::NORMALISED {
-                        let axis = axis_variance(s, &self.plan.along(s, b, k));
-                        value = value * (s.float(1.0) / s.sqrt(rest.value(axis)));
-                    }
-                    s.store(value, &mut block[k..]);
-                }
-            }
-        }
-        copy(&tail[0], values, whole * LANES);
-    }
-
-    /// Values and gradients of the planned points from the edges below and above them.
-    #[inline(always)]
-    fn blend_samples<K: CellNoise<N>, S: Lanes>(
-        &self,
-        s: S,
-        values: &mut [f32],
-        gradients: &mut [&mut [f32]; N],
-    ) {
-        let [below, above] = self.edges();
-        let along = self.place.along[1 % N].splat(s);
-        let rest = self.place.variance(Scalar).splat(s);
-        let whole = values.len() / LANES;
         let (mut tail, mut slopes) = ([[0.0; LANES]; 1], [[[0.0; LANES]; 1]; N]);
         for part in 0..if values.len().is_multiple_of(LANES) { 1 } else { 2 } {
             let (first, values, gradients) = if part == 0 {
@@ -249,14 +210,15 @@ impl<const N: usize> Stretch<N> {
             };
             for (b, block) in (first..=POINTS / LANES).zip(values) {
                 for k in (0..LANES).step_by(S::LEN) {
-                    let edges = [below.load::<K, S, true>(s, b, k), above.load::<K, S, true>(s, b, k)];
-                    let mut sample = blend_edges::<K, S, N>(s, &edges, along);
+                    let edges =
+                        [below.load::<K, S, GRADIENTS>(s, b, k), above.load::<K, S, GRADIENTS>(s, b, k)];
+                    let mut sample = blend::<K, S, N, GRADIENTS>(s, &edges, along);
                     if K::NORMALISED {
-                        let axis = axis_variance(s, &self.plan.along(s, b, k));
-                        sample = normalised(s, sample, (rest.value(axis), rest.gradient(axis)));
+                        let variance = rest.at::<GRADIENTS>(axis_variance(s, &self.plan.along(s, b, k)));
+                        sample = normalised::<S, N, GRADIENTS>(s, sample, variance);
                     }
                     s.store(sample.0, &mut block[k..]);
-                    for axis in 0..N {
+                    for axis in 0..if GRADIENTS { N } else { 0 } {
                         if let Some(block) = gradients[axis].get_mut(b - first) {
                             s.store(sample.1[axis], &mut block[k..]);
                         }

@@ -2,7 +2,7 @@
 
 use crate::{
     kinds::cell::blend::splat,
-    lanes::lanes::{Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Along,
 };
 
@@ -60,19 +60,17 @@ impl<S: Lanes, const N: usize> Variance<S, N> {
         variance
     }
 
+    /// The variance from all axes, and its gradient if `GRADIENTS`.
     #[inline(always)]
-    pub(crate) fn value(&self, [p, q, ..]: [S::F; 4]) -> S::F {
-        p * self.pq + q * self.p4
-    }
-
-    #[inline(always)]
-    pub(crate) fn gradient(&self, [p, q, dp, dq]: [S::F; 4]) -> [S::F; N] {
-        let mut gradient = self.dpq;
-        gradient[0] = dp * self.pq + dq * self.p4;
-        for axis in 1..N {
-            gradient[axis] = p * self.dpq[axis] + q * self.dp4[axis];
+    pub(crate) fn at<const GRADIENTS: bool>(&self, [p, q, dp, dq]: [S::F; 4]) -> LaneSample<S, N> {
+        let mut gradient = [p; N];
+        if GRADIENTS {
+            gradient[0] = dp * self.pq + dq * self.p4;
+            for axis in 1..N {
+                gradient[axis] = p * self.dpq[axis] + q * self.dp4[axis];
+            }
         }
-        gradient
+        (p * self.pq + q * self.p4, gradient)
     }
 }
 

@@ -1,21 +1,15 @@
-//! Simplex noise as a kind: at points, along rows, with its Hessian and its statistics.
+//! Simplex noise as a kind: at points, along rows, with its Hessian.
 
 use crate::{
     contract::hessian::{CurvedKernel, Jet, mirror},
-    contract::kernel::{Kernel, Sealed},
-    contract::noise::noise,
+    contract::kernel::Kernel,
     kinds::simplex::geometry::{Term, first_corner, kernel, pull},
-    kinds::simplex::rows::{Sums, rows},
-    kinds::simplex::simplex::{Radius, Simplex},
+    kinds::simplex::rows::Sums,
+    kinds::simplex::simplex::Simplex,
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::lattice::Lattice,
-    row::row::Row,
-    statistics::absolute_moments,
-    statistics::statistics::Statistics,
-    statistics::tables,
+    row::row::Strip,
 };
-
-noise!(Simplex, curved);
 
 impl<L: Lattice, const N: usize> CurvedKernel<N> for Simplex<L> {
     /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).
@@ -57,42 +51,26 @@ macro_rules! for_corners {
     };
 }
 
-impl<L: Lattice, const N: usize> Sealed<N> for Simplex<L> {}
-
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     const REACH: f32 = 4_194_304.0;
 
     type RowScratch = Sums<N>;
 
     #[inline(always)]
-    fn seed(&self) -> u32 {
-        self.seed
-    }
-
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> S::F {
-        let corner = first_corner(s, &p);
-        let terms = self.terms(s, &corner);
-        let mut value = s.float(0.0);
-        // Written out, because a loop with such a body is not unrolled.
-        for_corners!(N, |k| {
-            let Term { t, slope, .. } = self.term(s, &p, &corner, &terms, k, seed);
-            value = value + kernel(t) * slope;
-        });
-        value
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let corner = first_corner(s, &p);
         let terms = self.terms(s, &corner);
         let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
+        // Written out, because a loop with such a body is not unrolled.
         for_corners!(N, |k| {
             let Term { t, d, g, slope } = self.term(s, &p, &corner, &terms, k, seed);
-            let (t4, pull) = (kernel(t), pull(s, t, slope));
+            let t4 = kernel(t);
             value = value + t4 * slope;
-            for axis in 0..N {
-                gradient[axis] = gradient[axis] + (g[axis] * t4 - d[axis] * pull);
+            if GRADIENTS {
+                let pull = pull(s, t, slope);
+                for axis in 0..N {
+                    gradient[axis] = gradient[axis] + (g[axis] * t4 - d[axis] * pull);
+                }
             }
         });
         (value, gradient)
@@ -102,26 +80,9 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     fn rows<S: Lanes, const GRADIENTS: bool>(
         &self,
         s: S,
-        row: &Row<N>,
-        seed: u32,
-        scratch: &mut Sums<N>,
-        values: &mut [f32],
-        gradients: Option<&mut [&mut [f32]; N]>,
+        sums: &mut Sums<N>,
+        strip: Strip<'_, N, GRADIENTS>,
     ) {
-        rows::<L, S, N, GRADIENTS>(s, self, row, seed, scratch, values, gradients);
-    }
-
-    fn statistics(&self) -> &'static Statistics {
-        match self.radius() {
-            Radius::Continuous => &tables::SIMPLEX_CONTINUOUS[N - 1],
-            Radius::Wide => &tables::SIMPLEX_WIDE[N - 1],
-        }
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        match self.radius() {
-            Radius::Continuous => absolute_moments::SIMPLEX_CONTINUOUS[N - 1],
-            Radius::Wide => absolute_moments::SIMPLEX_WIDE[N - 1],
-        }
+        sums.rows(s, self, strip);
     }
 }

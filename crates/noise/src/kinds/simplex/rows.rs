@@ -8,10 +8,10 @@ use crate::{
     kinds::simplex::geometry::{GAP, UNSKEW, along, beside, kernel, pull},
     kinds::simplex::simplex::Simplex,
     lanes::lanes::{LANES, Lanes},
-    lattice::lattice::Lattice,
+    lattice::lattice::{Lattice, OnLattice},
     math,
     row::cells::{Numbers, POINTS, ZEROS, has_columns},
-    row::row::{Row, RowKey},
+    row::row::{Row, RowKey, Strip},
 };
 
 /// Steps from here on leave too few points in a kernel.
@@ -20,36 +20,6 @@ const LONG_STEP: f32 = 0.22;
 const REACH: f32 = 1024.0;
 /// √(n + 1), the steps of the sum per unit length.
 const SUMS: [f32; 4] = [core::f32::consts::SQRT_2, 1.732_050_8, 2.0, 2.236_068];
-
-/// Values, and gradients if there is room for them, along a row.
-#[inline(always)]
-pub(crate) fn rows<L: Lattice, S: Lanes, const N: usize, const GRADIENTS: bool>(
-    s: S,
-    noise: &Simplex<L>,
-    row: &Row<N>,
-    seed: u32,
-    sums: &mut Sums<N>,
-    values: &mut [f32],
-    mut gradients: Option<&mut [&mut [f32]; N]>,
-) {
-    let count = values.len();
-    if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
-        by_lanes::<_, S, N, GRADIENTS>(s, noise, row, seed, values, gradients);
-        return;
-    }
-    for start in (0..count).step_by(POINTS) {
-        let end = count.min(start + POINTS);
-        let part = row.after(start);
-        sums.place(s, &part, end - start);
-        splat::<L, S, N, GRADIENTS>(s, noise, &part, seed, sums, end - start);
-        copy(&sums.values, &mut values[start..end]);
-        if let (true, Some(gradients)) = (GRADIENTS, &mut gradients) {
-            for axis in 0..N {
-                copy(&sums.gradients[axis], &mut gradients[axis][start..end]);
-            }
-        }
-    }
-}
 
 /// Whether all corners, and all points by their index, are placed well enough.
 #[inline(always)]
@@ -91,6 +61,30 @@ impl<const N: usize> Default for Sums<N> {
 }
 
 impl<const N: usize> Sums<N> {
+    /// Values along a row, and gradients if `GRADIENTS`.
+    #[inline(always)]
+    pub(crate) fn rows<L: Lattice, S: Lanes, const GRADIENTS: bool>(
+        &mut self,
+        s: S,
+        noise: &Simplex<L>,
+        mut strip: Strip<'_, N, GRADIENTS>,
+    ) {
+        let (row, count) = (&strip.row, strip.values.len());
+        if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
+            by_lanes(s, noise, strip);
+            return;
+        }
+        for start in (0..count).step_by(POINTS) {
+            let part = strip.part(start..count.min(start + POINTS));
+            self.place(s, &part.row, part.values.len());
+            splat::<L, S, N, GRADIENTS>(s, noise, &part.row, part.seed, self, part.values.len());
+            copy(&self.values, part.values);
+            for (sums, gradient) in self.gradients.iter().zip(part.gradients) {
+                copy(sums, gradient);
+            }
+        }
+    }
+
     /// The first coordinates of the first `points` points of a row.
     #[inline(always)]
     fn place<S: Lanes>(&mut self, s: S, row: &Row<N>, points: usize) {

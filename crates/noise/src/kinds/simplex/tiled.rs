@@ -1,17 +1,13 @@
 //! Simplex noise in space that repeats along the axes.
 
 use crate::{
-    contract::field::Field,
-    contract::kernel::{self, Kernel, Sealed},
-    contract::noise::Noise,
+    contract::kernel::{Kernel, Measured},
+    contract::noise::noise,
     kinds::simplex::simplex::Simplex,
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::Lattice,
+    lattice::lattice::{Lattice, word_by_terms},
     lattice::tiled::{Tiled, TiledError, remainder},
-    point::Point,
-    row::points::{Points, Target},
-    sample::Sample,
     statistics::statistics::Statistics,
 };
 
@@ -91,12 +87,7 @@ struct Corners<L> {
 impl<L: Lattice> Lattice for Corners<L> {
     #[inline]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        let sum = cell.iter().fold(0_i32, |sum, &c| sum.wrapping_add(c));
-        let mut corner = cell;
-        for (c, &period) in corner.iter_mut().zip(&self.periods) {
-            *c = c.wrapping_mul(6).wrapping_sub(sum).rem_euclid(6 * period as i32);
-        }
-        self.lattice.word(corner, seed)
+        word_by_terms(self, cell, seed)
     }
 
     #[inline(always)]
@@ -128,82 +119,31 @@ impl<L> TiledSimplex<L> {
     }
 }
 
-impl<L: Lattice> Sealed<3> for TiledSimplex<L> {}
-
 impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
     type RowScratch = ();
 
     #[inline(always)]
+    fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
+        self.noise.evaluate::<S, GRADIENTS>(s, self.in_first_tile(s, p), seed)
+    }
+}
+
+impl<L> Measured<3> for TiledSimplex<L> {
     fn seed(&self) -> u32 {
-        self.noise.seed
-    }
-
-    #[inline(always)]
-    fn lane_values<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> S::F {
-        self.noise.lane_values(s, self.in_first_tile(s, p), seed)
-    }
-
-    #[inline(always)]
-    fn lane_samples<S: Lanes>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
-        self.noise.lane_samples(s, self.in_first_tile(s, p), seed)
+        Measured::<3>::seed(&self.noise)
     }
 
     fn statistics(&self) -> &'static Statistics {
-        Kernel::<3>::statistics(&self.noise)
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        Kernel::<3>::absolute_moments(&self.noise)
+        Measured::<3>::statistics(&self.noise)
     }
 }
 
-impl<V: Point<Coordinates = [f32; 3]>, L: Lattice> Field<V> for TiledSimplex<L> {
-    #[inline]
-    fn sample(&self, p: V) -> Sample<V> {
-        let (value, gradient) = kernel::samples(self, Scalar, p.coordinates(), self.noise.seed);
-        Sample { value, gradient: V::from_coordinates(gradient) }
-    }
-
-    #[inline]
-    fn value(&self, p: V) -> f32 {
-        kernel::values(self, Scalar, p.coordinates(), self.noise.seed)
-    }
-
-    fn range(&self) -> [f32; 2] {
-        [-1.0, 1.0]
-    }
-
-    fn fill(&self, points: &Points<'_, V>, target: Target<'_, V>) {
-        kernel::fill(self, points, target);
-    }
-}
-
-impl<V: Point<Coordinates = [f32; 3]>, L: Lattice> Noise<V> for TiledSimplex<L> {
-    fn statistics(&self) -> &'static Statistics {
-        Kernel::<3>::statistics(self)
-    }
-
-    fn standard_deviation(&self) -> f32 {
-        Kernel::<3>::standard_deviation(self)
-    }
-
-    fn absolute_moments(&self) -> [f32; 4] {
-        Kernel::<3>::absolute_moments(self)
-    }
-
-    fn seed(&self) -> u32 {
-        self.noise.seed
-    }
-
-    fn with_seed(self, seed: u32) -> Self {
-        Self { noise: self.noise.with_seed(seed), ..self }
-    }
-}
+noise!(TiledSimplex, [], 3);
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lattice::lattice::word_by_terms;
+    use crate::contract::field::Field;
     use glam::Vec3;
 
     #[test]
@@ -212,20 +152,6 @@ mod tests {
         let error = TiledError::NoMultiple { axis: 1, period: 4, factor: 3 };
         assert_eq!(TiledSimplex::new(Simplex::wide(0), [3, 4, 6]), Err(error));
         assert!(TiledSimplex::new(Simplex::wide(0), [0, 3, 6]).is_err());
-    }
-
-    #[test]
-    fn corners_get_the_same_words_in_both_ways() {
-        let corners = Corners { lattice: IntegerHash, periods: [3, 6, 9] };
-        for i in -50..50 {
-            let cell = [3 * i, 7 - i, i % 5];
-            assert_eq!(word_by_terms(&corners, cell, 3), corners.word(cell, 3));
-            // Three along x, six along y, nine along z.
-            for step in [[4, 1, 1], [2, 8, 2], [3, 3, 12], [-4, -1, -1]] {
-                let there = [cell[0] + step[0], cell[1] + step[1], cell[2] + step[2]];
-                assert_eq!(corners.word(cell, 3), corners.word(there, 3), "{cell:?} and {there:?}");
-            }
-        }
     }
 
     #[test]
@@ -251,17 +177,5 @@ mod tests {
             }
             assert!(others < 20, "{others}");
         }
-    }
-
-    #[test]
-    fn the_shape_is_that_of_simplex_noise() {
-        // Away from the lattice's words both have the same kernels: 0 at corners.
-        let noise = TiledSimplex::new(Simplex::new(0), [3, 3, 3]).unwrap();
-        assert_eq!(noise.with_seed(3).value(Vec3::ZERO), 0.0);
-        assert_eq!(noise.with_seed(3).value(Vec3::new(5.0, -1.0, -1.0)), 0.0);
-        let range =
-            (0..2000_u16).map(|i| noise.with_seed(3).value(Vec3::new(0.37, 0.61, 0.23) * f32::from(i)).abs());
-        let greatest = range.fold(0.0, f32::max);
-        assert!(greatest > 0.3 && greatest <= 1.0, "{greatest}");
     }
 }

@@ -1,6 +1,6 @@
 //! Areas of a carpet that look darker, because their threads lean another way.
 
-use asperity_noise::{Simplex, simd::Kernel};
+use asperity_noise::{Noise, Simplex};
 use glam::Vec3;
 
 use crate::material::fbm::Fbm;
@@ -49,7 +49,7 @@ impl DarkAreas {
     /// Factor of colours at a point; that of N = 0 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint, form: Form) -> f32 {
-        let mean = 0.5 * Kernel::<3>::absolute_moments(&Simplex::new(0))[0];
+        let mean = 0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0];
         let removed = self.noise.removed(footprint);
         let near = if removed < 1.0 { self.noise.value(position).max(0.0) } else { 0.0 };
         let positive = near + removed * (mean - near);

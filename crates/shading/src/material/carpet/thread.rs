@@ -1,7 +1,7 @@
 //! Threads of a carpet: many together, and single ones.
 
 use asperity_noise::{
-    Field, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share, simd::Kernel,
+    Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, Turbulence, removed_share,
 };
 use glam::Vec3;
 
@@ -163,7 +163,7 @@ impl SpecularThreads {
 }
 
 fn coefficients() -> [[f32; 8]; 4] {
-    let [first, second, third, fourth] = Kernel::<3>::absolute_moments(&Simplex::new(0));
+    let [first, second, third, fourth] = Noise::<Vec3>::absolute_moments(&Simplex::new(0));
     let [fifth, sixth, seventh] = HIGHER_MOMENTS;
     let mut one = [1.0, first, second, third, fourth, fifth, sixth, seventh];
     let mut scale = 1.0;

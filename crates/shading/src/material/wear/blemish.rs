@@ -1,5 +1,6 @@
 //! Small variations of colour and normal.
 
+use asperity_noise::{Noise, Simplex};
 use glam::Vec3;
 
 use crate::bump::tangential;
@@ -55,7 +56,7 @@ pub struct Blemishes {
 
 /// E|N|/2 of continuous simplex noise.
 fn half_mean() -> f32 {
-    0.5 * asperity_noise::simd::Kernel::<3>::absolute_moments(&asperity_noise::Simplex::new(0))[0]
+    0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
 }
 
 impl Blemishes {

@@ -48,7 +48,7 @@ const SEEDS: u32 = 64;
 const POINTS: usize = 128;
 
 fn draw<K: Kernel<2> + Noise<Vec2> + Copy + Sync>(context: &Context<'_>, noise: K) -> Result<Drawn> {
-    let statistics = Kernel::<2>::statistics(&noise);
+    let statistics = Noise::<Vec2>::statistics(&noise);
     let sigma = statistics.standard_deviation;
     let window = Window::new(context, CELLS);
     let words = ["value", "the noise", "The noise in grey, dark and bright blobs about a cell wide."];
