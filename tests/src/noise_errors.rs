@@ -1,6 +1,9 @@
 //! Errors of a noise beside its reference.
 
-use asperity_noise::{IntegerHash, Lattice, Point, Sample};
+use asperity_noise::{
+    IntegerHash, Lattice, Noise, Point, Sample,
+    glam::{Vec2, Vec3, Vec4},
+};
 
 use crate::{noise_reference::Kind, random::Random};
 
@@ -14,6 +17,28 @@ pub fn coordinate(random: &mut Random) -> f32 {
 #[must_use]
 pub fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random, divisor: f32) -> V {
     V::from_coordinates([(); N].map(|()| coordinate(random) / divisor))
+}
+
+/// The worst errors of value and gradient of a noise in 1 to 4 dimensions, at points of ±4096 divided by a power of two.
+#[must_use]
+pub fn errors_by_dimension<K>(noise: K, lattice: &impl Lattice, kind: Kind, divisor: f32) -> [[f64; 2]; 4]
+where
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+{
+    fn of<V: Point<Coordinates = [f32; N]>, const N: usize>(
+        noise: impl Noise<V> + Copy,
+        lattice: &impl Lattice,
+        kind: Kind,
+        divisor: f32,
+    ) -> [f64; 2] {
+        errors_on(lattice, kind, kind.scales()[N - 1], divisor, |p: V, seed| noise.with_seed(seed).sample(p))
+    }
+    [
+        of::<f32, 1>(noise, lattice, kind, divisor),
+        of::<Vec2, 2>(noise, lattice, kind, divisor),
+        of::<Vec3, 3>(noise, lattice, kind, divisor),
+        of::<Vec4, 4>(noise, lattice, kind, divisor),
+    ]
 }
 
 /// The worst errors of value and gradient at points of ±4096 divided by a power of two.

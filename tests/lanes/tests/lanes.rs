@@ -12,48 +12,26 @@ use asperity_noise::{
     simd::Kernel,
 };
 
-struct Near;
-struct Far;
-struct Lengths;
-struct Points;
-
-impl Visit for Near {
-    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
-        &mut self,
-        name: &str,
-        noise: K,
-    ) {
-        grids::<V>(name, &noise.with_seed(7), &near_cases());
-    }
+/// What every kind is tested for.
+enum Check {
+    Near,
+    Far,
+    Lengths,
+    Points,
 }
 
-impl Visit for Far {
+impl Visit for Check {
     fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
         &mut self,
         name: &str,
         noise: K,
     ) {
-        grids::<V>(name, &noise.with_seed(7), &far_cases());
-    }
-}
-
-impl Visit for Lengths {
-    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
-        &mut self,
-        name: &str,
-        noise: K,
-    ) {
-        lengths::<V>(name, &noise.with_seed(u32::MAX));
-    }
-}
-
-impl Visit for Points {
-    fn visit<V: Point<Coordinates = [f32; N]>, K: Testable<V, N>, const N: usize>(
-        &mut self,
-        name: &str,
-        noise: K,
-    ) {
-        every_point::<V>(name, &noise.with_seed(7));
+        match self {
+            Self::Near => grids::<V>(name, &noise.with_seed(7), &near_cases()),
+            Self::Far => grids::<V>(name, &noise.with_seed(7), &far_cases()),
+            Self::Lengths => lengths::<V>(name, &noise.with_seed(u32::MAX)),
+            Self::Points => every_point::<V>(name, &noise.with_seed(7)),
+        }
     }
 }
 
@@ -73,17 +51,17 @@ fn every_point<V: Point>(name: &str, field: &dyn Field<V>) {
 
 #[test]
 fn near_grids_have_the_scalar_bits() {
-    every_kind(&mut Near);
+    every_kind(&mut Check::Near);
 }
 
 #[test]
 fn far_grids_have_the_scalar_bits() {
-    every_kind(&mut Far);
+    every_kind(&mut Check::Far);
 }
 
 #[test]
 fn rows_of_any_length_have_the_scalar_bits() {
-    every_kind(&mut Lengths);
+    every_kind(&mut Check::Lengths);
 }
 
 /// Lattices share all code but the hash, whose look-ups no register does.
@@ -104,7 +82,7 @@ fn other_lattices_have_the_scalar_bits() {
 
 #[test]
 fn points_have_the_scalar_bits() {
-    every_kind(&mut Points);
+    every_kind(&mut Check::Points);
 }
 
 fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(name: &str, noise: K) {

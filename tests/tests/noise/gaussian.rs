@@ -1,7 +1,7 @@
 //! Gaussian noise is N(0, 1): over space for every count of octaves, at every place of the cell, in both channels.
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Noise, Point, Spectrum,
+    Field, Gaussian, GaussianOctaves, Point, Spectrum,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::assert_abs_diff_eq;
@@ -134,51 +134,6 @@ fn the_second_channel_is_gaussian_too() {
     assert!(distance <= 0.001, "{distance}");
 }
 
-/// The variance over a quarter of a million cells at a place of the cell, whose coordinates are multiples of 1/8.
-fn variance<V: Point<Coordinates = [f32; N]>, const N: usize>(place: V) -> f64
-where
-    Gaussian: Noise<V>,
-{
-    let place = place.coordinates();
-    let sums = (0..128_u32).into_par_iter().map(|seed| {
-        let mut random = Random(u64::from(seed) << 32 | 9);
-        let mut value = || {
-            let p = place.map(|x| coordinate(&mut random).floor() + x);
-            f64::from(Gaussian::new(seed).value(V::from_coordinates(p)))
-        };
-        (0..POINTS).map(|_| value().powi(2)).sum::<f64>()
-    });
-    sums.collect::<Vec<_>>().iter().sum::<f64>() / (128.0 * POINTS as f64)
-}
-
-/// One percent is 3.6 standard errors of the variance of a quarter of a million values. Worst seen 0.8 %.
-fn assert_unit_variance<V: Point<Coordinates = [f32; N]>, const N: usize>(places: &[V])
-where
-    Gaussian: Noise<V>,
-{
-    for &place in places {
-        let variance = variance(place);
-        assert_abs_diff_eq!(variance, 1.0, epsilon = 0.01, "{place:?}: {variance}");
-    }
-}
-
-#[test]
-fn the_variance_is_one_all_over_the_cell() {
-    assert_unit_variance(&[0.0, 0.125, 0.25, 0.375, 0.5, 0.875]);
-    assert_unit_variance(&[[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.125, 0.25], [0.75, 0.375]].map(Vec2::from));
-    let places = [
-        [0.0, 0.0, 0.0],
-        [0.5, 0.0, 0.0],
-        [0.5, 0.5, 0.0],
-        [0.5, 0.5, 0.5],
-        [0.125, 0.25, 0.375],
-        [0.875, 0.25, 0.125],
-    ];
-    assert_unit_variance(&places.map(Vec3::from));
-    let places = [[0.0; 4], [0.5; 4], [0.125, 0.25, 0.375, 0.5], [0.5, 0.0, 0.5, 0.0]];
-    assert_unit_variance(&places.map(Vec4::from));
-}
-
 /// Mean, variance, mean fourth power, and the channels' correlation and correlation of squares.
 fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place: V) -> [f64; 5] {
     const SEEDS: u32 = 100_000;
@@ -201,44 +156,29 @@ fn moments<V: Point<Coordinates = [f32; N]> + Sync + Send, const N: usize>(place
 }
 
 fn assert_standard(name: &str, [mean, variance, fourth, product, squares]: [f64; 5]) {
-    // n = 200,000 values, 100,000 pairs; 4.2 standard errors for significance 0.001/40.
+    // n = 200,000 values, 100,000 pairs; 4.3 standard errors for significance 0.001/80.
     let n = 200_000_f64;
-    assert_abs_diff_eq!(mean, 0.0, epsilon = 4.2 / n.sqrt(), "{name}: mean {mean}");
-    assert_abs_diff_eq!(variance, 1.0, epsilon = 4.2 * (2.0 / n).sqrt(), "{name}: variance {variance}");
-    assert_abs_diff_eq!(fourth, 3.0, epsilon = 4.2 * (96.0 / n).sqrt(), "{name}: fourth moment {fourth}");
-    assert_abs_diff_eq!(
-        product,
-        0.0,
-        epsilon = 4.2 * (2.0 / n).sqrt(),
-        "{name}: correlation of the channels {product}"
-    );
+    assert_abs_diff_eq!(mean, 0.0, epsilon = 4.3 / n.sqrt(), "{name}: mean");
+    assert_abs_diff_eq!(variance, 1.0, epsilon = 4.3 * (2.0 / n).sqrt(), "{name}: variance");
+    assert_abs_diff_eq!(fourth, 3.0, epsilon = 4.3 * (96.0 / n).sqrt(), "{name}: fourth moment");
+    assert_abs_diff_eq!(product, 0.0, epsilon = 4.3 * (2.0 / n).sqrt(), "{name}: channels");
     // Half the correlation of squares: the variances are 2.
-    assert_abs_diff_eq!(
-        squares,
-        0.0,
-        epsilon = 4.2 * (2.0 / n).sqrt(),
-        "{name}: correlation of squares {squares}"
-    );
+    assert_abs_diff_eq!(squares, 0.0, epsilon = 4.3 * (2.0 / n).sqrt(), "{name}: squares");
 }
 
 #[test]
 fn every_place_of_the_cell_has_the_same_moments_and_independent_channels() {
-    for (name, [x, y]) in [
-        ("lattice point", [-3.0, 5.0]),
-        ("edge centre", [-2.5, 5.0]),
-        ("cell centre", [-2.5, 5.5]),
-        ("anywhere", [0.8, 0.3]),
-    ] {
-        assert_standard(&format!("2-D {name}"), moments(Vec2::new(x, y)));
+    for x in [-3.0, -2.5, 0.125, 0.8] {
+        assert_standard(&format!("1-D at {x}"), moments(x));
     }
-    for (name, [x, y, z]) in [
-        ("lattice point", [-3.0, 5.0, 0.0]),
-        ("edge centre", [-2.5, 5.0, 0.0]),
-        ("face centre", [-2.5, 5.5, 0.0]),
-        ("cell centre", [-2.5, 5.5, 0.5]),
-        ("anywhere", [0.8, 0.3, -0.9]),
-    ] {
-        assert_standard(&format!("3-D {name}"), moments(Vec3::new(x, y, z)));
+    for p in [[-3.0, 5.0], [-2.5, 5.0], [-2.5, 5.5], [0.8, 0.3]].map(Vec2::from) {
+        assert_standard(&format!("2-D at {p}"), moments(p));
+    }
+    for p in [[-3.0, 5.0, 0.0], [-2.5, 5.0, 0.0], [-2.5, 5.5, 0.0], [-2.5, 5.5, 0.5], [0.8, 0.3, -0.9]] {
+        assert_standard(&format!("3-D at {p:?}"), moments(Vec3::from(p)));
+    }
+    for p in [[0.0; 4], [0.5; 4], [0.125, 0.25, 0.375, 0.5]].map(Vec4::from) {
+        assert_standard(&format!("4-D at {p}"), moments(p));
     }
 }
 
@@ -313,59 +253,4 @@ fn channels_are_independent_bin_by_bin() {
         // The 0.999 quantile with 225 degrees of freedom is 1.31; all of these are below 1.2 for their seeds.
         assert!(ratio <= 1.2, "{name}: {ratio}");
     }
-}
-
-#[test]
-fn sums_of_other_seeds_are_independent() {
-    const COUNT: u32 = 200_000;
-    let (mut product, mut squares) = (0.0, 0.0);
-    let noises = [1, 2].map(|seed| GaussianOctaves::<3>::new(Gaussian::new(seed), Spectrum::default()));
-    let mut random = Random(9);
-    for _ in 0..COUNT {
-        let p = point3(&mut random);
-        let [a, b] = [0, 1].map(|k| f64::from(noises[k].detail(2.5).sample(p).value));
-        product += a * b / f64::from(COUNT);
-        squares += (a * a - 1.0) * (b * b - 1.0) / 2.0 / f64::from(COUNT);
-    }
-    // 3.5 standard errors for significance 0.001/2.
-    let tolerance = 3.5 / f64::from(COUNT).sqrt();
-    assert_abs_diff_eq!(product, 0.0, epsilon = tolerance, "{product}, {squares}");
-    assert_abs_diff_eq!(squares, 0.0, epsilon = tolerance, "{product}, {squares}");
-}
-
-#[test]
-fn gradients_of_sums_equal_differences() {
-    let noise = GaussianOctaves::<3>::new(Gaussian::new(3), Spectrum::default());
-    let mut random = Random(10);
-    for _ in 0..2000 {
-        let p = point3(&mut random) / 32.0;
-        let h = 1.0 / 1024.0;
-        for channel in 0..2 {
-            let at = |q: Vec3| f64::from(noise.detail(3.25).pair(q)[channel].value);
-            let gradient = noise.detail(3.25).pair(p)[channel].gradient.to_array();
-            for (axis, got) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(gradient) {
-                let difference = (at(p + axis * h) - at(p - axis * h)) / (2.0 * f64::from(h));
-                // The difference errs by h² z‴/6 and by rounding, 1e-6/h; worst seen 0.009.
-                assert_abs_diff_eq!(
-                    f64::from(got),
-                    difference,
-                    epsilon = 0.03,
-                    "at {p}: {got} and {difference}"
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn the_first_octave_is_whole_and_its_share_fades() {
-    let noise = GaussianOctaves::<3>::new(Gaussian::new(4), Spectrum::default());
-    let p = Vec3::new(0.2, 0.7, -1.3);
-    assert_eq!(noise.detail(1e-40).sample(p), noise.detail(1.0).sample(p));
-    assert_eq!(noise.detail(0.0).sample(p).value, 0.0);
-    assert_eq!(
-        [0.0, 0.5, 1.0, 1.5, 2.0].map(|o| noise.detail(o).share()),
-        [0.0, 0.1875, 0.75, 0.796_875, 0.9375]
-    );
-    assert!(noise.detail(f32::INFINITY).share() < 1.0);
 }

@@ -1,11 +1,15 @@
 //! Values and analytic gradients against a plain `f64` evaluation and its central differences; ranges.
 
 use asperity_noise::{
-    Field, Gaussian, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
-    White,
+    Field, Gaussian, IntegerHash, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
+    ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
 };
-use asperity_tests::{noise_errors::errors, noise_reference::Kind};
+use asperity_tests::{
+    assert_abs_diff_eq,
+    noise_errors::{errors, errors_by_dimension},
+    noise_reference::Kind,
+};
 
 /// The divisor of ±4096: ±64, and ±4 for simplex noise, whose corners are rounded by |p|·2⁻²².
 const NEAR: f32 = 64.0;
@@ -13,25 +17,29 @@ const NEAREST: f32 = 1024.0;
 const FAR: f32 = 1.0;
 
 /// The errors of a kind that is given in every dimension, asserted.
-fn close<K>(name: &str, noise: K, kind: Kind, scales: [f64; 4], divisor: f32, tolerances: [[f64; 2]; 4])
+fn close<K>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4])
 where
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
 {
-    let worst = [
-        errors::<f32, 1>(kind, scales[0], divisor, |p, seed| Noise::<f32>::with_seed(noise, seed).sample(p)),
-        errors::<Vec2, 2>(kind, scales[1], divisor, |p, seed| {
-            Noise::<Vec2>::with_seed(noise, seed).sample(p)
-        }),
-        errors::<Vec3, 3>(kind, scales[2], divisor, |p, seed| {
-            Noise::<Vec3>::with_seed(noise, seed).sample(p)
-        }),
-        errors::<Vec4, 4>(kind, scales[3], divisor, |p, seed| {
-            Noise::<Vec4>::with_seed(noise, seed).sample(p)
-        }),
-    ];
+    let worst = errors_by_dimension(noise, &IntegerHash, kind, divisor);
     for (dimension, ([v, g], [value, gradient])) in (1..).zip(worst.into_iter().zip(tolerances)) {
         assert!(v < value && g < gradient, "{name} {dimension}-D: {v:e}, {g:e}");
     }
+}
+
+/// [`close`] for a kind that is scaled to its range.
+///
+/// A noise that equals the reference at this scale, derived anew here, has the bound |n| ≤ 1, and it is tight. Scales have seven
+/// digits; worst seen 2.1e-7.
+fn tight<K>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4])
+where
+    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
+{
+    let bounds = [greatest::<1>(kind), greatest::<2>(kind), greatest::<3>(kind), greatest::<4>(kind)];
+    for (bound, scale) in bounds.into_iter().zip(kind.scales()) {
+        assert_abs_diff_eq!(scale * bound, 1.0 - 2e-6, epsilon = 4e-7, "{name}");
+    }
+    close(name, noise, kind, divisor, tolerances);
 }
 
 /// The greatest value that a kind can reach, by search from the best points of a grid.
@@ -66,14 +74,6 @@ fn greatest<const D: usize>(kind: Kind) -> f64 {
     grid.into_iter().take(24).map(climb).fold(0.0, f64::max)
 }
 
-/// The scale of a kind in every dimension, derived anew from the greatest value.
-///
-/// A noise that equals the reference at this scale has the bound |n| ≤ 1, and it is tight.
-fn scales(kind: Kind) -> [f64; 4] {
-    let margin = 1.0 - 2e-6;
-    [greatest::<1>(kind), greatest::<2>(kind), greatest::<3>(kind), greatest::<4>(kind)].map(|g| margin / g)
-}
-
 // Tolerances of value and gradient are about twice the worst errors seen, which stand beside them. They are roundings of sums
 // of 2ⁿ products: half a unit of 2⁻²³ for each of some ten operations on numbers of at most the noise's range, and
 // on slopes of at most 4, for Gaussian noise 20.
@@ -83,31 +83,31 @@ fn gradient_noises_equal_the_reference_scaled_to_their_range() {
     let kind = Kind::Perlin1985;
     // 2.0e-7, 3.6e-7, 1.8e-7, 1.5e-7; 5.6e-7, 5.9e-7, 4.9e-7, 3.8e-7.
     let tolerances = [[5e-7, 1.2e-6], [6e-7, 1.4e-6], [5e-7, 1.2e-6], [4e-7, 1e-6]];
-    close("Perlin 1985", Perlin1985::default(), kind, scales(kind), NEAR, tolerances);
+    tight("Perlin 1985", Perlin1985::default(), kind, NEAR, tolerances);
     let kind = Kind::Perlin2002;
     // 9.0e-7, 9.5e-7, 7.7e-7, 6.6e-7; 1.7e-6, 2.1e-6, 3.1e-6, 1.4e-6.
     let tolerances = [[2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 6e-6], [1.2e-6, 4e-6]];
-    close("Perlin 2002", Perlin2002::default(), kind, scales(kind), NEAR, tolerances);
+    tight("Perlin 2002", Perlin2002::default(), kind, NEAR, tolerances);
 }
 
 #[test]
 fn value_noises_equal_the_reference_scaled_to_their_range() {
     // A number per cell, which is not rounded.
-    close("white", White::default(), Kind::White, [1.0; 4], NEAR, [[1e-30; 2]; 4]);
+    close("white", White::default(), Kind::White, NEAR, [[1e-30; 2]; 4]);
     let kind = Kind::Value;
     // 6.0e-7, 8.1e-7, 1.0e-6, 7.5e-7; 5.0e-7, 2.0e-6, 1.9e-6, 2.5e-6.
     let tolerances = [[1.2e-6, 1e-6], [2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 5e-6]];
-    close("value", Value::default(), kind, scales(kind), NEAR, tolerances);
+    tight("value", Value::default(), kind, NEAR, tolerances);
     let kind = Kind::CatmullRom;
     // 2.9e-7, 2.1e-7, 2.1e-7, 1.3e-7; 6.3e-7, 5.3e-7, 4.8e-7, 2.9e-7.
     let tolerances = [[6e-7, 1.2e-6], [5e-7, 1.2e-6], [5e-7, 1e-6], [3e-7, 6e-7]];
-    close("value, Catmull-Rom", ValueCatmullRom::default(), kind, scales(kind), NEAR, tolerances);
+    tight("value, Catmull-Rom", ValueCatmullRom::default(), kind, NEAR, tolerances);
     for weight in [0.0, 0.5, 0.8125, 1.0] {
         let (noise, kind) =
             (ValueGradient::default().with_weight(weight).unwrap(), Kind::ValueGradient(weight.into()));
         // 9.4e-7, 8.9e-7, 1.1e-6, 7.9e-7; 2.0e-6, 2.4e-6, 2.6e-6, 2.7e-6.
         let tolerances = [[2e-6, 4e-6], [2e-6, 5e-6], [2e-6, 5e-6], [2e-6, 5e-6]];
-        close(&format!("value-gradient {weight}"), noise, kind, scales(kind), NEAR, tolerances);
+        tight(&format!("value-gradient {weight}"), noise, kind, NEAR, tolerances);
     }
 }
 
@@ -117,7 +117,7 @@ fn sparse_noises_equal_the_reference_of_unit_variance() {
         let noise = Sparse::default().with_impulses(impulses).unwrap();
         // 5.3e-7, 6.7e-7, 6.5e-7, 1.0e-6; 1.1e-6, 2.6e-6, 1.8e-6, 2.1e-6.
         let tolerances = [[1.2e-6, 2.5e-6], [1.5e-6, 5e-6], [1.5e-6, 4e-6], [2e-6, 5e-6]];
-        close(&format!("sparse {impulses}"), noise, Kind::Sparse(impulses), [1.0; 4], NEAR, tolerances);
+        close(&format!("sparse {impulses}"), noise, Kind::Sparse(impulses), NEAR, tolerances);
     }
 }
 
@@ -126,16 +126,16 @@ fn simplex_noises_equal_the_reference_scaled_to_their_range() {
     // Corners are rounded by up to 8·2⁻²² = 2e-6 there, and second derivatives reach 30. Worst seen 1.8e-6 and 1.3e-5.
     let tolerances = [[4e-6, 3e-5]; 4];
     let kind = Kind::Simplex(0.5);
-    close("simplex", Simplex::new(0), kind, scales(kind), NEAREST, tolerances);
+    tight("simplex", Simplex::new(0), kind, NEAREST, tolerances);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    close("wide simplex", Simplex::wide(0), kind, scales(kind), NEAREST, tolerances);
+    tight("wide simplex", Simplex::wide(0), kind, NEAREST, tolerances);
 }
 
 #[test]
 fn both_channels_of_gaussian_noise_equal_the_reference() {
     // 2.1e-6, 3.8e-6, 2.1e-6, 2.8e-6; 2.3e-6, 8.9e-6, 7.4e-6, 8.1e-6.
     let tolerances = [[5e-6, 6e-6], [8e-6, 2e-5], [6e-6, 2e-5], [6e-6, 2e-5]];
-    close("Gaussian", Gaussian::default(), Kind::Gaussian(0), [1.0; 4], NEAR, tolerances);
+    close("Gaussian", Gaussian::default(), Kind::Gaussian(0), NEAR, tolerances);
     let (noise, second) = (Gaussian::default(), Kind::Gaussian(1));
     for worst in [
         errors::<f32, 1>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
@@ -153,7 +153,6 @@ fn far_from_the_origin_noises_equal_the_reference_still() {
     let worst = errors::<Vec3, 3>(gaussian, 1.0, FAR, |p, seed| Gaussian::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");
     // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second derivatives 30.
-    let scale = (1.0 - 2e-6) / 0.013_007_157_182_859_35;
-    let worst = errors::<Vec3, 3>(simplex, scale, FAR, |p, seed| Simplex::new(seed).sample(p));
+    let worst = errors::<Vec3, 3>(simplex, simplex.scales()[2], FAR, |p, seed| Simplex::new(seed).sample(p));
     assert!(worst[0] < 0.007 && worst[1] < 0.05, "simplex: {worst:?}");
 }

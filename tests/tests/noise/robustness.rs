@@ -13,7 +13,14 @@ use asperity_tests::{
     random::Random,
 };
 
-const NOT_FINITE: [f32; 4] = [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+/// Points one of whose coordinates is not finite.
+fn not_finite<const N: usize>() -> impl Iterator<Item = [f32; N]> {
+    (0..4 * N).map(|i| {
+        let mut p = [0.3; N];
+        p[i / 4] = [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY][i % 4];
+        p
+    })
+}
 
 struct NotFinite;
 
@@ -21,14 +28,10 @@ impl VisitAny for NotFinite {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         let sum = noise.octaves(Normalisation::Variance, Rotation::Random, 1);
         let zero = Sample { value: 0.0, gradient: [0.0; N] };
-        for bad in NOT_FINITE {
-            for axis in 0..N {
-                let mut p = [0.3; N];
-                p[axis] = bad;
-                assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
-                assert_eq!(noise.value(p, 1), 0.0, "{name} at {p:?}");
-                assert_eq!(sum.sample(p, 3.5), zero, "octaves of {name} at {p:?}");
-            }
+        for p in not_finite() {
+            assert_eq!(noise.sample(p, 1), zero, "{name} at {p:?}");
+            assert_eq!(noise.value(p, 1), 0.0, "{name} at {p:?}");
+            assert_eq!(sum.sample(p, 3.5), zero, "octaves of {name} at {p:?}");
         }
     }
 }
@@ -42,27 +45,6 @@ fn points_that_are_not_finite_give_zero() {
         "Perlin 2002 by permutation",
         Perlin2002::default().with_lattice(PermutationTable::new(1)),
     );
-}
-
-#[test]
-fn both_channels_are_zero_at_points_that_are_not_finite() {
-    fn zero<V: Point<Coordinates = [f32; N]>, const N: usize>() {
-        let octaves = GaussianOctaves::<N>::new(Gaussian::new(1), Spectrum::default());
-        for bad in NOT_FINITE {
-            for axis in 0..N {
-                let mut p = [0.3; N];
-                p[axis] = bad;
-                let p = V::from_coordinates(p);
-                let zero = Sample { value: 0.0, gradient: V::default() };
-                assert_eq!(octaves.detail(3.5).pair(p), [zero; 2], "Gaussian octaves at {p:?}");
-                assert_eq!(Gaussian::new(1).pair(p), [zero; 2], "Gaussian at {p:?}");
-            }
-        }
-    }
-    zero::<f32, 1>();
-    zero::<Vec2, 2>();
-    zero::<Vec3, 3>();
-    zero::<Vec4, 4>();
 }
 
 const HUGE: [f32; 16] = [
@@ -123,9 +105,14 @@ fn huge_points_give_finite_samples_in_range() {
 }
 
 #[test]
-fn huge_points_give_finite_pairs_of_gaussian_octaves() {
-    fn finite<V: Point<Coordinates = [f32; N]>, const N: usize>() {
-        let octaves = GaussianOctaves::<N>::new(Gaussian::new(1), Spectrum::default());
+fn both_channels_are_defined_everywhere() {
+    fn defined<V: Point<Coordinates = [f32; N]>, const N: usize>() {
+        let noise = Gaussian::new(1);
+        let octaves = GaussianOctaves::<N>::new(noise, Spectrum::default());
+        for p in not_finite().map(V::from_coordinates) {
+            let zero = Sample { value: 0.0, gradient: V::default() };
+            assert_eq!([octaves.detail(3.5).pair(p), noise.pair(p)], [[zero; 2]; 2], "{p:?}");
+        }
         let mut random = Random(4);
         for _ in 0..200 {
             let p = V::from_coordinates(huge_point(&mut random));
@@ -135,10 +122,10 @@ fn huge_points_give_finite_pairs_of_gaussian_octaves() {
             }
         }
     }
-    finite::<f32, 1>();
-    finite::<Vec2, 2>();
-    finite::<Vec3, 3>();
-    finite::<Vec4, 4>();
+    defined::<f32, 1>();
+    defined::<Vec2, 2>();
+    defined::<Vec3, 3>();
+    defined::<Vec4, 4>();
 }
 
 struct Wraps;
@@ -238,43 +225,19 @@ struct Seams;
 
 impl VisitAny for Seams {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        if name.contains("simplex") {
-            // Integers are not the lattice points of simplices, and far out it is 0. Neighbours 3.3 apart share no corner.
-            let [elsewhere, error, _] = around(noise, 131_072.0, 3.3125);
-            let [here, there, correlation] = around(noise, 0.0, 3.3125);
-            let error = 4.6 * error.hypot(there);
-            assert_abs_diff_eq!(
-                here,
-                elsewhere,
-                epsilon = error,
-                "{name}: {here}, not {elsewhere} ± {error}"
-            );
-            assert_abs_diff_eq!(
-                correlation,
-                0.0,
-                epsilon = 4.6,
-                "{name}: neighbours correlate by {correlation} standard errors"
-            );
-            return;
-        }
-        // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶.
-        let [elsewhere, error, _] = around(noise, 67_108_864.0, 256.0);
-        for place in [0.0, 2_147_483_648.0, -2_147_483_648.0] {
-            let [here, there, correlation] = around(noise, place, 256.0);
+        // At lattice points, 256 apart, as floats are at 2³¹; elsewhere is 2²⁶. Integers are not the lattice points of simplices,
+        // and far out it is 0: there neighbours 3.3 apart share no corner.
+        let (step, far, places) = match name.contains("simplex") {
+            true => (3.3125, 131_072.0, &[0.0][..]),
+            false => (256.0, 67_108_864.0, &[0.0, 2_147_483_648.0, -2_147_483_648.0][..]),
+        };
+        let [elsewhere, error, _] = around(noise, far, step);
+        for &place in places {
+            let [here, there, correlation] = around(noise, place, step);
             // 4.6 standard errors: significance 0.001 over some 200 cases.
             let error = 4.6 * error.hypot(there);
-            assert_abs_diff_eq!(
-                here,
-                elsewhere,
-                epsilon = error,
-                "{name} around {place}: {here}, not {elsewhere} ± {error}"
-            );
-            assert_abs_diff_eq!(
-                correlation,
-                0.0,
-                epsilon = 4.6,
-                "{name} around {place}: neighbours correlate by {correlation} standard errors"
-            );
+            assert_abs_diff_eq!(here, elsewhere, epsilon = error, "{name} around {place}");
+            assert_abs_diff_eq!(correlation, 0.0, epsilon = 4.6, "neighbours of {name} around {place}");
         }
     }
 }
@@ -291,12 +254,7 @@ fn octaves_take_any_count_and_stay_in_range() {
     for i in 0..2000_u16 {
         let p = Vec3::from_array([(); 3].map(|()| ((random.uniform() - 0.5) * 50.0) as f32));
         let octaves = f32::from(i) / 180.0;
-        assert_abs_diff_eq!(
-            noise.detail(octaves).sample(p).value,
-            0.0,
-            epsilon = 1.0,
-            "{octaves} octaves at {p}"
-        );
+        assert_abs_diff_eq!(noise.detail(octaves).sample(p).value, 0.0, epsilon = 1.0, "{octaves} at {p}");
         for nothing in [0.0, -1.0, f32::NAN, f32::NEG_INFINITY] {
             assert_eq!(noise.detail(nothing).sample(p), Sample::default());
         }
