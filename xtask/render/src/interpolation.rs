@@ -2,13 +2,13 @@
 
 use glam::Vec2;
 
-/// From 0 at `low` to 1 at `high`: `t² (3 − 2t)`.
+/// Step from 0 at `low` to 1 at `high`: `t² (3 − 2t)`.
 pub fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
     let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
-/// From 0 at `low` to 1 at `high` with two continuous derivatives: `t³ (6t² − 15t + 10)`.
+/// Step from 0 at `low` to 1 at `high` with two continuous derivatives: `t³ (6t² − 15t + 10)`.
 pub fn smootherstep(low: f32, high: f32, x: f32) -> f32 {
     let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
     t * t * t * (t * (6.0 * t - 15.0) + 10.0)

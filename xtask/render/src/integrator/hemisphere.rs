@@ -31,7 +31,7 @@ pub fn hemisphere(
     interrupted: &AtomicBool,
     density: impl Fn(Vec3) -> f32 + Sync,
 ) -> Result<Image, Failure> {
-    /// Of the disk, in halves of the picture.
+    /// Radius of the disk, in halves of the picture.
     const RADIUS: f32 = 0.86;
     let (width, height) = (sampling.width as f32, sampling.height as f32);
     let half = 0.5 * width.min(height) * RADIUS;

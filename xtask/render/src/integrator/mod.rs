@@ -189,7 +189,7 @@ impl Spot<'_> {
     }
 }
 
-/// One of the round footprints that cover the pixel, by a random number: each of the pixel's samples sees another.
+/// Point with one of the round footprints that cover the pixel, by a random number: each of the pixel's samples sees another.
 fn tap(hit: &Hit, [dx, dy]: [Vec3; 2], u: f32) -> SurfacePoint {
     let point = hit.point(PixelEllipse::from_derivatives(dx, dy));
     let count = point.taps(TAPS).count();

@@ -26,7 +26,7 @@ const DIFFUSE: f32 = 0.13;
 const SPHERE_FOCUS: Vec3 = Vec3::new(-0.30, -0.80, 0.52);
 const TEAPOT_FOCUS: Vec3 = Vec3::new(-0.45, -1.85, 1.45);
 
-/// One picture.
+/// Request for one picture.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
     view: View,
@@ -101,15 +101,8 @@ impl<'a> RenderRequest<'a> {
 /// The greatest density on a grid over the unit disk.
 pub fn peak(ndf: &SharedNdf) -> f32 {
     const SIDE: i32 = 64;
-    let mut peak = ndf.density(Vec3::Z);
-    for j in -SIDE..=SIDE {
-        for i in -SIDE..=SIDE {
-            let (x, y) = (i as f32 / SIDE as f32, j as f32 / SIDE as f32);
-            let z2 = 1.0 - x * x - y * y;
-            if z2 > 1e-4 {
-                peak = peak.max(ndf.density(Vec3::new(x, y, z2.sqrt())));
-            }
-        }
-    }
-    peak
+    let grid =
+        (-SIDE..=SIDE).flat_map(|j| (-SIDE..=SIDE).map(move |i| [i, j].map(|k| k as f32 / SIDE as f32)));
+    let directions = grid.map(|[x, y]| (x, y, 1.0 - x * x - y * y)).filter(|(.., z2)| *z2 > 1e-4);
+    directions.map(|(x, y, z2)| ndf.density(Vec3::new(x, y, z2.sqrt()))).fold(ndf.density(Vec3::Z), f32::max)
 }

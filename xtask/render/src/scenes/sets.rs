@@ -118,7 +118,7 @@ impl Set {
         }
     }
 
-    /// From where it is seen as a whole.
+    /// The view of the whole.
     pub const fn view(self) -> View {
         match self {
             Self::Sphere => View::new([0.0, -5.2, 1.9], [0.0, 0.0, 0.93], 25.0),

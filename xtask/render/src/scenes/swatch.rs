@@ -16,7 +16,7 @@ pub enum Form {
 /// Middle of a patch, off the lattices of noises.
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
 
-/// From here on an eye is infinitely far away.
+/// Distance from which on an eye is infinitely far away.
 const FAR: f32 = 100.0;
 
 impl Form {

@@ -1,4 +1,4 @@
-//! Every material in its own light.
+//! Materials that are measured at every zoom.
 
 use asperity_shading::material::{BumpMapped, FibresParameters, GlassWaves, PaintFlakes, SeamPattern};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
@@ -13,7 +13,7 @@ use crate::shaded::subject::Subject;
 
 pub(super) const VALID: &str = "parameters in range";
 
-/// Every material whose mean is the same at every zoom.
+/// Materials whose mean is the same at every zoom.
 #[must_use]
 pub fn materials() -> Vec<Subject> {
     let carpet = |name, seams_pattern| {

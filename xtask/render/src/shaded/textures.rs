@@ -1,4 +1,4 @@
-//! Every texture of the lecture, in the light that shows it.
+//! Textures of the lecture that are measured at the horizon.
 
 use asperity_shading::material::{
     BevelledTiles, BrickWall, Material, Perturbed, PolishedMarble, SurfacePoint, Wallpaper,
@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3};
 
 use crate::shaded::{materials::VALID, subject::Subject};
 
-/// Every texture.
+/// Textures of walls, floors, stone and gas.
 #[must_use]
 pub fn textures() -> Vec<Subject> {
     let flat = BrickWall {
