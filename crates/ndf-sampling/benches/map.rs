@@ -1,10 +1,14 @@
 //! Time per call and per number of a batch of maps of normals, 256², GGX (0.2, 0.4), and of building them.
 
+mod each;
+
 use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{Ggx, Measure, Ndf, NdfMap, PackedMapRef, Reconstruction};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+
+use each::each;
 
 const SIZE: usize = 256;
 const SAMPLES: usize = 1 << 16;
@@ -36,20 +40,9 @@ fn calls(c: &mut Criterion) {
         let normals: Vec<Vec3> = u.iter().map(|&u| map.sample(u)).collect();
         let maps: [(&str, &dyn Ndf); 2] = [("map", &map), ("packed", &packed)];
         for (form, ndf) in maps {
-            let mut k = 0;
-            let mut next = move || {
-                k = (k + 1) % SAMPLES;
-                k
-            };
-            c.bench_function(&format!("call/sample/{name}/{form}"), |b| {
-                b.iter(|| ndf.sample(black_box(u[next()])));
-            });
-            c.bench_function(&format!("call/to_gaussian/{name}/{form}"), |b| {
-                b.iter(|| ndf.to_gaussian(black_box(normals[next()])));
-            });
-            c.bench_function(&format!("call/density/{name}/{form}"), |b| {
-                b.iter(|| ndf.density(black_box(normals[next()])));
-            });
+            each(c, &format!("call/sample/{name}/{form}"), &u, |u| ndf.sample(u));
+            each(c, &format!("call/to_gaussian/{name}/{form}"), &normals, |m| ndf.to_gaussian(m));
+            each(c, &format!("call/density/{name}/{form}"), &normals, |m| ndf.density(m));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Time per call of the densities, their maps and look-ups, and of building the tables.
+//! Time per call of the densities: maps, sampling, Λ and visible normals, look-ups; and of building a table.
 
 mod each;
 
@@ -6,8 +6,9 @@ use std::hint::black_box;
 
 use asperity_ndf_sampling::glam::{Vec2, Vec3};
 use asperity_ndf_sampling::{
-    BatchError, Beckmann, ConditionalTable, Frame, GaussianSplit, Ggx, Ndf, NdfMap, NormalTable,
-    NormalTableRef, Reconstruction, conditional_density, inverse_phi,
+    AshikhminShirley, BatchError, Beckmann, BlinnPhong, ConditionalTable, Frame, GaussianSplit, Ggx,
+    Isotropic, Microfacet, Mixture, Ndf, NdfMap, NormalTable, NormalTableRef, Radial, Reconstruction,
+    StudentT, conditional_density, inverse_phi,
     normal_table::{Spacing, TableLayout},
     phi,
 };
@@ -15,29 +16,70 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 use each::each;
 
-/// Gaussian coordinates without a pattern that a branch predictor could learn.
+/// Gaussian coordinates of these numbers.
 fn coordinates() -> Vec<Vec2> {
-    let uniform = |k: u32| f64::from(k.wrapping_mul(0x9E37_79B9) >> 8) / f64::from(1 << 24) + 1e-8;
-    (0..1024)
-        .map(|k| Vec2::new(inverse_phi(uniform(2 * k)) as f32, inverse_phi(uniform(2 * k + 1)) as f32))
-        .collect()
+    let gaussian = |u: f32| inverse_phi(f64::from(u) + 1e-8) as f32;
+    uniforms().iter().map(|u| Vec2::new(gaussian(u.x), gaussian(u.y))).collect()
 }
 
-fn maps(c: &mut Criterion) {
-    let coordinates = coordinates();
-    let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
-    let beckmann = Beckmann::new(0.2, 0.4).expect("roughness in range");
+/// Uniform numbers without a pattern that a branch predictor could learn.
+fn uniforms() -> Vec<Vec2> {
+    let uniform = |k: u32| (k.wrapping_mul(0x9E37_79B9) >> 8) as f32 / 16_777_216.0;
+    (0..1024).map(|k| Vec2::new(uniform(2 * k), uniform(2 * k + 1))).collect()
+}
+
+/// Views all over the hemisphere.
+fn views() -> Vec<Vec3> {
+    let diffuse = BlinnPhong::new(0.0).expect("an exponent");
+    uniforms().into_iter().map(|u| diffuse.sample(u)).collect()
+}
+
+fn maps(c: &mut Criterion, name: &str, ndf: impl Ndf) {
+    let uniforms = uniforms();
+    let normals: Vec<Vec3> = uniforms.iter().map(|&u| ndf.sample(u)).collect();
+    let coordinates: Vec<Vec2> = normals.iter().map(|&m| ndf.to_gaussian(m)).collect();
+    each(c, &format!("density/{name}"), &normals, |m| ndf.density(m));
+    each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.from_gaussian(z));
+    each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.to_gaussian(m));
+    each(c, &format!("sample/{name}"), &uniforms, |u| ndf.sample(u));
+}
+
+fn masking(c: &mut Criterion, name: &str, ndf: impl Microfacet) {
+    let (uniforms, views) = (uniforms(), views());
+    let pairs: Vec<(Vec3, Vec2)> = views.iter().copied().zip(uniforms.iter().rev().copied()).collect();
+    each(c, &format!("lambda/{name}"), &views, |v| ndf.lambda(v));
+    each(c, &format!("sample_visible/{name}"), &pairs, |(v, u)| ndf.sample_visible(v, u));
+    maps(c, name, ndf);
+}
+
+fn parametric(c: &mut Criterion) {
+    masking(c, "ggx", Ggx::new(0.2, 0.4).expect("a roughness"));
+    masking(c, "beckmann", Beckmann::new(0.2, 0.4).expect("a roughness"));
+    masking(c, "student_t", StudentT::new(0.2, 0.4, 3.0).expect("an exponent"));
+    masking(c, "blinn_phong", BlinnPhong::new(50.0).expect("an exponent"));
+    masking(c, "ashikhmin_shirley", AshikhminShirley::new(1000.0, 20.0).expect("an exponent"));
+}
+
+fn composed(c: &mut Criterion) {
+    let ggx = Ggx::isotropic(0.1).expect("a roughness");
+    let diffuse = BlinnPhong::new(0.0).expect("an exponent");
+    let mixture = Mixture::new(ggx, diffuse, 0.3).expect("radial densities");
+    each(c, "exponent/mixture", &[0.01, 0.1, 1.0], |slope| mixture.exponent(slope));
+    masking(c, "mixture", mixture);
+    let table = Isotropic::from_fn(256, |cos| ggx.density(Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos)));
+    maps(c, "isotropic_256", table.expect("a density"));
+}
+
+fn tabulated(c: &mut Criterion) {
+    let ggx = Ggx::new(0.2, 0.4).expect("a roughness");
     let map = NdfMap::from_ndf(256, 256, Reconstruction::Constant, &ggx).expect("a density");
-    let ndfs: [(&str, &dyn Ndf); 3] = [("ggx", &ggx), ("beckmann", &beckmann), ("map_256", &map)];
-    for (name, ndf) in ndfs {
-        let normals: Vec<Vec3> = coordinates.iter().map(|&z| ndf.from_gaussian(z)).collect();
-        each(c, &format!("density/{name}"), &normals, |m| ndf.density(m));
-        each(c, &format!("from_gaussian/{name}"), &coordinates, |z| ndf.from_gaussian(z));
-        each(c, &format!("to_gaussian/{name}"), &normals, |m| ndf.to_gaussian(m));
+    for (name, ndf) in [("ggx", &ggx as &dyn Ndf), ("map_256", &map)] {
+        let normals: Vec<Vec3> = uniforms().iter().map(|&u| ndf.sample(u)).collect();
         each(c, &format!("conditional_density/{name}"), &normals, |h| {
             conditional_density(ndf, h, Vec2::new(0.3, -0.8), 0.75)
         });
     }
+    maps(c, "map_256", map);
 }
 
 fn look_ups(c: &mut Criterion) {
@@ -49,7 +91,7 @@ fn look_ups(c: &mut Criterion) {
     each(c, "normal_table/bilinear", &coordinates, |z| table.bilinear(z));
     let seen = ConditionalTable::new(&ggx, 256).expect("size in range");
     let split = GaussianSplit::new(Vec2::new(0.3, -0.8), 0.75);
-    each(c, "conditional_density/table", &normals, |h| seen.density(h, split));
+    each(c, "conditional_density/table", &normals, |h| seen.view().density(h, split));
     each(c, "frame/from_normal", &normals, Frame::from_normal);
     each(c, "phi", &coordinates, |z| phi(f64::from(z.x)));
     let uniforms: Vec<f64> = coordinates.iter().map(|z| phi(f64::from(z.x))).collect();
@@ -91,12 +133,9 @@ fn construction(c: &mut Criterion) {
     let ggx = Ggx::new(0.2, 0.4).expect("roughness in range");
     let mut group = c.benchmark_group("build");
     group.sample_size(10);
-    group.bench_function("map_256", |b| {
-        b.iter(|| NdfMap::from_ndf(256, 256, Reconstruction::Constant, black_box(&ggx)));
-    });
     group.bench_function("normal_table_256", |b| b.iter(|| NormalTable::standard(black_box(&ggx))));
     group.finish();
 }
 
-criterion_group!(benches, maps, look_ups, look_ups_of_many, construction);
+criterion_group!(benches, parametric, composed, tabulated, look_ups, look_ups_of_many, construction);
 criterion_main!(benches);

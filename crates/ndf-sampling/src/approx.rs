@@ -1,43 +1,48 @@
 //! Comparisons by the crate `approx`.
 
-use approx::{AbsDiffEq, RelativeEq, UlpsEq};
+/// The traits of `approx` for a value, by its numbers; nothing without the feature of that name.
+macro_rules! compared {
+    ($type:ty, |$value:ident| $numbers:expr) => {
+        #[cfg(feature = "approx")]
+        impl ::approx::AbsDiffEq for $type {
+            type Epsilon = f32;
 
-use crate::frame::Frame;
+            fn default_epsilon() -> f32 {
+                f32::EPSILON
+            }
 
-impl AbsDiffEq for Frame {
-    type Epsilon = f32;
+            fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
+                let numbers = |$value: &Self| $numbers;
+                numbers(self).iter().zip(&numbers(other)).all(|(a, b)| a.abs_diff_eq(b, epsilon))
+            }
+        }
 
-    fn default_epsilon() -> f32 {
-        f32::default_epsilon()
-    }
+        #[cfg(feature = "approx")]
+        impl ::approx::RelativeEq for $type {
+            fn default_max_relative() -> f32 {
+                f32::EPSILON
+            }
 
-    fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
-        self.axes().iter().zip(other.axes()).all(|(a, b)| AbsDiffEq::abs_diff_eq(a, &b, epsilon))
-    }
+            fn relative_eq(&self, other: &Self, epsilon: f32, max_relative: f32) -> bool {
+                let numbers = |$value: &Self| $numbers;
+                numbers(self)
+                    .iter()
+                    .zip(&numbers(other))
+                    .all(|(a, b)| a.relative_eq(b, epsilon, max_relative))
+            }
+        }
+
+        #[cfg(feature = "approx")]
+        impl ::approx::UlpsEq for $type {
+            fn default_max_ulps() -> u32 {
+                f32::default_max_ulps()
+            }
+
+            fn ulps_eq(&self, other: &Self, epsilon: f32, max_ulps: u32) -> bool {
+                let numbers = |$value: &Self| $numbers;
+                numbers(self).iter().zip(&numbers(other)).all(|(a, b)| a.ulps_eq(b, epsilon, max_ulps))
+            }
+        }
+    };
 }
-
-impl RelativeEq for Frame {
-    fn default_max_relative() -> f32 {
-        f32::default_max_relative()
-    }
-
-    fn relative_eq(&self, other: &Self, epsilon: f32, max_relative: f32) -> bool {
-        self.axes().iter().zip(other.axes()).all(|(a, b)| a.relative_eq(&b, epsilon, max_relative))
-    }
-}
-
-impl UlpsEq for Frame {
-    fn default_max_ulps() -> u32 {
-        f32::default_max_ulps()
-    }
-
-    fn ulps_eq(&self, other: &Self, epsilon: f32, max_ulps: u32) -> bool {
-        self.axes().iter().zip(other.axes()).all(|(a, b)| a.ulps_eq(&b, epsilon, max_ulps))
-    }
-}
-
-impl Frame {
-    const fn axes(&self) -> [glam::Vec3; 3] {
-        [self.tangent, self.bitangent, self.normal]
-    }
-}
+pub(crate) use compared;

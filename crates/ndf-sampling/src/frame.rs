@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use crate::approx::compared;
 use crate::math;
 
 /// An orthonormal, right-handed frame: `tangent × bitangent = normal`.
@@ -27,6 +28,8 @@ pub struct Frame {
     /// Unit normal **n**, the local z axis.
     pub normal: Vec3,
 }
+
+compared!(Frame, |frame| [frame.tangent, frame.bitangent, frame.normal]);
 
 impl Frame {
     /// The frame of the axes x, y, z.
@@ -79,21 +82,11 @@ impl Frame {
     pub fn from_normal_tangent(n: Vec3, t: Vec3) -> Self {
         let fallback = Self::from_normal(n);
         let n = fallback.normal;
-        let Some(t) = normalised(t) else {
-            return fallback;
-        };
-        let across = t - n * n.dot(t);
-        if across.length_squared() < 1e-6 {
-            return fallback;
-        }
-        let Some(across) = normalised(across) else {
-            return fallback;
-        };
+        let across = |t: Vec3| t - n * n.dot(t);
+        let steep = normalised(t).map(across).filter(|across| across.length_squared() >= 1e-6);
         // Once more: the first projection leaves a part along n that 1e-3 rad magnifies to 1e-4.
-        let Some(tangent) = normalised(across - n * n.dot(across)) else {
-            return fallback;
-        };
-        Self { tangent, bitangent: n.cross(tangent), normal: n }
+        let tangent = steep.and_then(normalised).map(across).and_then(normalised);
+        tangent.map_or(fallback, |tangent| Self { tangent, bitangent: n.cross(tangent), normal: n })
     }
 
     /// `v` in this frame: `(v·t, v·b, v·n)`.

@@ -36,8 +36,8 @@
 //! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one look-up, for any density |
 //! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian distribution function and its inverse |
 //!
-//! Plural calls fill arrays: [`Ggx::normals`], [`Beckmann::visible_samples`], [`NormalTableRef::bilinear_normals`],
-//! [`PackedMapRef::inverses`]; in SIMD lanes, see [`simd`].
+//! Plural calls fill arrays, in SIMD lanes: those of [`ClosedForm`] for [`Ggx`] and [`Beckmann`],
+//! [`NormalTableRef::bilinear_normals`], [`PackedMapRef::inverses`].
 //!
 //! # Conventions
 //!
@@ -60,7 +60,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
 //! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
-//! | `approx` | comparisons of [`Frame`] by `approx`, and those of `glam` |
+//! | `approx` | comparisons of frames, densities and other small records by `approx`, and those of `glam` |
 //! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
@@ -78,7 +78,6 @@ compile_error!("asperity-ndf-sampling needs a float backend: enable the feature 
 #[macro_use]
 mod assertions;
 
-#[cfg(feature = "approx")]
 mod approx;
 mod batch_error;
 mod density;
@@ -94,7 +93,7 @@ pub mod normal_table;
 mod numeric;
 mod radial;
 mod range_error;
-pub mod simd;
+mod simd;
 
 pub use glam;
 
@@ -119,17 +118,16 @@ pub use level_of_detail::{
     ConditionalNdf, ConditionalTableRef, GaussianSplit, OffsetBeckmann, OffsetBeckmannError,
     conditional_density,
 };
-#[cfg(feature = "alloc")]
-pub use map::cdf::Cdf;
-#[cfg(feature = "alloc")]
-pub use map::error::{MAX_TEXELS, NdfMapError};
-#[cfg(feature = "alloc")]
-pub use map::ndf_map::NdfMap;
 pub use map::packed::error::PackedMapError;
 pub use map::packed::packed_map::PackedMapRef;
 pub use map::reconstruction::Reconstruction;
 #[cfg(feature = "alloc")]
-pub use map::texels::Measure;
+pub use map::{
+    cdf::Cdf,
+    error::{MAX_TEXELS, NdfMapError},
+    ndf_map::NdfMap,
+    texels::Measure,
+};
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 pub use noise_distribution::distribution::{GaussianNoise, NoiseDistribution};
@@ -144,3 +142,4 @@ pub use normal_table::{NormalTableError, NormalTableRef};
 pub use numeric::normal_distribution::{inverse_phi, phi};
 pub use radial::Radial;
 pub use range_error::RangeError;
+pub use simd::closed_form::ClosedForm;

@@ -1,13 +1,13 @@
 //! The float functions that this crate calls; each line names both backends, and `libm` wins.
 
 macro_rules! backend {
-    ($($name:ident($argument:ident: $type:ty) = $libm:ident, $std:ident;)*) => {$(
+    ($($name:ident($first:ident $(, $other:ident)?: $type:ty) = $libm:ident, $std:ident;)*) => {$(
         #[inline(always)]
-        pub(crate) fn $name($argument: $type) -> $type {
+        pub(crate) fn $name($first: $type $(, $other: $type)?) -> $type {
             #[cfg(feature = "libm")]
-            { libm::$libm($argument) }
+            { libm::$libm($first $(, $other)?) }
             #[cfg(not(feature = "libm"))]
-            { $argument.$std() }
+            { $first.$std($($other)?) }
         }
     )*};
 }
@@ -25,22 +25,10 @@ backend! {
     ln_1p_f64(x: f64) = log1p, ln_1p;
     sin_f64(x: f64) = sin, sin;
     cos_f64(x: f64) = cos, cos;
+    atan2_f64(y, x: f64) = atan2, atan2;
 }
 
 #[cfg(feature = "alloc")]
 backend! {
     asin_f64(x: f64) = asin, asin;
-}
-
-/// The angle of the vector `(x, y)` in (−π, π].
-#[inline(always)]
-pub(crate) fn atan2_f64(y: f64, x: f64) -> f64 {
-    #[cfg(feature = "libm")]
-    {
-        libm::atan2(y, x)
-    }
-    #[cfg(not(feature = "libm"))]
-    {
-        y.atan2(x)
-    }
 }

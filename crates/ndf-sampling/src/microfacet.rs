@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::ndf::Ndf;
+use crate::ndf::{Ndf, forward};
 
 /// A density of normals with Smith's masking function and its visible normals.
 ///
@@ -87,24 +87,11 @@ pub trait Microfacet: Ndf {
 }
 
 impl<N: Microfacet + ?Sized> Microfacet for &N {
-    #[inline]
-    fn lambda(&self, v: Vec3) -> f32 {
-        (**self).lambda(v)
-    }
-
-    #[inline]
-    fn projected_area(&self, v: Vec3) -> f32 {
-        (**self).projected_area(v)
-    }
-
-    #[inline]
-    fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
-        (**self).sample_visible(v, u)
-    }
-
-    #[inline]
-    fn visible_density(&self, v: Vec3, m: Vec3) -> f32 {
-        (**self).visible_density(v, m)
+    forward! { |ndf| **ndf;
+        lambda(v: Vec3) -> f32;
+        projected_area(v: Vec3) -> f32;
+        sample_visible(v: Vec3, u: Vec2) -> Vec3;
+        visible_density(v: Vec3, m: Vec3) -> f32;
     }
 }
 

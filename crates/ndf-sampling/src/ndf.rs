@@ -97,43 +97,39 @@ pub trait Ndf {
     }
 }
 
+/// Methods of a trait by those of another value.
+macro_rules! forward {
+    (|$this:ident| $to:expr; $($name:ident($($argument:ident: $type:ty),+) -> $result:ty;)+) => {$(
+        #[inline]
+        fn $name(&self, $($argument: $type),+) -> $result {
+            let $this = self;
+            $to.$name($($argument),+)
+        }
+    )+};
+}
+pub(crate) use forward;
+
 impl<N: Ndf + ?Sized> Ndf for &N {
-    #[inline]
-    fn density(&self, m: Vec3) -> f32 {
-        (**self).density(m)
-    }
-
-    #[inline]
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        (**self).from_gaussian(z)
-    }
-
-    #[inline]
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        (**self).to_gaussian(m)
-    }
-
-    #[inline]
-    fn slope_density(&self, slope: Vec2) -> f32 {
-        (**self).slope_density(slope)
-    }
-
-    #[inline]
-    fn sample(&self, u: Vec2) -> Vec3 {
-        (**self).sample(u)
-    }
-
-    #[inline]
-    fn sample_density(&self, m: Vec3) -> f32 {
-        (**self).sample_density(m)
+    forward! { |ndf| **ndf;
+        density(m: Vec3) -> f32;
+        from_gaussian(z: Vec2) -> Vec3;
+        to_gaussian(m: Vec3) -> Vec2;
+        slope_density(slope: Vec2) -> f32;
+        sample(u: Vec2) -> Vec3;
+        sample_density(m: Vec3) -> f32;
     }
 }
 
 /// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].
 #[inline]
 pub(crate) fn bounded(z: Vec2) -> Vec2 {
-    let bound = |c: f32| if c.is_nan() { 0.0 } else { c.clamp(-FARTHEST, FARTHEST) };
-    Vec2::new(bound(z.x), bound(z.y))
+    Vec2::new(bounded_coordinate(z.x), bounded_coordinate(z.y))
+}
+
+/// `z` in ±[`FARTHEST`], NaN read as 0.
+#[inline]
+pub(crate) fn bounded_coordinate(z: f32) -> f32 {
+    if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST, FARTHEST) }
 }
 
 /// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
@@ -158,7 +154,6 @@ mod tests {
 /// Totality of densities, for their tests.
 #[cfg(test)]
 pub(crate) mod totality {
-
     use super::*;
 
     pub(crate) const BAD: [f32; 10] =
@@ -179,6 +174,7 @@ pub(crate) mod totality {
             for m in BAD.map(|up| z.extend(up)) {
                 let density = ndf.density(m);
                 assert!((0.0..=f32::MAX).contains(&density), "{m}: {density}");
+                assert!(m.z > 0.0 || density == 0.0, "below the horizon at {m}: {density}");
                 assert!(ndf.to_gaussian(m).is_finite(), "{m}: {}", ndf.to_gaussian(m));
             }
         }

@@ -1,6 +1,6 @@
 //! The trait of densities that depend on the tilt alone.
 
-use crate::ndf::Ndf;
+use crate::ndf::{Ndf, forward};
 
 /// A density that may depend on the tilt alone, with the distribution of the tilt.
 ///
@@ -30,8 +30,5 @@ pub trait Radial: Ndf {
 }
 
 impl<N: Radial + ?Sized> Radial for &N {
-    #[inline]
-    fn exponent(&self, slope: f64) -> Option<f64> {
-        (**self).exponent(slope)
-    }
+    forward! { |ndf| **ndf; exponent(slope: f64) -> Option<f64>; }
 }

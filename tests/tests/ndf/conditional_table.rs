@@ -58,7 +58,7 @@ fn look_up_is_near_the_exact_density() {
                     let seen = ConditionalNdf::new(&*ndf, gaussian(7 * place + 3), s);
                     let ratio = |k| {
                         let h = seen.from_gaussian(gaussian(k));
-                        f64::from(table.density(h, seen.split())) / f64::from(seen.density(h)) - 1.0
+                        f64::from(table.view().density(h, seen.split())) / f64::from(seen.density(h)) - 1.0
                     };
                     (0..POINTS).map(|k| 0.5 * ratio(k).abs()).sum::<f64>() / f64::from(POINTS)
                 })
@@ -78,7 +78,7 @@ fn mean_of_the_look_up_over_the_surface_is_its_far_field() {
         let table = ConditionalTable::new(&*ndf, 64).unwrap();
         for k in 0..3 {
             let h = ndf.from_gaussian(gaussian(11 * k + 5));
-            let far = f64::from(table.density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
+            let far = f64::from(table.view().density(h, GaussianSplit::new(Vec2::ZERO, 0.0)));
             for s in [0.1, 0.5, 0.9] {
                 let mean: f64 = (-64..=64)
                     .into_par_iter()
@@ -87,7 +87,7 @@ fn mean_of_the_look_up_over_the_surface_is_its_far_field() {
                             let z_b = Vec2::new(j as f32, k as f32) * 0.125;
                             let weight =
                                 f64::from(-0.5 * z_b.length_squared()).exp() / std::f64::consts::TAU / 64.0;
-                            weight * f64::from(table.density(h, GaussianSplit::new(z_b, s)))
+                            weight * f64::from(table.view().density(h, GaussianSplit::new(z_b, s)))
                         });
                         row.sum::<f64>()
                     })

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod batch;
+mod compared;
 mod chi_square;
 mod conditional;
 mod conditional_table;

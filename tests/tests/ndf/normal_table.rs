@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::{
     Beckmann, Frame, Ggx, Ndf, NormalTable, NormalTableRef, inverse_phi,
-    normal_table::{Chart, Spacing, TableLayout, unpack_frame},
+    normal_table::{Chart, Spacing, TableLayout},
 };
 use asperity_render::sampling::low_discrepancy::r2;
 use asperity_tests::assert_abs_diff_eq;
@@ -36,7 +36,7 @@ fn quantile_error_of_the_slopes() {
 fn frames_are_orthonormal_in_every_layout() {
     let orthonormal = |frame: &Frame, at: Vec2| {
         let (t, b, n) = (frame.tangent, frame.bitangent, frame.normal);
-        assert!((t.cross(b) - n).length() < 1e-6, "{at}: {frame:?}");
+        assert_abs_diff_eq!((t.cross(b) - n).length(), 0.0, epsilon = 1e-6, "{at}: {frame:?}");
         assert_abs_diff_eq!(t.dot(b), 0.0, epsilon = 1e-6, "{at}: {frame:?}");
         assert_abs_diff_eq!(n.length(), 1.0, epsilon = 1e-6, "{at}: {n}");
         assert!(n.z >= 0.0, "{at}: {n}");
@@ -47,15 +47,11 @@ fn frames_are_orthonormal_in_every_layout() {
             let table = NormalTable::with_layout(&ggx, 64, TableLayout { spacing, chart }).unwrap();
             let halves = table.halves();
             let packed = NormalTableRef::new(64, table.layout(), &halves).unwrap();
-            let [normals, tangents] = table.half_frames();
             for k in 0..1000 {
                 let z = Vec2::from(r2(k).map(|u| u as f32)) * 12.0 - 6.0;
                 for frame in [table.nearest(z), table.bilinear(z), packed.nearest(z), packed.bilinear(z)] {
                     orthonormal(&frame, z);
                 }
-            }
-            for (&normal, &tangent) in normals.iter().zip(&tangents) {
-                orthonormal(&unpack_frame(normal, tangent), Vec2::ZERO);
             }
         }
     }

@@ -62,7 +62,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
              turned by up to {:.1}°. The errors of every other choice are in parameters.json. The texture of half vectors gives what a \
              pixel does not resolve at every place and zoom, off by a total variation of {:.4}. packed_map.npy has the map itself, \
              sampled and inverted to 1e-6 by `PackedMapRef` from one array of 32-bit floats: for flash and for a GPU's buffer.",
-            NormalTable::RANGE,
+            Spacing::RANGE,
             accuracy.bilinear.rms.to_degrees(),
             accuracy.bilinear.largest.to_degrees(),
             accuracy.nearest.rms.to_degrees(),
@@ -76,7 +76,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
             "map": [width, height],
             "normal_table": {
                 "size": L_SIZE,
-                "range": NormalTable::RANGE,
+                "range": Spacing::RANGE,
                 "channels": "n.XYZ, t.XYZ, b.XYZ",
                 "error_in_radians": errors(ndf)?,
             },

@@ -7,10 +7,11 @@ use glam::{Vec2, Vec3};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::gaussian_lanes;
 use crate::density::roughness::{Roughness, roughness_parameters};
-use crate::density::visible_slopes::{excess, quantile, visible_slope};
+use crate::density::visible_slopes::{LEAST_U, excess, visible_slope};
 use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{FARTHEST, unit_square};
+use crate::numeric::normal_distribution::inverse_phi;
 use crate::radial::Radial;
 use crate::simd::closed_form::ClosedForm;
 use crate::simd::elementary::{cos_sin_turns, exp, ln_1p};
@@ -49,14 +50,6 @@ pub struct Beckmann {
 
 roughness_parameters!(Beckmann);
 
-impl Beckmann {
-    /// The standard deviation of the slopes along `v`, times the length of `v` in the plane.
-    fn spread(self, v: Vec3) -> f64 {
-        let (x, y) = (f64::from(self.alpha.x) * f64::from(v.x), f64::from(self.alpha.y) * f64::from(v.y));
-        math::sqrt_f64(0.5 * (x * x + y * y))
-    }
-}
-
 closed_form!(Beckmann);
 
 impl ClosedForm for Beckmann {
@@ -76,7 +69,7 @@ impl ClosedForm for Beckmann {
     }
 
     #[inline(always)]
-    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> S::F {
+    fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
         let falloff = exp(s, -(x * x + y * y));
         let z2 = z * z;
@@ -84,7 +77,7 @@ impl ClosedForm for Beckmann {
         let density = s.at_most(falloff * peak / (z2 * z2), f32::MAX);
         // Next to the horizon the exponential is 0 long before z⁴ underflows.
         let zero = s.float(0.0);
-        s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)
+        [s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)]
     }
 
     #[inline(always)]
@@ -115,16 +108,11 @@ impl ClosedForm for Beckmann {
 
 impl Microfacet for Beckmann {
     fn lambda(&self, v: Vec3) -> f32 {
-        // In f64, for Λ falls like exp(−z²/2).
-        let z = f64::from(v.z) / self.spread(v);
-        // At the zenith z is infinite and the excess 0.
-        if z > 0.0 { (excess(z) / z) as f32 } else { f32::INFINITY }
+        self.alpha.lambda(v, excess)
     }
 
     fn projected_area(&self, v: Vec3) -> f32 {
-        let v = above(v);
-        let (spread, up) = (self.spread(v), f64::from(v.z));
-        if spread > 0.0 { (up + spread * excess(up / spread)) as f32 } else { v.z }
+        self.alpha.projected_area(v, excess)
     }
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
@@ -134,7 +122,7 @@ impl Microfacet for Beckmann {
         let (cos, sin) = if lateral > 0.0 { (w.x / lateral, w.y / lateral) } else { (1.0, 0.0) };
         let z = core::f64::consts::SQRT_2 * f64::from(w.z) / f64::from(lateral);
         let along = visible_slope(z, f64::from(u.x)) as f32 * FRAC_1_SQRT_2;
-        let across = quantile(u.y) * FRAC_1_SQRT_2;
+        let across = inverse_phi(f64::from(u.y).max(LEAST_U)) as f32 * FRAC_1_SQRT_2;
         self.alpha.normal(along * cos - across * sin, along * sin + across * cos, 1.0)
     }
 }
@@ -143,39 +131,5 @@ impl Radial for Beckmann {
     fn exponent(&self, slope: f64) -> Option<f64> {
         let t = slope / f64::from(self.alpha.x);
         (self.alpha.x == self.alpha.y).then_some(t * t)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::density::roughness::{MAX_ALPHA, MIN_ALPHA};
-    use crate::microfacet::totality;
-    use crate::ndf::Ndf;
-
-    #[test]
-    fn flat_normal_is_the_origin() {
-        let beckmann = Beckmann::new(0.2, 0.4).unwrap();
-        assert_eq!(beckmann.from_gaussian(Vec2::ZERO), Vec3::Z);
-        assert_eq!(beckmann.to_gaussian(Vec3::Z), Vec2::ZERO);
-    }
-
-    #[test]
-    fn total_on_every_input() {
-        for alpha in [MIN_ALPHA, 1e-4, 1.0, MAX_ALPHA] {
-            totality::check(&Beckmann::isotropic(alpha).unwrap());
-        }
-    }
-
-    #[test]
-    fn below_the_horizon_is_zero() {
-        let beckmann = Beckmann::isotropic(0.5).unwrap();
-        assert_eq!(beckmann.density(Vec3::NEG_Z), 0.0);
-        assert_eq!(beckmann.density(Vec3::X), 0.0);
-        assert_eq!(beckmann.density(Vec3::NAN), 0.0);
-        // Just above it, where exp and mz⁴ both underflow.
-        for z in [1e-3, 1e-9, 1e-20, 1e-40] {
-            assert_eq!(beckmann.density(Vec3::new(1.0, 0.0, z)), 0.0, "{z}");
-        }
     }
 }

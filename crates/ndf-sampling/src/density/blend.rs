@@ -30,9 +30,10 @@ use crate::range_error::RangeError;
 /// they and Λ add up as it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blend<A, B> {
-    a: A,
-    b: B,
-    weight: f32,
+    pub(crate) a: A,
+    pub(crate) b: B,
+    /// The share of the first.
+    pub(crate) weight: f32,
 }
 
 impl<A, B> Blend<A, B> {
@@ -42,21 +43,6 @@ impl<A, B> Blend<A, B> {
     /// A weight that is not between 0 and 1.
     pub fn new(a: A, b: B, weight: f32) -> Result<Self, RangeError> {
         RangeError::check("weight", weight, [0.0, 1.0]).map(|weight| Self { a, b, weight })
-    }
-
-    /// The first density.
-    pub const fn a(&self) -> &A {
-        &self.a
-    }
-
-    /// The second density.
-    pub const fn b(&self) -> &B {
-        &self.b
-    }
-
-    /// The weight of the first density.
-    pub const fn weight(&self) -> f32 {
-        self.weight
     }
 
     /// `w f(a) + (1 − w) f(b)`, without the density whose weight is 0: it could be infinite.

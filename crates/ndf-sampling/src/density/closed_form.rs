@@ -27,13 +27,14 @@ pub(crate) fn probabilities<S: Lanes>(s: S, [u1, u2]: [S::F; 2]) -> [S::F; 2] {
     [s.at_most(s.at_least(u1, 0.0), BELOW_ONE), s.at_most(s.at_least(u2, 0.0), BELOW_ONE)]
 }
 
-/// The calls of `Ndf` for a density in closed form, its formulas in one lane; and those for arrays, in as many as there are.
+/// The calls of `Ndf` for a density in closed form: its formulas in one lane.
 macro_rules! closed_form {
     ($density:ident) => {
         impl crate::ndf::Ndf for $density {
             #[inline]
             fn density(&self, m: glam::Vec3) -> f32 {
-                self.density_in_lanes(crate::simd::lanes::Scalar, m.to_array())
+                let [density] = self.density_in_lanes(crate::simd::lanes::Scalar, m.to_array());
+                density
             }
 
             #[inline]
@@ -49,80 +50,6 @@ macro_rules! closed_form {
             #[inline]
             fn sample(&self, u: glam::Vec2) -> glam::Vec3 {
                 self.polar(crate::simd::lanes::Scalar, u.to_array()).into()
-            }
-        }
-
-        // Inline, so that only what is called is compiled: at every SIMD level all of it takes as long as the rest of the crate.
-        /// Calls for many points: every array holds one component. Results agree with the single calls within 1e-6 and have
-        /// the same bits on every machine, in every number of lanes and under every feature.
-        impl $density {
-            /// Normals `T(z)` of Gaussian coordinates: [`from_gaussian`](crate::Ndf::from_gaussian) of many.
-            ///
-            /// # Errors
-            /// Arrays of different lengths; nothing is written then.
-            #[inline]
-            pub fn normals(
-                &self,
-                z: [&[f32]; 2],
-                m: [&mut [f32]; 3],
-            ) -> Result<(), crate::batch_error::BatchError> {
-                crate::simd::dispatch::Level::best().normals(self, z, m)
-            }
-
-            /// Gaussian coordinates `T⁻¹(m)` of normals: [`to_gaussian`](crate::Ndf::to_gaussian) of many.
-            ///
-            /// # Errors
-            /// Arrays of different lengths; nothing is written then.
-            #[inline]
-            pub fn coordinates(
-                &self,
-                m: [&[f32]; 3],
-                z: [&mut [f32]; 2],
-            ) -> Result<(), crate::batch_error::BatchError> {
-                crate::simd::dispatch::Level::best().coordinates(self, m, z)
-            }
-
-            /// Densities `D(m)` of normals, in sr⁻¹.
-            ///
-            /// # Errors
-            /// Arrays of different lengths; nothing is written then.
-            #[inline]
-            pub fn densities(
-                &self,
-                m: [&[f32]; 3],
-                density: &mut [f32],
-            ) -> Result<(), crate::batch_error::BatchError> {
-                crate::simd::dispatch::Level::best().densities(self, m, density)
-            }
-
-            /// Normals of uniform numbers `u` in [0, 1)², with the density `D cos θ` over solid angle.
-            ///
-            /// # Errors
-            /// Arrays of different lengths; nothing is written then.
-            #[inline]
-            pub fn samples(
-                &self,
-                u: [&[f32]; 2],
-                m: [&mut [f32]; 3],
-            ) -> Result<(), crate::batch_error::BatchError> {
-                crate::simd::dispatch::Level::best().samples(self, u, m)
-            }
-
-            /// Visible normals for the views `v` and the uniform numbers `u`, one view for each.
-            ///
-            /// Views as in [`Microfacet::sample_visible`](crate::Microfacet::sample_visible), of any length up to 10¹². For
-            /// [`Beckmann`](crate::Beckmann) the share of slopes below the sample is `u` within 2e-6.
-            ///
-            /// # Errors
-            /// Arrays of different lengths; nothing is written then.
-            #[inline]
-            pub fn visible_samples(
-                &self,
-                v: [&[f32]; 3],
-                u: [&[f32]; 2],
-                m: [&mut [f32]; 3],
-            ) -> Result<(), crate::batch_error::BatchError> {
-                crate::simd::dispatch::Level::best().visible_samples(self, v, u, m)
             }
         }
     };

@@ -42,11 +42,6 @@ impl<N> Rotated<N> {
         Ok(Self { ndf, cos: math::cos_f64(angle) as f32, sin: math::sin_f64(angle) as f32 })
     }
 
-    /// The density that is turned.
-    pub const fn ndf(&self) -> &N {
-        &self.ndf
-    }
-
     fn turn(&self, x: f32, y: f32) -> Vec2 {
         Vec2::new(self.cos * x - self.sin * y, self.sin * x + self.cos * y)
     }
@@ -110,42 +105,5 @@ impl<N: Radial> Radial for Rotated<N> {
     #[inline]
     fn exponent(&self, slope: f64) -> Option<f64> {
         self.ndf.exponent(slope)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    extern crate std;
-    use super::*;
-    use crate::Ggx;
-    use crate::microfacet::totality;
-    use std::string::ToString;
-
-    #[test]
-    fn quarter_turns_swap_the_axes() {
-        let (ggx, swapped) = (Ggx::new(0.2, 0.4).unwrap(), Ggx::new(0.4, 0.2).unwrap());
-        let turned = Rotated::new(ggx, core::f32::consts::FRAC_PI_2).unwrap();
-        let (z, v) = (Vec2::new(0.7, -1.2), Vec3::new(0.5, -0.3, 0.4));
-        let m = swapped.from_gaussian(z);
-        assert_abs_diff_eq!(turned.from_gaussian(z), m, epsilon = 1e-6);
-        assert_abs_diff_eq!(turned.to_gaussian(m), z, epsilon = 1e-5);
-        assert_abs_diff_eq!(turned.density(m) / swapped.density(m), 1.0, epsilon = 1e-5);
-        assert_abs_diff_eq!(turned.lambda(v) / swapped.lambda(v), 1.0, epsilon = 1e-5);
-        assert_abs_diff_eq!(turned.projected_area(v) / swapped.projected_area(v), 1.0, epsilon = 1e-6);
-        let m = turned.sample_visible(v, Vec2::new(0.3, 0.8));
-        assert_abs_diff_eq!(
-            turned.visible_density(v, m) / swapped.visible_density(v, m),
-            1.0,
-            epsilon = 1e-5
-        );
-        assert_eq!((turned.exponent(0.3), turned.ndf()), (None, &ggx));
-    }
-
-    #[test]
-    fn inputs_are_total_and_angles_finite() {
-        let turned = Rotated::new(Ggx::isotropic(0.3).unwrap(), -1e30).unwrap();
-        totality::check(&turned);
-        let error = Rotated::new(turned, f32::NAN).unwrap_err();
-        assert_eq!(error.to_string(), "angle must be between -3.4028235e38 and 3.4028235e38, got NaN");
     }
 }

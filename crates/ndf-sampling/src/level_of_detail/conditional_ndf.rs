@@ -49,13 +49,6 @@ impl<N: Ndf> ConditionalNdf<N> {
         Self { ndf, split: GaussianSplit::new(z_b, s) }
     }
 
-    /// The density of the whole.
-    #[inline]
-    #[must_use]
-    pub const fn whole(&self) -> &N {
-        &self.ndf
-    }
-
     /// The resolved part.
     #[inline]
     #[must_use]
@@ -67,8 +60,7 @@ impl<N: Ndf> ConditionalNdf<N> {
 impl<N: Ndf> Ndf for ConditionalNdf<N> {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
-        let density = self.ndf.density(m);
-        if density > 0.0 { self.split.weigh(density, self.ndf.to_gaussian(m)) } else { 0.0 }
+        self.split.density_of(&self.ndf, m)
     }
 
     #[inline]

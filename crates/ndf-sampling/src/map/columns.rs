@@ -6,10 +6,10 @@ use crate::map::reconstruction::Reconstruction;
 /// Values along y, and for every line of the grid their integral from the middle of the map, in cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Columns {
-    width: usize,
-    height: usize,
-    kind: Reconstruction,
-    integrals: PrefixSums,
+    pub(crate) width: usize,
+    pub(crate) height: usize,
+    pub(crate) kind: Reconstruction,
+    pub(crate) integrals: PrefixSums,
 }
 
 /// Values and integrals on the left and right side of a column of cells.
@@ -25,28 +25,6 @@ pub(crate) struct Strip<'a> {
 pub(crate) type Corners = [[f64; 2]; 2];
 
 impl Columns {
-    /// The columns of an image's integrals.
-    pub(crate) const fn new(
-        width: usize,
-        height: usize,
-        kind: Reconstruction,
-        integrals: PrefixSums,
-    ) -> Self {
-        Self { width, height, kind, integrals }
-    }
-
-    pub(crate) const fn width(&self) -> usize {
-        self.width
-    }
-
-    pub(crate) const fn height(&self) -> usize {
-        self.height
-    }
-
-    pub(crate) const fn kind(&self) -> Reconstruction {
-        self.kind
-    }
-
     /// Number of values of a column.
     const fn stride(&self) -> usize {
         match self.kind {
@@ -63,10 +41,13 @@ impl Columns {
 
     /// A column's values with one before and one after.
     pub(crate) fn padded(&self, column: usize) -> impl Iterator<Item = f32> {
+        let rest = (self.height + 2).saturating_sub(self.stride());
+        self.values(column).iter().copied().chain(core::iter::repeat_n(0.0, rest))
+    }
+
+    fn values(&self, column: usize) -> &[f32] {
         let stride = self.stride();
-        let values = self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default();
-        let rest = (self.height + 2).saturating_sub(stride);
-        values.iter().copied().chain(core::iter::repeat_n(0.0, rest))
+        self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default()
     }
 
     /// The values at a cell's corners, and the integrals to a line on its column's sides.
@@ -81,11 +62,11 @@ impl Columns {
                 ([[value; 2]; 2], [sum(cell); 2])
             }
             Reconstruction::Bilinear => {
-                let sides = [cell.saturating_sub(1), cell.min(self.width - 1)];
                 let side = |column: usize| match values.get(column * stride + row..) {
                     Some(&[begin, end, ..]) => [f64::from(begin), f64::from(end)],
                     _ => [0.0; 2],
                 };
+                let sides = self.sides(cell);
                 (sides.map(side), sides.map(sum))
             }
         }
@@ -111,17 +92,24 @@ impl Columns {
 
     /// The sides of a column of cells.
     pub(crate) fn strip(&self, cell: usize) -> Strip<'_> {
-        let (left, right, step) = match self.kind {
-            Reconstruction::Constant => (cell, cell, 0),
-            Reconstruction::Bilinear => (cell.saturating_sub(1), cell.min(self.width - 1), 1),
-        };
-        let (lines, stride) = (self.kind.cells(self.height) + 1, self.stride());
-        let sums =
-            |column: usize| self.integrals.sums.get(column * lines..(column + 1) * lines).unwrap_or_default();
-        let values = |column: usize| {
-            self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default()
-        };
-        Strip { sums: [sums(left), sums(right)], values: [values(left), values(right)], step }
+        let step = usize::from(self.kind == Reconstruction::Bilinear);
+        let sides = self.sides(cell);
+        Strip {
+            sums: sides.map(|column| self.sums(column)),
+            values: sides.map(|column| self.values(column)),
+            step,
+        }
+    }
+
+    /// Ends of the chord `½ ± c`, in cells, and the integrals to there along the middle of a column of cells.
+    pub(crate) fn chord(&self, cell: usize, c: f64) -> [(f64, f64); 2] {
+        let (strip, last) = (self.strip(cell), self.kind.cells(self.height) - 1);
+        [0.5 - c, 0.5 + c].map(|y| {
+            let end = y * self.height as f64 + self.kind.offset();
+            let row = (end as usize).min(last);
+            let [begin, next] = [row, row + 1].map(|line| strip.sum(0.5, line));
+            (end, begin + (next - begin) * (end - row as f64))
+        })
     }
 
     /// The value at a point of the map.

@@ -203,30 +203,7 @@ mod tests {
     extern crate std;
     use super::*;
     use crate::ndf::totality;
-    use std::string::ToString;
     use std::vec;
-
-    #[test]
-    fn refusals_name_the_culprit() {
-        let refused = |width, height, texels: &[f32]| {
-            NdfMap::from_texels(width, height, texels, Measure::Normals, Reconstruction::Constant)
-                .unwrap_err()
-                .to_string()
-        };
-        assert_eq!(refused(0, 4, &[]), "size must be 1 to 16777216 texels, got 0 × 4");
-        assert_eq!(refused(2, 2, &[1.0; 3]), "texels must be 4, got 3");
-        assert_eq!(refused(2, 2, &[0.0; 4]), "texels inside the disk must have weight, got 2 × 2 black ones");
-        assert_eq!(
-            refused(2, 2, &[1.0, 1.0, f32::NAN, 1.0]),
-            "texel 2 must be finite and not negative, got NaN"
-        );
-        assert_eq!(refused(2, 1, &[1.0, -0.5]), "texel 1 must be finite and not negative, got -0.5");
-        assert_eq!(refused(1 << 13, 1 << 12, &[]), "size must be 1 to 16777216 texels, got 8192 × 4096");
-        assert!(matches!(check_size(usize::MAX, 2), Err(NdfMapError::Size { .. })));
-        assert!(
-            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |_| f32::INFINITY).is_err()
-        );
-    }
 
     #[test]
     fn texels_outside_the_disk_are_not_read() {

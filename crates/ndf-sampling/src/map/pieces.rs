@@ -55,11 +55,11 @@ struct Map {
 
 impl Map {
     fn new(columns: &Columns) -> Self {
-        let kind = columns.kind();
-        let rows = kind.cells(columns.height()) as u32;
+        let kind = columns.kind;
+        let rows = kind.cells(columns.height) as u32;
         Self {
-            width: columns.width() as f64,
-            height: columns.height() as f64,
+            width: columns.width as f64,
+            height: columns.height as f64,
             offset: kind.offset(),
             slope: 2.0 * kind.offset(),
             middle: 0.5 * f64::from(rows),
@@ -144,7 +144,7 @@ impl PieceBlock {
     /// Looks up the values and the integrals at these.
     #[inline(always)]
     fn look_up(&mut self, columns: &Columns) {
-        let rows = columns.kind().cells(columns.height());
+        let rows = columns.kind.cells(columns.height);
         for k in 0..BLOCK {
             let cell = self.cells[k] as usize;
             for (side, all) in self.sides.iter_mut().enumerate() {
@@ -273,7 +273,7 @@ mod tests {
 
     /// `∫ f dy` in cells from one place to another, row by row: the density is linear in each.
     fn integral(columns: &Columns, x: f64, [from, to]: [f64; 2]) -> f64 {
-        let (kind, height) = (columns.kind(), columns.height());
+        let (kind, height) = (columns.kind, columns.height);
         let rows = (0..kind.cells(height)).map(|row| {
             let [begin, end] = [row, row + 1].map(|line| kind.line(line, height).clamp(from, to));
             columns.value([x, 0.5 * (begin + end)]) * (end - begin)
@@ -300,12 +300,15 @@ mod tests {
                         let below = integral(&columns, x, [0.5 - c, 0.5]);
                         let above = integral(&columns, x, [0.5, 0.5 + c]);
                         // Next to a line of the grid the chord may end in the row beside, by rounding.
-                        let close = |a: f64, b: f64| (a - b).abs() < 1e-11;
-                        assert!(close(cubic(piece.below, s), below), "{kind:?} {width} × {height} {x}");
-                        assert!(
-                            close(cubic(piece.marginal, s), below + above),
-                            "{kind:?} {width} × {height} {x}"
-                        );
+                        let parts = [piece.below, piece.marginal].map(|part| cubic(part, s));
+                        for (part, expected) in parts.into_iter().zip([below, below + above]) {
+                            assert_abs_diff_eq!(
+                                part,
+                                expected,
+                                epsilon = 1e-11,
+                                "{kind:?} {width} × {height}"
+                            );
+                        }
                     }
                     let mean = 0.25 * piece.marginal.iter().sum::<f64>() * (piece.x[1] - piece.x[0]);
                     // Half the density at both rims, at most 10, over the segments.

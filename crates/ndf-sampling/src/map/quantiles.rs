@@ -14,49 +14,35 @@ const ROWS: usize = 4;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Quantiles {
     /// Entries of a column, less one.
-    parts: usize,
-    rows: Vec<f32>,
+    pub(crate) parts: usize,
+    /// A column's after another's.
+    pub(crate) rows: Vec<f32>,
 }
 
 impl Quantiles {
     pub(crate) fn new(columns: &Columns) -> Self {
-        let (width, height, kind) = (columns.width(), columns.height(), columns.kind());
+        let (width, height, kind) = (columns.width, columns.height, columns.kind);
         let (cells, last) = (kind.cells(width), kind.cells(height) - 1);
         let parts = height.div_ceil(ROWS);
         let mut rows = Vec::with_capacity(cells * (parts + 1));
         for column in 0..cells {
             let strip = columns.strip(column);
             let c = half_chord((kind.line(column, width) + 0.5 / width as f64).clamp(0.0, 1.0));
-            let ends = [0.5 - c, 0.5 + c].map(|y| y * height as f64 + kind.offset());
-            let at = |end: f64| {
-                let row = (end as usize).min(last);
-                let [from, to] = [row, row + 1].map(|line| strip.sum(0.5, line));
-                from + (to - from) * (end - row as f64)
-            };
-            let [from, to] = ends.map(at);
-            let chord = ends.map(|end| (end as usize).min(last));
+            let [(first, from), (end, to)] = columns.chord(column, c);
+            let chord = [first, end].map(|end| (end as usize).min(last));
             for part in 0..=parts {
                 let target = from + (to - from) * (part as f64 / parts as f64);
                 // A column is much like the one before it.
                 let before = rows.len().checked_sub(parts + 1).and_then(|k| rows.get(k));
                 let guess = before.map_or(0, |&row: &f32| row as usize);
                 let row = row_of(|row| strip.sum(0.5, row) <= target, chord, guess);
-                let [begin, end] = [row, row + 1].map(|line| strip.sum(0.5, line));
+                let [begin, next] = [row, row + 1].map(|line| strip.sum(0.5, line));
                 let within =
-                    if end > begin { ((target - begin) / (end - begin)).clamp(0.0, 1.0) } else { 0.0 };
-                rows.push((row as f64 + within).min(ends[1]) as f32);
+                    if next > begin { ((target - begin) / (next - begin)).clamp(0.0, 1.0) } else { 0.0 };
+                rows.push((row as f64 + within).min(end) as f32);
             }
         }
         Self { parts, rows }
-    }
-
-    pub(crate) const fn parts(&self) -> usize {
-        self.parts
-    }
-
-    /// All entries, a column's after another's.
-    pub(crate) fn rows(&self) -> &[f32] {
-        &self.rows
     }
 }
 

@@ -23,20 +23,12 @@ pub(crate) struct RowGuide {
 
 impl RowGuide {
     pub(crate) fn new(columns: &Columns) -> Self {
-        let (width, height, kind) = (columns.width(), columns.height(), columns.kind());
-        let (cells, last) = (kind.cells(width), kind.cells(height) - 1);
-        let parts = 2 * kind.cells(height).div_ceil(WINDOW);
-        let mut windows = vec![0; cells * (parts + 1)];
+        let (width, kind) = (columns.width, columns.kind);
+        let parts = 2 * kind.cells(columns.height).div_ceil(WINDOW);
+        let mut windows = vec![0; kind.cells(width) * (parts + 1)];
         for (cell, windows) in windows.chunks_exact_mut(parts + 1).enumerate() {
-            let strip = columns.strip(cell);
             let ends = [cell, cell + 1].map(|line| kind.line(line, width).clamp(0.0, 1.0));
-            let c = half_chord(0.5 * (ends[0] + ends[1]));
-            let [from, to] = [0.5 - c, 0.5 + c].map(|y| {
-                let end = y * height as f64 + kind.offset();
-                let row = (end as usize).min(last);
-                let [begin, next] = [row, row + 1].map(|line| strip.sum(0.5, line));
-                begin + (next - begin) * (end - row as f64)
-            });
+            let [(_, from), (_, to)] = columns.chord(cell, half_chord(0.5 * (ends[0] + ends[1])));
             if to <= from {
                 continue;
             }
@@ -78,10 +70,8 @@ mod tests {
         let islands = |_: usize, j: usize| f32::from(j % 100 == 40);
         let images: [&dyn Fn(usize, usize) -> f32; 3] = [&|_, _| 1.0, &steep, &islands];
         let (width, height) = (5, 300);
-        for (image, kind) in images
-            .iter()
-            .flat_map(|image| [Reconstruction::Constant, Reconstruction::Bilinear].map(|kind| (image, kind)))
-        {
+        let kinds = [Reconstruction::Constant, Reconstruction::Bilinear];
+        for (image, kind) in images.iter().flat_map(|image| kinds.map(|kind| (image, kind))) {
             let texels: Vec<f32> = (0..width * height).map(|k| image(k % width, k / width)).collect();
             let columns = columns_of_texels(width, height, &texels, Measure::Normals, kind).unwrap();
             let guide = RowGuide::new(&columns);
@@ -89,13 +79,7 @@ mod tests {
                 let strip = columns.strip(cell);
                 let sides = [cell, cell + 1].map(|line| kind.line(line, width).clamp(0.0, 1.0));
                 let c = half_chord(0.5 * (sides[0] + sides[1]));
-                let ends = [0.5 - c, 0.5 + c].map(|y| y * height as f64 + kind.offset());
-                let at = |end: f64| {
-                    let row = (end as usize).min(kind.cells(height) - 1);
-                    let [from, to] = [row, row + 1].map(|line| strip.sum(0.5, line));
-                    from + (to - from) * (end - row as f64)
-                };
-                let [from, to] = ends.map(at);
+                let [(_, from), (_, to)] = columns.chord(cell, c);
                 let (mut windows, draws) = (0, 1000);
                 for k in 0..draws {
                     let u = (f64::from(k) + 0.5) / f64::from(draws);

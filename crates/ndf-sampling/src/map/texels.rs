@@ -1,5 +1,6 @@
 //! From the texels of an image to the columns of a map: checked, weighed and continued beyond the disk.
 
+use alloc::borrow::Cow;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -33,14 +34,13 @@ pub(crate) fn columns_of_texels(
     kind: Reconstruction,
 ) -> Result<Columns, NdfMapError> {
     let inside = rows_inside(width, height);
-    let weighed = match measure {
-        Measure::Normals => Vec::new(),
-        Measure::SolidAngle => weighed(width, height, texels),
+    let counted = match measure {
+        Measure::Normals => Cow::Borrowed(texels),
+        Measure::SolidAngle => Cow::Owned(weighed(width, height, texels)),
     };
-    let counted = if measure == Measure::Normals { texels } else { &weighed };
-    let image = Image { width, height, texels: counted, inside: &inside };
+    let image = Image { width, height, texels: &counted, inside: &inside };
     match PrefixSums::new(image, kind) {
-        Some(integrals) => Ok(Columns::new(width, height, kind, integrals)),
+        Some(integrals) => Ok(Columns { width, height, kind, integrals }),
         None => Err(culprit(width, height, texels, &inside)),
     }
 }

@@ -1,6 +1,8 @@
 //! The distribution of a noise by its excess kurtosis.
 
-use crate::noise_distribution::distribution::{NoiseDistribution, bounded, check};
+use crate::approx::compared;
+use crate::ndf::bounded_coordinate;
+use crate::noise_distribution::distribution::{NoiseDistribution, check};
 use crate::range_error::RangeError;
 
 /// A noise that is nearly Gaussian, known by its standard deviation and its excess kurtosis `κ` alone.
@@ -47,6 +49,8 @@ pub struct KurtoticNoise {
     bend: f32,
 }
 
+compared!(KurtoticNoise, |noise| [noise.deviation, 24.0 * noise.bend]);
+
 impl KurtoticNoise {
     /// The largest magnitude of the excess kurtosis.
     pub const MAX_KURTOSIS: f32 = 2.0;
@@ -63,13 +67,13 @@ impl KurtoticNoise {
 
 impl NoiseDistribution for KurtoticNoise {
     fn gaussian(&self, r: f32) -> f32 {
-        let x = bounded(r / self.deviation);
+        let x = bounded_coordinate(r / self.deviation);
         let z = if self.bend <= 0.0 { cubic(x, -self.bend) } else { inverse_cubic(x, self.bend) };
-        bounded(z)
+        bounded_coordinate(z)
     }
 
     fn from_gaussian(&self, z: f32) -> f32 {
-        let z = bounded(z);
+        let z = bounded_coordinate(z);
         let x = if self.bend <= 0.0 { inverse_cubic(z, -self.bend) } else { cubic(z, self.bend) };
         x * self.deviation
     }

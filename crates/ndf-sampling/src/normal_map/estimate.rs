@@ -2,7 +2,6 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::fmt;
 
 use glam::Vec3;
 
@@ -12,6 +11,7 @@ use crate::map::ndf_map::NdfMap;
 use crate::map::reconstruction::Reconstruction;
 use crate::map::texels::Measure;
 use crate::math;
+use crate::range_error::refusals;
 
 /// Counts the normals of a bump map over (n_x, n_y), each spread by a smooth kernel, into the texels of an [`NdfMap`].
 ///
@@ -221,41 +221,27 @@ fn counts(n: Vec3) -> bool {
     n.x * n.x + n.y * n.y <= 1.0 + 1e-5
 }
 
-/// Refusal of normals that have no density.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum EstimateError {
-    /// The map would have no texels, or more than [`MAX_TEXELS`].
-    Size {
-        /// Its side.
-        value: usize,
-    },
-    /// The width of the kernel is not in [0, 1].
-    Width {
-        /// Its value.
-        value: f32,
-    },
-    /// There is no normal among them.
-    NoNormals,
-}
-
-impl fmt::Display for EstimateError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Size { value } => write!(f, "size² must be between 1 and {MAX_TEXELS}, got size {value}"),
-            Self::Width { value } => write!(f, "width must be between 0 and 1, got {value}"),
-            Self::NoNormals => write!(f, "normals must be inside the unit disk, got none"),
-        }
+refusals! {
+    /// Refusal of normals that have no density.
+    pub enum EstimateError {
+        /// The map would have no texels, or more than [`MAX_TEXELS`].
+        Size {
+            /// Its side.
+            value: usize,
+        } => "size² must be between 1 and {MAX_TEXELS}, got size {value}",
+        /// The width of the kernel is not in [0, 1].
+        Width {
+            /// Its value.
+            value: f32,
+        } => "width must be between 0 and 1, got {value}",
+        /// There is no normal among them.
+        NoNormals => "normals must be inside the unit disk, got none",
     }
 }
 
-impl core::error::Error for EstimateError {}
-
 #[cfg(test)]
 mod tests {
-    extern crate std;
     use super::*;
-    use std::string::ToString;
 
     /// Mass, mean and variance of the texels of an estimate.
     fn moments(texels: &[f32], size: usize) -> [f64; 5] {
@@ -308,21 +294,6 @@ mod tests {
         let estimator = NdfEstimator::new(20, 0.0).unwrap();
         let area: f32 = estimator.areas.iter().sum();
         assert_abs_diff_eq!(area, core::f32::consts::PI, epsilon = 1e-2, "{area}");
-    }
-
-    #[test]
-    fn refusals_name_the_culprit() {
-        let refused = |size, width| NdfEstimator::new(size, width).unwrap_err().to_string();
-        assert_eq!(refused(0, 0.1), "size² must be between 1 and 16777216, got size 0");
-        assert_eq!(refused(4097, 0.1), "size² must be between 1 and 16777216, got size 4097");
-        assert_eq!(refused(8, f32::NAN), "width must be between 0 and 1, got NaN");
-        assert_eq!(refused(8, -0.5), "width must be between 0 and 1, got -0.5");
-        assert_eq!(
-            estimate_ndf(&[]).unwrap_err().to_string(),
-            "normals must be inside the unit disk, got none"
-        );
-        let bad = [Vec3::NAN, Vec3::splat(2.0), Vec3::INFINITY];
-        assert_eq!(estimate_ndf(&bad).unwrap_err(), EstimateError::NoNormals);
     }
 
     #[test]

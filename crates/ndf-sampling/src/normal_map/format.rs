@@ -103,10 +103,7 @@ impl NormalMapFormat {
     pub fn decode_signed(self, [x, y, z]: [f32; 3]) -> Vec3 {
         // A square beyond this range would overflow; NaN stays and is found below.
         let [x, y, z] = [x, y, z].map(|c| c.clamp(-1.0, 1.0));
-        let y = match self.tangent_space {
-            TangentSpace::OpenGl => y,
-            TangentSpace::DirectX => -y,
-        };
+        let y = self.upright(y);
         let r2 = x * x + y * y;
         let z = match self.blue {
             Blue::Read => z.max(0.0),
@@ -124,11 +121,15 @@ impl NormalMapFormat {
 
     fn encode(self, n: Vec3, bits: i32) -> [f32; 3] {
         let (scale, zero) = self.scale(bits);
-        let y = match self.tangent_space {
-            TangentSpace::OpenGl => n.y,
-            TangentSpace::DirectX => -n.y,
-        };
-        [n.x, y, n.z].map(|c| c * scale + zero + 0.5)
+        [n.x, self.upright(n.y), n.z].map(|c| c * scale + zero + 0.5)
+    }
+
+    /// The second coordinate as the tangent space counts it, and back.
+    fn upright(self, y: f32) -> f32 {
+        match self.tangent_space {
+            TangentSpace::OpenGl => y,
+            TangentSpace::DirectX => -y,
+        }
     }
 
     /// The number that is added to 0 for 1, and the number that stands for 0.

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
+use crate::approx::compared;
 use crate::frame::Frame;
 use crate::math;
 use crate::ndf::Ndf;
@@ -19,6 +20,8 @@ pub struct Deviation {
     /// The root of the mean square under the Gaussian.
     pub rms: f32,
 }
+
+compared!(Deviation, |deviation| [deviation.largest, deviation.rms]);
 
 /// Accuracy of a [`NormalTable`], measured where it is least: in the middle between each four neighbouring entries.
 ///
@@ -55,50 +58,36 @@ impl NormalTable {
     /// Accuracy of the look-ups against `ndf`, of which the table is.
     #[must_use]
     pub fn accuracy<N: Ndf + ?Sized>(&self, ndf: &N) -> TableAccuracy {
-        TableAccuracy::measure(self, |z| ndf.from_gaussian(z))
-    }
-}
-
-impl TableAccuracy {
-    pub(crate) fn measure(table: &NormalTable, exact: impl Fn(Vec2) -> Vec3) -> Self {
-        let (size, spacing, halves) = (table.size(), table.layout().spacing, table.halves());
-        let halves = NormalTableRef::of(size, table.layout(), &halves);
+        let (size, spacing, halves) = (self.size(), self.layout().spacing, self.halves());
+        let halves = NormalTableRef { size, layout: self.layout(), entries: &halves };
         let entries: Vec<f32> = (0..size).map(|k| entry_coordinate(spacing, k, size)).collect();
-        let cells: Vec<Cell> = entries
-            .iter()
-            .zip(entries.iter().skip(1))
-            .enumerate()
-            .map(|(k, (&from, &to))| Cell {
-                middle: spacing.coordinate((k + 1) as f32 / size as f32),
-                weight: phi(f64::from(to)) - phi(f64::from(from)),
+        // Between two neighbouring entries along one coordinate: the middle and the weight.
+        let cells: Vec<(f32, f64)> = (1..size)
+            .zip(entries.iter().zip(entries.iter().skip(1)))
+            .map(|(k, (&from, &to))| {
+                (spacing.coordinate(k as f32 / size as f32), phi(f64::from(to)) - phi(f64::from(from)))
             })
             .collect();
-        let (mut nearest, mut bilinear, mut half) =
-            (AngleSum::default(), AngleSum::default(), AngleSum::default());
-        for row in &cells {
-            for column in &cells {
-                let z = Vec2::new(column.middle, row.middle);
-                let (n, weight) = (exact(z), column.weight * row.weight);
-                nearest.add(angle(table.view().nearest_normal(z), n), weight);
-                bilinear.add(angle(table.view().bilinear_normal(z), n), weight);
-                half.add(angle(halves.bilinear_normal(z), n), weight);
+        let mut sums = [(); 3].map(|()| AngleSum::default());
+        for &(y, across) in &cells {
+            for &(x, along) in &cells {
+                let (z, weight) = (Vec2::new(x, y), along * across);
+                let n = ndf.from_gaussian(z);
+                let view = self.view();
+                let found = [view.nearest_normal(z), view.bilinear_normal(z), halves.bilinear_normal(z)];
+                sums.iter_mut().zip(found).for_each(|(sum, found)| sum.add(angle(found, n), weight));
             }
         }
         let outermost = entries.last().map_or(0.0, |&z| 2.0 * phi(-f64::from(z)));
-        Self {
-            nearest: nearest.deviation(),
-            bilinear: bilinear.deviation(),
-            bilinear_half: half.deviation(),
+        let [nearest, bilinear, bilinear_half] = sums.map(|sum| sum.deviation());
+        TableAccuracy {
+            nearest,
+            bilinear,
+            bilinear_half,
             beyond: outermost * (2.0 - outermost),
-            largest_step: largest_step(table) as f32,
+            largest_step: largest_step(self) as f32,
         }
     }
-}
-
-/// The interval between two neighbouring entries along one coordinate.
-struct Cell {
-    middle: f32,
-    weight: f64,
 }
 
 /// Of weighted angles, the largest and the sum of squares.

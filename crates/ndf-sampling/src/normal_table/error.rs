@@ -1,26 +1,27 @@
 //! Refusals of square tables.
 
-use core::fmt;
+use crate::range_error::refusals;
 
 /// The longest side of a square table.
-pub(crate) const MAX_SIZE: usize = 4096;
+const MAX_SIZE: usize = 4096;
 
-/// Refusal of a square table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NormalTableError {
-    /// The size is 0 or above 4096.
-    Size {
-        /// Its value.
-        value: usize,
-    },
-    /// The slice has not `size · size` entries.
-    Entries {
-        /// Number that it needs.
-        expected: usize,
-        /// Number that it has.
-        got: usize,
-    },
+refusals! {
+    /// Refusal of a square table.
+    #[derive(Eq)]
+    pub enum NormalTableError {
+        /// The size is 0 or above 4096.
+        Size {
+            /// Its value.
+            value: usize,
+        } => "size must be between 1 and {MAX_SIZE}, got {value}",
+        /// The slice has not `size · size` entries.
+        Entries {
+            /// Number that it needs.
+            expected: usize,
+            /// Number that it has.
+            got: usize,
+        } => "entries must be {expected}, got {got}",
+    }
 }
 
 impl NormalTableError {
@@ -35,14 +36,3 @@ impl NormalTableError {
         }
     }
 }
-
-impl fmt::Display for NormalTableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Size { value } => write!(f, "size must be between 1 and {MAX_SIZE}, got {value}"),
-            Self::Entries { expected, got } => write!(f, "entries must be {expected}, got {got}"),
-        }
-    }
-}
-
-impl core::error::Error for NormalTableError {}

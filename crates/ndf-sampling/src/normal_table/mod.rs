@@ -15,7 +15,7 @@ pub(crate) mod table_ref;
 pub use accuracy::{Deviation, TableAccuracy};
 pub use chart::Chart;
 pub use error::NormalTableError;
-pub use layout::{TableEntry, TableLayout, unpack_frame};
+pub use layout::{TableEntry, TableLayout};
 pub use spacing::Spacing;
 #[cfg(feature = "alloc")]
 pub use table::NormalTable;

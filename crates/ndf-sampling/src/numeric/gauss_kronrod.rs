@@ -7,43 +7,35 @@
 pub(crate) fn integrate<const N: usize>(cuts: [f64; N], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut ends = cuts.iter().zip(cuts.iter().skip(1));
     // One part less than cuts; the last place stays empty.
-    let parts: [Option<Segment>; N] = core::array::from_fn(|_| {
-        ends.next().filter(|(from, to)| from < to).map(|(&from, &to)| Segment::new(from, to, &f))
+    let parts: [_; N] = core::array::from_fn(|_| {
+        ends.next().filter(|(from, to)| from < to).map(|(&from, &to)| ([from, to], rule(from, to, &f)))
     });
-    let whole: f64 = parts.iter().flatten().map(|part| part.long).sum();
+    let whole: f64 = parts.iter().flatten().map(|(_, [long, _])| long).sum();
     let allowed = tolerance * whole.abs();
-    parts.into_iter().flatten().map(|part| part.refined(allowed, DEPTH, &f)).sum()
+    parts.into_iter().flatten().map(|(ends, sums)| refined(ends, sums, allowed, DEPTH, &f)).sum()
 }
 
 /// The most times that a part is halved.
 const DEPTH: u32 = 14;
 
-/// An interval with the integral over it by 15 nodes and by 7 of them.
-struct Segment {
-    from: f64,
-    to: f64,
-    long: f64,
-    short: f64,
-}
-
-impl Segment {
-    fn new(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> Self {
-        let (long, short) = rule(from, to, f);
-        Self { from, to, long, short }
+/// The integral over an interval, whose integrals by 15 nodes and by 7 of them are known.
+fn refined(
+    [from, to]: [f64; 2],
+    [long, short]: [f64; 2],
+    allowed: f64,
+    depth: u32,
+    f: &impl Fn(f64) -> f64,
+) -> f64 {
+    if depth == 0 || (long - short).abs() <= allowed {
+        return long;
     }
-
-    fn refined(self, allowed: f64, depth: u32, f: &impl Fn(f64) -> f64) -> f64 {
-        if depth == 0 || (self.long - self.short).abs() <= allowed {
-            return self.long;
-        }
-        let middle = 0.5 * (self.from + self.to);
-        let halves = [Self::new(self.from, middle, f), Self::new(middle, self.to, f)];
-        halves.map(|half| half.refined(allowed, depth - 1, f)).iter().sum()
-    }
+    let middle = 0.5 * (from + to);
+    let halves = [[from, middle], [middle, to]].map(|ends| (ends, rule(ends[0], ends[1], f)));
+    halves.map(|(ends, sums)| refined(ends, sums, allowed, depth - 1, f)).iter().sum()
 }
 
 /// The integral by 15 nodes and by 7 of them.
-fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> (f64, f64) {
+fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> [f64; 2] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let centre = f(middle);
     let (mut long, mut short) = (CENTRE[0] * centre, CENTRE[1] * centre);
@@ -52,7 +44,7 @@ fn rule(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> (f64, f64) {
         long += kronrod * both;
         short += gauss * both;
     }
-    (half * long, half * short)
+    [half * long, half * short]
 }
 
 /// Both weights of the node 0.
@@ -76,7 +68,7 @@ mod tests {
     #[test]
     fn polynomials_are_exact() {
         for power in 0..=22 {
-            let (long, short) = rule(-1.0, 2.0, &|x: f64| x.powi(power));
+            let [long, short] = rule(-1.0, 2.0, &|x: f64| x.powi(power));
             let exact = (2.0_f64.powi(power + 1) - (-1.0_f64).powi(power + 1)) / f64::from(power + 1);
             assert_abs_diff_eq!(long / exact, 1.0, epsilon = 1e-14, "{power}");
             assert!(power > 13 || (short / exact - 1.0).abs() < 1e-14, "{power}: {short} != {exact}");

@@ -8,16 +8,10 @@ use crate::simd::lanes::{Lanes, Scalar};
 pub(crate) trait Gather<const N: usize>: Lanes {
     /// The word of every lane.
     fn words(self, x: Self::U) -> [u32; N];
-    /// The float of every lane.
-    fn floats(self, x: Self::F) -> [f32; N];
     /// The lanes of an array.
     fn of_words(self, x: &[u32; N]) -> Self::U;
-    /// The lanes of an array.
-    fn of_floats(self, x: &[f32; N]) -> Self::F;
     /// Four numbers of every lane.
     fn transposed(self, rows: &[&[f32; 4]; N]) -> [Self::F; 4];
-    /// Four numbers of every lane that do not lie together.
-    fn transposed_values(self, rows: &[[f32; 4]; N]) -> [Self::F; 4];
     /// The rows of every lane, each times its factor, added up; the last number is the first row's.
     fn mixed(self, rows: &[&[[f32; 4]; 4]; N], factors: &[[f32; N]; 4]) -> [Self::F; 4];
     /// Whether the mask holds in a lane.
@@ -32,6 +26,20 @@ pub(crate) trait Gather<const N: usize>: Lanes {
         factors: [f32; 2],
         limit: f32,
     ) -> (u32, [f32; 4]);
+
+    /// The float of every lane.
+    #[inline(always)]
+    fn floats(self, x: Self::F) -> [f32; N] {
+        let mut floats = [0.0; N];
+        self.store(x, &mut floats);
+        floats
+    }
+
+    /// The lanes of an array.
+    #[inline(always)]
+    fn of_floats(self, x: &[f32; N]) -> Self::F {
+        self.load(x)
+    }
 
     /// The integer below `x` (or `x`, or the one below, if it is one) for x < 2²², as a float and as a word; 0 for less.
     #[inline(always)]
@@ -56,23 +64,11 @@ impl Gather<1> for Scalar {
         [x.0]
     }
     #[inline(always)]
-    fn floats(self, x: f32) -> [f32; 1] {
-        [x]
-    }
-    #[inline(always)]
     fn of_words(self, &[x]: &[u32; 1]) -> Wrapping<u32> {
         Wrapping(x)
     }
     #[inline(always)]
-    fn of_floats(self, &[x]: &[f32; 1]) -> f32 {
-        x
-    }
-    #[inline(always)]
     fn transposed(self, &[&row]: &[&[f32; 4]; 1]) -> [f32; 4] {
-        row
-    }
-    #[inline(always)]
-    fn transposed_values(self, &[row]: &[[f32; 4]; 1]) -> [f32; 4] {
         row
     }
     #[inline(always)]

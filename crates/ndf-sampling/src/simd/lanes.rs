@@ -11,39 +11,23 @@ use crate::math;
 #[cfg(feature = "simd")]
 pub(crate) const MOST: usize = 16;
 
-/// Floats in lanes.
-pub trait Floats:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
-{
-}
+/// A trait of all types with these operators.
+macro_rules! with_operators {
+    ($(#[$about:meta])* $name:ident: $($operator:ident)+) => {
+        $(#[$about])*
+        pub trait $name: Copy $(+ $operator<Output = Self>)+ {}
 
-impl<F> Floats for F where
-    F: Copy + Add<Output = F> + Sub<Output = F> + Mul<Output = F> + Div<Output = F> + Neg<Output = F>
-{
+        impl<T: Copy $(+ $operator<Output = T>)+> $name for T {}
+    };
 }
-
-/// Words of 32 bits in lanes; sums and products wrap.
-pub trait Words:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + BitAnd<Output = Self>
-    + BitOr<Output = Self>
-    + BitXor<Output = Self>
-{
-}
-
-impl<U> Words for U where
-    U: Copy
-        + Add<Output = U>
-        + Sub<Output = U>
-        + Mul<Output = U>
-        + BitAnd<Output = U>
-        + BitOr<Output = U>
-        + BitXor<Output = U>
-{
-}
+with_operators!(
+    /// Floats in lanes.
+    Floats: Add Sub Mul Div Neg
+);
+with_operators!(
+    /// Words of 32 bits in lanes; sums and products wrap.
+    Words: Add Sub Mul BitAnd BitOr BitXor
+);
 
 /// A number of lanes and their operations, chosen by a token that costs nothing.
 pub trait Lanes: Copy {

@@ -11,6 +11,3 @@ pub(crate) mod register_pair;
 pub(crate) mod registers;
 #[cfg(feature = "alloc")]
 pub(crate) mod transpose;
-
-pub use closed_form::ClosedForm;
-pub use dispatch::Level;

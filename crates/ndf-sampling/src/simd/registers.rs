@@ -95,30 +95,14 @@ impl<S: Simd> Gather<8> for EightLanes<S> {
         x.into()
     }
     #[inline(always)]
-    fn floats(self, x: Self::F) -> [f32; 8] {
-        x.into()
-    }
-    #[inline(always)]
     fn of_words(self, x: &[u32; 8]) -> Self::U {
         u32x8::from_slice(self.0, x)
-    }
-    #[inline(always)]
-    fn of_floats(self, x: &[f32; 8]) -> Self::F {
-        f32x8::from_slice(self.0, x)
     }
     #[inline(always)]
     fn transposed(self, rows: &[&[f32; 4]; 8]) -> [Self::F; 4] {
         let mut quads = [f32x4::splat(self.0, 0.0); 8];
         for k in 0..8 {
             quads[k] = f32x4::from_slice(self.0, rows[k]);
-        }
-        transposed(quads)
-    }
-    #[inline(always)]
-    fn transposed_values(self, rows: &[[f32; 4]; 8]) -> [Self::F; 4] {
-        let mut quads = [f32x4::splat(self.0, 0.0); 8];
-        for k in 0..8 {
-            quads[k] = f32x4::from_slice(self.0, &rows[k]);
         }
         transposed(quads)
     }
@@ -162,7 +146,8 @@ impl<S: Simd> Gather<8> for EightLanes<S> {
             let (other_low, other_high) = halves(self, right);
             (low, high) = (low * r + other_low * t, high * r + other_high * t);
         }
-        let count = even(low.simd_le(limit).to_bitmask(), high.simd_le(limit).to_bitmask());
+        let passed = low.simd_le(limit).to_bitmask() | (high.simd_le(limit).to_bitmask() << 8);
+        let count = (passed & 0x5555).count_ones();
         let [left, right] = [four(left, count), four(right, count)];
         if SIDES == 1 {
             return (count, left);
@@ -176,12 +161,6 @@ impl<S: Simd> Gather<8> for EightLanes<S> {
 fn halves<S: Simd>(lanes: EightLanes<S>, numbers: &[f32; 16]) -> (f32x8<S>, f32x8<S>) {
     let (low, high) = numbers.split_at(8);
     (f32x8::from_slice(lanes.0, low), f32x8::from_slice(lanes.0, high))
-}
-
-/// The even bits of two masks of eight.
-#[inline(always)]
-fn even(low: u64, high: u64) -> u32 {
-    ((low | (high << 8)) & 0x5555).count_ones()
 }
 
 /// The columns of eight rows.

@@ -1,6 +1,6 @@
 //! Classic lattice noise as Gaussian coordinates, through its measured distribution.
 
-use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef};
+use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef, NoiseDistribution};
 use asperity_noise::{Field, Octaves, Spectrum, simd::Kernel};
 use glam::{Vec2, Vec3};
 

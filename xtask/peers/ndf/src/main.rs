@@ -8,7 +8,7 @@ use std::{
 };
 
 use asperity_ndf_sampling::{
-    Beckmann, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMapRef, Reconstruction,
+    Beckmann, ClosedForm, Ggx, Measure, Ndf, NdfMap, NormalTable, PackedMapRef, Reconstruction,
     glam::{Vec2, Vec3},
 };
 use rand::{Rng, SeedableRng, rngs::SmallRng};

@@ -69,7 +69,7 @@ impl Bins {
         let (mut first, mut before) = (0, 0.0);
         for bin in 0..count {
             let x = [line(bin), line(bin + 1)];
-            let range = overlapping(cdf.pieces(), first, x);
+            let range = overlapping(&cdf.pieces, first, x);
             first = range.start;
             let weights = [before, if bin + 1 < count { cdf.marginal_cdf(x[1]) } else { 1.0 }];
             before = weights[1];
@@ -88,7 +88,10 @@ impl Bins {
                 if part.weights[1] > part.weights[0] {
                     leaves.push(part.leaf(count + pieces.len(), bin));
                 }
-                pieces.push(part.rows_of_piece());
+                let mut rows = part.rows();
+                rows[BEGIN][BEFORE] = part.place[0] as f32;
+                rows[WIDE][BEFORE] = (part.place[1] - part.place[0]) as f32;
+                pieces.push(rows);
             }
             cubics.push(link(count + before, pieces.len() - before));
         }
@@ -101,8 +104,8 @@ impl Bin {
     /// The part of a piece that lies in a bin.
     fn of_piece(cdf: &Cdf, piece: usize, split: usize, bin: usize) -> Option<Self> {
         let (width, kind) = (cdf.width() as f64, cdf.reconstruction());
-        let weights: &[f64; 2] = cdf.cumulative().get(piece..piece + 2)?.as_array()?;
-        let piece = cdf.pieces().get(piece)?;
+        let weights: &[f64; 2] = cdf.cumulative.get(piece..piece + 2)?.as_array()?;
+        let piece = cdf.pieces.get(piece)?;
         let place = piece.x.map(|x| (x * width + kind.offset()) * split as f64 - bin as f64);
         let within = [0.0, 1.0].map(|end: f64| ((end - place[0]) / (place[1] - place[0])).clamp(0.0, 1.0));
         let at = |s: f64| match s {
@@ -114,8 +117,7 @@ impl Bin {
             ),
         };
         let (begin, end) = (at(within[0]), at(within[1]));
-        let [marginal, below] =
-            [piece.marginal, piece.below].map(|b| part(b, within).map(|b| b * cdf.scale()));
+        let [marginal, below] = [piece.marginal, piece.below].map(|b| part(b, within).map(|b| b * cdf.scale));
         Some(Self { marginal, below, place: [begin.0, end.0], weights: [begin.1, end.1] })
     }
 
@@ -141,13 +143,6 @@ impl Bin {
             }
         }
         rows[0][BEFORE] = self.weights[0] as f32;
-        rows
-    }
-
-    fn rows_of_piece(&self) -> Rows {
-        let mut rows = self.rows();
-        rows[BEGIN][BEFORE] = self.place[0] as f32;
-        rows[WIDE][BEFORE] = (self.place[1] - self.place[0]) as f32;
         rows
     }
 }
@@ -204,16 +199,16 @@ fn fit(cdf: &Cdf, column: usize, x: [f64; 2], weights: [f64; 2]) -> Option<Bin> 
 
 /// The integrals of `f` over the parts of the circle's chord at `x` below and above the middle of the map, as in the sums.
 fn chord(cdf: &Cdf, column: usize, x: f64) -> [f64; 2] {
-    let (columns, kind) = (cdf.columns(), cdf.reconstruction());
-    let (strip, height) = (columns.strip(column), columns.height() as f64);
-    let t = place_in_column(kind, x, columns.width(), column);
+    let (columns, kind) = (&cdf.columns, cdf.reconstruction());
+    let (strip, height) = (columns.strip(column), columns.height as f64);
+    let t = place_in_column(kind, x, columns.width, column);
     let c = half_chord(x) * height;
     [-1.0, 1.0].map(|side| {
         let y = 0.5 * height + kind.offset() + side * c;
-        let row = (y as usize).min(kind.cells(columns.height()) - 1);
+        let row = (y as usize).min(kind.cells(columns.height) - 1);
         let q = y - row as f64;
         let [a, b] = strip.row(t, row);
-        (side * (strip.sum(t, row) + q * ((1.0 - 0.5 * q) * a + 0.5 * q * b)) * cdf.scale()).max(0.0)
+        (side * (strip.sum(t, row) + q * ((1.0 - 0.5 * q) * a + 0.5 * q * b)) * cdf.scale).max(0.0)
     })
 }
 

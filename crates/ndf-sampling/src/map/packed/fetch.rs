@@ -4,6 +4,15 @@ use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::packed::record::{LEAF, Rows};
 use crate::simd::gather::Gather;
 
+/// A function of a map and a pair of numbers, in lanes; `SIDES` tells how many columns of values a cell lies between.
+pub(crate) trait PairKernel<const OUT: usize> {
+    fn apply<P: Gather<N>, const N: usize, const SIDES: usize>(
+        map: &PackedMapRef<'_>,
+        p: P,
+        pair: [P::F; 2],
+    ) -> [P::F; OUT];
+}
+
 impl PackedMapRef<'_> {
     /// The column of a bin, and how far a place in the bin is from the column's left side.
     #[inline(always)]

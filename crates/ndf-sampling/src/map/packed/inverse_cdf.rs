@@ -1,6 +1,6 @@
 //! Samples of a packed map in lanes.
 
-use crate::map::packed::fetch::{mixed, quads, sides};
+use crate::map::packed::fetch::{PairKernel, mixed, quads, sides};
 use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::{KEYS, LINES};
 use crate::map::packed::packed_map::PackedMapRef;
@@ -15,35 +15,37 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 /// Weight that a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
 const LEAST_MASS: f64 = 1e-7;
 
-impl PackedMapRef<'_> {
-    /// `(M, C)⁻¹`. `SIDES`: how many columns of values a cell lies between.
+/// `(M, C)⁻¹`.
+pub(crate) struct Inverse;
+
+impl PairKernel<2> for Inverse {
     #[inline(always)]
-    pub(crate) fn inverse_in<P: Gather<N>, const N: usize, const SIDES: usize>(
-        &self,
+    fn apply<P: Gather<N>, const N: usize, const SIDES: usize>(
+        map: &PackedMapRef<'_>,
         p: P,
         u: [P::F; 2],
     ) -> [P::F; 2] {
         let one = p.float(1.0);
         let u1 = p.at_most(p.at_least(u[0], 0.0), BELOW_ONE);
         let u2 = p.at_most(p.at_least(u[1], 0.0), BELOW_ONE);
-        let (_, parts) = p.below(u1 * p.float(self.grid.guide));
+        let (_, parts) = p.below(u1 * p.float(map.grid.guide));
         let (parts, weights) = (p.words(parts), p.floats(u1));
-        let leaf = self.leaf(&parts, &weights);
+        let leaf = map.leaf(&parts, &weights);
         let mut leaves = [&[0.0; LEAF]; N];
         for k in 0..N {
-            leaves[k] = self.leaves.get(leaf[k] as usize).unwrap_or(&[0.0; LEAF]);
+            leaves[k] = map.leaves.get(leaf[k] as usize).unwrap_or(&[0.0; LEAF]);
         }
         let [from, per, c0, c1] = quads(p, &leaves, 0);
         let [c2, c3, begin, wide] = quads(p, &leaves, 1);
         let [cubic, bin, steps, _] = quads(p, &leaves, 2);
-        let cubics = self.cubics(&p.words(p.bits(cubic)));
+        let cubics = map.cubics(&p.words(p.bits(cubic)));
 
         let share = p.at_most(p.at_least((u1 - from) * per, 0.0), 1.0);
         let mut s = share + share * (one - share) * (c0 + share * (c1 + share * (c2 + share * c3)));
         if p.any(p.less(p.float(0.0), steps)) {
             let [weight, marginal, ..] = mixed(p, &cubics, s);
             let slope =
-                p.at_least(wide * marginal * p.float(self.grid.weight_per_marginal), f32::MIN_POSITIVE);
+                p.at_least(wide * marginal * p.float(map.grid.weight_per_marginal), f32::MIN_POSITIVE);
             let nearer = s - (s * weight - (u1 - from)) / slope;
             let nearer = p.select(p.less(p.float(0.0), steps), nearer, s);
             s = p.of_floats(&many_steps(&leaves, &cubics, &weights, p.floats(nearer)));
@@ -51,17 +53,17 @@ impl PackedMapRef<'_> {
         s = p.at_most(p.at_least(s, 0.0), 1.0);
         let [_, marginal, below, _] = mixed(p, &cubics, s);
 
-        let Grid { size, origin, margin, .. } = self.grid;
+        let Grid { size, origin, margin, .. } = map.grid;
         // Not on a line, from which the normal might round into the next bin.
         let within = p.at_most(p.at_least(begin + wide * s, margin[0]), 1.0 - margin[0]);
         let bin = p.float_of_word(p.bits(bin));
         let x = ((bin - p.float(origin[0])) + within) * p.float(size[0]);
         let x = p.at_most(p.at_least(x, -1.0), 1.0);
-        let (column, t) = self.column(p, bin, within);
+        let (column, t) = map.column(p, bin, within);
         let target = u2 * marginal - below;
 
         let r = one - t;
-        let (row, [from, a, next, b]) = self.rows::<P, N, SIDES>(p, column, u2, [r, t], target);
+        let (row, [from, a, next, b]) = map.rows::<P, N, SIDES>(p, column, u2, [r, t], target);
         let excess = p.at_least(target - from, 0.0);
         let q = if SIDES == 1 {
             excess / p.at_least(next - from, f32::MIN_POSITIVE)
@@ -75,11 +77,13 @@ impl PackedMapRef<'_> {
         let outside = p.less(p.float(1.0 - 4.0 * f32::EPSILON), x * x + y * y);
         if p.any(outside) {
             let places = [x, y, t].map(|place| p.floats(place));
-            return [x, p.of_floats(&self.inside::<N, SIDES>(p.words(column), places))];
+            return [x, p.of_floats(&map.inside::<N, SIDES>(p.words(column), places))];
         }
         [x, y]
     }
+}
 
+impl PackedMapRef<'_> {
     /// The leaves in which the weights `u` are reached, from where the guide says.
     #[inline(always)]
     fn leaf<const N: usize>(&self, parts: &[u32; N], u: &[f32; N]) -> [u32; N] {
@@ -120,7 +124,7 @@ impl PackedMapRef<'_> {
             let ([before, after], _) = sides::<2, 1>(self.quantiles, ranks[k], 0);
             pairs[k] = [*before, *after, 0.0, 0.0];
         }
-        let [before, after, ..] = p.transposed_values(&pairs);
+        let [before, after, ..] = p.transposed(&pairs.each_ref());
         let guess = before + (after - before) * (place - part) - p.float((LINES / 2 - 1) as f32);
         let (_, first) = p.below(guess);
         let stride = self.grid.stride;
@@ -145,7 +149,7 @@ impl PackedMapRef<'_> {
                 }
             }
         }
-        (p.of_words(&row), p.transposed_values(&nodes))
+        (p.of_words(&row), p.transposed(&nodes.each_ref()))
     }
 
     /// The last row that begins at or below `target` and has weight, by halving, and its nodes.
@@ -154,11 +158,12 @@ impl PackedMapRef<'_> {
         let stride = self.grid.stride as usize;
         let side = |side: usize| self.nodes.get(side * stride..(side + 1) * stride).unwrap_or_default();
         let (left, right) = (side(column), side(column + SIDES - 1));
-        let at = |line: usize| match (left.get(2 * line), right.get(2 * line)) {
+        let number = |k: usize, none: f32| match (left.get(k), right.get(k)) {
             (Some(left), Some(_)) if SIDES == 1 => *left,
             (Some(left), Some(right)) => r * left + t * right,
-            _ => f32::MAX,
+            _ => none,
         };
+        let at = |line: usize| number(2 * line, f32::MAX);
         let rows = self.grid.last_row as usize + 1;
         let [bottom, top] = [at(0), at(rows)];
         let reaches =
@@ -172,12 +177,7 @@ impl PackedMapRef<'_> {
                 low = middle;
             }
         }
-        let node = |k: usize| match (left.get(2 * low + k), right.get(2 * low + k)) {
-            (Some(left), Some(_)) if SIDES == 1 => *left,
-            (Some(left), Some(right)) => r * left + t * right,
-            _ => 0.0,
-        };
-        (low as u32, [0, 1, 2, 3].map(node))
+        (low as u32, [0, 1, 2, 3].map(|k| number(2 * low + k, 0.0)))
     }
 
     /// The places `y`, with those beyond the chord moved to its end, or to where there is weight from there on.

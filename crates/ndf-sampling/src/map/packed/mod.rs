@@ -1,8 +1,8 @@
 //! A map of normals in one borrowed array of `f32`.
 
-pub(crate) mod batch;
 #[cfg(feature = "alloc")]
 pub(crate) mod bins;
+pub(crate) mod calls;
 pub(crate) mod cdf;
 pub(crate) mod error;
 pub(crate) mod fetch;

@@ -16,20 +16,20 @@ impl NdfMap {
     #[must_use]
     pub fn pack(&self) -> Vec<f32> {
         let cdf = self.cdf();
-        let columns = cdf.columns();
+        let columns = &cdf.columns;
         let (bins, quantiles) = (Bins::new(cdf), Quantiles::new(columns));
-        let kind = columns.kind();
+        let kind = columns.kind;
         let layout = Layout {
-            width: columns.width(),
-            height: columns.height(),
+            width: columns.width,
+            height: columns.height,
             kind,
             split: bins.split,
             cubics: bins.cubics.len(),
             leaves: bins.leaves.len(),
             guide: (2 * bins.leaves.len()).next_power_of_two(),
-            quantiles: quantiles.parts(),
+            quantiles: quantiles.parts,
         };
-        let scale = cdf.scale();
+        let scale = cdf.scale;
         let mut packed = Vec::with_capacity(layout.len().map_or(0, |len| len as usize));
         packed.extend(layout.header());
         extend_guide(&mut packed, &bins.leaves, layout.guide);
@@ -37,7 +37,7 @@ impl NdfMap {
         packed.extend([2.0; KEYS + 1]);
         packed.extend(bins.leaves.as_flattened());
         packed.extend(bins.cubics.as_flattened().as_flattened());
-        packed.extend(quantiles.rows());
+        packed.extend(quantiles.rows);
         let border = kind.cells(layout.width) - layout.width;
         let all =
             (0..layout.width + 2 * border).map(|column| column.saturating_sub(border).min(layout.width - 1));

@@ -1,16 +1,10 @@
 //! A map of normals in one borrowed array of `f32`.
 
-use glam::{Vec2, Vec3};
-
 use crate::map::packed::error::PackedMapError;
 use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::Layout;
 use crate::map::packed::record::{HEADER, LEAF, Rows};
 use crate::map::reconstruction::Reconstruction;
-use crate::math;
-use crate::ndf::Ndf;
-use crate::numeric::normal_distribution::{inverse_phi, phi};
-use crate::simd::lanes::Scalar;
 
 /// A normal density on the map, sampled and inverted in `f32` from one array that it borrows: from flash, a file or a `Vec`.
 ///
@@ -21,7 +15,7 @@ use crate::simd::lanes::Scalar;
 ///   times the marginal, or the conditional density, per `dn`. The rim is the circle; parts of the marginal are cubics that are
 ///   within 5e-7 of it.
 /// - **Resolution:** that of `f32`: columns and rows beyond 2²² are not told apart.
-/// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`].
+/// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`](crate::ndf::Ndf).
 /// - An array whose header is sound but whose numbers were changed gives other normals, and never panics.
 ///
 /// ```
@@ -95,52 +89,5 @@ impl<'a> PackedMapRef<'a> {
     #[must_use]
     pub const fn reconstruction(&self) -> Reconstruction {
         self.layout.kind
-    }
-
-    /// `(M, C)⁻¹(u)`: the first two coordinates of the normal.
-    #[must_use]
-    pub fn inverse(&self, u: Vec2) -> Vec2 {
-        let [x, y] = match self.layout.kind {
-            Reconstruction::Constant => self.inverse_in::<_, 1, 1>(Scalar, u.to_array()),
-            Reconstruction::Bilinear => self.inverse_in::<_, 1, 2>(Scalar, u.to_array()),
-        };
-        Vec2::new(x, y)
-    }
-
-    /// `(M, C)`: the uniform numbers of a normal by its first two coordinates, each in [0, 1].
-    #[must_use]
-    pub fn forward(&self, n: Vec2) -> Vec2 {
-        let [u1, u2] = match self.layout.kind {
-            Reconstruction::Constant => self.forward_in::<_, 1, 1>(Scalar, n.to_array()),
-            Reconstruction::Bilinear => self.forward_in::<_, 1, 2>(Scalar, n.to_array()),
-        };
-        Vec2::new(u1, u2)
-    }
-}
-
-impl Ndf for PackedMapRef<'_> {
-    fn density(&self, m: Vec3) -> f32 {
-        let density = match self.layout.kind {
-            Reconstruction::Constant => self.density_in::<_, 1, 1>(Scalar, [m.x, m.y]),
-            Reconstruction::Bilinear => self.density_in::<_, 1, 2>(Scalar, [m.x, m.y]),
-        };
-        if m.z > 0.0 { density } else { 0.0 }
-    }
-
-    /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
-    fn sample(&self, u: Vec2) -> Vec3 {
-        let n = self.inverse(u);
-        n.extend(math::sqrt((1.0 - n.x * n.x - n.y * n.y).max(1e-15)))
-    }
-
-    fn from_gaussian(&self, z: Vec2) -> Vec3 {
-        let u = z.to_array().map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z)) as f32 });
-        self.sample(Vec2::from(u))
-    }
-
-    fn to_gaussian(&self, m: Vec3) -> Vec2 {
-        const LEAST: f64 = 1.0 / (1u32 << 25) as f64;
-        let u = self.forward(Vec2::new(m.x, m.y)).to_array();
-        Vec2::from(u.map(|u| inverse_phi(f64::from(u).clamp(LEAST, 1.0 - LEAST)) as f32))
     }
 }
