@@ -1,5 +1,8 @@
 //! Bins over the disk of normals: counting samples, and integrating a density over each bin.
 
+use approx::assert_abs_diff_eq;
+use glam::Vec3;
+
 /// Nodes and weights of Gauss and Legendre on [0, 1].
 const GAUSS: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
@@ -28,6 +31,23 @@ impl DiskBins {
             (k >= 0.0 && k < self.size as f64).then_some(k as usize)
         };
         Some(bin(ny, self.extent[1])? * self.size + bin(nx, self.extent[0])?)
+    }
+
+    /// Counts of normals by their bins; those outside the rectangle are in none.
+    ///
+    /// # Panics
+    /// If one is no unit vector above the horizon.
+    #[must_use]
+    pub fn count(&self, normals: impl Iterator<Item = Vec3>) -> Vec<u64> {
+        let mut counts = vec![0; self.size * self.size];
+        for m in normals {
+            assert!(m.z > 0.0, "{m}");
+            assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-6);
+            if let Some(bin) = self.index(f64::from(m.x), f64::from(m.y)) {
+                counts[bin] += 1;
+            }
+        }
+        counts
     }
 
     /// The integral over each bin's part inside the disk of `density`, per `dn_x dn_y`.
@@ -83,7 +103,7 @@ mod tests {
     fn bins_of_a_constant_add_up_to_the_disk() {
         let bins = DiskBins { size: 9, extent: [1.0, 1.0] };
         let area: f64 = bins.integrate(2, |_, _| 1.0).iter().sum();
-        assert!((area - core::f64::consts::PI).abs() < 1e-9, "{area}");
+        assert_abs_diff_eq!(area, core::f64::consts::PI, epsilon = 1e-9);
     }
 
     #[test]

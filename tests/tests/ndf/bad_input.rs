@@ -1,56 +1,53 @@
 //! Bad input: each gets one clear line, which names the culprit and its value.
 
 use asperity_ndf_sampling::{
-    AshikhminShirley, Beckmann, Blend, BlinnPhong, Ggx, Isotropic, IsotropicRef, Measure, Mixture, NdfMap,
-    NoiseCdfRef, NormalTable, RangeError, Reconstruction, Rotated, StudentT, Ward,
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, ConditionalTable, ConditionalTableRef, GaussianNoise, Ggx,
+    Isotropic, IsotropicRef, KurtoticNoise, Measure, Mixture, NdfEstimator, NdfMap, NoiseCdfRef, NormalTable,
+    NormalTableRef, RangeError, Reconstruction, Rotated, StudentT, Ward, estimate_ndf,
+    level_of_detail::OffsetBeckmann, normal_table::TableLayout,
 };
+use glam::{Vec2, Vec3};
 
-/// One line, lower case, without a full stop, with every one of `parts`.
-fn check(error: &dyn core::error::Error, parts: &[&str]) {
-    let line = error.to_string();
+/// Asserts that the refusal is `line`, which is lower case and without a full stop.
+#[track_caller]
+fn refused<T, E: core::error::Error>(result: Result<T, E>, line: &str) {
+    let error = result.err().map(|error| error.to_string());
+    assert_eq!(error.as_deref(), Some(line));
     assert!(!line.contains('\n') && !line.ends_with('.') && line.starts_with(char::is_lowercase), "{line:?}");
-    for part in parts {
-        assert!(line.contains(part), "{line:?} lacks {part:?}");
-    }
 }
 
 #[test]
 fn roughness() {
-    for (value, name) in [
-        (f32::NAN, "NaN"),
-        (f32::INFINITY, "inf"),
-        (f32::NEG_INFINITY, "-inf"),
-        (0.0, "0"),
-        (-0.0, "-0"),
-        (-0.3, "-0.3"),
-        (1e-30, "1e-30"),
-        (f32::MAX, "3.4028235e38"),
-    ] {
-        check(&Ggx::new(value, 0.5).unwrap_err(), &["alpha_x", name]);
-        check(&Ggx::new(0.5, value).unwrap_err(), &["alpha_y", name]);
-        check(&Beckmann::new(value, 0.5).unwrap_err(), &["alpha_x", name]);
-        check(&Beckmann::new(0.5, value).unwrap_err(), &["alpha_y", name]);
-        check(&Ggx::isotropic(value).unwrap_err(), &["alpha_x", name]);
-        check(&Beckmann::isotropic(value).unwrap_err(), &["alpha_x", name]);
+    for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, -0.3] {
+        let lines = ["x", "y"].map(|axis| format!("alpha_{axis} must be between 1e-6 and 1e6, got {value}"));
+        refused(Ggx::new(value, 0.5), &lines[0]);
+        refused(Ggx::new(0.5, value), &lines[1]);
+        refused(Ggx::isotropic(value), &lines[0]);
+        refused(Beckmann::new(value, 0.5), &lines[0]);
+        refused(Beckmann::new(0.5, value), &lines[1]);
+        refused(Beckmann::isotropic(value), &lines[0]);
+        refused(Ward::new(value, 0.5), &lines[0]);
+        refused(StudentT::new(0.5, value, 2.0), &lines[1]);
         // What a constructor refuses, the repair accepts.
         for repaired in [Ggx::clamped(value, value).alpha_x(), Beckmann::clamped(value, value).alpha_y()] {
             assert!(Ggx::new(repaired, repaired).is_ok(), "{value} became {repaired}");
         }
     }
+    refused(Ggx::new(1e-7, 0.5), "alpha_x must be between 1e-6 and 1e6, got 1e-7");
+    refused(Ggx::new(0.5, f32::MAX), "alpha_y must be between 1e-6 and 1e6, got 3.4028235e38");
     let RangeError { parameter, value, .. } = Ggx::new(-1.0, 0.5).unwrap_err();
     assert_eq!((parameter, value), ("alpha_x", -1.0));
 }
 
 #[test]
 fn facets() {
-    check(&StudentT::new(0.5, f32::NAN, 2.0).unwrap_err(), &["alpha_y", "NaN"]);
-    check(&Ward::new(-0.5, 0.5).unwrap_err(), &["alpha_x", "-0.5"]);
     for (value, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-1.0, "-1"), (3e12, "3e12")] {
-        check(&StudentT::new(0.5, 0.5, value).unwrap_err(), &["gamma", name]);
-        check(&BlinnPhong::new(value).unwrap_err(), &["exponent", name]);
-        check(&BlinnPhong::from_roughness(value).unwrap_err(), &["roughness", name]);
-        check(&AshikhminShirley::new(value, 1.0).unwrap_err(), &["n_u", name]);
-        check(&AshikhminShirley::new(1.0, value).unwrap_err(), &["n_v", name]);
+        let line = |parameter: &str, range: &str| format!("{parameter} must be between {range}, got {name}");
+        refused(StudentT::new(0.5, 0.5, value), &line("gamma", "1.51 and 1e12"));
+        refused(BlinnPhong::new(value), &line("exponent", "0 and 2e12"));
+        refused(BlinnPhong::from_roughness(value), &line("roughness", "1e-6 and 1"));
+        refused(AshikhminShirley::new(value, 1.0), &line("n_u", "0 and 2e12"));
+        refused(AshikhminShirley::new(1.0, value), &line("n_v", "0 and 2e12"));
         // What a constructor refuses, the repair accepts.
         assert!(BlinnPhong::new(BlinnPhong::clamped(value).exponent()).is_ok(), "{value}");
         let repaired = AshikhminShirley::clamped(value, value);
@@ -58,75 +55,131 @@ fn facets() {
         let repaired = StudentT::clamped(value, value, value);
         assert!(StudentT::new(repaired.alpha_x(), repaired.alpha_y(), repaired.gamma()).is_ok(), "{value}");
     }
-    let (ggx, turned) = (Ggx::isotropic(0.3).unwrap(), Ggx::new(0.2, 0.4).unwrap());
-    check(&Mixture::new(ggx, ggx, 1.5).unwrap_err(), &["weight", "1.5"]);
-    check(&Mixture::new(turned, ggx, 0.5).unwrap_err(), &["density a"]);
-    check(&Blend::new(turned, ggx, f32::NAN).unwrap_err(), &["weight", "NaN"]);
-    check(&Rotated::new(turned, f32::INFINITY).unwrap_err(), &["angle", "inf"]);
-    check(&Isotropic::new(&[1.0]).unwrap_err(), &["nodes", "1"]);
-    check(&Isotropic::new(&[1.0, 2.0, f32::INFINITY]).unwrap_err(), &["density 2", "inf"]);
-    check(&Isotropic::new(&[-0.5, 2.0]).unwrap_err(), &["density 0", "-0.5"]);
-    check(&Isotropic::new(&[0.0; 7]).unwrap_err(), &["7"]);
-    check(&Isotropic::from_fn(0, |_| 1.0).unwrap_err(), &["nodes", "0"]);
-    check(&IsotropicRef::pack(&[1.0, 2.0], &mut []).unwrap_err(), &["6", "0"]);
-    check(&IsotropicRef::new(&[f32::NAN; 6]).unwrap_err(), &["density 0", "NaN"]);
-    check(&IsotropicRef::new(&[1.0; 6]).unwrap_err(), &["node 0"]);
+    refused(StudentT::new(0.5, 0.5, 1.5), "gamma must be between 1.51 and 1e12, got 1.5");
+    refused(BlinnPhong::from_roughness(1.1), "roughness must be between 1e-6 and 1, got 1.1");
+    let (ggx, oval) = (Ggx::isotropic(0.3).unwrap(), Ggx::new(0.2, 0.4).unwrap());
+    refused(Mixture::new(ggx, ggx, f32::NAN), "weight must be between 0 and 1, got NaN");
+    let line = "must depend on the tilt alone, got one that depends on the azimuth";
+    refused(Mixture::new(oval, ggx, 0.5), &format!("density a {line}"));
+    refused(Mixture::new(ggx, oval, 0.5), &format!("density b {line}"));
+    refused(Blend::new(oval, ggx, 1.5), "weight must be between 0 and 1, got 1.5");
+    let line = "angle must be between -3.4028235e38 and 3.4028235e38, got inf";
+    refused(Rotated::new(oval, f32::INFINITY), line);
+    let covariance = |x, covariance| OffsetBeckmann::new(Vec2::new(x, 0.0), covariance);
+    let line = "mean must be between -1e9 and 1e9 along each axis, got [NaN, 0]";
+    refused(covariance(f32::NAN, [1.0, 0.0, 1.0]), line);
+    for bad in
+        [[1.0, 2.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, f32::NAN, 1.0], [f32::INFINITY, 0.0, 1.0]]
+    {
+        let line = format!("covariance must be positive definite and at most 1e18, got {bad:?}");
+        refused(covariance(0.0, bad), &line);
+    }
+}
+
+#[test]
+fn tables_over_the_cosine() {
+    refused(Isotropic::new(&[1.0]), "nodes must be 2 to 1048576, got 1");
+    refused(Isotropic::from_fn(usize::MAX, |_| 1.0), "nodes must be 2 to 1048576, got 18446744073709551615");
+    refused(Isotropic::new(&[1.0, -2.0]), "density 1 must be finite and not negative, got -2");
+    refused(Isotropic::new(&[f32::NAN, 1.0]), "density 0 must be finite and not negative, got NaN");
+    refused(Isotropic::new(&[1.0, 2.0, f32::INFINITY]), "density 2 must be finite and not negative, got inf");
+    refused(Isotropic::new(&[0.0; 4]), "density must not be 0 everywhere, got 4 such nodes");
+    refused(IsotropicRef::pack(&[1.0; 2], &mut [0.0; 5]), "storage must have 6 numbers, got 5");
+    refused(IsotropicRef::new(&[]), "nodes must be 2 to 1048576, got 0");
+    refused(IsotropicRef::new(&[1.0; 8]), "storage must have 6 numbers, got 8");
+    refused(IsotropicRef::new(&[f32::NAN; 6]), "density 0 must be finite and not negative, got NaN");
+    let table = Isotropic::new(&[0.5, 1.0, 4.0]).unwrap();
+    let mut broken = table.packed().to_vec();
+    broken[4] = 2.0;
+    refused(IsotropicRef::new(&broken), "distribution must rise from 0 to 1, got another at node 1");
 }
 
 #[test]
 fn images() {
-    let refused = |width, height, texels: &[f32]| {
-        [Measure::Normals, Measure::SolidAngle].map(|measure| {
-            NdfMap::from_texels(width, height, texels, measure, Reconstruction::Constant).unwrap_err()
-        })
+    let both = |width, height, texels: &[f32], line: &str| {
+        for measure in [Measure::Normals, Measure::SolidAngle] {
+            for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
+                refused(NdfMap::from_texels(width, height, texels, measure, kind), line);
+            }
+        }
     };
-    for error in refused(0, 0, &[]).iter().chain(&refused(3, 0, &[])) {
-        check(error, &["size must be 1 to", "0"]);
-    }
-    for error in refused(4, 4, &[0.0; 16]) {
-        check(&error, &["black", "4 × 4"]);
-    }
-    for error in refused(4, 4, &[1.0; 15]) {
-        check(&error, &["16", "15"]);
-    }
-    for error in refused(1 << 20, 1 << 20, &[1.0]).iter().chain(&refused(usize::MAX, usize::MAX, &[1.0])) {
-        check(error, &["size must be 1 to"]);
-    }
-    for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-2.0, "-2")] {
+    both(0, 4, &[], "size must be 1 to 16777216 texels, got 0 × 4");
+    both(3, 0, &[], "size must be 1 to 16777216 texels, got 3 × 0");
+    both(1 << 13, 1 << 12, &[], "size must be 1 to 16777216 texels, got 8192 × 4096");
+    let line = "size must be 1 to 16777216 texels, got 18446744073709551615 × 2";
+    both(usize::MAX, 2, &[1.0], line);
+    both(2, 2, &[1.0; 3], "texels must be 4, got 3");
+    both(4, 4, &[0.0; 16], "texels inside the disk must have weight, got 4 × 4 black ones");
+    for (bad, name) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (-0.5, "-0.5")] {
         let mut texels = [1.0; 16];
         texels[9] = bad;
-        for error in refused(4, 4, &texels) {
-            check(&error, &["texel 9", name]);
-        }
-        let error =
-            NdfMap::from_texels(4, 4, &texels, Measure::Normals, Reconstruction::Bilinear).unwrap_err();
-        check(&error, &["texel 9", name]);
-        let error = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| {
-            if n.x > 0.5 { bad } else { 1.0 }
-        })
-        .unwrap_err();
-        check(&error, &["texel", name]);
+        both(4, 4, &texels, &format!("texel 9 must be finite and not negative, got {name}"));
+        let painted = |n: Vec3| if n.x > 0.5 { bad } else { 1.0 };
+        let map = NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, painted);
+        refused(map, &format!("texel 3 must be finite and not negative, got {name}"));
     }
     // One pixel, the largest and the smallest values are densities.
     for value in [1.0, f32::MAX, f32::MIN_POSITIVE, 1e-45] {
-        assert!(
-            NdfMap::from_texels(1, 1, &[value], Measure::Normals, Reconstruction::Constant).is_ok(),
-            "{value}"
-        );
-        assert!(
-            NdfMap::from_texels(2, 2, &[value; 4], Measure::SolidAngle, Reconstruction::Constant).is_ok(),
-            "{value}"
-        );
+        for (size, measure) in [(1, Measure::Normals), (2, Measure::SolidAngle)] {
+            let texels = [value; 4];
+            let map =
+                NdfMap::from_texels(size, size, &texels[..size * size], measure, Reconstruction::Constant);
+            assert!(map.is_ok(), "{value}");
+        }
+    }
+}
+
+#[test]
+fn estimates() {
+    refused(NdfEstimator::new(0, 0.1), "size² must be between 1 and 16777216, got size 0");
+    refused(NdfEstimator::new(4097, 0.1), "size² must be between 1 and 16777216, got size 4097");
+    refused(NdfEstimator::new(8, f32::NAN), "width must be between 0 and 1, got NaN");
+    refused(NdfEstimator::new(8, -0.5), "width must be between 0 and 1, got -0.5");
+    for normals in [&[][..], &[Vec3::NAN, Vec3::splat(2.0), Vec3::INFINITY]] {
+        refused(estimate_ndf(normals), "normals must be inside the unit disk, got none");
     }
 }
 
 #[test]
 fn tables() {
     let ggx = Ggx::isotropic(0.5).unwrap();
-    check(&NormalTable::new(&ggx, 0).unwrap_err(), &["size", "0"]);
-    check(&NormalTable::new(&ggx, usize::MAX).unwrap_err(), &["size", "18446744073709551615"]);
-    check(&NoiseCdfRef::new(-1.0, &[0.0, 1.0]).unwrap_err(), &["range", "-1"]);
-    check(&NoiseCdfRef::new(1.0, &[0.0]).unwrap_err(), &["two entries", "1"]);
-    check(&NoiseCdfRef::new(1.0, &[0.0, 0.7, 0.6, 1.0]).unwrap_err(), &["entry 2", "0.6"]);
-    check(&NoiseCdfRef::new(1.0, &[0.0, f32::NAN]).unwrap_err(), &["entry 1", "NaN"]);
+    for size in [0, 4097, usize::MAX] {
+        let line = format!("size must be between 1 and 4096, got {size}");
+        refused(NormalTable::new(&ggx, size), &line);
+        refused(NormalTableRef::new(size, TableLayout::default(), &[[0.0_f32; 2]; 3]), &line);
+        refused(ConditionalTable::new(&ggx, size), &line);
+        refused(ConditionalTableRef::new(size, Vec2::ONE, &[[0.0; 3]; 3]), &line);
+    }
+    let line = "entries must be 4, got 3";
+    refused(NormalTableRef::new(2, TableLayout::default(), &[[0.0_f32; 2]; 3]), line);
+    refused(ConditionalTableRef::new(2, Vec2::ONE, &[[0.0; 3]; 3]), line);
+}
+
+#[test]
+fn distributions_of_noise() {
+    let line = "must be in [0, 1] and not below the one before";
+    for (range, table, line) in [
+        (f32::NAN, &[0.0, 1.0][..], "range must be positive and finite, got NaN"),
+        (0.0, &[0.0, 1.0], "range must be positive and finite, got 0"),
+        (-1.0, &[0.0, 1.0], "range must be positive and finite, got -1"),
+        (1.0, &[], "table must have at least two entries, got 0"),
+        (1.0, &[0.5], "table must have at least two entries, got 1"),
+        (1.0, &[0.0, f32::NAN, 1.0], &*format!("entry 1 {line}, got NaN")),
+        (1.0, &[0.0, 1.5], &*format!("entry 1 {line}, got 1.5")),
+        (1.0, &[0.0, 0.5, 0.25], &*format!("entry 2 {line}, got 0.25")),
+        (1.0, &[0.5, 0.5], "table must increase, got 0.5 everywhere"),
+    ] {
+        refused(NoiseCdfRef::new(range, table), line);
+    }
+    let between = |low, high| NoiseCdfRef::between(low, high, &[0.0, 1.0]);
+    refused(between(1.0, 1.0), "ends must be finite and in order, got 1 and 1");
+    refused(between(f32::NAN, 1.0), "ends must be finite and in order, got NaN and 1");
+    assert!(between(-3e38, 3e38).is_err());
+    let deviation = "deviation must be between 1.1754944e-38 and 3.4028235e38, got";
+    for (value, name) in [(-1.0, "-1"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+        refused(GaussianNoise::new(value), &format!("{deviation} {name}"));
+        refused(KurtoticNoise::new(value, 0.0), &format!("{deviation} {name}"));
+    }
+    refused(KurtoticNoise::new(1.0, 2.5), "kurtosis must be between -2 and 2, got 2.5");
+    refused(KurtoticNoise::new(1.0, f32::NAN), "kurtosis must be between -2 and 2, got NaN");
 }

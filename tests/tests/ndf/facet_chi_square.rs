@@ -1,10 +1,12 @@
 //! Every density, roughness and map against the integrals of the textbook's density: χ² at 0.001 over the number of cases.
 
-use asperity_ndf_sampling::{Ggx, Isotropic, Microfacet, Ndf, StudentT};
+use asperity_ndf_sampling::{Beckmann, Ggx, Isotropic, Microfacet, Ndf, StudentT};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::chi_square::p_value;
+use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::facets::{BINS, Facets};
 use asperity_tests::random::Random;
+use asperity_tests::reference::{self, rows};
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -37,6 +39,10 @@ fn square(random: &mut Random) -> Vec2 {
     Vec2::new(random.uniform() as f32, random.uniform() as f32)
 }
 
+fn gaussian(random: &mut Random) -> Vec2 {
+    Vec2::from(random.gaussians().map(|z| z as f32))
+}
+
 /// The p-value of a sampler of the density `D cos θ` over solid angle.
 fn macro_p(facets: &Facets, seed: u64, samples: u64, sample: impl Fn(&mut Random) -> Vec3) -> f64 {
     let probabilities = facets.probabilities(|m| (facets.density)(m) * m.z);
@@ -63,8 +69,8 @@ fn every_map_of_every_density_samples_it() {
             let mut results =
                 vec![("square", macro_p(&facets, seed, samples, |random| (facets.sample)(square(random))))];
             if let Some(map) = &facets.from_gaussian {
-                let sample = |random: &mut Random| map(Vec2::from(random.gaussians().map(|z| z as f32)));
-                results.push(("Gaussian", macro_p(&facets, seed + 1, samples, sample)));
+                results
+                    .push(("Gaussian", macro_p(&facets, seed + 1, 200_000, |random| map(gaussian(random)))));
             }
             let samples = if facets.slow { 12_000 } else { samples };
             for (angle, name) in ANGLES.into_iter().zip(["0°", "40°", "75°", "89.5°"]) {
@@ -85,6 +91,23 @@ fn every_map_of_every_density_samples_it() {
     let below = |limit: f64| results.iter().filter(|result| result.1 < limit).count();
     println!("{} cases, least p = {:.1e} ({}), {} below 0.1", results.len(), least.1, least.0, below(0.1));
     assert_eq!(results.len() as f64, CASES);
+}
+
+#[test]
+fn ggx_samples_the_reference_bins() {
+    let reference = reference::read("ndf/ndf_bins_32.json");
+    let item = &reference["items"][0];
+    assert_eq!(item["model"], "ggx");
+    let [x, y] = ["alpha_x", "alpha_y"].map(|name| item[name].as_f64().unwrap() as f32);
+    let ggx = Ggx::new(x, y).unwrap();
+    // The file's first index runs along x, the bins' along y.
+    let columns = rows(&item["P"]);
+    let probabilities: Vec<f64> = (0..32 * 32).map(|bin| columns[bin % 32][bin / 32]).collect();
+    let (mut random, samples) = (Random(99), 200_000);
+    let normals = (0..samples).map(|_| ggx.from_gaussian(gaussian(&mut random)));
+    let counts = DiskBins { size: 32, extent: [1.0, 1.0] }.count(normals);
+    let p = p_value(&counts, &probabilities, samples);
+    assert!(p > 0.001, "p = {p:e}");
 }
 
 #[test]
@@ -113,12 +136,12 @@ fn tables_over_the_cosine_sample_their_density() {
         let sectors = 8;
         let probabilities: Vec<f64> =
             masses.iter().flat_map(|mass| vec![mass / total / sectors as f64; sectors]).collect();
-        for gaussian in [0, 1] {
-            let mut random = Random(500 + 2 * seed as u64 + gaussian);
+        for by_gaussian in [0, 1] {
+            let mut random = Random(500 + 2 * seed as u64 + by_gaussian);
             let mut counts = vec![0; probabilities.len()];
             for _ in 0..60_000 {
-                let m = if gaussian == 1 {
-                    table.from_gaussian(Vec2::from(random.gaussians().map(|z| z as f32)))
+                let m = if by_gaussian == 1 {
+                    table.from_gaussian(gaussian(&mut random))
                 } else {
                     table.sample(square(&mut random))
                 };
@@ -128,7 +151,7 @@ fn tables_over_the_cosine_sample_their_density() {
                 counts[ring * sectors + sector.min(sectors - 1)] += 1;
             }
             let p = p_value(&counts, &probabilities, 60_000);
-            println!("{values:?} {gaussian}: p = {p:.4}");
+            println!("{values:?} {by_gaussian}: p = {p:.4}");
             assert!(p > 0.001 / 6.0, "{values:?}: p = {p:e}");
         }
     }
@@ -145,6 +168,9 @@ fn distorted_samplers_are_rejected() {
     let proposal = Ggx::new(0.4, 0.04).unwrap();
     let rougher = Ggx::isotropic(0.315).unwrap();
     let heavier = StudentT::new(0.1, 0.1, 3.5).unwrap();
+    let (oval, swapped) = (find("GGX (0.4, 0.04)"), Ggx::new(0.04, 0.4).unwrap());
+    let (right, another) = (Ggx::isotropic(0.3).unwrap(), Beckmann::isotropic(0.3).unwrap());
+    let clamped = |z: Vec2| right.from_gaussian(z.clamp(Vec2::splat(-2.5), Vec2::splat(2.5)));
     for (name, p) in [
         ("all normals as visible", visible_p(ggx, v, 1, samples, |u| (ggx.sample)(u))),
         ("the view two degrees off", visible_p(ggx, v, 2, samples, |u| (ggx.sample_visible)(view(77.0), u))),
@@ -158,6 +184,9 @@ fn distorted_samplers_are_rejected() {
             "visible normals as all",
             macro_p(ggx, 6, samples, |random| (ggx.sample_visible)(v, square(random))),
         ),
+        ("axes swapped", macro_p(oval, 7, samples, |random| swapped.from_gaussian(gaussian(random)))),
+        ("another model", macro_p(ggx, 8, samples, |random| another.from_gaussian(gaussian(random)))),
+        ("tails clamped at 2.5 deviations", macro_p(ggx, 9, samples, |random| clamped(gaussian(random)))),
     ] {
         println!("{name}: p = {p:e}");
         assert!(p < 1e-9, "{name}: p = {p:e}");

@@ -1,46 +1,9 @@
-//! Maps from and to Gaussian coordinates, Φ and Φ⁻¹: reference values and inversion.
+//! Φ and Φ⁻¹ against reference values; maps from and to Gaussian coordinates over a grid, and at the origin.
 
 use asperity_ndf_sampling::{Beckmann, Ggx, Ndf, inverse_phi, phi};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::reference::{self, numbers, rows};
-use glam::{Vec2, Vec3};
-use proptest::prelude::*;
-
-#[test]
-fn gaussian_maps_equal_the_reference() {
-    let reference = reference::read("ndf/sampling_maps.json");
-    let points = rows(&reference["z"]);
-    let (mut worst, mut compared) = (0.0_f32, 0);
-    for item in reference["items"].as_array().unwrap() {
-        let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
-        let ndf: Box<dyn Ndf> = match item["model"].as_str().unwrap() {
-            "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-            "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).unwrap()),
-            _ => continue,
-        };
-        for (z, m) in points.iter().zip(rows(&item["radial_from_gaussian"])) {
-            let z = Vec2::new(z[0] as f32, z[1] as f32);
-            let expected = Vec3::new(m[0] as f32, m[1] as f32, m[2] as f32);
-            let got = ndf.from_gaussian(z);
-            // Every component to its own relative error: small slopes and small cosines keep their digits.
-            for (got, expected) in got.to_array().into_iter().zip(expected.to_array()) {
-                let error = if expected == 0.0 { got.abs() } else { (got / expected - 1.0).abs() };
-                worst = worst.max(error);
-                assert!(error < 2e-6, "{item:?} at {z}: {got:e} != {expected:e}", item = item["model"]);
-            }
-            assert_abs_diff_eq!(
-                ndf.to_gaussian(expected),
-                z,
-                epsilon = 4e-6,
-                "{z}: {}",
-                ndf.to_gaussian(expected)
-            );
-            compared += 1;
-        }
-    }
-    println!("worst relative error of T: {worst:e} over {compared} points");
-    assert!(compared >= 120, "{compared}");
-}
+use asperity_tests::reference::{self, numbers};
+use glam::Vec2;
 
 #[test]
 fn phi_and_its_inverse_equal_the_reference() {
@@ -74,13 +37,14 @@ const ROUND_TRIP: f32 = 4e-6;
 #[test]
 fn inverse_undoes_the_map_for_every_roughness() {
     let mut worst = 0.0_f32;
-    for alpha in [1e-4, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.0] {
+    for alpha in [1e-4, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.0, 10.0] {
         for ndf in both(alpha, alpha).into_iter().chain(both(alpha, 0.3 * alpha)) {
             for (j, k) in (-48..=48).flat_map(|j| (-48..=48).map(move |k| (j, k))) {
                 let z = Vec2::new(j as f32, k as f32) * 0.125;
                 if z.length() <= 6.0 {
                     let back = ndf.to_gaussian(ndf.from_gaussian(z));
-                    worst = worst.max((back - z).length());
+                    // Roughness above 1 magnifies the rounding of m_z.
+                    worst = worst.max((back - z).length() / if alpha > 1.0 { 2.0 } else { 1.0 });
                 }
             }
         }
@@ -100,42 +64,6 @@ fn smooth_at_the_origin() {
                 let slope = Vec2::new(m.x / m.z / 0.3, m.y / m.z / 0.6) * std::f32::consts::SQRT_2 / radius;
                 assert_abs_diff_eq!(slope, Vec2::new(cos, sin), epsilon = 2e-6, "{k} {radius}: {slope}");
             }
-        }
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2), failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
-
-    #[test]
-    fn inverse_undoes_the_map(
-        log_x in -4.0_f32..1.0, log_y in -4.0_f32..1.0, radius in 0.0_f32..6.0, angle in 0.0_f32..6.3,
-    ) {
-        let z = Vec2::from_angle(angle) * radius;
-        for ndf in both(10f32.powf(log_x), 10f32.powf(log_y)) {
-            let m = ndf.from_gaussian(z);
-            prop_assert!((m.length() - 1.0).abs() < 3e-7 && m.z > 0.0);
-            // Roughness above 1 and its ratio magnify the rounding of the shorter coordinate of m.
-            prop_assert!((ndf.to_gaussian(m) - z).length() < 2.0 * ROUND_TRIP, "{z} -> {m} -> {}", ndf.to_gaussian(m));
-        }
-    }
-
-    #[test]
-    fn density_follows_from_the_map(alpha_x in 0.05_f32..1.0, alpha_y in 0.05_f32..1.0, x in -3.0_f32..3.0, y in -3.0_f32..3.0) {
-        // D dn_x dn_y = N(z) dz: the Jacobian by central differences in f32 limits this to some per mille.
-        for ndf in both(alpha_x, alpha_y) {
-            let e = 0.01;
-            let at = |dx: f32, dy: f32| {
-                let m = ndf.from_gaussian(Vec2::new(x + dx, y + dy)).as_dvec3();
-                [m.x, m.y]
-            };
-            let d = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|k| (a[k] - b[k]) / (2.0 * f64::from(e)));
-            let ([xx, yx], [xy, yy]) = (d(at(e, 0.0), at(-e, 0.0)), d(at(0.0, e), at(0.0, -e)));
-            let jacobian = xx * yy - xy * yx;
-            let gaussian = (-0.5 * f64::from(x * x + y * y)).exp() / std::f64::consts::TAU;
-            let density = f64::from(ndf.density(ndf.from_gaussian(Vec2::new(x, y))));
-            let ratio = density * jacobian / gaussian;
-            prop_assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
         }
     }
 }

@@ -3,10 +3,8 @@
 mod bad_input;
 mod batch;
 mod compared;
-mod chi_square;
 mod conditional;
 mod conditional_table;
-mod density;
 mod detail;
 mod facet_chi_square;
 mod facet_maps;

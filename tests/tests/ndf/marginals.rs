@@ -1,6 +1,6 @@
 //! Marginal and conditional distribution functions of maps: reference values, inversion, and every edge.
 
-use asperity_ndf_sampling::{Beckmann, BlinnPhong, Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
+use asperity_ndf_sampling::{Cdf, Ggx, Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{self, numbers, rows};
@@ -8,16 +8,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use rayon::prelude::*;
 
-/// A density of the reference file; nothing for those that are not built here.
-fn density(item: &serde_json::Value) -> Box<dyn Ndf + Sync> {
-    let alpha = |name: &str| item[name].as_f64().unwrap_or(f64::NAN) as f32;
-    match item["model"].as_str().expect("a name") {
-        "ggx" => Box::new(Ggx::new(alpha("alpha_x"), alpha("alpha_y")).expect("valid")),
-        "beckmann" => Box::new(Beckmann::new(alpha("alpha_x"), alpha("alpha_y")).expect("valid")),
-        "blinn_phong" => Box::new(BlinnPhong::new(alpha("n")).expect("valid")),
-        other => panic!("{other} is no model"),
-    }
-}
+use super::facet_reference::ndf;
 
 #[test]
 fn marginals_of_a_fine_map_equal_the_reference() {
@@ -28,7 +19,7 @@ fn marginals_of_a_fine_map_equal_the_reference() {
     let errors: Vec<[f64; 4]> = items
         .par_iter()
         .map(|item| {
-            let map = NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, &*density(item)).unwrap();
+            let map = NdfMap::from_ndf(SIZE, SIZE, Reconstruction::Bilinear, &*ndf(item)).unwrap();
             let (cdf, mut worst) = (map.cdf(), [0.0_f64; 4]);
             let mut note = |k: usize, error: f64| worst[k] = worst[k].max(error.abs());
             let rows3 = numbers(&item["x"]).into_iter().zip(numbers(&item["m"])).zip(numbers(&item["M"]));
@@ -115,20 +106,6 @@ fn normals_keep_their_coordinates_to_the_rounding_of_f32() {
     println!("worst |T⁻¹(T(z)) − z| of a map: {worst:e}");
     // At |z| = 4 near the rim, where dz/dn grows to 10⁴.
     assert!(worst < 5e-3, "{worst:e}");
-}
-
-#[test]
-fn empty_rows_are_uniform_on_the_chord() {
-    let map = image(16, Reconstruction::Constant, |i, _| f32::from(i == 3 || i == 12));
-    let x = 0.5;
-    assert_eq!(map.cdf().marginal(x), 0.0);
-    assert_abs_diff_eq!(map.cdf().marginal_cdf(x), 0.5, epsilon = 1e-14);
-    for u in [0.0, 0.25, 0.5, 0.75] {
-        assert_abs_diff_eq!(map.cdf().conditional_inverse(x, u), u, epsilon = 1e-15, "{u}");
-        assert_abs_diff_eq!(map.cdf().conditional_cdf(x, u), u, epsilon = 1e-15, "{u}");
-    }
-    let [_, y] = map.cdf().inverse([0.5, 0.3]);
-    assert!((0.0..=1.0).contains(&y));
 }
 
 #[test]

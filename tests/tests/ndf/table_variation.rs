@@ -103,18 +103,9 @@ fn closed_forms_are_at_the_sampling_floor() {
         for (name, measured) in forms {
             println!("{name} {alpha}: {measured:.6?}");
             // Rounding moves a point across an edge where it is within 10⁻⁶ of one: 64 edges, 10⁻⁶ of the points each.
-            assert_abs_diff_eq!(
-                measured.variation,
-                floor.variation,
-                epsilon = 5e-5,
-                "{name} {alpha}: {measured:?}"
-            );
-            assert_abs_diff_eq!(
-                measured.tail / floor.tail,
-                1.0,
-                epsilon = 1e-3,
-                "{name} {alpha}: {measured:?}"
-            );
+            let Measured { variation, tail } = measured;
+            assert_abs_diff_eq!(variation, floor.variation, epsilon = 5e-5, "{name} {alpha}");
+            assert_abs_diff_eq!(tail / floor.tail, 1.0, epsilon = 1e-3, "{name} {alpha}");
         }
     }
 }
@@ -146,12 +137,7 @@ fn every_choice_of_table_l() {
                 assert!(nearest.tail < 0.3 && nearest.variation > 0.01, "{chart:?}");
             } else {
                 assert!(bilinear.variation < 1e-3, "{spacing:?} {chart:?}: {bilinear:?}");
-                assert_abs_diff_eq!(
-                    bilinear.tail,
-                    1.0,
-                    epsilon = 0.05,
-                    "{spacing:?} {chart:?}: {bilinear:?}"
-                );
+                assert_abs_diff_eq!(bilinear.tail, 1.0, epsilon = 0.05, "{spacing:?} {chart:?}");
                 assert!(nearest.variation < 0.05, "{spacing:?} {chart:?}: {nearest:?}");
             }
         }
