@@ -12,7 +12,7 @@ use asperity_noise::{
     simd::Kernel,
 };
 
-/// What every kind is tested for.
+/// Checks that every kind goes through.
 enum Check {
     Near,
     Far,

@@ -17,17 +17,8 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 /// 0 if every crate's call gives what it must, else the number of the first that does not.
 #[must_use]
 pub fn run() -> i32 {
-    if !noise() {
-        1
-    } else if !ndf_sampling() {
-        2
-    } else if !fif() {
-        3
-    } else if !shading() {
-        4
-    } else {
-        0
-    }
+    let wrong = [noise, ndf_sampling, fif, shading].iter().position(|agrees| !agrees());
+    wrong.map_or(0, |index| index as i32 + 1)
 }
 
 /// Perlin noise is 0 at lattice points; unresolved Gaussian noise is 0, resolved it is not.

@@ -34,12 +34,7 @@ macro_rules! bytes {
 
 bytes! {
     memcpy(to: *mut u8, from: *const u8, n: usize) -> *mut u8 {
-        let mut i = 0;
-        while i < n {
-            to.add(i).write_volatile(from.add(i).read());
-            i += 1;
-        }
-        to
+        memmove(to, from, n)
     }
     memset(to: *mut u8, value: i32, n: usize) -> *mut u8 {
         let mut i = 0;

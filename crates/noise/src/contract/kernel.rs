@@ -12,7 +12,7 @@ use crate::{
     statistics::statistics::Statistics,
 };
 
-/// What a kind of noise of this crate knows of itself. Not for users: its methods may change in any release.
+/// Seed and measured statistics of a kind of noise of this crate. Not for users: its methods may change in any release.
 #[doc(hidden)]
 pub trait Measured<const N: usize> {
     /// The seed of the noise by itself; octaves have seeds of their own.

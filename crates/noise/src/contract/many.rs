@@ -10,7 +10,7 @@ use crate::{
     sample::Sample,
 };
 
-/// What fills a list or a grid; by reference, so that one field's batches are not compiled beside another's.
+/// A filler of a list or a grid; by reference, so that one field's batches are not compiled beside another's.
 type Fill<'f, V> = &'f dyn Fn(&Points<'_, V>, Target<'_, V>);
 
 /// Points that are gone through at once where their coordinates lie point by point.

@@ -81,7 +81,7 @@ macro_rules! kind {
 
 pub(crate) use kind;
 
-/// What a kind knows of itself where all of it is in a table.
+/// Implements `Measured` for a kind whose statistics are all in a table.
 macro_rules! measured {
     ($kind:ident, |$self:ident| $table:expr) => {
         impl<L, const N: usize> $crate::contract::kernel::Measured<N> for $kind<L> {
