@@ -41,7 +41,7 @@ impl<T: Into<f64>, const N: usize> Numbers<N> for [T; N] {
 /// If one is not.
 #[track_caller]
 pub fn single<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; N]) {
-    pinned(what, got.numbers(), expected, SINGLE);
+    pinned(what, got, expected, SINGLE);
 }
 
 /// Compares with pinned values, each within the relative `tolerance`.
@@ -49,7 +49,8 @@ pub fn single<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; 
 /// # Panics
 /// If one is not.
 #[track_caller]
-pub fn pinned<const N: usize>(what: &str, got: [f64; N], expected: [f64; N], tolerance: f64) {
+pub fn pinned<const N: usize>(what: &str, got: impl Numbers<N>, expected: [f64; N], tolerance: f64) {
+    let got = got.numbers();
     let close =
         got.iter().zip(expected).all(|(got, expected)| (got - expected).abs() <= tolerance * expected.abs());
     assert!(close, "{what}: {got:?} is pinned to {expected:?}");

@@ -79,7 +79,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
-//! | `approx` | the traits of `approx` for glam's values, and for those of `asperity-noise` and `asperity-ndf-sampling` |
+//! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -91,9 +91,16 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-shading needs a float backend: enable the feature `std` or `libm`");
 
+#[cfg(test)]
+#[macro_use]
+mod assertions;
+
+#[cfg(feature = "approx")]
+mod approx;
 pub mod bump;
 mod direction;
 pub mod environment;
+mod image;
 pub mod level_of_detail;
 pub mod material;
 mod math;
@@ -111,6 +118,7 @@ pub use direction::{half_vector, reflect};
 pub use environment::EnvironmentMap;
 pub use environment::{Environment, EnvironmentRef, Irradiance, reflected_radiance};
 pub use glam;
+pub use image::ImageError;
 pub use level_of_detail::{BumpField, LevelOfDetail, far_field};
 pub use material::{
     BumpMapped, Carpet, CarpetParameters, Material, MetallicPaint, MetallicPaintParameters, Scratches,

@@ -73,12 +73,45 @@ impl fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
-/// The smallest and the largest size of anything, in units of the surface's positions.
-pub(crate) const SIZES: [f32; 2] = [1e-6, 1e6];
-/// Range of the roughness α of a lobe.
-pub(crate) const ROUGHNESSES: [f32; 2] = [0.01, 1.0];
-/// Range of shares and strengths.
-pub(crate) const SHARES: [f32; 2] = [0.0, 1.0];
+/// Parameters with their defaults, each behind the check that its part of the material does not make itself.
+macro_rules! parameters {
+    (
+        $(#[$about:meta])*
+        pub struct $name:ident of $material:ident {
+            $($(#[$doc:meta])* $field:ident: $kind:ty = $default:expr $(, $check:expr)?;)*
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name {
+            $($(#[$doc])* pub $field: $kind,)*
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default,)* }
+            }
+        }
+
+        impl $material {
+            /// The parameters.
+            #[must_use]
+            pub const fn parameters(&self) -> &$name {
+                &self.parameters
+            }
+        }
+
+        impl $name {
+            /// Refuses the first parameter that is out of its range.
+            fn check(&self) -> Result<(), ParameterError> {
+                $($($check(stringify!($field), self.$field)?;)?)*
+                Ok(())
+            }
+        }
+    };
+}
+
+pub(crate) use parameters;
 
 /// The value, if it is in the range.
 pub(crate) fn within(
@@ -91,6 +124,26 @@ pub(crate) fn within(
     } else {
         Err(ParameterError::Outside { parameter, value, least, most })
     }
+}
+
+/// The check of a number in a closed range, for [`parameters`].
+pub(crate) fn range(range: [f32; 2]) -> impl Fn(&'static str, f32) -> Result<f32, ParameterError> {
+    move |parameter, value| within(parameter, value, range)
+}
+
+/// A size of anything, in units of the surface's positions: within [10⁻⁶, 10⁶].
+pub(crate) fn as_size(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+    within(parameter, value, [1e-6, 1e6])
+}
+
+/// A share or a strength: within [0, 1].
+pub(crate) fn as_share(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+    within(parameter, value, [0.0, 1.0])
+}
+
+/// The roughness α of a lobe: within [0.01, 1].
+pub(crate) fn as_roughness(parameter: &'static str, value: f32) -> Result<f32, ParameterError> {
+    within(parameter, value, [0.01, 1.0])
 }
 
 /// The value, if it is finite and positive.
@@ -109,9 +162,7 @@ pub(crate) fn not_negative(parameter: &'static str, value: f32) -> Result<f32, P
 
 /// A colour, if every component is in `[0, 1]`.
 pub(crate) fn colour(parameter: &'static str, value: Vec3) -> Result<Vec3, ParameterError> {
-    for c in value.to_array() {
-        within(parameter, c, SHARES)?;
-    }
+    value.to_array().into_iter().try_for_each(|c| as_share(parameter, c).map(|_| ()))?;
     Ok(value)
 }
 
@@ -138,10 +189,9 @@ mod tests {
 
     #[test]
     fn ranges_are_closed_and_hold_no_nan() {
-        assert_eq!(within("a", 0.0, SHARES), Ok(0.0));
-        assert_eq!(within("a", 1.0, SHARES), Ok(1.0));
+        assert_eq!((as_share("a", 0.0), as_share("a", 1.0)), (Ok(0.0), Ok(1.0)));
         for bad in [-1e-9, 1.001, f32::NAN, f32::INFINITY] {
-            assert!(within("a", bad, SHARES).is_err(), "{bad}");
+            assert!(as_share("a", bad).is_err(), "{bad}");
         }
         assert!(colour("c", Vec3::new(0.0, 0.5, f32::NAN)).is_err());
     }
@@ -150,7 +200,7 @@ mod tests {
     fn directions_are_made_unit() {
         for length in [1e-30, 1.0, 1e30] {
             let unit = direction_in_plane("d", Vec2::new(3.0, -4.0) * length).unwrap();
-            assert!((unit - Vec2::new(0.6, -0.8)).length() < 1e-6, "{length}: {unit}");
+            assert_abs_diff_eq!(unit, Vec2::new(0.6, -0.8), epsilon = 1e-6, "{length}");
         }
         for bad in [Vec3::ZERO, Vec3::NAN, Vec3::new(f32::INFINITY, 0.0, 0.0)] {
             assert!(direction("d", bad).is_err(), "{bad}");

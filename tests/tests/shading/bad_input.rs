@@ -1,25 +1,16 @@
 //! Surfaces and reflectances of any parameters in range, at any point, seen from anywhere: what they promise holds for NaN,
 //! infinities, degenerate tangents and directions as well.
 
-use asperity_shading::bump::{
-    bumped_normal, displace, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,
-};
+use asperity_shading::bump::*;
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::material::{
-    Elimination, Fibres, FibresParameters, GlassWaves, GlintField, SeamPattern, rim_light,
+use asperity_shading::material::*;
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_shading::pixel::{FrequencyClamp, PixelEllipse};
+use asperity_shading::reflectance::*;
+use asperity_shading::texture::{
+    Bevel, Brick, Edge, Gas, Marble, PerturbedTexture, StarWallpaper, Steam, march,
 };
-use asperity_shading::material::{GlassBody, Material, PaintFlakes};
-use asperity_shading::noise::Perlin2002;
-use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
-};
-use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
-use asperity_shading::{
-    Beckmann, Brdf, Brick, Carpet, CarpetParameters, Conductor, CookTorrance, Dielectric,
-    EnergyPreservingOrenNayar, Footprint, Frame, Ggx, Lambert, Marble, MetallicPaint,
-    MetallicPaintParameters, Phong, PixelEllipse, Schlick, Scratches, ScratchesParameters, SurfacePoint,
-    TemperedGlass, TemperedGlassParameters, TorranceSparrow, Variations, VariationsParameters,
-};
+use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, ParameterError};
 use proptest::prelude::*;
 use proptest::sample::select;
 
@@ -57,7 +48,7 @@ fn pair() -> impl Strategy<Value = Vec2> {
     [number(), number()].prop_map(Vec2::from)
 }
 
-fn unit() -> impl Strategy<Value = Vec3> {
+pub(crate) fn unit() -> impl Strategy<Value = Vec3> {
     (-1.0..1.0_f32, 0.0..std::f32::consts::TAU).prop_map(|(z, turn)| {
         let r = (1.0 - z * z).sqrt();
         Vec3::new(r * turn.cos(), r * turn.sin(), z)
@@ -215,47 +206,31 @@ fn paint() -> impl Strategy<Value = MetallicPaintParameters> {
     )
 }
 
-proptest! {
-    #![proptest_config(config(60))]
-
-    #[test]
-    fn carpets(parameters in carpet(), point in point(), view in direction(), light in direction()) {
-        let carpet = Carpet::new(parameters).unwrap();
-        is_bsdf(&carpet, &point, view, light)?;
-    }
+fn glass() -> impl Strategy<Value = TemperedGlassParameters> {
+    let waves = select(vec![GlassWaves::Sine, GlassWaves::Noise]);
+    let body = select(vec![GlassBody::Pane, GlassBody::Solid]);
+    ((size(), 0.0..=1e6_f32, unit()), (waves, body), (1.0..=2.0_f32, colour(), share()), any::<u32>())
+        .prop_map(
+            |((wave_frequency, wave_amplitude, direction), (waves, body), (index, tint, roughness), seed)| {
+                TemperedGlassParameters {
+                    wave_frequency,
+                    wave_amplitude,
+                    wave_propagation_vector: direction,
+                    waves,
+                    body,
+                    index,
+                    tint,
+                    roughness,
+                    seed,
+                }
+            },
+        )
 }
 
-proptest! {
-    #![proptest_config(config(2000))]
-
-    #[test]
-    fn paints(parameters in paint(), point in point(), view in direction(), light in direction()) {
-        let paint = MetallicPaint::new(parameters).unwrap();
-        is_bsdf(&paint, &point, view, light)?;
-    }
-
-    #[test]
-    fn glasses_and_varied_materials(
-        (frequency, amplitude, direction) in (size(), 0.0..=1e6_f32, unit()),
-        waves in select(vec![GlassWaves::Sine, GlassWaves::Noise]),
-        (diffuse, specular, sizes) in (colour(), colour(), [size(), size()]),
-        shares in proptest::array::uniform5(share()),
-        (detail, seed) in (1..=8_u32, any::<u32>()),
-        (point, view, light) in (point(), direction(), direction()),
-    ) {
-        let glass = TemperedGlass::new(TemperedGlassParameters {
-            wave_frequency: frequency,
-            wave_amplitude: amplitude,
-            wave_propagation_vector: direction,
-            waves,
-            body: if detail < 5 { GlassBody::Pane } else { GlassBody::Solid },
-            index: 1.0 + shares[0],
-            tint: diffuse,
-            roughness: shares[1],
-            seed,
-        }).unwrap();
-        is_bsdf(&glass, &point, view, light)?;
-        let varied = Variations::new(VariationsParameters {
+fn variations() -> impl Strategy<Value = VariationsParameters> {
+    let shares = proptest::array::uniform5(share());
+    (colour(), colour(), [size(), size()], shares, 1..=8_u32, any::<u32>()).prop_map(
+        |(diffuse, specular, sizes, shares, dent_detail, seed)| VariationsParameters {
             diffuse,
             specular,
             roughness: shares[0],
@@ -265,35 +240,62 @@ proptest! {
             dent_strength: shares[3],
             dent_size: sizes[1],
             dent_cover: shares[4],
-            dent_detail: detail,
+            dent_detail,
             gloss_roughness: shares[2].max(0.01),
             seed,
-        }).unwrap();
-        is_bsdf(&varied, &point, view, light)?;
+        },
+    )
+}
+
+fn scratches() -> impl Strategy<Value = ScratchesParameters> {
+    let groove = (size(), 0.01..=1.0_f32, 1e-4..=0.5_f32, share(), 0.0..=4.0_f32);
+    (groove, heading(), share(), colour(), 0.01..1.0_f32, any::<u32>()).prop_map(
+        |((size, length, width, strength, cover), scratch_direction, spread, specular, roughness, seed)| {
+            ScratchesParameters {
+                scratch_size: size,
+                scratch_length: length,
+                scratch_width: width,
+                scratch_strength: strength,
+                scratch_cover: cover,
+                scratch_direction,
+                scratch_spread: spread,
+                specular,
+                roughness,
+                seed,
+            }
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(config(60))]
+
+    #[test]
+    fn carpets(parameters in carpet(), (point, wo, wi) in (point(), direction(), direction())) {
+        is_bsdf(&Carpet::new(parameters).unwrap(), &point, wo, wi)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    #[test]
+    fn materials(
+        (paint, glass, panel, scratches) in (paint(), glass(), variations(), scratches()),
+        (point, wo, wi) in (point(), direction(), direction()),
+    ) {
+        let (paint, glass) = (MetallicPaint::new(paint).unwrap(), TemperedGlass::new(glass).unwrap());
+        let (panel, scratches) = (Variations::new(panel).unwrap(), Scratches::new(scratches).unwrap());
+        for material in [&paint as &dyn Material, &glass, &panel, &scratches] {
+            is_bsdf(material, &point, wo, wi)?;
+        }
     }
 
     #[test]
-    fn scratches_and_glints(
-        (scratch_size, scratch_length, scratch_width) in (size(), 0.01..=1.0_f32, 1e-4..=0.5_f32),
-        (scratch_strength, scratch_cover, scratch_spread) in (share(), 0.0..=4.0_f32, share()),
-        scratch_direction in heading(),
+    fn glints(
         (spacing, bin, alpha) in (size(), 0.001..=1.0_f32, 0.01..1.0_f32),
-        (h, view, seed) in (direction(), direction(), any::<u32>()),
-        point in point(),
+        (h, point, seed) in (direction(), point(), any::<u32>()),
     ) {
-        let scratches = Scratches::new(ScratchesParameters {
-            scratch_size,
-            scratch_length,
-            scratch_width,
-            scratch_strength,
-            scratch_cover,
-            scratch_direction,
-            scratch_spread,
-            specular: Vec3::splat(scratch_strength),
-            roughness: alpha,
-            seed,
-        }).unwrap();
-        is_bsdf(&scratches, &point, h, view)?;
         let field = GlintField::new(Beckmann::isotropic(alpha).unwrap(), spacing, bin, seed).unwrap();
         let density = field.density(h, point.position, point.footprint());
         prop_assert!(density >= 0.0 && density.is_finite(), "{density}");
@@ -329,6 +331,11 @@ proptest! {
             prop_assert!(got.slope.is_finite(), "{got:?}");
         }
         prop_assert!((0.0..=1.0).contains(&wall.mean()));
+        let mut shares = 0.0;
+        wall.facets(uv, PixelEllipse::aligned(widths), |share, _, slope| {
+            shares += if slope.is_finite() { share } else { f32::NAN };
+        });
+        prop_assert!((shares - 1.0).abs() < 1e-4, "{shares}");
         let largest = 0.4 / width;
         let stars = StarWallpaper::new(points, [inner * largest * 0.999, largest * 0.999], width, chance, 1);
         if let Ok(stars) = stars {
@@ -370,11 +377,12 @@ proptest! {
             prop_assert!(gradient.is_finite(), "{gradient}");
             prop_assert!(is_normal(n, bumped_normal(n, gradient)), "{gradient}");
         }
-        prop_assert!(is_normal(n, bumped_normal(n, g)));
+        let bumped = bumped_normal(n, g);
+        prop_assert!(is_normal(n, bumped) && bumped.dot(n) > 5e-5, "{bumped}");
         for normal in [lecture_normal(n, p, slope), displace(g, n, p, [m, wo], slope.x, slope).normal] {
             prop_assert!((normal.length() - 1.0).abs() < 1e-5);
         }
-        let rim = rim_light(n, wo, 0.5);
+        let rim = rim_light(n, wo, slope.x);
         prop_assert!((0.0..=1.0).contains(&rim), "{rim}");
         let seen = facing(n, bumped_normal(n, g), wo);
         prop_assert!((seen.length() - 1.0).abs() < 1e-5, "{seen} {wo}");
@@ -387,7 +395,7 @@ proptest! {
     #[test]
     fn light_through_gas(
         (origin, direction, from, to) in (vector(), vector(), number(), number()),
-        (step, offset) in (1e-2..1e3_f32, 0.0..=1.0_f32),
+        (step, offset) in (prop_oneof![1e-2..1e3_f32, select(vec![f32::NAN, 0.0, -1.0, f32::INFINITY])], number()),
         (extinction, light) in (number(), colour()),
     ) {
         let seen = march(origin, direction, [from, to], step, offset, |_| extinction, |_| light);
@@ -471,4 +479,133 @@ proptest! {
             prop_assert!(value.is_finite() && density.is_finite(), "{name}: {value}, {density} at {sampled}");
         }
     }
+}
+
+/// The name of the parameter that was refused.
+fn refused<T>(constructed: Result<T, ParameterError>) -> Option<&'static str> {
+    constructed.err().map(|error| error.parameter())
+}
+
+/// The name of a parameter, and what was refused with a value for it.
+type Constructor<'a> = (&'static str, &'a dyn Fn(f32) -> Option<&'static str>);
+
+#[test]
+fn what_is_no_number_or_negative_is_refused_by_its_name() {
+    let field = || GaussianOctaves::<3>::new(Gaussian::new(0), Spectrum::default());
+    let turbulence = || Octaves::new(Perlin2002::new(0), Spectrum::default()).with_shape(Turbulence);
+    let beckmann = Beckmann::isotropic(0.3).unwrap();
+    let adaptive = |unit| Sparkles::new(2.0, 1.0, 0.3, 0.7, Elimination::Adaptive { unit }, 1);
+    let stars = |radii, cells, chance| refused(StarWallpaper::new(5, radii, cells, chance, 1));
+    let constructors: [Constructor<'_>; 48] = [
+        ("eta", &|x| refused(Conductor::new(x, 1.0))),
+        ("k", &|x| refused(Conductor::new(1.0, x))),
+        ("relative_index", &|x| refused(Dielectric::new(x))),
+        ("f0", &|x| refused(Schlick::new(x))),
+        ("f0", &|x| refused(SchlickF82::new(x, 0.5))),
+        ("tint", &|x| refused(SchlickF82::new(0.5, x))),
+        ("albedo", &|x| refused(Lambert::new(Vec3::new(0.5, x, 0.5)))),
+        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarForm::Full))),
+        ("roughness", &|x| refused(OrenNayar::new(Vec3::ONE, x, OrenNayarForm::Fujii))),
+        ("roughness", &|x| refused(EnergyPreservingOrenNayar::new(Vec3::ONE, x))),
+        ("specular", &|x| refused(Phong::new(Vec3::splat(x), 1.0))),
+        ("exponent", &|x| refused(Phong::new(Vec3::ONE, x))),
+        ("exponent", &|x| refused(BlinnPhongLobe::new(Vec3::ONE, x, BlinnPhongFactor::Albedo))),
+        ("specular", &|x| refused(WardReflection::new(Vec3::splat(x), 0.1, 0.3, WardForm::Ward))),
+        ("alpha_x", &|x| refused(WardReflection::new(Vec3::ONE, x, 0.3, WardForm::Ward))),
+        ("frequency", &|x| refused(FrequencyClamp::new(x, 2.0, 8.0))),
+        ("lacunarity", &|x| refused(FrequencyClamp::new(1.0, x, 8.0))),
+        ("max_octaves", &|x| refused(FrequencyClamp::new(1.0, 2.0, x))),
+        ("frequency", &|x| refused(BumpField::new(field(), x))),
+        ("width", &|x| refused(Brick::new(x, 1.0, 0.1))),
+        ("height", &|x| refused(Brick::new(1.0, x, 0.1))),
+        ("mortar", &|x| refused(Brick::new(1.0, 1.0, x))),
+        ("plateau", &|x| refused(Bevel::new(x, 1.0, 0.0, 1.0))),
+        ("ridge", &|x| refused(Bevel::new(0.1, x, 0.0, 1.0))),
+        ("r_min", &|x| stars([x, 0.03], 10.0, 0.5)),
+        ("r_max", &|x| stars([0.01, x], 10.0, 0.5)),
+        ("cells", &|x| stars([0.01, 0.03], x, 0.5)),
+        ("chance", &|x| stars([0.01, 0.03], 10.0, x)),
+        ("scale", &|x| refused(Marble::new(Perlin2002::default(), x, 0))),
+        ("max_density", &|x| refused(Gas::new(turbulence(), 5.0, x, 1.0))),
+        ("exponent", &|x| refused(Gas::new(turbulence(), 5.0, 1.0, x))),
+        ("radius", &|x| refused(Steam::new(Vec3::ZERO, x, 1.0))),
+        ("height", &|x| refused(Steam::new(Vec3::ZERO, 1.0, x))),
+        ("seam_distance", &|x| refused(Seams::new(Vec2::X, SeamPattern::Grid, x, 0.2))),
+        ("seams_amplitude", &|x| refused(Seams::new(Vec2::X, SeamPattern::Grid, 1.0, x))),
+        ("diffuse_thread_size", &|x| refused(DiffuseThreads::new(x, 1))),
+        ("specular_thread_size", &|x| refused(SpecularThreads::new(x, 1))),
+        ("dark_area_size", &|x| refused(DarkAreas::new(x, 0.1, 0))),
+        ("dark_area_strength", &|x| refused(DarkAreas::new(0.1, x, 0))),
+        ("orange_peel_size", &|x| refused(OrangePeel::new(x, 0.5, 4))),
+        ("orange_peel_strength", &|x| refused(OrangePeel::new(0.5, x, 4))),
+        ("passive_flake_size", &|x| refused(PassiveFlakes::new(x, 1.0, 4, 0))),
+        ("passive_flake_strength", &|x| refused(PassiveFlakes::new(0.01, x, 4, 0))),
+        ("smart_flake_sparkle", &|x| refused(adaptive(x))),
+        ("flake_spacing", &|x| refused(GlintField::new(beckmann, x, 0.05, 3))),
+        ("flake_bin", &|x| refused(GlintField::new(beckmann, 1.0, x, 3))),
+        ("dent_cover", &|x| refused(Dents::new(0.1, x, 2, 1))),
+        ("small_blemish_size", &|x| refused(Blemishes::new(x, 1))),
+    ];
+    for (name, constructor) in constructors {
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.5] {
+            assert_eq!(constructor(bad), Some(name), "{bad}");
+        }
+    }
+}
+
+/// The name of the parameter that was refused of the default ones with a change.
+fn refused_of<P: Default, M>(
+    new: fn(P) -> Result<M, ParameterError>,
+    change: fn(&mut P),
+) -> Option<&'static str> {
+    let mut parameters = P::default();
+    change(&mut parameters);
+    refused(new(parameters))
+}
+
+#[test]
+fn what_is_just_out_of_range_is_refused_by_its_name() {
+    let (carpet, paint) = (|p| refused_of(Carpet::new, p), |p| refused_of(MetallicPaint::new, p));
+    let (glass, panel) = (|p| refused_of(TemperedGlass::new, p), |p| refused_of(Variations::new, p));
+    let (scratches, fibres) = (|p| refused_of(Scratches::new, p), |p| refused_of(Fibres::new, p));
+    let cases = [
+        ("eta", refused(Conductor::new(0.0, 1.0))),
+        ("relative_index", refused(Dielectric::new(-0.0))),
+        ("f0", refused(Schlick::new(1.001))),
+        ("albedo", refused(Lambert::new(Vec3::splat(1.01)))),
+        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.6, OrenNayarForm::Full))),
+        ("roughness", refused(OrenNayar::new(Vec3::ONE, 1.1, OrenNayarForm::Fujii))),
+        ("exponent", refused(Phong::new(Vec3::ONE, 1e7))),
+        ("alpha_x", refused(WardReflection::new(Vec3::ONE, 0.0, 0.3, WardForm::Ward))),
+        ("lacunarity", refused(FrequencyClamp::new(1.0, 1.0, 8.0))),
+        ("width", refused(Brick::new(0.0, 1.0, 0.1))),
+        ("plateau", refused(Bevel::new(1.0, 1.0, 0.0, 1.0))),
+        ("top", refused(Bevel::new(0.0, 1.0, f32::NAN, 1.0))),
+        ("points", refused(StarWallpaper::new(1, [0.01, 0.03], 10.0, 0.5, 1))),
+        ("r_max", refused(StarWallpaper::new(5, [0.04, 0.03], 10.0, 0.5, 1))),
+        ("r_max", refused(StarWallpaper::new(5, [0.01, 0.05], 10.0, 0.5, 1))),
+        ("seams_propagation", refused(Seams::new(Vec2::ZERO, SeamPattern::Grid, 1.0, 0.2))),
+        ("diffuse_thread_size", refused(DiffuseThreads::new(0.0, 1))),
+        ("passive_flake_detail", refused(PassiveFlakes::new(0.01, 1.0, 9, 0))),
+        ("dent_detail", refused(Dents::new(0.1, 0.5, 20, 1))),
+        ("flake_bin", refused(GlintField::new(Beckmann::isotropic(0.3).unwrap(), 1.0, 2.0, 3))),
+        ("roughness", carpet(|p| p.roughness = 1.5)),
+        ("seam_crossover_size", carpet(|p| p.seam_crossover_size = 0.0)),
+        ("diffuse", carpet(|p| p.diffuse = Vec3::splat(f32::NAN))),
+        ("seams_propagation", carpet(|p| p.seams_propagation = Vec2::ZERO)),
+        ("orange_peel_strength", paint(|p| p.orange_peel_strength = 2.0)),
+        ("flake_sparkle_boost", paint(|p| p.flake_sparkle_boost = -1.0)),
+        ("passive_flake_detail", paint(|p| p.passive_flake_detail = 0)),
+        ("wave_propagation_vector", glass(|p| p.wave_propagation_vector = Vec3::ZERO)),
+        ("wave_amplitude", glass(|p| p.wave_amplitude = -1.0)),
+        ("dent_detail", panel(|p| p.dent_detail = 99)),
+        ("scratch_width", scratches(|p| p.scratch_width = 0.9)),
+        ("scratch_direction", scratches(|p| p.scratch_direction = Vec2::NAN)),
+        ("fibre_width", fibres(|p| p.fibre_width = 0.5)),
+        ("fibre_direction", fibres(|p| p.fibre_direction = Vec2::ZERO)),
+    ];
+    for (name, got) in cases {
+        assert_eq!(got, Some(name));
+    }
+    assert_eq!(refused(Seams::new(Vec2::ZERO, SeamPattern::None, 1.0, 0.2)), None);
 }

@@ -1,6 +1,5 @@
 //! BSDFs of all materials: energy, samples against their density, reciprocity, and light through coats.
 
-use approx::assert_abs_diff_eq;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{BumpField, LevelOfDetail};
 use asperity_shading::material::{
@@ -14,6 +13,7 @@ use asperity_shading::normal_map::SlopePyramid;
 use asperity_shading::pixel::Footprint;
 use asperity_shading::reflectance::{Brdf, Coat, Delta, Dielectric, Lambert};
 use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
+use asperity_tests::assert_abs_diff_eq;
 
 use crate::reflectance::{albedo, direction, samples_fit};
 
@@ -168,10 +168,7 @@ fn materials_without_tilted_facets_are_reciprocal() {
             let (wi, wo) = (direction(a, 0.3), direction(b, 2.2));
             let there = material.bsdf(&point(PLACES[0], width), wo).value(wi, wo);
             let back = material.bsdf(&point(PLACES[0], width), wi).value(wo, wi);
-            assert!(
-                (there - back).abs().max_element() <= 2e-5 * there.max_element(),
-                "{name}: {there}, {back}"
-            );
+            assert_abs_diff_eq!(there, back, epsilon = 2e-5 * there.max_element(), "{name}");
         }
     }
 }

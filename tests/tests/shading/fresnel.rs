@@ -1,59 +1,10 @@
 //! Fresnel reflectances against references of 20 digits (Born and Wolf's formulas, unpolarised).
 
-use asperity_shading::{Conductor, Dielectric, Schlick};
+use asperity_shading::reflectance::SchlickF82;
+use asperity_shading::{Conductor, Dielectric, Fresnel, Schlick};
 use asperity_tests::assert_abs_diff_eq;
-use serde::Deserialize;
-
-/// Absolute, on a share in [0, 1]. Measured worst cases: dielectric 2.6e-7, conductor 2.2e-7, Schlick 1.0e-7.
-const TOLERANCE: f64 = 3e-7;
-
-#[derive(Deserialize)]
-struct Reference {
-    cos_theta: Vec<f64>,
-    dielectric: Vec<DielectricCase>,
-    conductor: Vec<ConductorCase>,
-    schlick: Vec<SchlickCase>,
-}
-
-#[derive(Deserialize)]
-struct DielectricCase {
-    eta: f64,
-    #[serde(rename = "F")]
-    reflectance: Vec<f64>,
-}
-
-#[derive(Deserialize)]
-struct ConductorCase {
-    eta: f64,
-    k: f64,
-    #[serde(rename = "F")]
-    reflectance: Vec<f64>,
-}
-
-#[derive(Deserialize)]
-struct SchlickCase {
-    #[serde(rename = "F0")]
-    f0: f64,
-    #[serde(rename = "F")]
-    reflectance: Vec<f64>,
-}
-
-fn reference() -> Reference {
-    serde_json::from_str(include_str!("../../data/ndf/fresnel.json")).expect("the file of references")
-}
-
-/// The largest error over the cosines, each printed with its case when it is too large.
-fn worst(cosines: &[f64], expected: &[f64], name: &str, reflectance: impl Fn(f32) -> f32) -> f64 {
-    assert_eq!(cosines.len(), expected.len());
-    let mut worst = 0.0_f64;
-    for (&c, &expected) in cosines.iter().zip(expected) {
-        let got = f64::from(reflectance(c as f32));
-        let error = (got - expected).abs();
-        assert!(error <= TOLERANCE, "{name}, cos = {c}: {got} != {expected}");
-        worst = worst.max(error);
-    }
-    worst
-}
+use asperity_tests::reference::{numbers, read};
+use serde_json::Value;
 
 /// The textbook's formula in `f64`, with Snell's law written out.
 fn plain_dielectric(eta: f64, c: f64) -> f64 {
@@ -67,49 +18,47 @@ fn plain_dielectric(eta: f64, c: f64) -> f64 {
     0.5 * (r_s * r_s + r_p * r_p)
 }
 
+/// Name in the file, constructor, names of its parameters.
+type Interface<'a> = (&'a str, &'a dyn Fn(&[f32]) -> Box<dyn Fresnel>, &'a [&'a str]);
+
 #[test]
-fn dielectric_equals_its_references() {
-    let reference = reference();
-    for case in &reference.dielectric {
-        // Near eta = 1 and the critical angle, rounding the inputs to `f32` moves F by up to 2e-5. So the reference
-        // checks the plain formula, and that is evaluated at the rounded inputs.
-        let mut rounded = Vec::new();
-        for (&c, &expected) in reference.cos_theta.iter().zip(&case.reflectance) {
-            let plain = plain_dielectric(case.eta, c);
-            assert_abs_diff_eq!(
-                plain,
-                expected,
-                epsilon = 1e-12,
-                "eta = {}, cos = {c}: {plain} != {expected}",
-                case.eta
-            );
-            rounded.push(plain_dielectric(f64::from(case.eta as f32), f64::from(c as f32)));
+fn reflectances_equal_their_references() {
+    let file = read("ndf/fresnel.json");
+    let cosines = numbers(&file["cos_theta"]);
+    let number = |case: &Value, name: &str| case[name].as_f64().expect("a number");
+    let interfaces: [Interface<'_>; 4] = [
+        ("dielectric", &|p| Box::new(Dielectric::new(p[0]).unwrap()), &["eta"]),
+        ("conductor", &|p| Box::new(Conductor::new(p[0], p[1]).unwrap()), &["eta", "k"]),
+        ("schlick", &|p| Box::new(Schlick::new(p[0]).unwrap()), &["F0"]),
+        ("f82_tint", &|p| Box::new(SchlickF82::new(p[0], p[1]).unwrap()), &["F0", "tint82"]),
+    ];
+    for (interface, new, names) in interfaces {
+        for case in file[interface].as_array().expect("an array") {
+            let parameters: Vec<f64> = names.iter().map(|name| number(case, name)).collect();
+            let fresnel = new(&parameters.iter().map(|&x| x as f32).collect::<Vec<_>>());
+            for (&c, expected) in cosines.iter().zip(numbers(&case["F"])) {
+                let what = format!("{interface}, {parameters:?}, cos = {c}");
+                // Near eta = 1 and the critical angle, rounding the inputs to `f32` moves F by up to 2e-5. So the reference
+                // checks the plain formula, and that is evaluated at the rounded inputs.
+                let expected = if interface == "dielectric" {
+                    assert_abs_diff_eq!(
+                        plain_dielectric(parameters[0], c),
+                        expected,
+                        epsilon = 1e-12,
+                        "{what}"
+                    );
+                    plain_dielectric(f64::from(parameters[0] as f32), f64::from(c as f32))
+                } else {
+                    expected
+                };
+                // Measured worst cases: dielectric 2.6e-7, conductor 2.2e-7, Schlick 1.0e-7.
+                assert_abs_diff_eq!(
+                    f64::from(fresnel.reflectance_rgb(c as f32).x),
+                    expected,
+                    epsilon = 3e-7,
+                    "{what}"
+                );
+            }
         }
-        let dielectric = Dielectric::new(case.eta as f32).unwrap();
-        let name = format!("eta = {}", case.eta);
-        let worst = worst(&reference.cos_theta, &rounded, &name, |c| dielectric.reflectance(c));
-        println!("dielectric, {name}: {worst:.1e}");
-    }
-}
-
-#[test]
-fn conductor_equals_its_references() {
-    let reference = reference();
-    for case in &reference.conductor {
-        let conductor = Conductor::new(case.eta as f32, case.k as f32).unwrap();
-        let name = format!("eta = {}, k = {}", case.eta, case.k);
-        let worst = worst(&reference.cos_theta, &case.reflectance, &name, |c| conductor.reflectance(c));
-        println!("conductor, {name}: {worst:.1e}");
-    }
-}
-
-#[test]
-fn schlick_equals_its_references() {
-    let reference = reference();
-    for case in &reference.schlick {
-        let schlick = Schlick::new(case.f0 as f32).unwrap();
-        let name = format!("F0 = {}", case.f0);
-        let worst = worst(&reference.cos_theta, &case.reflectance, &name, |c| schlick.reflectance(c));
-        println!("Schlick, {name}: {worst:.1e}");
     }
 }

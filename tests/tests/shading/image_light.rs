@@ -1,6 +1,6 @@
 //! Image-based light: sampled, against quadrature; filtered beforehand, against sampled.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use asperity_shading::environment::{PrefilteredMap, SplitSum, low_discrepancy_points, prefiltered_radiance};
 use asperity_shading::glam::{Vec2, Vec3};
@@ -9,14 +9,10 @@ use asperity_shading::{
     Brdf, CookTorrance, EnergyPreservingOrenNayar, Environment, EnvironmentMap, Frame, Ggx, Irradiance,
     Lambert, Phong, Schlick, half_vector, reflected_radiance,
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
-use crate::environment::{hard, smooth};
-
-fn direction(z: f64, turn: f64) -> Vec3 {
-    let (rho, (sin, cos)) = ((1.0 - z * z).max(0.0).sqrt(), (TAU * turn).sin_cos());
-    Vec3::new((rho * cos) as f32, (rho * sin) as f32, z as f32)
-}
+use crate::environment::{direction, hard, smooth};
 
 /// Directions spread evenly over the sphere.
 fn spiral(count: u32) -> impl Iterator<Item = Vec3> {
@@ -85,7 +81,7 @@ fn sampled_light_is_the_integral() {
                     error * f64::from(POINTS).sqrt() / sum,
                     even / expected - 1.0
                 );
-                assert!((even / expected - 1.0).abs() < 0.02, "{light}, {name}, {wo}: {even} for {expected}");
+                assert_abs_diff_eq!(even / expected, 1.0, epsilon = 0.02, "{light}, {name}, {wo}");
             }
         }
     }
@@ -101,14 +97,14 @@ fn even_light_is_sent_on_by_the_albedo() {
                 let albedo = quadrature(&*brdf, &Vec3::ONE, &frame, wo, 200).x;
                 let sent = reflected_radiance(&*brdf, &furnace, &frame, wo, low_discrepancy_points(2048)).x;
                 // Measured: 0.003 for the rough one, whose samples are those of the cosine.
-                assert!((sent / albedo - 1.0).abs() < 6e-3, "{name}, {wo}: {sent} for {albedo}");
+                assert_abs_diff_eq!(sent / albedo, 1.0, epsilon = 6e-3, "{name}, {wo}");
                 assert!(sent <= 1.004, "{name}: {sent}");
             }
         }
     }
     let irradiance = Irradiance::new(&furnace, 32);
     for n in spiral(100) {
-        assert!((f64::from(irradiance.at(n).x) / PI - 1.0).abs() < 1e-3, "{n}: {}", irradiance.at(n));
+        assert_abs_diff_eq!(f64::from(irradiance.at(n).x) / PI, 1.0, epsilon = 1e-3, "{n}");
     }
 }
 

@@ -1,6 +1,5 @@
 //! Materials: the thesis's values, printed and corrected, and means that do not depend on the distance.
 
-use approx::assert_abs_diff_eq;
 use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::material::{
@@ -9,6 +8,7 @@ use asperity_shading::material::{
 };
 use asperity_shading::noise::removed_share;
 use asperity_shading::{Beckmann, Carpet, CarpetParameters, Footprint, Ggx, Material, Ndf, SurfacePoint};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{read, rows};
 
@@ -18,7 +18,7 @@ fn file() -> serde_json::Value {
 
 #[track_caller]
 fn close(got: f32, expected: f64, tolerance: f64, case: &impl std::fmt::Debug) {
-    assert!((f64::from(got) - expected).abs() <= tolerance, "{case:?}: {got} for {expected}");
+    assert_abs_diff_eq!(f64::from(got), expected, epsilon = tolerance, "{case:?}");
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn single_threads_keep_their_mean_at_every_distance() {
         // Five standard errors of a mean over independent points, and the error of the measured moments, 0.2 %.
         let tolerance = 5.0 * error + 0.002 * mean;
         println!("width {width}: {mean} ± {error}, from afar {}", threads.mean());
-        assert!((mean - f64::from(threads.mean())).abs() < tolerance, "width {width}: {mean}");
+        assert_abs_diff_eq!(mean, f64::from(threads.mean()), epsilon = tolerance, "width {width}");
     }
     // What fading inside of the power would leave: (1 − E|N|)⁷.
     let inside = (1.0 - 0.313_86_f64).powi(7);
@@ -121,10 +121,7 @@ fn flat_carpets_keep_their_mean_colour_at_every_distance() {
             let [near, error] = colour(width);
             println!("{pattern:?}, {width}: {near} ± {error}, from afar {far}");
             // Dark areas of 0.15 over 4 × 4 are some 700 independent ones: of deviation 0.12, a standard error of 0.5 %.
-            assert!(
-                (near / far - 1.0).abs() < 0.02 + 4.0 * error / far,
-                "{pattern:?}, {width}: {near} for {far}"
-            );
+            assert_abs_diff_eq!(near / far, 1.0, epsilon = 0.02 + 4.0 * error / far, "{pattern:?}, {width}");
         }
     }
 }
@@ -149,10 +146,15 @@ fn colours_and_waves_meet_the_references() {
         let [n, d, p] = ["normal", "direction", "position"].map(vector);
         let gradient = |form| wave_gradient(p, n, d, frequency, amplitude, form);
         // Phases of up to 40 are rounded by 4e-6, times a slope of up to 1.1.
-        assert!((gradient(Form::Printed) - vector("thesis_gradient")).length() < 1e-5, "{item}");
+        assert_abs_diff_eq!(gradient(Form::Printed), vector("thesis_gradient"), epsilon = 1e-5, "{item}");
         let corrected = gradient(Form::Corrected);
-        assert!((corrected - vector("corrected_tangent_gradient")).length() < 1e-5, "{item}: {corrected}");
-        assert!((bumped_normal(n, corrected) - vector("corrected_normal")).length() < 1e-5, "{item}");
+        assert_abs_diff_eq!(corrected, vector("corrected_tangent_gradient"), epsilon = 1e-5, "{item}");
+        assert_abs_diff_eq!(
+            bumped_normal(n, corrected),
+            vector("corrected_normal"),
+            epsilon = 1e-5,
+            "{item}"
+        );
     }
 }
 
@@ -183,12 +185,12 @@ fn dents_have_the_variance_and_the_tails_of_dropped_gradients() {
 
 #[test]
 fn passive_flakes_keep_their_mean() {
-    let flakes = PassiveFlakes::new(0.02, 1.0, 4).unwrap();
+    let flakes = PassiveFlakes::new(0.02, 1.0, 4, 0).unwrap();
     for width in [0.0, 0.0005, 0.002, 0.005] {
         let [mean, error] = mean(
             points(4, 40_000).map(|p| f64::from(flakes.factor(p.position, Footprint::from_width(width)))),
         );
-        assert!((mean - 1.0).abs() < 5.0 * error + 1e-3, "{width}: {mean} ± {error}");
+        assert_abs_diff_eq!(mean, 1.0, epsilon = 5.0 * error + 1e-3, "{width}");
     }
 }
 
@@ -208,7 +210,7 @@ fn flakes_are_tilted_to_all_sides_alike() {
     }
     // About 20000 each: four standard errors of the ratio of two of them.
     let ratio: f64 = axes / diagonals;
-    assert!((ratio - 1.0).abs() < 4.0 * (2.0_f64 / diagonals).sqrt(), "{axes} and {diagonals}");
+    assert_abs_diff_eq!(ratio, 1.0, epsilon = 4.0 * (2.0_f64 / diagonals).sqrt(), "{axes} and {diagonals}");
 }
 
 /// Mean of D̂/D over places, and its standard deviation.
@@ -241,7 +243,7 @@ fn glints_stay_where_they_are_as_one_comes_nearer() {
             product(&near, m, &far, n) / (product(&near, m, &near, m) * product(&far, n, &far, n)).sqrt();
         println!("{width}: {correlation}");
         // A mean over four parts and one of them: ½. Of independent ones it would be 0 ± 0.007.
-        assert!((correlation - 0.5).abs() < 0.07, "{width}: {correlation}");
+        assert_abs_diff_eq!(correlation, 0.5, epsilon = 0.07, "{width}");
     }
 }
 
@@ -257,10 +259,7 @@ fn counted_flakes_have_the_density_for_their_mean_at_every_distance() {
                 println!("{name} {h} width {width}: {mean} ± {deviation}");
                 // Five standard errors: two sides of 54 cases at a significance of 0.001.
                 let error = deviation / (count as f64).sqrt();
-                assert!(
-                    (mean - 1.0).abs() < 5.0 * error.max(1e-6),
-                    "{name} {h} width {width}: {mean} ± {error}"
-                );
+                assert_abs_diff_eq!(mean, 1.0, epsilon = 5.0 * error.max(1e-6), "{name} {h} width {width}");
                 assert!(deviation < 1.1 * last, "{name} {h} width {width}: {deviation} after {last}");
                 last = deviation;
             }

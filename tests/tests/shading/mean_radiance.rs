@@ -5,6 +5,7 @@ use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::ndf_sampling::{Measure, NdfMap, Reconstruction};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 /// Patches, each with a seed of its own; the standard errors come from their spread.
@@ -116,8 +117,8 @@ fn exact_rule_keeps_the_mean_at_every_zoom_and_fractal_does_not() {
             let (mean, error) = exact[index];
             let case = format!("{name}, {octaves} octaves: {mean} ± {error}");
             assert!(error < LARGEST_ERROR, "{case} shows nothing");
-            assert!((mean - 1.0).abs() < TOLERANCE, "{case}");
-            assert!((mean - 1.0).abs() < QUANTILE * error, "{case}");
+            assert_abs_diff_eq!(mean, 1.0, epsilon = TOLERANCE, "{case}");
+            assert_abs_diff_eq!(mean, 1.0, epsilon = QUANTILE * error, "{case}");
         }
         // From the first whole octave on, the paper's rule has spread the density by itself.
         for (fractal, (octaves, _)) in fractal.iter().zip(ZOOMS).skip(1) {

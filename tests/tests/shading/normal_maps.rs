@@ -102,7 +102,10 @@ fn worst_of_groups<const K: usize>(normals: &[Vec3], alpha: f32, resolved: &[f64
         let pixel = Footprint::from_width(width / SIZE as f32);
         // From afar, where one pixel is as another, few are enough.
         let count = if width > 40.0 { 20 } else { 3000 };
-        apart(&means(|uv, h| map.sample(uv, pixel).density(stone, Coordinates::FAR, h), count), resolved)
+        apart(
+            &means(|uv, h| map.as_ref().sample(uv, pixel).density(stone, Coordinates::FAR, h), count),
+            resolved,
+        )
     });
     off.into_iter().fold(0.0, f64::max)
 }
@@ -115,7 +118,7 @@ fn mean_radiance_is_kept_by_groups_of_slopes_and_lost_by_averaged_normals() {
     // roughness 0.2, and 0.60, 0.18, 0.13, 0.07, 0.005 and 0.002 for 0.4.
     let bounds = [(0.2, [1.2, 0.55, 0.7, 0.42, 0.045, 0.02]), (0.4, [0.5, 0.16, 0.15, 0.08, 0.01, 0.01])];
     for (alpha, [averaged_least, toksvig_least, one, four, eight, sixteen]) in bounds {
-        let point = |uv: Vec2| SlopeMoments::point(map.slope(uv)).beckmann(alpha, alpha);
+        let point = |uv: Vec2| SlopeMoments::point(map.as_ref().slope(uv)).beckmann(alpha, alpha);
         let resolved = means(|uv, h| point(uv).density(h), 20_000);
         let mut mips = [0.0_f64; 2];
         for width in WIDTHS {
@@ -152,7 +155,7 @@ fn nothing_pops_while_zooming() {
         let seen: Vec<f32> = (0..360)
             .map(|k| {
                 let width = 0.2 / SIZE as f32 * (0.02 * k as f32).exp();
-                map.sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h)
+                map.as_ref().sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h)
             })
             .collect();
         let most = seen.iter().copied().fold(0.0, f32::max);
@@ -186,7 +189,7 @@ fn noise_goes_on_below_the_texels_and_the_map_s_own_density_is_left_from_afar() 
         let got = means(
             |uv, h| {
                 let noise = noise.coordinates(Vec3::new(uv.x, uv.y, 0.3), pixel);
-                map.sample(uv, pixel).density(fine, noise, h)
+                map.as_ref().sample(uv, pixel).density(fine, noise, h)
             },
             16_000,
         );

@@ -6,12 +6,13 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::BlinnPhong;
 use asperity_shading::ndf_sampling::{Isotropic, StudentT};
 use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, SchlickF82, WardForm, WardReflection,
+    BlinnPhongFactor, BlinnPhongLobe, Masking, OrenNayar, OrenNayarForm, WardForm, WardReflection,
 };
 use asperity_shading::{
     Beckmann, Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
     Schlick, TorranceSparrow,
 };
+use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
@@ -76,10 +77,7 @@ fn lobes_meet_the_references() {
         for (form, name) in forms {
             let brdf = WardReflection::new(Vec3::ONE, ax, ay, form).unwrap();
             for (&[wi, wo], expected) in pairs.iter().zip(numbers(&item[name])) {
-                let got = f64::from(brdf.value(wi, wo).x);
-                let error = (got - expected).abs() / expected.max(1e-6);
-                assert!(error < 1e-5, "{name} {ax} {ay} {wi} {wo}: {got} for {expected}");
-                ward = ward.max(error);
+                close(&mut ward, brdf.value(wi, wo).x, expected, || format!("{name} {ax} {ay} {wi} {wo}"));
             }
         }
     }
@@ -89,31 +87,12 @@ fn lobes_meet_the_references() {
         for (column, factor) in factors.into_iter().enumerate() {
             let brdf = BlinnPhongLobe::new(Vec3::ONE, n as f32, factor).unwrap();
             for (&[wi, wo], row) in pairs.iter().zip(rows(&item["rows"])) {
-                let (got, expected) = (f64::from(brdf.value(wi, wo).x), row[column + 1]);
-                let error = (got - expected).abs() / expected.max(1e-6);
-                assert!(error < 1e-5, "{factor:?} {n} {wi} {wo}: {got} for {expected}");
-                blinn = blinn.max(error);
+                let case = || format!("{factor:?} {n} {wi} {wo}");
+                close(&mut blinn, brdf.value(wi, wo).x, row[column + 1], case);
             }
         }
     }
     println!("Ward {ward:.1e}, Blinn-Phong {blinn:.1e}");
-}
-
-#[test]
-fn tinted_schlick_meets_the_references() {
-    let file = read("ndf/fresnel.json");
-    let cosines = numbers(&file["cos_theta"]);
-    let mut worst = 0.0_f64;
-    for item in file["f82_tint"].as_array().expect("an array") {
-        let [f0, tint] = ["F0", "tint82"].map(|name| item[name].as_f64().unwrap() as f32);
-        let fresnel = SchlickF82::new(f0, tint).unwrap();
-        for (&c, expected) in cosines.iter().zip(numbers(&item["F"])) {
-            let error = (f64::from(fresnel.reflectance(c as f32)) - expected).abs();
-            assert!(error < 3e-7, "{f0}, {tint}, {c}: {error}");
-            worst = worst.max(error);
-        }
-    }
-    println!("worst {worst:.1e}");
 }
 
 /// A reflectance by name, with the greatest albedo that its docs promise.
@@ -212,7 +191,7 @@ fn no_surface_sends_more_light_than_it_gets() {
             let error = (fine - coarse).abs();
             assert!(fine - error <= most + 1e-5, "{name}, {theta}: {fine} ± {error}");
             if name.starts_with("energy-preserving") {
-                assert!((fine - 1.0).abs() <= error + 2e-5, "{name}, {theta}: {fine} ± {error}");
+                assert_abs_diff_eq!(fine, 1.0, epsilon = error + 2e-5, "{name}, {theta}");
             }
             fine
         });
@@ -245,7 +224,7 @@ pub(crate) fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
     for _ in 0..SAMPLES {
         let u = Vec2::new(random.uniform() as f32, random.uniform() as f32);
         let wi = brdf.sample(wo, u);
-        assert!((wi.length() - 1.0).abs() < 1e-4, "{name}: {wi}");
+        assert_abs_diff_eq!(wi.length(), 1.0, epsilon = 1e-4, "{name}");
         if wi.z > 0.0 {
             let turn = f64::from(wi.y).atan2(f64::from(wi.x)) / TAU;
             let row = ((f64::from(wi.z) * ROWS as f64) as usize).min(ROWS - 1);

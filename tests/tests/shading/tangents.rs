@@ -13,16 +13,11 @@ use asperity_shading::{
 };
 use proptest::prelude::*;
 
+use crate::bad_input::unit;
+
 fn config() -> ProptestConfig {
     let rng_seed = proptest::test_runner::RngSeed::Fixed(0x7A_96E7);
     ProptestConfig { cases: 2000, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
-}
-
-fn unit() -> impl Strategy<Value = Vec3> {
-    (-1.0..1.0_f32, angle()).prop_map(|(z, turn)| {
-        let r = (1.0 - z * z).sqrt();
-        Vec3::new(r * turn.cos(), r * turn.sin(), z)
-    })
 }
 
 fn angle() -> impl Strategy<Value = f32> {

@@ -1,9 +1,9 @@
 //! Textures: what a pixel sees is the mean of its points.
 
-use approx::assert_abs_diff_eq;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{Brick, Footprint, Marble, PixelEllipse};
+use asperity_tests::assert_abs_diff_eq;
 
 const WALLS: [(f32, f32, f32); 4] = [(0.25, 0.08, 0.01), (1.0, 1.0, 0.5), (0.3, 0.2, 0.0), (2.0, 0.5, 0.3)];
 
@@ -29,18 +29,8 @@ fn filtered_wall_is_the_mean_of_its_points() {
             }
             let count = f64::from(n * n);
             // The sharp pulses' ends are met to a row of points, 1/600 a side and end.
-            assert!(
-                (f64::from(got.brick) - brick / count).abs() < 0.015,
-                "{uv} {widths}: {} {}",
-                got.brick,
-                brick / count
-            );
-            assert!(
-                (f64::from(got.height) - bump / count).abs() < 3e-3,
-                "{uv} {widths}: {} {}",
-                got.height,
-                bump / count
-            );
+            assert_abs_diff_eq!(f64::from(got.brick), brick / count, epsilon = 0.015, "{uv} {widths}");
+            assert_abs_diff_eq!(f64::from(got.height), bump / count, epsilon = 3e-3, "{uv} {widths}");
         }
     }
 }
@@ -81,7 +71,7 @@ fn pixels_keep_the_mean_of_their_points() {
     for width in [0.002, 0.005, 0.01, 0.02, 0.04] {
         let smooth = mean(width);
         // Ramps at the notches and the points, and the mean that leaves out overlaps. Measured: 3.1 %.
-        assert!((smooth / sharp - 1.0).abs() < 0.035, "{width}: {smooth} {sharp}");
+        assert_abs_diff_eq!(smooth / sharp, 1.0, epsilon = 0.035, "{width}");
     }
 }
 
@@ -107,7 +97,7 @@ fn colour_keeps_its_mean_at_every_footprint() {
         let seen = mean(width);
         for (seen, near) in seen.into_iter().zip(near) {
             // Measured: 2.4 % where the first octave is half removed, 0.6 % from afar; the colour of the mean sum is 25 % off.
-            assert!((seen / near - 1.0).abs() < 0.026, "{width}: {seen} {near}");
+            assert_abs_diff_eq!(seen / near, 1.0, epsilon = 0.026, "{width}");
         }
     }
 }

@@ -4,7 +4,7 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, facet_coordinates, shade_facet};
 use asperity_shading::ndf_sampling::NormalTable;
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::{Beckmann, BumpField, Footprint, Frame, Ggx, LevelOfDetail, Ndf, far_field};
+use asperity_shading::{Beckmann, BumpField, Footprint, Ggx, LevelOfDetail, Ndf, far_field};
 use asperity_tests::surface_patches::{mean_and_error, patch_means};
 
 const RULES: [LevelOfDetail; 2] = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
@@ -127,32 +127,4 @@ fn table_of_normals_serves_the_fractal_rule() {
     // Of the peak; measured 1.3e-4.
     println!("worst of the table: {worst:.1e}");
     assert!(worst < 5e-4, "{worst}");
-}
-
-#[test]
-fn bump_normals_make_orthonormal_frames() {
-    let ndf = Ggx::new(0.2, 0.9).unwrap();
-    let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(9), Spectrum::default()), 4.0).unwrap();
-    for k in 0..2000 {
-        let p = Vec3::new(0.31, 0.17, -0.23) * k as f32;
-        let coordinates = bumps.coordinates(p, Footprint::from_width(0.2 * 0.998_f32.powi(k)));
-        for rule in RULES {
-            let Frame { tangent: t, bitangent: b, normal: n } =
-                Frame::from_normal(rule.normal(&ndf, coordinates));
-            for (product, expected) in [
-                (t.dot(t), 1.0),
-                (b.dot(b), 1.0),
-                (n.dot(n), 1.0),
-                (t.dot(b), 0.0),
-                (b.dot(n), 0.0),
-                (n.dot(t), 0.0),
-            ] {
-                assert!(
-                    (product - expected).abs() < 1e-6,
-                    "{rule:?}, {coordinates:?}: {product} != {expected}"
-                );
-            }
-            assert!((t.cross(b) - n).length() < 1e-6 && n.z > 0.0, "{rule:?}, {coordinates:?}: {n}");
-        }
-    }
 }

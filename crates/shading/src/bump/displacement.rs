@@ -53,7 +53,7 @@ mod tests {
         for p in [p, [p[1], p[0]]] {
             let exact = displace(Vec3::ZERO, Vec3::Z, p, [Vec3::ZERO; 2], 0.7, slope);
             let bumped = bumped_normal(Vec3::Z, surface_gradient(Vec3::Z, p, slope));
-            assert!((exact.normal - bumped).length() < 1e-6, "{} {bumped}", exact.normal);
+            assert_abs_diff_eq!(exact.normal, bumped, epsilon = 1e-6);
             assert_eq!(exact.position, 0.7 * Vec3::Z);
         }
     }
@@ -78,8 +78,8 @@ mod tests {
         let along = (moved(theta + h, phi) - moved(theta - h, phi)).normalize();
         let across = (moved(theta, phi + h) - moved(theta, phi - h)).normalize();
         // Differences err by h²/6 times third derivatives of up to 3.
-        assert!(displaced.normal.dot(along).abs() < 1e-4, "{}", displaced.normal.dot(along));
-        assert!(displaced.normal.dot(across).abs() < 1e-4, "{}", displaced.normal.dot(across));
+        assert_abs_diff_eq!(displaced.normal.dot(along), 0.0, epsilon = 1e-4);
+        assert_abs_diff_eq!(displaced.normal.dot(across), 0.0, epsilon = 1e-4);
     }
 
     #[test]

@@ -110,7 +110,7 @@ mod tests {
         }
         let expected = [1.0, 0.0, 0.0, 0.09, 0.0, 0.0081];
         for (got, expected) in moments.into_iter().zip(expected) {
-            assert!((got - expected).abs() < 1e-6, "{moments:?}");
+            assert_abs_diff_eq!(got, expected, epsilon = 1e-6, "{moments:?}");
         }
     }
 

@@ -4,16 +4,16 @@ use core::f32::consts::TAU;
 
 use glam::{Vec2, Vec3};
 
-use crate::environment::error::{EnvironmentError, texel_count};
-use crate::environment::latitude_longitude::{LatitudeLongitude, Place};
+use crate::environment::latitude_longitude::{LatitudeLongitude, MAX_TEXELS, Place};
+use crate::image::{ImageError, texel_count};
 use crate::math::{cos, sin, sqrt};
 
 /// The largest `f32` below 1: `u = 1` counts as this, so that inversion ends inside the density.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
 /// The numbers of the table of an image: sums along each row, then the distribution function over the strips between rows.
-pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, EnvironmentError> {
-    match texel_count(width, height) {
+pub(super) const fn table_len(width: usize, height: usize) -> Result<usize, ImageError> {
+    match texel_count(width, height, MAX_TEXELS) {
         Ok(texels) => Ok(texels + height + 1),
         Err(error) => Err(error),
     }
@@ -160,7 +160,7 @@ mod tests {
                 let x = linear_quantile(a, b, u);
                 let (a, b, x) = (f64::from(a), f64::from(b), f64::from(x));
                 let share = x * (a + 0.5 * x * (b - a)) / (0.5 * (a + b));
-                assert!((share - f64::from(u)).abs() < 4e-7, "{a} {b} {u}: {share}");
+                assert_abs_diff_eq!(share, f64::from(u), epsilon = 4e-7, "{a} {b} {u}");
             }
         }
         assert_eq!(linear_quantile(0.0, 0.0, 0.5), 0.0);

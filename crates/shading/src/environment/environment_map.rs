@@ -7,9 +7,9 @@ use glam::{Vec2, Vec3};
 
 use crate::environment::distribution_2d::{fill, table_len};
 use crate::environment::environment_ref::EnvironmentRef;
-use crate::environment::error::{EnvironmentError, texel_count};
 use crate::environment::interface::Environment;
-use crate::environment::latitude_longitude::LatitudeLongitude;
+use crate::environment::latitude_longitude::{LatitudeLongitude, MAX_TEXELS};
+use crate::image::{ImageError, texel_count};
 
 /// An [`EnvironmentRef`] that owns its texels and its table.
 ///
@@ -19,7 +19,7 @@ use crate::environment::latitude_longitude::LatitudeLongitude;
 /// let sky = EnvironmentMap::from_fn(64, 32, |w| Vec3::new(0.3, 0.5, 1.0) * w.z.max(0.1))?;
 /// assert!(sky.radiance(Vec3::Z).z > sky.radiance(Vec3::X).z);
 /// assert!(sky.density(sky.sample(Vec2::new(0.2, 0.7))) > 0.0);
-/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 #[doc(alias = "hdri")]
 #[doc(alias = "ibl")]
@@ -40,7 +40,7 @@ impl EnvironmentMap {
     ///
     /// # Errors
     /// The errors of [`LatitudeLongitude::new`].
-    pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, EnvironmentError> {
+    pub fn new(width: usize, height: usize, texels: Vec<Vec3>) -> Result<Self, ImageError> {
         let image = LatitudeLongitude::new(width, height, &texels)?;
         let mut table = vec![0.0; table_len(width, height)?];
         let total = fill(&image, &mut table);
@@ -52,12 +52,8 @@ impl EnvironmentMap {
     ///
     /// # Errors
     /// The errors of [`EnvironmentMap::new`].
-    pub fn from_fn(
-        width: usize,
-        height: usize,
-        mut f: impl FnMut(Vec3) -> Vec3,
-    ) -> Result<Self, EnvironmentError> {
-        let mut texels = Vec::with_capacity(texel_count(width, height)?);
+    pub fn from_fn(width: usize, height: usize, mut f: impl FnMut(Vec3) -> Vec3) -> Result<Self, ImageError> {
+        let mut texels = Vec::with_capacity(texel_count(width, height, MAX_TEXELS)?);
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
             texels.push(f(LatitudeLongitude::direction(width, height, column, row)));
         }

@@ -3,9 +3,9 @@
 use glam::{Vec2, Vec3};
 
 use crate::environment::distribution_2d::{Tables, fill, table_len};
-use crate::environment::error::EnvironmentError;
 use crate::environment::interface::{Environment, uniform_sphere};
 use crate::environment::latitude_longitude::LatitudeLongitude;
+use crate::image::ImageError;
 
 /// An image by latitude and longitude with the table from which its samples are drawn, both borrowed.
 ///
@@ -33,7 +33,7 @@ use crate::environment::latitude_longitude::LatitudeLongitude;
 /// assert!(sky.radiance(towards_sun).x > 100.0);
 /// // All directions would have 0.08 sr⁻¹.
 /// assert!(sky.density(towards_sun) > 1.0 && sky.density(Vec3::NEG_Z) < 0.001);
-/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 ///
 /// The marginal and conditional functions are those of Pharr, Jakob, Humphreys 2023, *Physically Based Rendering*, 4th edition,
@@ -67,20 +67,14 @@ impl<'a> EnvironmentRef<'a> {
         height: usize,
         texels: &'a [Vec3],
         table: &'a mut [f32],
-    ) -> Result<Self, EnvironmentError> {
+    ) -> Result<Self, ImageError> {
         let image = LatitudeLongitude::new(width, height, texels)?;
         let needed = table_len(width, height)?;
         if table.len() != needed {
-            return Err(EnvironmentError::TableMismatch { needed, len: table.len() });
+            return Err(ImageError::TableMismatch { needed, len: table.len() });
         }
         let total = fill(&image, table);
         Ok(Self { image, table, total })
-    }
-
-    /// The image.
-    #[must_use]
-    pub const fn image(&self) -> &LatitudeLongitude<'a> {
-        &self.image
     }
 
     /// The integral of the mean of the channels over the sphere.
@@ -127,7 +121,6 @@ impl Environment for EnvironmentRef<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
     use core::f32::consts::FRAC_1_PI;
 
     #[test]
@@ -150,7 +143,7 @@ mod tests {
             let map = EnvironmentRef::new(width, height, &texels, table).unwrap();
             for (x, y) in odd.into_iter().flat_map(|x| odd.map(|y| (x, y))) {
                 let w = map.sample(Vec2::new(x, y));
-                assert!((w.length() - 1.0).abs() < 1e-6, "{width} × {height}, {x}, {y}: {w}");
+                assert_abs_diff_eq!(w.length(), 1.0, epsilon = 1e-6, "{width} × {height}, {x}, {y}");
                 let density = map.density(w);
                 assert!(density >= 0.0 && density.is_finite(), "{width} × {height}, {x}, {y}: {density}");
                 // At u = 0 it is on the border of the light.
@@ -165,7 +158,7 @@ mod tests {
     fn even_light_has_an_even_density() {
         let (texels, mut table) = ([Vec3::splat(3.0); 72], [0.0; EnvironmentRef::table_len(12, 6)]);
         let map = EnvironmentRef::new(12, 6, &texels, &mut table).unwrap();
-        assert!((map.total() - 3.0 * 4.0 / FRAC_1_PI).abs() < 1e-4, "{}", map.total());
+        assert_abs_diff_eq!(map.total(), 3.0 * 4.0 / FRAC_1_PI, epsilon = 1e-4);
         for k in 0..100 {
             let w = uniform_sphere(Vec2::new(0.37 * k as f32 % 1.0, k as f32 / 99.0));
             assert_abs_diff_eq!(map.density(w), 0.25 * FRAC_1_PI, epsilon = 1e-7);
@@ -176,7 +169,7 @@ mod tests {
     fn refuses_a_table_of_another_length() {
         let texels = [Vec3::ONE; 8];
         let refused = EnvironmentRef::new(4, 2, &texels, &mut [0.0; 12]).unwrap_err();
-        assert_eq!(refused, EnvironmentError::TableMismatch { needed: 11, len: 12 });
+        assert_eq!(refused, ImageError::TableMismatch { needed: 11, len: 12 });
         assert_eq!(EnvironmentRef::table_len(0, 7), 0);
     }
 }

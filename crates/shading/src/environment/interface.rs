@@ -89,7 +89,6 @@ pub(crate) fn uniform_sphere(u: Vec2) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::abs_diff_eq;
 
     #[test]
     fn provided_samples_are_unit() {
@@ -97,7 +96,7 @@ mod tests {
         for x in [f32::NAN, f32::NEG_INFINITY, 0.0, 0.3, 1.0, 7.0] {
             for y in [f32::NAN, 0.0, 0.25, 1.0, f32::INFINITY] {
                 let wi = fog.sample(Vec2::new(x, y));
-                assert!(abs_diff_eq!(wi.length(), 1.0, epsilon = 1e-6), "{x}, {y}: {wi}");
+                assert_abs_diff_eq!(wi.length(), 1.0, epsilon = 1e-6, "{x}, {y}");
                 assert_eq!(fog.density(wi), 0.25 * FRAC_1_PI);
             }
         }

@@ -4,9 +4,15 @@ use core::f32::consts::{PI, TAU};
 
 use glam::Vec3;
 
-use crate::environment::error::{EnvironmentError, check_texel, texel_count};
 use crate::environment::interface::{Environment, is_direction};
+use crate::image::{ImageError, check_texels, texel_count};
 use crate::math::{atan2, cos, floor, sin, sqrt};
+
+/// The most texels of an image.
+pub(super) const MAX_TEXELS: usize = 1 << 28;
+
+/// The brightest channel: sums over the greatest image stay far within `f32`.
+const BRIGHTEST: f32 = 1e30;
 
 /// A borrowed image of linear radiance by latitude and longitude.
 ///
@@ -30,7 +36,7 @@ use crate::math::{atan2, cos, floor, sin, sqrt};
 /// let image = LatitudeLongitude::new(1, 2, &texels)?;
 /// assert_eq!(image.radiance(Vec3::Z), Vec3::splat(3.0));
 /// assert!((image.radiance(Vec3::Y) - Vec3::splat(2.0)).length() < 1e-5);
-/// # Ok::<(), asperity_shading::environment::EnvironmentError>(())
+/// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatitudeLongitude<'a> {
@@ -60,14 +66,14 @@ impl<'a> LatitudeLongitude<'a> {
     /// The image of these texels.
     ///
     /// # Errors
-    /// [`EnvironmentError`] for an image without texels or with more than 2²⁸, a slice of another length, and the first texel with a
+    /// [`ImageError`] for an image without texels or with more than 2²⁸, a slice of another length, and the first texel with a
     /// channel that is negative, NaN or above 10³⁰.
-    pub fn new(width: usize, height: usize, texels: &'a [Vec3]) -> Result<Self, EnvironmentError> {
-        if texels.len() != texel_count(width, height)? {
-            return Err(EnvironmentError::SizeMismatch { width, height, len: texels.len() });
-        }
-        for (index, &texel) in texels.iter().enumerate() {
-            check_texel(index, texel)?;
+    pub fn new(width: usize, height: usize, texels: &'a [Vec3]) -> Result<Self, ImageError> {
+        let needed = texel_count(width, height, MAX_TEXELS)?;
+        check_texels([width, height], needed, texels.iter().copied(), BRIGHTEST)?;
+        let negative = |texel: &(usize, &Vec3)| texel.1.cmplt(Vec3::ZERO).any();
+        if let Some((index, &value)) = texels.iter().enumerate().find(negative) {
+            return Err(ImageError::Negative { index, value });
         }
         let mean = |row: Option<&[Vec3]>| {
             row.unwrap_or_default().iter().fold(Vec3::ZERO, |sum, texel| sum + *texel / width as f32)
@@ -190,7 +196,9 @@ impl Environment for LatitudeLongitude<'_> {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
     use super::*;
+    use std::string::ToString;
 
     const SIZE: [usize; 2] = [8, 4];
 
@@ -204,10 +212,10 @@ mod tests {
         let image = LatitudeLongitude::new(width, height, &texels).unwrap();
         for (k, texel) in texels.into_iter().enumerate() {
             let direction = LatitudeLongitude::direction(width, height, k % width, k / width);
-            assert!((image.radiance(direction) - texel).length() < 2e-4, "{k}");
+            assert_abs_diff_eq!(image.radiance(direction), texel, epsilon = 2e-4, "{k}");
             // Of any length.
             for scale in [1e-38, 1e-3, 1e38] {
-                assert!((image.radiance(direction * scale) - texel).length() < 2e-4, "{k}, {scale}");
+                assert_abs_diff_eq!(image.radiance(direction * scale), texel, epsilon = 2e-4, "{k}, {scale}");
             }
         }
         // As seen from inside: the middle of an upright image looks along +x, its right half towards −y.
@@ -222,12 +230,12 @@ mod tests {
         for k in 0..200 {
             let theta = 0.0157 * k as f32;
             let seam = |y: f32| image.radiance(Vec3::new(-theta.sin(), y, theta.cos()));
-            assert!((seam(1e-6) - seam(-1e-6)).length() < 2e-3, "{theta}");
+            assert_abs_diff_eq!(seam(1e-6), seam(-1e-6), epsilon = 2e-3, "{theta}");
             let (sin, cos) = (0.0314 * k as f32).sin_cos();
             for (z, first) in [(1.0, 0), (-1.0, 24)] {
                 let mean = texels[first..first + 8].iter().sum::<Vec3>() / 8.0;
                 let near = image.radiance(Vec3::new(1e-5 * cos, 1e-5 * sin, z));
-                assert!((near - mean).length() < 1e-3, "{k}: {near}, {mean}");
+                assert_abs_diff_eq!(near, mean, epsilon = 1e-3, "{k}");
             }
         }
         assert_eq!(image.radiance(Vec3::Z), image.poles[0]);
@@ -252,8 +260,20 @@ mod tests {
 
     #[test]
     fn refuses_what_is_no_image() {
-        let refused = |width, height, texels: &[Vec3]| LatitudeLongitude::new(width, height, texels).is_err();
-        assert!(refused(0, 1, &[]) && refused(2, 2, &[Vec3::ONE; 3]));
-        assert!(refused(1, 2, &[Vec3::ONE, Vec3::NAN]) && refused(1, 1, &[Vec3::NEG_X]));
+        let refused = |width, height, texels: &[Vec3]| {
+            LatitudeLongitude::new(width, height, texels).unwrap_err().to_string()
+        };
+        assert_eq!(refused(0, 4, &[]), "image must have texels, got 0 × 4");
+        assert_eq!(refused(1 << 27, 4, &[]), "image must have at most 268435456 texels, got 134217728 × 4");
+        assert_eq!(refused(2, 2, &[Vec3::ONE; 3]), "image of 2 × 2 needs as many texels, got 3");
+        assert_eq!(
+            refused(1, 2, &[Vec3::ONE, Vec3::new(0.0, f32::NAN, 1.0)]),
+            "texel 1 must be at most 1e30 in each component, got [0, NaN, 1]"
+        );
+        assert_eq!(
+            refused(1, 1, &[Vec3::new(0.0, -0.5, 1.0)]),
+            "texel 0 must not be negative, got [0, -0.5, 1]"
+        );
+        assert!(LatitudeLongitude::new(1, 1, &[Vec3::splat(-0.0)]).is_ok());
     }
 }

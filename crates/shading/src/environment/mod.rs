@@ -4,7 +4,6 @@ mod distribution_2d;
 #[cfg(feature = "alloc")]
 mod environment_map;
 mod environment_ref;
-mod error;
 mod interface;
 mod irradiance;
 mod latitude_longitude;
@@ -18,13 +17,12 @@ mod split_sum;
 #[cfg(feature = "alloc")]
 pub use environment_map::EnvironmentMap;
 pub use environment_ref::EnvironmentRef;
-pub use error::EnvironmentError;
 pub use interface::Environment;
 pub use irradiance::Irradiance;
 pub use latitude_longitude::LatitudeLongitude;
 pub use low_discrepancy::low_discrepancy_points;
 pub use multiple_importance::{LightSample, light_samples, reflected_radiance};
-pub use prefiltered::{PrefilteredError, PrefilteredLevel, PrefilteredRef, prefiltered_radiance};
+pub use prefiltered::{PrefilteredLevel, PrefilteredRef, prefiltered_radiance};
 #[cfg(feature = "alloc")]
 pub use prefiltered_map::PrefilteredMap;
 pub use split_sum::{SplitSum, split_sum};

@@ -1,7 +1,5 @@
 //! Environments that were filtered by rough mirrors beforehand: a stack of images, one for each roughness.
 
-use core::fmt;
-
 use asperity_ndf_sampling::{Frame, Ggx, Ndf};
 use glam::{Vec2, Vec3};
 
@@ -12,6 +10,7 @@ use crate::environment::low_discrepancy::low_discrepancy_points;
 use crate::environment::multiple_importance::light_samples;
 use crate::environment::split_sum::SplitSum;
 use crate::math::clamp_to;
+use crate::parameter::{ParameterError, within};
 use crate::reflectance::Brdf;
 use crate::reflectance::brdf::mirrored_density;
 
@@ -137,8 +136,8 @@ impl<'a> PrefilteredRef<'a> {
     /// The stack of these levels.
     ///
     /// # Errors
-    /// [`PrefilteredError`] unless there are levels whose roughness is within [0, 1] and increases.
-    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, PrefilteredError> {
+    /// [`ParameterError`] unless there are levels whose roughness `alpha` is within [0, 1] and increases; none count as NaN.
+    pub fn new(levels: &'a [PrefilteredLevel<'a>]) -> Result<Self, ParameterError> {
         check_alphas(levels.iter().map(|level| level.alpha))?;
         Ok(Self { levels })
     }
@@ -199,65 +198,10 @@ pub(super) fn blend<'a>(
 }
 
 /// Refuses what is no increasing roughness.
-pub(super) fn check_alphas(alphas: impl Iterator<Item = f32>) -> Result<(), PrefilteredError> {
-    let mut last = None;
-    for (level, alpha) in alphas.enumerate() {
-        if !(0.0..=1.0).contains(&alpha) {
-            return Err(PrefilteredError::Roughness { level, alpha });
-        }
-        if last.is_some_and(|last| alpha <= last) {
-            return Err(PrefilteredError::NotIncreasing { level, alpha });
-        }
-        last = Some(alpha);
-    }
-    if last.is_some() { Ok(()) } else { Err(PrefilteredError::NoLevels) }
+pub(super) fn check_alphas(mut alphas: impl Iterator<Item = f32>) -> Result<(), ParameterError> {
+    let first = within("alpha", alphas.next().unwrap_or(f32::NAN), [0.0, 1.0])?;
+    alphas.try_fold(first, |last, alpha| within("alpha", alpha, [last.next_up(), 1.0])).map(|_| ())
 }
-
-/// Why images are no stack of increasing roughness.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum PrefilteredError {
-    /// There are no levels.
-    NoLevels,
-    /// A roughness is outside [0, 1].
-    Roughness {
-        /// Which level.
-        level: usize,
-        /// Its roughness.
-        alpha: f32,
-    },
-    /// A level is not rougher than the one before.
-    NotIncreasing {
-        /// Which level.
-        level: usize,
-        /// Its roughness.
-        alpha: f32,
-    },
-    /// A level has no rows, or more than 8192.
-    Rows {
-        /// Which level.
-        level: usize,
-        /// Its rows.
-        rows: usize,
-    },
-}
-
-impl fmt::Display for PrefilteredError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoLevels => f.write_str("stack must have levels, got none"),
-            Self::Roughness { level, alpha } => {
-                write!(f, "roughness of level {level} must be within [0, 1], got {alpha}")
-            }
-            Self::NotIncreasing { level, alpha } => {
-                write!(f, "level {level} must be rougher than the one before, got {alpha}")
-            }
-            Self::Rows { level, rows } => write!(f, "level {level} must have 1 to 8192 rows, got {rows}"),
-        }
-    }
-}
-
-impl core::error::Error for PrefilteredError {}
 
 #[cfg(test)]
 mod tests {
@@ -268,7 +212,7 @@ mod tests {
         for alpha in [f32::NAN, 0.0, 0.05, 0.3, 0.6, 1.0, 2.0] {
             for direction in [Vec3::Z, Vec3::new(-0.6, 0.0, -0.8), Vec3::new(1e30, 0.0, 1e20)] {
                 let got = prefiltered_radiance(&Vec3::splat(2.0), alpha, direction, 64);
-                assert!((got - Vec3::splat(2.0)).length() < 1e-5, "{alpha}: {got}");
+                assert_abs_diff_eq!(got, Vec3::splat(2.0), epsilon = 1e-5, "{alpha}");
             }
         }
         for bad in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY] {
@@ -292,7 +236,7 @@ mod tests {
             [(f32::NAN, 1.0), (0.1, 1.0), (0.15, 2.0), (0.2, 3.0), (0.5, 6.0), (0.6, 7.0), (9.0, 7.0)];
         for (alpha, expected) in cases {
             let got = stack.radiance(Vec3::X, alpha).x;
-            assert!((got - expected).abs() < 1e-5, "{alpha}: {got}");
+            assert_abs_diff_eq!(got, expected, epsilon = 1e-5, "{alpha}");
         }
         assert_eq!(stack.radiance(Vec3::NAN, 0.5), Vec3::ZERO);
         let table = SplitSum::new();
@@ -301,13 +245,11 @@ mod tests {
     }
 
     #[test]
-    fn refusals_name_the_level() {
-        extern crate std;
-        use std::string::ToString;
-        let refused = |alphas: &[f32]| check_alphas(alphas.iter().copied()).unwrap_err().to_string();
-        assert_eq!(refused(&[]), "stack must have levels, got none");
-        assert_eq!(refused(&[0.0, 1.5]), "roughness of level 1 must be within [0, 1], got 1.5");
-        assert_eq!(refused(&[0.0, f32::NAN]), "roughness of level 1 must be within [0, 1], got NaN");
-        assert_eq!(refused(&[0.2, 0.2]), "level 1 must be rougher than the one before, got 0.2");
+    fn refuses_what_does_not_increase() {
+        for alphas in [&[][..], &[0.0, 1.5], &[0.0, f32::NAN], &[0.2, 0.2], &[0.3, 0.2], &[1.0, 1.0], &[-0.1]]
+        {
+            assert_eq!(check_alphas(alphas.iter().copied()).unwrap_err().parameter(), "alpha", "{alphas:?}");
+        }
+        assert_eq!(check_alphas([0.0, 0.2, 1.0].into_iter()), Ok(()));
     }
 }

@@ -7,13 +7,12 @@ use glam::Vec3;
 use crate::direction::reflect;
 use crate::environment::interface::Environment;
 use crate::environment::latitude_longitude::LatitudeLongitude;
-use crate::environment::prefiltered::{
-    PrefilteredError, PrefilteredLevel, blend, check_alphas, prefiltered_radiance, split,
-};
+use crate::environment::prefiltered::{PrefilteredLevel, blend, check_alphas, prefiltered_radiance, split};
 use crate::environment::split_sum::SplitSum;
+use crate::parameter::{ParameterError, within};
 
 /// The most rows of a level.
-const MAX_ROWS: usize = 8192;
+const MAX_ROWS: f32 = 8192.0;
 
 /// A [`PrefilteredRef`](super::PrefilteredRef) that is made from an environment and owns its images.
 ///
@@ -48,17 +47,15 @@ impl PrefilteredMap {
     /// Each texel is a sum over `points` pairs of samples. A level should have at least `2/α` rows, or those of the environment.
     ///
     /// # Errors
-    /// [`PrefilteredError`] unless there are levels of 1 to 8192 rows whose roughness is within [0, 1] and increases.
+    /// [`ParameterError`] unless there are levels of 1 to 8192 `rows` whose roughness `alpha` is within [0, 1] and increases.
     pub fn new<E: Environment + ?Sized>(
         environment: &E,
         levels: &[(f32, usize)],
         points: u32,
-    ) -> Result<Self, PrefilteredError> {
+    ) -> Result<Self, ParameterError> {
         check_alphas(levels.iter().map(|level| level.0))?;
-        for (level, &(_, rows)) in levels.iter().enumerate() {
-            if !(1..=MAX_ROWS).contains(&rows) {
-                return Err(PrefilteredError::Rows { level, rows });
-            }
+        for &(_, rows) in levels {
+            within("rows", rows as f32, [1.0, MAX_ROWS])?;
         }
         let level = |&(alpha, rows): &(f32, usize)| {
             let texel = |k: usize| {
@@ -99,7 +96,6 @@ mod tests {
     use super::*;
     use crate::environment::environment_map::EnvironmentMap;
     use crate::environment::prefiltered::PrefilteredRef;
-    use approx::assert_abs_diff_eq;
 
     #[test]
     fn it_is_what_it_borrows() {
@@ -117,8 +113,8 @@ mod tests {
         }
         assert_abs_diff_eq!(map.radiance(Vec3::Z, 0.0), sky.radiance(Vec3::Z), epsilon = 1e-6);
         for rows in [0, 8193] {
-            let refused = PrefilteredMap::new(&sky, &[(0.0, 8), (0.3, rows)], 16);
-            assert_eq!(refused, Err(PrefilteredError::Rows { level: 1, rows }));
+            let refused = PrefilteredMap::new(&sky, &[(0.0, 8), (0.3, rows)], 16).unwrap_err();
+            assert_eq!(refused.parameter(), "rows", "{rows}");
         }
     }
 }

@@ -138,7 +138,7 @@ mod tests {
     fn mirrors_are_schlick_s() {
         let [scale, bias] = split_sum(0.0, 0.4, 8);
         let schlick = 0.6_f32.powi(5);
-        assert!((scale - (1.0 - schlick)).abs() < 1e-4 && (bias - schlick).abs() < 1e-4, "{scale}, {bias}");
+        assert_abs_diff_eq!(Vec2::new(scale, bias), Vec2::new(1.0 - schlick, schlick), epsilon = 1e-4);
     }
 
     #[test]

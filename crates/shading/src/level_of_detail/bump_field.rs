@@ -38,12 +38,6 @@ impl<F: GaussianField> BumpField<F> {
         &self.clamp
     }
 
-    /// The real number of octaves that a pixel of this footprint resolves; see [`FrequencyClamp`].
-    #[must_use]
-    pub fn octaves(&self, footprint: Footprint) -> f32 {
-        self.clamp.octaves(footprint)
-    }
-
     /// The coordinates of the bump map at the surface point `p`, as far as the footprint resolves them.
     ///
     /// Continuous in `p` and in the footprint, and [`Coordinates::FAR`] as soon as the pixel is wider than half a
@@ -53,14 +47,13 @@ impl<F: GaussianField> BumpField<F> {
     /// width for its footprint gives the least error against it.
     #[must_use]
     pub fn coordinates(&self, p: Vec3, footprint: Footprint) -> Coordinates {
-        self.field.coordinates(p * self.clamp.frequency(), self.octaves(footprint))
+        self.field.coordinates(p * self.clamp.frequency(), self.clamp.octaves(footprint))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
     use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 
     #[test]
@@ -70,19 +63,8 @@ mod tests {
         let p = Vec3::new(0.21, -1.3, 0.77);
         // Two octaves above 8 cells per unit: 8 · 3² = 72 at the Nyquist frequency.
         let pixel = Footprint::from_width(0.5 / 72.0);
-        assert_abs_diff_eq!(bumps.octaves(pixel), 2.0, epsilon = 1e-6);
-        assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.octaves(pixel)));
-        assert_eq!(bumps.octaves(Footprint::from_width(0.0)), 5.0);
-    }
-
-    #[test]
-    fn refuses_what_is_no_frequency() {
-        for bad in [f32::NAN, f32::INFINITY, 0.0, -2.0] {
-            let refused = BumpField::new(GaussianOctaves::new(Gaussian::new(0), Spectrum::default()), bad);
-            assert!(
-                matches!(refused, Err(ParameterError::NotPositive { parameter: "frequency", .. })),
-                "{bad}"
-            );
-        }
+        assert_abs_diff_eq!(bumps.clamp().octaves(pixel), 2.0, epsilon = 1e-6);
+        assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.clamp().octaves(pixel)));
+        assert_eq!(bumps.clamp().octaves(Footprint::from_width(0.0)), 5.0);
     }
 }

@@ -91,28 +91,3 @@ impl<F: GaussianField + ?Sized> GaussianField for &F {
         (**self).max_octaves()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use asperity_noise::{Gaussian, Spectrum};
-
-    #[test]
-    fn every_point_and_count_gives_finite_coordinates() {
-        let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::default());
-        for octaves in [f32::NAN, -1.0, 0.0, 1e-30, 0.5, 3.7, 1e9, f32::INFINITY] {
-            for p in
-                [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::splat(-1e30), Vec3::new(0.5, f32::NAN, 2.0)]
-            {
-                let Coordinates { z, share, fade } = field.coordinates(p, octaves);
-                assert!(z.is_finite(), "{p}, {octaves}: {z}");
-                assert!(
-                    (0.0..1.0).contains(&share) && (0.0..=1.0).contains(&fade),
-                    "{octaves}: {share}, {fade}"
-                );
-            }
-        }
-        assert_eq!(field.coordinates(Vec3::ONE, f32::NAN), Coordinates::FAR);
-        assert_eq!(field.coordinates(Vec3::ONE, -3.0), Coordinates::FAR);
-    }
-}

@@ -139,7 +139,6 @@ impl LevelOfDetail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
     use asperity_ndf_sampling::{Beckmann, Ggx};
 
     fn near(x: f32, y: f32, share: f32, fade: f32) -> Coordinates {
@@ -189,36 +188,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn radiance_is_continuous_as_the_first_octave_fades_in() {
-        let ndf = Beckmann::isotropic(0.3).unwrap();
-        let h = Vec3::new(0.2, 0.1, 1.0).normalize();
-        for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-            let mut last = far_field(&ndf, h);
-            for i in 0..=1000 {
-                let w = i as f32 / 1000.0;
-                let next = rule.radiance(&ndf, h, near(0.7, -0.4, 0.75 * w * w, w));
-                // Measured: 0.012.
-                assert!((next - last).abs() < 0.02, "{rule:?}, w = {w}: {next} after {last}");
-                last = next;
-            }
-        }
-    }
-
-    #[test]
-    fn what_is_no_half_vector_is_dark() {
-        let ndf = Ggx::isotropic(0.5).unwrap();
-        for h in [Vec3::ZERO, Vec3::NEG_Z, Vec3::X, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY]
-        {
-            assert_eq!(far_field(&ndf, h), 0.0, "{h}");
-            for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-                for coordinates in [Coordinates::FAR, near(2.0, 1.0, 0.9, 1.0)] {
-                    assert_eq!(rule.radiance(&ndf, h, coordinates), 0.0, "{rule:?}, {h}, {coordinates:?}");
-                }
-            }
-        }
-    }
-
     /// A density that is not 0 below the horizon, and whose inversion misses the flat normal.
     struct Unruly;
 
@@ -239,8 +208,12 @@ mod tests {
     #[test]
     fn rules_hold_for_densities_that_break_theirs() {
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-            for h in [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0)] {
-                assert_eq!(rule.radiance(&Unruly, h, near(0.1, 0.1, 0.5, 1.0)), 0.0, "{rule:?}, {h}");
+            for h in
+                [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY]
+            {
+                for coordinates in [Coordinates::FAR, near(0.1, 0.1, 0.5, 1.0)] {
+                    assert_eq!(rule.radiance(&Unruly, h, coordinates), 0.0, "{rule:?}, {h}");
+                }
                 assert_eq!(far_field(&Unruly, h), 0.0, "{h}");
             }
             let h = Vec3::new(0.6, 0.0, 0.8);
@@ -279,7 +252,12 @@ mod tests {
                             "{rule:?}, {coordinates:?}: {radiance}"
                         );
                         let normal = rule.normal(&ndf, coordinates);
-                        assert!((normal.length() - 1.0).abs() < 1e-5, "{rule:?}, {coordinates:?}: {normal}");
+                        assert_abs_diff_eq!(
+                            normal.length(),
+                            1.0,
+                            epsilon = 1e-5,
+                            "{rule:?}, {coordinates:?}"
+                        );
                     }
                 }
             }

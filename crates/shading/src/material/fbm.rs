@@ -1,7 +1,8 @@
 //! Octaves of simplex noise by position, as a pixel sees them.
 
 use asperity_noise::{
-    Field, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share, simd::Kernel,
+    Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
+    simd::Kernel,
 };
 use glam::Vec3;
 
@@ -88,12 +89,17 @@ impl<K: Kernel<3>> Fbm<K> {
         let mut sum = 0.0;
         for i in 0..spectrum.max_octaves() {
             let slope = spectrum.weight(self.count, i) * spectrum.amplitude(i) * spectrum.frequency(i);
-            let kept = 1.0 - removed_share(footprint.width(), self.frequency * spectrum.frequency(i));
+            let kept = footprint.kept(self.frequency * spectrum.frequency(i));
             sum += slope * slope * (1.0 - kept * kept);
         }
         let total = spectrum.sum_of_amplitudes(self.count);
         sum * slope_variance / (total * total)
     }
+}
+
+/// E max(N, 0) = E|N|/2 of continuous simplex noise.
+pub(crate) fn half_mean() -> f32 {
+    0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
 }
 
 /// `t² (3 − 2t)`, `t = clamp((x − low)/(high − low), 0, 1)`; a step from `high` on where the interval is empty. NaN gives 0.

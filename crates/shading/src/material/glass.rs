@@ -8,7 +8,7 @@ use crate::material::form::Form;
 use crate::material::interface::Material;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::{cos, sin, sqrt};
-use crate::parameter::{ParameterError, SHARES, SIZES, colour, direction, within};
+use crate::parameter::{ParameterError, as_share, as_size, colour, direction, parameters, range};
 use crate::reflectance::coat::Slopes;
 use crate::reflectance::{Bsdf, Coat, Dielectric};
 
@@ -32,42 +32,27 @@ pub enum GlassBody {
     Solid,
 }
 
-/// The parameters of [`TemperedGlass`], by the names of Nilsson 2008, Appendix B.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TemperedGlassParameters {
-    /// The frequency of the waves in radians per unit of length, of noise in cells; within `[10⁻⁶, 10⁶]`. Default 20: every 0.3.
-    pub wave_frequency: f32,
-    /// Their amplitude in units of length, within `[0, 10⁶]`. Default 10⁻⁴: a slope of 0.002, seen in what is far away.
-    pub wave_amplitude: f32,
-    /// The direction in which they travel, in the space of positions; it is made unit. Default (0, 1, 0).
-    pub wave_propagation_vector: Vec3,
-    /// Sine or noise. Default sine.
-    pub waves: GlassWaves,
-    /// A thin pane, or the surface of a body; this and what follows is not in the thesis. Default pane.
-    pub body: GlassBody,
-    /// The relative index, within `[1, 4]`. Default 1.52.
-    pub index: f32,
-    /// The share of light that a pane lets through beside what it mirrors, by colour. Default white.
-    pub tint: Vec3,
-    /// The roughness of what is mirrored, within `[0, 1]`; 0 is a mirror. Default 0.
-    pub roughness: f32,
-    /// Which noise: any number.
-    pub seed: u32,
-}
-
-impl Default for TemperedGlassParameters {
-    fn default() -> Self {
-        Self {
-            wave_frequency: 20.0,
-            wave_amplitude: 1e-4,
-            wave_propagation_vector: Vec3::Y,
-            waves: GlassWaves::Sine,
-            body: GlassBody::Pane,
-            index: 1.52,
-            tint: Vec3::ONE,
-            roughness: 0.0,
-            seed: 1,
-        }
+parameters! {
+    /// The parameters of [`TemperedGlass`], by the names of Nilsson 2008, Appendix B.
+    pub struct TemperedGlassParameters of TemperedGlass {
+        /// The frequency of the waves in radians per unit of length, of noise in cells; within `[10⁻⁶, 10⁶]`. Default 20: every 0.3.
+        wave_frequency: f32 = 20.0, as_size;
+        /// Their amplitude in units of length, within `[0, 10⁶]`. Default 10⁻⁴: a slope of 0.002, seen in what is far away.
+        wave_amplitude: f32 = 1e-4, range([0.0, 1e6]);
+        /// The direction in which they travel, in the space of positions; it is made unit. Default (0, 1, 0).
+        wave_propagation_vector: Vec3 = Vec3::Y;
+        /// Sine or noise. Default sine.
+        waves: GlassWaves = GlassWaves::Sine;
+        /// A thin pane, or the surface of a body; this and what follows is not in the thesis. Default pane.
+        body: GlassBody = GlassBody::Pane;
+        /// The relative index, within `[1, 4]`. Default 1.52.
+        index: f32 = 1.52, range([1.0, 4.0]);
+        /// The share of light that a pane lets through beside what it mirrors, by colour. Default white.
+        tint: Vec3 = Vec3::ONE, colour;
+        /// The roughness of what is mirrored, within `[0, 1]`; 0 is a mirror. Default 0.
+        roughness: f32 = 0.0, as_share;
+        /// Which noise: any number.
+        seed: u32 = 1;
     }
 }
 
@@ -96,17 +81,6 @@ pub struct TemperedGlass {
     parameters: TemperedGlassParameters,
     direction: Vec3,
     noise: Fbm,
-}
-
-/// Tempered glass as a pixel sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct GlassSurface {
-    /// The unit normal.
-    pub normal: Vec3,
-    /// The variance of the slope that the footprint took, the mean of both axes: α² grows by twice that.
-    pub slope_variance: f32,
-    /// The steepest slope of a sine that the footprint took, along its direction; zero for noise.
-    pub swing: Vec3,
 }
 
 /// The height of waves in glass: `A sin(f p·d)`.
@@ -160,28 +134,17 @@ impl TemperedGlass {
     /// [`ParameterError`] with the first parameter that is out of its range, or for a `wave_propagation_vector` that is zero or not
     /// finite.
     pub fn new(parameters: TemperedGlassParameters) -> Result<Self, ParameterError> {
+        parameters.check()?;
         let p = &parameters;
-        let size = 1.0 / within("wave_frequency", p.wave_frequency, SIZES)?;
-        within("wave_amplitude", p.wave_amplitude, [0.0, 1e6])?;
-        within("index", p.index, [1.0, 4.0])?;
-        within("roughness", p.roughness, SHARES)?;
-        colour("tint", p.tint)?;
         let direction = direction("wave_propagation_vector", p.wave_propagation_vector)?;
-        Ok(Self { parameters, direction, noise: Fbm::single(size, p.seed) })
+        Ok(Self { parameters, direction, noise: Fbm::single(1.0 / p.wave_frequency, p.seed) })
     }
 
-    /// The parameters.
-    #[must_use]
-    pub const fn parameters(&self) -> &TemperedGlassParameters {
-        &self.parameters
-    }
-
-    /// Normal and lost slopes of the glass at a pixel; total: flat where the position is not finite.
-    #[must_use]
-    pub(crate) fn surface(&self, point: &SurfacePoint) -> GlassSurface {
+    /// Unit normal of the glass at a pixel, and the slopes that the footprint took; total: flat where the position is not finite.
+    fn surface(&self, point: &SurfacePoint) -> (Vec3, Slopes) {
         let p = &self.parameters;
         let (n, steepest) = (point.normal, p.wave_frequency * p.wave_amplitude);
-        let (gradient, slope_variance, swing) = match p.waves {
+        let (gradient, lost) = match p.waves {
             GlassWaves::Sine => {
                 let across = tangential(n, self.direction);
                 // Its period is 2π/f, and along the surface the longer the more it leans away.
@@ -196,18 +159,15 @@ impl TemperedGlass {
                     p.wave_amplitude,
                     Form::Corrected,
                 );
-                // Half of cos² and half again for one of two axes.
-                let lost = 1.0 - kept * kept;
-                let variance = 0.25 * steepest * steepest * across.length_squared() * lost;
-                (g * kept, variance, across * (steepest * sqrt(lost)))
+                (g * kept, Slopes::Sine(across * (steepest * sqrt(1.0 - kept * kept))))
             }
             GlassWaves::Noise => {
                 let sample = self.noise.sample(point.position, point.footprint());
                 let removed = self.noise.removed_slope(point.footprint(), SLOPE_VARIANCE);
-                (tangential(n, sample.gradient) * steepest, steepest * steepest * removed, Vec3::ZERO)
+                (tangential(n, sample.gradient) * steepest, Slopes::Gaussian(steepest * steepest * removed))
             }
         };
-        GlassSurface { normal: bumped_normal(n, gradient), slope_variance, swing }
+        (bumped_normal(n, gradient), lost)
     }
 }
 
@@ -215,17 +175,17 @@ impl Material for TemperedGlass {
     /// A coat that mirrors and transmits, each with the waves in it; nothing else.
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
-        let surface = self.surface(point);
+        let (normal, slopes) = self.surface(point);
         let fresnel = Dielectric::clamped(p.index);
         let coat = match p.body {
             GlassBody::Pane => Coat::pane(fresnel, p.tint),
             GlassBody::Solid => Coat::body(fresnel),
         };
-        let slopes = match p.waves {
-            GlassWaves::Sine => Slopes::Sine(frame.to_local(surface.swing)),
-            GlassWaves::Noise => Slopes::Gaussian(surface.slope_variance),
+        let slopes = match slopes {
+            Slopes::Sine(swing) => Slopes::Sine(frame.to_local(swing)),
+            even @ Slopes::Gaussian(_) => even,
         };
-        Bsdf::new(wo).with_coat(coat.rough(p.roughness).with_slopes(frame.to_local(surface.normal), slopes))
+        Bsdf::new(wo).with_coat(coat.rough(p.roughness).with_slopes(frame.to_local(normal), slopes))
     }
 }
 
@@ -233,11 +193,6 @@ impl Material for TemperedGlass {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
-
-    fn glass(waves: GlassWaves) -> TemperedGlass {
-        TemperedGlass::new(TemperedGlassParameters { waves, wave_amplitude: 0.01, ..Default::default() })
-            .unwrap()
-    }
 
     #[test]
     fn the_gradient_is_that_of_the_height() {
@@ -251,7 +206,7 @@ mod tests {
                 let difference =
                     (wave_height(p + t * h, d, 7.0, 0.1) - wave_height(p - t * h, d, 7.0, 0.1)) / (2.0 * h);
                 // Phases up to 35 are rounded by 2e-6: 0.1 · 2e-6/2h.
-                assert!((g.dot(t) - difference).abs() < 5e-4, "{p}: {g}, {difference}");
+                assert_abs_diff_eq!(g.dot(t), difference, epsilon = 5e-4, "{p}");
             }
         }
     }
@@ -259,37 +214,20 @@ mod tests {
     #[test]
     fn waves_fade_into_roughness() {
         for waves in [GlassWaves::Sine, GlassWaves::Noise] {
+            let parameters = TemperedGlassParameters { waves, wave_amplitude: 0.01, ..Default::default() };
+            let glass = TemperedGlass::new(parameters).unwrap();
             let at = |width| {
-                glass(waves).surface(&SurfacePoint::new(
-                    Vec3::splat(0.3),
-                    Vec3::Z,
-                    Footprint::from_width(width),
-                ))
+                let point = SurfacePoint::new(Vec3::splat(0.3), Vec3::Z, Footprint::from_width(width));
+                let (normal, slopes) = glass.surface(&point);
+                // Half of cos² and half again for one of two axes.
+                let variance = match slopes {
+                    Slopes::Gaussian(variance) => variance,
+                    Slopes::Sine(swing) => 0.25 * swing.length_squared(),
+                };
+                (normal, variance)
             };
-            assert!(at(1e-4).normal.z < 1.0 && at(1e-4).slope_variance == 0.0);
-            assert!(at(10.0).normal == Vec3::Z && at(10.0).slope_variance > 0.009);
+            assert!(at(1e-4).0.z < 1.0 && at(1e-4).1 == 0.0, "{waves:?}");
+            assert!(at(10.0).0 == Vec3::Z && at(10.0).1 > 0.009, "{waves:?}");
         }
-    }
-
-    #[test]
-    fn every_point_has_a_normal() {
-        for waves in [GlassWaves::Sine, GlassWaves::Noise] {
-            for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 1e30] {
-                for n in [Vec3::Y, Vec3::new(x, 0.0, 1.0)] {
-                    let point = SurfacePoint::new(Vec3::new(0.1, x, 0.3), n, Footprint::from_width(x));
-                    let s = glass(waves).surface(&point);
-                    assert!(
-                        (s.normal.length() - 1.0).abs() < 1e-5 && s.slope_variance >= 0.0,
-                        "{x}, {n}: {s:?}"
-                    );
-                }
-            }
-        }
-        let bad = TemperedGlassParameters { wave_propagation_vector: Vec3::ZERO, ..Default::default() };
-        assert!(matches!(TemperedGlass::new(bad), Err(ParameterError::Direction { .. })));
-        assert!(
-            TemperedGlass::new(TemperedGlassParameters { wave_amplitude: -1.0, ..Default::default() })
-                .is_err()
-        );
     }
 }

@@ -5,7 +5,7 @@ mod carpet;
 mod fbm;
 mod form;
 mod glass;
-mod hash;
+mod glossy;
 mod interface;
 mod normal_mapped;
 mod paint;

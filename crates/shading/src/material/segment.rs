@@ -3,8 +3,12 @@
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
-use crate::material::hash::unit;
 use crate::math::{cos, floor, sin};
+
+/// A number in [0, 1) of 24 bits of a hash.
+pub(crate) fn unit(word: u32) -> f32 {
+    (word >> 8) as f32 / 16_777_216.0
+}
 
 /// The most segments that begin in a cell.
 pub(crate) const MOST: u32 = 8;

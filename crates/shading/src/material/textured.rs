@@ -59,7 +59,7 @@ impl Material for BrickWall {
         let sample = self.bricks.filtered(point.uv, pixel);
         let [column, row] = self.bricks.sample(point.uv).cell;
         let own = IntegerHash.word([column, row], 1) as f32 / 4_294_967_296.0 - 0.5;
-        let told_apart = 1.0 - removed_share(pixel.long().width(), 1.0 / self.bricks.cell().max_element());
+        let told_apart = pixel.long().kept(1.0 / self.bricks.cell().max_element());
         let clay = self.clay * (1.0 + 2.0 * self.variation * own * told_apart);
         let colour = self.mortar.lerp(clay, sample.brick);
         let lobe = EnergyPreservingOrenNayar::clamped(colour, self.roughness).into();

@@ -103,9 +103,9 @@ mod tests {
                 (1.0, SlopeMoments::point(map.slope(uv)))
             });
             let expected = SlopeMoments::mixed(points);
-            assert!((got.mean - expected.mean).length() < 1e-4, "{k}: {got:?} {expected:?}");
+            assert_abs_diff_eq!(got.mean, expected.mean, epsilon = 1e-4, "{k}");
             for (got, expected) in got.covariance.into_iter().zip(expected.covariance) {
-                assert!((got - expected).abs() < 3e-4, "{k}: {got} for {expected}");
+                assert_abs_diff_eq!(got, expected, epsilon = 3e-4, "{k}");
             }
         }
     }
@@ -131,12 +131,9 @@ mod tests {
             let all = whole(0);
             for level in 1..=last {
                 let got = whole(level);
-                assert!(
-                    (got.mean - all.mean).length() < 1e-5,
-                    "{width} × {height}, {level}: {got:?} {all:?}"
-                );
+                assert_abs_diff_eq!(got.mean, all.mean, epsilon = 1e-5, "{width} × {height}, {level}");
                 for (got, all) in got.covariance.into_iter().zip(all.covariance) {
-                    assert!((got - all).abs() < 1e-5, "{width} × {height}, {level}: {got} {all}");
+                    assert_abs_diff_eq!(got, all, epsilon = 1e-5, "{width} × {height}, {level}");
                 }
             }
         }

@@ -1,6 +1,5 @@
 //! Normal maps made by hand, filtered by their slopes: what a pixel resolves of them is a mean, and the rest is roughness.
 
-mod error;
 mod levels;
 mod slope_lobes;
 mod slope_moments;
@@ -8,7 +7,6 @@ mod slope_moments;
 mod slope_pyramid;
 mod slope_pyramid_ref;
 
-pub use error::SlopePyramidError;
 pub use slope_lobes::{SlopeLobe, SlopeLobes};
 pub use slope_moments::SlopeMoments;
 #[cfg(feature = "alloc")]

@@ -153,7 +153,6 @@ pub(super) fn centres<const K: usize>(slopes: &[Vec2]) -> [Vec2; K] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
 
     #[test]
     fn groups_are_found() {

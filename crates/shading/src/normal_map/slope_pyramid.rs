@@ -5,12 +5,11 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
+use crate::image::ImageError;
 use crate::math::sqrt;
-use crate::normal_map::error::{SlopePyramidError, check_values};
 use crate::normal_map::levels::fill;
 use crate::normal_map::slope_lobes::{SlopeLobes, centres};
-use crate::normal_map::slope_pyramid_ref::SlopePyramidRef;
-use crate::pixel::{Footprint, PixelEllipse};
+use crate::normal_map::slope_pyramid_ref::{SlopePyramidRef, check_slopes};
 
 /// The steepest slope of a normal map: 88°. One texel on the horizon would leave no other a share of the variance.
 const STEEPEST: f32 = 32.0;
@@ -28,7 +27,7 @@ const STEEPEST: f32 = 32.0;
 /// let map = SlopePyramid::<4>::from_normals(64, 64, &normals)?;
 /// let stone = Beckmann::isotropic(0.2)?;
 /// let (h, uv) = (Vec3::new(0.6, 0.0, 0.8), Vec2::new(0.6, 0.3));
-/// let seen = |width| map.sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h);
+/// let seen = |width| map.as_ref().sample(uv, Footprint::from_width(width)).density(stone, Coordinates::FAR, h);
 /// // On the flat the side of a groove does not show; from afar all of them do.
 /// assert!(seen(0.0) < 0.01 && seen(1.0) > 0.5);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -50,8 +49,8 @@ impl<const K: usize> SlopePyramid<K> {
     ///
     /// # Errors
     /// The errors of [`SlopePyramidRef::new`].
-    pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, SlopePyramidError> {
-        check_values(width, height, &slopes)?;
+    pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ImageError> {
+        check_slopes(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
         let (size, centres) = ([width, height], centres(&slopes));
         fill(size, &slopes, &centres, &mut lobes);
@@ -63,11 +62,11 @@ impl<const K: usize> SlopePyramid<K> {
     /// # Errors
     /// The errors of [`SlopePyramidRef::new`], and for the first normal with `n.z < 0`, with no direction, or
     /// that is no number.
-    pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, SlopePyramidError> {
+    pub fn from_normals(width: usize, height: usize, normals: &[Vec3]) -> Result<Self, ImageError> {
         let mut slopes = Vec::with_capacity(normals.len());
         for (index, &n) in normals.iter().enumerate() {
             if !(n.is_finite() && n.z >= 0.0 && n != Vec3::ZERO) {
-                return Err(SlopePyramidError::Normal { index, value: n });
+                return Err(ImageError::Normal { index, value: n });
             }
             let slope = Vec2::new(n.x, n.y) / n.z.max(f32::MIN_POSITIVE);
             // By the greater coordinate first: the square of a slope on the horizon leaves the range of `f32`.
@@ -82,36 +81,11 @@ impl<const K: usize> SlopePyramid<K> {
     pub fn as_ref(&self) -> SlopePyramidRef<'_, K> {
         SlopePyramidRef::from_parts(self.size, &self.slopes, self.centres, &self.lobes)
     }
-
-    /// Lobes of the whole map: [`SlopePyramidRef::whole`].
-    #[must_use]
-    pub fn whole(&self) -> SlopeLobes<K> {
-        self.as_ref().whole()
-    }
-
-    /// Slope at a point of the finest level: [`SlopePyramidRef::slope`].
-    #[must_use]
-    pub fn slope(&self, uv: Vec2) -> Vec2 {
-        self.as_ref().slope(uv)
-    }
-
-    /// Lobes within a round pixel: [`SlopePyramidRef::sample`].
-    #[must_use]
-    pub fn sample(&self, uv: Vec2, footprint: Footprint) -> SlopeLobes<K> {
-        self.as_ref().sample(uv, footprint)
-    }
-
-    /// Lobes within a long pixel: [`SlopePyramidRef::sample_along`].
-    #[must_use]
-    pub fn sample_along(&self, uv: Vec2, pixel: &PixelEllipse, most: u32) -> SlopeLobes<K> {
-        self.as_ref().sample_along(uv, pixel, most)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
 
     #[test]
     fn slopes_are_those_of_the_normals() {
@@ -124,7 +98,7 @@ mod tests {
         }
         for bad in [Vec3::ZERO, Vec3::NEG_Z, Vec3::NAN, Vec3::INFINITY] {
             let refused = SlopePyramid::<2>::from_normals(1, 2, &[Vec3::Z, bad]).unwrap_err();
-            assert!(matches!(refused, SlopePyramidError::Normal { index: 1, .. }), "{refused}");
+            assert!(matches!(refused, ImageError::Normal { index: 1, .. }), "{refused}");
         }
         assert!(SlopePyramid::<2>::from_normals(3, 1, &[Vec3::Z]).is_err());
     }

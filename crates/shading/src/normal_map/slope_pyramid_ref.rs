@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::image::{ImageError, check_texels, texel_count};
 use crate::math::{floor, log2};
-use crate::normal_map::error::{SlopePyramidError, check_values, texel_count};
 use crate::normal_map::levels::{fill, last_level, level_size, level_start};
 use crate::normal_map::slope_lobes::{SlopeLobes, centres};
 use crate::pixel::{Footprint, PixelEllipse, Tap};
@@ -41,7 +41,7 @@ use crate::pixel::{Footprint, PixelEllipse, Tap};
 /// assert!(far.moments().mean.x.abs() < 1e-6 && far.moments().covariance[0] > 0.1);
 /// // Both sides are still there, each by itself.
 /// assert!(far.lobes().iter().all(|side| side.weight == 0.5 && side.moments.mean.x.abs() > 0.25));
-/// # Ok::<(), asperity_shading::normal_map::SlopePyramidError>(())
+/// # Ok::<(), asperity_shading::ImageError>(())
 /// ```
 ///
 /// Olano, Baker 2010, *LEAN Mapping*, whose levels start from the texels as they are, so that nearby, between texels, there is a covariance
@@ -59,7 +59,7 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     /// The number of lobes in all levels of a map of this size; 0 where there is no such map.
     #[must_use]
     pub const fn lobes_len(width: usize, height: usize) -> usize {
-        match texel_count(width, height) {
+        match texel_count(width, height, MAX_TEXELS) {
             Ok(_) => level_start(width, height, last_level(width, height) + 1),
             Err(_) => 0,
         }
@@ -68,18 +68,18 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     /// The map of these slopes; `lobes` is filled.
     ///
     /// # Errors
-    /// [`SlopePyramidError`] for a map without texels or with more than 2²⁶, slices of another length, and the first slope with a
+    /// [`ImageError`] for a map without texels or with more than 2²⁶, slices of another length, and the first slope with a
     /// coordinate that is not finite or beyond 10⁶.
     pub fn new(
         width: usize,
         height: usize,
         slopes: &'a [Vec2],
         lobes: &'a mut [SlopeLobes<K>],
-    ) -> Result<Self, SlopePyramidError> {
-        check_values(width, height, slopes)?;
+    ) -> Result<Self, ImageError> {
+        check_slopes(width, height, slopes)?;
         let needed = Self::lobes_len(width, height);
         if lobes.len() != needed {
-            return Err(SlopePyramidError::LevelsMismatch { needed, len: lobes.len() });
+            return Err(ImageError::TableMismatch { needed, len: lobes.len() });
         }
         let (size, centres) = ([width, height], centres(slopes));
         fill(size, slopes, &centres, lobes);
@@ -95,18 +95,6 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         lobes: &'a [SlopeLobes<K>],
     ) -> Self {
         Self { size, slopes, centres, lobes }
-    }
-
-    /// The number of columns.
-    #[must_use]
-    pub const fn width(&self) -> usize {
-        self.size[0]
-    }
-
-    /// The number of rows.
-    #[must_use]
-    pub const fn height(&self) -> usize {
-        self.size[1]
     }
 
     /// The last level, of one texel: that of the whole map.
@@ -181,6 +169,18 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
     }
 }
 
+/// The most texels of a map.
+const MAX_TEXELS: usize = 1 << 26;
+
+/// The largest coordinate of a slope: squares of it, and sums over a map, stay far within `f32`.
+const FARTHEST: f32 = 1e6;
+
+/// Refuses another number of slopes than there should be, and the first one that is none.
+pub(super) fn check_slopes(width: usize, height: usize, slopes: &[Vec2]) -> Result<(), ImageError> {
+    let needed = texel_count(width, height, MAX_TEXELS)?;
+    check_texels([width, height], needed, slopes.iter().map(|slope| slope.extend(0.0)), FARTHEST)
+}
+
 /// The four texels around a point and their weights.
 fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
     let axis = |u: f32, size: usize| {
@@ -205,7 +205,6 @@ fn corners(uv: Vec2, [width, height]: [usize; 2]) -> [(f32, usize); 4] {
 mod tests {
     use super::*;
     use crate::normal_map::slope_moments::SlopeMoments;
-    use approx::assert_abs_diff_eq;
 
     const SIZE: usize = 16;
 
@@ -229,28 +228,12 @@ mod tests {
                 (1.0, map.sample(uv, pixel).moments())
             });
             let got = SlopeMoments::mixed(points);
-            assert!((got.mean - whole.mean).length() < 1e-4, "{width}: {got:?} {whole:?}");
+            assert_abs_diff_eq!(got.mean, whole.mean, epsilon = 1e-4, "{width}");
             for (got, whole) in got.covariance.into_iter().zip(whole.covariance) {
                 // Measured 1.8e-3, of the mean over points in place of the integral.
-                assert!((got - whole).abs() < 3e-3, "{width}: {got} {whole}");
+                assert_abs_diff_eq!(got, whole, epsilon = 3e-3, "{width}");
             }
         }
-    }
-
-    #[test]
-    fn nothing_pops_between_levels() {
-        let (values, mut lobes) = (values(), [SlopeLobes::<3>::default(); 341]);
-        let map = SlopePyramidRef::new(SIZE, SIZE, &values, &mut lobes).unwrap();
-        let uv = Vec2::new(0.37, 0.81);
-        let mut last = map.sample(uv, Footprint::from_width(0.01)).moments();
-        for k in 1..2000 {
-            let next = map.sample(uv, Footprint::from_width(0.01 * (0.003 * k as f32).exp())).moments();
-            let step = (next.mean - last.mean).length() + (next.covariance[0] - last.covariance[0]).abs();
-            // Measured: 0.004, of a twentieth of a percent in width.
-            assert!(step < 0.01, "{k}: {last:?} {next:?}");
-            last = next;
-        }
-        assert_eq!(last, map.whole().moments());
     }
 
     #[test]
@@ -287,6 +270,22 @@ mod tests {
                 < 1e-6
         );
         let refused = SlopePyramidRef::<1>::new(1, 1, &[Vec2::ONE], &mut []).unwrap_err();
-        assert_eq!(refused, SlopePyramidError::LevelsMismatch { needed: 1, len: 0 });
+        assert_eq!(refused, ImageError::TableMismatch { needed: 1, len: 0 });
+    }
+
+    #[test]
+    fn refuses_what_is_no_map() {
+        let refused = |width, height, slopes| SlopePyramidRef::<1>::new(width, height, slopes, &mut []);
+        assert_eq!(refused(0, 4, &[]), Err(ImageError::Empty { width: 0, height: 4 }));
+        let most = MAX_TEXELS;
+        assert_eq!(
+            refused(usize::MAX, 2, &[]),
+            Err(ImageError::TooLarge { width: usize::MAX, height: 2, most })
+        );
+        assert_eq!(
+            refused(2, 2, &[Vec2::ONE; 3]),
+            Err(ImageError::SizeMismatch { width: 2, height: 2, len: 3 })
+        );
+        assert!(matches!(refused(1, 2, &[Vec2::ONE, Vec2::NAN]), Err(ImageError::TooFar { index: 1, .. })));
     }
 }

@@ -1,5 +1,6 @@
 //! The footprint of a pixel on the surface.
 
+use asperity_noise::removed_share;
 use glam::Vec3;
 
 use crate::math::sqrt;
@@ -69,6 +70,19 @@ impl Footprint {
         Self::from_width(scale * sqrt(0.5 * (e + g + root)))
     }
 
+    /// The share of an octave of noise with this frequency, in cells per unit of length, that is kept: the smooth one of two filters by
+    /// the cells across the pixel, see [`FrequencyClamp`](crate::pixel::FrequencyClamp).
+    ///
+    /// ```text
+    /// 1 − smoothstep(0.2, 0.6, width · frequency)
+    /// ```
+    ///
+    /// [`removed_share`] is the rest. Nilsson 2008, §4.1.6.
+    #[must_use]
+    pub fn kept(&self, frequency: f32) -> f32 {
+        1.0 - removed_share(self.width, frequency)
+    }
+
     /// The width, in the unit of the surface's positions.
     #[must_use]
     pub const fn width(&self) -> f32 {
@@ -79,7 +93,6 @@ impl Footprint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_abs_diff_eq;
 
     #[test]
     fn derivatives_give_the_longest_axis() {
@@ -94,7 +107,7 @@ mod tests {
         ];
         for (dx, dy, expected) in cases {
             let width = Footprint::from_derivatives(dx, dy).width();
-            assert!((width - expected).abs() <= 1e-6 * expected, "{dx}, {dy}: {width} != {expected}");
+            assert_abs_diff_eq!(width, expected, epsilon = 1e-6 * expected, "{dx}, {dy}");
         }
     }
 
@@ -105,7 +118,7 @@ mod tests {
         for i in 0..32 {
             let (sin, cos) = (i as f32 * 0.2).sin_cos();
             let turned = Footprint::from_derivatives(cos * dx + sin * dy, cos * dy - sin * dx).width();
-            assert!((turned - width).abs() < 2e-6 * width, "i = {i}: {turned} != {width}");
+            assert_abs_diff_eq!(turned, width, epsilon = 2e-6 * width, "i = {i}");
         }
     }
 

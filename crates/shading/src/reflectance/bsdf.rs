@@ -69,14 +69,8 @@ pub struct Bsdf<'a> {
 struct Layer {
     facets: [usize; 2],
     lobes: [usize; 2],
-    place: Place,
-}
-
-#[derive(Clone, Copy, Default, PartialEq)]
-enum Place {
-    #[default]
-    UnderTheCoat,
-    InTheCoat,
+    /// Whether it is the coat's own, over which there is none.
+    in_coat: bool,
 }
 
 impl<'a> Bsdf<'a> {
@@ -101,7 +95,7 @@ impl<'a> Bsdf<'a> {
         facets: impl IntoIterator<Item = Facet>,
         lobes: impl IntoIterator<Item = Lobe<'a>>,
     ) -> Self {
-        self.layered(|add| facets.into_iter().for_each(add), lobes, Place::UnderTheCoat)
+        self.with_visited(lobes, |add| facets.into_iter().for_each(add))
     }
 
     /// With a coat over all layers; a rough one takes a layer of its own.
@@ -109,7 +103,7 @@ impl<'a> Bsdf<'a> {
     pub fn with_coat(self, coat: Coat) -> Self {
         let coated = Self { coat: Some(coat), ..self };
         match coat.lobe(self.wo) {
-            Some(lobe) => coated.layered(|add| coat.facets().for_each(add), [lobe], Place::InTheCoat),
+            Some(lobe) => coated.layered(|add| coat.facets().for_each(add), [lobe], true),
             None => coated,
         }
     }
@@ -121,19 +115,19 @@ impl<'a> Bsdf<'a> {
     }
 
     /// With a layer of facets that are visited one by one.
-    pub(crate) fn with_visited<const N: usize>(
+    pub(crate) fn with_visited(
         self,
-        lobes: [Lobe<'a>; N],
+        lobes: impl IntoIterator<Item = Lobe<'a>>,
         facets: impl FnOnce(&mut dyn FnMut(Facet)),
     ) -> Self {
-        self.layered(facets, lobes, Place::UnderTheCoat)
+        self.layered(facets, lobes, false)
     }
 
     fn layered(
         mut self,
         facets: impl FnOnce(&mut dyn FnMut(Facet)),
         lobes: impl IntoIterator<Item = Lobe<'a>>,
-        place: Place,
+        in_coat: bool,
     ) -> Self {
         let last = self.layers().last().copied().unwrap_or_default();
         let ([_, first], [_, first_lobe]) = (last.facets, last.lobes);
@@ -151,7 +145,7 @@ impl<'a> Bsdf<'a> {
             }
         }
         if let Some(layer) = self.layers.get_mut(self.layer_count) {
-            *layer = Layer { facets: [first, end], lobes: [first_lobe, end_lobe], place };
+            *layer = Layer { facets: [first, end], lobes: [first_lobe, end_lobe], in_coat };
             self.layer_count += 1;
         }
         self
@@ -201,7 +195,7 @@ impl<'a> Bsdf<'a> {
                     light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z);
                 }
             }
-            sum += if layer.place == Place::InTheCoat { light } else { light * through };
+            sum += if layer.in_coat { light } else { light * through };
         }
         Vec3::from_array(sum.to_array().map(finite))
     }

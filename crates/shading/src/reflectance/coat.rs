@@ -98,7 +98,7 @@ impl Coat {
     /// The coat with this normal, in the frame of the surface, and slopes of this variance about it.
     #[must_use]
     pub fn bumped(self, normal: Vec3, slope_variance: f32) -> Self {
-        Self { normal, slopes: Slopes::Gaussian(slope_variance), ..self }
+        self.with_slopes(normal, Slopes::Gaussian(slope_variance))
     }
 
     /// The coat with what it mirrors spread by Beckmann's density of this width: a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in

@@ -79,35 +79,26 @@ impl Default for Lobe<'_> {
     }
 }
 
-impl From<EnergyPreservingOrenNayar> for Lobe<'_> {
-    fn from(diffuse: EnergyPreservingOrenNayar) -> Self {
-        Self { kind: Kind::Diffuse(diffuse), weight: Vec3::ONE }
-    }
+macro_rules! lobes {
+    ($($(#[$about:meta])? $reflectance:ty => $kind:ident;)*) => {
+        $(
+            $(#[$about])?
+            impl<'a> From<$reflectance> for Lobe<'a> {
+                fn from(reflectance: $reflectance) -> Self {
+                    Self { kind: Kind::$kind(reflectance), weight: Vec3::ONE }
+                }
+            }
+        )*
+    };
 }
 
-impl From<CookTorrance<Beckmann, Vec3>> for Lobe<'_> {
-    fn from(glossy: CookTorrance<Beckmann, Vec3>) -> Self {
-        Self { kind: Kind::Glossy(glossy), weight: Vec3::ONE }
-    }
-}
-
-impl From<CookTorrance<Beckmann, Dielectric>> for Lobe<'_> {
-    fn from(varnish: CookTorrance<Beckmann, Dielectric>) -> Self {
-        Self { kind: Kind::Varnish(varnish), weight: Vec3::ONE }
-    }
-}
-
-impl<'a> From<&'a dyn Brdf> for Lobe<'a> {
-    fn from(brdf: &'a dyn Brdf) -> Self {
-        Self { kind: Kind::Other(brdf), weight: Vec3::ONE }
-    }
-}
-
-/// A density of normals about a mean slope, of hand-made normal maps.
-impl From<OffsetBeckmann> for Lobe<'_> {
-    fn from(slopes: OffsetBeckmann) -> Self {
-        Self { kind: Kind::Slopes(slopes), weight: Vec3::ONE }
-    }
+lobes! {
+    EnergyPreservingOrenNayar => Diffuse;
+    CookTorrance<Beckmann, Vec3> => Glossy;
+    CookTorrance<Beckmann, Dielectric> => Varnish;
+    &'a dyn Brdf => Other;
+    /// A density of normals about a mean slope, of hand-made normal maps.
+    OffsetBeckmann => Slopes;
 }
 
 impl<'a> Lobe<'a> {

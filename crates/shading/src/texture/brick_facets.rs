@@ -142,7 +142,6 @@ fn whole_flank(share: f32, mean: f32, visit: &mut impl FnMut(Part)) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn facets_add_up_to_the_filtered_wall() {
@@ -161,12 +160,8 @@ mod tests {
                     slope += share * s;
                     count += 1;
                 });
-                assert!(abs_diff_eq!(shares, 1.0, epsilon = 1e-4), "{uv} {size}: {shares}");
-                assert!(
-                    abs_diff_eq!(brick, filtered.brick, epsilon = 2e-3),
-                    "{uv} {size}: {brick} {}",
-                    filtered.brick
-                );
+                assert_abs_diff_eq!(shares, 1.0, epsilon = 1e-4, "{uv} {size}");
+                assert_abs_diff_eq!(brick, filtered.brick, epsilon = 2e-3, "{uv} {size}");
                 // Half a flank's rise, at most, on either side of a box wider than a brick, and corners.
                 let bound = 0.6 / size.min(wall.cell());
                 let apart = (slope - filtered.slope).abs();
@@ -187,28 +182,6 @@ mod tests {
         // ∫ (6x(1 − x))² dx = 6/5, times the square of the mean.
         for (got, expected) in moments.into_iter().zip([1.0, 2.0, 4.8]) {
             assert_abs_diff_eq!(got, expected, epsilon = 1e-6);
-        }
-    }
-
-    #[test]
-    fn every_box_has_its_whole() {
-        let odd = [f32::NAN, f32::NEG_INFINITY, -1e30, -1.0, 0.0, 1e-30, 1.0, 1e9, f32::INFINITY];
-        for mortar in [0.0, 0.1] {
-            let wall = Brick::new(1.0, 0.5, mortar).unwrap();
-            for a in odd {
-                for b in odd {
-                    let mut shares = 0.0;
-                    wall.facets(
-                        Vec2::new(a, 0.3),
-                        PixelEllipse::aligned(Vec2::new(b, a)),
-                        |share, _, slope| {
-                            assert!(slope.is_finite());
-                            shares += share;
-                        },
-                    );
-                    assert!(abs_diff_eq!(shares, 1.0, epsilon = 1e-4), "{a} {b}: {shares}");
-                }
-            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Texture coordinates moved by noise.
 
-use asperity_noise::{Noise, Perlin2002, removed_share};
+use asperity_noise::{Noise, Perlin2002};
 use glam::{Vec2, Vec3};
 
 use crate::math::sqrt;
@@ -79,7 +79,7 @@ impl<N: Noise<Vec3> + Clone> PerturbedTexture<N> {
     /// ```
     #[must_use]
     pub fn filtered(&self, p: Vec3, uv: Vec2, footprint: Footprint) -> PerturbedLookUp {
-        let kept = 1.0 - removed_share(footprint.width(), self.scale);
+        let kept = footprint.kept(self.scale);
         if kept >= 1.0 {
             return PerturbedLookUp { uv: self.coordinates(p, uv), spread: Vec2::ZERO };
         }

@@ -37,8 +37,8 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "shading",
         sources: "crates/shading/src",
-        rooms: "math direction parameter → pixel → bump → level_of_detail → reflectance → environment → normal_map → \
-                texture → material",
+        rooms: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
+                normal_map → texture → material → approx",
         face: Some(60),
     },
     House {

@@ -37,17 +37,4 @@ mod tests {
         let nearly = Vec3::new(1.0, 0.0, 1e-3);
         assert_eq!([Vec3::X, nearly, Vec3::Z].map(|v| rim_light(Vec3::Z, v, 0.0)), [1.0, 0.0, 0.0]);
     }
-
-    #[test]
-    fn rim_is_a_share_for_whatever_comes() {
-        let odd = [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 0.5, 1.0, 1e30, f32::INFINITY];
-        for x in odd {
-            for width in odd {
-                for v in [Vec3::new(0.0, 0.0, x), Vec3::splat(x)] {
-                    let rim = rim_light(Vec3::Z, v, width);
-                    assert!((0.0..=1.0).contains(&rim), "{v}, {width}: {rim}");
-                }
-            }
-        }
-    }
 }

@@ -3,7 +3,7 @@
 use asperity_noise::{IntegerHash, Lattice, lattice::ChainedTable};
 use glam::Vec3;
 
-use crate::material::hash::unit;
+use crate::material::segment::unit;
 use crate::math::{clamp_to, cos, floor, pow, sin, sqrt};
 
 /// The flake that a point lies in.
@@ -167,8 +167,8 @@ mod tests {
             squares += tilt * tilt;
         }
         // E r² = 3/5 and a third of it along each axis; deviations 0.26 and 0.21, four standard errors of 4096.
-        assert!((radii / 4096.0 - 0.6).abs() < 0.017, "{}", radii / 4096.0);
-        assert!((squares / 4096.0 - 0.2).abs().max_element() < 0.013, "{}", squares / 4096.0);
+        assert_abs_diff_eq!(radii / 4096.0, 0.6, epsilon = 0.017);
+        assert_abs_diff_eq!(squares / 4096.0, Vec3::splat(0.2), epsilon = 0.013);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::bump::{bumped_normal, tangential};
 use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
-use crate::parameter::{ParameterError, SHARES, SIZES, within};
+use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
 /// Orange peel: one octave of noise that tilts the normal of a clear coat.
@@ -40,8 +40,8 @@ impl OrangePeel {
     /// # Errors
     /// [`ParameterError::Outside`] unless `orange_peel_size` is within `[10⁻⁶, 10⁶]` and `orange_peel_strength` within `[0, 1]`.
     pub fn new(size: f32, strength: f32, seed: u32) -> Result<Self, ParameterError> {
-        let noise = Fbm::single(within("orange_peel_size", size, SIZES)?, seed);
-        Ok(Self { noise, strength: within("orange_peel_strength", strength, SHARES)? })
+        let noise = Fbm::single(as_size("orange_peel_size", size)?, seed);
+        Ok(Self { noise, strength: as_share("orange_peel_strength", strength)? })
     }
 
     /// The gradient of the height along the surface of unit normal `n`.
@@ -81,18 +81,8 @@ mod tests {
             }
             let variance = sum / 4000.0 + peel.removed_slope(footprint);
             // Four standard errors; the squares have about their mean for deviation.
-            assert!((variance / total - 1.0).abs() < 0.063, "{width}: {variance} of {total}");
+            assert_abs_diff_eq!(variance / total, 1.0, epsilon = 0.063, "{width}");
         }
         assert_eq!(peel.removed_slope(Footprint::from_width(0.0)), 0.0);
-    }
-
-    #[test]
-    fn every_point_has_a_normal() {
-        let peel = OrangePeel::new(0.5, 1.0, 4).unwrap();
-        for x in [f32::NAN, f32::INFINITY, -1e30, 0.0, 1e30] {
-            let normal = peel.normal(Vec3::new(x, 1.0, 0.0), Vec3::Z, Footprint::from_width(x));
-            assert!((normal.length() - 1.0).abs() < 1e-5 && normal.z > 0.0, "{x}: {normal}");
-        }
-        assert!(OrangePeel::new(0.5, 1.5, 4).is_err() && OrangePeel::new(0.0, 0.5, 4).is_err());
     }
 }

@@ -1,12 +1,11 @@
 //! Small variations of colour and normal.
 
-use asperity_noise::{Noise, Simplex};
 use glam::Vec3;
 
 use crate::bump::tangential;
-use crate::material::fbm::{Fbm, SLOPE_VARIANCE};
+use crate::material::fbm::{Fbm, SLOPE_VARIANCE, half_mean};
 use crate::material::form::Form;
-use crate::parameter::{ParameterError, SIZES, within};
+use crate::parameter::{ParameterError, as_size};
 use crate::pixel::Footprint;
 
 /// A colour that noise varies without leaving [0, 1].
@@ -54,18 +53,13 @@ pub struct Blemishes {
     noise: Fbm,
 }
 
-/// E|N|/2 of continuous simplex noise.
-fn half_mean() -> f32 {
-    0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
-}
-
 impl Blemishes {
     /// Blemishes of this size, in units of the positions.
     ///
     /// # Errors
     /// [`ParameterError::Outside`] unless `small_blemish_size` is within `[10⁻⁶, 10⁶]`.
     pub fn new(size: f32, seed: u32) -> Result<Self, ParameterError> {
-        Ok(Self { noise: Fbm::single(within("small_blemish_size", size, SIZES)?, seed) })
+        Ok(Self { noise: Fbm::single(as_size("small_blemish_size", size)?, seed) })
     }
 
     /// A colour with blemishes of this strength; the colour itself where a coordinate is not finite.
@@ -123,6 +117,6 @@ mod tests {
             sum += seen(p, 0.0);
         }
         // Deviations are up to 0.17: four standard errors.
-        assert!((sum / 4000.0 - seen(Vec3::ZERO, 9.0)).abs().max_element() < 0.011, "{}", sum / 4000.0);
+        assert_abs_diff_eq!(sum / 4000.0, seen(Vec3::ZERO, 9.0), epsilon = 0.011);
     }
 }

@@ -10,48 +10,34 @@ use crate::material::interface::Material;
 use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
 use crate::math::sqrt;
-use crate::parameter::{ParameterError, ROUGHNESSES, SHARES, SIZES, colour, direction_in_plane, within};
+use crate::parameter::{
+    ParameterError, as_roughness, as_share, as_size, colour, direction_in_plane, parameters, range,
+};
 use crate::reflectance::{Bsdf, CookTorrance};
 
-/// The parameters of [`Scratches`]. Lengths are in texture coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScratchesParameters {
-    /// The side of a cell, within `[10⁻⁶, 10⁶]`: scratches are at most so long. Default 0.05.
-    pub scratch_size: f32,
-    /// The length of a scratch over that of a cell, within `[0.01, 1]`. Default 1.
-    pub scratch_length: f32,
-    /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.01.
-    pub scratch_width: f32,
-    /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.5.
-    pub scratch_strength: f32,
-    /// The mean number of scratches of a cell, within `[0, 4]`. Default 2.
-    pub scratch_cover: f32,
-    /// The direction that they are spread about. Default (1, 0).
-    pub scratch_direction: Vec2,
-    /// Spread about that direction: 0 is parallel, 1 all directions. Default 1.
-    pub scratch_spread: f32,
-    /// The specular colour of the metal. Default 0.7.
-    pub specular: Vec3,
-    /// The roughness of the metal: Beckmann's α, within `[0.01, 1]`. Default 0.3.
-    pub roughness: f32,
-    /// Which scratches: any number.
-    pub seed: u32,
-}
-
-impl Default for ScratchesParameters {
-    fn default() -> Self {
-        Self {
-            scratch_size: 0.05,
-            scratch_length: 1.0,
-            scratch_width: 0.01,
-            scratch_strength: 0.5,
-            scratch_cover: 2.0,
-            scratch_direction: Vec2::X,
-            scratch_spread: 1.0,
-            specular: Vec3::splat(0.7),
-            roughness: 0.3,
-            seed: 1,
-        }
+parameters! {
+    /// The parameters of [`Scratches`]. Lengths are in texture coordinates.
+    pub struct ScratchesParameters of Scratches {
+        /// The side of a cell, within `[10⁻⁶, 10⁶]`: scratches are at most so long. Default 0.05.
+        scratch_size: f32 = 0.05, as_size;
+        /// The length of a scratch over that of a cell, within `[0.01, 1]`. Default 1.
+        scratch_length: f32 = 1.0, range([0.01, 1.0]);
+        /// The width of a scratch over the side of a cell, within `[10⁻⁴, 0.5]`. Default 0.01.
+        scratch_width: f32 = 0.01, range([1e-4, 0.5]);
+        /// The depth of a scratch over half its width, within `[0, 1]`. Default 0.5.
+        scratch_strength: f32 = 0.5, as_share;
+        /// The mean number of scratches of a cell, within `[0, 4]`. Default 2.
+        scratch_cover: f32 = 2.0, range([0.0, 4.0]);
+        /// The direction that they are spread about. Default (1, 0).
+        scratch_direction: Vec2 = Vec2::X;
+        /// Spread about that direction: 0 is parallel, 1 all directions. Default 1.
+        scratch_spread: f32 = 1.0, as_share;
+        /// The specular colour of the metal. Default 0.7.
+        specular: Vec3 = Vec3::splat(0.7), colour;
+        /// The roughness of the metal: Beckmann's α, within `[0.01, 1]`. Default 0.3.
+        roughness: f32 = 0.3, as_roughness;
+        /// Which scratches: any number.
+        seed: u32 = 1;
     }
 }
 
@@ -96,17 +82,13 @@ pub struct Scratches {
 
 /// Scratches as a pixel sees them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ScratchedSurface {
-    /// Amount of scratch: 1 on its floor, the sum where several cross.
-    pub amount: f32,
+struct ScratchedSurface {
     /// The unit normal.
-    pub normal: Vec3,
-    /// The variance of the slope along each axis that the footprint took, the mean of both axes: α² grows by twice that.
-    pub slope_variance: f32,
+    normal: Vec3,
     /// The share of the pixel that is scratched, which has all of that variance.
-    pub covered: f32,
+    covered: f32,
     /// The deviations of its slope along their two principal directions.
-    pub axes: [Vec3; 2],
+    axes: [Vec3; 2],
 }
 
 /// The share of the facet in the middle of a groove: slopes across it have a kurtosis of 1.5 to 2.1, where a Gaussian has 3.
@@ -142,27 +124,17 @@ impl Scratches {
     /// [`ParameterError`] with the first parameter that is out of its range, or for a `scratch_direction` that is zero or not
     /// finite.
     pub fn new(parameters: ScratchesParameters) -> Result<Self, ParameterError> {
-        let p = &parameters;
-        let cell = within("scratch_size", p.scratch_size, SIZES)?;
-        let half = 0.5 * cell * within("scratch_width", p.scratch_width, [1e-4, 0.5])?;
-        within("scratch_strength", p.scratch_strength, SHARES)?;
-        colour("specular", p.specular)?;
-        within("roughness", p.roughness, ROUGHNESSES)?;
+        parameters.check()?;
+        let (p, cell) = (&parameters, parameters.scratch_size);
         let segments = Segments {
             cell,
-            length: cell * within("scratch_length", p.scratch_length, [0.01, 1.0])?,
-            cover: within("scratch_cover", p.scratch_cover, [0.0, 4.0])?,
+            length: cell * p.scratch_length,
+            cover: p.scratch_cover,
             direction: direction_in_plane("scratch_direction", p.scratch_direction)?,
-            spread: within("scratch_spread", p.scratch_spread, SHARES)?,
+            spread: p.scratch_spread,
             seed: p.seed,
         };
-        Ok(Self { segments, half, parameters })
-    }
-
-    /// The parameters.
-    #[must_use]
-    pub const fn parameters(&self) -> &ScratchesParameters {
-        &self.parameters
+        Ok(Self { segments, half: 0.5 * cell * p.scratch_width, parameters })
     }
 
     /// The mean amount over the surface, at every footprint.
@@ -185,12 +157,6 @@ impl Scratches {
     /// The amount at a point of the texture, and the slope of the height, over a pixel of this width in texture coordinates.
     ///
     /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
-    #[cfg(test)]
-    fn sample(&self, uv: Vec2, width: f32) -> (f32, Vec2) {
-        let Grooves { amount, slope, .. } = self.grooves(uv, width);
-        (amount, slope)
-    }
-
     fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
         let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
         let far = Grooves {
@@ -238,18 +204,15 @@ impl Scratches {
         sqrt(self.half * self.half + 0.25 * width * width)
     }
 
-    /// Amount, normal and lost slopes at a pixel; total.
-    #[must_use]
-    pub(crate) fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
-        let Grooves { amount, slope, covered, removed } = self.grooves(point.uv, point.uv_width());
+    /// Normal and lost slopes at a pixel; total.
+    fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
+        let Grooves { slope, covered, removed, .. } = self.grooves(point.uv, point.uv_width());
         // A slope in the texture is one on the surface, whatever the texture's scale.
         let on_surface = |slope: Vec2| point.gradient(slope).normalize_or_zero() * slope.length();
         let covered = covered.min(1.0);
         let axes = if covered > 0.0 { principal(removed / covered) } else { [Vec2::ZERO; 2] };
         ScratchedSurface {
-            amount,
             normal: bumped_normal(point.normal, on_surface(slope)),
-            slope_variance: 0.5 * (removed.x + removed.z),
             covered,
             axes: axes.map(on_surface),
         }
@@ -281,6 +244,7 @@ fn principal(moments: Vec3) -> [Vec2; 2] {
 mod tests {
     use super::*;
     use crate::pixel::Footprint;
+    use approx::assert_relative_eq;
 
     fn wide() -> Scratches {
         Scratches::new(ScratchesParameters { scratch_width: 0.1, scratch_cover: 1.5, ..Default::default() })
@@ -295,12 +259,12 @@ mod tests {
         let mut steep = 0;
         for i in 0..2000_u16 {
             let uv = Vec2::new(f32::from(i % 50) * 0.0107, f32::from(i / 50) * 0.0131);
-            let (_, slope) = scratches.sample(uv, 0.004);
-            let height = |du, dv| -depth * scratches.sample(uv + Vec2::new(du, dv), 0.004).0;
+            let Grooves { slope, .. } = scratches.grooves(uv, 0.004);
+            let height = |du, dv| -depth * scratches.grooves(uv + Vec2::new(du, dv), 0.004).amount;
             let difference =
                 Vec2::new(height(h, 0.0) - height(-h, 0.0), height(0.0, h) - height(0.0, -h)) / (2.0 * h);
             // Ends of scratches have a crease along; rounding of places 0.5 · 6e-8 · slope/h.
-            assert!((slope - difference).length() < 0.03, "{uv}: {slope} for {difference}");
+            assert_abs_diff_eq!(slope, difference, epsilon = 0.03, "{uv}");
             steep += u16::from(slope.length() > 0.1);
         }
         assert!(steep > 100, "{steep}");
@@ -327,15 +291,15 @@ mod tests {
             }
             let kept = 1.0 - removed_share(width, 1.0 / cell);
             // Deviations are about twice and four times the means: five standard errors, and the tapers' own slopes.
-            assert!((amount / 20_000.0 / scratches.mean() - 1.0).abs() < 0.07, "{width}: {amount}");
+            assert_abs_diff_eq!(amount / 20_000.0 / scratches.mean(), 1.0, epsilon = 0.07, "{width}");
             let expected = scratches.mean_square_slope(scratches.wide(width)) * kept * kept;
-            assert!((squares / 20_000.0 / expected - 1.0).abs() < 0.15, "{width}: {squares} for {expected}");
+            assert_abs_diff_eq!(squares / 20_000.0 / expected, 1.0, epsilon = 0.15, "{width}");
             // What is not resolved is all the rest, and as much of the surface is scratched from afar.
             let whole = scratches.mean_square_slope(scratches.half);
             let rest = (removed / 20_000.0 + expected) / whole;
-            assert!((rest - 1.0).abs() < 0.1, "{width}: {rest}");
+            assert_abs_diff_eq!(rest, 1.0, epsilon = 0.1, "{width}");
             let far = scratches.grooves(Vec2::ZERO, 10.0 * cell).covered;
-            assert!((covered / 20_000.0 / far - 1.0).abs() < 0.07, "{width}: {covered} for {far}");
+            assert_abs_diff_eq!(covered / 20_000.0 / far, 1.0, epsilon = 0.07, "{width}");
         }
     }
 
@@ -352,30 +316,9 @@ mod tests {
                 shares += share;
                 squares += share * (slope(m) - slope(surface.normal)).length_squared();
             }
-            assert!((shares - 1.0).abs() < 1e-5, "{x}, {width}: {shares}");
-            let expected = 2.0 * surface.slope_variance;
-            assert!(
-                (squares - expected).abs() < 1e-5 + 1e-3 * expected,
-                "{x}, {width}: {squares}, {expected}"
-            );
+            assert_abs_diff_eq!(shares, 1.0, epsilon = 1e-5, "{x}, {width}");
+            let Grooves { removed, .. } = scratches.grooves(point.uv, point.uv_width());
+            assert_relative_eq!(squares, removed.x + removed.z, epsilon = 1e-5, max_relative = 1e-3);
         }
-    }
-
-    #[test]
-    fn every_point_has_a_normal() {
-        let scratches = wide();
-        for x in [f32::NAN, f32::NEG_INFINITY, -1e30, 0.0, 0.01, 1e30] {
-            for width in [0.0, 1e-3, f32::INFINITY] {
-                let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width));
-                for tangents in [[Vec3::X, Vec3::Y], [Vec3::X, Vec3::X], [Vec3::splat(x), Vec3::Y]] {
-                    let s = scratches.surface(&point.with_uv(Vec2::new(0.2, x), tangents));
-                    assert!((s.normal.length() - 1.0).abs() < 1e-5, "{x}, {width}: {s:?}");
-                    assert!(s.amount >= 0.0 && s.slope_variance >= 0.0, "{x}, {width}: {s:?}");
-                }
-            }
-        }
-        let base = ScratchesParameters::default();
-        assert!(Scratches::new(ScratchesParameters { scratch_width: 0.9, ..base }).is_err());
-        assert!(Scratches::new(ScratchesParameters { scratch_direction: Vec2::NAN, ..base }).is_err());
     }
 }

@@ -1,6 +1,6 @@
 //! Geometry of two directions and checks that rough diffuse reflectances share.
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
 use crate::math::sqrt;
 use crate::parameter::{ParameterError, colour, within};
@@ -12,18 +12,13 @@ pub(super) fn checked(albedo: Vec3, roughness: f32, most: f32) -> Result<(Vec3, 
 /// `s = ωi·ωo − cos θ_i cos θ_o` and `s / t`, where `t` is the larger cosine for positive `s` and 1 otherwise.
 #[inline]
 pub(super) fn stretched(wi: Vec3, wo: Vec3) -> f32 {
-    let s = flat(wi).dot(flat(wo));
+    let s = wi.truncate().dot(wo.truncate());
     if s > 0.0 { s / wi.z.max(wo.z) } else { s }
-}
-
-#[inline]
-pub(super) fn flat(w: Vec3) -> Vec2 {
-    Vec2::new(w.x, w.y)
 }
 
 /// sin θ of a unit direction, from its horizontal part: near the normal `1 − cos² θ` has no digits.
 #[inline]
 pub(super) fn sine(w: Vec3) -> f32 {
-    let r = flat(w);
+    let r = w.truncate();
     sqrt(r.dot(r)).min(1.0)
 }

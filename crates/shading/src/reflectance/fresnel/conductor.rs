@@ -31,8 +31,7 @@ impl Conductor {
     /// The metal of index `eta` and extinction coefficient `k`, both relative to the incident side's index.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `eta` is finite and positive,
-    /// [`ParameterError`] unless `k` is finite and not negative.
+    /// [`ParameterError`] unless `eta` is finite and positive, and `k` finite and not negative.
     pub fn new(eta: f32, k: f32) -> Result<Self, ParameterError> {
         Ok(Self { eta: positive("eta", eta)?, k: not_negative("k", k)? })
     }
@@ -87,52 +86,3 @@ impl Conductor {
 }
 
 channels!(Conductor);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reflectance::fresnel::dielectric::Dielectric;
-
-    #[test]
-    fn without_absorption_it_is_the_dielectric() {
-        for eta in [0.4, 0.7, 1.2, 1.5, 2.4] {
-            for i in 0..=100 {
-                let c = i as f32 / 100.0;
-                let got = Conductor::new(eta, 0.0).unwrap().reflectance(c);
-                let expected = Dielectric::new(eta).unwrap().reflectance(c);
-                assert!((got - expected).abs() < 2e-6, "eta = {eta}, cos = {c}: {got} != {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn normal_incidence_has_the_textbook_value() {
-        for (eta, k) in [(0.2_f32, 3.0_f32), (1.1, 7.0), (2.9, 3.1)] {
-            let expected = ((eta - 1.0).powi(2) + k * k) / ((eta + 1.0).powi(2) + k * k);
-            let got = Conductor::new(eta, k).unwrap().reflectance(1.0);
-            assert!((got - expected).abs() < 1e-6, "eta = {eta}, k = {k}: {got} != {expected}");
-        }
-    }
-
-    #[test]
-    fn every_input_gives_a_share() {
-        for eta in [f32::MIN_POSITIVE, 1e-20, 0.2, 1.0, 3.0, 1e10, 1e30, f32::MAX] {
-            for k in [0.0, f32::MIN_POSITIVE, 1e-10, 1.0, 7.0, 1e10, f32::MAX] {
-                for c in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 1e-30, 0.3, 1.0, f32::INFINITY] {
-                    let f = Conductor::new(eta, k).unwrap().reflectance(c);
-                    assert!((0.0..=1.0).contains(&f), "eta = {eta}, k = {k}, cos = {c}: {f}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn refuses_what_is_no_index() {
-        for bad in [f32::NAN, f32::INFINITY, 0.0, -1.5] {
-            assert_eq!(Conductor::new(bad, 1.0).unwrap_err().parameter(), "eta", "{bad}");
-        }
-        for bad in [f32::NAN, f32::INFINITY, -1e-3] {
-            assert_eq!(Conductor::new(1.0, bad).unwrap_err().parameter(), "k", "{bad}");
-        }
-    }
-}

@@ -67,3 +67,26 @@ pub(super) use channels;
 pub(super) fn reflectance_or_mirror(f: f32) -> f32 {
     if f >= 0.0 { f.min(1.0) } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reflectance::fresnel::{Conductor, Dielectric, Schlick, SchlickF82};
+
+    #[test]
+    fn every_input_gives_a_share() {
+        let odd = [f32::MIN_POSITIVE, 1e-20, 0.3, 1.0 - 1e-7, 1.0, 1.0 + 1e-6, 3.0, 1e10, 1e30, f32::MAX];
+        for (eta, k) in odd.into_iter().flat_map(|eta| odd.map(|k| (eta, k))) {
+            let glass = Dielectric::new(eta).unwrap();
+            let (metal, clear) = (Conductor::new(eta, k).unwrap(), Conductor::new(eta, 0.0).unwrap());
+            let (schlick, tinted) = (Schlick::new(0.04).unwrap(), SchlickF82::new(0.5, 0.1).unwrap());
+            let all: [&dyn Fresnel; 6] = [&glass, &glass.reversed(), &metal, &clear, &schlick, &tinted];
+            for c in [f32::NAN, f32::NEG_INFINITY, -1.0, -0.0, 0.0, 1e-30, 0.3, 1.0, 2.0, f32::INFINITY] {
+                let shares = all.map(|fresnel| fresnel.reflectance_rgb(c).x);
+                assert!(shares.iter().all(|f| (0.0..=1.0).contains(f)), "{eta}, {k}, cos = {c}: {shares:?}");
+            }
+        }
+        assert_eq!(Dielectric::new(1.5).unwrap().reflectance(f32::NAN), 1.0);
+        assert_eq!(Dielectric::new(1.0).unwrap().reflectance(0.0), 0.0);
+    }
+}

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, SHARES, within};
+use crate::parameter::{ParameterError, as_share};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation, by the reflectance `F₀` at normal incidence.
@@ -27,7 +27,7 @@ impl Schlick {
     /// # Errors
     /// [`ParameterError`] unless `f0` is within `[0, 1]`.
     pub fn new(f0: f32) -> Result<Self, ParameterError> {
-        Ok(Self { f0: within("f0", f0, SHARES)? })
+        Ok(Self { f0: as_share("f0", f0)? })
     }
 
     /// The reflectance at normal incidence, dimensionless.
@@ -56,37 +56,3 @@ impl Schlick {
 }
 
 channels!(Schlick);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn falls_from_one_at_the_horizon_to_f0() {
-        for f0 in [0.0, 0.04, 0.5, 1.0] {
-            let schlick = Schlick::new(f0).unwrap();
-            assert_eq!(schlick.reflectance(1.0), f0);
-            assert_eq!(schlick.reflectance(0.0), 1.0);
-            for i in 0..100 {
-                let (near, far) =
-                    (schlick.reflectance(i as f32 / 100.0), schlick.reflectance((i + 1) as f32 / 100.0));
-                assert!(near >= far, "f0 = {f0}, i = {i}: {near} < {far}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_cosine_gives_a_share() {
-        for c in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0, 0.5, 1.0, 2.0, f32::INFINITY] {
-            let f = Schlick::new(0.04).unwrap().reflectance(c);
-            assert!((0.04..=1.0).contains(&f), "cos = {c}: {f}");
-        }
-    }
-
-    #[test]
-    fn refuses_what_is_no_share() {
-        for bad in [f32::NAN, f32::INFINITY, -0.1, 1.001] {
-            assert!(matches!(Schlick::new(bad), Err(ParameterError::Outside { .. })), "{bad}");
-        }
-    }
-}

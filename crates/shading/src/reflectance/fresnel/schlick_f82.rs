@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::math::clamp_to;
-use crate::parameter::{ParameterError, SHARES, within};
+use crate::parameter::{ParameterError, as_share};
 use crate::reflectance::fresnel::interface::{Fresnel, channels};
 
 /// Schlick's approximation, multiplied down to a given tint at `cos θ = 1/7`, about 82° from the normal.
@@ -30,8 +30,8 @@ impl SchlickF82 {
     /// # Errors
     /// [`ParameterError`] unless both are within `[0, 1]`.
     pub fn new(f0: f32, tint: f32) -> Result<Self, ParameterError> {
-        within("f0", f0, SHARES)?;
-        within("tint", tint, SHARES)?;
+        as_share("f0", f0)?;
+        as_share("tint", tint)?;
         // In f64: (6/7)⁵ and (6/7)⁶ amplify the rounding of what they divide.
         let sixth = 6.0_f64 / 7.0;
         let fifth_power = sixth * sixth * sixth * sixth * sixth;
@@ -62,28 +62,3 @@ impl SchlickF82 {
 }
 
 channels!(SchlickF82);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reflectance::fresnel::schlick::Schlick;
-
-    #[test]
-    fn tint_is_that_of_schlicks_at_one_seventh() {
-        for f0 in [0.0, 0.04, 0.5, 0.91, 1.0] {
-            for tint in [0.0, 0.3, 0.94, 1.0] {
-                let got = SchlickF82::new(f0, tint).unwrap().reflectance(1.0 / 7.0);
-                let expected = tint * Schlick::new(f0).unwrap().reflectance(1.0 / 7.0);
-                assert!((got - expected).abs() < 3e-7, "{f0}, {tint}: {got} for {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn refuses_what_is_no_share() {
-        for bad in [-0.1, 1.1, f32::NAN] {
-            assert!(matches!(SchlickF82::new(bad, 0.5), Err(ParameterError::Outside { .. })), "{bad}");
-            assert!(matches!(SchlickF82::new(0.5, bad), Err(ParameterError::Outside { .. })), "{bad}");
-        }
-    }
-}

@@ -41,16 +41,19 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let once = Sampling { height: context.size * 5 / 8, samples_per_pixel: 1, ..context.square() };
     let view = View { width: once.width as f32, height: once.height as f32 };
     let many = Sampling { samples_per_pixel: SAMPLES, ..once };
-    let plain =
-        |uv: Vec2, _: &PixelEllipse, wo: Vec3| street.alone(SlopeMoments::point(street.one.slope(uv)), wo);
+    let plain = |uv: Vec2, _: &PixelEllipse, wo: Vec3| {
+        street.alone(SlopeMoments::point(street.one.as_ref().slope(uv)), wo)
+    };
     let averaged = |uv: Vec2, pixel: &PixelEllipse, wo| {
-        let seen = street.one.sample_along(uv, pixel, TAPS).moments();
+        let seen = street.one.as_ref().sample_along(uv, pixel, TAPS).moments();
         street.alone(SlopeMoments::point(seen.mean), wo)
     };
-    let one =
-        |uv: Vec2, pixel: &PixelEllipse, wo| street.grouped(&street.one.sample_along(uv, pixel, TAPS), wo);
-    let groups =
-        |uv: Vec2, pixel: &PixelEllipse, wo| street.grouped(&street.groups.sample_along(uv, pixel, TAPS), wo);
+    let one = |uv: Vec2, pixel: &PixelEllipse, wo| {
+        street.grouped(&street.one.as_ref().sample_along(uv, pixel, TAPS), wo)
+    };
+    let groups = |uv: Vec2, pixel: &PixelEllipse, wo| {
+        street.grouped(&street.groups.as_ref().sample_along(uv, pixel, TAPS), wo)
+    };
     let ways: [(&str, &str, Sampling, &Way<'_>); 5] = [
         ("plain", "One sample a pixel", once, &plain),
         ("averaged", "One sample, averaged normals", once, &averaged),

@@ -1,0 +1,116 @@
+//! The traits of `approx` for the values that surfaces, pixels and light are made of.
+
+use approx::{AbsDiffEq, RelativeEq, UlpsEq};
+use glam::Vec3;
+
+use crate::bump::{Displaced, Facet};
+use crate::environment::LightSample;
+use crate::level_of_detail::Coordinates;
+use crate::material::{Fibre, FlakePatch, GlintFlake, Seam, Sparkle, SurfacePoint};
+use crate::normal_map::{SlopeLobe, SlopeMoments};
+use crate::pixel::{Footprint, PixelEllipse, Tap};
+use crate::reflectance::Delta;
+use crate::texture::{BrickSample, Edge, PerturbedLookUp, Seen};
+
+/// Part by part, with one tolerance.
+macro_rules! approximate {
+    ($($type:ty: $value:ident => $($part:expr),*;)*) => {
+        $(
+            impl AbsDiffEq for $type {
+                type Epsilon = f32;
+
+                fn default_epsilon() -> f32 {
+                    f32::EPSILON
+                }
+
+                fn abs_diff_eq(&self, other: &Self, epsilon: f32) -> bool {
+                    true $(&& {
+                        let part = |$value: &Self| $part;
+                        AbsDiffEq::abs_diff_eq(&part(self), &part(other), epsilon)
+                    })*
+                }
+            }
+
+            impl RelativeEq for $type {
+                fn default_max_relative() -> f32 {
+                    f32::EPSILON
+                }
+
+                fn relative_eq(&self, other: &Self, epsilon: f32, most: f32) -> bool {
+                    true $(&& {
+                        let part = |$value: &Self| $part;
+                        RelativeEq::relative_eq(&part(self), &part(other), epsilon, most)
+                    })*
+                }
+            }
+
+            impl UlpsEq for $type {
+                fn default_max_ulps() -> u32 {
+                    4
+                }
+
+                fn ulps_eq(&self, other: &Self, epsilon: f32, most: u32) -> bool {
+                    true $(&& {
+                        let part = |$value: &Self| $part;
+                        UlpsEq::ulps_eq(&part(self), &part(other), epsilon, most)
+                    })*
+                }
+            }
+        )*
+    };
+}
+
+approximate! {
+    // Infinite widths have no difference.
+    Footprint: v => v.width().min(f32::MAX);
+    Tap: v => v.offset, v.footprint;
+    PixelEllipse: v => v.axes()[0], v.axes()[1], v.long(), v.short();
+    SurfacePoint: v => v.position, v.normal, v.uv, v.tangents[0], v.tangents[1], v.pixel;
+    Facet: v => v.share, v.normal;
+    Displaced: v => v.position, v.normal;
+    Coordinates: v => v.z, v.share, v.fade;
+    Delta: v => v.wi, v.weight;
+    LightSample: v => v.direction, v.radiance;
+    SlopeMoments: v => v.mean, Vec3::from(v.covariance);
+    SlopeLobe: v => v.weight, v.moments;
+    BrickSample: v => v.brick, v.height, v.slope, v.cell[0] as f32, v.cell[1] as f32;
+    Edge: v => v.distance, v.away;
+    PerturbedLookUp: v => v.uv, v.spread;
+    Seen: v => v.light, v.transmittance;
+    Seam: v => v.amount, v.slope;
+    Fibre: v => v.factor, v.direction, v.slope;
+    FlakePatch: v => v.value, v.centre, v.tilt;
+    Sparkle: v => v.tilt, v.fade;
+    GlintFlake: v => v.normal, v.centre;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::{abs_diff_eq, relative_eq, ulps_eq};
+    use glam::Vec2;
+
+    #[test]
+    fn every_part_is_compared() {
+        let pixel = PixelEllipse::from_derivatives(Vec3::new(0.25, 0.0, 0.0), Vec3::new(0.0, 0.5, 0.0));
+        let point = SurfacePoint::new(Vec3::ONE, Vec3::Z, pixel).with_uv(Vec2::ONE, [Vec3::X, Vec3::Y]);
+        let others = [
+            SurfacePoint { position: point.position * 1.25, ..point },
+            SurfacePoint { normal: Vec3::X, ..point },
+            SurfacePoint { uv: Vec2::X, ..point },
+            SurfacePoint { tangents: [Vec3::X, Vec3::Z], ..point },
+            SurfacePoint { pixel: pixel.scaled(1.5), ..point },
+            SurfacePoint { pixel: Footprint::from_width(0.5).into(), ..point },
+        ];
+        assert!(abs_diff_eq!(point, point) && relative_eq!(point, point) && ulps_eq!(point, point));
+        for other in others {
+            assert!(!abs_diff_eq!(point, other, epsilon = 0.1), "{other:?}");
+            assert!(!relative_eq!(point, other, max_relative = 0.1), "{other:?}");
+            assert!(!ulps_eq!(point, other), "{other:?}");
+        }
+        let near = SurfacePoint { position: point.position + 1e-6, ..point.scaled(1.000_001) };
+        assert!(abs_diff_eq!(point, near, epsilon = 1e-5) && relative_eq!(point, near, max_relative = 1e-5));
+        // What resolves nothing equals itself.
+        assert!(abs_diff_eq!(Footprint::from_width(f32::NAN), Footprint::from_width(f32::INFINITY)));
+    }
+}
