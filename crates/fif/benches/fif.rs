@@ -132,7 +132,7 @@ fn rays(c: &mut Criterion) {
     let [f, g] = [paper::f(), paper::g()].map(|f| f.expect("valid"));
     let [f_hat, g_hat] = [paper::f_hat(), paper::g_hat()].map(|f| f.expect("valid"));
     let plain = HeightField::new(f_hat, f_hat);
-    let smooth = plain.tabulated();
+    let smooth = plain.clone().tabulated();
     group.bench_function("f integral, cached", |b| b.iter(|| trace(&smooth, &rays)));
     let rough_slope = HeightField::new(g_hat, g_hat).tabulated();
     group.bench_function("g integral, cached", |b| b.iter(|| trace(&rough_slope, &rays)));

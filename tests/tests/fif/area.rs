@@ -2,14 +2,14 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{Estimate, Fif, HeightField, Interval, NormalDistributionError, paper, surface::Axis};
+use asperity_fif::{Estimate, Fif, HeightField, Interval, NormalDistributionError, paper, surface::Function};
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{Reference, ratio, ratios, read};
 use serde_json::Value;
 
 /// Compares the means over all rectangles; returns the worst error relative to the value and its conditioning.
-fn rectangles<X: Axis, Y: Axis>(surface: &HeightField<X, Y>, json: &Value) -> f64 {
+fn rectangles<F: Function, G: Function>(surface: &HeightField<F, G>, json: &Value) -> f64 {
     let mut worst = 0.0_f64;
     for rectangle in json["rectangles"].as_array().unwrap() {
         let [x, y] = ["x", "y"].map(|key| ratios(&rectangle[key]));

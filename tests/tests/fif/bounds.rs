@@ -2,44 +2,23 @@
 
 use asperity_fif::{Fif, Interval, Modulus, System, paper, system::Piece};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::fif_systems::{Reference, decimal, ratio};
+use asperity_tests::fif_systems::{Reference, decimal, ratio, ratios, read};
 use asperity_tests::systems;
 use proptest::prelude::*;
 
+use crate::properties::{affine_over, seeded};
+
 /// Random affine systems: 2 to `maps` maps, cells from `smallest` of one another, factors up to `steepest` in size.
 fn affine(maps: usize, smallest: f64, steepest: f64) -> impl Strategy<Value = Fif<2>> {
-    (2..=maps, -5.0..5.0_f64)
-        .prop_flat_map(move |(maps, x0)| {
-            let gaps = prop::collection::vec(smallest.ln()..=0.0_f64, maps);
-            let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
-            (Just(x0), gaps, y, prop::collection::vec(-steepest..=steepest, maps))
-        })
-        .prop_map(|(x0, gaps, y, alpha)| {
-            let mut x = vec![x0];
-            for gap in gaps {
-                x.push(x[x.len() - 1] + gap.exp());
-            }
-            Fif::affine(&x, &y, &alpha).expect("the data are in order")
-        })
+    let gap = (smallest.ln()..=0.0_f64).prop_map(f64::exp);
+    affine_over(2..=maps, -5.0..5.0, gap, -steepest..=steepest)
 }
 
 /// Hardly contracting: up to 64 maps, cells down to a billionth, every factor from 0.9 to 0.999 in size.
 fn near_critical() -> impl Strategy<Value = Fif<2>> {
-    (2_usize..=64)
-        .prop_flat_map(|maps| {
-            let gaps = prop::collection::vec(1e-9_f64.ln()..=0.0, maps);
-            let y = prop::collection::vec(-2.0..2.0_f64, maps + 1);
-            let sign = prop::collection::vec(prop::sample::select(vec![-1.0, 1.0]), maps);
-            (gaps, y, prop::collection::vec(0.9..=0.999_f64, maps), sign)
-        })
-        .prop_map(|(gaps, y, alpha, sign)| {
-            let mut x = vec![0.0];
-            for gap in gaps {
-                x.push(x[x.len() - 1] + gap.exp());
-            }
-            let alpha: Vec<f64> = alpha.iter().zip(sign).map(|(alpha, sign)| alpha * sign).collect();
-            Fif::affine(&x, &y, &alpha).expect("the data are in order")
-        })
+    let gap = (1e-9_f64.ln()..=0.0).prop_map(f64::exp);
+    let factor = (0.9..=0.999_f64, prop::bool::ANY).prop_map(|(size, up)| if up { size } else { -size });
+    affine_over(2..=64, 0.0..1e-9, gap, factor)
 }
 
 /// `(x, f(x))` at `count` knots of deep levels at least, by the functional equation alone.
@@ -62,16 +41,20 @@ fn rounding<S: AsRef<[Piece<2>]>>(f: &System<S, 2>) -> f64 {
     16.0 * f64::EPSILON * scale / (1.0 - steepest)
 }
 
-fn config(cases: u32) -> ProptestConfig {
-    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x000B_07D5);
-    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
-}
-
 #[test]
 fn the_reference_extrema_are_contained_and_within_a_millionth() {
     fn check<const C: usize>(name: &str) {
         let r = Reference::<C>::load(name);
         let json = &r.json["extrema"];
+        for width in [1e-3, 1e-9] {
+            let e = r.system.extrema(width);
+            for (key, got) in [("min", e.minimum), ("max", e.maximum)] {
+                let end = |end: &str| json[format!("{key}_{end}")].as_f64().expect("a number");
+                let range = r.system.range();
+                assert!(got.width() <= width && range.hull(got) == range, "{name} {key}: {got:?} {range:?}");
+                assert!(got.lo <= end("hi") && end("lo") <= got.hi, "{name} {key}: {got:?}");
+            }
+        }
         let e = r.system.extrema(1e-6);
         for (key, got, at, within) in [
             ("min", e.minimum, e.at_minimum, e.minimum_within),
@@ -114,8 +97,8 @@ fn dimensions_of_the_reference_systems_are_the_closed_ones() {
     assert!(g.contains(1.0 + 1.7_f64.log2()) && g.width() < 1e-13, "{g:?}");
     // Σ |α_j| a_j^{D−1} = 1 changes its sign across the bracket.
     for (name, d) in [("nonuni3", dimension::<2>("nonuni3")), ("cubic5", dimension::<4>("cubic5"))] {
-        let json = asperity_tests::fif_systems::read(name);
-        let list = |key: &str| asperity_tests::fif_systems::ratios(&json[key]);
+        let json = read(name);
+        let list = |key: &str| ratios(&json[key]);
         let sum = |d: f64| -> f64 {
             list("a").iter().zip(list("alpha")).map(|(a, alpha)| alpha.abs() * a.powf(d - 1.0)).sum()
         };
@@ -175,7 +158,7 @@ fn two_hundred_thousand_maps_are_searched_in_bounded_time() {
 }
 
 proptest! {
-    #![proptest_config(config(24))]
+    #![proptest_config(seeded(0x000B_07D5, 24))]
 
     #[test]
     fn enclosures_contain_a_hundred_thousand_samples(
@@ -240,7 +223,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(24))]
+    #![proptest_config(seeded(0x000B_07D5, 24))]
 
     #[test]
     fn near_critical_systems_obey_the_functional_equation_to_the_reported_bound(

@@ -3,7 +3,7 @@
 
 use asperity_fif::{Estimate, Fif};
 use asperity_tests::fif_systems::{Reference, decimal, ratio, read};
-use asperity_tests::systems;
+use asperity_tests::{assert_abs_diff_eq, systems};
 use proptest::prelude::*;
 
 use super::properties::{affine, config, hermite};
@@ -204,7 +204,7 @@ fn means_of_short_intervals_lose_no_digits() {
         let (l, r) = (0.375, 0.375 + 2f64.powi(exponent));
         let mean = straight.mean(l, r);
         let want = 0.5 * (l + r);
-        assert!((mean.value - want).abs() <= 4.0 * f64::EPSILON, "2^{exponent}: {mean:?} != {want}");
+        assert_abs_diff_eq!(mean.value, want, epsilon = 4.0 * f64::EPSILON, "2^{exponent}");
         assert!((mean.value - want).abs() <= mean.bound, "2^{exponent}: {mean:?} != {want}");
     }
 }

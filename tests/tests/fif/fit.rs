@@ -4,10 +4,7 @@ use asperity_fif::{Fif, fit};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
 
-fn config(cases: u32) -> ProptestConfig {
-    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x000F_1770);
-    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
-}
+use crate::properties::{knots, seeded};
 
 /// A system whose knots are points of a grid that all maps send into itself, and its samples there.
 fn samples(y: &[f64], alpha: &[f64], each: usize) -> (Fif<2>, Vec<f64>, Vec<f64>, Vec<usize>) {
@@ -32,7 +29,7 @@ fn samples(y: &[f64], alpha: &[f64], each: usize) -> (Fif<2>, Vec<f64>, Vec<f64>
 }
 
 proptest! {
-    #![proptest_config(config(64))]
+    #![proptest_config(seeded(0x000F_1770, 64))]
 
     #[test]
     fn samples_of_a_function_give_its_factors_back(
@@ -61,10 +58,7 @@ proptest! {
         gaps in prop::collection::vec(0.05..1.0_f64, 24), y in prop::collection::vec(-2.0..2.0_f64, 25),
         a in 1_usize..12, b in 12_usize..24,
     ) {
-        let mut x = vec![-1.0];
-        for gap in gaps {
-            x.push(x[x.len() - 1] + gap);
-        }
+        let x = knots(-1.0, &gaps);
         let knots = [0, a, b, 24];
         for fit in [fit::affine(&x, &y, &knots), fit::refined(&x, &y, &knots, 10)] {
             let fit = fit.expect("the data are in order");

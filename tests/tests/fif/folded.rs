@@ -4,14 +4,14 @@
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::PI;
 
-use asperity_fif::glam::DVec2;
 use asperity_fif::{Folded, Interval, SelfAffineError};
 use asperity_tests::fif_systems::{decimal, hexadecimal, ratio, ratios, read};
 use asperity_tests::random::Random;
 use proptest::prelude::*;
 use serde_json::Value;
 
-use crate::surfaces::grain;
+use crate::properties::config;
+use crate::surfaces::{bounds_hold, exact_at, extrema_hold_a_grid, grain, tolerances_hold};
 
 /// Both reference surfaces and what is known of them.
 fn references() -> Vec<(Folded, Value)> {
@@ -36,26 +36,14 @@ fn folded_values_and_gradients_equal_the_exact_ones() {
     for ((surface, json), worst) in references().iter().zip(&mut worst) {
         for point in json["points"].as_array().unwrap() {
             let [x, y] = ["x_hex", "y_hex"].map(|key| hexadecimal(point[key].as_str().unwrap()));
-            let want = decimal(&point["f_dec"]);
-            for tolerance in [1e-3, 1e-6, 0.0] {
-                let got = surface.evaluate(x, y, tolerance);
-                assert!((got.value - want).abs() <= got.bound, "{point}: {got:?}");
-                assert!(got.bound <= tolerance.max(1e-11), "{point}: {got:?}");
-            }
-            let size = surface.range().magnitude();
-            worst[0] = worst[0].max((surface.height(x, y) - want).abs() / size);
-            for tolerance in [1e-1, 1e-6, 0.0] {
-                let gradient = surface.evaluate_gradient(x, y, tolerance);
-                for (got, key) in gradient.into_iter().zip(["fx_dec", "fy_dec"]) {
-                    let want = decimal(&point[key]);
-                    assert!((got.value - want).abs() <= got.bound, "{point} {key}: {got:?}");
-                    if tolerance == 0.0 {
-                        let steepest = surface.slope_range().map(Interval::magnitude);
-                        let error = (got.value - want).abs() / steepest[0].max(steepest[1]);
-                        worst[1] = worst[1].max(error);
-                    }
-                }
-            }
+            let errors = exact_at(
+                point,
+                |tolerance| surface.evaluate(x, y, tolerance),
+                |tolerance| surface.evaluate_gradient(x, y, tolerance),
+            );
+            let steepest = surface.slope_range().map(Interval::magnitude);
+            let sizes = [surface.range().magnitude(), steepest[0].max(steepest[1])];
+            *worst = [0, 1].map(|k| worst[k].max(errors[k] / sizes[k]));
         }
         let mean = surface.mean();
         assert!((mean.value - decimal(&json["mean"])).abs() <= mean.bound && mean.bound < 1e-13, "{mean:?}");
@@ -86,13 +74,8 @@ type Given = (Vec<f64>, Vec<f64>, f64, Vec<f64>, Vec<[f64; 2]>);
 /// Grids of unequal cells with data.
 fn surfaces() -> impl Strategy<Value = Given> {
     let knots = |count: usize| {
-        (prop::collection::vec(0.3..1.0_f64, count), -3.0..3.0_f64).prop_map(|(steps, start)| {
-            let mut knots = vec![start];
-            for step in steps {
-                knots.push(knots[knots.len() - 1] + step);
-            }
-            knots
-        })
+        (prop::collection::vec(0.3..1.0_f64, count), -3.0..3.0_f64)
+            .prop_map(|(steps, start)| crate::properties::knots(start, &steps))
     };
     (2..6_usize, 2..6_usize).prop_flat_map(move |(m, n)| {
         let count = (m + 1) * (n + 1);
@@ -112,7 +95,7 @@ fn narrowest(axes: [&[f64]; 2]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(32) })]
+    #![proptest_config(config(32))]
 
     #[test]
     fn knots_are_hit_and_lines_of_the_grid_are_crossed_smoothly(
@@ -154,18 +137,7 @@ proptest! {
         let surface = Folded::new(&x, &y, share * narrowest([&x, &y]), &z, &d).unwrap();
         let [wide, deep] = surface.domain();
         let (px, py) = (wide.lo + at[0] * wide.width(), deep.lo + at[1] * deep.width());
-        let fine = surface.evaluate(px, py, 0.0);
-        for tolerance in [1e-1, 1e-4, 1e-9] {
-            let coarse = surface.evaluate(px, py, tolerance);
-            prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?} {fine:?}");
-            prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
-            let (coarse, fine) =
-                (surface.evaluate_gradient(px, py, tolerance), surface.evaluate_gradient(px, py, 0.0));
-            for (coarse, fine) in coarse.into_iter().zip(fine) {
-                prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?} {fine:?}");
-                prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
-            }
-        }
+        tolerances_hold(&surface, px, py)?;
     }
 
     #[test]
@@ -201,47 +173,14 @@ proptest! {
             let lo = side.lo + corner[k] * side.width();
             Interval::new(lo, lo + size[k].exp2() * side.width())
         };
-        let (along, across) = (part(wide, 0), part(deep, 1));
-        let bounds = surface.bounds(along, across);
-        let extrema = surface.extrema_over(along, across, 0.3 * surface.range().width());
-        for [u, v] in samples {
-            let at = |range: Interval, t: f64| (range.lo + t * (range.hi - range.lo)).min(range.hi);
-            let (px, py) = (at(along, u), at(across, v));
-            let height = surface.evaluate(px, py, 0.0);
-            prop_assert!(bounds.height.inflated(height.bound).contains(height.value), "{height:?} {bounds:?}");
-            prop_assert!(extrema.maximum.hi + height.bound >= height.value, "{height:?} {extrema:?}");
-            prop_assert!(extrema.minimum.lo - height.bound <= height.value, "{height:?} {extrema:?}");
-            for (slope, range) in surface.gradient(px, py).to_array().into_iter().zip(bounds.slopes) {
-                prop_assert!(range.inflated(1e-9).contains(slope), "{slope:?} {range:?}");
-            }
-        }
-        let point = surface.bounds(Interval::new(along.lo, along.lo), Interval::new(across.lo, across.lo));
-        prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
+        bounds_hold(&surface, [part(wide, 0), part(deep, 1)], &samples, Some(1e-9))?;
     }
 }
 
 #[test]
 fn extrema_of_a_folded_surface_hold_what_a_grid_finds() {
-    const GRID: u32 = 150;
     for (surface, _) in references() {
-        let [x, y] = surface.domain();
-        let extrema = surface.extrema_over(x, y, 1e-6);
-        assert!(extrema.minimum.width() <= 1e-6 && extrema.maximum.width() <= 1e-6, "{extrema:?}");
-        let (mut low, mut high, mut sum) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-        let at = |side: Interval, k: u32| side.lo + side.width() * (f64::from(k) + 0.5) / f64::from(GRID);
-        for (i, j) in (0..GRID).flat_map(|i| (0..GRID).map(move |j| (i, j))) {
-            let height = surface.height(at(x, i), at(y, j));
-            (low, high, sum) = (low.min(height), high.max(height), sum + height);
-        }
-        assert!(extrema.minimum.lo <= low && high <= extrema.maximum.hi, "{extrema:?} {low} {high}");
-        assert!(
-            low - extrema.minimum.hi < 0.05 && extrema.maximum.lo - high < 0.05,
-            "{extrema:?} {low} {high}"
-        );
-        let attained = |at: DVec2| surface.height(at.x, at.y);
-        assert!(extrema.minimum.contains(attained(extrema.lowest)));
-        assert!(extrema.maximum.contains(attained(extrema.highest)));
-        let grid = sum / f64::from(GRID * GRID);
+        let grid = extrema_hold_a_grid(&surface, surface.domain(), 150, 0.05);
         // The midpoint rule on 150² points; measured 3e-5.
         assert_abs_diff_eq!(grid, surface.mean().value, epsilon = 3e-4, "{grid} {:?}", surface.mean());
     }

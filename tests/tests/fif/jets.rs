@@ -5,6 +5,8 @@ use asperity_fif::{Fif, FixedFif, Jet, Table, paper};
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
 
+use crate::properties::seeded;
+
 /// The worst errors of value, slope and integral.
 fn check_doubles<const C: usize>(name: &str) -> [f64; 3] {
     let r = Reference::<C>::load(name);
@@ -44,7 +46,7 @@ fn jets_at_doubles_equal_the_exact_ones() {
 }
 
 /// Cubic systems through 3 to 17 equally spaced knots of `[0, 2]`, twice integrated: six coefficients, three derivatives.
-fn smooth() -> impl Strategy<Value = Vec<Fif<6>>> {
+pub(super) fn smooth() -> impl Strategy<Value = Vec<Fif<6>>> {
     (2_usize..=16)
         .prop_flat_map(|maps| {
             let list = |len| prop::collection::vec(-1.0..1.0_f64, len);
@@ -66,13 +68,8 @@ fn smooth() -> impl Strategy<Value = Vec<Fif<6>>> {
         })
 }
 
-fn config(cases: u32) -> ProptestConfig {
-    let rng_seed = proptest::test_runner::RngSeed::Fixed(0x001E_75AD);
-    ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }
-}
-
 proptest! {
-    #![proptest_config(config(48))]
+    #![proptest_config(seeded(0x001E_75AD, 48))]
 
     #[test]
     fn jets_equal_the_systems_of_derivative_and_integral(
@@ -102,19 +99,6 @@ proptest! {
                 prop_assert!((got.value - want.value).abs() <= got.bound + want.bound, "{x}: {got:?} {want:?}");
             }
         }
-    }
-
-    #[test]
-    fn jets_equal_differences_of_the_integrals(all in smooth(), l in 0.0..2.0_f64, r in 0.0..2.0_f64) {
-        let (f, d1) = (&all[0], &all[1]);
-        let jets = f.table(1e-12).unwrap();
-        let (left, right) = (jets.evaluate_jet(l), jets.evaluate_jet(r));
-        let area = f.integral_over(l, r);
-        let error = (right.integral.value - left.integral.value - area.value).abs();
-        prop_assert!(error <= right.integral.bound + left.integral.bound + area.bound, "{error:e}");
-        let rise = d1.integral_over(l, r);
-        let error = (right.value.value - left.value.value - rise.value).abs();
-        prop_assert!(error <= right.value.bound + left.value.bound + rise.bound, "{error:e}");
     }
 
     #[test]

@@ -2,8 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::Fif;
-use asperity_tests::fif_systems::{Reference, decimal, digits_of_double, ratio};
-use asperity_tests::{even_systems, systems};
+use asperity_tests::fif_systems::{Reference, digits_of_double, ratio};
+use asperity_tests::{assert_abs_diff_eq, even_systems};
 
 /// Largest error allowed where the address is exact; the worst measured is written beside each test.
 const EXACT: f64 = 1e-12;
@@ -34,9 +34,9 @@ fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [
     }
     for (x, y, integral, address) in r.simple() {
         let got = f.value_at_address(address.iter().copied(), 1e-14).unwrap();
-        assert!((got.value - y).abs() <= EXACT, "{name} x = {x}: {got:?} != {y}");
+        assert_abs_diff_eq!(got.value, y, epsilon = EXACT, "{name} x = {x}: {got:?}");
         let got = int1.value_at_address(address.iter().copied(), 1e-14).unwrap();
-        assert!((got.value - integral).abs() <= EXACT, "{name} ∫ to {x}: {got:?} != {integral}");
+        assert_abs_diff_eq!(got.value, integral, epsilon = EXACT, "{name} ∫ to {x}: {got:?}");
     }
     for p in r.doubles() {
         // The address of the very double, by exact arithmetic on the rational knots.
@@ -46,8 +46,14 @@ fn check_points<const C: usize, const K: usize, const L: usize>(name: &str) -> [
         assert!(error <= EXACT, "{name} x = {}: {got:?} != {}", p.x, p.y);
         worst[3] = worst[3].max(error);
         let got = int1.value_at_address(digits.iter().copied(), 1e-14).unwrap();
-        assert!((got.value - p.int1).abs() <= EXACT, "{name} ∫ to {}: {got:?} != {}", p.x, p.int1);
+        assert_abs_diff_eq!(got.value, p.int1, epsilon = EXACT, "{name} ∫ to {}: {got:?}", p.x);
     }
+    for (l, right, want) in r.integrals() {
+        // Conditioning: the integral's slope is f, so a rounded end costs an ulp of x.
+        let got = int1.evaluate(right, 1e-14).value - int1.evaluate(l, 1e-14).value;
+        assert_abs_diff_eq!(got, want, epsilon = EXACT, "{name} [{l}, {right}]");
+    }
+    assert_abs_diff_eq!(f.total_integral(), r.moment(0), epsilon = EXACT, "{name}");
     for (j, piece) in f.pieces().iter().enumerate() {
         let (int1, int2) = (&int1.pieces()[j], &int2.pieces()[j]);
         r.check_integral("integral_system", j, int1.map().alpha, &int1.map().q, int1.y());
@@ -123,63 +129,6 @@ fn backward_stable<const C: usize>(name: &str) {
 }
 
 #[test]
-fn extrema_are_bracketed_to_the_requested_width() {
-    fn check<const C: usize>(name: &str) {
-        let r = Reference::<C>::load(name);
-        let json = &r.json["extrema"];
-        let bracket = |key: &str| {
-            let end = |end: &str| json[format!("{key}_{end}")].as_f64().unwrap();
-            (end("lo"), end("hi"))
-        };
-        for width in [1e-3, 1e-6, 1e-9] {
-            let e = r.system.extrema(width);
-            for (got, want) in [(e.minimum, bracket("min")), (e.maximum, bracket("max"))] {
-                assert!(got.width() <= width, "{name}: {got:?} is wider than {width:e}");
-                assert!(got.lo <= want.1 && want.0 <= got.hi, "{name}: {got:?} misses {want:?}");
-            }
-            let range = r.system.range();
-            assert!(range.lo <= e.minimum.hi && e.maximum.lo <= range.hi, "{name}: {range:?} {e:?}");
-        }
-        let candidate = decimal(&json["max_candidate"]["y_dec"]);
-        let found = json["max_candidate"]["inside_bounds"] == true;
-        assert!(
-            !found || r.system.extrema(1e-6).maximum.inflated(1e-15).contains(candidate),
-            "{name}: {candidate}"
-        );
-    }
-    systems!(check);
-}
-
-#[test]
-fn integrals_over_intervals_are_differences_of_the_integral() {
-    fn check<const C: usize, const K: usize>(name: &str) {
-        let r = Reference::<C>::load(name);
-        let integral: Fif<K> = r.system.integral(0.0).unwrap();
-        for (l, right, want) in r.integrals() {
-            // Conditioning: the integral's slope is f, so a rounded end costs an ulp of x.
-            let got = integral.evaluate(right, 1e-14).value - integral.evaluate(l, 1e-14).value;
-            assert!((got - want).abs() <= EXACT, "{name} [{l}, {right}]: {got} != {want}");
-        }
-        let want = r.moment(0);
-        assert!(
-            (r.system.total_integral() - want).abs() <= EXACT,
-            "{name}: {} != {want}",
-            r.system.total_integral()
-        );
-    }
-    check::<1, 2>("cantor");
-    check::<4, 5>("cubic5");
-    check::<2, 3>("nonuni3");
-    check::<2, 3>("paper_f");
-    check::<2, 3>("paper_g");
-    check::<3, 4>("paper_f_int");
-    check::<4, 5>("paper_f_int2");
-    check::<3, 4>("paper_g_int");
-    check::<2, 3>("parabola");
-    check::<2, 3>("takagi");
-}
-
-#[test]
 fn derivatives_equal_the_exact_ones() {
     fn check<const C: usize, const D: usize>(name: &str) {
         let r = Reference::<C>::load(name);
@@ -188,13 +137,13 @@ fn derivatives_equal_the_exact_ones() {
         for point in r.points() {
             let Some(want) = point.dy_dec else { continue };
             let got = slope.value_at_address(point.address(), 1e-14).unwrap();
-            assert!((got.value - want).abs() <= EXACT, "{name} x = {}: {got:?} != {want}", point.x);
+            assert_abs_diff_eq!(got.value, want, epsilon = EXACT, "{name} x = {}: {got:?}", point.x);
             seen += 1;
         }
         for p in r.doubles() {
             let Some(want) = p.dy else { continue };
             let got = slope.evaluate(p.x, 1e-13);
-            assert!((got.value - want).abs() <= EXACT, "{name} x = {}: {got:?} != {want}", p.x);
+            assert_abs_diff_eq!(got.value, want, epsilon = EXACT, "{name} x = {}: {got:?}", p.x);
             seen += 1;
         }
         assert!(seen >= 80, "{name}: only {seen} slopes in the reference");

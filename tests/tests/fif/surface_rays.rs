@@ -4,7 +4,6 @@
 use asperity_fif::glam::DVec3;
 use asperity_fif::{
     FixedFif, Folded, HeightField, Hit, Intersect, Interval, Ray, Surface, Tabulated, Torus, paper,
-    surface::Curve,
 };
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
@@ -28,7 +27,7 @@ fn folded() -> Folded {
     Folded::new(&x, &y, -0.1, &z, &d).unwrap().narrowed()
 }
 
-fn mirror() -> HeightField<Curve<FixedFif<2, 3>>, Curve<FixedFif<2, 3>>> {
+fn mirror() -> HeightField<FixedFif<2, 3>, FixedFif<2, 3>> {
     HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
 }
 
@@ -37,7 +36,7 @@ fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
 }
 
 /// Down onto the domain and past it, from inside the box, nearly level.
-fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
+pub(super) fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
     let mut random = Random(17);
     let ([x, y], z) = (surface.domain(), surface.range());
     (0..count)
@@ -65,15 +64,16 @@ fn random_rays<S: Surface>(surface: &S, count: usize) -> Vec<Ray> {
 }
 
 /// No root lies before `lo`; one lies in `[lo, hi]` if `root` is set.
+#[derive(Clone, Copy)]
 struct Bracket {
     lo: f64,
     hi: f64,
     root: bool,
 }
 
-/// By bisection of the ray and enclosures of heights alone, with no slope, no square and no search for a root.
-fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
-    const FINEST: f64 = 1e-6;
+/// To stretches of `finest`, by bisection of the ray and enclosures of heights alone, with no slope, no square and no
+/// search for a root.
+fn bracket<S: Surface>(surface: &S, ray: &Ray, finest: f64) -> Option<Bracket> {
     let over = |lo: f64, hi: f64| Interval::new(lo.min(hi) - 1e-14, lo.max(hi) + 1e-14);
     let above = |t: f64| {
         let p = ray.at(t);
@@ -94,8 +94,8 @@ fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
         if z.lo > h.hi || z.hi < h.lo {
             continue;
         }
-        if hi - lo < FINEST {
-            let (before, after) = ((lo - 4.0 * FINEST).max(span.lo), (hi + 4.0 * FINEST).min(span.hi));
+        if hi - lo < finest {
+            let (before, after) = ((lo - 4.0 * finest).max(span.lo), (hi + 4.0 * finest).min(span.hi));
             return Some(Bracket {
                 lo: before,
                 hi: after,
@@ -109,13 +109,17 @@ fn bracket<S: Surface>(surface: &S, ray: &Ray) -> Option<Bracket> {
     None
 }
 
-/// Numbers of rays that hit and miss for certain, both of the surface itself and of its table.
-fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
-    let fast = Tabulated::with_levels(surface, 5);
+/// Numbers of rays that hit and miss a surface for certain, by each of these forms of it.
+fn compare_with_brackets<S: Surface>(
+    surface: &S,
+    forms: &[&dyn Intersect],
+    rays: Vec<Ray>,
+    finest: f64,
+) -> [usize; 2] {
     let mut seen = [0; 2];
-    for ray in random_rays(surface, count) {
-        let bracket = bracket(surface, &ray);
-        for found in [surface.first_hit(&ray), fast.first_hit(&ray)] {
+    for ray in rays {
+        let bracket = bracket(surface, &ray, finest);
+        for found in forms.iter().map(|form| form.first_hit(&ray)) {
             match bracket {
                 None => {
                     assert_eq!(found, None, "{ray:?}: invented");
@@ -124,14 +128,9 @@ fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
                 Some(Bracket { lo, hi, root: true }) => {
                     let hit = found.unwrap_or_else(|| panic!("{ray:?} is missed, [{lo}, {hi}]"));
                     assert!(lo - 1e-12 <= hit.t && hit.t <= hi + 1e-12, "{ray:?}: {hit:?}, [{lo}, {hi}]");
-                    let at = ray.at(hit.t);
+                    let (height, at) = (surface.evaluate(hit.x, hit.y, 0.0).value, ray.at(hit.t));
                     assert_abs_diff_eq!(at.z, hit.height, epsilon = 1e-10, "{ray:?}: {hit:?}");
-                    assert_abs_diff_eq!(
-                        surface.evaluate(hit.x, hit.y, 0.0).value,
-                        hit.height,
-                        epsilon = 1e-12,
-                        "{hit:?}"
-                    );
+                    assert_abs_diff_eq!(height, hit.height, epsilon = 1e-12, "{hit:?}");
                     seen[0] += 1;
                 }
                 // A ray that grazes may hit or not; nothing lies before.
@@ -144,7 +143,17 @@ fn compare_with_brackets<S: Intersect>(surface: &S, count: usize) -> [u32; 2] {
 
 #[test]
 fn no_hit_of_a_surface_is_missed_and_none_invented() {
-    for [hits, misses] in [compare_with_brackets(&torus(), 450), compare_with_brackets(&folded(), 450)] {
+    fn any<S: Intersect>(surface: &S) -> [usize; 2] {
+        let (fast, rays) = (Tabulated::with_levels(surface, 5), random_rays(surface, 450));
+        compare_with_brackets(surface, &[surface as &dyn Intersect, &fast], rays, 1e-6)
+    }
+    fn product(axis: FixedFif<2, 3>) -> [usize; 2] {
+        let plain = HeightField::new(axis, axis);
+        let rays = random_rays(&plain, 450);
+        compare_with_brackets(&plain, &[&plain, &plain.clone().tabulated()], rays, 1e-9)
+    }
+    let [f_hat, g_hat] = [paper::f_hat(), paper::g_hat()].map(Result::unwrap);
+    for [hits, misses] in [any(&torus()), any(&folded()), product(f_hat), product(g_hat)] {
         assert!(hits >= 150 && misses >= 100, "{hits} hits, {misses} misses");
     }
 }
@@ -152,12 +161,11 @@ fn no_hit_of_a_surface_is_missed_and_none_invented() {
 #[test]
 fn any_surface_and_a_product_of_curves_have_the_same_hits() {
     let surface = mirror();
-    let [plain, fast] = [0, 6].map(|levels| Tabulated::with_levels(surface, levels));
+    let [plain, fast] = [0, 6].map(|levels| Tabulated::with_levels(&surface, levels));
     let (mut hits, mut worst) = (0, 0.0_f64);
     for ray in random_rays(&surface, 600) {
         let own = surface.first_hit(&ray);
         for other in [plain.first_hit(&ray), fast.first_hit(&ray)] {
-            assert_eq!(own, Intersect::first_hit(&&surface, &ray));
             assert_eq!(own.is_some(), other.is_some(), "{ray:?}: {own:?} {other:?}");
             if let (Some(own), Some(other)) = (own, other) {
                 worst = worst.max((own.t - other.t).abs());
@@ -177,7 +185,6 @@ fn hits_within_a_tolerance_are_near_and_all_forms_agree() {
     let exact: Vec<Option<Hit>> = rays.iter().map(|ray| torus.first_hit(ray)).collect();
     for (ray, exact) in rays.iter().zip(&exact) {
         assert_eq!(torus.hits_any(ray, ALL), exact.is_some(), "{ray:?}");
-        assert_eq!(<&Tabulated<Torus> as Intersect>::first_hit(&&torus, ray), *exact);
     }
     for tolerance in [1e-2, 1e-4, 1e-7, 1e-10] {
         let mut hits = vec![None; rays.len()];
@@ -240,23 +247,24 @@ fn rays_at_nodes_start_end_and_run_as_they_should() {
     assert!(fast.first_hit(&ray([1.5, 0.5, 9.0], [0.01, 0.0, -1.0])).is_none());
 }
 
-#[test]
-fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
-    let surface = Tabulated::with_levels(folded(), 4);
+/// The rays that are none hit nothing, and those of any length of direction end and hit where they should.
+fn check_extreme_rays(surface: &dyn Intersect, [x, y]: [f64; 2], from: [f64; 3], along: [f64; 3]) {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for k in 0..3 {
-            let (mut o, mut d) = ([0.25, 0.25, 9.0], [0.01, 0.01, -1.0]);
+            let (mut o, mut d) = ([x, y, 9.0], [0.01, 0.01, -1.0]);
             assert!(surface.first_hit(&ray(o, d)).is_some());
             o[k] = bad;
             assert_eq!(surface.first_hit(&ray(o, d)), None, "origin {o:?}");
-            o[k] = 0.25;
+            o[k] = x;
             d[k] = bad;
             assert_eq!(surface.first_hit(&ray(o, d)), None, "direction {d:?}");
             assert!(!surface.hits_any(&ray(o, d), ALL), "direction {d:?}");
         }
     }
-    assert_eq!(surface.first_hit(&ray([0.25, 0.25, 0.0], [0.0; 3])), None);
-    let slanted = |scale: f64| ray([-1.0, -1.0, 2.0], [scale, scale, -1.5 * scale]);
+    for z in [0.0, 0.5, 1.0, 3.0] {
+        assert_eq!(surface.first_hit(&ray([x, y, z], [0.0; 3])), None, "z = {z}");
+    }
+    let slanted = |scale: f64| ray(from, along.map(|d| scale * d));
     let t = surface.first_hit(&slanted(1.0)).unwrap().t;
     for scale in [1e-300, 1e-12, 1e12, 1e300] {
         let hit = surface.first_hit(&slanted(scale)).unwrap();
@@ -268,15 +276,25 @@ fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
 }
 
 #[test]
+fn rays_that_are_none_hit_no_surface_and_extreme_ones_end() {
+    let fast = Tabulated::with_levels(folded(), 4);
+    check_extreme_rays(&fast, [0.25; 2], [-1.0, -1.0, 2.0], [1.0, 1.0, -1.5]);
+    for product in [mirror(), mirror().tabulated()] {
+        check_extreme_rays(&product, [0.5; 2], [-1.0, -1.0, 3.0], [1.0, 1.0, -1.0]);
+    }
+}
+
+#[test]
 fn a_level_surface_is_hit_and_grazed() {
     let level = Folded::new(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], 0.4, &[1.0; 9], &[[0.0; 2]; 9]).unwrap();
-    for hit in [
-        level.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
-        Tabulated::new(&level).first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])),
-    ] {
-        assert_abs_diff_eq!(hit.unwrap().t, 2.0, epsilon = 1e-11, "{hit:?}");
+    // Constants with factors of 1/2 and constant polynomials.
+    let one = FixedFif::<2, 1>::new(&[0.0, 1.0, 2.0], &[0.5, 0.5], &[[0.5], [0.5]]).unwrap();
+    let product = HeightField::new(one, one);
+    for form in [&level as &dyn Intersect, &Tabulated::new(&level), &product, &product.clone().tabulated()] {
+        let hit = form.first_hit(&ray([-1.0, 0.3, 1.5], [1.0, 0.1, -0.25])).unwrap();
+        assert_abs_diff_eq!(hit.t, 2.0, epsilon = 1e-11, "{hit:?}");
+        let along = form.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
+        assert_abs_diff_eq!(along.t, 1.0, epsilon = 1e-11, "{along:?}");
+        assert_eq!(form.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
     }
-    let along = level.first_hit(&ray([-1.0, 0.3, 1.0], [1.0, 0.1, 0.0])).unwrap();
-    assert_abs_diff_eq!(along.t, 1.0, epsilon = 1e-11, "{along:?}");
-    assert_eq!(level.first_hit(&ray([-1.0, 0.3, 1.0 + 1e-9], [1.0, 0.1, 0.0])), None);
 }

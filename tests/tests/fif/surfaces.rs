@@ -1,6 +1,8 @@
 //! Surfaces that are no products: exact references, interpolation, continuity, bounds, grain.
 
-use asperity_fif::{HeightField, Interval, SelfAffineError, Torus, paper};
+use asperity_fif::glam::DVec2;
+use asperity_fif::surface::Fold;
+use asperity_fif::{Bounded, HeightField, Interval, SelfAffine, SelfAffineError, Torus, paper};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::{decimal, integers, ratio};
 use asperity_tests::random::Random;
@@ -8,7 +10,28 @@ use asperity_tests::reference;
 use proptest::prelude::*;
 use serde_json::Value;
 
+use crate::properties::config;
+
 const ROTATING: [[i32; 2]; 2] = [[2, -1], [1, 2]];
+
+/// Compares values to `[value, slope]` tolerances with exact ones; the errors of height and gradient.
+pub(crate) fn exact_at(
+    point: &Value,
+    value: impl Fn(f64) -> Bounded,
+    gradient: impl Fn(f64) -> [Bounded; 2],
+) -> [f64; 2] {
+    let mut errors = [0.0_f64; 2];
+    for tolerance in [1e-1, 1e-3, 1e-6, 0.0] {
+        let [x, y] = gradient(tolerance);
+        for (k, got, key) in [(0, value(tolerance), "f_dec"), (1, x, "fx_dec"), (1, y, "fy_dec")] {
+            let error = (got.value - decimal(&point[key])).abs();
+            assert!(error <= got.bound, "{point} {key}: {got:?}");
+            assert!(k == 1 || got.bound <= tolerance.max(1e-11), "{point} {key}: {got:?}");
+            errors[k] = if tolerance == 0.0 { errors[k].max(error) } else { 0.0 };
+        }
+    }
+    errors
+}
 
 /// The reference surface and its file.
 fn reference_torus() -> (Torus, Value) {
@@ -35,25 +58,17 @@ fn torus_values_and_gradients_equal_the_exact_ones() {
     for point in points {
         let [(p, q), (r, s)] = ["x", "y"].map(|key| integers(point[key].as_str().unwrap()));
         let (at, denominator) = ([p * s, r * q], u32::try_from(q * s).unwrap());
-        let want = decimal(&point["f_dec"]);
-        for tolerance in [1e-3, 1e-6, 0.0] {
-            let got = surface.evaluate_ratio(at, denominator, tolerance);
-            assert!((got.value - want).abs() <= got.bound, "{point}: {got:?}");
-            assert!(got.bound <= tolerance.max(1e-12), "{point}: {got:?}");
+        let [_, slope] = exact_at(
+            point,
+            |tolerance| surface.evaluate_ratio(at, denominator, tolerance),
+            |tolerance| surface.evaluate_gradient_ratio(at, denominator, tolerance),
+        );
+        assert!(surface.evaluate_ratio(at, denominator, 0.0).bound <= 1e-12, "{point}");
+        for slope in surface.evaluate_gradient_ratio(at, denominator, 0.0) {
+            assert!(slope.bound <= 1e-11, "{point}: {slope:?}");
         }
         let height = surface.height(p as f64 / q as f64, r as f64 / s as f64);
-        worst[0] = worst[0].max((height - want).abs());
-        for tolerance in [1e-3, 1e-6, 0.0] {
-            let gradient = surface.evaluate_gradient_ratio(at, denominator, tolerance);
-            for (got, key) in gradient.into_iter().zip(["fx_dec", "fy_dec"]) {
-                let want = decimal(&point[key]);
-                assert!((got.value - want).abs() <= got.bound, "{point} {key}: {got:?}");
-                assert!(got.bound <= tolerance.max(1e-11), "{point} {key}: {got:?}");
-                if tolerance == 0.0 {
-                    worst[1] = worst[1].max((got.value - want).abs());
-                }
-            }
-        }
+        worst = [worst[0].max((height - decimal(&point["f_dec"])).abs()), worst[1].max(slope)];
     }
     // Measured: 1.4e-15 and 1.8e-14.
     assert!(worst[0] <= 1e-14 && worst[1] <= 1e-13, "{worst:?}");
@@ -186,41 +201,88 @@ fn a_torus_without_contraction_and_other_wrong_data_are_refused_by_name() {
 
 #[test]
 fn extrema_and_means_of_the_torus_hold_what_a_grid_finds() {
-    const GRID: u32 = 120;
     let (surface, _) = reference_torus();
     for [x, y] in [
         [Interval::new(0.0, 1.0), Interval::new(0.0, 1.0)],
         [Interval::new(0.2, 0.55), Interval::new(-0.1, 0.3)],
     ] {
-        let extrema = surface.extrema_over(x, y, 1e-6);
-        let (mut low, mut high, mut sum) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-        for i in 0..GRID {
-            for j in 0..GRID {
-                let at = |range: Interval, k: u32| {
-                    range.lo + (range.hi - range.lo) * (f64::from(k) + 0.5) / f64::from(GRID)
-                };
-                let height = surface.evaluate(at(x, i), at(y, j), 1e-9).value;
-                (low, high, sum) = (low.min(height), high.max(height), sum + height);
-            }
-        }
-        assert!(extrema.minimum.width() <= 1e-6 && extrema.maximum.width() <= 1e-6, "{extrema:?}");
-        assert!(extrema.minimum.lo <= low + 1e-9 && high - 1e-9 <= extrema.maximum.hi, "{extrema:?}");
         // A grid of this step misses the extrema by slope times step at most, in truth by far less.
-        assert!(
-            low - extrema.minimum.hi < 0.1 && extrema.maximum.lo - high < 0.1,
-            "{extrema:?} {low} {high}"
-        );
-        let at = |p: glam::DVec2| surface.height(p.x, p.y);
-        assert!(
-            extrema.minimum.contains(at(extrema.lowest)) && extrema.maximum.contains(at(extrema.highest))
-        );
+        let grid = extrema_hold_a_grid(&surface, [x, y], 120, 0.1);
         let mean = surface.mean_over(x, y, 64);
-        let grid = sum / f64::from(GRID * GRID);
         assert!((mean.value - grid).abs() <= mean.bound + 1e-3 && mean.bound < 0.2, "{mean:?} {grid}");
         if x.width() == 1.0 {
             assert!((mean.value - surface.mean().value).abs() <= mean.bound, "{mean:?}");
         }
     }
+}
+
+/// Brackets of the extrema over a rectangle hold what a grid finds, and miss it by `most` at most; the grid's mean.
+pub(crate) fn extrema_hold_a_grid<F: Fold>(
+    surface: &SelfAffine<F>,
+    [x, y]: [Interval; 2],
+    count: u32,
+    most: f64,
+) -> f64 {
+    let extrema = surface.extrema_over(x, y, 1e-6);
+    let (mut low, mut high, mut sum) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+    let at = |side: Interval, k: u32| side.lo + side.width() * (f64::from(k) + 0.5) / f64::from(count);
+    for (i, j) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
+        let height = surface.evaluate(at(x, i), at(y, j), 1e-9).value;
+        (low, high, sum) = (low.min(height), high.max(height), sum + height);
+    }
+    assert!(extrema.minimum.width() <= 1e-6 && extrema.maximum.width() <= 1e-6, "{extrema:?}");
+    assert!(extrema.minimum.lo <= low + 1e-9 && high - 1e-9 <= extrema.maximum.hi, "{extrema:?}");
+    let gaps = [low - extrema.minimum.hi, extrema.maximum.lo - high];
+    assert!(gaps.iter().all(|&gap| gap < most), "{extrema:?} {low} {high}");
+    let attained = |at: DVec2| surface.height(at.x, at.y);
+    assert!(extrema.minimum.contains(attained(extrema.lowest)), "{extrema:?}");
+    assert!(extrema.maximum.contains(attained(extrema.highest)), "{extrema:?}");
+    sum / f64::from(count * count)
+}
+
+/// Values and gradients to any tolerance lie within their bounds.
+pub(crate) fn tolerances_hold<F: Fold>(surface: &SelfAffine<F>, x: f64, y: f64) -> Result<(), TestCaseError> {
+    let all = |tolerance: f64| {
+        let [along, across] = surface.evaluate_gradient(x, y, tolerance);
+        [surface.evaluate(x, y, tolerance), along, across]
+    };
+    for tolerance in [1e-1, 1e-4, 1e-9] {
+        for (coarse, fine) in all(tolerance).into_iter().zip(all(0.0)) {
+            prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?} {fine:?}");
+            prop_assert!(
+                (coarse.value - fine.value).abs() <= coarse.bound + fine.bound,
+                "{coarse:?} {fine:?}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Bounds and extrema over a rectangle hold samples of heights, and bounds those of slopes within `slack` or their own bound.
+pub(crate) fn bounds_hold<F: Fold>(
+    surface: &SelfAffine<F>,
+    [x, y]: [Interval; 2],
+    samples: &[[f64; 2]],
+    slack: Option<f64>,
+) -> Result<(), TestCaseError> {
+    let bounds = surface.bounds(x, y);
+    let extrema = surface.extrema_over(x, y, 0.3 * surface.range().width());
+    for &[u, v] in samples {
+        let at = |range: Interval, t: f64| (range.lo + t * (range.hi - range.lo)).min(range.hi);
+        let (px, py) = (at(x, u), at(y, v));
+        let height = surface.evaluate(px, py, 0.0);
+        prop_assert!(bounds.height.inflated(height.bound).contains(height.value), "{height:?} {bounds:?}");
+        prop_assert!(extrema.maximum.hi + height.bound >= height.value, "{height:?} {extrema:?}");
+        prop_assert!(extrema.minimum.lo - height.bound <= height.value, "{height:?} {extrema:?}");
+        for (slope, range) in surface.evaluate_gradient(px, py, 0.0).iter().zip(bounds.slopes) {
+            let slack = slack.unwrap_or(slope.bound);
+            prop_assert!(range.inflated(slack).contains(slope.value), "{slope:?} {range:?}");
+        }
+    }
+    // The reported bound is no excuse for wide rectangles: a point is known to the modulus of the slope.
+    let point = surface.bounds(Interval::new(x.lo, x.lo), Interval::new(y.lo, y.lo));
+    prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
+    Ok(())
 }
 
 /// A matrix, a factor that contracts with it, and data on a grid of 2, 4 or 8 nodes along a side.
@@ -243,7 +305,7 @@ fn tori() -> impl Strategy<Value = Torus> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(24) })]
+    #![proptest_config(config(24))]
 
     #[test]
     fn a_coarser_tolerance_stays_within_its_bound(
@@ -252,19 +314,7 @@ proptest! {
         y in 0..1_u32 << 20,
     ) {
         let unit = 1.0 / f64::from(1 << 20);
-        let (x, y) = (f64::from(x) * unit, f64::from(y) * unit);
-        let fine = surface.evaluate(x, y, 0.0);
-        for tolerance in [1e-1, 1e-4, 1e-9] {
-            let coarse = surface.evaluate(x, y, tolerance);
-            prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?}");
-            prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
-            let (coarse, fine) =
-                (surface.evaluate_gradient(x, y, tolerance), surface.evaluate_gradient(x, y, 0.0));
-            for (coarse, fine) in coarse.into_iter().zip(fine) {
-                prop_assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?}");
-                prop_assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound);
-            }
-        }
+        tolerances_hold(&surface, f64::from(x) * unit, f64::from(y) * unit)?;
     }
 
     #[test]
@@ -275,22 +325,7 @@ proptest! {
         samples in prop::collection::vec(prop::array::uniform2(0.0..=1.0_f64), 60),
     ) {
         let [x, y] = [0, 1].map(|k| Interval::new(corner[k], corner[k] + size[k].exp2()));
-        let bounds = surface.bounds(x, y);
-        let extrema = surface.extrema_over(x, y, 0.3 * surface.range().width());
-        for [u, v] in samples {
-            let at = |range: Interval, t: f64| (range.lo + t * (range.hi - range.lo)).min(range.hi);
-            let (px, py) = (at(x, u), at(y, v));
-            let height = surface.evaluate(px, py, 0.0);
-            prop_assert!(bounds.height.inflated(height.bound).contains(height.value), "{height:?} {bounds:?}");
-            prop_assert!(extrema.maximum.hi + height.bound >= height.value, "{height:?} {extrema:?}");
-            prop_assert!(extrema.minimum.lo - height.bound <= height.value, "{height:?} {extrema:?}");
-            for (slope, range) in surface.evaluate_gradient(px, py, 0.0).iter().zip(bounds.slopes) {
-                prop_assert!(range.inflated(slope.bound).contains(slope.value), "{slope:?} {range:?}");
-            }
-        }
-        // The reported bound is no excuse for wide rectangles: 2⁻²⁰ of the period is known to the modulus of the slope.
-        let point = surface.bounds(Interval::new(x.lo, x.lo), Interval::new(y.lo, y.lo));
-        prop_assert!(point.height.width() < 1e-8 * (1.0 + surface.range().magnitude()), "{point:?}");
+        bounds_hold(&surface, [x, y], &samples, None)?;
     }
 }
 

@@ -2,11 +2,12 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
 use asperity_fif::glam::DVec3;
-use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, paper, surface::TabulatedCurve};
+use asperity_fif::{FixedFif, HeightField, Hit, Intersect, Interval, Ray, paper};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::fif_systems::read;
-use asperity_tests::random::Random;
-use serde_json::Value;
+
+use crate::rays::half_line;
+use crate::surface_rays::random_rays;
 
 type Axis = FixedFif<2, 3>;
 
@@ -20,115 +21,8 @@ fn g_hat() -> Axis {
     paper::g_hat().unwrap()
 }
 
-fn cached(axis: Axis) -> HeightField<TabulatedCurve<Axis>, TabulatedCurve<Axis>> {
+fn cached(axis: Axis) -> HeightField<Axis, Axis> {
     HeightField::new(axis, axis).tabulated()
-}
-
-fn vector(value: &Value) -> DVec3 {
-    let v: Vec<f64> = value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
-    DVec3::new(v[0], v[1], v[2])
-}
-
-/// Down onto the square and past it, from inside the box, nearly level.
-fn random_rays(count: usize) -> Vec<Ray> {
-    let mut random = Random(11);
-    (0..count)
-        .map(|i| {
-            let mut r = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
-            let (origin, to) = match i % 3 {
-                0 => (
-                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), 4.5),
-                    DVec3::new(r(-1.0, 3.0), r(-1.0, 3.0), r(0.0, 0.5)),
-                ),
-                1 => (
-                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), r(0.0, 2.0)),
-                    DVec3::new(r(0.0, 2.0), r(0.0, 2.0), r(0.0, 2.0)),
-                ),
-                _ => (DVec3::new(-1.0, r(-1.0, 3.0), r(0.0, 2.0)), DVec3::new(2.0, r(0.0, 2.0), r(0.0, 2.0))),
-            };
-            Ray { origin, direction: to - origin }
-        })
-        .collect()
-}
-
-/// A first hit as enclosures alone show it: no root before `lo`, and one, if `root`, in `[lo, hi]`.
-struct Bracket {
-    lo: f64,
-    hi: f64,
-    root: bool,
-}
-
-/// By bisection of the ray and rigorous ranges of the two factors over stretches, without any table or slope.
-fn bracket(f: &Axis, ray: &Ray, span: Interval) -> Option<Bracket> {
-    let over = |lo: f64, hi: f64, o: f64, d: f64| {
-        let (a, b) = (o + lo * d, o + hi * d);
-        let (a, b) = (a.min(b) - 1e-14, a.max(b) + 1e-14);
-        f.extrema_over(a, b, 0.5 * (b - a)).map_or(Interval::EMPTY, |e| e.enclosure())
-    };
-    let above = |t: f64| {
-        let p = ray.at(t);
-        p.z - f.evaluate(p.x, 0.0).value * f.evaluate(p.y, 0.0).value
-    };
-    let mut stack = vec![(span.lo, span.hi)];
-    while let Some((lo, hi)) = stack.pop() {
-        let h =
-            over(lo, hi, ray.origin.x, ray.direction.x).product(over(lo, hi, ray.origin.y, ray.direction.y));
-        let z = Interval::new(ray.at(lo).z.min(ray.at(hi).z), ray.at(lo).z.max(ray.at(hi).z)).inflated(1e-14);
-        if z.lo > h.hi || z.hi < h.lo {
-            continue;
-        }
-        if hi - lo < 1e-9 {
-            // A range that holds 0 but no change of sign within a few stretches is a ray that grazes.
-            let (before, after) = (above(lo - 2e-9), above(hi + 2e-9));
-            return Some(Bracket { lo, hi, root: (before < 0.0) != (after < 0.0) });
-        }
-        let middle = 0.5 * (lo + hi);
-        stack.push((middle, hi));
-        stack.push((lo, middle));
-    }
-    None
-}
-
-/// The stretch over the square.
-fn over_square(ray: &Ray) -> Interval {
-    [(ray.origin.x, ray.direction.x), (ray.origin.y, ray.direction.y)].into_iter().fold(
-        ALL,
-        |span, (o, d)| {
-            let (a, b) = ((0.0 - o) / d, (2.0 - o) / d);
-            span.intersection(Interval::new(a.min(b), a.max(b)))
-        },
-    )
-}
-
-#[test]
-fn hits_of_both_surfaces_lie_in_independent_brackets() {
-    let (mut hits, mut misses, mut worst) = (0, 0, 0.0_f64);
-    for axis in [f_hat(), g_hat()] {
-        let surface = cached(axis);
-        for ray in random_rays(150) {
-            let span = over_square(&ray);
-            let found = surface.first_hit(&ray);
-            let bracket = if span.lo <= span.hi { bracket(&axis, &ray, span) } else { None };
-            match bracket {
-                None => {
-                    assert_eq!(found, None, "{ray:?}");
-                    misses += 1;
-                }
-                Some(Bracket { lo, hi, root: true }) => {
-                    let hit = found.unwrap_or_else(|| panic!("{ray:?} is missed, [{lo}, {hi}]"));
-                    worst = worst.max(lo - hit.t).max(hit.t - hi);
-                    assert!(lo - 3e-9 <= hit.t && hit.t <= hi + 3e-9, "{ray:?}: {hit:?}, [{lo}, {hi}]");
-                    hits += 1;
-                }
-                // Whether a ray that grazes or begins at the border hits is open; nothing lies before.
-                Some(Bracket { lo, .. }) => {
-                    assert!(found.is_none_or(|hit| hit.t >= lo - 3e-9), "{ray:?}: {found:?}");
-                }
-            }
-        }
-    }
-    println!("{hits} hits, {misses} misses, {worst:e} outside at most");
-    assert!(hits > 100 && misses > 50, "{hits}, {misses}");
 }
 
 #[test]
@@ -138,7 +32,7 @@ fn reference_hits_stay_within_any_tolerance() {
     for tolerance in [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
         let mut worst = 0.0_f64;
         for ray in json["rays"].as_array().unwrap() {
-            let half_line = Ray { origin: vector(&ray["o"]), direction: vector(&ray["d"]) };
+            let half_line = half_line(ray);
             let hit = surface.first_hit_within(&half_line, ALL, tolerance);
             assert_eq!(hit.is_some(), ray["hit"].as_bool().unwrap(), "{half_line:?} to {tolerance:e}");
             assert_eq!(hit.is_some(), surface.hits_any(&half_line, ALL), "{half_line:?}");
@@ -157,7 +51,7 @@ fn reference_hits_stay_within_any_tolerance() {
 fn tolerances_change_no_decision_and_batches_no_hit() {
     for axis in [f_hat(), g_hat()] {
         let (surface, plain) = (cached(axis), HeightField::new(axis, axis));
-        let rays = random_rays(3000);
+        let rays = random_rays(&plain, 3000);
         let mut exact = vec![None; rays.len()];
         surface.first_hits(&rays, ALL, 0.0, &mut exact).unwrap();
         for tolerance in [0.0, 2e-6, 2e-4] {

@@ -124,24 +124,6 @@ mod tests {
     use crate::{FixedFif, paper};
 
     #[test]
-    fn equal_cells_have_the_closed_form() {
-        // D = 1 + ln Σ|α| / ln N.
-        let x = [0.0, 1.0, 2.0, 3.0];
-        let f = FixedFif::<3, 2>::affine(&x, &[0.0, 1.0, -1.0, 2.0], &[0.9, -0.8, 0.7]).unwrap();
-        let d = f.dimension();
-        assert!(d.contains(1.0 + 2.4_f64.ln() / 3.0_f64.ln()) && d.width() < 1e-13, "{d:?}");
-    }
-
-    #[test]
-    fn unequal_cells_solve_the_equation() {
-        // a = 1/4, 3/4 and α = 1/2, (1 − (1/2) 4^{−1/2}) (4/3)^{1/2}: D = 3/2.
-        let alpha = 0.75 * (4.0_f64 / 3.0).sqrt();
-        let f = FixedFif::<2, 2>::affine(&[0.0, 1.0, 4.0], &[0.0, 1.0, 0.0], &[0.5, -alpha]).unwrap();
-        let d = f.dimension();
-        assert!(d.contains(1.5) && d.width() < 1e-13, "{d:?}");
-    }
-
-    #[test]
     fn lines_and_gentle_factors_have_dimension_one() {
         let line = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[1.0, 2.0, 3.0], &[0.9, 0.9]).unwrap();
         assert_eq!(line.dimension().hi, 1.0);

@@ -30,6 +30,16 @@ enum Cut<O> {
     Inside { orbit: O, s: f64 },
 }
 
+impl<O> Cut<O> {
+    /// The position, or that of the border.
+    fn or(&self, border: f64) -> f64 {
+        match self {
+            Self::Border => border,
+            Self::Inside { s, .. } => *s,
+        }
+    }
+}
+
 /// Rounding of the ends and of the tiling, in units of the domain.
 pub(crate) struct Tiling {
     /// Distance that the ends may have moved.
@@ -99,13 +109,16 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
         let pieces = self.fif.pieces();
         let radius = 0.5 * self.fif.range().width();
         while steps < MAX_DEPTH as f64 {
-            let (from, to) = match (&lower, &upper) {
-                (Cut::Border, Cut::Border) => break,
-                (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) if l >= r => break,
-                (Cut::Inside { s, .. }, Cut::Border) => (*s, 1.0),
-                (Cut::Border, Cut::Inside { s, .. }) => (0.0, *s),
-                (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) => (*l, *r),
+            let (from, to) = (lower.or(0.0), upper.or(1.0));
+            let done = match (&lower, &upper) {
+                (Cut::Border, Cut::Border) => true,
+                (Cut::Inside { .. }, Cut::Inside { .. }) => from >= to,
+                // A position that has been rounded to the border is still on this side of it.
+                _ => false,
             };
+            if done {
+                break;
+            }
             if tile.width * tile.cell.product.abs() * radius <= self.least {
                 break;
             }
@@ -153,15 +166,11 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
     }
 
     fn rest<O>(&mut self, tile: &Tile<C>, lower: &Cut<O>, upper: &Cut<O>) {
-        let (from, to) = match (lower, upper) {
-            (Cut::Border, Cut::Border) => {
-                (self.visit)(tile);
-                return;
-            }
-            (Cut::Inside { s, .. }, Cut::Border) => (*s, 1.0),
-            (Cut::Border, Cut::Inside { s, .. }) => (0.0, *s),
-            (Cut::Inside { s: l, .. }, Cut::Inside { s: r, .. }) => (*l, *r),
-        };
+        if let (Cut::Border, Cut::Border) = (lower, upper) {
+            (self.visit)(tile);
+            return;
+        }
+        let (from, to) = (lower.or(0.0), upper.or(1.0));
         if from < to {
             let cell = tile.cell.levelled(self.fif.range(), from, to);
             (self.visit)(&Tile {

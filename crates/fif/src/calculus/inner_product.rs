@@ -5,7 +5,7 @@ use crate::calculus::moment_basis::{MAX_MOMENT_DEGREE, MomentBasis};
 use crate::numeric::bernstein::{Form, rounding};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::polynomial::{UNIT, hull};
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -50,8 +50,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             let a = p.s[1] - p.s[0];
             let (alpha, beta) = (p.map().alpha, r.map().alpha);
             let (q_form, r_form) = (Form::from_bernstein(&p.bernstein), Form::from_bernstein(&r.bernstein));
-            let size = |b: &[f64]| b.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
-            let (q_size, r_size) = (size(&p.bernstein), size(&r.bernstein));
+            let (q_size, r_size) = (hull(&p.bernstein).magnitude(), hull(&r.bernstein).magnitude());
             let parts = [
                 (alpha, r_form.against(f)),
                 (beta, q_form.against(g)),

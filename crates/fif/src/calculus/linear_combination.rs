@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::system::error::SystemError;
 use crate::system::fif::System;
-use crate::system::map::{Map, Piece};
+use crate::system::map::{JOIN_TOLERANCE, Map, Piece};
 use crate::system::storage::Storage;
 
 /// Why two systems cannot be combined.
@@ -116,7 +116,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     pub fn from_maps(x0: f64, x_end: f64, maps: &[Map<C>]) -> Result<Self, SystemError> {
         let count = maps.len();
         if count < 2 {
-            return Err(SystemError::TooFewMaps { maps: count });
+            return Err(SystemError::TooFew { parameter: "maps", least: 2, got: count });
         }
         for (knot, value) in [(0, x0), (count, x_end)] {
             if !value.is_finite() {
@@ -128,9 +128,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             let [found, next] = [x0, x_end].map(|x| map.a * x + map.b);
             let scale = (map.a * x0).abs() + map.b.abs() + expected.abs();
             // Written so that NaN is refused.
-            let meets = |expected: f64, found: f64| {
-                (found - expected).abs() <= crate::system::fif::JOIN_TOLERANCE * scale
-            };
+            let meets = |expected: f64, found: f64| (found - expected).abs() <= JOIN_TOLERANCE * scale;
             if !meets(expected, found) {
                 return Err(SystemError::Tiling { map: j + 1, expected, found });
             }
@@ -161,7 +159,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// # Errors
     /// [`SystemError::NotFinite`], [`SystemError::Unbounded`] when the numbers overflow or `factor` is not finite.
     pub fn scaled(&self, factor: f64) -> Result<Self, SystemError> {
-        self.combined(|y, _| factor * y, |j| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c)))
+        let q = |j: usize| self.pieces().get(j).map(|p| p.map().q.map(|c| factor * c));
+        self.combined(|j| factor * self.ordinate(j), q)
     }
 
     /// `self + other` for systems with the same knots and vertical factors, again of the same class.
@@ -183,7 +182,6 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
                 return Err(CombineError::Factor { map: j + 1, left, right });
             }
         }
-        let ordinate = |y: f64, j: usize| y + ordinate(other.pieces(), j);
         let q = |j: usize| {
             let (l, r) = (self.pieces().get(j)?, other.pieces().get(j)?);
             let mut q = l.map().q;
@@ -192,7 +190,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             }
             Some(q)
         };
-        Ok(self.combined(ordinate, q)?)
+        Ok(self.combined(|j| self.ordinate(j) + other.ordinate(j), q)?)
     }
 
     /// Number of continuous derivatives of the system: `m` when `m` derivative systems exist one after another, `C`
@@ -222,56 +220,18 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// A system on these knots, with these factors, and other ordinates and polynomials.
     fn combined(
         &self,
-        y: impl Fn(f64, usize) -> f64,
+        y: impl Fn(usize) -> f64,
         q: impl Fn(usize) -> Option<[f64; C]>,
     ) -> Result<Self, SystemError> {
-        let pieces = self.pieces();
-        for knot in 0..=pieces.len() {
-            let value = y(ordinate(pieces, knot), knot);
+        let maps = self.pieces().len();
+        for knot in 0..=maps {
+            let value = y(knot);
             if !value.is_finite() {
                 return Err(SystemError::NotFinite { parameter: "y", knot, value });
             }
         }
-        let knot = |j: usize| pieces.get(j).map_or(self.domain().hi, |p| p.x()[0]);
-        let alpha = |j: usize| pieces.get(j).map_or(0.0, |p| p.map().alpha);
-        Self::assemble(pieces.len(), knot, |j| y(ordinate(pieces, j), j), alpha, q)
-    }
-
-    /// Knots from a function, factors and polynomials from another, then as [`System::new`].
-    fn from_lists(
-        maps: usize,
-        x: impl Fn(usize) -> f64,
-        map: impl Fn(usize) -> Option<(f64, [f64; C])>,
-    ) -> Result<Self, SystemError> {
-        let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
-        for j in 0..maps {
-            let Some((alpha, q)) = map(j) else {
-                return Err(SystemError::Length { parameter: "q", expected: maps, got: j });
-            };
-            crate::system::error::check_factors(&[alpha])
-                .map_err(|_| SystemError::VerticalFactor { map: j + 1, alpha })?;
-            if let Some((power, &value)) = q.iter().enumerate().find(|(_, c)| !c.is_finite()) {
-                return Err(SystemError::CoefficientNotFinite { map: j + 1, power, value });
-            }
-        }
-        let at = |j: usize, x: f64| map(j).map_or(0.0, |(_, q)| crate::numeric::polynomial::horner(&q, x));
-        let (first, last) = (x(0), x(maps));
-        let y0 = at(0, first) / (1.0 - alpha(0));
-        let y_end = at(maps - 1, last) / (1.0 - alpha(maps - 1));
-        let y = |j: usize| match j {
-            0 => y0,
-            j if j >= maps => y_end,
-            j => alpha(j - 1) * y_end + at(j - 1, last),
-        };
-        Self::assemble(maps, &x, y, alpha, |j| map(j).map(|(_, q)| q))
-    }
-}
-
-/// `y_j`.
-fn ordinate<const C: usize>(pieces: &[Piece<C>], j: usize) -> f64 {
-    match pieces.get(j) {
-        Some(piece) => piece.y()[0],
-        None => pieces.last().map_or(0.0, |piece| piece.y()[1]),
+        let alpha = |j: usize| self.pieces().get(j).map_or(0.0, |p| p.map().alpha);
+        Self::assemble(maps, |j| self.knot(j), y, alpha, q)
     }
 }
 
@@ -290,7 +250,7 @@ mod tests {
         says(&[overlap, second], "`maps` must tile the domain, map 2 at 1.5, got 1");
         says(&[first, Map { a: 0.25, ..second }], "`maps` must tile the domain, map 2 at 2, got 1.5");
         says(&[first, Map { b: f64::NAN, ..second }], "`maps` must tile the domain, map 2 at 1, got NaN");
-        says(&[first], "`maps` must be at least 2, got 1");
+        says(&[first], "`maps` must have at least 2 elements, got 1");
         says(&[first, Map { alpha: -1.0, ..second }], "`alpha` of map 2 must be in (-1, 1), got -1");
         let flat = Map { a: 0.0, ..first };
         says(&[flat, Map { a: 1.0, b: 0.0, ..second }], "`x[1]` must be right of 0, got 0");

@@ -54,7 +54,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let domain = self.domain();
         let weight = |s: f64| if s >= 1.0 { domain.hi } else { domain.lo + domain.width() * s };
         Ok(match directed(l, r, domain) {
-            Some((l, r, sign)) => self.weighted(k, p, l, r, weight)?.scaled(sign),
+            Some((l, r, sign)) => self.weighted(k, p, l, r, weight)?.0.scaled(sign),
             None => Estimate::NAN,
         })
     }
@@ -78,14 +78,13 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub fn nth_integral(&self, n: usize, x: f64) -> Result<Estimate, MomentError> {
         let domain = self.domain();
         let Some(k) = n.checked_sub(1) else {
-            let value = self.evaluate(x, 0.0);
-            return Ok(Estimate { value: value.value, bound: value.bound, condition: 1.0 });
+            return Ok(Estimate::of(self.evaluate(x, 0.0)));
         };
         let Some((l, r, _)) = directed(domain.lo, x, domain) else { return Ok(Estimate::NAN) };
         let end = (r - domain.lo) / domain.width();
         let weight = |s: f64| if end > s { domain.width() * (end - s) } else { 0.0 };
         let factorial = (1..=k).fold(1.0, |product, i| product * i as f64);
-        Ok(self.weighted(k, 1, l, r, weight)?.scaled(1.0 / factorial))
+        Ok(self.weighted(k, 1, l, r, weight)?.0.scaled(1.0 / factorial))
     }
 
     /// `∫ f²` over the whole domain, the square of the L² norm.
@@ -104,29 +103,17 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// [`MomentError`], when the polynomials' degree is too large.
     pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
-        let (sum, length) = self.weighted_sum(0, 2, l, r, |_| 1.0)?;
+        let (sum, length) = self.weighted(0, 2, l, r, |_| 1.0)?;
         if length > 0.0 {
             return Ok(sum.scaled(1.0 / (self.domain().width() * length)));
         }
-        let value = self.evaluate(l, 0.0);
-        let value = Estimate { value: value.value, bound: value.bound, condition: 1.0 };
+        let value = Estimate::of(self.evaluate(l, 0.0));
         Ok(value.product(value))
     }
 
-    /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain.
+    /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain, and the length of the cells that
+    /// it was added over, in units of the domain.
     fn weighted(
-        &self,
-        k: usize,
-        p: usize,
-        l: f64,
-        r: f64,
-        weight: impl Fn(f64) -> f64,
-    ) -> Result<Estimate, MomentError> {
-        Ok(self.weighted_sum(k, p, l, r, weight)?.0)
-    }
-
-    /// The integral and the length of the cells that it was added over, in units of the domain.
-    fn weighted_sum(
         &self,
         k: usize,
         p: usize,

@@ -3,7 +3,8 @@
 use core::fmt;
 
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::elimination::solve;
+use crate::numeric::polynomial::{UNIT, hull};
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -101,7 +102,7 @@ impl MomentBasis {
             let (alpha, [s0, s1]) = (piece.map().alpha, piece.s);
             let a = s1 - s0;
             let q = Form::from_bernstein(&piece.bernstein);
-            let q_size = piece.bernstein.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
+            let q_size = hull(&piece.bernstein).magnitude();
             // Σ_m C(p, m) α^m ∫ q^(p−m) f^m against every u^l w^(n−l).
             let mut inner = [0.0; SIZE];
             let mut q_power = Form::ONE;
@@ -129,7 +130,8 @@ impl MomentBasis {
             inherited += a * p as f64 * power(size, p - 1) * piece.slack;
             largest = largest.max(power(size, p));
         }
-        let solution = eliminate(matrix, right, n + 1);
+        let (mut reduced, mut solution) = (matrix, right);
+        solve(reduced.as_flattened_mut(), SIZE, solution.get_mut(..=n).unwrap_or_default());
         let mut residual = 0.0;
         for ((row, right), choose) in matrix.iter().zip(right).zip(binomials(n)) {
             let sum = row.iter().zip(&solution).take(n + 1).fold(right, |sum, (m, x)| sum - m * x);
@@ -140,24 +142,4 @@ impl MomentBasis {
         self.errors[p] = (residual + entries + inherited) / (1.0 - own).max(f64::MIN_POSITIVE) * 1.01;
         self.values[p] = solution;
     }
-}
-
-/// Gaussian elimination of the first `n` equations without pivots, for a matrix that is diagonally dominant by columns.
-fn eliminate(mut matrix: [[f64; SIZE]; SIZE], mut right: [f64; SIZE], n: usize) -> [f64; SIZE] {
-    for k in 0..n.min(SIZE) {
-        let (pivot, pivot_right) = (matrix[k], right[k]);
-        for i in k + 1..n.min(SIZE) {
-            let factor = matrix[i][k] / pivot[k];
-            for (entry, above) in matrix[i].iter_mut().zip(pivot).take(n).skip(k) {
-                *entry -= factor * above;
-            }
-            right[i] -= factor * pivot_right;
-        }
-    }
-    let mut solution = [0.0; SIZE];
-    for k in (0..n.min(SIZE)).rev() {
-        let known: f64 = matrix[k].iter().zip(solution).take(n).skip(k + 1).map(|(m, x)| m * x).sum();
-        solution[k] = (right[k] - known) / matrix[k][k];
-    }
-    solution
 }

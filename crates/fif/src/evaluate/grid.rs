@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
@@ -96,8 +96,7 @@ fn raise<const C: usize>(piece: &Piece<C>, per: f64, nodes: &mut [f64]) {
         let start = (block * BLOCK) as f64;
         for (i, node) in (0_i32..).zip(part) {
             let s = (start + f64::from(i)) * per;
-            let Some((&last, others)) = piece.local.split_last() else { continue };
-            *node += others.iter().rev().fold(last, |p, &c| p * s + c);
+            *node += horner(&piece.local, s);
         }
     }
     if let Some(knot) = nodes.first_mut() {

@@ -99,28 +99,20 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ```
     pub fn address(&self, x: f64) -> impl Iterator<Item = usize> + '_ {
         let last = self.pieces().len().saturating_sub(1);
-        let (mut orbit, mut forced) = match self.locate(x) {
-            Location::Nowhere => (None, None),
-            Location::Knot { index, .. } if index > last => (None, Some(last)),
-            Location::Knot { index, .. } => (Some((Some(index), None)), None),
-            Location::Inside(t) => (Some((None, Some((LongFraction::new(t), Position::new(t))))), None),
+        let (first, rest, mut orbit) = match self.locate(x) {
+            Location::Nowhere => (None, None, None),
+            Location::Knot { index, .. } if index > last => (None, Some(last), None),
+            Location::Knot { index, .. } => (Some(index), Some(0), None),
+            Location::Inside(t) => (None, None, Some((LongFraction::new(t), Position::new(t)))),
         };
-        core::iter::from_fn(move || {
-            if let Some(index) = forced {
-                return Some(index);
-            }
-            match &mut orbit {
-                None => None,
-                Some((first, None)) => {
-                    forced = Some(0);
-                    *first
-                }
-                Some((_, Some((fraction, position)))) => Some(match self.spacing() {
-                    Spacing::Uniform => fraction.step(self.pieces()).index,
-                    Spacing::Nonuniform => position.step(self.pieces()).index,
-                }),
-            }
-        })
+        let rest = core::iter::from_fn(move || match &mut orbit {
+            None => rest,
+            Some((fraction, position)) => Some(match self.spacing() {
+                Spacing::Uniform => fraction.step(self.pieces()).index,
+                Spacing::Nonuniform => position.step(self.pieces()).index,
+            }),
+        });
+        first.into_iter().chain(rest)
     }
 
     fn locate(&self, x: f64) -> Location {
@@ -192,9 +184,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     #[cfg(feature = "alloc")]
     pub(crate) fn least_bound(&self) -> f64 {
         let range = self.range();
-        let steepest = self.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));
         let floor = self.noise + 2.0 * UNIT * range.magnitude();
-        let mut left = 0.5 * range.width();
+        let (mut left, steepest) = (0.5 * range.width(), self.steepest());
         let mut steps = 1;
         while steps < MAX_DEPTH {
             left *= steepest;

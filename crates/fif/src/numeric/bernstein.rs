@@ -90,33 +90,3 @@ pub(crate) fn power(x: f64, n: usize) -> f64 {
 pub(crate) fn rounding(degree: usize) -> f64 {
     4.0 * (degree + 4) as f64 * UNIT
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::abs_diff_eq;
-
-    fn at(form: &Form, u: f64) -> f64 {
-        let n = form.degree;
-        (0..=n).map(|l| form.c[l] * power(u, l) * power(1.0 - u, n - l)).sum()
-    }
-
-    #[test]
-    fn products_and_powers_are_those_of_the_values() {
-        let p = Form::from_bernstein(&[0.5, -1.0, 2.0]);
-        let line = Form::power_of_linear([0.25, -1.5], 3);
-        let product = p.product(&line).product(&Form::ONE);
-        assert_eq!(product.degree, 5);
-        for i in 0..=8 {
-            let u = f64::from(i) / 8.0;
-            let w = 1.0 - u;
-            let (p_at, line_at) = (0.5 * w * w - 2.0 * u * w + 2.0 * u * u, 0.25 * w - 1.5 * u);
-            let want = p_at * line_at * line_at * line_at;
-            assert!(
-                abs_diff_eq!(at(&product, u), want, epsilon = 1e-15),
-                "u = {u}: {} != {want}",
-                at(&product, u)
-            );
-        }
-    }
-}

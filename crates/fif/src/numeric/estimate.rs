@@ -1,6 +1,6 @@
 //! A number of the calculus with a bound of its error and its conditioning.
 
-use crate::numeric::interval::Interval;
+use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
 
 /// An integral, a moment or a mean, with what is known about its error.
@@ -41,16 +41,16 @@ impl Estimate {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
 
+    /// A value that is no sum.
+    pub(crate) fn of(Bounded { value, bound }: Bounded) -> Self {
+        Self { value, bound, condition: 1.0 }
+    }
+
     /// The product of two estimates.
     pub(crate) fn product(self, other: Self) -> Self {
-        let value = self.value * other.value;
-        let bound =
-            self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
-        Self {
-            value,
-            bound: 1.0001 * bound + UNIT * value.abs(),
-            condition: self.condition * other.condition,
-        }
+        let bounded = |estimate: Self| Bounded { value: estimate.value, bound: estimate.bound };
+        let Bounded { value, bound } = bounded(self).product(bounded(other));
+        Self { value, bound, condition: self.condition * other.condition }
     }
 
     /// The estimate times a number.

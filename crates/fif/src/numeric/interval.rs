@@ -146,6 +146,15 @@ impl Bounded {
     pub fn interval(self) -> Interval {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
+
+    /// The product of two values, `|f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g`.
+    #[inline]
+    pub(crate) fn product(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        let bound =
+            self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
+        Self { value, bound: 1.0001 * bound + 0.5 * f64::EPSILON * value.abs() }
+    }
 }
 
 #[cfg(test)]

@@ -4,18 +4,17 @@
 //! Bernstein form the restriction is de Casteljau's, only convex combinations, so it is stable at every depth, and the
 //! coefficients enclose the values.
 
+use crate::numeric::interval::Interval;
+
 /// Unit roundoff, `2⁻⁵³`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// `Σ c_i xⁱ` by Horner's rule.
-#[inline]
+/// `Σ c_i xⁱ` by Horner's rule, from the last coefficient: a product with zero would be kept.
+#[inline(always)]
 #[must_use]
 pub(crate) fn horner<const C: usize>(c: &[f64; C], x: f64) -> f64 {
-    let mut sum = 0.0;
-    for &coefficient in c.iter().rev() {
-        sum = sum * x + coefficient;
-    }
-    sum
+    let Some((&last, others)) = c.split_last() else { return 0.0 };
+    others.iter().rev().fold(last, |sum, &c| sum * x + c)
 }
 
 /// `Σ |c_i| |x|ⁱ`, the scale of the rounding error of [`horner`].
@@ -89,6 +88,13 @@ pub(crate) fn bernstein<const C: usize>(c: &[f64; C]) -> [f64; C] {
     b
 }
 
+/// The hull of Bernstein coefficients, which the polynomial lies in but for rounding; 0 where there are none.
+#[inline]
+pub(crate) fn hull<const C: usize>(b: &[f64; C]) -> Interval {
+    let Some((&first, rest)) = b.split_first() else { return Interval::new(0.0, 0.0) };
+    rest.iter().fold(Interval::new(first, first), |all, &b| all.hull(Interval::new(b, b)))
+}
+
 /// Bernstein coefficients of the same polynomial on `[s0, s1] ⊂ [0, 1]`.
 ///
 /// Each coefficient is off by at most [`restriction_error`]` · max|b|`.
@@ -140,8 +146,7 @@ mod tests {
         let p = substitute(&P, 0.4, -0.3);
         for i in 0..=10 {
             let x = f64::from(i) * 0.2 - 1.0;
-            let (got, want) = (horner(&p, x), horner(&P, 0.4 * x - 0.3));
-            assert!((got - want).abs() < 1e-14, "x = {x}: {got} != {want}");
+            assert_abs_diff_eq!(horner(&p, x), horner(&P, 0.4 * x - 0.3), epsilon = 1e-14);
         }
         assert_eq!(substitute(&[], 0.4, 1.0), [0.0; 0]);
     }

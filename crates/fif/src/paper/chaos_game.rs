@@ -20,32 +20,17 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// }
     /// # Ok::<(), asperity_fif::SystemError>(())
     /// ```
-    #[must_use]
-    pub fn chaos_game(&self, seed: u64) -> ChaosGame<'_, C> {
-        ChaosGame { pieces: self.pieces(), place: (self.domain().lo, self.end_values()[0]), state: seed }
-    }
-}
-
-/// Random points of a graph, from [`System::chaos_game`].
-#[derive(Clone, Debug)]
-pub struct ChaosGame<'a, const C: usize> {
-    pieces: &'a [Piece<C>],
-    place: (f64, f64),
-    state: u64,
-}
-
-impl<const C: usize> Iterator for ChaosGame<'_, C> {
-    type Item = (f64, f64);
-
-    #[inline]
-    fn next(&mut self) -> Option<(f64, f64)> {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let word = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        let index = (u128::from(word ^ (word >> 31)) * self.pieces.len() as u128) >> 64;
-        let piece = self.pieces.get(index as usize)?;
-        self.place = piece.map().apply(self.place.0, self.place.1);
-        Some(self.place)
+    pub fn chaos_game(&self, seed: u64) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
+        let (pieces, start) = (self.pieces(), (self.domain().lo, self.end_values()[0]));
+        let places = (0_u64..).scan(start, move |place, count| {
+            let state = seed.wrapping_add(0x9E37_79B9_7F4A_7C15_u64.wrapping_mul(count.wrapping_add(1)));
+            let word = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            let word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+            let index = (u128::from(word ^ (word >> 31)) * pieces.len() as u128) >> 64;
+            *place = pieces.get(index as usize)?.map().apply(place.0, place.1);
+            Some(*place)
+        });
+        places.fuse()
     }
 }
 

@@ -4,5 +4,4 @@ pub(crate) mod algorithm_two;
 pub(crate) mod chaos_game;
 mod functions;
 
-pub use chaos_game::ChaosGame;
 pub use functions::{F_MAPS, G_MAPS, KNOTS, f, f_hat, g, g_hat};

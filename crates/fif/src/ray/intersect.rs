@@ -79,23 +79,3 @@ pub trait Intersect: Surface {
         Ok(())
     }
 }
-
-impl<S: Intersect + ?Sized> Intersect for &S {
-    fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
-        S::first_hit_within(self, ray, t, tolerance)
-    }
-
-    fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
-        S::hits_any(self, ray, t)
-    }
-
-    fn first_hits(
-        &self,
-        rays: &[Ray],
-        t: Interval,
-        tolerance: f64,
-        hits: &mut [Option<Hit>],
-    ) -> Result<(), BatchError> {
-        S::first_hits(self, rays, t, tolerance, hits)
-    }
-}

@@ -4,7 +4,7 @@ use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
 use crate::ray::ray::Aim;
 use crate::ray::tracer::Path;
-use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::function::Function;
 
 /// Evaluations that one search makes at most.
 const EVALUATIONS: u32 = 80;
@@ -36,7 +36,7 @@ impl Search {
 
     /// The root, or none; for [`Aim::Any`] only near to it.
     #[inline(always)]
-    pub(crate) fn finish<X: Axis, Y: Axis>(mut self, path: &Path<'_, X, Y>, aim: Aim) -> Option<f64> {
+    pub(crate) fn finish<F: Function, G: Function>(mut self, path: &Path<'_, F, G>, aim: Aim) -> Option<f64> {
         // More than the rounding of `t`.
         let slack = 4.0 * UNIT * (self.span.lo.abs() + self.span.hi.abs());
         let reach = path.reach + slack;
@@ -97,7 +97,7 @@ impl Search {
 
     /// The root, once it is known to lie so near to `t` or outside the stretch.
     #[inline(always)]
-    fn settle<X: Axis, Y: Axis>(&self, path: &Path<'_, X, Y>, t: f64, near: f64) -> Option<f64> {
+    fn settle<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64, near: f64) -> Option<f64> {
         if (self.starts || t - near >= self.span.lo) && (self.ends || t + near <= self.span.hi) {
             return Some(t);
         }
@@ -107,7 +107,7 @@ impl Search {
     /// Looks at the ends of the stretch that are not known to lie on the right side of the root.
     #[cold]
     #[inline(never)]
-    fn prove<X: Axis, Y: Axis>(&self, path: &Path<'_, X, Y>, t: f64) -> Option<f64> {
+    fn prove<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64) -> Option<f64> {
         for (known, end, way) in
             [(self.starts, self.span.lo, self.sign), (self.ends, self.span.hi, -self.sign)]
         {

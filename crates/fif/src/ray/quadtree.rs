@@ -5,7 +5,6 @@ use crate::ray::interval_newton::Stretches;
 use crate::ray::ray::{Aim, Hit, Ray};
 use crate::ray::way::{Way, padded};
 use crate::surface::bounds::{Surface, SurfaceBounds};
-use crate::surface::normal::upward_normal;
 
 /// A square of the quartered domain.
 #[derive(Clone, Copy)]
@@ -134,10 +133,7 @@ impl<S: Surface + ?Sized> Way<'_, S> {
     }
 
     fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
-        if self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0 {
-            return self.vertical(span);
-        }
-        self.descend(squares, span, aim)
+        if self.is_vertical() { self.vertical(span) } else { self.descend(squares, span, aim) }
     }
 }
 
@@ -151,16 +147,7 @@ pub(crate) fn first<S: Surface + ?Sized>(
 ) -> Option<Hit> {
     let (mut way, span) = Way::new(surface, ray, t, tolerance)?;
     let t = way.meets(squares, span, Aim::First)?;
-    let at = ray.at(t);
-    if !t.is_finite() || !at.is_finite() {
-        return None;
-    }
-    let [x, y] = surface.domain();
-    let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
-    let (near, height) = if way.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
-    let gradient = surface.gradient_near(x, y, near);
-    let height = surface.evaluate(x, y, height).value;
-    Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal) })
+    way.hit(t, tolerance)
 }
 
 /// Whether the ray meets the surface with `t` in the interval.

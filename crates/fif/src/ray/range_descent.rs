@@ -1,11 +1,11 @@
 //! First hits of rays with a smooth height field that has tables, by ranges over ever shorter stretches.
 
 use crate::numeric::interval::Interval;
-use crate::ray::box_descent::{Level, Walk};
 use crate::ray::newton::Search;
 use crate::ray::ray::Aim;
 use crate::ray::tracer::Path;
-use crate::surface::height_field::axis::Axis;
+use crate::ray::way::Way;
+use crate::surface::height_field::function::Function;
 
 /// Stretches that wait behind the one under search at most; more are left to the descent of boxes.
 const WAITING: usize = 32;
@@ -13,7 +13,7 @@ const WAITING: usize = 32;
 /// Divisions of stretches before the descent of boxes takes over.
 const DIVISIONS: u32 = 256;
 
-impl<X: Axis, Y: Axis> Path<'_, X, Y> {
+impl<F: Function, G: Function> Path<'_, F, G> {
     /// The first hit, or any.
     #[inline(always)]
     pub(crate) fn search(&self, aim: Aim) -> Option<f64> {
@@ -94,9 +94,7 @@ impl<X: Axis, Y: Axis> Path<'_, X, Y> {
     /// By boxes, as without tables.
     #[cold]
     fn descend(&self, span: Interval) -> Option<f64> {
-        let surface = self.tracer.surface;
-        let (mut walk, _): (Walk<'_, X, Y>, _) = surface.walk(&self.ray, span)?;
-        walk.visit(&Level::root(&surface.x), &Level::root(&surface.y), span)
+        Way::new(self.tracer.surface, &self.ray, span, 0.0)?.0.boxes(span)
     }
 
     /// Cuts off what lies above or below all heights of a stretch; the rates at which the ray comes nearer over it.

@@ -75,19 +75,6 @@ impl<S: Surface> Tabulated<S> {
         Self { surface, levels, squares }
     }
 
-    /// The surface.
-    #[inline]
-    #[must_use]
-    pub const fn surface(&self) -> &S {
-        &self.surface
-    }
-
-    /// The size of the table.
-    #[must_use]
-    pub const fn bytes(&self) -> usize {
-        self.squares.len() * size_of::<[[f32; 2]; 3]>()
-    }
-
     fn square(&self, square: Square) -> [[f32; 2]; 3] {
         self.squares.get(number(square)).copied().unwrap_or([[f32::NEG_INFINITY, f32::INFINITY]; 3])
     }

@@ -5,16 +5,15 @@ use glam::DVec3;
 use crate::math::sqrt;
 use crate::numeric::interval::Interval;
 use crate::ray::ray::Ray;
-use crate::surface::height_field::axis::Axis;
-use crate::surface::height_field::axis_tables::{AxisTables, error};
+use crate::surface::height_field::axis_tables::AxisTables;
+use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
-use crate::surface::height_field::jet_table::Jets;
 
 /// Constants that all rays against a surface share.
-pub(crate) struct Tracer<'a, X: Axis, Y: Axis> {
-    pub(crate) surface: &'a HeightField<X, Y>,
-    x: &'a AxisTables<X::Jets>,
-    y: &'a AxisTables<Y::Jets>,
+pub(crate) struct Tracer<'a, F: Function, G: Function> {
+    pub(crate) surface: &'a HeightField<F, G>,
+    x: &'a AxisTables<F::Rows>,
+    y: &'a AxisTables<G::Rows>,
     tolerance: f64,
     /// The greatest `|∂h/∂x|` and `|∂h/∂y|`.
     falls: [f64; 2],
@@ -30,8 +29,8 @@ pub(crate) struct Tracer<'a, X: Axis, Y: Axis> {
 }
 
 /// One ray on its way.
-pub(crate) struct Path<'a, X: Axis, Y: Axis> {
-    pub(crate) tracer: &'a Tracer<'a, X, Y>,
+pub(crate) struct Path<'a, F: Function, G: Function> {
+    pub(crate) tracer: &'a Tracer<'a, F, G>,
     pub(crate) ray: Ray,
     pub(crate) span: Interval,
     /// Along both axes in parts of the domain: where the ray begins and its direction.
@@ -50,28 +49,25 @@ pub(crate) struct Path<'a, X: Axis, Y: Axis> {
     pub(crate) reach: f64,
 }
 
-impl<'a, X: Axis, Y: Axis> Tracer<'a, X, Y> {
+impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
     /// `None` unless both axes have tables.
-    pub(crate) fn new(surface: &'a HeightField<X, Y>, tolerance: f64) -> Option<Self> {
+    pub(crate) fn new(surface: &'a HeightField<F, G>, tolerance: f64) -> Option<Self> {
         let (x, y) = (surface.x.top()?, surface.y.top()?);
         let (wide, deep) = (x.domain.width(), y.domain.width());
         // Over a cell of the tolerance's size, one slope is as good as another.
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
         let part = tolerance / if wide > deep { wide } else { deep };
         let (p, q) = (x.jets.cells_within(part), y.jets.cells_within(part));
-        let finest = if x.finest > y.finest { x.finest } else { y.finest };
+        let (finest, other) = (x.jets.finest().0, y.jets.finest().0);
+        let finest = if finest > other { finest } else { other };
         let product = |f: f64, g: f64| 1.0001 * (x.magnitude * g + y.magnitude * f + f * g);
         Some(Self {
             surface,
             tolerance,
             falls: [x.steepest * y.magnitude, x.magnitude * y.steepest],
             pad: 16.0 * f64::EPSILON * (x.magnitude * y.magnitude),
-            errors: [
-                product(x.errors[0], y.errors[0]),
-                product(x.errors[1], y.errors[1]),
-                product(x.errors[2], y.errors[2]),
-            ],
-            best: product(error(&x.jets, finest), error(&y.jets, finest)),
+            errors: [0, 1, 2].map(|steps| product(x.jets.error(steps), y.jets.error(steps))),
+            best: product(x.jets.error(finest), y.jets.error(finest)),
             finest,
             slope_steps: if p > q { p } else { q },
             x,
@@ -81,7 +77,7 @@ impl<'a, X: Axis, Y: Axis> Tracer<'a, X, Y> {
 
     /// The ray ready to go; `None` for rays with components that are zero, extreme, or no numbers.
     #[inline(always)]
-    pub(crate) fn path(&'a self, ray: &Ray, t: Interval) -> Option<Path<'a, X, Y>> {
+    pub(crate) fn path(&'a self, ray: &Ray, t: Interval) -> Option<Path<'a, F, G>> {
         let (o, d) = (ray.origin, ray.direction);
         let inverse = DVec3::new(1.0 / d.x, 1.0 / d.y, 1.0 / d.z);
         let (magnitude, speed) = (o.abs(), d.abs());
@@ -138,7 +134,7 @@ impl<'a, X: Axis, Y: Axis> Tracer<'a, X, Y> {
     }
 }
 
-impl<X: Axis, Y: Axis> Path<'_, X, Y> {
+impl<F: Function, G: Function> Path<'_, F, G> {
     /// The parts of the domains from the beginning of a stretch to its end, in order.
     #[inline(always)]
     fn parts(&self, axis: usize, span: Interval) -> [f64; 2] {

@@ -3,9 +3,15 @@
 use glam::DVec3;
 
 use crate::numeric::interval::{Bounded, Interval};
-use crate::ray::box_descent::{BUDGET, CLOSE, slab};
-use crate::ray::ray::Ray;
+use crate::ray::ray::{Hit, Ray};
 use crate::surface::bounds::Surface;
+use crate::surface::normal::upward_normal;
+
+/// Evaluations, or boxes, that one ray takes at most; beyond, a stretch is decided by its ends.
+const BUDGET: u32 = 1 << 16;
+
+/// Length of a stretch of the ray, relative to the domain, that is decided by the signs at its ends.
+const CLOSE: f64 = 1e-12;
 
 /// One ray on its way.
 pub(crate) struct Way<'a, S: ?Sized> {
@@ -17,12 +23,12 @@ pub(crate) struct Way<'a, S: ?Sized> {
     pub(crate) close: f64,
     /// Whether a root is wanted to the rounding error.
     pub(crate) exact: bool,
-    /// Evaluations left.
+    /// Evaluations or boxes left.
     pub(crate) budget: u32,
 }
 
 impl<'a, S: Surface + ?Sized> Way<'a, S> {
-    /// The ray ready to go, and the stretch of it over the domain; `None` for a ray that is none.
+    /// The ray ready to go, and the stretch of it over the domain, which may be empty; `None` for a ray that is none.
     pub(crate) fn new(surface: &'a S, ray: &Ray, t: Interval, tolerance: f64) -> Option<(Self, Interval)> {
         let (o, d) = (ray.origin, ray.direction);
         if !o.is_finite() || !d.is_finite() || d == DVec3::ZERO {
@@ -44,14 +50,20 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
         let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
         let way = Self { surface, ray: *ray, pad, close, exact, budget: BUDGET };
-        (span.lo <= span.hi).then_some((way, span))
+        Some((way, span))
     }
 
     /// The height of the ray above the surface at `t`.
     #[inline]
     pub(crate) fn above(&self, t: f64, tolerance: f64) -> Bounded {
+        self.over(t, |x, y| self.surface.evaluate(x, y, tolerance))
+    }
+
+    /// The height of the ray at `t` above heights.
+    #[inline]
+    pub(crate) fn over(&self, t: f64, height: impl Fn(f64, f64) -> Bounded) -> Bounded {
         let at = self.ray.at(t);
-        let h = self.surface.evaluate(at.x, at.y, tolerance);
+        let h = height(at.x, at.y);
         let rounding = f64::EPSILON * (self.ray.origin.z.abs() + at.z.abs());
         Bounded { value: at.z - h.value, bound: h.bound + rounding }
     }
@@ -68,16 +80,48 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         Interval::new(d.z, d.z).sum(x.scaled(-d.x)).sum(y.scaled(-d.y))
     }
 
-    /// A ray along z meets the surface at one height.
+    /// Whether the ray runs along z, and so meets the surface at one height.
+    pub(crate) fn is_vertical(&self) -> bool {
+        self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0
+    }
+
+    /// Where a ray along z meets the surface.
     pub(crate) fn vertical(&self, span: Interval) -> Option<f64> {
+        if span.lo > span.hi {
+            return None;
+        }
         let above = self.above(0.0, 0.0);
         let t = -above.value / self.ray.direction.z;
         let slack = above.bound / self.ray.direction.z.abs();
         let near = span.lo - slack <= t && t <= span.hi + slack;
         near.then(|| t.clamp(span.lo, span.hi))
     }
+
+    /// The hit at `t`, to the tolerance; `None` for a direction so short that t or the way to the surface overflows.
+    pub(crate) fn hit(&self, t: f64, tolerance: f64) -> Option<Hit> {
+        let at = self.ray.at(t);
+        if !t.is_finite() || !at.is_finite() {
+            return None;
+        }
+        let [x, y] = self.surface.domain();
+        let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
+        let (near, height) = if self.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
+        let gradient = self.surface.gradient_near(x, y, near);
+        let height = self.surface.evaluate(x, y, height).value;
+        Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal) })
+    }
 }
 
 pub(crate) fn padded(side: Interval, pad: f64) -> Interval {
     Interval::new(side.lo - pad, side.hi + pad)
+}
+
+/// The stretch of `t` with `origin + t direction` in `side`; everything or nothing for a ray parallel to it.
+#[inline]
+pub(crate) fn slab(origin: f64, direction: f64, side: Interval) -> Interval {
+    if direction == 0.0 {
+        return if side.contains(origin) { Interval::ENTIRE } else { Interval::EMPTY };
+    }
+    let (a, b) = ((side.lo - origin) / direction, (side.hi - origin) / direction);
+    if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
 }

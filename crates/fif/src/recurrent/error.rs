@@ -13,13 +13,6 @@ pub enum RecurrentError {
         /// Its refusal.
         error: SystemError,
     },
-    /// There are not as many sources as maps.
-    Sources {
-        /// The number of maps.
-        expected: usize,
-        /// The number of sources.
-        found: usize,
-    },
     /// A source does not go from a knot to a later one.
     Source {
         /// Whose source.
@@ -52,9 +45,6 @@ impl fmt::Display for RecurrentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::System { error } => error.fmt(f),
-            Self::Sources { expected, found } => {
-                write!(f, "`sources` must have {expected} elements, got {found}")
-            }
             Self::Source { map, from, to, last } => {
                 write!(f, "`sources` of map {map} must rise within 0 to {last}, got {from} to {to}")
             }

@@ -3,12 +3,12 @@
 use alloc::vec::Vec;
 
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, bernstein, horner, magnitude, restrict, restriction_error};
+use crate::numeric::polynomial::{UNIT, bernstein, hull, magnitude, restrict, restriction_error};
 use crate::recurrent::error::RecurrentError;
 use crate::recurrent::link::Link;
 use crate::recurrent::mean::Means;
-use crate::system::error::{End, SystemError, check_coefficients, check_data, check_knots, check_length};
-use crate::system::fif::JOIN_TOLERANCE;
+use crate::system::error::{SystemError, check_coefficients, check_data, check_knots, check_length};
+use crate::system::fif::value;
 use crate::system::map::Piece;
 
 /// Sweeps that tighten the ranges.
@@ -65,11 +65,10 @@ impl Recurrent<2> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         let lines = sources.iter().zip(alpha).zip(y.windows(2)).map(|((&[from, to], alpha), ends)| {
-            let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
             let [left, right] = *ends else { return [0.0; 2] };
-            let rise = right - left - alpha * (at(y, to) - at(y, from));
-            let slope = rise / (at(x, to) - at(x, from));
-            [left - alpha * at(y, from) - slope * at(x, from), slope]
+            let rise = right - left - alpha * (value(y, to) - value(y, from));
+            let slope = rise / (value(x, to) - value(x, from));
+            [left - alpha * value(y, from) - slope * value(x, from), slope]
         });
         let q: Vec<[f64; 2]> = lines.collect();
         Self::new(x, y, alpha, &q, sources)
@@ -80,7 +79,7 @@ impl<const C: usize> Recurrent<C> {
     /// From knots, their ordinates, vertical factors, polynomials and sources.
     ///
     /// # Errors
-    /// See [`RecurrentError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`].
+    /// See [`RecurrentError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(
         x: &[f64],
         y: &[f64],
@@ -91,29 +90,19 @@ impl<const C: usize> Recurrent<C> {
         let maps = check_sources(x, sources)?;
         check_data(maps, y, alpha)?;
         check_length("q", maps, q.len())?;
-        check_coefficients(q)?;
+        (1..).zip(q).try_for_each(|(map, q)| check_coefficients(map, q))?;
         let mut links = Vec::with_capacity(maps);
         let (mut noise, mut steepest, mut widest) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (j, ((&[from, to], &alpha), &q)) in sources.iter().zip(alpha).zip(q).enumerate() {
-            let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
-            let source = [at(x, from), at(x, to)];
-            let (image, width) = (at(x, j + 1) - at(x, j), source[1] - source[0]);
+            let source = [value(x, from), value(x, to)];
+            let (image, width) = (value(x, j + 1) - value(x, j), source[1] - source[0]);
             if image >= width {
                 return Err(RecurrentError::Expansion { map: j + 1, source: width, image });
             }
             let a = image / width;
-            let (ends, values) = ([at(x, j), at(x, j + 1)], [at(y, j), at(y, j + 1)]);
-            let mut piece = Piece::new(alpha, q, source, ends, values, [0.0, a]);
-            for (end, s, knot) in [(End::Left, 0.0, from), (End::Right, 1.0, to)] {
-                let (expected, of) = (values[end as usize], at(y, knot));
-                let found = alpha * of + horner(&piece.local, s);
-                let scale = (alpha * of).abs() + magnitude(&q, at(x, knot)) + expected.abs();
-                let defect = (found - expected).abs();
-                if defect > JOIN_TOLERANCE * scale {
-                    return Err(SystemError::JoinUp { map: j + 1, end, expected, found }.into());
-                }
-                piece.slack += defect;
-            }
+            let (ends, values) = ([value(x, j), value(x, j + 1)], [value(y, j), value(y, j + 1)]);
+            let of = [value(y, from), value(y, to)];
+            let piece = Piece::new(alpha, q, source, ends, values, [0.0, a]).joined(j + 1, source, of)?;
             (steepest, widest) = (steepest.max(alpha.abs()), widest.max(a));
             links.push(Link { piece, from, to, start: source[0], width, range: Interval::ENTIRE });
         }
@@ -172,9 +161,7 @@ impl<const C: usize> Recurrent<C> {
 /// The number of maps.
 fn check_sources(x: &[f64], sources: &[[usize; 2]]) -> Result<usize, RecurrentError> {
     let maps = check_knots(x)?;
-    if sources.len() != maps {
-        return Err(RecurrentError::Sources { expected: maps, found: sources.len() });
-    }
+    check_length("sources", maps, sources.len())?;
     let wrong = sources.iter().enumerate().find(|(_, [from, to])| from >= to || *to > maps);
     match wrong {
         Some((j, &[from, to])) => Err(RecurrentError::Source { map: j + 1, from, to, last: maps }),
@@ -222,16 +209,14 @@ fn ranges<const C: usize>(links: &mut [Link<C>], gain: f64) -> Option<Interval> 
 /// Enclosures of a map's polynomial over the images in its source.
 fn polynomial_ranges<const C: usize>(link: &Link<C>, links: &[Link<C>]) -> Vec<Interval> {
     let all = bernstein(&link.piece.local);
-    let largest = all.iter().fold(0.0_f64, |most, b| most.max(b.abs()));
+    let largest = hull(&all).magnitude();
     let slope = 2.0 * C as f64 * largest;
     let within = links.get(link.from..link.to).unwrap_or_default();
     let part = |inner: &Link<C>| {
         let [l, r] = inner.piece.x().map(|x| ((x - link.start) / link.width).clamp(0.0, 1.0));
-        let hull =
-            restrict(&all, l, r).iter().fold(Interval::EMPTY, |hull, &b| hull.hull(Interval::new(b, b)));
         // The ends are off by four units.
         let error = restriction_error::<C>(l, r) * largest + 8.0 * UNIT * slope;
-        if C == 0 { Interval::new(0.0, 0.0) } else { hull.inflated(error + link.piece.slack) }
+        hull(&restrict(&all, l, r)).inflated(error + link.piece.slack)
     };
     within.iter().map(part).collect()
 }

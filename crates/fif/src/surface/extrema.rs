@@ -37,50 +37,45 @@ fn greatest<S: Surface>(surface: &S, rectangle: [Interval; 2], width: f64, sign:
         let range = surface.bounds(x, y).height;
         if sign < 0.0 { -range.lo } else { range.hi }
     };
-    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * DEPTH + 4];
-    let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
     let (mut best, mut highest) = (Interval::new(f64::NEG_INFINITY, f64::NEG_INFINITY), DVec2::ZERO);
-    while let Some(&([x, y], bound, depth)) = stack.get(..filled).and_then(<[_]>::last) {
-        filled -= 1;
+    let top = search(rectangle, DEPTH, upper, |[x, y]| {
         let middle = DVec2::new(x.middle(), y.middle());
         let centre = surface.evaluate(middle.x, middle.y, 0.0).interval().scaled(sign);
         if centre.lo > best.lo {
             (best, highest) = (centre, middle);
         }
-        visited += 1;
-        if bound <= best.lo + width || visited > BUDGET || depth == DEPTH {
-            top = bound.max(top);
-            continue;
-        }
-        let mut parts = quarters([x, y]).map(|part| (part, upper(part).min(bound), depth + 1));
-        parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
-        for part in parts {
-            if let Some(place) = stack.get_mut(filled) {
-                *place = part;
-                filled += 1;
-            }
-        }
-    }
+        best.lo + width
+    });
     (Interval::new(best.lo, best.hi.max(top)), highest)
 }
 
 /// The greatest of `upper` over the squares that quartering `depth` times gives, where it is no greater than over what holds
 /// them; the greatest over larger squares where a budget ends before.
 pub(crate) fn ceiling(rectangle: [Interval; 2], depth: u32, upper: impl Fn([Interval; 2]) -> f64) -> f64 {
-    const LEVELS: usize = 24;
-    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * LEVELS + 4];
+    search(rectangle, depth.min(24) as usize, upper, |_| f64::NEG_INFINITY)
+}
+
+/// Quarters a rectangle, the parts with the greatest bounds first, where they are over `enough` of the part, `depth` times at most:
+/// the greatest bound of what is left whole.
+fn search(
+    rectangle: [Interval; 2],
+    depth: usize,
+    upper: impl Fn([Interval; 2]) -> f64,
+    mut enough: impl FnMut([Interval; 2]) -> f64,
+) -> f64 {
+    let mut stack = [(rectangle, f64::INFINITY, 0); 3 * DEPTH + 4];
     let (mut filled, mut visited, mut top) = (1, 0, f64::NEG_INFINITY);
-    while let Some(&(square, bound, level)) = stack.get(..filled).and_then(<[_]>::last) {
+    while let Some(&(part, bound, level)) = stack.get(..filled).and_then(<[_]>::last) {
         filled -= 1;
         if bound <= top {
             continue;
         }
         visited += 1;
-        if level >= depth.min(LEVELS as u32) || visited > BUDGET {
+        if bound <= enough(part) || visited > BUDGET || level >= depth {
             top = bound;
             continue;
         }
-        let mut parts = quarters(square).map(|part| (part, upper(part).min(bound), level + 1));
+        let mut parts = quarters(part).map(|part| (part, upper(part).min(bound), level + 1));
         parts.sort_unstable_by(|a, b| a.1.total_cmp(&b.1));
         for part in parts {
             if let Some(place) = stack.get_mut(filled) {

@@ -10,9 +10,7 @@ pub(crate) mod normal;
 #[cfg(feature = "alloc")]
 pub(crate) mod self_affine;
 
-pub use height_field::axis::{Axis, Curve};
+pub use height_field::curve::Curve;
 pub use height_field::function::Function;
-#[cfg(feature = "alloc")]
-pub use height_field::tabulated::TabulatedCurve;
 #[cfg(feature = "alloc")]
 pub use self_affine::{self_affine::Fold, torus_fold::TorusFold, zig_zag::ZigZag};

@@ -1,7 +1,7 @@
 //! A cell of the domain, the image of a composite of maps, with what bounds `f` over it.
 
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, restrict, restriction_error};
+use crate::numeric::polynomial::{UNIT, hull, restrict, restriction_error};
 use crate::system::map::Piece;
 
 /// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
@@ -75,14 +75,7 @@ impl<const C: usize> Cell<C> {
     /// The polynomial's part of the range, without its error.
     #[inline]
     pub(crate) fn polynomial_range(&self) -> Interval {
-        let mut p = match self.polynomial.first() {
-            Some(&first) => Interval::new(first, first),
-            None => return Interval::new(0.0, 0.0),
-        };
-        for &b in self.polynomial.iter().skip(1) {
-            p = Interval::new(if b < p.lo { b } else { p.lo }, if b > p.hi { b } else { p.hi });
-        }
-        p
+        hull(&self.polynomial)
     }
 
     /// Values of `f` at the two ends of the cell, from those at the ends of the domain.

@@ -65,24 +65,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
 
 #[cfg(all(test, feature = "alloc"))]
 mod tests {
-    use crate::numeric::polynomial::horner;
     use crate::{Fif, paper};
-
-    #[test]
-    fn the_deviation_obeys_its_functional_equation_and_ends_in_zeros() {
-        let uneven = Fif::affine(&[1.0, 1.4, 2.4, 3.0], &[0.3, 1.0, -0.5, 2.25], &[0.4, -0.6, 0.5]).unwrap();
-        let chord = uneven.chord();
-        let v = |t: f64| uneven.evaluate(1.0 + 2.0 * t, 1e-14).value - chord.at(t);
-        for piece in uneven.pieces() {
-            let d = uneven.deviation(piece);
-            for u in [0.0, 0.2, 0.5, 0.7, 1.0] {
-                let (got, want) = (d.alpha * v(u) + horner(&d.p, u), v(d.s + d.a * u));
-                // One unit in the last place of x is worth 1e-9 here.
-                assert!((got - want).abs() < 1e-8, "u = {u}: {got} != {want}");
-            }
-        }
-        assert!(v(1.0).abs() < 1e-15);
-    }
 
     #[test]
     fn constants_keep_their_number_of_coefficients() {

@@ -16,9 +16,13 @@ pub enum End {
 #[non_exhaustive]
 pub enum SystemError {
     /// A system needs two maps, three knots, at least.
-    TooFewMaps {
-        /// The number of maps.
-        maps: usize,
+    TooFew {
+        /// The list.
+        parameter: &'static str,
+        /// The least length.
+        least: usize,
+        /// Its length.
+        got: usize,
     },
     /// A list's length does not fit the number of knots, or `storage` holds another number of maps.
     Length {
@@ -109,7 +113,9 @@ pub enum SystemError {
 impl fmt::Display for SystemError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::TooFewMaps { maps } => write!(f, "`maps` must be at least 2, got {maps}"),
+            Self::TooFew { parameter, least, got } => {
+                write!(f, "`{parameter}` must have at least {least} elements, got {got}")
+            }
             Self::Length { parameter, expected, got } => {
                 write!(f, "`{parameter}` must have {expected} elements, got {got}")
             }
@@ -147,50 +153,48 @@ impl fmt::Display for SystemError {
 
 impl core::error::Error for SystemError {}
 
+/// The number of maps.
 pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
-    let maps = x.len().saturating_sub(1);
-    if maps < 2 {
-        return Err(SystemError::TooFewMaps { maps });
+    if x.len() < 3 {
+        return Err(SystemError::TooFew { parameter: "x", least: 3, got: x.len() });
     }
-    if let Some((knot, &value)) = x.iter().enumerate().find(|(_, x)| !x.is_finite()) {
-        return Err(SystemError::NotFinite { parameter: "x", knot, value });
-    }
-    let pairs = x.iter().zip(x.iter().skip(1)).enumerate();
-    for (knot, (&left, &right)) in pairs {
+    check_finite("x", x)?;
+    for (knot, (&left, &right)) in (1..).zip(x.iter().zip(x.iter().skip(1))) {
         if left >= right {
-            return Err(SystemError::KnotOrder { knot: knot + 1, left, right });
+            return Err(SystemError::KnotOrder { knot, left, right });
         }
     }
-    Ok(maps)
+    Ok(x.len() - 1)
 }
 
 pub(crate) fn check_length(parameter: &'static str, expected: usize, got: usize) -> Result<(), SystemError> {
     if expected == got { Ok(()) } else { Err(SystemError::Length { parameter, expected, got }) }
 }
 
-pub(crate) fn check_data(maps: usize, y: &[f64], alpha: &[f64]) -> Result<(), SystemError> {
-    check_length("y", maps + 1, y.len())?;
-    check_length("alpha", maps, alpha.len())?;
-    if let Some((knot, &value)) = y.iter().enumerate().find(|(_, y)| !y.is_finite()) {
-        return Err(SystemError::NotFinite { parameter: "y", knot, value });
-    }
-    check_factors(alpha)
-}
-
-pub(crate) fn check_factors(alpha: &[f64]) -> Result<(), SystemError> {
-    match alpha.iter().enumerate().find(|(_, alpha)| alpha.is_nan() || alpha.abs() >= 1.0) {
-        Some((j, &alpha)) => Err(SystemError::VerticalFactor { map: j + 1, alpha }),
+pub(crate) fn check_finite(parameter: &'static str, list: &[f64]) -> Result<(), SystemError> {
+    match list.iter().enumerate().find(|(_, value)| !value.is_finite()) {
+        Some((knot, &value)) => Err(SystemError::NotFinite { parameter, knot, value }),
         None => Ok(()),
     }
 }
 
-pub(crate) fn check_coefficients<const C: usize>(q: &[[f64; C]]) -> Result<(), SystemError> {
-    for (j, q) in q.iter().enumerate() {
-        if let Some((power, &value)) = q.iter().enumerate().find(|(_, c)| !c.is_finite()) {
-            return Err(SystemError::CoefficientNotFinite { map: j + 1, power, value });
-        }
+pub(crate) fn check_data(maps: usize, y: &[f64], alpha: &[f64]) -> Result<(), SystemError> {
+    check_length("y", maps + 1, y.len())?;
+    check_length("alpha", maps, alpha.len())?;
+    check_finite("y", y)?;
+    (1..).zip(alpha).try_for_each(|(map, &alpha)| check_factor(map, alpha))
+}
+
+pub(crate) fn check_factor(map: usize, alpha: f64) -> Result<(), SystemError> {
+    let contracts = alpha.abs() < 1.0;
+    if contracts { Ok(()) } else { Err(SystemError::VerticalFactor { map, alpha }) }
+}
+
+pub(crate) fn check_coefficients<const C: usize>(map: usize, q: &[f64; C]) -> Result<(), SystemError> {
+    match q.iter().enumerate().find(|(_, c)| !c.is_finite()) {
+        Some((power, &value)) => Err(SystemError::CoefficientNotFinite { map, power, value }),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -218,8 +222,8 @@ mod tests {
 
     #[test]
     fn fewer_than_two_maps_are_refused() {
-        says(affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "`maps` must be at least 2, got 1");
-        says(affine(&[], &[], &[]), "`maps` must be at least 2, got 0");
+        says(affine(&[0.0, 1.0], &[0.0, 1.0], &[0.5]), "`x` must have at least 3 elements, got 2");
+        says(affine(&[], &[], &[]), "`x` must have at least 3 elements, got 0");
     }
 
     #[test]

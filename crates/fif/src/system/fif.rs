@@ -4,18 +4,11 @@ use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::cell::Cell;
 use crate::system::error::{
-    End, SystemError, check_coefficients, check_data, check_factors, check_knots, check_length,
+    SystemError, check_coefficients, check_data, check_factor, check_finite, check_knots, check_length,
 };
 use crate::system::map::Piece;
 use crate::system::range::box_of_range;
 use crate::system::storage::Storage;
-
-/// Largest defect of the join-up that a constructor accepts, relative to the sum of the magnitudes of its terms.
-///
-/// ```text
-/// |F_j(x, y) − y'| ≤ 2⁻⁴⁰ (|α_j y| + Σ_i |q_ji xⁱ| + |y'|)
-/// ```
-pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// A fractal interpolation function: the only bounded `f` with `f(a_j x + b_j) = α_j f(x) + q_j(x)` for every map `j`.
 ///
@@ -68,41 +61,47 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
     /// ```
     ///
     /// # Errors
-    /// See [`SystemError`]; the join-up is violated when `F_{j+1}(x_0, y_0) ≠ y_j` beyond [`JOIN_TOLERANCE`].
+    /// See [`SystemError`]; the join-up is violated when `F_{j+1}(x_0, y_0) ≠ y_j` beyond [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn new(x: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_length("alpha", maps, alpha.len())?;
         check_length("q", maps, q.len())?;
-        check_factors(alpha)?;
-        check_coefficients(q)?;
-        let too_few = SystemError::TooFewMaps { maps };
-        let ((Some(&first), Some(&last)), (Some(q_first), Some(q_last))) =
-            ((x.first(), x.last()), (q.first(), q.last()))
-        else {
-            return Err(too_few);
+        Self::from_lists(maps, |j| value(x, j), |j| Some((value(alpha, j), *q.get(j)?)))
+    }
+
+    /// [`System::new`] from checked knots, and from factors and polynomials map by map.
+    pub(crate) fn from_lists(
+        maps: usize,
+        x: impl Fn(usize) -> f64,
+        map: impl Fn(usize) -> Option<(f64, [f64; C])>,
+    ) -> Result<Self, SystemError> {
+        for j in 0..maps {
+            let (alpha, q) = map(j).ok_or(SystemError::Length { parameter: "q", expected: maps, got: j })?;
+            check_factor(j + 1, alpha)?;
+            check_coefficients(j + 1, &q)?;
+        }
+        let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
+        let at = |j: usize, x: f64| map(j).map_or(0.0, |(_, q)| horner(&q, x));
+        let last = maps.saturating_sub(1);
+        let y0 = at(0, x(0)) / (1.0 - alpha(0));
+        let y_end = at(last, x(maps)) / (1.0 - alpha(last));
+        let ordinate = |j: usize| match j {
+            0 => y0,
+            j if j > last => y_end,
+            j => alpha(j - 1) * y_end + at(j - 1, x(maps)),
         };
-        let (Some(&alpha_first), Some(&alpha_last)) = (alpha.first(), alpha.last()) else {
-            return Err(too_few);
-        };
-        let y0 = horner(q_first, first) / (1.0 - alpha_first);
-        let y_end = horner(q_last, last) / (1.0 - alpha_last);
-        let ordinate = |j: usize| match (j, alpha.get(j.wrapping_sub(1)), q.get(j.wrapping_sub(1))) {
-            (0, _, _) => y0,
-            (_, Some(alpha), Some(q)) if j < maps => alpha * y_end + horner(q, last),
-            _ => y_end,
-        };
-        Self::assemble(maps, |j| value(x, j), ordinate, |j| value(alpha, j), |j| q.get(j).copied())
+        Self::assemble(maps, &x, ordinate, alpha, |j| map(j).map(|(_, q)| q))
     }
 
     /// From knots, their ordinates, vertical factors and polynomials.
     ///
     /// # Errors
-    /// See [`SystemError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`].
+    /// See [`SystemError`]; both ends of every map must meet the ordinates within [`JOIN_TOLERANCE`](crate::system::JOIN_TOLERANCE).
     pub fn with_ordinates(x: &[f64], y: &[f64], alpha: &[f64], q: &[[f64; C]]) -> Result<Self, SystemError> {
         let maps = check_knots(x)?;
         check_length("q", maps, q.len())?;
         check_data(maps, y, alpha)?;
-        check_coefficients(q)?;
+        (1..).zip(q).try_for_each(|(map, q)| check_coefficients(map, q))?;
         Self::assemble(maps, |j| value(x, j), |j| value(y, j), |j| value(alpha, j), |j| q.get(j).copied())
     }
 
@@ -114,10 +113,10 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         alpha: impl Fn(usize) -> f64,
         q: impl Fn(usize) -> Option<[f64; C]>,
     ) -> Result<Self, SystemError> {
-        let mut pieces = S::with_len(maps).ok_or(SystemError::Length {
+        let mut pieces = S::with_len(maps).map_err(|got| SystemError::Length {
             parameter: "storage",
             expected: maps,
-            got: S::capacity(),
+            got,
         })?;
         let domain = [x(0), x(maps)];
         let width = domain[1] - domain[0];
@@ -134,17 +133,12 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             let alpha = alpha(j);
             let q = q(j).unwrap_or([0.0; C]);
             let ends = [x(j), x(j + 1)];
-            let mut built =
-                Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], [position(j), position(j + 1)]);
-            for (end, at, from) in [(End::Left, 0.0, y0), (End::Right, 1.0, y_end)] {
-                let (wanted, found) = (built.y()[end as usize], alpha * from + horner(&built.local, at));
-                let scale = (alpha * from).abs() + magnitude(&q, domain[end as usize]) + wanted.abs();
-                let defect = (found - wanted).abs();
-                if defect > JOIN_TOLERANCE * scale {
-                    return Err(SystemError::JoinUp { map: j + 1, end, expected: wanted, found });
-                }
-                built.slack += defect;
-            }
+            let part = [position(j), position(j + 1)];
+            let built = Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], part).joined(
+                j + 1,
+                domain,
+                [y0, y_end],
+            )?;
             noise = noise.max(built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0));
             steepest = steepest.max(alpha.abs());
             *piece = built;
@@ -209,6 +203,22 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub fn end_values(&self) -> [f64; 2] {
         let pieces = self.pieces();
         [pieces.first().map_or(0.0, |p| p.y()[0]), pieces.last().map_or(0.0, |p| p.y()[1])]
+    }
+
+    /// Knot `j`.
+    pub(crate) fn knot(&self, j: usize) -> f64 {
+        self.pieces().get(j).map_or(self.domain().hi, |piece| piece.x()[0])
+    }
+
+    /// The ordinate at knot `j`.
+    pub(crate) fn ordinate(&self, j: usize) -> f64 {
+        self.pieces().get(j).map_or(self.end_values()[1], |piece| piece.y()[0])
+    }
+
+    /// `max |α_j|`.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn steepest(&self) -> f64 {
+        self.pieces().iter().fold(0.0, |most, piece| most.max(piece.map().alpha.abs()))
     }
 
     /// A rigorous enclosure of `f` over its domain; for a tighter one see [`System::extrema`].
@@ -282,9 +292,7 @@ impl<S: Storage<4>> System<S, 4> {
         let maps = check_knots(x)?;
         check_data(maps, y, alpha)?;
         check_length("slope", maps + 1, slope.len())?;
-        if let Some((knot, &value)) = slope.iter().enumerate().find(|(_, d)| !d.is_finite()) {
-            return Err(SystemError::NotFinite { parameter: "slope", knot, value });
-        }
+        check_finite("slope", slope)?;
         let (x0, width) = (value(x, 0), value(x, maps) - value(x, 0));
         for (j, &alpha) in alpha.iter().enumerate() {
             let a = (value(x, j + 1) - value(x, j)) / width;
@@ -339,6 +347,6 @@ fn spacing(maps: usize, x: impl Fn(usize) -> f64) -> Spacing {
 }
 
 /// `values[j]`; the lists' lengths have been checked, so the 0 is never seen.
-fn value(values: &[f64], j: usize) -> f64 {
+pub(crate) fn value(values: &[f64], j: usize) -> f64 {
     values.get(j).copied().unwrap_or(0.0)
 }

@@ -1,6 +1,14 @@
 //! One map of an iterated function system, and the composition of two.
 
 use crate::numeric::polynomial::{bernstein, horner, magnitude, restriction_error, substitute};
+use crate::system::error::{End, SystemError};
+
+/// Largest defect of the join-up that a constructor accepts, relative to the sum of the magnitudes of its terms.
+///
+/// ```text
+/// |F_j(x, y) − y'| ≤ 2⁻⁴⁰ (|α_j y| + Σ_i |q_ji xⁱ| + |y'|)
+/// ```
+pub const JOIN_TOLERANCE: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// The map `w(x, y) = (a x + b, α y + q(x))` with a polynomial `q` of degree `C − 1`, coefficients ascending.
 ///
@@ -117,6 +125,21 @@ impl<const C: usize> Piece<C> {
             slack,
             rounding: restriction_error::<C>(s[0], s[1]),
         }
+    }
+
+    /// Checks that map number `map` sends both ends of its `source`, with ordinates `of`, to the piece's own.
+    pub(crate) fn joined(mut self, map: usize, source: [f64; 2], of: [f64; 2]) -> Result<Self, SystemError> {
+        for (end, at) in [(End::Left, 0.0), (End::Right, 1.0)] {
+            let (expected, of) = (self.y[end as usize], self.map.alpha * of[end as usize]);
+            let found = of + horner(&self.local, at);
+            let scale = of.abs() + magnitude(&self.map.q, source[end as usize]) + expected.abs();
+            let defect = (found - expected).abs();
+            if defect > JOIN_TOLERANCE * scale {
+                return Err(SystemError::JoinUp { map, end, expected, found });
+            }
+            self.slack += defect;
+        }
+        Ok(self)
     }
 
     /// The map `w_j`.

@@ -12,6 +12,5 @@ pub(crate) mod serde;
 pub(crate) mod storage;
 
 pub use error::End;
-pub use fif::JOIN_TOLERANCE;
-pub use map::Piece;
+pub use map::{JOIN_TOLERANCE, Piece};
 pub use storage::Storage;

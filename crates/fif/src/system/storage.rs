@@ -4,32 +4,22 @@ use crate::system::map::Piece;
 
 /// Owned storage that a constructor can fill with the pieces of a system.
 pub trait Storage<const C: usize>: AsRef<[Piece<C>]> + AsMut<[Piece<C>]> + Sized {
-    /// Storage for exactly `len` pieces, or `None` when the type cannot hold as many.
-    #[must_use]
-    fn with_len(len: usize) -> Option<Self>;
-
-    /// The number of pieces that the type holds when that is fixed, else `usize::MAX`.
-    #[must_use]
-    fn capacity() -> usize;
+    /// Storage for exactly `len` pieces.
+    ///
+    /// # Errors
+    /// The number that the type holds, where that is another one.
+    fn with_len(len: usize) -> Result<Self, usize>;
 }
 
 impl<const N: usize, const C: usize> Storage<C> for [Piece<C>; N] {
-    fn with_len(len: usize) -> Option<Self> {
-        (len == N).then_some([Piece::EMPTY; N])
-    }
-
-    fn capacity() -> usize {
-        N
+    fn with_len(len: usize) -> Result<Self, usize> {
+        if len == N { Ok([Piece::EMPTY; N]) } else { Err(N) }
     }
 }
 
 #[cfg(feature = "alloc")]
 impl<const C: usize> Storage<C> for alloc::vec::Vec<Piece<C>> {
-    fn with_len(len: usize) -> Option<Self> {
-        Some(alloc::vec![Piece::EMPTY; len])
-    }
-
-    fn capacity() -> usize {
-        usize::MAX
+    fn with_len(len: usize) -> Result<Self, usize> {
+        Ok(alloc::vec![Piece::EMPTY; len])
     }
 }

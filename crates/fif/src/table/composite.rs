@@ -3,14 +3,14 @@
 use alloc::vec::Vec;
 
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, bernstein, falling, magnitudes, substitute};
+use crate::numeric::polynomial::{UNIT, bernstein, falling, hull, magnitudes, substitute};
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 
 /// A composite of maps: over its cell, scaled to `[0, 1]`, the function less its chord is `a v(u) + Σ c_k uᵏ`.
 /// The powers may be scaled to the unit that the holder of the table counts in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Composite<const C: usize> {
+pub struct Composite<const C: usize> {
     pub(crate) a: f64,
     pub(crate) c: [f64; C],
 }
@@ -93,7 +93,8 @@ impl<const C: usize> Composites<C> {
     }
 }
 
-fn greater<const C: usize>(mut most: [f64; C], values: [f64; C]) -> [f64; C] {
+/// The greater of each.
+pub(crate) fn greater<const C: usize>(mut most: [f64; C], values: [f64; C]) -> [f64; C] {
     for (most, value) in most.iter_mut().zip(values) {
         *most = most.max(value);
     }
@@ -130,13 +131,11 @@ pub(crate) fn narrow<const C: usize>(
 ) -> Interval {
     const ROUNDS: usize = 8;
     for _ in 0..ROUNDS {
-        let hull = rows.clone().fold(Interval::EMPTY, |hull, (a, c)| {
-            let p = bernstein(&c).iter().fold(Interval::EMPTY, |p, &b| p.hull(Interval::new(b, b)));
-            let p = if C == 0 { Interval::new(0.0, 0.0) } else { p };
-            hull.hull(p.sum(bound.scaled(a)))
-        });
+        let images = rows
+            .clone()
+            .fold(Interval::EMPTY, |all, (a, c)| all.hull(hull(&bernstein(&c)).sum(bound.scaled(a))));
         let margin = slack + UNIT * (roundings + 2.0) * bound.magnitude();
-        let next = hull.inflated(margin).intersection(bound);
+        let next = images.inflated(margin).intersection(bound);
         let gained = next.width() < 0.99 * bound.width();
         bound = next;
         if !gained {
@@ -159,23 +158,7 @@ fn size(maps: usize, bytes: usize) -> (u32, usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Fif, numeric::polynomial::horner, paper};
-
-    #[test]
-    fn composites_are_maps_in_turn() {
-        let g = paper::g_hat().unwrap();
-        let t = Composites::new(&g).unwrap();
-        let cells = t.radix as f64;
-        let chord = g.chord();
-        let v = |t: f64| g.evaluate(2.0 * t, 1e-15).value - chord.at(t);
-        for (k, e) in t.table.iter().enumerate() {
-            for u in [0.0, 0.3, 0.5, 0.9] {
-                let (got, want) = (e.a * v(u) + horner(&e.c, u), v((k as f64 + u) / cells));
-                assert!((got - want).abs() < 1e-14 + t.error, "cell {k}, u = {u}: {got} != {want}");
-            }
-        }
-        assert!(t.error < 1e-13, "{:e}", t.error);
-    }
+    use crate::{Fif, paper};
 
     #[test]
     fn the_deviation_is_enclosed_tightly() {

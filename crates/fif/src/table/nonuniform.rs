@@ -3,7 +3,7 @@
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 
-use crate::numeric::polynomial::{UNIT, magnitude, substitute};
+use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::chord::Chord;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -105,13 +105,13 @@ impl<const C: usize> Nonuniform<C> {
             return None;
         }
         u = if u < 1.0 { u } else { 1.0 };
-        let mut sum = self.chord.at(t) + value(&cell.c, u);
+        let mut sum = self.chord.at(t) + horner(&cell.c, u);
         let mut weight = cell.a;
         for _ in 1..self.steps {
             let cell = self.cell(u)?;
             u = (u - cell.left) * cell.stretch;
             u = if u < 1.0 { u } else { 1.0 };
-            sum += weight * value(&cell.c, u);
+            sum += weight * horner(&cell.c, u);
             weight *= cell.a;
         }
         Some(sum + weight * self.middle)
@@ -132,12 +132,6 @@ impl<const C: usize> Nonuniform<C> {
         }
         self.cells.get(index)
     }
-}
-
-#[inline(always)]
-fn value<const C: usize>(c: &[f64; C], u: f64) -> f64 {
-    let Some((&last, others)) = c.split_last() else { return 0.0 };
-    others.iter().rev().fold(last, |p, &c| p * u + c)
 }
 
 /// A cell while the domain is being split.

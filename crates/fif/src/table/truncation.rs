@@ -92,7 +92,6 @@ impl Series {
 impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// The refusal of a table that would leave this bound.
     pub(crate) fn too_deep(&self, bound: f64) -> TableError {
-        let alpha = self.pieces().iter().fold(0.0_f64, |most, piece| most.max(piece.map().alpha.abs()));
-        TableError { alpha, steps: MOST, bound }
+        TableError { alpha: self.steepest(), steps: MOST, bound }
     }
 }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::polynomial::{UNIT, horner};
 use crate::system::chord::Chord;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -121,13 +121,11 @@ pub(crate) fn digit(rest: &mut u64, radix: u64) -> usize {
     (wide >> 64) as usize
 }
 
-/// A row's polynomial at a fraction, in units of 2⁻⁵³. Starts from the last coefficient: a product with zero would be kept.
+/// A row's polynomial at a fraction, in units of 2⁻⁵³.
 #[inline(always)]
 pub(crate) fn polynomial<const C: usize>(c: &[f64; C], rest: u64) -> f64 {
     // Signed, which one instruction converts.
-    let s = (rest >> 11) as i64 as f64;
-    let Some((&last, others)) = c.split_last() else { return 0.0 };
-    others.iter().rev().fold(last, |p, &c| p * s + c)
+    horner(c, (rest >> 11) as i64 as f64)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::calculus::moment_basis::MomentError;
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 
 /// Means over a rectangle of a height field, each over the area.
@@ -30,7 +30,7 @@ pub struct SlopeMeans {
     pub product: Estimate,
 }
 
-impl<X: Axis, Y: Axis> HeightField<X, Y> {
+impl<F: Function, G: Function> HeightField<F, G> {
     /// The means of heights and slopes over the rectangle `x × y`, clamped to the domain.
     ///
     /// ```text

@@ -2,14 +2,14 @@
 
 use crate::numeric::floor::floor;
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::jet_table::Jets;
+use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::surface::height_field::range_table::RangeTable;
 
 /// Ranges over runs of the finest cells, values and slopes, and numbers drawn from these.
 #[derive(Clone, Debug)]
-pub struct AxisTables<J> {
+pub(crate) struct AxisTables<R> {
     pub(crate) ranges: RangeTable,
-    pub(crate) jets: J,
+    pub(crate) jets: JetTable<R>,
     pub(crate) domain: Interval,
     pub(crate) per_width: f64,
     pub(crate) cells: f64,
@@ -18,15 +18,11 @@ pub struct AxisTables<J> {
     /// The greatest `|f|` and `|f′|`.
     pub(crate) magnitude: f64,
     pub(crate) steepest: f64,
-    /// Errors of values after 0, 1 and 2 steps.
-    pub(crate) errors: [f64; 3],
-    /// The steps that gain.
-    pub(crate) finest: usize,
 }
 
-impl<J: Jets> AxisTables<J> {
+impl<R: Rows> AxisTables<R> {
     /// From ranges of values and slopes over the finest cells.
-    pub(crate) fn new(cells: &[[Interval; 2]], jets: J, domain: Interval) -> Self {
+    pub(crate) fn new(cells: &[[Interval; 2]], jets: JetTable<R>, domain: Interval) -> Self {
         let whole = cells.iter().fold([Interval::EMPTY; 2], |h, c| [h[0].hull(c[0]), h[1].hull(c[1])]);
         Self {
             ranges: RangeTable::new(cells),
@@ -36,8 +32,6 @@ impl<J: Jets> AxisTables<J> {
             pad: 16.0 * f64::EPSILON * domain.magnitude(),
             magnitude: whole[0].magnitude(),
             steepest: whole[1].magnitude(),
-            errors: [0, 1, 2].map(|steps| error(&jets, steps)),
-            finest: jets.finest().0,
             jets,
         }
     }
@@ -58,10 +52,4 @@ impl<J: Jets> AxisTables<J> {
     pub(crate) fn finer(&self, parts: [f64; 2]) -> Option<[Interval; 2]> {
         self.jets.finer(&self.ranges, parts)
     }
-}
-
-/// Bound of the error of a value after so many steps.
-#[inline]
-pub(crate) fn error(jets: &impl Jets, steps: usize) -> f64 {
-    jets.errors().get(steps).map_or(f64::INFINITY, |e| e[0])
 }

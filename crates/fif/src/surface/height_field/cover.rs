@@ -1,7 +1,8 @@
 //! Bounds of the function along an axis over any interval, from those of its cells.
 
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::curve::{Below, Cell, Curve};
+use crate::surface::height_field::function::Function;
 
 /// Levels below the smallest cell that holds the interval, to which its ends are followed.
 const FINER: u32 = 6;
@@ -10,14 +11,14 @@ const FINER: u32 = 6;
 const LEVELS: u32 = 96;
 
 /// A cell and where it lies.
-struct Place<Cell> {
-    cell: Cell,
+struct Place<B> {
+    cell: Cell<B>,
     left: f64,
     width: f64,
 }
 
 /// Enclosures of the values and slopes over the part of an interval within the domain, or over all of it if there is none.
-pub(crate) fn covered<A: Axis>(axis: &A, over: Interval) -> [Interval; 2] {
+pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval; 2] {
     let domain = axis.domain();
     let cut = over.intersection(domain);
     let mut place = Place { cell: axis.root(), left: domain.lo, width: domain.width() };
@@ -37,7 +38,13 @@ pub(crate) fn covered<A: Axis>(axis: &A, over: Interval) -> [Interval; 2] {
 }
 
 /// At most as deep as `FINER`.
-fn gather<A: Axis>(axis: &A, place: &Place<A::Cell>, over: Interval, finer: u32, all: &mut [Interval; 2]) {
+fn gather<F: Function>(
+    axis: &Curve<F>,
+    place: &Place<Below<F>>,
+    over: Interval,
+    finer: u32,
+    all: &mut [Interval; 2],
+) {
     let inside = over.lo <= place.left && place.left + place.width <= over.hi;
     if inside || finer == 0 {
         let bounds = axis.bounds(&place.cell);
@@ -52,12 +59,12 @@ fn gather<A: Axis>(axis: &A, place: &Place<A::Cell>, over: Interval, finer: u32,
     }
 }
 
-fn child<A: Axis>(axis: &A, place: &Place<A::Cell>, j: usize) -> Place<A::Cell> {
+fn child<F: Function>(axis: &Curve<F>, place: &Place<Below<F>>, j: usize) -> Place<Below<F>> {
     let [s0, s1] = axis.part(j);
     let cell = axis.child(&place.cell, j);
     Place { cell, left: place.left + place.width * s0, width: place.width * (s1 - s0) }
 }
 
-fn meets<Cell>(place: &Place<Cell>, over: Interval) -> bool {
+fn meets<B>(place: &Place<B>, over: Interval) -> bool {
     place.left <= over.hi && over.lo <= place.left + place.width
 }

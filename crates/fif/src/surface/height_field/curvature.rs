@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::math::sqrt;
-use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -47,7 +47,7 @@ impl Curvature {
     }
 }
 
-impl<X: Axis, Y: Axis> HeightField<X, Y> {
+impl<F: Function, G: Function> HeightField<F, G> {
     /// The curvature at `(x, y)`, with the second derivatives `f″` and `g″` of the two axes; `None` unless both axes are
     /// differentiable.
     ///

@@ -6,10 +6,12 @@ use crate::calculus::moment_basis::MomentError;
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
-use crate::surface::height_field::jet_table::{JetTable, Jets};
+use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::system::cell::Cell;
 use crate::system::fif::System;
 use crate::system::map::Piece;
+#[cfg(feature = "alloc")]
+use crate::table::composite::Composite;
 
 /// A function along an axis of a [`HeightField`](crate::HeightField): every [`System`] of up to eight coefficients; sealed.
 #[diagnostic::on_unimplemented(
@@ -24,7 +26,7 @@ pub trait Function: Clone + Debug {
     type Derivative: Function;
     #[cfg(feature = "alloc")]
     #[doc(hidden)]
-    type Jets: Jets;
+    type Rows: Rows;
 
     #[doc(hidden)]
     fn domain(&self) -> Interval;
@@ -56,7 +58,7 @@ pub trait Function: Clone + Debug {
     /// Values and slopes by a table, if there can be one; `slopes` encloses the derivative.
     #[cfg(feature = "alloc")]
     #[doc(hidden)]
-    fn jets(&self, slopes: Interval) -> Option<Self::Jets>;
+    fn jets(&self, slopes: Interval) -> Option<JetTable<Self::Rows>>;
 }
 
 /// Storage of pieces to whose derivative's pieces there is storage of the like.
@@ -95,7 +97,7 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
     type Cell = Cell<C>;
     type Derivative = S::Derivative;
     #[cfg(feature = "alloc")]
-    type Jets = JetTable<C>;
+    type Rows = alloc::vec::Vec<Composite<C>>;
 
     #[inline]
     fn domain(&self) -> Interval {
@@ -149,7 +151,7 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
     }
 
     #[cfg(feature = "alloc")]
-    fn jets(&self, slopes: Interval) -> Option<Self::Jets> {
+    fn jets(&self, slopes: Interval) -> Option<JetTable<Self::Rows>> {
         JetTable::new(self, slopes)
     }
 }

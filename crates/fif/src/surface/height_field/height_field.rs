@@ -3,13 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use crate::numeric::interval::{Bounded, Interval};
-use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::{Surface, SurfaceBounds};
-use crate::surface::height_field::axis::{Axis, Curve};
 use crate::surface::height_field::cover::covered;
+use crate::surface::height_field::curve::Curve;
 use crate::surface::height_field::function::Function;
-#[cfg(feature = "alloc")]
-use crate::surface::height_field::tabulated::TabulatedCurve;
 use crate::surface::normal::upward_normal;
 
 /// The surface `z = f(x) g(y)`; `f` and `g` may be different systems on different knots.
@@ -32,17 +29,17 @@ use crate::surface::normal::upward_normal;
 /// assert!((surface.normal(0.3, 1.7).unwrap().length() - 1.0).abs() < 1e-15);
 /// # Ok::<(), asperity_fif::SystemError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[doc(alias = "heightmap")]
 #[doc(alias = "terrain")]
-pub struct HeightField<X, Y> {
+pub struct HeightField<F: Function, G: Function> {
     /// `f`, along x.
-    pub x: X,
+    pub x: Curve<F>,
     /// `g`, along y.
-    pub y: Y,
+    pub y: Curve<G>,
 }
 
-impl<F: Function, G: Function> HeightField<Curve<F>, Curve<G>> {
+impl<F: Function, G: Function> HeightField<F, G> {
     /// The tensor product of `f` and `g`: a [`Fif`](crate::Fif), a [`FixedFif`](crate::FixedFif) or a
     /// [`FifRef`](crate::FifRef) each, of up to eight coefficients.
     #[must_use]
@@ -66,19 +63,17 @@ impl<F: Function, G: Function> HeightField<Curve<F>, Curve<G>> {
     /// ```
     #[cfg(feature = "alloc")]
     #[must_use]
-    pub fn tabulated(self) -> HeightField<TabulatedCurve<F>, TabulatedCurve<G>> {
+    pub fn tabulated(self) -> Self {
         self.tabulated_with(1024)
     }
 
     /// [`HeightField::tabulated`] with at most `cells` cells along an axis; 0 and 1 keep the domain's own bounds only.
     #[cfg(feature = "alloc")]
     #[must_use]
-    pub fn tabulated_with(self, cells: usize) -> HeightField<TabulatedCurve<F>, TabulatedCurve<G>> {
-        HeightField { x: TabulatedCurve::new(self.x, cells), y: TabulatedCurve::new(self.y, cells) }
+    pub fn tabulated_with(self, cells: usize) -> Self {
+        Self { x: self.x.tabulated(cells), y: self.y.tabulated(cells) }
     }
-}
 
-impl<X: Axis, Y: Axis> HeightField<X, Y> {
     /// `h` with a bound of its error; `tolerance` is asked of each factor, relative to the other's magnitude.
     ///
     /// ```text
@@ -88,13 +83,13 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     #[must_use]
     pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
         let share = |other: Interval| 0.5 * tolerance / other.magnitude().max(f64::MIN_POSITIVE);
-        product(self.x.evaluate(x, share(self.y.range())), self.y.evaluate(y, share(self.x.range())))
+        self.x.evaluate(x, share(self.y.range())).product(self.y.evaluate(y, share(self.x.range())))
     }
 
     /// `h` to the rounding error of the point.
     #[inline]
     pub(crate) fn near(&self, x: f64, y: f64) -> Bounded {
-        product(self.x.near(x), self.y.near(y))
+        self.x.near(x).product(self.y.near(y))
     }
 
     /// `h` to the rounding error; the value of [`HeightField::evaluate`] at tolerance 0.
@@ -121,13 +116,7 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
     }
 }
 
-fn product(f: Bounded, g: Bounded) -> Bounded {
-    let value = f.value * g.value;
-    let bound = f.value.abs() * g.bound + g.value.abs() * f.bound + f.bound * g.bound;
-    Bounded { value, bound: bound * 1.0001 + UNIT * value.abs() }
-}
-
-impl<X: Axis, Y: Axis> Surface for HeightField<X, Y> {
+impl<F: Function, G: Function> Surface for HeightField<F, G> {
     fn domain(&self) -> [Interval; 2] {
         [self.x.domain(), self.y.domain()]
     }

@@ -14,36 +14,20 @@ use crate::table::composite::{Composite, Composites};
 /// Steps of one evaluation at most.
 pub(crate) const STEPS: usize = 64;
 
-/// The value and the slope at a point; what the descent of a ray asks of a table, whatever its degree.
-pub trait Jets: Clone + Debug {
+/// The rows of a table, whatever their degree.
+pub trait Rows: Sized + Clone + Debug {
     /// `[f(x), f′(x)]` after so many steps, for an `x` within the rounding error of the ray, given as the part of the domain on its left.
-    fn jet(&self, part: f64, steps: usize) -> [f64; 2];
-
-    /// The part of the domain on the left of `x`.
-    fn part(&self, x: f64) -> f64;
+    #[doc(hidden)]
+    fn jet(table: &JetTable<Self>, part: f64, steps: usize) -> [f64; 2];
 
     /// Enclosures of values and slopes from one part of the domain to the next, from ranges over the cells of the whole; `None` for
     /// parts over more than two cells of the first step.
-    fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]>;
+    #[doc(hidden)]
+    fn finer(table: &JetTable<Self>, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]>;
 
-    /// Bounds of the errors of value and slope after 0, 1, … steps.
-    fn errors(&self) -> &[[f64; 2]; STEPS + 1];
-
-    /// Steps after which value and slope do not gain any more.
-    fn enough(&self) -> [usize; 2];
-
-    /// Bytes of the table.
+    /// Bytes of the rows.
+    #[doc(hidden)]
     fn bytes(&self) -> usize;
-
-    /// The steps after which cells are at most this part of the domain, unless the slope does not gain any more before.
-    fn cells_within(&self, part: f64) -> usize;
-
-    /// The steps for a value to the rounding error, and its bound.
-    #[inline]
-    fn finest(&self) -> (usize, f64) {
-        let steps = self.enough()[0];
-        (steps, self.errors().get(steps).map_or(f64::INFINITY, |e| e[0]))
-    }
 }
 
 /// All composites of a few maps of a system on equal knots, and their derivatives, evaluated to any number of steps.
@@ -56,9 +40,9 @@ pub trait Jets: Clone + Debug {
 /// factors; the slope is the sum of the derivatives, and the middle of its range the tail. The fraction is an `f64`, so the value is
 /// that of a point within two units in the last place of the domain's width.
 #[derive(Clone, Debug)]
-pub struct JetTable<const C: usize> {
+pub struct JetTable<R> {
     /// One to a cell of the first step, and one for the end of the domain.
-    entries: Vec<Composite<C>>,
+    entries: R,
     radix: f64,
     /// The left end of the domain and the reciprocal of its width.
     origin: f64,
@@ -69,11 +53,13 @@ pub struct JetTable<const C: usize> {
     tail: f64,
     /// That of their slopes over a cell of the first step.
     tail_slope: f64,
+    /// Bounds of the errors of value and slope after 0, 1, … steps.
     errors: [[f64; 2]; STEPS + 1],
+    /// Number of steps at which rounding exceeds truncation, for value and slope.
     enough: [usize; 2],
 }
 
-impl<const C: usize> JetTable<C> {
+impl<const C: usize> JetTable<Vec<Composite<C>>> {
     /// `None` unless the knots are equally spaced and the sums of values and slopes converge.
     pub(crate) fn new<S: AsRef<[Piece<C>]>>(value: &System<S, C>, slopes: Interval) -> Option<Self> {
         let Composites { table, radix, steepest, largest, error, deviation, .. } = Composites::new(value)?;
@@ -132,19 +118,63 @@ impl<const C: usize> JetTable<C> {
     }
 }
 
-impl<const C: usize> Jets for JetTable<C> {
+impl<R: Rows> JetTable<R> {
     #[inline(always)]
-    fn jet(&self, part: f64, steps: usize) -> [f64; 2] {
+    pub(crate) fn jet(&self, part: f64, steps: usize) -> [f64; 2] {
+        R::jet(self, part, steps)
+    }
+
+    pub(crate) fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
+        R::finer(self, ranges, parts)
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        self.entries.bytes() + size_of::<Self>()
+    }
+
+    /// The part of the domain on the left of `x`.
+    #[inline]
+    pub(crate) fn part(&self, x: f64) -> f64 {
+        (x - self.origin) * self.per_width
+    }
+
+    /// Bound of the error of a value after so many steps.
+    #[inline]
+    pub(crate) fn error(&self, steps: usize) -> f64 {
+        self.errors.get(steps).map_or(f64::INFINITY, |e| e[0])
+    }
+
+    /// The steps for a value to the rounding error, and its bound.
+    #[inline]
+    pub(crate) fn finest(&self) -> (usize, f64) {
+        (self.enough[0], self.error(self.enough[0]))
+    }
+
+    /// The steps after which cells are at most this part of the domain, unless the slope does not gain any more before.
+    #[inline]
+    pub(crate) fn cells_within(&self, part: f64) -> usize {
+        let (mut steps, mut finer) = (0, part);
+        while finer < 1.0 && steps < self.enough[1] {
+            finer *= self.radix;
+            steps += 1;
+        }
+        steps
+    }
+}
+
+impl<const C: usize> Rows for Vec<Composite<C>> {
+    #[inline(always)]
+    fn jet(table: &JetTable<Self>, part: f64, steps: usize) -> [f64; 2] {
         let t = if part > 0.0 { part } else { 0.0 };
         let t = if t < 1.0 { t } else { 1.0 };
         let mut rest = t;
-        let (mut value, mut slope) = (self.chord[0] + self.chord[1] * t, self.chord[1]);
-        let (mut weight, mut steep) = (1.0, self.radix);
+        let (mut value, mut slope) = (table.chord[0] + table.chord[1] * t, table.chord[1]);
+        let (mut weight, mut steep) = (1.0, table.radix);
         for _ in 0..steps {
-            let place = rest * self.radix;
+            let place = rest * table.radix;
             let (whole, number) = floor(place);
             rest = place - whole;
-            let Some(entry) = self.entries.get(number) else { break };
+            let Some(entry) = table.entries.get(number) else { break };
             let Some((&last, lower)) = entry.c.split_last() else { break };
             let (mut p, mut rise) = (last, 0.0);
             for (k, &c) in lower.iter().rev().enumerate() {
@@ -154,23 +184,18 @@ impl<const C: usize> Jets for JetTable<C> {
             value += weight * p;
             slope += steep * rise;
             weight *= entry.a;
-            steep *= entry.a * self.radix;
+            steep *= entry.a * table.radix;
         }
-        value += weight * self.tail;
-        slope += steep * self.tail_slope;
-        [value, slope * self.per_width]
+        value += weight * table.tail;
+        slope += steep * table.tail_slope;
+        [value, slope * table.per_width]
     }
 
-    #[inline]
-    fn part(&self, x: f64) -> f64 {
-        (x - self.origin) * self.per_width
-    }
-
-    fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
-        let places = parts.map(|part| part.clamp(0.0, 1.0) * self.radix);
-        let most = self.entries.len().checked_sub(2)?;
+    fn finer(table: &JetTable<Self>, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
+        let places = parts.map(|part| part.clamp(0.0, 1.0) * table.radix);
+        let most = table.entries.len().checked_sub(2)?;
         let [first, last] = places.map(|place| floor(place).1.min(most));
-        let entries = self.entries.get(first..=last).filter(|entries| entries.len() <= 2)?;
+        let entries = table.entries.get(first..=last).filter(|entries| entries.len() <= 2)?;
         let number = |x: f64| Interval::new(x, x);
         let (mut values, mut slopes) = (Interval::EMPTY, Interval::EMPTY);
         for (i, entry) in entries.iter().enumerate() {
@@ -181,10 +206,10 @@ impl<const C: usize> Jets for JetTable<C> {
                 let [a, b] = t.map(|t| start + rise * t);
                 if a < b { Interval::new(a, b) } else { Interval::new(b, a) }
             };
-            let [start, rise] = self.chord;
+            let [start, rise] = table.chord;
             let chord = over(start, rise, ends);
             let v = f.sum(Interval::new(-chord.hi, -chord.lo)).scaled(entry.a);
-            let v_slope = s.scaled(1.0 / self.per_width).sum(number(-rise)).scaled(entry.a);
+            let v_slope = s.scaled(1.0 / table.per_width).sum(number(-rise)).scaled(entry.a);
             let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             let (mut p, mut p_slope, mut bend) = (0.0, 0.0, 0.0);
             for (k, &c) in entry.c.iter().enumerate().rev() {
@@ -196,43 +221,22 @@ impl<const C: usize> Jets for JetTable<C> {
             let p = number(p).inflated(half * p_slope.magnitude());
             let own = over(start, rise, parts.map(|part| part.clamp(0.0, 1.0)));
             values = values.hull(own.sum(p).sum(v));
-            slopes =
-                slopes.hull(number(rise).sum(p_slope.sum(v_slope).scaled(self.radix)).scaled(self.per_width));
+            slopes = slopes
+                .hull(number(rise).sum(p_slope.sum(v_slope).scaled(table.radix)).scaled(table.per_width));
         }
-        let [value_error, slope_error] = *self.errors.last()?;
+        let [value_error, slope_error] = *table.errors.last()?;
         Some([values.inflated(2.0 * value_error), slopes.inflated(2.0 * slope_error)])
     }
 
-    #[inline]
-    fn errors(&self) -> &[[f64; 2]; STEPS + 1] {
-        &self.errors
-    }
-
-    #[inline]
-    fn enough(&self) -> [usize; 2] {
-        self.enough
-    }
-
     fn bytes(&self) -> usize {
-        self.entries.len() * size_of::<Composite<C>>() + size_of::<Self>()
-    }
-
-    #[inline]
-    fn cells_within(&self, part: f64) -> usize {
-        let (mut steps, mut finer) = (0, part);
-        while finer < 1.0 && steps < self.enough[1] {
-            finer *= self.radix;
-            steps += 1;
-        }
-        steps
+        size_of_val(self.as_slice())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::height_field::axis::{Curve, sealed::Descend};
-    use crate::surface::height_field::tabulated::TabulatedCurve;
+    use crate::surface::height_field::curve::Curve;
     use crate::{Fif, paper};
 
     fn check<S: AsRef<[Piece<C>]>, const C: usize, const D: usize>(
@@ -291,7 +295,7 @@ mod tests {
     #[test]
     fn finer_ranges_hold_samples_and_are_narrow() {
         for (axis, most) in [(paper::f_hat(), 0.5), (paper::g_hat(), 0.85)] {
-            let tabulated = TabulatedCurve::new(Curve::new(axis.unwrap()), 1024);
+            let tabulated = Curve::new(axis.unwrap()).tabulated(1024);
             let top = tabulated.top().unwrap();
             for i in 0..400 {
                 // Within cells, over the border of two, at both ends of the domain.

@@ -1,11 +1,11 @@
 //! Height fields `f(x) g(y)`.
 
 pub(crate) mod area;
-pub(crate) mod axis;
 #[cfg(feature = "alloc")]
 pub(crate) mod axis_tables;
 pub(crate) mod cover;
 pub(crate) mod curvature;
+pub(crate) mod curve;
 pub(crate) mod function;
 pub(crate) mod height_field;
 #[cfg(feature = "alloc")]
@@ -14,5 +14,3 @@ pub(crate) mod jet_table;
 pub(crate) mod normal_distribution;
 #[cfg(feature = "alloc")]
 pub(crate) mod range_table;
-#[cfg(feature = "alloc")]
-pub(crate) mod tabulated;

@@ -6,7 +6,8 @@ use core::fmt;
 use glam::DVec2;
 
 use crate::numeric::interval::Interval;
-use crate::surface::height_field::axis::Axis;
+use crate::surface::height_field::curve::Curve;
+use crate::surface::height_field::function::Function;
 use crate::surface::height_field::height_field::HeightField;
 use crate::surface::normal::upward_normal;
 
@@ -52,7 +53,7 @@ impl core::error::Error for NormalDistributionError {}
 /// A texel that counts every normal is still exact in `f32`: 2²⁴.
 const MOST: usize = 4096;
 
-impl<X: Axis, Y: Axis> HeightField<X, Y> {
+impl<F: Function, G: Function> HeightField<F, G> {
     /// The density of the unit normals over the rectangle `x × y`, per `dn_x dn_y`, in rows of an image of `width` columns.
     ///
     /// ```text
@@ -113,8 +114,8 @@ impl<X: Axis, Y: Axis> HeightField<X, Y> {
 }
 
 /// Value and slope at one point of each of `samples` equal cells.
-fn points<A: Axis>(
-    axis: &A,
+fn points<F: Function>(
+    axis: &Curve<F>,
     over: Interval,
     samples: usize,
 ) -> Result<Vec<[f64; 2]>, NormalDistributionError> {

@@ -31,13 +31,6 @@ impl TorusFold {
         1 << self.bits
     }
 
-    /// The matrix M.
-    #[inline]
-    #[must_use]
-    pub const fn matrix(&self) -> [[i32; 2]; 2] {
-        self.matrix
-    }
-
     /// The node of an index pair, modulo the side.
     #[inline]
     pub(crate) fn node(&self, [i, j]: [usize; 2]) -> Node {

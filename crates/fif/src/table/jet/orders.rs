@@ -8,7 +8,7 @@ use crate::system::chord::Chord;
 use crate::system::fif::Fif;
 use crate::system::fif::System;
 use crate::system::map::Piece;
-use crate::table::composite::{Composite, Composites, narrow};
+use crate::table::composite::{Composite, Composites, greater, narrow};
 use crate::table::truncation::Series;
 
 /// The sum for one derivative.
@@ -36,12 +36,7 @@ pub(crate) fn derivatives<S: AsRef<[Piece<C>]>, const C: usize>(system: &System<
 
 /// The greatest `Σ_k k!/(k − m)! |c_k|` of any row, for each order `m`.
 pub(crate) fn largest<const C: usize>(table: &[Composite<C>]) -> [f64; C] {
-    table.iter().fold([0.0; C], |mut most, row| {
-        for (most, size) in most.iter_mut().zip(magnitudes(&row.c)) {
-            *most = most.max(size);
-        }
-        most
-    })
+    table.iter().fold([0.0; C], |most, row| greater(most, magnitudes(&row.c)))
 }
 
 /// Terms of the sum for a derivative; `scale` is `rᵐ`.

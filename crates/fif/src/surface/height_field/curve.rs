@@ -1,0 +1,346 @@
+//! The function along one axis of a height field, with its derivative and the bounds of its top levels of cells.
+
+use crate::calculus::moment_basis::MomentError;
+use crate::numeric::estimate::Estimate;
+use crate::numeric::interval::{Bounded, Interval};
+#[cfg(feature = "alloc")]
+use crate::surface::height_field::axis_tables::AxisTables;
+use crate::surface::height_field::function::Function;
+
+/// A function along an axis of a [`HeightField`](crate::HeightField) with its derivative, where that is continuous, and
+/// with tables, where it was [`tabulated`](crate::HeightField::tabulated).
+#[derive(Clone, Debug)]
+pub struct Curve<F: Function> {
+    function: F,
+    derivative: Option<F::Derivative>,
+    #[cfg(feature = "alloc")]
+    levels: Option<Levels<F>>,
+}
+
+/// Means of a function over an interval, and of its slope when it has one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineMeans {
+    /// The mean of `f`.
+    pub(crate) value: Estimate,
+    /// The mean of `f²`.
+    pub(crate) value_squared: Estimate,
+    /// The means of `f′`, of `f′²` and of `f f′`.
+    pub(crate) slope: Option<[Estimate; 3]>,
+}
+
+/// A cell of a function and of its derivative.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Both<V, D> {
+    value: V,
+    slope: D,
+}
+
+/// A cell below the tables, by what its bounds are computed from.
+pub(crate) type Below<F> = Both<<F as Function>::Cell, <<F as Function>::Derivative as Function>::Cell>;
+
+/// A cell of a curve.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Cell<B> {
+    /// By its number in the table.
+    #[cfg(feature = "alloc")]
+    Top(usize),
+    Below(B),
+}
+
+impl<F: Function> Curve<F> {
+    pub(crate) fn new(function: F) -> Self {
+        Self {
+            derivative: function.differentiated(),
+            function,
+            #[cfg(feature = "alloc")]
+            levels: None,
+        }
+    }
+
+    /// With a table of the value and slope ranges of its top levels, at most `cells` cells in the last one.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn tabulated(self, cells: usize) -> Self {
+        Self { levels: Some(Levels::new(&self, cells)), ..self }
+    }
+
+    /// The function.
+    #[must_use]
+    pub const fn function(&self) -> &F {
+        &self.function
+    }
+
+    /// Its derivative, by [`System::derivative`](crate::System::derivative).
+    #[must_use]
+    pub const fn derivative(&self) -> Option<&F::Derivative> {
+        self.derivative.as_ref()
+    }
+
+    /// `[x_0, x_N]`.
+    #[must_use]
+    pub fn domain(&self) -> Interval {
+        self.function.domain()
+    }
+
+    /// A rigorous enclosure of the values.
+    #[must_use]
+    pub fn range(&self) -> Interval {
+        #[cfg(feature = "alloc")]
+        if let Some(levels) = &self.levels {
+            return levels.bounds(0)[0];
+        }
+        self.function.range()
+    }
+
+    /// The value at `x`, as [`System::evaluate`](crate::System::evaluate).
+    #[must_use]
+    pub fn evaluate(&self, x: f64, tolerance: f64) -> Bounded {
+        self.function.evaluate(x, tolerance)
+    }
+
+    /// The slope at `x` to the rounding error, or `None` for a function that is only continuous.
+    #[must_use]
+    pub fn slope(&self, x: f64) -> Option<f64> {
+        Some(self.derivative.as_ref()?.evaluate(x, 0.0).value)
+    }
+
+    /// Memory of the tables in bytes.
+    #[cfg(feature = "alloc")]
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.levels.as_ref().map_or(0, Levels::bytes)
+    }
+
+    /// The tables of values and slopes, where there are any.
+    #[cfg(feature = "alloc")]
+    #[inline]
+    pub(crate) fn top(&self) -> Option<&AxisTables<F::Rows>> {
+        self.levels.as_ref()?.tables.as_ref()
+    }
+
+    /// The value to the rounding error, as near as a ray's own coordinates are.
+    #[inline]
+    pub(crate) fn near(&self, x: f64) -> Bounded {
+        #[cfg(feature = "alloc")]
+        if let Some(AxisTables { jets, .. }) = self.top() {
+            let (steps, bound) = jets.finest();
+            return Bounded { value: jets.jet(jets.part(x), steps)[0], bound };
+        }
+        self.function.evaluate(x, 0.0)
+    }
+
+    /// The whole domain.
+    pub(crate) fn root(&self) -> Cell<Below<F>> {
+        #[cfg(feature = "alloc")]
+        if self.levels.is_some() {
+            return Cell::Top(0);
+        }
+        Cell::Below(Self::below())
+    }
+
+    /// The whole domain, as cells below the tables are.
+    pub(crate) fn below() -> Below<F> {
+        Both { value: F::root(), slope: F::Derivative::root() }
+    }
+
+    /// The number of children of a cell.
+    #[inline]
+    pub(crate) fn count(&self) -> usize {
+        self.function.count()
+    }
+
+    /// Knots of child `j` in units of the cell's width.
+    #[inline]
+    pub(crate) fn part(&self, j: usize) -> [f64; 2] {
+        self.function.part(j)
+    }
+
+    /// Child `j`; the cell itself when there is none.
+    #[inline]
+    pub(crate) fn child(&self, cell: &Cell<Below<F>>, j: usize) -> Cell<Below<F>> {
+        match cell {
+            #[cfg(feature = "alloc")]
+            Cell::Top(i) => match self.levels.as_ref().and_then(|levels| levels.leaf(*i)) {
+                Some(leaf) => Cell::Below(self.child_below(leaf, j)),
+                None => Cell::Top(i * self.count() + 1 + j),
+            },
+            Cell::Below(cell) => Cell::Below(self.child_below(cell, j)),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn child_below(&self, cell: &Below<F>, j: usize) -> Below<F> {
+        let slope = self.derivative.as_ref().map_or(cell.slope, |slope| slope.child(&cell.slope, j));
+        Both { value: self.function.child(&cell.value, j), slope }
+    }
+
+    /// Enclosures of the values and of the slopes over the cell; [`Interval::ENTIRE`] for unknown slopes.
+    #[inline]
+    pub(crate) fn bounds(&self, cell: &Cell<Below<F>>) -> [Interval; 2] {
+        match cell {
+            #[cfg(feature = "alloc")]
+            Cell::Top(i) => self.levels.as_ref().map_or([Interval::ENTIRE; 2], |levels| levels.bounds(*i)),
+            Cell::Below(cell) => self.bounds_below(cell),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn bounds_below(&self, cell: &Below<F>) -> [Interval; 2] {
+        let slope = self.derivative.as_ref().map_or(Interval::ENTIRE, |slope| slope.cell_range(&cell.slope));
+        [self.function.cell_range(&cell.value), slope]
+    }
+
+    /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` when both are equal.
+    pub(crate) fn means(&self, l: f64, r: f64) -> Result<LineMeans, MomentError> {
+        let (value, value_squared) = (self.function.mean(l, r), self.function.mean_square(l, r)?);
+        let Some(derivative) = &self.derivative else {
+            return Ok(LineMeans { value, value_squared, slope: None });
+        };
+        let slope = derivative.mean(l, r);
+        // ∫ f f′ = (f(r)² − f(l)²)/2 = (f(r) + f(l))/2 · ∫ f′: the second form does not cancel.
+        let [a, b] = [l, r].map(|x| self.function.evaluate(x, 0.0));
+        let (sum, size) = (0.5 * (a.value + b.value), 0.5 * (a.value.abs() + b.value.abs()));
+        let ends = Estimate::new(sum, size, a.bound + b.bound);
+        let slope = [slope, derivative.mean_square(l, r)?, ends.product(slope)];
+        Ok(LineMeans { value, value_squared, slope: Some(slope) })
+    }
+}
+
+/// A table of the value and slope ranges of a curve's top levels of cells.
+#[cfg(feature = "alloc")]
+#[derive(Clone, Debug)]
+struct Levels<F: Function> {
+    /// Level after level; the children of cell `i` are `i N + 1` to `i N + N`.
+    bounds: alloc::vec::Vec<[Interval; 2]>,
+    /// The cells of the last level.
+    leaves: alloc::vec::Vec<Below<F>>,
+    /// Ranges over runs of leaves, and values and slopes, where a table can have them.
+    tables: Option<AxisTables<F::Rows>>,
+}
+
+#[cfg(feature = "alloc")]
+impl<F: Function> Levels<F> {
+    /// With at most `cells` cells in the last level; 0 and 1 keep the domain's own bounds only.
+    fn new(curve: &Curve<F>, cells: usize) -> Self {
+        // Levels below the last one that its bounds are drawn from.
+        const BELOW: u32 = 3;
+        let maps = curve.count().max(2);
+        let mut leaves = alloc::vec![Curve::<F>::below()];
+        while leaves.len().saturating_mul(maps) <= cells {
+            leaves = leaves.iter().flat_map(|cell| (0..maps).map(|j| curve.child_below(cell, j))).collect();
+        }
+        let below = if maps.pow(2) > 64 { 1 } else { BELOW };
+        // From the last level up, then turned round.
+        let mut levels: alloc::vec::Vec<alloc::vec::Vec<[Interval; 2]>> =
+            alloc::vec![leaves.iter().map(|cell| finer(curve, cell, below)).collect()];
+        let slopes = curve.derivative().filter(|_| cells > 1).map(Function::range);
+        let jets = slopes.and_then(|slopes| curve.function().jets(slopes));
+        let tables = jets.zip(levels.first()).map(|(jets, last)| AxisTables::new(last, jets, curve.domain()));
+        while let Some(last) = levels.last()
+            && last.len() > 1
+        {
+            let above = last.chunks(maps).map(|group| group.iter().copied().fold([Interval::EMPTY; 2], hull));
+            levels.push(above.collect());
+        }
+        Self { bounds: levels.into_iter().rev().flatten().collect(), leaves, tables }
+    }
+
+    fn bytes(&self) -> usize {
+        let tables = self.tables.as_ref().map_or(0, |tables| tables.ranges.bytes() + tables.jets.bytes());
+        size_of_val(self.bounds.as_slice()) + size_of_val(self.leaves.as_slice()) + tables
+    }
+
+    /// Enclosures of the values and slopes over a cell of the table.
+    #[inline]
+    fn bounds(&self, index: usize) -> [Interval; 2] {
+        self.bounds.get(index).copied().unwrap_or([Interval::ENTIRE; 2])
+    }
+
+    /// A cell of the last level, by its number in the table.
+    #[inline]
+    fn leaf(&self, index: usize) -> Option<&Below<F>> {
+        self.leaves.get(index.checked_sub(self.bounds.len() - self.leaves.len())?)
+    }
+}
+
+/// The bounds of a cell as the hull of its descendants' some levels below.
+#[cfg(feature = "alloc")]
+fn finer<F: Function>(curve: &Curve<F>, cell: &Below<F>, levels: u32) -> [Interval; 2] {
+    let own = curve.bounds_below(cell);
+    if levels == 0 {
+        return own;
+    }
+    let children = (0..curve.count()).map(|j| finer(curve, &curve.child_below(cell, j), levels - 1));
+    let all = children.fold([Interval::EMPTY; 2], hull);
+    [0, 1].map(|k| all[k].intersection(own[k]))
+}
+
+#[cfg(feature = "alloc")]
+fn hull(a: [Interval; 2], b: [Interval; 2]) -> [Interval; 2] {
+    [a[0].hull(b[0]), a[1].hull(b[1])]
+}
+
+#[cfg(all(test, feature = "alloc"))]
+mod tests {
+    use super::*;
+    use crate::{Fif, paper};
+
+    fn tabulated<F: Function>(function: F, cells: usize) -> Curve<F> {
+        Curve::new(function).tabulated(cells)
+    }
+
+    /// The numbers of leaves and of all cells.
+    fn sizes<F: Function>(curve: &Curve<F>) -> Option<[usize; 2]> {
+        curve.levels.as_ref().map(|levels| [levels.leaves.len(), levels.bounds.len()])
+    }
+
+    #[test]
+    fn cells_in_the_table_and_below_it_hold_their_samples() {
+        fn check<F: Function>(function: F, cells: usize, levels: u32, slack: f64) -> Curve<F> {
+            let curve = tabulated(function, cells);
+            let mut row = alloc::vec![(curve.root(), curve.domain().lo, curve.domain().width())];
+            for _ in 0..levels {
+                for (cell, left, width) in &row {
+                    let [value, slope] = curve.bounds(cell);
+                    for k in 0..=4 {
+                        let x = left + width * f64::from(k) / 4.0;
+                        let y = curve.evaluate(x, 1e-14).value;
+                        assert!(value.inflated(slack).contains(y), "{value:?} {x} {y:?}");
+                        let rise = curve.slope(x).unwrap_or(0.0);
+                        assert!(slope.inflated(slack).contains(rise), "{slope:?} {x} {rise}");
+                    }
+                }
+                let parts = row.iter().flat_map(|&(cell, left, width)| {
+                    let curve = &curve;
+                    (0..curve.count()).map(move |j| {
+                        let [s0, s1] = curve.part(j);
+                        (curve.child(&cell, j), left + width * s0, width * (s1 - s0))
+                    })
+                });
+                row = parts.collect();
+            }
+            curve
+        }
+        let f = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).unwrap();
+        // A sample at the border may be the neighbour's: an ulp of x moves f by 1e-9 here.
+        let uneven = check(f, 100, 6, 1e-9);
+        assert_eq!(sizes(&uneven), Some([81, 1 + 3 + 9 + 27 + 81]));
+        check(paper::g_hat().unwrap(), 16, 7, 1e-12);
+    }
+
+    #[test]
+    fn smooth_axes_on_even_knots_have_values_in_their_tables() {
+        for smooth in [paper::f_hat(), paper::g_hat()] {
+            let cached = tabulated(smooth.unwrap(), 1024);
+            assert!(cached.top().is_some() && cached.bytes() < 500_000);
+        }
+        assert!(tabulated(paper::f().unwrap(), 1024).top().is_none());
+    }
+
+    #[test]
+    fn a_table_of_one_cell_works() {
+        let cached = tabulated(paper::f().unwrap(), 0);
+        assert_eq!(sizes(&cached), Some([1, 1]));
+        assert!(cached.range().contains(4.0 / 3.0));
+        assert!(matches!(cached.child(&cached.root(), 1), Cell::Below(_)));
+    }
+}
