@@ -20,22 +20,6 @@ fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) 
 /// φ and φ′ once more.
 type Phi = fn(f64) -> [f64; 2];
 
-fn turbulence(n: f64) -> [f64; 2] {
-    [n.abs(), n.signum()]
-}
-
-fn plasma(n: f64) -> [f64; 2] {
-    [1.0 - n.abs(), -n.signum()]
-}
-
-fn billow(n: f64) -> [f64; 2] {
-    [2.0 * n.abs() - 1.0, 2.0 * n.signum()]
-}
-
-fn ridged(n: f64) -> [f64; 2] {
-    [(1.0 - n.abs()).powi(2), -2.0 * (1.0 - n.abs()) * n.signum()]
-}
-
 /// Value and gradient of octave i at a point, from the signed sums of i and i + 1 octaves.
 fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
     signed: &Octaves<K, N>,
@@ -98,10 +82,10 @@ struct Follows;
 impl VisitAny for Follows {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         follows(name, noise, Signed, |n| [n, 1.0]);
-        follows(name, noise, Turbulence, turbulence);
-        follows(name, noise, Plasma, plasma);
-        follows(name, noise, Billow, billow);
-        follows(name, noise, Ridged, ridged);
+        follows(name, noise, Turbulence, |n| [n.abs(), n.signum()]);
+        follows(name, noise, Plasma, |n| [1.0 - n.abs(), -n.signum()]);
+        follows(name, noise, Billow, |n| [2.0 * n.abs() - 1.0, 2.0 * n.signum()]);
+        follows(name, noise, Ridged, |n| [(1.0 - n.abs()).powi(2), -2.0 * (1.0 - n.abs()) * n.signum()]);
     }
 }
 

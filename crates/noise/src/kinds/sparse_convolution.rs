@@ -414,7 +414,9 @@ mod tests {
             ];
             // The kurtosis is at most 6: 4.5 standard errors of the mean square.
             let tolerance = 4.5 * (5.0_f32 / 4000.0).sqrt();
-            assert!(squares.iter().all(|s| (s - 1.0).abs() < tolerance), "{impulses}: {squares:?}");
+            for square in squares {
+                assert_abs_diff_eq!(square, 1.0, epsilon = tolerance);
+            }
         }
     }
 

@@ -308,7 +308,9 @@ mod tests {
                 square_of_length(unit_direction::<_, 3>(Scalar, word, 1.0)),
                 square_of_length(unit_direction::<_, 4>(Scalar, word, 1.0)),
             ];
-            assert!(unit.iter().all(|square| (square - 1.0).abs() < 4e-7), "{word}: {unit:?}");
+            for square in unit {
+                assert_abs_diff_eq!(square, 1.0, epsilon = 4e-7);
+            }
             assert_abs_diff_eq!(
                 square_of_length(edge_direction::<_, 2>(Scalar, word, 1.0)),
                 2.0,
