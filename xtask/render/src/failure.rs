@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub type Failure = Box<dyn Error + Send + Sync>;
 
 /// The user pressed Ctrl-C.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
+#[error("interrupted; nothing half-written was left, run the same command to go on")]
 pub struct Interrupted;
 
 impl Interrupted {
@@ -16,11 +17,3 @@ impl Interrupted {
         if flag.load(Ordering::Relaxed) { Err(Self) } else { Ok(()) }
     }
 }
-
-impl std::fmt::Display for Interrupted {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("interrupted; nothing half-written was left, run the same command to go on")
-    }
-}
-
-impl Error for Interrupted {}

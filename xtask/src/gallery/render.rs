@@ -8,11 +8,11 @@ use asperity_render::geometry::{camera::Camera, mesh::TracedMesh, mesh_file, sha
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::image::{Image, read::ImageFile};
 use asperity_render::materials::field::{Bumps, NoiseKind};
-use asperity_render::materials::{Bumped, Facets, in_metres};
+use asperity_render::materials::{Facets, in_metres};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
-use asperity_shading::material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper};
+use asperity_shading::material::{BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, Wallpaper};
 use asperity_shading::{
     Carpet, CarpetParameters, Environment, EnvironmentMap, Marble, MetallicPaint, MetallicPaintParameters,
     Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
@@ -176,24 +176,20 @@ fn surroundings(file: &Path) -> Result<EnvironmentMap> {
 }
 
 /// The material with its usual parameters, where a unit of the scene is so many metres.
-fn surface(
+fn surface<'a>(
     wanted: &Render,
     material: Material,
-    density: &Density,
+    density: &'a Density,
     metres: f32,
-) -> Result<Box<Surface<'static>>> {
+) -> Result<Box<Surface<'a>>> {
     let seed = wanted.seed;
     let paint = MetallicPaintParameters { seed, ..Default::default() };
     Ok(match material {
         Material::Bumps => {
             let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
             let bumps = bumps(wanted, usual).field(seed)?;
-            Box::new(Bumped {
-                ndf: Arc::clone(&density.ndf),
-                rule: wanted.rule,
-                bumps,
-                colour: hex(wanted.tint),
-            })
+            let ndf = density.ndf.as_ref();
+            Box::new(BumpMapped { ndf, bumps, rule: wanted.rule, colour: hex(wanted.tint) })
         }
         Material::Carpet => {
             let diffuse = Vec3::new(0.24, 0.21, 0.19);

@@ -1,6 +1,6 @@
 //! Images from files, PNG of 8 and 16 bits and OpenEXR, as data: no transfer curve, alpha left out.
 
-use std::{error::Error, fmt, fs, io::Cursor, path::Path};
+use std::{fs, io::Cursor, path::Path};
 
 use asperity_ndf_sampling::MAX_TEXELS;
 use exr::{
@@ -133,51 +133,31 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
 }
 
 /// Why a file is not an image of data.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImageFileError {
-    /// The file cannot be read.
-    Unreadable { error: std::io::Error },
-    /// The file has no bytes.
+    #[error("the file cannot be read: {error}")]
+    Unreadable {
+        #[source]
+        error: std::io::Error,
+    },
+    #[error("the file is empty")]
     Empty,
-    /// The file is neither PNG nor OpenEXR.
+    #[error("the file is neither PNG nor OpenEXR")]
     UnknownFormat,
-    /// The image has no pixels, or more than a map may have.
+    #[error("an image must have 1 to {MAX_TEXELS} pixels, got {width} × {height}")]
     Size { width: usize, height: usize },
-    /// The file is far too short for what its header claims.
+    #[error("{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")]
     Truncated { width: usize, height: usize, bytes: usize },
-    /// The file has no channel but alpha.
+    #[error("the image has no channel but alpha")]
     OnlyAlpha,
     /// The file breaks its format, as the decoder has it.
-    Broken { format: &'static str, error: Failure },
-}
-
-impl fmt::Display for ImageFileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unreadable { error } => write!(f, "the file cannot be read: {error}"),
-            Self::Empty => f.write_str("the file is empty"),
-            Self::UnknownFormat => f.write_str("the file is neither PNG nor OpenEXR"),
-            Self::Size { width, height } => {
-                write!(f, "an image must have 1 to {MAX_TEXELS} pixels, got {width} × {height}")
-            }
-            Self::Truncated { width, height, bytes } => {
-                write!(f, "{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")
-            }
-            Self::OnlyAlpha => f.write_str("the image has no channel but alpha"),
-            Self::Broken { format, error } => write!(f, "the {format} cannot be decoded: {error}"),
-        }
-    }
-}
-
-impl Error for ImageFileError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Unreadable { error } => Some(error),
-            Self::Broken { error, .. } => Some(error.as_ref()),
-            _ => None,
-        }
-    }
+    #[error("the {format} cannot be decoded: {error}")]
+    Broken {
+        format: &'static str,
+        #[source]
+        error: Failure,
+    },
 }
 
 #[cfg(test)]

@@ -1,15 +1,9 @@
 //! A surface whose bumps and shading come from a density of normals.
 
-use std::sync::Arc;
-
 use asperity_ndf_sampling::NormalTable;
 use asperity_shading::level_of_detail::{Coordinates, shade_facet};
 use asperity_shading::{
-    BumpField, Frame, LevelOfDetail, Ndf, SurfacePoint,
-    bump::Facet,
-    half_vector,
-    material::Material,
-    reflectance::{Bsdf, Lobe},
+    BumpField, Frame, LevelOfDetail, Ndf, SurfacePoint, half_vector, material::Material, reflectance::Bsdf,
 };
 use glam::Vec3;
 
@@ -35,22 +29,6 @@ impl Facets<'_> {
             Self::Consistent(rule) => Frame::from_normal(rule.normal(ndf, coordinates)),
             Self::Table(table) => table.bilinear(coordinates.z * coordinates.fade),
         }
-    }
-}
-
-/// Bumps of a density, shaded with it by a rule of level of detail.
-pub struct Bumped {
-    pub ndf: Arc<SharedNdf>,
-    pub rule: LevelOfDetail,
-    pub bumps: BumpField<Field>,
-    pub colour: Vec3,
-}
-
-impl Material for Bumped {
-    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let coordinates = self.bumps.coordinates(point.position, point.footprint());
-        let lobe = Lobe::resolved(self.ndf.as_ref(), self.rule, coordinates).weighted(self.colour);
-        Bsdf::new(wo).with([Facet::FLAT], [lobe])
     }
 }
 

@@ -6,5 +6,5 @@ pub mod field;
 pub mod pattern;
 mod shader;
 
-pub use bumped::{Bumped, Facets, Printed, SharedNdf, sky};
+pub use bumped::{Facets, Printed, SharedNdf, sky};
 pub use shader::{InMetres, Layers, Shaded, chalk, glazed, in_metres, shaded};

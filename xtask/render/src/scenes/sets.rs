@@ -132,7 +132,7 @@ impl Set {
     }
 
     /// The objects, of which the first has the subject's material.
-    pub fn objects(self, subject: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+    pub fn objects<'a>(self, subject: Box<Surface<'a>>) -> Result<Vec<Object<'a>>, Failure> {
         Ok(match self {
             Self::Sphere => vec![Object::new(ball(Vec3::Z, 1.0), subject), ground(0.0)?],
             Self::Teapot => vec![Object::new(teapot(), subject), ground(0.0)?],
@@ -198,13 +198,13 @@ fn ball(centre: Vec3, radius: f32) -> Mesh {
 }
 
 /// The body of the car: paint, windows over the dark within, and seals.
-struct Body {
-    paint: Box<Surface<'static>>,
+struct Body<'a> {
+    paint: Box<Surface<'a>>,
     pane: TemperedGlass,
     seal: Lambert,
 }
 
-impl Material for Body {
+impl Material for Body<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let depth = window(point.position, point.normal);
         if depth > 0.012 {
@@ -219,7 +219,7 @@ impl Material for Body {
 }
 
 /// The car: paint, windows and tyres.
-fn car(paint: Box<Surface<'static>>) -> Result<Vec<Object<'static>>, Failure> {
+fn car(paint: Box<Surface<'_>>) -> Result<Vec<Object<'_>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
     let mut objects = vec![Object::new(car_body(), body)];

@@ -1,14 +1,14 @@
 //! The materials on things: a car, a room, walls, and the teapot in each of them.
 
-use std::sync::Arc;
-
 use asperity_render::image::{Image, tone::hex};
 use asperity_render::materials::field::{Bumps, NoiseKind};
-use asperity_render::materials::{Bumped, in_metres};
+use asperity_render::materials::in_metres;
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{Set, View, backdrop};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
-use asperity_shading::material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper};
+use asperity_shading::material::{
+    BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
+};
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
@@ -125,8 +125,8 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
         ..Default::default()
     })?;
     let glass = TemperedGlassParameters { body: GlassBody::Solid, ..Default::default() };
-    let copper = Bumped {
-        ndf: Arc::new(Ggx::new(0.15, 0.35)?),
+    let copper = BumpMapped {
+        ndf: Ggx::new(0.15, 0.35)?,
         rule: LevelOfDetail::Exact,
         bumps: bumps.field(context.seed)?,
         colour: hex(0xf2_b184),

@@ -14,7 +14,7 @@ use gltf::{
 
 use crate::geometry::mesh_file::{
     error::{MOST_TRIANGLES, MeshFileError},
-    triangle_soup::TriangleSoup,
+    triangle_soup::{Corner, TriangleSoup},
 };
 
 /// All triangles of the default scene, or else of the first, where its nodes put them. Skins, morph targets and
@@ -107,36 +107,31 @@ fn append(
     if let Some(&index) = triangles.iter().flatten().find(|&&i| i as usize >= positions.len()) {
         return Err(MeshFileError::NoSuchVertex { index: index.into(), count: positions.len() });
     }
-    // By the standard, triangles without normals are flat: each has corners of its own.
-    let vertices: Vec<usize> = match normals {
-        Some(_) => (0..positions.len()).collect(),
-        None => triangles.iter().flatten().map(|&i| i as usize).collect(),
-    };
-    let first = soup.positions.len();
+    let (first, count) =
+        (soup.corners.len(), if normals.is_some() { positions.len() } else { 3 * triangles.len() });
     // Any number of primitives may name the same accessor.
-    if first + vertices.len() > 3 * MOST_TRIANGLES {
+    if first + count > 3 * MOST_TRIANGLES {
         return Err(MeshFileError::TooLarge);
     }
-    soup.positions
-        .extend(vertices.iter().map(|&i| place.transform_point3(Vec3::from(positions[i]).as_dvec3())));
-    if let Some(uv) = uv {
-        let upright = |&[u, v]: &[f32; 2]| Vec2::new(u, 1.0 - v);
-        soup.uv.resize(first, Vec2::ZERO);
-        soup.uv.extend(vertices.iter().map(|&i| uv.get(i).map_or(Vec2::ZERO, upright)));
-    }
-    soup.normals.resize(first, Vec3::ZERO);
-    match normals {
-        Some(normals) => soup.normals.extend(vertices.iter().map(|&i| {
-            let given = normals.get(i).copied().map_or(Vec3::ZERO, Vec3::from);
-            let turned = (cofactors * given.as_dvec3()).normalize_or_zero().as_vec3();
-            if given.is_finite() { turned } else { given }
-        })),
-        None => {
-            let (flat, _) = soup.positions[first..].as_chunks::<3>();
-            soup.normals.extend(
-                flat.iter().flat_map(|[a, b, c]| [(b - a).cross(c - a).normalize_or_zero().as_vec3(); 3]),
-            );
-            triangles = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let turned = |given: Vec3| {
+        let turned = (cofactors * given.as_dvec3()).normalize_or_zero().as_vec3();
+        if given.is_finite() { turned } else { given }
+    };
+    let corner = |i: usize| Corner {
+        position: place.transform_point3(Vec3::from(positions[i]).as_dvec3()),
+        normal: normals.as_ref().and_then(|all| all.get(i)).map_or(Vec3::ZERO, |&n| turned(n.into())),
+        uv: uv.as_ref().and_then(|all| all.get(i)).map_or(Vec2::ZERO, |&[u, v]| Vec2::new(u, 1.0 - v)),
+    };
+    if normals.is_some() {
+        soup.corners.extend((0..count).map(corner));
+    } else {
+        // By the standard, triangles without normals are flat: each has corners of its own.
+        for (k, triangle) in (0..).step_by(3).zip(&mut triangles) {
+            let corners = triangle.map(|i| corner(i as usize));
+            let [a, b, c] = corners.map(|c| c.position);
+            let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3();
+            soup.corners.extend(corners.map(|corner| Corner { normal, ..corner }));
+            *triangle = [k, k + 1, k + 2];
         }
     }
     triangles.into_iter().try_for_each(|triangle| soup.push(triangle.map(|i| first as u32 + i)))
@@ -160,23 +155,16 @@ pub(super) fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, Me
 
 fn floats<const N: usize>(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<[f32; N]>, MeshFileError> {
     let dimensions = if N == 3 { Dimensions::Vec3 } else { Dimensions::Vec2 };
-    let component = |bytes: &[u8]| match *bytes {
-        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
-        [a, b] => f32::from(u16::from_le_bytes([a, b])) / 65_535.0,
-        [a] => f32::from(a) / 255.0,
-        _ => 0.0,
+    let (right, shares) = (accessor.dimensions() == dimensions, N == 2 && accessor.normalized());
+    let component: fn(u32) -> f32 = match accessor.data_type() {
+        DataType::F32 if right => f32::from_bits,
+        DataType::U8 if right && shares => |n| n as f32 / 255.0,
+        DataType::U16 if right && shares => |n| n as f32 / 65_535.0,
+        _ if N == 3 => return Err(must_be(accessor, "vectors of three floats")),
+        _ => return Err(must_be(accessor, "vectors of two floats or shares")),
     };
-    let kind = accessor.data_type();
-    let whole = N == 2 && accessor.normalized() && matches!(kind, DataType::U8 | DataType::U16);
-    if accessor.dimensions() != dimensions || !(kind == DataType::F32 || whole) {
-        let wanted = if N == 3 { "vectors of three floats" } else { "vectors of two floats or shares" };
-        return Err(must_be(accessor, wanted));
-    }
-    let item = |bytes: &[u8]| {
-        let mut out = [0.0; N];
-        out.iter_mut().zip(bytes.chunks_exact(kind.size())).for_each(|(o, bytes)| *o = component(bytes));
-        out
-    };
+    let size = accessor.data_type().size();
+    let item = |bytes: &[u8]| std::array::from_fn(|k| component(number(&bytes[k * size..][..size])));
     Ok(items(accessor, blob)?.map(item).collect())
 }
 
@@ -185,8 +173,12 @@ fn indices(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<u32>, MeshFileErr
     if accessor.dimensions() != Dimensions::Scalar || !known {
         return Err(must_be(accessor, "unsigned integers"));
     }
-    let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte));
     Ok(items(accessor, blob)?.map(number).collect())
+}
+
+/// The little-endian number of up to four bytes.
+fn number(bytes: &[u8]) -> u32 {
+    bytes.iter().rev().fold(0, |sum, &byte| sum << 8 | u32::from(byte))
 }
 
 /// The bytes of each item.

@@ -2,9 +2,12 @@
 
 use std::io::Cursor;
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
-use crate::geometry::mesh_file::{error::MeshFileError, triangle_soup::TriangleSoup};
+use crate::geometry::mesh_file::{
+    error::MeshFileError,
+    triangle_soup::{Corner, TriangleSoup},
+};
 
 /// All faces of all objects. Materials, lines and points are passed over.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
@@ -30,20 +33,17 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
 }
 
 fn append(soup: &mut TriangleSoup, mesh: &tobj::Mesh) -> Result<(), MeshFileError> {
-    let first = soup.positions.len();
+    let first = soup.corners.len();
     let (places, _) = mesh.positions.as_chunks::<3>();
-    soup.positions.extend(places.iter().map(|&p| Vec3::from(p).as_dvec3()));
+    let ((normals, _), (uv, _)) = (mesh.normals.as_chunks::<3>(), mesh.texcoords.as_chunks::<2>());
     // Where a corner has none, the loader leaves a gap that nothing tells: then the model has none.
-    let (normals, _) = mesh.normals.as_chunks::<3>();
-    if normals.len() == places.len() {
-        soup.normals.resize(first, Vec3::ZERO);
-        soup.normals.extend(normals.iter().map(|&n| Vec3::from(n)));
-    }
-    let (uv, _) = mesh.texcoords.as_chunks::<2>();
-    if uv.len() == places.len() {
-        soup.uv.resize(first, Vec2::ZERO);
-        soup.uv.extend(uv.iter().map(|&t| Vec2::from(t)));
-    }
+    let normals = if normals.len() == places.len() { normals } else { &[] };
+    let uv = if uv.len() == places.len() { uv } else { &[] };
+    soup.corners.extend(places.iter().enumerate().map(|(k, &place)| Corner {
+        position: Vec3::from(place).as_dvec3(),
+        normal: normals.get(k).copied().unwrap_or_default().into(),
+        uv: uv.get(k).copied().unwrap_or_default().into(),
+    }));
     let mut corners = mesh.indices.iter().map(|&i| first as u32 + i);
     // No list of arities: triangles only.
     let arities = mesh.face_arities.iter().map(|&n| n as usize).chain(std::iter::repeat(3));

@@ -2,13 +2,15 @@
 
 use std::io::Cursor;
 
-use glam::{DVec3, Vec2, Vec3};
 use ply_rs_bw::{
     parser::{ParseError, Parser, Reader},
     ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
 };
 
-use crate::geometry::mesh_file::{error::MeshFileError, triangle_soup::TriangleSoup};
+use crate::geometry::mesh_file::{
+    error::MeshFileError,
+    triangle_soup::{Corner, TriangleSoup},
+};
 
 /// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
 /// names, and the element `face` with a list of corners. All others are passed over.
@@ -38,11 +40,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
             return Err(MeshFileError::PlyTruncated { element, count, bytes: left });
         }
         if name == "vertex" {
-            let corners: Vec<Corner> =
+            soup.corners =
                 Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
-            soup.positions = corners.iter().map(|c| c.position).collect();
-            soup.normals = corners.iter().map(|c| c.normal).collect();
-            soup.uv = corners.iter().map(|c| c.uv).collect();
         } else {
             let read =
                 Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
@@ -57,15 +56,9 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
 
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-struct Corner {
-    position: DVec3,
-    normal: Vec3,
-    uv: Vec2,
-}
-
 impl PropertyAccess for Corner {
     fn new() -> Self {
-        Self { position: DVec3::ZERO, normal: Vec3::ZERO, uv: Vec2::ZERO }
+        Self::default()
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {

@@ -22,23 +22,25 @@ pub enum Up {
     Z,
 }
 
+/// A vertex as read; zero stands for what is not given.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Corner {
+    pub(super) position: DVec3,
+    pub(super) normal: Vec3,
+    pub(super) uv: Vec2,
+}
+
 /// Triangles over vertices, as read.
 #[derive(Debug, Default)]
 pub(super) struct TriangleSoup {
-    pub(super) positions: Vec<DVec3>,
-    /// Of the first vertices, or of all; zero stands for one that is not given.
-    pub(super) normals: Vec<Vec3>,
-    /// Of the first vertices, or of all.
-    pub(super) uv: Vec<Vec2>,
+    pub(super) corners: Vec<Corner>,
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
 impl TriangleSoup {
     /// Appends a triangle of vertices that exist.
     pub(super) fn push(&mut self, triangle: [u32; 3]) -> Result<(), MeshFileError> {
-        if let Some(&index) = triangle.iter().find(|&&i| i as usize >= self.positions.len()) {
-            return Err(MeshFileError::NoSuchVertex { index: index.into(), count: self.positions.len() });
-        }
+        triangle.iter().try_for_each(|&i| self.place(i).map(drop))?;
         if self.triangles.len() >= MOST_TRIANGLES {
             return Err(MeshFileError::TooLarge);
         }
@@ -51,12 +53,13 @@ impl TriangleSoup {
         if let &[a, b, c] = corners {
             return self.push([a, b, c]);
         }
-        let place = |&index: &u32| {
-            let (place, count) = (self.positions.get(index as usize), self.positions.len());
-            place.copied().ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
-        };
-        let places = corners.iter().map(place).collect::<Result<Vec<_>, _>>()?;
+        let places = corners.iter().map(|&i| self.place(i)).collect::<Result<Vec<_>, _>>()?;
         triangulate(&places)?.into_iter().try_for_each(|triangle| self.push(triangle.map(|k| corners[k])))
+    }
+
+    fn place(&self, index: u32) -> Result<DVec3, MeshFileError> {
+        let (corner, count) = (self.corners.get(index as usize), self.corners.len());
+        corner.map(|c| c.position).ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
     }
 
     /// The mesh, turned so that `up` is z, and into the unit ball.
@@ -67,27 +70,23 @@ impl TriangleSoup {
             Up::Y => DVec3::new(v.x, -v.z, v.y),
             Up::Z => v,
         };
-        let place = |i: u32| turned((self.positions[i as usize] - centre) / radius).as_vec3();
+        let place = |i: u32| turned((self.corners[i as usize].position - centre) / radius).as_vec3();
         let mut mesh = Mesh::default();
-        let mut own = vec![u32::MAX; self.positions.len()];
+        let mut own = vec![u32::MAX; self.corners.len()];
         for &triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| place(i).as_dvec3());
             if (b - a).cross(c - a) == DVec3::ZERO {
                 continue;
             }
             mesh.triangles.push(triangle.map(|i| {
-                let k = i as usize;
-                if own[k] == u32::MAX {
-                    own[k] = mesh.vertices.len() as u32;
-                    let given = self.normals.get(k).map_or(DVec3::ZERO, |n| n.as_dvec3());
-                    mesh.vertices.push(Vertex {
-                        position: place(i),
-                        normal: turned(given).normalize_or_zero().as_vec3(),
-                        tangent: Vec3::ZERO,
-                        uv: self.uv.get(k).copied().unwrap_or_default(),
-                    });
+                let own = &mut own[i as usize];
+                if *own == u32::MAX {
+                    *own = mesh.vertices.len() as u32;
+                    let Corner { normal, uv, .. } = self.corners[i as usize];
+                    let normal = turned(normal.as_dvec3()).normalize_or_zero().as_vec3();
+                    mesh.vertices.push(Vertex { position: place(i), normal, tangent: Vec3::ZERO, uv });
                 }
-                own[k]
+                *own
             }));
         }
         if mesh.triangles.is_empty() {
@@ -99,18 +98,18 @@ impl TriangleSoup {
     }
 
     fn check_numbers(&self) -> Result<(), MeshFileError> {
-        let first = |what, place: Option<usize>| match place {
-            Some(index) => Err(MeshFileError::NotFinite { what, index }),
-            None => Ok(()),
+        let check = |what, finite: fn(&Corner) -> bool| {
+            let first = self.corners.iter().position(|corner| !finite(corner));
+            first.map_or(Ok(()), |index| Err(MeshFileError::NotFinite { what, index }))
         };
-        first("vertex", self.positions.iter().position(|p| !p.as_vec3().is_finite()))?;
-        first("normal", self.normals.iter().position(|n| !n.is_finite()))?;
-        first("texture coordinate", self.uv.iter().position(|t| !t.is_finite()))
+        check("vertex", |c| c.position.as_vec3().is_finite())?;
+        check("normal", |c| c.normal.is_finite())?;
+        check("texture coordinate", |c| c.uv.is_finite())
     }
 
     /// Centre of the box around all corners, and the distance of the farthest.
     fn ball(&self) -> Option<(DVec3, f64)> {
-        let corners = || self.triangles.iter().flatten().map(|&i| self.positions[i as usize]);
+        let corners = || self.triangles.iter().flatten().map(|&i| self.corners[i as usize].position);
         let low = corners().reduce(DVec3::min)?;
         let high = corners().reduce(DVec3::max)?;
         let centre = 0.5 * (low + high);
