@@ -232,13 +232,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn knots_are_symmetric_about_zero() {
-        assert_eq!(knot(0), -REACH);
-        assert_eq!(knot(KNOTS / 2), 0.0);
-        assert_eq!(knot(KNOTS - 1), REACH);
-    }
-
-    #[test]
     fn the_bound_of_sparse_convolution_is_that_of_its_documentation() {
         let bounds = [4.19, 10.34, 25.9, 66.0];
         for (dimension, bound) in (1..=4).zip(bounds) {

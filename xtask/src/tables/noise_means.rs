@@ -84,25 +84,3 @@ fn means_of_seed<K: Noise<V> + Copy, V: Point>(noise: K, seed: u32) -> [f64; 4] 
     }
     sums.map(|sum| sum / POINTS as f64)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_abs_diff_eq;
-    use asperity_noise::Perlin2002;
-
-    #[test]
-    fn coordinates_fill_the_box() {
-        let mut random = Random(1 << 32);
-        let mean = (0..4096).map(|_| f64::from(random.coordinate()) / 64.0).sum::<f64>() / 4096.0;
-        // Uniform in [−1, 1): standard error 0.009.
-        assert_abs_diff_eq!(mean, 0.0, epsilon = 0.03);
-    }
-
-    #[test]
-    fn moments_of_a_seed_are_those_of_numbers_in_the_unit_interval() {
-        let [first, second, third, fourth] = means_of_seed::<_, Vec2>(Perlin2002::default(), 1);
-        assert!(first > second && second > third && third > fourth && fourth > 0.0);
-        assert!(second > first * first);
-    }
-}
