@@ -50,7 +50,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
             gallery::chosen(&figures(), &wanted.only)?;
             let output = Output::new(&wanted.out)?;
             if wanted.only.is_empty() {
-                tables::build(&tables::default_sets(), &output.inside("tables")?, &interrupted)?;
+                tables::build(&tables::default_sets()?, &output.inside("tables")?, &interrupted)?;
             }
             let pictures = output.inside("gallery")?;
             gallery::draw(&figures(), &wanted, &pictures, &interrupted)?;

@@ -1,14 +1,15 @@
 //! Progress bars, on a terminal only, and the lines that stay.
 
-use std::io;
-use std::io::{IsTerminal, Write};
+use std::io::{self, IsTerminal, Write};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar with an open length; hidden unless standard error is a terminal.
 pub(crate) fn bar(label: &str) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(None, target());
+    let terminal = io::stderr().is_terminal();
+    let target = if terminal { ProgressDrawTarget::stderr_with_hz(8) } else { ProgressDrawTarget::hidden() };
+    let bar = ProgressBar::with_draw_target(None, target);
     if let Ok(style) = ProgressStyle::with_template("{prefix} {wide_bar:.cyan/dim} {percent:>3} %  {elapsed}")
     {
         bar.set_style(style.progress_chars("━╸─"));
@@ -16,14 +17,6 @@ pub(crate) fn bar(label: &str) -> ProgressBar {
     bar.set_prefix(label.to_owned());
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
-}
-
-fn target() -> ProgressDrawTarget {
-    if io::stderr().is_terminal() {
-        ProgressDrawTarget::stderr_with_hz(8)
-    } else {
-        ProgressDrawTarget::hidden()
-    }
 }
 
 /// Prints one line to standard output; a reader that has gone away is no error.

@@ -4,7 +4,7 @@ use super::table::number;
 use super::times::{OURS, Ratio, Times};
 use crate::failure::Failure;
 use crate::gallery::page;
-use crate::gallery::plot::{Axis, Ink, Names, Plot, Stroke};
+use crate::gallery::plot::{Axis, HPos, Names, Plot, Stroke};
 
 /// Height of a row in CSS pixels.
 const ROW: f64 = 34.0;
@@ -43,7 +43,7 @@ fn plot(rows: &[(&str, Ratio<'_>)]) -> Plot {
             };
             let y = y.map(|y| middle + y);
             plot = plot.frame([low, of.median()], y, ink, 0.85, 0.0);
-            plot = plot.label([of.median(), (y[0] + y[1]) / 2.0], words, Ink::Muted);
+            plot = plot.words(HPos::Left, [of.median(), (y[0] + y[1]) / 2.0], words);
         }
     }
     plot

@@ -24,6 +24,9 @@ pub(crate) const fn figure(name: &'static str, draw: fn(&Context<'_>) -> Result<
     Figure { name, draw }
 }
 
+/// A function of a place, of which a figure shows several.
+pub(crate) type Shown<'a, P, T> = &'a (dyn Fn(P) -> T + Sync);
+
 /// Settings of a figure, from the command line.
 pub(crate) struct Context<'a> {
     /// Side in pixels of a square panel; other panels scale with it.

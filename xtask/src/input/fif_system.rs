@@ -84,13 +84,13 @@ impl System {
     }
 
     /// The functions f and g of the gallery.
-    pub(crate) fn of_the_gallery() -> Vec<Self> {
+    pub(crate) fn of_the_gallery() -> Result<Vec<Self>, Failure> {
         // Cochran, Lewis, Hart 2000, eq. 18 to 23.
         let read = |(name, alpha)| {
             let maps = r#""knots": [0, 1, 2], "q": [[0, 0.5], [1, -0.5]]"#;
-            Self::parse(&format!(r#"{{ {maps}, "alpha": [{alpha}] }}"#), name).ok()
+            Self::parse(&format!(r#"{{ {maps}, "alpha": [{alpha}] }}"#), name)
         };
-        [("f", "0.5, 0.5"), ("g", "0.85, -0.85")].into_iter().filter_map(read).collect()
+        [("f", "0.5, 0.5"), ("g", "0.85, -0.85")].into_iter().map(read).collect()
     }
 
     /// For people.
@@ -159,10 +159,5 @@ mod tests {
         for (i, one) in said.iter().enumerate() {
             assert!(said.iter().skip(i + 1).all(|other| other != one), "{one}");
         }
-    }
-
-    #[test]
-    fn both_functions_of_the_gallery_are_there() {
-        assert_eq!(System::of_the_gallery().len(), 2);
     }
 }

@@ -35,14 +35,14 @@ pub(crate) struct Set {
 }
 
 /// The tables that the gallery is drawn from.
-pub(crate) fn default_sets() -> Vec<Set> {
+pub(crate) fn default_sets() -> Result<Vec<Set>, Failure> {
     let mut sets = vec![
         Set::new("noise/lattice".into(), "Noise lattice".into(), || noise::lattice(1)),
         Set::new("noise/cdf".into(), "Noise distributions G".into(), noise::distributions),
     ];
-    sets.extend(Density::of_the_gallery().into_iter().map(Set::density));
-    sets.extend(System::of_the_gallery().into_iter().map(Set::system));
-    sets
+    sets.extend(Density::of_the_gallery()?.into_iter().map(Set::density));
+    sets.extend(System::of_the_gallery()?.into_iter().map(Set::system));
+    Ok(sets)
 }
 
 /// The tables of what the user names; the default ones if that is nothing.
@@ -56,7 +56,7 @@ pub(crate) fn chosen_sets(wanted: &Tables) -> Result<Vec<Set>, Failure> {
     for path in fif {
         sets.push(Set::system(System::read(path)?));
     }
-    Ok(if sets.is_empty() { default_sets() } else { sets })
+    if sets.is_empty() { default_sets() } else { Ok(sets) }
 }
 
 impl Set {

@@ -11,7 +11,7 @@ mod scenes;
 
 use crate::gallery::figure::{Figure, figure};
 
-/// The figures by source, in the order of their pages.
+/// The figures in the order of their pages; lists of one kind stand in files of their own.
 const FIGURES: &[&[Figure]] = &[
     &[
         figure("kautz-1-sphere", kautz::objects::draw_sphere),
@@ -19,8 +19,6 @@ const FIGURES: &[&[Figure]] = &[
         figure("kautz-3-pipeline", kautz::objects::draw_pipeline),
         figure("kautz-4-teapot", kautz::objects::draw_teapot),
         figure("kautz-5-isotropic", kautz::objects::draw_isotropic),
-    ],
-    &[
         figure("cochran-1-functions", cochran::curves::draw_functions),
         figure("cochran-2-contractions", cochran::bounds::draw_contractions),
         figure("cochran-3-integrals", cochran::curves::draw_integrals),
@@ -34,15 +32,11 @@ const FIGURES: &[&[Figure]] = &[
         figure("cochran-zoom", cochran::zoom::draw),
         figure("cochran-landscape", cochran::landscape::draw),
         figure("cochran-area", cochran::area::draw),
-    ],
-    &[
         figure("asperity-mean-radiance", asperity::mean_radiance::draw),
         figure("asperity-zoom-means", asperity::measured::draw_means),
         figure("asperity-horizon", asperity::measured::draw_horizon),
         figure("asperity-normal-map-antialiasing", asperity::normal_maps::draw),
-    ],
-    &[figure("shading-reflectance", asperity::reflectance::draw)],
-    &[
+        figure("shading-reflectance", asperity::reflectance::draw),
         figure("cohen-bump-mapping", cohen::bumps::draw_bumps),
         figure("cohen-brick", cohen::bumps::draw_brick),
         figure("cohen-bevel", cohen::bumps::draw_bevel),
@@ -51,19 +45,18 @@ const FIGURES: &[&[Figure]] = &[
         figure("cohen-marble-vase", cohen::still_lifes::draw_vase),
         figure("cohen-tea-cup", cohen::still_lifes::draw_cup),
         figure("cohen-walls", scenes::draw_walls),
-    ],
-    &[figure("asperity-teapots", scenes::draw_teapots)],
-    &[
+        figure("asperity-teapots", scenes::draw_teapots),
         figure("nilsson-prng", nilsson::prng::draw),
         figure("nilsson-car", scenes::draw_car),
         figure("nilsson-carpet-room", scenes::draw_room),
+        figure("nilsson-zoom", nilsson::zoom::draw),
     ],
-    &[figure("nilsson-zoom", nilsson::zoom::draw)],
     nilsson::sliders::SLIDERS,
     ndf::densities::DENSITIES,
-    &[figure("ndf-masking", ndf::masking::draw), figure("ndf-conditional", ndf::conditional::draw)],
-    &[figure("ndf-table-l", ndf::table::draw)],
     &[
+        figure("ndf-masking", ndf::masking::draw),
+        figure("ndf-conditional", ndf::conditional::draw),
+        figure("ndf-table-l", ndf::table::draw),
         figure("ndf-map-detail", ndf::bump_maps::draw_detail),
         figure("ndf-map-estimate", ndf::bump_maps::draw_estimate),
     ],
@@ -72,8 +65,6 @@ const FIGURES: &[&[Figure]] = &[
         figure("noise-sum-patterns", noise::patterns::draw),
         figure("noise-sum-slope", noise::slope::draw),
         figure("noise-sum-footprint", noise::footprint::draw),
-    ],
-    &[
         figure("noise-gradients", noise::gradients::draw),
         figure("noise-warp", noise::gradients::draw_warp),
         figure("noise-curl", noise::curl::draw),

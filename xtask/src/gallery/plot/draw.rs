@@ -9,7 +9,7 @@ use plotters::prelude::{Cartesian2d, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, ShapeStyle, TextStyle};
 
-use crate::gallery::plot::ink::{Dash, Ink, Stroke, colour, line, line_of};
+use crate::gallery::plot::ink::{Ink, Stroke, colour};
 use crate::gallery::plot::place::{LETTERS, UNIT, spread, units, width_of};
 use crate::gallery::plot::{Mark, Names, Plot};
 
@@ -97,7 +97,7 @@ impl Canvas<'_, '_> {
         // The backend divides the size by 1.24, its guess of a font's line height.
         let font = FontDesc::new(FontFamily::Name("system-ui"), LETTERS * UNIT * 1.24, FontStyle::Normal);
         let mut style = TextStyle::from(font).pos(Pos::new(h, v));
-        style.color = colour(ink, Dash::Solid).to_backend_color();
+        style.color = colour(ink, false).to_backend_color();
         Ok(self.area.draw(&Text::new(text, place, style))?)
     }
 
@@ -107,10 +107,10 @@ impl Canvas<'_, '_> {
         let step = |pixels: f64| units(pixels) as i32;
         for (value, text) in &y.ticks {
             let (_, y) = self.at([x.range[0], *value]);
-            self.path([(left, y), (right, y)], line(Ink::Rule, 0.75))?;
+            self.path([(left, y), (right, y)], Stroke::solid(Ink::Rule).wide(0.75).style())?;
             self.words(text, (left - step(7.0), y), Ink::Muted, HPos::Right, VPos::Center)?;
         }
-        let axis = line(Ink::Muted, 0.9);
+        let axis = Stroke::solid(Ink::Muted).wide(0.9).style();
         self.path([(left, bottom), (right, bottom)], axis)?;
         for (value, text) in &x.ticks {
             let (x, _) = self.at([*value, y.range[0]]);
@@ -131,12 +131,12 @@ impl Canvas<'_, '_> {
         match mark {
             Mark::Line { points, stroke, .. } => {
                 for run in finite_runs(points) {
-                    self.path(run.iter().map(|&p| self.at(p)).collect::<Vec<_>>(), line_of(*stroke))?;
+                    self.path(run.iter().map(|&p| self.at(p)).collect::<Vec<_>>(), stroke.style())?;
                 }
             }
-            Mark::Area { points, base, ink, opacity } => {
+            Mark::Area { points, ink, opacity } => {
                 for run in finite_runs(points) {
-                    let foot = [run[run.len() - 1], run[0]].map(|[x, _]| [x, *base]);
+                    let foot = [run[run.len() - 1], run[0]].map(|[x, _]| [x, 0.0]);
                     let path: Vec<_> = run.iter().chain(&foot).map(|&p| self.at(p)).collect();
                     self.area.draw(&Polygon::new(path, fill(*ink, *opacity)))?;
                 }
@@ -146,7 +146,10 @@ impl Canvas<'_, '_> {
                 let corners = [(a.0.min(b.0), a.1.min(b.1)), (a.0.max(b.0), a.1.max(b.1))];
                 self.area.draw(&Rectangle::new(corners, fill(*ink, *opacity)))?;
                 if *width > 0.0 {
-                    self.path([a, (b.0, a.1), b, (a.0, b.1), a, (b.0, a.1)], line(*ink, *width))?;
+                    self.path(
+                        [a, (b.0, a.1), b, (a.0, b.1), a, (b.0, a.1)],
+                        Stroke::solid(*ink).wide(*width).style(),
+                    )?;
                 }
             }
             Mark::Dots { points, ink, radius } => {
@@ -156,10 +159,10 @@ impl Canvas<'_, '_> {
                     }
                 }
             }
-            Mark::Words { at, text, ink, side } => {
+            Mark::Words { at, text, side } => {
                 let (x, y) = self.at(*at);
                 let aside = units(8.0) as i32 * if matches!(side, HPos::Left) { 1 } else { -1 };
-                self.words(text, (x + aside, y), *ink, *side, VPos::Center)?;
+                self.words(text, (x + aside, y), Ink::Muted, *side, VPos::Center)?;
             }
         }
         Ok(())
@@ -180,7 +183,7 @@ impl Canvas<'_, '_> {
         for ((_, stroke, name), &(x, row)) in named.iter().zip(rows) {
             let [left, right, words] = [x, x + SAMPLE, x + SAMPLE + 6.0].map(|x| units(x) as i32);
             let y = units(12.0 + 20.0 * f64::from(row)) as i32;
-            self.path([(left, y), (right, y)], line_of(*stroke))?;
+            self.path([(left, y), (right, y)], stroke.style())?;
             self.words(name, (words, y), Ink::Text, HPos::Left, VPos::Center)?;
         }
         Ok(())
@@ -188,7 +191,7 @@ impl Canvas<'_, '_> {
 }
 
 fn fill(ink: Ink, opacity: f64) -> ShapeStyle {
-    colour(ink, Dash::Solid).mix(opacity).filled()
+    colour(ink, false).mix(opacity).filled()
 }
 
 fn is_finite(point: &[f64; 2]) -> bool {

@@ -32,35 +32,32 @@ pub(crate) struct Stroke {
     pub(crate) ink: Ink,
     /// In CSS pixels.
     pub(crate) width: f64,
-    pub(crate) dash: Dash,
-}
-
-/// Unbroken or broken.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Dash {
-    Solid,
-    Dashed,
+    pub(crate) dashed: bool,
 }
 
 impl Stroke {
     /// An unbroken line of the usual width.
     pub(crate) fn solid(ink: impl Into<Ink>) -> Self {
-        Self { ink: ink.into(), width: 1.6, dash: Dash::Solid }
+        Self { ink: ink.into(), width: 1.6, dashed: false }
     }
 
     /// A broken line of the usual width.
     pub(crate) fn dashed(ink: impl Into<Ink>) -> Self {
-        Self { dash: Dash::Dashed, ..Self::solid(ink) }
+        Self { dashed: true, ..Self::solid(ink) }
     }
 
     /// In another width.
     pub(crate) fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
+
+    pub(super) fn style(self) -> ShapeStyle {
+        colour(self.ink, self.dashed).stroke_width(units(self.width))
+    }
 }
 
-/// The backend writes fixed colours: each ink and dash gets one of its own, exchanged in [`dress`].
-pub(super) fn colour(ink: Ink, dash: Dash) -> RGBAColor {
+/// The backend writes fixed colours: each ink, dashed or not, gets one of its own, exchanged in [`dress`].
+pub(super) fn colour(ink: Ink, dashed: bool) -> RGBAColor {
     let index = match ink {
         Ink::Text => 0,
         Ink::Muted => 1,
@@ -68,15 +65,7 @@ pub(super) fn colour(ink: Ink, dash: Dash) -> RGBAColor {
         Ink::Card => 3,
         Ink::Series(n) => 4 + n.wrapping_sub(1) % 4,
     };
-    RGBColor(0xA5, dash as u8, index).to_rgba()
-}
-
-pub(super) fn line(ink: Ink, width: f64) -> ShapeStyle {
-    line_of(Stroke { width, ..Stroke::solid(ink) })
-}
-
-pub(super) fn line_of(stroke: Stroke) -> ShapeStyle {
-    colour(stroke.ink, stroke.dash).stroke_width(units(stroke.width))
+    RGBColor(0xA5, dashed.into(), index).to_rgba()
 }
 
 /// Exchanges the placeholders for the page's colours and makes the picture scale with its column.

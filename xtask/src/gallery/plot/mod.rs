@@ -7,8 +7,9 @@ mod place;
 
 pub(crate) use axis::{Axis, decimal};
 pub(crate) use ink::{Ink, Stroke};
+pub(crate) use plotters::style::text_anchor::HPos;
 
-use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend, style::text_anchor::HPos};
+use plotters::{drawing::IntoDrawingArea, prelude::SVGBackend};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Panel, Picture};
@@ -39,10 +40,10 @@ pub(crate) enum Names {
 /// Something drawn in the plot's coordinates. Points that are not finite are left out and break a line.
 enum Mark {
     Line { points: Vec<[f64; 2]>, stroke: Stroke, name: String },
-    Area { points: Vec<[f64; 2]>, base: f64, ink: Ink, opacity: f64 },
+    Area { points: Vec<[f64; 2]>, ink: Ink, opacity: f64 },
     Frame { x: [f64; 2], y: [f64; 2], ink: Ink, fill: f64, width: f64 },
     Dots { points: Vec<[f64; 2]>, ink: Ink, radius: f64 },
-    Words { at: [f64; 2], text: String, ink: Ink, side: HPos },
+    Words { at: [f64; 2], text: String, side: HPos },
 }
 
 impl Plot {
@@ -71,9 +72,9 @@ impl Plot {
         self.with(Mark::Line { points: points.into_iter().collect(), stroke, name: name.into() })
     }
 
-    /// The area between a curve and a height.
-    pub(crate) fn area(self, points: Vec<[f64; 2]>, base: f64, ink: impl Into<Ink>, opacity: f64) -> Self {
-        self.with(Mark::Area { points, base, ink: ink.into(), opacity })
+    /// The area between a curve and the height 0.
+    pub(crate) fn area(self, points: Vec<[f64; 2]>, ink: impl Into<Ink>, opacity: f64) -> Self {
+        self.with(Mark::Area { points, ink: ink.into(), opacity })
     }
 
     /// A rectangle, filled with this opacity and framed by a border in CSS pixels; 0 leaves out either.
@@ -91,14 +92,9 @@ impl Plot {
         self.with(Mark::Dots { points: points.into_iter().collect(), ink: ink.into(), radius })
     }
 
-    /// A few words that end right before a point.
-    pub(crate) fn note(self, at: [f64; 2], text: impl Into<String>, ink: impl Into<Ink>) -> Self {
-        self.with(Mark::Words { at, text: text.into(), ink: ink.into(), side: HPos::Right })
-    }
-
-    /// A few words that begin right behind a point.
-    pub(crate) fn label(self, at: [f64; 2], text: impl Into<String>, ink: impl Into<Ink>) -> Self {
-        self.with(Mark::Words { at, text: text.into(), ink: ink.into(), side: HPos::Left })
+    /// A few words that begin right behind a point, or end right before it.
+    pub(crate) fn words(self, side: HPos, at: [f64; 2], text: impl Into<String>) -> Self {
+        self.with(Mark::Words { at, text: text.into(), side })
     }
 
     /// The plot as a panel; its title is the picture in words.
@@ -135,12 +131,12 @@ mod tests {
     fn plot(names: Names, points: Vec<[f64; 2]>) -> Plot {
         let (x, y) = (Axis::log2("zoom", [0.25, 4.0]), Axis::linear("ratio <1>", [-1.0, 1.0], 0.5));
         Plot::new([400.0, 260.0], x, y, names)
-            .area(points.clone(), 0.0, 2, 0.1)
+            .area(points.clone(), 2, 0.1)
             .curve("f & g", points.clone(), Stroke::dashed(1))
             .dots(points, 7, 3.0)
             .frame([0.5, 1.0], [-0.5, 0.5], 4, 0.0, 1.0)
-            .note([1.0, 0.0], "here", Ink::Muted)
-            .label([1.0, 0.0], "x > y", Ink::Muted)
+            .words(HPos::Right, [1.0, 0.0], "here")
+            .words(HPos::Left, [1.0, 0.0], "x > y")
     }
 
     #[test]

@@ -6,7 +6,7 @@ use asperity_fif::{FixedFif, Interval, Map, paper};
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::gallery::figures::cochran::curves::{HALF, outline, plot};
-use crate::gallery::plot::{Axis, Ink, Names, Stroke};
+use crate::gallery::plot::{Axis, HPos, Ink, Names, Stroke};
 
 /// The levels shown.
 const LEVELS: [u32; 3] = [2, 4, 6];
@@ -168,7 +168,7 @@ pub(crate) fn draw_contractions(_: &Context<'_>) -> Result<Drawn> {
     ];
     let head = ["after", "interval", "f: bound |A|·R", "f: error", "g: bound |A|·R", "g: error"];
     let rows = (0..=ADDRESS.len()).map(|level| {
-        let ([lo, hi], names) = (interval(level), ADDRESS[..level].iter().map(|&j| NAMES[j]));
+        let ([lo, hi], names) = (place(&ADDRESS[..level]), ADDRESS[..level].iter().map(|&j| NAMES[j]));
         let after = names.collect::<Vec<_>>().join("∘");
         let mut row = vec![if level == 0 { "identity".into() } else { after }, format!("[{lo}, {hi}]")];
         for (fif, maps) in [(&f, &paper::F_MAPS), (&g, &paper::G_MAPS)] {
@@ -181,11 +181,6 @@ pub(crate) fn draw_contractions(_: &Context<'_>) -> Result<Drawn> {
         .fact("R of f", format!("{:.4}", 0.5 * f.range().width()))
         .fact("R of g", format!("{:.4}", 0.5 * g.range().width()))
         .table(head, rows))
-}
-
-/// The image of the domain under the first `level` horizontal contractions.
-fn interval(level: usize) -> [f64; 2] {
-    place(&ADDRESS[..level])
 }
 
 /// The value at [`POINT`]: the nearest number in f64 is not that point; its address is.
@@ -209,9 +204,9 @@ fn ladder() -> Result<Panel> {
     for level in 0..=levels {
         let y = -(level as f64);
         let shade = 0.12 + 0.76 * level as f64 / levels as f64;
-        plot = plot.frame(interval(level), [y - 0.28, y + 0.28], 1, shade, 0.8);
+        plot = plot.frame(place(&ADDRESS[..level]), [y - 0.28, y + 0.28], 1, shade, 0.8);
         if let Some(&next) = ADDRESS.get(level) {
-            plot = plot.note([interval(level + 1)[0], y - 1.0], NAMES[next], Ink::Muted);
+            plot = plot.words(HPos::Right, [place(&ADDRESS[..=level])[0], y - 1.0], NAMES[next]);
         }
     }
     let alt = "Seven bars, each half as long as the one above, closing in on 86/63";
@@ -222,7 +217,7 @@ fn boxes(name: &str, fif: &FixedFif<2, 2>, y: Axis) -> Result<Panel> {
     let mut plot = plot(SIZE, y, Names::Hidden).line(outline(fif), Stroke::solid(Ink::Muted).wide(0.7));
     for level in 1..=ADDRESS.len() {
         let range = mapped(fif, &ADDRESS[..level]).ok_or("a cell without bounds")?;
-        plot = plot.frame(interval(level), [range.lo, range.hi], 1, 0.13, 0.9);
+        plot = plot.frame(place(&ADDRESS[..level]), [range.lo, range.hi], 1, 0.13, 0.9);
     }
     plot.dots([[POINT, exact(fif)]], 2, 2.6).panel(
         format!("boxes-{name}"),
@@ -251,13 +246,13 @@ mod tests {
     fn intervals_nest_and_errors_stay_within_their_bounds() {
         let functions = [(paper::f().unwrap(), &paper::F_MAPS), (paper::g().unwrap(), &paper::G_MAPS)];
         for level in 0..=ADDRESS.len() {
-            let [lo, hi] = interval(level);
+            let [lo, hi] = place(&ADDRESS[..level]);
             assert!(lo < POINT && POINT < hi && hi - lo == 2.0 / f64::from(1_u32 << level));
             for (fif, maps) in &functions {
                 let [bound, error] = estimate(fif, maps, level);
                 assert!(error <= bound, "level {level}: {error} > {bound}");
             }
         }
-        assert_eq!(interval(6), [43.0 / 32.0, 11.0 / 8.0]);
+        assert_eq!(place(&ADDRESS), [43.0 / 32.0, 11.0 / 8.0]);
     }
 }

@@ -23,7 +23,7 @@ pub(crate) fn draw_functions(_: &Context<'_>) -> Result<Drawn> {
         let curve = outline(fif);
         let knots = paper::KNOTS.map(|x| [x, fif.evaluate(x, TOLERANCE).value]);
         plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
-            .area(curve.clone(), 0.0, 1, 0.07)
+            .area(curve.clone(), 1, 0.07)
             .line(knots, Stroke::dashed(Ink::Muted).wide(0.9))
             .curve(name, curve, Stroke::solid(1).wide(1.2))
             .dots(knots, 2, 3.5)

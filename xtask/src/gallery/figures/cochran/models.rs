@@ -66,12 +66,6 @@ fn slope(factor: f64) -> Result<FixedFif<4, 2>, SystemError> {
     FixedFif::affine(&[0.0, 0.5, 1.0, 1.5, 2.0], &[0.0, 1.0, 0.0, -1.0, 0.0], &[factor; 4])
 }
 
-/// Complex refractive indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the
-/// Noble Metals".
-fn copper() -> Result<[Conductor; 3]> {
-    Ok([Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?])
-}
-
 /// Name, label, and the object of this shape.
 type Model = (&'static str, &'static str, Object<'static>);
 
@@ -80,7 +74,8 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let matte = |colour| shaded(move |point, wo| matte(point, wo, colour));
     let lacquer =
         Glossy { lobe: Phong::new(Vec3::splat(0.16), PHONG)?, base: hex(0x9c_2b22), room: Vec3::splat(0.08) };
-    let copper = copper()?;
+    // Indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the Noble Metals".
+    let copper = [Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?];
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
     let glass =

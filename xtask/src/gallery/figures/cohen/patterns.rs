@@ -6,7 +6,7 @@ use asperity_shading::{Footprint, Marble, noise::Perlin2002};
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
-use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figure::{Context, Drawn, Shown};
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let wallpaper = StarWallpaper::default();
@@ -16,7 +16,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let pixel = 1.0 / sampling.width as f32;
     let half = Footprint::from_width(0.5 * pixel);
     let (ground, star) = (hex(0x27_3a5c), hex(0xff_b43c));
-    let stars: [([&str; 3], &(dyn Fn(Vec2) -> f32 + Sync)); 3] = [
+    let stars: [([&str; 3], Shown<'_, Vec2, f32>); 3] = [
         (["listed", "As listed", "Blunt stars, unevenly strewn"], &|uv| {
             f32::from(u8::from(wallpaper.as_listed(uv)))
         }),
@@ -37,17 +37,18 @@ pub(crate) fn draw_marble(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.square();
     let marble = Marble::default();
     let side = sampling.width as f32;
-    let slab = |x: f32, y: f32, width| {
-        let p = Vec3::new(4.0 * x / side, 4.0 * (1.0 - y / side), 0.3);
-        marble.colour(p, Footprint::from_width(width))
+    let slab = |p: Vec2, width| {
+        let place = Vec3::new(4.0 * p.x / side, 4.0 * (1.0 - p.y / side), 0.3);
+        marble.colour(place, Footprint::from_width(width))
     };
     let (bands, veins) = ("Bands of pale and dark blue", "Veins of pale and dark blue");
-    let colours: [([&str; 3], &(dyn Fn(f32, f32) -> Vec3 + Sync)); 4] = [
-        (["spline", "The spline of colours", bands], &|_, y| Marble::<Perlin2002>::spline(1.0 - y / side)),
-        (["slab", "A slab, four units wide", veins], &|x, y| slab(x, y, 0.0)),
-        (["pixels-10", "Pixels of 0.1", veins], &|x, y| slab(x, y, 0.1)),
-        (["pixels-60", "Pixels of 0.6", veins], &|x, y| slab(x, y, 0.6)),
+    let colours: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
+        (["spline", "The spline of colours", bands], &|p| Marble::<Perlin2002>::spline(1.0 - p.y / side)),
+        (["slab", "A slab, four units wide", veins], &|p| slab(p, 0.0)),
+        (["pixels-10", "Pixels of 0.1", veins], &|p| slab(p, 0.1)),
+        (["pixels-60", "Pixels of 0.6", veins], &|p| slab(p, 0.6)),
     ];
-    let drawn = Drawn::pictures(4, colours, |colour| context.render(sampling, |x, y| colour(x, y) * 2.2))?;
+    let drawn =
+        Drawn::pictures(4, colours, |colour| context.render(sampling, |x, y| colour(Vec2::new(x, y)) * 2.2))?;
     Ok(drawn.fact("colours times", "2.2"))
 }

@@ -6,7 +6,7 @@ use asperity_render::integrator::hemisphere::ember;
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
-use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figure::{Context, Drawn, Shown};
 
 const SIZE: usize = 256;
 /// Error at full brightness, in degrees.
@@ -20,16 +20,13 @@ const SPACINGS: [(Spacing, &str); 3] = [
 const CHARTS: [(Chart, &str); 3] =
     [(Chart::Stereographic, "stereographic"), (Chart::Projected, "(n_x, n_y)"), (Chart::Slopes, "slopes")];
 
-/// From coordinates to a normal.
-type LookUp<'a> = &'a (dyn Fn(Vec2) -> Vec3 + Sync);
-
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ggx = Ggx::new(0.2, 0.4)?;
     let default = NormalTable::standard(&ggx);
     let layout = TableLayout { spacing: Spacing::Quantiles, ..TableLayout::default() };
     let by_u = NormalTable::with_layout(&ggx, SIZE, layout)?;
     let alt = "Errors of a look-up over the square of coordinates.";
-    let looks: [([&str; 3], LookUp<'_>); 4] = [
+    let looks: [([&str; 3], Shown<'_, Vec2, Vec3>); 4] = [
         (["nearest", "by z, nearest", alt], &|z| default.nearest(z).normal),
         (["bilinear", "by z, bilinear", alt], &|z| default.bilinear(z).normal),
         (["u-nearest", "by u, nearest", alt], &|z| by_u.nearest(z).normal),

@@ -167,7 +167,7 @@ fn distribution(octaves: &[f64], one: &[f64], g: &[f64]) -> Result<Panel> {
     let label = "distribution, and the shipped G of eight octaves";
     let alt = "Histogram of eight octaves under the density of the shipped G, with one octave and the normal density";
     Plot::new(SIZE, x, y, Names::Above)
-        .area(stairs(octaves), 0.0, 1, 0.16)
+        .area(stairs(octaves), 1, 0.16)
         .curve("1 octave", stairs(one), Stroke::solid(3).wide(0.9))
         .curve("normal", steps.clone().map(normal), Stroke::dashed(Ink::Muted).wide(1.2))
         .curve("8 octaves", stairs(octaves), Stroke::solid(1).wide(0.9))

@@ -7,7 +7,7 @@ use asperity_noise::{
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
-use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figure::{Context, Drawn, Panel, Shown};
 use crate::gallery::figures::noise::plane::{Window, grey, slanted};
 
 /// Cells of the first octave along a side.
@@ -40,21 +40,20 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let entangled = threads.with_shape(Plasma);
     let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
     let seventh = Power(entangled, 7);
-    let patterns: [(f32, &(dyn Field<Vec3> + Sync), [f32; 2], [&str; 3]); 8] = [
-        (CELLS, &clouds, [-0.5, 0.5], CLOUD),
-        (CELLS, &turbulence, [0.0, 0.6], TURBULENCE),
-        (CELLS, &plasma, [0.4, 1.0], PLASMA),
-        (THREAD_CELLS, &threads, [-0.6, 0.6], PILE),
-        (THREAD_CELLS, &entangled, [0.2, 1.0], ENTANGLED),
-        (THREAD_CELLS, &seventh, [0.0, 0.6], SEVENTH),
-        (CELLS, &billow, [-1.0, 0.2], BILLOW),
-        (CELLS, &ridges, [0.0, 0.8], RIDGED),
-    ];
-    let mut panels = Vec::new();
-    for (cells, field, [black, white], words) in patterns {
+    let panel = |cells, field: &(dyn Field<Vec3> + Sync), [black, white]: [f32; 2], words| {
         let shade = |p| grey((field.value(slanted(p)) - black) / (white - black));
-        panels.push(Window::new(context, cells).draw(context, words, shade)?);
-    }
+        Window::new(context, cells).draw(context, words, shade)
+    };
+    let panels = vec![
+        panel(CELLS, &clouds, [-0.5, 0.5], CLOUD)?,
+        panel(CELLS, &turbulence, [0.0, 0.6], TURBULENCE)?,
+        panel(CELLS, &plasma, [0.4, 1.0], PLASMA)?,
+        panel(THREAD_CELLS, &threads, [-0.6, 0.6], PILE)?,
+        panel(THREAD_CELLS, &entangled, [0.2, 1.0], ENTANGLED)?,
+        panel(THREAD_CELLS, &seventh, [0.0, 0.6], SEVENTH)?,
+        panel(CELLS, &billow, [-1.0, 0.2], BILLOW)?,
+        panel(CELLS, &ridges, [0.0, 0.8], RIDGED)?,
+    ];
     Ok(Drawn::new(4, panels)
         .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
         .fact("octaves", format!("{OCTAVES}, gain 0.5; threads 3, gain 1; lacunarity 2"))
@@ -76,24 +75,23 @@ pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
     let side = (context.size / 2) as usize;
     let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
     let whole = Window { side: 2 * side, ..tile };
-    let noises: [(&str, &str, &(dyn Fn(Vec2) -> f32 + Sync), f32); 6] = [
-        ("seams", "Perlin 2002, not tiled", &|p| seams.value(p), 0.76),
-        ("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76),
-        ("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9),
-        ("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5),
-        ("gaussian", "Gaussian, tiled", &|p| Gaussian::new(seed).with_lattice(lattice).value(p), 2.5),
-        ("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0),
-    ];
-    let mut panels = Vec::new();
-    for (stem, label, value, white) in noises {
+    let panel = |stem, label, value: Shown<'_, Vec2, f32>, white: f32| -> Result<Panel> {
         let values = tile.map(context, value)?;
         let seam = if stem == "seams" { "with a cross of seams" } else { "without a seam" };
         let alt = format!("Four copies of a square of noise, {seam}.");
-        panels.push(whole.panel([stem, label, &alt], |i| {
+        Ok(whole.panel([stem, label, &alt], |i| {
             let (x, y) = (i % (2 * side) % side, i / (2 * side) % side);
             grey(0.5 + 0.5 * values[y * side + x] / white)
-        }));
-    }
+        }))
+    };
+    let panels = vec![
+        panel("seams", "Perlin 2002, not tiled", &|p| seams.value(p), 0.76)?,
+        panel("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76)?,
+        panel("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9)?,
+        panel("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5)?,
+        panel("gaussian", "Gaussian, tiled", &|p| Gaussian::new(seed).with_lattice(lattice).value(p), 2.5)?,
+        panel("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0)?,
+    ];
     let period = format!("{PERIOD} × {PERIOD} cells, {PERIOD} × {PERIOD} × {PERIOD} in space");
     Ok(Drawn::new(3, panels).fact("period", period).fact("picture", "2 × 2 copies of one tile"))
 }
