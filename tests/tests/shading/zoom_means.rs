@@ -1,6 +1,6 @@
 //! Zooming in on materials: what is seen of a patch keeps its mean radiance, and no pixel pops.
 
-use asperity_render::shaded::{Patch, Pixel, Sky, Subject, fractal_bumps, largest_pop, materials};
+use asperity_render::shaded::{Patch, Sky, Subject, fractal_bumps, largest_pop, materials};
 use asperity_shading::glam::Vec3;
 
 /// From straight above, and at 60°.
@@ -80,12 +80,7 @@ fn no_pixel_pops_in_a_slow_zoom() {
         if ["carpet", "paint", "glass, noise", "bumps"].contains(&subject.name) {
             // Details that come up one octave after another, for pixels of 1, ½, ¼, … are seen to pop.
             let name = subject.name;
-            let popping = Subject::new(name, subject.width, move |pixel, sky| {
-                let width = pixel.footprint().width();
-                let by = width.log2().ceil().exp2() / width;
-                subject.radiance(&Pixel { derivatives: pixel.derivatives.map(|d| d * by), ..*pixel }, sky)
-            });
-            let pop = self::pop(&popping);
+            let pop = self::pop(&subject.in_steps());
             println!("{name}: largest pop in steps {pop:.4}");
             assert!(pop > 2.0 * BOUND, "{name}: {pop} by steps");
         }

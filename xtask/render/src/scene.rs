@@ -10,8 +10,8 @@ use crate::{
         ray::{Hit, Ray},
         shape::Shape,
     },
-    light::{background::background, lamps::Lamps},
-    materials::shaded,
+    light::{background, lamps::Lamps},
+    materials::Shaded,
 };
 
 /// A material that threads may share.
@@ -38,7 +38,7 @@ impl<'a> Object<'a> {
         shape: impl Into<Arc<Shape>>,
         bsdf: impl Fn(&SurfacePoint, Vec3) -> Bsdf<'static> + Sync + 'a,
     ) -> Self {
-        Self::new(shape, shaded(bsdf))
+        Self::new(shape, Shaded(bsdf))
     }
 
     /// A body of this tint, in whose shadow is so much of the light.

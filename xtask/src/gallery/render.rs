@@ -8,7 +8,7 @@ use asperity_render::geometry::{camera::Camera, mesh::TracedMesh, mesh_file, sha
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::image::{Image, read::ImageFile};
 use asperity_render::materials::field::{Bumps, NoiseKind};
-use asperity_render::materials::{Facets, in_metres};
+use asperity_render::materials::{Facets, InMetres};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
@@ -195,37 +195,37 @@ fn surface<'a>(
             let diffuse = Vec3::new(0.24, 0.21, 0.19);
             let fake_rim_light_colour = Vec3::splat(0.5);
             let carpet = CarpetParameters { diffuse, fake_rim_light_colour, seed, ..Default::default() };
-            Box::new(in_metres(Carpet::new(carpet)?, metres))
+            Box::new(InMetres(Carpet::new(carpet)?, metres))
         }
-        Material::Paint => Box::new(in_metres(MetallicPaint::new(paint)?, metres)),
+        Material::Paint => Box::new(InMetres(MetallicPaint::new(paint)?, metres)),
         Material::Flakes => {
             let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.12 };
-            Box::new(in_metres(MetallicPaint::new(MetallicPaintParameters { flakes, ..paint })?, metres))
+            Box::new(InMetres(MetallicPaint::new(MetallicPaintParameters { flakes, ..paint })?, metres))
         }
         Material::Glass => {
             let glass = TemperedGlassParameters { body: GlassBody::Solid, seed, ..Default::default() };
-            Box::new(in_metres(TemperedGlass::new(glass)?, metres))
+            Box::new(InMetres(TemperedGlass::new(glass)?, metres))
         }
         Material::Plastic => {
             let (diffuse, gloss_roughness) = (Vec3::new(0.34, 0.12, 0.06), 0.2);
             let plastic = VariationsParameters { diffuse, gloss_roughness, seed, ..Default::default() };
-            Box::new(in_metres(Variations::new(plastic)?, metres))
+            Box::new(InMetres(Variations::new(plastic)?, metres))
         }
         Material::Scratched => {
             let (specular, roughness) = (hex(0xc8_ccd2), 0.2);
             let metal = ScratchesParameters { specular, roughness, seed, ..Default::default() };
-            Box::new(in_metres(Scratches::new(metal)?, metres))
+            Box::new(InMetres(Scratches::new(metal)?, metres))
         }
         Material::Chrome => Box::new(Coat::metal(hex(0xe4_e6ea))),
-        Material::Brick => Box::new(in_metres(BrickWall::default(), metres)),
+        Material::Brick => Box::new(InMetres(BrickWall::default(), metres)),
         Material::Marble => {
             let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
-            Box::new(in_metres(marble, metres / 0.2))
+            Box::new(InMetres(marble, metres / 0.2))
         }
         Material::Wallpaper => {
             let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, seed)?;
             let paper = Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8) };
-            Box::new(in_metres(paper, metres / 0.1))
+            Box::new(InMetres(paper, metres / 0.1))
         }
     })
 }

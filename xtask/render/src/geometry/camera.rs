@@ -40,11 +40,6 @@ impl Camera {
         Self { pixel, parallel: true, ..Self::new(eye, target, 1.0, width, height) }
     }
 
-    /// The eye.
-    pub fn eye(&self) -> Vec3 {
-        self.eye
-    }
-
     /// Unit direction through the picture's point `(x, y)`, in pixels from the top left.
     pub fn direction(&self, x: f32, y: f32) -> Vec3 {
         let across = (x - self.centre[0]) * self.pixel;

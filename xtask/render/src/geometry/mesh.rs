@@ -36,15 +36,11 @@ impl Mesh {
     pub fn parallelogram(corner: Vec3, sides: [Vec3; 2]) -> Self {
         let [u, v] = sides;
         let normal = u.cross(v).normalize_or(Vec3::Z);
-        let lengths = Vec2::new(u.length(), v.length());
-        let vertex = |x: f32, y: f32| Vertex {
-            position: corner + x * u + y * v,
-            normal,
-            tangent: u.normalize_or(Vec3::X),
-            uv: lengths * Vec2::new(x, y),
-        };
-        let vertices = vec![vertex(0.0, 0.0), vertex(1.0, 0.0), vertex(1.0, 1.0), vertex(0.0, 1.0)];
-        Self { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
+        Self::grid(1, 1, |row, column| {
+            let (x, y) = (column as f32, row as f32);
+            let uv = Vec2::new(x * u.length(), y * v.length());
+            Vertex { position: corner + x * u + y * v, normal, tangent: u.normalize_or(Vec3::X), uv }
+        })
     }
 
     /// Two triangles in every cell between rows and columns of vertices, at 0 and at the last of each.
@@ -54,8 +50,11 @@ impl Mesh {
         let mut mesh = Self { vertices, triangles: Vec::new() };
         for a in (0..rows * stride).filter(|a| a % stride < columns) {
             let [a, b, c, d] = [a, a + 1, a + stride, a + stride + 1].map(|i| i as u32);
-            mesh.push_unless_degenerate([a, b, d]);
-            mesh.push_unless_degenerate([a, d, c]);
+            // Two corners coincide at the pole of a patch.
+            mesh.triangles.extend([[a, b, d], [a, d, c]].into_iter().filter(|triangle| {
+                let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize].position);
+                a != b && b != c && c != a
+            }));
         }
         mesh
     }
@@ -65,14 +64,6 @@ impl Mesh {
         let first = self.vertices.len() as u32;
         self.vertices.extend(other.vertices);
         self.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|i| first + i)));
-    }
-
-    /// Appends a triangle unless two of its corners coincide, as they do at the pole of a patch.
-    pub fn push_unless_degenerate(&mut self, triangle: [u32; 3]) {
-        let [a, b, c] = triangle.map(|i| self.vertices.get(i as usize).map(|v| v.position));
-        if a != b && b != c && c != a {
-            self.triangles.push(triangle);
-        }
     }
 }
 

@@ -14,15 +14,12 @@ pub fn relief(point: impl Fn(f32, f32) -> Vec3) -> Mesh {
     let (rings, spokes) = CELLS;
     Mesh::grid(rings, spokes, |ring, spoke| {
         // The last spoke is the first one, to the last bit.
-        vertex(&point, ring as f32 / rings as f32, (spoke % spokes) as f32 / spokes as f32 * TAU)
+        let (t, phi) = (ring as f32 / rings as f32, (spoke % spokes) as f32 / spokes as f32 * TAU);
+        let position = point(t, phi);
+        let [outward, around] = differences(&point, [t, phi], 1e-3);
+        let normal = outward.cross(around).try_normalize().unwrap_or(Vec3::Z);
+        Vertex { position, normal, tangent: normal.any_orthonormal_vector(), uv: position.truncate() }
     })
-}
-
-fn vertex(point: &impl Fn(f32, f32) -> Vec3, t: f32, phi: f32) -> Vertex {
-    let position = point(t, phi);
-    let [outward, around] = differences(point, [t, phi], 1e-3);
-    let normal = outward.cross(around).try_normalize().unwrap_or(Vec3::Z);
-    Vertex { position, normal, tangent: normal.any_orthonormal_vector(), uv: position.truncate() }
 }
 
 /// Differences of a surface along `t` in `[0, 1]` and around `φ`, by a step that is wide enough for `f32` and narrow against a cell.

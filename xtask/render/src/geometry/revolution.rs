@@ -20,24 +20,16 @@ const AROUND: usize = 192;
 /// Texture coordinates are the angle and the length along the profile.
 pub fn revolved(points: &[[f32; 2]]) -> Mesh {
     let profile = smooth(points);
-    let rows = profile.len();
-    let mut length = 0.0;
-    let lengths: Vec<f32> = std::iter::once(0.0)
-        .chain(profile.windows(2).map(|pair| {
-            length += (pair[1].0 - pair[0].0).length();
-            length
-        }))
-        .collect();
-    grid(rows, AROUND, |row, column| {
+    grid(profile.len(), AROUND, |row, column| {
         let angle = TAU * column as f32 / AROUND as f32;
         let (sin, cos) = angle.sin_cos();
-        let (p, along) = profile[row];
+        let (p, along, length) = profile[row];
         let out = Vec2::new(along.y, -along.x);
         Vertex {
             position: Vec3::new(p.x * cos, p.x * sin, p.y),
             normal: Vec3::new(out.x * cos, out.x * sin, out.y),
             tangent: Vec3::new(-sin, cos, 0.0),
-            uv: Vec2::new(angle, lengths[row]),
+            uv: Vec2::new(angle, length),
         }
     })
 }
@@ -45,17 +37,14 @@ pub fn revolved(points: &[[f32; 2]]) -> Mesh {
 /// A ring of radius `ring` about `centre`, upright in the x–z plane, of a tube of radius `tube`.
 pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
     grid(AROUND / 4 + 1, AROUND / 2, |row, column| {
-        let (sa, ca) = (TAU * column as f32 / (AROUND / 2) as f32).sin_cos();
-        let (sb, cb) = (TAU * row as f32 / (AROUND / 4) as f32).sin_cos();
+        let (a, b) = (TAU * column as f32 / (AROUND / 2) as f32, TAU * row as f32 / (AROUND / 4) as f32);
+        let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
         let out = Vec3::new(cb * ca, sb, cb * sa);
         Vertex {
             position: centre + ring * Vec3::new(ca, 0.0, sa) + tube * out,
             normal: out,
             tangent: Vec3::new(-sa, 0.0, ca),
-            uv: Vec2::new(
-                ring * TAU * column as f32 / (AROUND / 2) as f32,
-                tube * TAU * row as f32 / (AROUND / 4) as f32,
-            ),
+            uv: Vec2::new(ring * a, tube * b),
         }
     })
 }
@@ -65,16 +54,17 @@ fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) ->
     Mesh::grid(rows - 1, columns, |row, column| vertex(row, columns - column))
 }
 
-/// Points of the Catmull–Rom spline through the given ones, with its unit directions.
-fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2)> {
+/// Points of the Catmull–Rom spline through the given ones, with its unit directions and lengths up to there.
+fn smooth(points: &[[f32; 2]]) -> Vec<(Vec2, Vec2, f32)> {
     let point = |k: isize| Vec2::from(points[k.clamp(0, points.len() as isize - 1) as usize]);
-    let mut out = Vec::new();
+    let mut out: Vec<(Vec2, Vec2, f32)> = Vec::new();
     for k in 0..points.len() as isize - 1 {
         let around = [-1, 0, 1, 2].map(|by| point(k + by));
         let last = usize::from(k == points.len() as isize - 2);
         for step in 0..STEPS + last {
             let [place, along] = catmull_rom(around, step as f32 / STEPS as f32);
-            out.push((place, along.normalize_or(Vec2::Y)));
+            let length = out.last().map_or(0.0, |(last, _, length)| length + place.distance(*last));
+            out.push((place, along.normalize_or(Vec2::Y), length));
         }
     }
     out

@@ -9,7 +9,7 @@ use crate::{
     failure::Failure,
     image::{Image, tone::hex},
     integrator::pixels::{Sampling, render},
-    light::background::background,
+    light::background,
 };
 
 /// The colours of a density, from none to its peak: night, violet, ember, straw.

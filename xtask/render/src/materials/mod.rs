@@ -7,4 +7,4 @@ pub mod pattern;
 mod shader;
 
 pub use bumped::{Facets, Printed, SharedNdf, sky};
-pub use shader::{InMetres, Layers, Shaded, chalk, glazed, in_metres, shaded};
+pub use shader::{InMetres, Layers, Shaded, chalk, glazed};

@@ -8,13 +8,8 @@ use asperity_shading::{
 };
 use glam::Vec3;
 
-/// A material whose BSDF a function gives.
-pub struct Shaded<F>(F);
-
-/// The material with this BSDF at a point for the direction to the eye, in the frame of the surface.
-pub fn shaded<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>>(bsdf: F) -> Shaded<F> {
-    Shaded(bsdf)
-}
+/// A material whose BSDF a function gives, at a point for the direction to the eye in the frame of the surface.
+pub struct Shaded<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>>(pub F);
 
 impl<F: Fn(&SurfacePoint, Vec3) -> Bsdf<'static>> Material for Shaded<F> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
@@ -38,24 +33,16 @@ pub fn chalk(wo: Vec3, normal: Vec3, colour: Vec3, sent: Vec3) -> Bsdf<'static> 
 }
 
 /// A material that is laid out in metres, in a scene whose unit is so many.
-pub struct InMetres<M> {
-    material: M,
-    metres: f32,
-}
-
-/// The material in a scene whose unit is so many metres.
-pub fn in_metres<M: Material>(material: M, metres: f32) -> InMetres<M> {
-    InMetres { material, metres }
-}
+pub struct InMetres<M>(pub M, pub f32);
 
 impl<M: Material> Material for InMetres<M> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        self.material.bsdf(&point.scaled(self.metres), wo)
+        self.0.bsdf(&point.scaled(self.1), wo)
     }
 }
 
 /// A matte colour under a glaze of this roughness.
 pub fn glazed(roughness: f32, colour: Vec3) -> impl Material + Sync {
     let glaze = Coat::varnish(Dielectric::clamped(1.5)).rough(roughness);
-    shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, colour, Vec3::ZERO).with_coat(glaze))
+    Shaded(move |_: &SurfacePoint, wo| chalk(wo, Vec3::Z, colour, Vec3::ZERO).with_coat(glaze))
 }

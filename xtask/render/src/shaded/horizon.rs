@@ -45,9 +45,10 @@ impl Horizon {
         // The derivatives of the point by the pixel.
         let height = 0.6 * self.height as f32;
         let derivatives = [Vec2::new(middle.y / height, 0.0), -middle * (middle.y / height)];
-        let radiance = |at: Vec2, derivatives| {
-            let eye = Eye::At(Vec3::Z);
-            subject.radiance(&Pixel { at, derivatives, taps: 32, eye }.magnified(8.0 / subject.width), sky)
+        let unit = subject.width / 8.0;
+        let radiance = |at: Vec2, derivatives: [Vec2; 2]| {
+            let (derivatives, eye) = (derivatives.map(|d| d * unit), Eye::At(Vec3::Z * unit));
+            subject.radiance(&Pixel::new(at * unit, derivatives, 32, eye), sky)
         };
         let sum = (0..1024).map(r2).fold(Vec3::ZERO, |sum, [i, j]| {
             sum + radiance(self.point(x + i as f32, y + j as f32), [Vec2::ZERO; 2])

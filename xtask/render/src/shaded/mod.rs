@@ -11,7 +11,6 @@ mod textures;
 
 pub use horizon::{Horizon, Seen, errors};
 pub use materials::{fractal_bumps, materials};
-pub use pixel::{Eye, Pixel};
 pub use subject::{Sky, Subject};
 pub use telephoto::{Frame, Mean, Patch, largest_pop};
 pub use textures::textures;

@@ -1,24 +1,20 @@
 //! Pixels of a plane: a sample with its derivatives and the eye.
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::{Footprint, PixelEllipse, SurfacePoint};
+use asperity_shading::{PixelEllipse, SurfacePoint};
 
-/// A point of the plane z = 0, with the pixel about it and the eye.
+/// A point of the plane z = 0, whose coordinates are those of the texture as well, with its pixel and the eye.
 #[derive(Clone, Copy, Debug)]
-pub struct Pixel {
-    /// The point, whose coordinates are those of the texture as well.
-    pub at: Vec2,
-    /// By how much it moves from one pixel to the next, to the right and down; zero for a sample without a filter.
-    pub derivatives: [Vec2; 2],
+pub(super) struct Pixel {
+    pub(super) point: SurfacePoint,
     /// The most taps that it is filtered by.
-    pub taps: u32,
-    /// The eye.
-    pub eye: Eye,
+    pub(super) taps: u32,
+    pub(super) eye: Eye,
 }
 
 /// Place of the eye.
 #[derive(Clone, Copy, Debug)]
-pub enum Eye {
+pub(super) enum Eye {
     /// From infinity, in this unit direction.
     Towards(Vec3),
     /// From this point.
@@ -26,58 +22,30 @@ pub enum Eye {
 }
 
 impl Pixel {
-    /// The unit direction to the eye.
-    #[must_use]
-    pub fn view(&self) -> Vec3 {
+    /// The point, and by how much it moves from one pixel to the next, to the right and down; zero for a sample without a filter.
+    pub(super) fn new(at: Vec2, derivatives: [Vec2; 2], taps: u32, eye: Eye) -> Self {
+        let [dx, dy] = derivatives.map(|d| d.extend(0.0));
+        let pixel = PixelEllipse::from_derivatives(dx, dy);
+        let point = SurfacePoint::new(at.extend(0.0), Vec3::Z, pixel).with_uv(at, [Vec3::X, Vec3::Y]);
+        Self { point, taps, eye }
+    }
+
+    /// The unit direction from a point to the eye.
+    pub(super) fn view(&self, from: &SurfacePoint) -> Vec3 {
         match self.eye {
             Eye::Towards(view) => view,
-            Eye::At(eye) => (eye - self.at.extend(0.0)).normalize(),
+            Eye::At(eye) => (eye - from.position).normalize(),
         }
     }
 
-    /// The ellipse that it covers.
-    fn ellipse(&self) -> PixelEllipse {
-        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
-        PixelEllipse::from_derivatives(dx, dy)
-    }
-
-    /// The round footprint: the long axis of the pixel.
-    #[must_use]
-    pub fn footprint(&self) -> Footprint {
-        let [dx, dy] = self.derivatives.map(|d| d.extend(0.0));
-        Footprint::from_derivatives(dx, dy)
-    }
-
-    /// The point of the surface with its whole pixel.
-    #[must_use]
-    pub fn whole(&self) -> SurfacePoint {
-        self.point(self.ellipse())
-    }
-
-    /// The point of the surface, with this pixel.
-    #[must_use]
-    pub fn point(&self, pixel: impl Into<PixelEllipse>) -> SurfacePoint {
-        SurfacePoint::new(self.at.extend(0.0), Vec3::Z, pixel).with_uv(self.at, [Vec3::X, Vec3::Y])
-    }
-
-    /// The mean of a radiance over the taps of the pixel.
-    #[must_use]
-    pub fn over(&self, radiance: impl Fn(&Self, Footprint) -> Vec3) -> Vec3 {
-        let (sum, count) =
-            self.ellipse().fine_taps(self.taps).fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
-                let there = Self { at: self.at + tap.offset.truncate(), ..*self };
-                (sum + radiance(&there, tap.footprint), count + 1.0)
-            });
+    /// The mean of a radiance, by the point and the direction to the eye, over the taps of the pixel.
+    pub(super) fn over(&self, radiance: impl Fn(SurfacePoint, Vec3) -> Vec3) -> Vec3 {
+        let point = self.point;
+        let (sum, count) = point.pixel.fine_taps(self.taps).fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
+            let (position, uv) = (point.position + tap.offset, point.uv + tap.offset.truncate());
+            let there = SurfacePoint { position, uv, pixel: tap.footprint.into(), ..point };
+            (sum + radiance(there, self.view(&there)), count + 1.0)
+        });
         sum / count
-    }
-
-    /// The pixel of a plane whose surface is so many times as large.
-    #[must_use]
-    pub fn magnified(&self, by: f32) -> Self {
-        let eye = match self.eye {
-            Eye::At(eye) => Eye::At(eye / by),
-            towards @ Eye::Towards(_) => towards,
-        };
-        Self { at: self.at / by, derivatives: self.derivatives.map(|d| d / by), eye, ..*self }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use asperity_shading::{Footprint, SurfacePoint, material::Material, reflectance::Bsdf};
+use asperity_shading::{SurfacePoint, material::Material, reflectance::Bsdf};
 use glam::Vec3;
 
 use crate::{light::lamps::Lamp, shaded::pixel::Pixel};
@@ -44,7 +44,7 @@ pub struct Subject {
 
 impl Subject {
     /// A surface with this radiance, in positions of its own unit.
-    pub fn new(
+    pub(super) fn new(
         name: &'static str,
         width: f32,
         radiance: impl Fn(&Pixel, &Sky) -> Vec3 + Send + Sync + 'static,
@@ -60,15 +60,22 @@ impl Subject {
         point: fn(SurfacePoint) -> SurfacePoint,
     ) -> Self {
         Self::new(name, width, move |pixel, sky| {
-            pixel.over(|tap, footprint: Footprint| {
-                sky.on(&material.bsdf(&point(tap.point(footprint)), tap.view()), tap.view())
-            })
+            pixel.over(|tap, view| sky.on(&material.bsdf(&point(tap), view), view))
+        })
+    }
+
+    /// The surface whose details come up one octave after another: every pixel is as wide as the next power of two.
+    #[must_use]
+    pub fn in_steps(self) -> Self {
+        Self::new(self.name, self.width, move |pixel, sky| {
+            let width = pixel.point.footprint().width();
+            let ellipse = pixel.point.pixel.scaled(width.log2().ceil().exp2() / width);
+            self.radiance(&Pixel { point: SurfacePoint { pixel: ellipse, ..pixel.point }, ..*pixel }, sky)
         })
     }
 
     /// Radiance of a sample under a sky.
-    #[must_use]
-    pub fn radiance(&self, pixel: &Pixel, sky: &Sky) -> Vec3 {
+    pub(super) fn radiance(&self, pixel: &Pixel, sky: &Sky) -> Vec3 {
         (self.radiance)(pixel, sky)
     }
 }

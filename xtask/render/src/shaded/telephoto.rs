@@ -58,8 +58,7 @@ impl Patch {
         for k in 0..self.samples {
             let [x, y] = r2(k).map(|x| x as f32 - 0.5);
             let at = centre + derivatives[0] * x + derivatives[1] * y;
-            let radiance =
-                subject.radiance(&Pixel { at, derivatives, taps: 2, eye: Eye::Towards(self.view) }, sky);
+            let radiance = subject.radiance(&Pixel::new(at, derivatives, 2, Eye::Towards(self.view)), sky);
             let radiance = f64::from(radiance.dot(Vec3::ONE)) / 3.0;
             sum += radiance;
             range = [range[0].min(radiance), range[1].max(radiance)];

@@ -41,7 +41,10 @@ pub fn textures() -> Vec<Subject> {
 
 /// A wall is filtered by the box about its pixel, without taps.
 fn wall(name: &'static str, wall: BrickWall) -> Subject {
-    Subject::new(name, 8.0, move |pixel, sky| sky.on(&wall.bsdf(&pixel.whole(), pixel.view()), pixel.view()))
+    Subject::new(name, 8.0, move |pixel, sky| {
+        let view = pixel.view(&pixel.point);
+        sky.on(&wall.bsdf(&pixel.point, view), view)
+    })
 }
 
 /// The plane as a cut through space at 0.3, beside the planes of lattices.
@@ -53,9 +56,9 @@ fn raised(point: SurfacePoint) -> SurfacePoint {
 fn gas() -> Subject {
     let gas = Gas::default();
     Subject::new("gas", 8.0, move |pixel, _| {
-        pixel.over(|tap, footprint| {
-            let extinction = |p: Vec3| gas.clamped_density(p, footprint);
-            let seen = march(tap.at.extend(0.0), Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
+        pixel.over(|tap, _| {
+            let extinction = |p: Vec3| gas.clamped_density(p, tap.footprint());
+            let seen = march(tap.position, Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
             let veil = Coat::veil(Vec3::splat(seen.transmittance));
             let bsdf = Bsdf::new(Vec3::Z).with_coat(veil).with_emitted(seen.light);
             let [_, ground] = bsdf.deltas(Vec3::Z, Vec2::ZERO);

@@ -1,8 +1,8 @@
 //! The materials on things: a car, a room, walls, and the teapot in each of them.
 
 use asperity_render::image::{Image, tone::hex};
+use asperity_render::materials::InMetres;
 use asperity_render::materials::field::{Bumps, NoiseKind};
-use asperity_render::materials::in_metres;
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{Set, View, backdrop};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
@@ -78,7 +78,7 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
         (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim)),
     ];
     let drawn = Drawn::pictures(3, pictures, |((set, view), carpet)| {
-        let objects = set.objects(Box::new(in_metres(Carpet::new(carpet)?, set.metres())))?;
+        let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())))?;
         picture(context, objects, view, context.sampling([12, 12], 6))
     })?;
     let light = format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width);
@@ -90,7 +90,7 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
 
 pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
-    let stars = in_metres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8) }, 10.0);
+    let stars = InMetres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8) }, 10.0);
     let (away, pale) = ("A brick wall that runs away to the right", "Dark blue wallpaper with pale stars");
     let pictures: [([&str; 3], Subject); 2] = [
         (["bricks", "Bricks of 25 by 8 cm", away], Box::new(BrickWall::default())),
@@ -134,11 +134,11 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
     let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
     let subjects: [(&str, &str, Subject); 6] = [
         ("bumps", "Bumps of a density", Box::new(copper)),
-        ("paint", "Metallic paint", Box::new(in_metres(paint, metres))),
-        ("plastic", "Plastic with dents", Box::new(in_metres(plastic, metres))),
+        ("paint", "Metallic paint", Box::new(InMetres(paint, metres))),
+        ("plastic", "Plastic with dents", Box::new(InMetres(plastic, metres))),
         ("scratched", "Scratched metal", Box::new(scratches)),
-        ("marble", "Blue marble", Box::new(in_metres(marble, 0.8))),
-        ("glass", "Glass", Box::new(in_metres(TemperedGlass::new(glass)?, metres))),
+        ("marble", "Blue marble", Box::new(InMetres(marble, 0.8))),
+        ("glass", "Glass", Box::new(InMetres(TemperedGlass::new(glass)?, metres))),
     ];
     let mut panels = Vec::new();
     for (stem, label, subject) in subjects {

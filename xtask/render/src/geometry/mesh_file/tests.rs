@@ -3,7 +3,6 @@
 use std::fs;
 
 use approx::assert_abs_diff_eq;
-use glam::Vec3;
 use gltf::binary::{Glb, Header};
 use ply_rs_bw::{
     parser,
@@ -22,17 +21,10 @@ use crate::{
 };
 
 /// The cube of side 2 with its faces turning to the left from outside.
-const CUBE_OBJ: &str = "# a cube\nmtllib none.mtl\no cube\n\
-    v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n\
-    vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
-    f 1/1 5/2 7/-2 3/4\nf 2/1 4/2 8/-2 6/4\nf 1/1 2/2 6/-2 5/4\n\
-    f 3/1 7/2 8/-2 4/4\nf 1/1 3/2 4/-2 2/4\nf 5/1 6/2 8/-2 7/4\nl 1 2 3\np 4\n";
-
-const CUBE_PLY: &str = "ply\nformat ascii 1.0\ncomment a cube\nelement vertex 8\nproperty float x\nproperty double y\n\
-    property float z\nproperty uchar red\nelement edge 1\nproperty int a\nelement face 6\n\
-    property list uchar int vertex_indices\nend_header\n\
-    -1 -1 -1 200\n1 -1 -1 200\n-1 1 -1 200\n1 1 -1 200\n-1 -1 1 200\n1 -1 1 200\n-1 1 1 200\n1 1 1 200\n7\n\
-    4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\n";
+const CUBE_OBJ: &str = include_str!("../../../tests/data/cube.obj");
+const CUBE_PLY: &str = include_str!("../../../tests/data/cube.ply");
+/// Six faces of four corners each, v downwards; two primitives of three faces, under two nodes.
+const CUBE_GLB: &[u8] = include_bytes!("../../../tests/data/cube.glb");
 
 /// The cube in another of the encodings.
 fn cube_ply(encoding: Encoding) -> Vec<u8> {
@@ -48,53 +40,19 @@ fn glb(json: &Value, bin: &[u8]) -> Vec<u8> {
     Glb { header, json: json.to_string().into_bytes().into(), bin: Some(bin.into()) }.to_vec().unwrap()
 }
 
-/// Six faces of four corners each, two primitives of three faces, under two nodes.
+/// The cube's JSON and its binary chunk.
 fn cube_gltf() -> (Value, Vec<u8>) {
-    let mut bin = Vec::new();
-    for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
-        for normal in [-axis, axis] {
-            let (u, v) = (Vec3::new(axis.z, axis.x, axis.y), Vec3::new(axis.y, axis.z, axis.x));
-            let (u, v) = (u, v * normal.dot(axis));
-            // v goes downwards, as glTF has it.
-            for [s, t] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0_f32]] {
-                let corner = normal + s * u + t * v;
-                let uv = [0.5 + 0.5 * s, 0.5 - 0.5 * t];
-                let numbers = [corner.as_ref(), normal.as_ref(), &uv[..]].concat();
-                bin.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
-            }
-        }
-    }
-    let indices = (0..3_u16).flat_map(|f| [0, 1, 2, 0, 2, 3].map(|k| 4 * f + k));
-    bin.extend(indices.flat_map(u16::to_le_bytes));
-    let accessor = |first: usize, offset: usize, kind: &str| {
-        json!({"bufferView": 0, "byteOffset": first * 128 + offset, "componentType": 5126, "count": 12,
-               "type": kind, "min": [-1, -1, -1], "max": [1, 1, 1]})
-    };
-    let primitive = |first: usize| json!({"attributes": {"POSITION": first, "NORMAL": first + 1, "TEXCOORD_0": first + 2}, "indices": 6});
-    let json = json!({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"children": [1], "translation": [5, 6, 7]}, {"mesh": 0, "scale": [2, 2, 2]}],
-        "meshes": [{"primitives": [primitive(0), primitive(3)]}],
-        "accessors": [
-            accessor(0, 0, "VEC3"), accessor(0, 12, "VEC3"), accessor(0, 24, "VEC2"),
-            accessor(3, 0, "VEC3"), accessor(3, 12, "VEC3"), accessor(3, 24, "VEC2"),
-            {"bufferView": 1, "componentType": 5123, "count": 18, "type": "SCALAR"},
-        ],
-        "bufferViews": [{"buffer": 0, "byteLength": 768, "byteStride": 32},
-            {"buffer": 0, "byteOffset": 768, "byteLength": 36}],
-        "buffers": [{"byteLength": 804}],
-    });
-    (json, bin)
+    let Glb { json, bin, .. } = Glb::from_slice(CUBE_GLB).unwrap();
+    (serde_json::from_slice(&json).unwrap(), bin.unwrap().into_owned())
 }
 
 fn good() -> [(&'static str, Parser, Vec<u8>); 5] {
-    let (json, bin) = cube_gltf();
     [
         ("obj", obj::parse, CUBE_OBJ.into()),
         ("ascii ply", ply::parse, CUBE_PLY.into()),
         ("little-endian ply", ply::parse, cube_ply(Encoding::BinaryLittleEndian)),
         ("big-endian ply", ply::parse, cube_ply(Encoding::BinaryBigEndian)),
-        ("glb", glb::parse, glb(&json, &bin)),
+        ("glb", glb::parse, CUBE_GLB.into()),
     ]
 }
 
@@ -102,6 +60,13 @@ fn good() -> [(&'static str, Parser, Vec<u8>); 5] {
 fn check(name: &str, mesh: &Mesh) {
     checks::check(name, mesh, -1.1);
     assert!(mesh.vertices.iter().all(|v| v.position.length() < 1.0 + 1e-6), "{name}");
+}
+
+/// The mesh, if it is one and right, or else one clear line.
+fn judged(name: &str, parse: Parser, bytes: &[u8]) -> Result<Mesh, String> {
+    let mesh = mesh(parse, bytes, Up::Y).map_err(|_| refusal(parse, bytes))?;
+    check(name, &mesh);
+    Ok(mesh)
 }
 
 fn refusal(parse: Parser, bytes: &[u8]) -> String {
@@ -162,14 +127,9 @@ fn tangents_follow_u_and_v_goes_upwards() {
 fn files_that_are_cut_off_are_refused_or_smaller() {
     for (name, parse, bytes) in good() {
         for n in 0..bytes.len() {
-            match mesh(parse, &bytes[..n], Up::Y) {
-                Ok(mesh) => {
-                    check(name, &mesh);
-                    // Text may end early without a trace, or in the middle of a number.
-                    assert!(name == "obj" || name == "ascii ply" && n + 4 > bytes.len(), "{name}: {n}");
-                }
-                Err(_) => drop(refusal(parse, &bytes[..n])),
-            }
+            // Text may end early without a trace, or in the middle of a number.
+            let early = name == "obj" || name == "ascii ply" && n + 4 > bytes.len();
+            assert!(judged(name, parse, &bytes[..n]).is_err() || early, "{name}: {n}");
         }
     }
 }
@@ -190,13 +150,9 @@ fn spoilt_bytes_never_panic() {
                     _ => spoilt[at] ^ 1 << (random.uniform() * 8.0) as u32,
                 };
             }
-            match mesh(parse, &spoilt, Up::Y) {
-                Ok(mesh) => {
-                    check(name, &mesh);
-                    TracedMesh::new(mesh);
-                    right += 1;
-                }
-                Err(_) => drop(refusal(parse, &spoilt)),
+            if let Ok(mesh) = judged(name, parse, &spoilt) {
+                TracedMesh::new(mesh);
+                right += 1;
             }
         }
         assert!(right > 0 && right < ROUNDS, "{name}: {right}");

@@ -3,8 +3,7 @@
 
 use asperity_render::image::Image;
 use asperity_render::shaded::{
-    Frame, Horizon, Mean, Patch, Pixel, Seen, Sky, Subject, errors, fractal_bumps, largest_pop, materials,
-    textures,
+    Frame, Horizon, Mean, Patch, Seen, Sky, Subject, errors, fractal_bumps, largest_pop, materials, textures,
 };
 use glam::Vec3;
 
@@ -115,12 +114,7 @@ fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
 fn followed(subject: Subject, sky: &Sky) -> Result<Panel> {
     let name = subject.name;
     let smooth = curve(&slow(&subject, sky));
-    let stepped = Subject::new(name, subject.width, move |pixel, sky| {
-        let width = pixel.footprint().width();
-        let by = width.log2().ceil().exp2() / width;
-        subject.radiance(&Pixel { derivatives: pixel.derivatives.map(|d| d * by), ..*pixel }, sky)
-    });
-    let steps = curve(&slow(&stepped, sky));
+    let steps = curve(&slow(&subject.in_steps(), sky));
     let most = smooth.iter().chain(&steps).fold(0.0_f64, |most, point| most.max(point[1]));
     let ticks = [(60.0, "60"), (120.0, "120"), (240.0, "240")];
     let x = Axis::log2("zoom", [FROM, FROM * 7.3]).with_ticks(&ticks);

@@ -7,7 +7,7 @@ use asperity_render::geometry::{fractal::Fractal, ray::Ray, shape::Shape};
 use asperity_render::image::tone::hex;
 use asperity_render::light::lamps::{Lamps, direction, studio};
 use asperity_render::materials::pattern::{checker, grid};
-use asperity_render::materials::{chalk, shaded};
+use asperity_render::materials::{Shaded, chalk};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_shading::reflectance::{Bsdf, Coat, Lobe};
 use asperity_shading::{
@@ -71,7 +71,7 @@ type Model = (&'static str, &'static str, Object<'static>);
 
 fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let object = |surface: Box<Surface<'static>>| Object::new(Arc::clone(shape), surface);
-    let matte = |colour| shaded(move |point, wo| matte(point, wo, colour));
+    let matte = |colour| Shaded(move |point, wo| matte(point, wo, colour));
     let lacquer =
         Glossy { lobe: Phong::new(Vec3::splat(0.16), PHONG)?, base: hex(0x9c_2b22), room: Vec3::splat(0.08) };
     // Indices at about 650, 550 and 450 nm, from Johnson and Christy 1972, "Optical Constants of the Noble Metals".

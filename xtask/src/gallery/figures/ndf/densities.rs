@@ -5,9 +5,7 @@ use std::f64::consts::FRAC_2_PI;
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Isotropic, Mixture, StudentT, Ward,
 };
-use asperity_render::{
-    image::tone::hex, light::background::background, materials::SharedNdf, sampling::random::Random,
-};
+use asperity_render::{image::tone::hex, light::background, materials::SharedNdf, sampling::random::Random};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 

@@ -5,7 +5,7 @@ use std::{fmt::Debug, sync::Arc};
 use asperity_render::light::lamps::{Lamp, Lamps};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::ray::Ray, image::tone::hex, integrator::pixels::Sampling};
-use asperity_render::{materials::in_metres, scenes::Form};
+use asperity_render::{materials::InMetres, scenes::Form};
 use asperity_shading::{ParameterError, material::Material};
 use glam::Vec3;
 
@@ -103,7 +103,7 @@ pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
         let shape = Arc::new(view.form.shape());
         let mut pictures = Vec::new();
         for &parameters in options {
-            let material = in_metres(material(parameters)?, view.form.metres());
+            let material = InMetres(material(parameters)?, view.form.metres());
             let objects = vec![Object::new(Arc::clone(&shape), material)];
             let lamps = vec![Lamps::open(view.lamps.clone())];
             let scene = Scene::new(objects, Light::Lamps { lamps, room: &view.mirrored }, Backdrop::Studio);
