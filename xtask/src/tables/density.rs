@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::glam::{Mat3, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
-use asperity_ndf_sampling::{ConditionalTable, Ndf, NdfMap, NormalTable};
+use asperity_ndf_sampling::{ConditionalTable, Ndf, NormalTable};
 use asperity_render::image::formats::{exr, npy};
 use serde_json::{Value, json};
 
@@ -38,13 +38,14 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let names = ["n.X", "n.Y", "n.Z", "t.X", "t.Y", "t.Z", "b.X", "b.Y", "b.Z"];
     let half_vectors =
         seen.view().entries().iter().map(|&[z1, z2, root]| [z1, z2, (root * root) * (root * root)]);
+    let packed = map.pack();
     let files = vec![
         ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
         ("marginal_cdf.npy".into(), npy(&[width + 1], &marginal)),
         ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
         ("normal_table.exr".into(), channels(L_SIZE, names, frames)?),
         ("half_vectors.exr".into(), channels(L_SIZE, ["z1", "z2", "D"], half_vectors)?),
-        packed(&map),
+        ("packed_map.npy".into(), npy(&[packed.len()], &packed)),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
     let picture = Image::from_fn(256, 256, |x, y| {
@@ -97,12 +98,6 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     })
 }
 
-/// The whole map in one array.
-fn packed(map: &NdfMap) -> (String, Vec<u8>) {
-    let packed = map.pack();
-    ("packed_map.npy".into(), npy(&[packed.len()], &packed))
-}
-
 /// Errors of look-ups in every layout that the crate offers, at the size of the table.
 fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
     let deviation = |d: Deviation| json!({ "rms": d.rms, "largest": d.largest });
@@ -149,27 +144,4 @@ fn channels<const N: usize>(
     let texels: Vec<[f32; N]> = texels.collect();
     let plane = |k: usize| texels.iter().map(|texel| texel[k]).collect();
     exr(size, size, &std::array::from_fn::<_, N, _>(|k| (names[k], plane(k))))
-}
-
-#[cfg(test)]
-mod tests {
-    use approx::assert_abs_diff_eq;
-
-    use asperity_ndf_sampling::{Ggx, PackedMapRef, Reconstruction, glam::Vec2};
-
-    use super::*;
-
-    #[test]
-    fn the_packed_map_in_the_file_samples_as_the_map_does() {
-        let map = NdfMap::from_ndf(32, 32, Reconstruction::Bilinear, &Ggx::new(0.2, 0.4).unwrap()).unwrap();
-        let (name, bytes) = packed(&map);
-        assert!(name.ends_with(".npy"));
-        let header = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
-        let array: Vec<f32> =
-            bytes[header..].as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
-        let read = PackedMapRef::new(&array).unwrap();
-        for u in [Vec2::new(0.2, 0.7), Vec2::new(0.93, 0.04)] {
-            assert_abs_diff_eq!(read.sample(u), map.sample(u), epsilon = 1e-5);
-        }
-    }
 }

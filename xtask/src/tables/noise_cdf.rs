@@ -2,6 +2,7 @@
 
 use std::{f64::consts::PI, fmt::Write};
 
+use asperity_ndf_sampling::phi;
 use asperity_noise::{
     Field, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Simplex, Sparse, Spectrum, Value,
     ValueCatmullRom, ValueGradient, White,
@@ -11,7 +12,7 @@ use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::{noise_levels::phi, noise_means::absolute_moments};
+use super::noise_means::absolute_moments;
 
 /// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 3e-5.
 const KNOTS: usize = 257;

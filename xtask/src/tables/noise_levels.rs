@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use asperity_ndf_sampling::inverse_phi;
+
 /// Half as many levels as a 12-bit index has values; the other half are their negatives.
 const HALF: usize = 2048;
 
@@ -36,24 +38,6 @@ pub(crate) fn noise_levels_source() -> String {
     }
     text.push_str("];\n");
     text
-}
-
-/// Φ(x) = ½ + φ(x) Σ x^(2k+1)/(2k+1)!!, to a few units in the last place for |x| < 6.
-pub(crate) fn phi(x: f64) -> f64 {
-    let mut term = x;
-    let mut sum = x;
-    let mut odd = 1.0;
-    while term.abs() > 1e-18 * sum.abs() {
-        odd += 2.0;
-        term *= x * x / odd;
-        sum += term;
-    }
-    0.5 + sum * (-0.5 * x * x).exp() / std::f64::consts::TAU.sqrt()
-}
-
-/// Φ⁻¹(u) for u in [½, 1 − 10⁻⁶].
-fn inverse_phi(u: f64) -> f64 {
-    bisect(|x| phi(x) - u, 0.0, 5.0)
 }
 
 /// The root of an increasing function between `low` and `high`, to the last bit.

@@ -44,11 +44,7 @@ pub(crate) fn draw_integrals(_: &Context<'_>) -> Result<Drawn> {
         let integral: FixedFif<2, 3> = slope.integral(0.0)?;
         let touched = AT.map(|x| {
             let rise = slope.evaluate(x, TOLERANCE).value;
-            Taylor {
-                x,
-                orders: [integral.evaluate(x, TOLERANCE).value, rise, 0.0],
-                reach: 0.2 / rise.hypot(1.0),
-            }
+            (x, [integral.evaluate(x, TOLERANCE).value, rise, 0.0], 0.2 / rise.hypot(1.0))
         });
         let curves = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
             .curve(rough, outline(slope), Stroke::solid(2).wide(0.6))
@@ -75,7 +71,7 @@ pub(crate) fn draw_second_integrals(_: &Context<'_>) -> Result<Drawn> {
         let second: FixedFif<2, 4> = first.integral(0.0)?;
         let touched = AT.map(|x| {
             let orders = [second.evaluate(x, FINE), first.evaluate(x, FINE), rough.evaluate(x, FINE)];
-            Taylor { x, orders: orders.map(|bounded| bounded.value), reach: 0.2 }
+            (x, orders.map(|bounded| bounded.value), 0.2)
         });
         let curves = plot(HALF, Axis::linear("", range, 0.5), Names::AtEnds)
             .curve(names[0], outline(rough), Stroke::solid(3).wide(0.6))
@@ -100,22 +96,18 @@ pub(crate) fn draw_second_integrals(_: &Context<'_>) -> Result<Drawn> {
         .fact("tolerance", "1e-9"))
 }
 
-/// The Taylor polynomial of second order at a point, by the value and two derivatives, to this distance from it.
-struct Taylor {
-    x: f64,
-    orders: [f64; 3],
-    reach: f64,
-}
+/// A point, the value and two derivatives there, and the distance to which their Taylor polynomial is drawn.
+type Taylor = (f64, [f64; 3], f64);
 
 /// A plot with tangents or parabolas that touch a curve, and dots where they do.
 fn touching(mut plot: Plot, touched: [Taylor; 4], width: f64) -> Plot {
-    for &Taylor { x, orders: [value, slope, bend], reach } in &touched {
+    for &(x, [value, slope, bend], reach) in &touched {
         let steps = if bend == 0.0 { 1 } else { 16 };
         let point = |step: f64| [x + step, value + step * (slope + 0.5 * step * bend)];
         let points = (-steps..=steps).map(|k| point(reach * f64::from(k) / f64::from(steps)));
         plot = plot.line(points, Stroke::solid(Ink::Text).wide(width));
     }
-    plot.dots(touched.map(|taylor| [taylor.x, taylor.orders[0]]), Ink::Text, 2.6)
+    plot.dots(touched.map(|(x, [value, ..], _)| [x, value]), Ink::Text, 2.6)
 }
 
 /// The graph as it looks at the plot's resolution: of every narrow column the lowest and the highest of some points.

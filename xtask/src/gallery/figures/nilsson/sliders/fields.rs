@@ -24,22 +24,17 @@ pub(super) fn fields(parameters: &impl Debug) -> Vec<(String, String)> {
 /// The names and values of the fields of a struct that is written in one line.
 fn parts(text: &str) -> Vec<(String, String)> {
     let text = text.split_once(" { ").map_or("", |(_, fields)| fields);
-    let text = text.strip_suffix(" }").unwrap_or(text);
-    let (mut out, mut depth, mut start) = (Vec::new(), 0_u32, 0);
-    for (at, c) in text.char_indices().chain([(text.len(), ',')]) {
-        match c {
-            '(' | '{' => depth += 1,
-            ')' | '}' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 => {
-                if let Some((name, value)) = text[start..at].trim_start_matches([',', ' ']).split_once(": ") {
-                    out.push((name.to_owned(), rounded(value)));
-                }
-                start = at;
+    let mut fields = Vec::<String>::new();
+    for part in text.strip_suffix(" }").unwrap_or(text).split(", ") {
+        match fields.last_mut() {
+            Some(field) if field.matches(['(', '{']).count() > field.matches([')', '}']).count() => {
+                *field += &format!(", {part}");
             }
-            _ => {}
+            _ => fields.push(part.to_owned()),
         }
     }
-    out
+    let named = fields.iter().filter_map(|field| field.split_once(": "));
+    named.map(|(name, value)| (name.to_owned(), rounded(value))).collect()
 }
 
 /// Numbers without a fraction of zero.

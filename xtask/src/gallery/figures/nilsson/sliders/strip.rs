@@ -122,7 +122,8 @@ impl<P: Copy + Debug + Default> Strip<P> {
             fields
                 .iter()
                 .find(|(name, _)| name == self.field)
-                .map_or_else(String::new, |(_, value)| value.clone())
+                .map(|field| field.1.clone())
+                .unwrap_or_default()
         };
         let (default, all) = (fields(&P::default()), self.options.iter().map(fields).collect::<Vec<_>>());
         let values: Vec<_> = all.iter().map(|fields| value(fields)).collect();
