@@ -13,7 +13,7 @@ pub(crate) fn disk(context: &Context<'_>, peak: f32, value: impl Fn(Vec3) -> f32
 
 /// The density over the map of normals.
 pub(crate) fn density_panel(context: &Context<'_>, ndf: &SharedNdf, stem: &str, name: &str) -> Result<Panel> {
-    let image = disk(context, peak(ndf), |m| ndf.density(m))?;
+    let image = disk(context, peak(|m| ndf.density(m)), |m| ndf.density(m))?;
     let alt = format!("The density {name} over the disk of normals, brightest at its peak.");
     Ok(Panel::new(stem, format!("the NDF: {name}"), alt, image))
 }

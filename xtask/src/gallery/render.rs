@@ -52,7 +52,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let sampling = Sampling { width: size, height: size, samples_per_pixel, seed };
     let material = wanted.material.unwrap_or(usual(wanted.scene));
     let lamps = match &wanted.light {
-        Some(light) => light == LAMPS,
+        Some(light) => light == "lamps",
         None => material == Material::Bumps,
     };
     let bar = progress::bar("render");
@@ -76,9 +76,6 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     progress::say(&format!("the picture: {}", path.display()));
     Ok(())
 }
-
-/// The word for light from single directions.
-const LAMPS: &str = "lamps";
 
 /// The usual material of a set.
 const fn usual(set: Set) -> Material {

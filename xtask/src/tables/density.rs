@@ -107,16 +107,12 @@ fn errors(ndf: &SharedNdf) -> Result<Value, Failure> {
         (Spacing::Quantiles, "quantiles"),
         (Spacing::Warped, "warped coordinates"),
     ] {
-        for (chart, of) in [
-            (Chart::Stereographic, "stereographic"),
-            (Chart::Projected, "projected"),
-            (Chart::Slopes, "slopes"),
-        ] {
+        for chart in [Chart::Stereographic, Chart::Projected, Chart::Slopes] {
             let TableAccuracy { nearest, bilinear, bilinear_half, beyond, largest_step } =
                 NormalTable::with_layout(ndf, L_SIZE, TableLayout { spacing, chart })?.accuracy(ndf);
             rows.push(json!({
                 "spacing": by,
-                "chart": of,
+                "chart": format!("{chart:?}").to_lowercase(),
                 "nearest": deviation(nearest),
                 "bilinear": deviation(bilinear),
                 "bilinear_half": deviation(bilinear_half),

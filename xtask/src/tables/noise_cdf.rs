@@ -225,25 +225,3 @@ fn knots(text: &mut String, indent: &str, cdf: &[f64]) {
         let _ = writeln!(text, "{indent}{},", row.join(", "));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use approx::assert_relative_eq;
-
-    use super::*;
-
-    #[test]
-    fn the_bound_of_sparse_convolution_is_that_of_its_documentation() {
-        let bounds = [4.19, 10.34, 25.9, 66.0];
-        for (dimension, bound) in (1..=4).zip(bounds) {
-            let range = range("SPARSE_1", dimension);
-            assert_relative_eq!(range, bound, max_relative = 2e-3);
-        }
-    }
-
-    #[test]
-    fn the_gaussian_range_covers_the_cell_centre() {
-        let centre = 3.7760 * (std::f64::consts::SQRT_2 + 3.0) / 0.5_f64.sqrt();
-        assert!(gaussian_range(3) > centre, "{} <= {centre}", gaussian_range(3));
-    }
-}

@@ -92,23 +92,3 @@ fn base64(bytes: &[u8]) -> String {
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pictures_are_small_and_not_flat() {
-        let files = noise_pictures().unwrap();
-        for (name, bytes) in &files {
-            assert!(bytes.len() < 16_000, "{name}: {} bytes", bytes.len());
-            if name.ends_with(".png") {
-                let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
-                let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-                reader.next_frame(&mut pixels).unwrap();
-                let (low, high) = (pixels.iter().min().unwrap(), pixels.iter().max().unwrap());
-                assert!(high - low > 100, "{name}: from {low} to {high}");
-            }
-        }
-    }
-}

@@ -90,7 +90,7 @@ impl<'a> RenderRequest<'a> {
     /// The object with its material under the lamps.
     pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
         let bumps = self.bumps.field(self.sampling.seed)?;
-        let lamps = studio(self.tint * (self.exposure / peak(self.ndf)));
+        let lamps = studio(self.tint * (self.exposure / peak(|m| self.ndf.density(m))));
         let (ndf, facets) = (self.ndf, self.facets);
         let material = Printed { ndf, facets, bumps, lamps, diffuse: self.tint * DIFFUSE };
         let objects = vec![Object::new(Arc::clone(shape), material)];
@@ -98,11 +98,11 @@ impl<'a> RenderRequest<'a> {
     }
 }
 
-/// The greatest density on a grid over the unit disk.
-pub fn peak(ndf: &SharedNdf) -> f32 {
-    const SIDE: i32 = 64;
+/// The greatest density on a fine grid over the unit disk.
+pub fn peak(density: impl Fn(Vec3) -> f32) -> f32 {
+    const SIDE: i32 = 160;
     let grid =
         (-SIDE..=SIDE).flat_map(|j| (-SIDE..=SIDE).map(move |i| [i, j].map(|k| k as f32 / SIDE as f32)));
     let directions = grid.map(|[x, y]| (x, y, 1.0 - x * x - y * y)).filter(|(.., z2)| *z2 > 1e-4);
-    directions.map(|(x, y, z2)| ndf.density(Vec3::new(x, y, z2.sqrt()))).fold(ndf.density(Vec3::Z), f32::max)
+    directions.map(|(x, y, z2)| density(Vec3::new(x, y, z2.sqrt()))).fold(density(Vec3::Z), f32::max)
 }

@@ -36,7 +36,12 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         one: SlopePyramid::from_normals(SIZE, SIZE, &normals)?,
         wet: Beckmann::isotropic(ALPHA)?,
         water: Schlick::new(0.06)?,
-        lights: lights(),
+        // The sun, the glow above it and the sky.
+        lights: [
+            Lamp::at(86.0, 13.0, hex(0xff_c890) * 0.3),
+            Lamp::at(86.0, 30.0, hex(0xe8_9c90) * 0.12),
+            Lamp::at(110.0, 55.0, hex(0x7c_94e0) * 0.3),
+        ],
     };
     let once = Sampling { height: context.size * 5 / 8, samples_per_pixel: 1, ..context.square() };
     let view = View { width: once.width as f32, height: once.height as f32 };
@@ -140,15 +145,6 @@ impl View {
     }
 }
 
-/// The sun, the glow above it and the sky.
-fn lights() -> Vec<Lamp> {
-    vec![
-        Lamp::at(86.0, 13.0, hex(0xff_c890) * 0.3),
-        Lamp::at(86.0, 30.0, hex(0xe8_9c90) * 0.12),
-        Lamp::at(110.0, 55.0, hex(0x7c_94e0) * 0.3),
-    ]
-}
-
 /// The sky behind the lights.
 fn sky(ray: Vec3) -> Vec3 {
     let sun = direction(86.0, 13.0);
@@ -163,7 +159,7 @@ struct Street {
     one: SlopePyramid<1>,
     wet: Beckmann,
     water: Schlick,
-    lights: Vec<Lamp>,
+    lights: [Lamp; 3],
 }
 
 impl Street {

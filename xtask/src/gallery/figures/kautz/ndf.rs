@@ -28,7 +28,7 @@ const LENGTH: f32 = 1.7;
 
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ndf = Ggx::new(ALPHA[0], ALPHA[1])?;
-    let top = peak(&ndf);
+    let top = peak(|m| ndf.density(m));
     let share = |x: f32, y: f32| {
         // At the horizon itself a density is 0 by definition; the rim shows its limit.
         let z = (1.0 - x * x - y * y).max(1e-6).sqrt();
@@ -55,7 +55,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
 
 /// The density as a lobe: in each direction as far from the centre as there are facets that face there.
 pub(crate) fn lobe_panel(context: &Context<'_>, ndf: &SharedNdf, alt: &str) -> Result<Panel> {
-    let top = peak(ndf);
+    let top = peak(|m| ndf.density(m));
     let lobe = relief(|t, phi| {
         let (sin, cos) = (t * FRAC_PI_2).sin_cos();
         let m = Vec3::new(sin * phi.cos(), sin * phi.sin(), cos);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, NormalTable, conditional_density, phi};
+use asperity_ndf_sampling::{Beckmann, BlinnPhong, Ggx, Ndf, NormalTable, conditional_density, phi};
 use asperity_render::image::tone::{hex, linear};
 use asperity_render::materials::{Facets, SharedNdf, sky};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
@@ -80,7 +80,8 @@ fn remaining(context: &Context<'_>, ndf: &Ggx) -> Result<Panel> {
     const FACET: (Vec2, f32) = (Vec2::new(0.9, -1.1), 0.8);
     let (z, share) = FACET;
     // Its own peak is 1/(1 − s) times higher; on the scale of the whole density it would be a white spot.
-    let image = disk(context, peak(ndf) / (1.0 - share), |h| conditional_density(ndf, h, z, share))?;
+    let image =
+        disk(context, peak(|m| ndf.density(m)) / (1.0 - share), |h| conditional_density(ndf, h, z, share))?;
     let alt = "A small part of the density, around the normal of one facet.";
     Ok(Panel::new("remaining", "what is left of it below one facet", alt, image))
 }

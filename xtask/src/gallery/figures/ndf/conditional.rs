@@ -1,7 +1,7 @@
 //! Conditional densities: the part of a density that a pixel does not resolve, share by share.
 
 use asperity_ndf_sampling::{Ggx, conditional_density};
-use asperity_render::materials::SharedNdf;
+use asperity_render::{materials::SharedNdf, scenes::peak};
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
@@ -27,7 +27,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             let label = format!("{name}, s = {s}");
             let alt =
                 format!("The density {name} given a facet, with the share {s} of the variance resolved.");
-            let image = disk(context, peak(&seen), seen)?;
+            let image = disk(context, peak(seen), seen)?;
             panels.push(Panel::new(format!("{stem}-{s}"), label, alt, image));
             row.push(format!("{:.5}", mean(ndf, h, s)));
         }
@@ -40,15 +40,6 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .fact("facet", format!("z = ({}, {})", FACET.x, FACET.y).replace('-', "\u{2212}"))
         .fact("half-vector of the table", "(0.15, −0.2, 0.968)")
         .table(head, rows))
-}
-
-/// The greatest value on a fine grid of the disk.
-fn peak(density: &impl Fn(Vec3) -> f32) -> f32 {
-    const SIDE: i32 = 160;
-    let places = || (-SIDE..=SIDE).map(|k| k as f32 / SIDE as f32);
-    let points = places().flat_map(|x| places().map(move |y| (x, y, 1.0 - x * x - y * y)));
-    let inside = points.filter(|(.., z2)| *z2 > 1e-3);
-    inside.map(|(x, y, z2)| density(Vec3::new(x, y, z2.sqrt()))).fold(0.0, f32::max)
 }
 
 /// `∫∫ p_s(h | z_b) N(z_b) dz_b` by the trapezoidal rule, whose error is far below the digits shown.

@@ -77,11 +77,10 @@ fn draw(context: &Context<'_>, name: &str, ndf: &SharedNdf) -> Result<Drawn> {
 fn slopes(ndf: &SharedNdf) -> Result<Panel> {
     const REACH: f64 = 2.0;
     const DECADES: f64 = 5.0;
-    let top = f64::from(ndf.slope_density(Vec2::ZERO)).max(f64::MIN_POSITIVE);
     let tallest = (-200..=200)
         .flat_map(|k| [Vec2::X, Vec2::Y].map(|axis| axis * (k as f32 * 0.01)))
         .map(|slope| f64::from(ndf.slope_density(slope)))
-        .fold(top, f64::max)
+        .fold(f64::MIN_POSITIVE, f64::max)
         .log10()
         .ceil();
     let cut = |axis: Vec2| {

@@ -15,10 +15,9 @@ use glam::{Vec2, Vec3};
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn};
 
-/// Widths of the pictures in metres.
-const WIDTHS: [f32; 5] = [4.0, 0.4, 0.04, 0.004, 0.0004];
-
-const NAMES: [&str; 5] = ["4 m", "×10", "×100", "×1000", "×10,000"];
+/// Widths of the pictures in metres, and their labels.
+const WIDTHS: [(f32, &str); 5] =
+    [(4.0, "4 m"), (0.4, "×10"), (0.04, "×100"), (0.004, "×1000"), (0.0004, "×10,000")];
 
 /// The middle of every picture.
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
@@ -111,7 +110,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let side = side as f32;
     let surfaces = surfaces()?;
     let pictures = surfaces.iter().flat_map(|surface| {
-        WIDTHS.into_iter().zip(NAMES).zip(0..).map(move |((width, label), k)| {
+        WIDTHS.into_iter().zip(0..).map(move |((width, label), k)| {
             let name = surface.name;
             let label = if k == 0 { format!("{name}, {label}") } else { label.to_owned() };
             let alt = format!("A patch of {name}, {} mm wide", width * 1000.0);
@@ -125,5 +124,5 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         })?;
         Ok(image.exposed(1.0))
     })?;
-    Ok(drawn.fact("widths", WIDTHS.map(|width| format!("{width} m")).join(", ")))
+    Ok(drawn.fact("widths", WIDTHS.map(|(width, _)| format!("{width} m")).join(", ")))
 }
