@@ -173,11 +173,6 @@ impl Panel {
     ) -> Self {
         Self { stem: stem.into(), label: label.into(), alt: alt.into(), span: 1, picture: picture.into() }
     }
-
-    /// Several columns wide.
-    pub(crate) fn spanning(self, span: u32) -> Self {
-        Self { span, ..self }
-    }
 }
 
 /// Pixels or curves.

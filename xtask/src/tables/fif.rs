@@ -53,9 +53,7 @@ fn values<const C: usize>(f: &Fif<C>) -> Vec<[f64; 2]> {
 fn describe<const C: usize>(f: &Fif<C>) -> Value {
     let range = f.range();
     let mut description = System::parameters(f.pieces());
-    if let Value::Object(fields) = &mut description {
-        fields.insert("encloses".into(), json!([range.lo, range.hi]));
-    }
+    description["encloses"] = json!([range.lo, range.hi]);
     description
 }
 

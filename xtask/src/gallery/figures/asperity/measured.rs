@@ -21,10 +21,6 @@ const VIEWS: [(&str, Vec3); 2] = [("0°", Vec3::Z), ("60°", Vec3::new(0.0, -0.8
 /// By view and zoom.
 type Means = [[Mean; 5]; 2];
 
-fn bound(name: &str) -> f64 {
-    if ["flakes", "passive flakes", "bumps"].contains(&name) { 0.02 } else { 0.05 }
-}
-
 pub(crate) fn draw_means(context: &Context<'_>) -> Result<Drawn> {
     let sky = Sky::about(Vec3::new(-0.34, 0.42, 0.84));
     let subjects: Vec<Subject> = materials().into_iter().chain([fractal_bumps()]).collect();
@@ -85,7 +81,8 @@ fn slow(subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
 
 fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
     let fractal = subject.name == fractal_bumps().name;
-    let bound = bound(if fractal { "bumps" } else { subject.name });
+    let strict = fractal || ["flakes", "passive flakes", "bumps"].contains(&subject.name);
+    let bound = if strict { 0.02 } else { 0.05 };
     let range = if fractal { [0.6, 1.1] } else { [0.9, 1.1] };
     let y = Axis::linear("", range, if fractal { 0.1 } else { 0.05 });
     let (within, zooms) = ([1.0 - bound, 1.0 + bound], [0.7, 14_000.0]);

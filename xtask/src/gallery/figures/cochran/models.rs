@@ -44,7 +44,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     }
     let drawn = Drawn::pictures(4, pictures, |object| {
         let floor = Object::shaded(Shape::Plane, |point, wo| matte(point, wo, tiles(point)));
-        let light = Light::Lamps { lamps: lamps(), room: &room };
+        let mut key = studio(Vec3::splat(POWER / PI));
+        // The middle of the key light, the first 16, casts its shadow; the others cast none.
+        let others = Lamps::open(key.split_off(16));
+        let key = Lamps::Far { lights: key, shadow: Some(direction(-132.0, 46.0)) };
+        let light = Light::Lamps { lamps: vec![key, others], room: &room };
         let scene = Scene::new(vec![object, floor], light, Backdrop::Light);
         Ok(context.look(&scene, sampling, [EYE, TARGET], FIELD)?.exposed(1.0))
     })?;
@@ -102,14 +106,6 @@ impl<B: Brdf> Material for Glossy<B> {
             .with([Facet::FLAT], [Lobe::from(&self.lobe as &dyn Brdf)])
             .with_emitted(self.room * sky(mirror))
     }
-}
-
-/// The middle of the key light casts its shadow; the others cast none.
-fn lamps() -> Vec<Lamps> {
-    const KEY: usize = 16;
-    let mut key = studio(Vec3::splat(POWER / PI));
-    let others = key.split_off(KEY);
-    vec![Lamps::Far { lights: key, shadow: Some(direction(-132.0, 46.0)) }, Lamps::open(others)]
 }
 
 /// Of all lamps together.

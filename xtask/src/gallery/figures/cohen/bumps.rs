@@ -94,7 +94,7 @@ pub(crate) fn draw_brick(context: &Context<'_>) -> Result<Drawn> {
         shade(&wall, Vec2::new(x, wide.height as f32 - y) * scale + Vec2::new(0.04, 0.02), Vec2::ZERO)
     })?;
     let alt = "A brick wall whose mortar lies deeper than the bricks";
-    let mut panels = vec![Panel::new("wall", "The wall", alt, image.exposed(1.0)).spanning(3)];
+    let mut panels = vec![Panel { span: 3, ..Panel::new("wall", "The wall", alt, image.exposed(1.0)) }];
     for (stem, label, samples, filtered) in [
         ("plain", "One sample a pixel", 1, false),
         ("filtered", "One filtered sample a pixel", 1, true),

@@ -97,7 +97,8 @@ pub(crate) fn draw_pipeline(context: &Context<'_>) -> Result<Drawn> {
     request.bumps.frequency = 4.0;
     request.exposure *= 1.5;
     let noise = step(context, &request, &shape, pair_colour)?;
-    let normal = |z| normal_colour(table.bilinear(z).normal);
+    // As normal maps have it, in sRGB: (x, y, z) from ±1 to 0 … 255.
+    let normal = |z| table.bilinear(z).normal.map(|c| linear(0.5 + 0.5 * c));
     let normals = step(context, &request, &shape, normal)?;
     let square = Image::from_fn(context.size, context.size, |x, y| {
         let place = |k: u32| 9.0 * (k as f32 + 0.5) / context.size as f32 - 4.5;
@@ -146,11 +147,6 @@ fn pair_colour(z: Vec2) -> Vec3 {
     low.lerp(hex(0x2f_9e8f).lerp(hex(0xf8_e3a1), u), v)
 }
 
-/// A normal as the colour that normal maps have, in sRGB: (x, y, z) from ±1 to 0 … 255.
-fn normal_colour(m: Vec3) -> Vec3 {
-    m.map(|c| linear(0.5 + 0.5 * c))
-}
-
 /// The teapot with an anisotropic density at three distances, and with normals that do not follow it.
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
     const ALPHA: [f32; 2] = [0.14, 0.56];
@@ -190,7 +186,8 @@ pub(crate) fn draw_isotropic(context: &Context<'_>) -> Result<Drawn> {
         (request.ndf, request.tint) = (ndf, hex(tint));
         panels.push(density_panel(context, ndf, &format!("density-{stem}"), name)?);
         let alt = format!("The teapot with bumps and highlights of the density {name}.");
-        panels.push(object(context, &request, &shape, [&format!("teapot-{stem}"), name, &alt])?.spanning(2));
+        let teapot = object(context, &request, &shape, [&format!("teapot-{stem}"), name, &alt])?;
+        panels.push(Panel { span: 2, ..teapot });
     }
     let densities = looks.map(|look| look.1).join("; ");
     Ok(ruled(Drawn::new(6, panels).fact("densities", densities), &request))

@@ -1,7 +1,7 @@
 //! Smith's masking, and the normals that are seen from a direction.
 
 use asperity_ndf_sampling::{AshikhminShirley, Beckmann, BlinnPhong, Ggx, Microfacet, StudentT};
-use asperity_render::sampling::low_discrepancy::r2;
+use asperity_render::{sampling::low_discrepancy::r2, scenes::peak};
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
@@ -25,10 +25,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             .collect();
         let seen = |m: Vec3| ggx.visible_density(v, m);
         // Over the map, where a direction near the horizon takes less room: D_v/cos θ would be infinite there.
-        let peak = (0..=200)
-            .map(|k| k as f32 / 200.0)
-            .map(|x| seen(Vec3::new(x, 0.0, (1.0 - x * x).max(1e-4).sqrt())))
-            .fold(0.0, f32::max);
+        let peak = peak(seen);
         let radius = 2.2 / (0.43 * context.size as f32);
         let image = disk(context, 1.0, |m| {
             let dot = dots.iter().any(|dot| dot.distance_squared(m.truncate()) < radius * radius);
