@@ -42,18 +42,22 @@ fn run(cli: Cli) -> Result<(), Failure> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+    perform(cli.command, &interrupted)
+}
+
+fn perform(command: Command, interrupted: &Arc<AtomicBool>) -> Result<(), Failure> {
     // The manifest's folder is the builder's own; the workspace is the folder above it.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("the builder has no workspace")?;
-    match cli.command {
+    match command {
         Command::Gallery(wanted) if wanted.list => gallery::list(&figures(), &wanted.only),
         Command::Gallery(wanted) => {
             gallery::chosen(&figures(), &wanted.only)?;
             let output = Output::new(&wanted.out)?;
             if wanted.only.is_empty() {
-                tables::build(&tables::default_sets()?, &output.inside("tables")?, &interrupted)?;
+                tables::build(&tables::default_sets()?, &output.inside("tables")?, interrupted)?;
             }
             let pictures = output.inside("gallery")?;
-            gallery::draw(&figures(), &wanted, &pictures, &interrupted)?;
+            gallery::draw(&figures(), &wanted, &pictures, interrupted)?;
             progress::say(&format!("the gallery: {}", pictures.place("index.html")));
             Ok(())
         }
@@ -64,19 +68,66 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted)?;
             let output = Output::new(&wanted.out)?;
-            tables::build(&sets, &output, &interrupted)?;
+            tables::build(&sets, &output, interrupted)?;
             progress::say(&format!("the tables: {}", output.place("index.html")));
             Ok(())
         }
-        Command::Render(wanted) => gallery::render::render(&wanted, &interrupted),
-        Command::Bench(wanted) => bench::run(&wanted, root, &interrupted),
+        Command::Render(wanted) => gallery::render::render(&wanted, interrupted),
+        Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
         Command::Tidy => {
             let report = tidy::report()?;
             report.lines.iter().for_each(|line| progress::say(line));
             report.verdict().map(|()| progress::say("tidy"))
         }
-        Command::Ci(wanted) => ci::gates(&wanted.only, root, &interrupted),
+        Command::Ci(wanted) => ci::gates(&wanted.only, root, interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn every_command_explains_itself() {
+        let said = Cli::command().render_help().to_string();
+        for command in ["gallery", "tables", "render", "bench", "tidy", "ci", "no-std", "bare-metal"] {
+            assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
+        }
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_command_that_cannot_be_done_says_in_one_line_why() {
+        let unlinked = ("bench --peers --ship", "FastNoise2 is not measured: ");
+        let unlinked = std::env::var_os("FASTNOISE2_LIB_DIR").is_none().then_some(unlinked);
+        let refused = [
+            ("ci --only nowhere", "no gate's name contains `nowhere`; gates are format, tidy, "),
+            ("gallery --only nowhere", "no figure is called `nowhere`; there are "),
+            ("gallery --only kautz --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("tables --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("tables --ndf ggx:0", "density `ggx:0`: alpha_x must be "),
+            (
+                "tables --normal-map nowhere.png",
+                "density `normal-map:nowhere.png`: the file cannot be read: ",
+            ),
+            ("tables --fif nowhere.json", "system `nowhere.json`: "),
+            ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
+            ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("render --mesh nowhere.stl", "mesh `nowhere.stl`: the name of a mesh file ends in "),
+            ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
+            ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),
+            ("render --out src", "`src` is a folder; "),
+            ("render --out a.jpg", "picture `a.jpg`: its name must end in .png or .exr"),
+            ("render --out Cargo.toml/a.png", "cannot write "),
+        ];
+        for (line, said) in refused.into_iter().chain(unlinked) {
+            let cli = Cli::try_parse_from(["xtask"].into_iter().chain(line.split(' '))).unwrap();
+            let error = perform(cli.command, &Arc::default()).unwrap_err().to_string();
+            assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
+        }
     }
 }
