@@ -45,8 +45,8 @@ fn point<const N: usize>(i: u32) -> [f32; N] {
     })
 }
 
-/// The golden bits of a field of points `V`.
-fn golden<V: Point<Coordinates = [f32; N]>, const N: usize>(field: impl Fn(V) -> Sample<V>) -> Golden {
+/// The golden bits of a field of points `V`, behind a pointer so that the digest is compiled once a dimension.
+fn golden<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Fn(V) -> Sample<V>) -> Golden {
     let bits = |p: [f32; N]| {
         let sample = field(V::from_coordinates(p));
         let mut bits = [sample.value.to_bits(), 0, 0, 0, 0];
@@ -94,7 +94,7 @@ where
 
 /// The golden bits of a field that batches take too; the digest is that of the first level with other bits, if one has.
 fn batched<V: Point<Coordinates = [f32; N]>, const N: usize>(field: &dyn Field<V>) -> Golden {
-    let golden = golden(|p: V| field.sample(p));
+    let golden = golden(&|p: V| field.sample(p));
     let other =
         Level::available().map(|level| batch_digest(field, level)).find(|&hash| hash != golden.digest);
     Golden { digest: other.unwrap_or(golden.digest), ..golden }
@@ -105,10 +105,10 @@ fn kind<K>(name: &'static str, noise: &K, tell: &mut impl FnMut(&'static str, Go
 where
     K: Field<f32> + Field<Vec2> + Field<Vec3> + Field<Vec4>,
 {
-    tell(name, golden(|p: f32| noise.sample(p)));
-    tell(name, golden(|p: Vec2| noise.sample(p)));
-    tell(name, golden(|p: Vec3| noise.sample(p)));
-    tell(name, golden(|p: Vec4| noise.sample(p)));
+    tell(name, golden(&|p: f32| noise.sample(p)));
+    tell(name, golden(&|p: Vec2| noise.sample(p)));
+    tell(name, golden(&|p: Vec3| noise.sample(p)));
+    tell(name, golden(&|p: Vec4| noise.sample(p)));
 }
 
 /// A sum of octaves in every dimension; a sum of unit variance has bits of the shipped statistics.
@@ -128,7 +128,7 @@ fn sum(
         let noise =
             Octaves::<_, N>::new(Perlin2002::new(17), Spectrum::default()).with_normalisation(normalisation);
         let noise = noise.with_rotation(rotation);
-        golden(|p: V| noise.detail(6.5).sample(p))
+        golden(&|p: V| noise.detail(6.5).sample(p))
     }
     tell(name, octaves::<f32, 1>(normalisation, rotation));
     tell(name, octaves::<Vec2, 2>(normalisation, rotation));
@@ -140,11 +140,11 @@ fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>(
     tell: &mut impl FnMut(&'static str, Golden),
 ) {
     let noise = GaussianOctaves::<N>::new(Gaussian::new(17), Spectrum::default());
-    tell("Gaussian octaves", golden(|p: V| noise.detail(6.5).sample(p)));
-    tell("Gaussian octaves, second channel", golden(|p: V| noise.detail(6.5).pair(p)[1]));
-    tell("Gaussian, second channel", golden(|p: V| Gaussian::new(17).pair(p)[1]));
-    tell("Gaussian, not normalised", golden(|p: V| Gaussian::new(17).unnormalised(p)));
-    tell("variance of Gaussian", golden(|p: V| Gaussian::new(17).variance(p)));
+    tell("Gaussian octaves", golden(&|p: V| noise.detail(6.5).sample(p)));
+    tell("Gaussian octaves, second channel", golden(&|p: V| noise.detail(6.5).pair(p)[1]));
+    tell("Gaussian, second channel", golden(&|p: V| Gaussian::new(17).pair(p)[1]));
+    tell("Gaussian, not normalised", golden(&|p: V| Gaussian::new(17).unnormalised(p)));
+    tell("variance of Gaussian", golden(&|p: V| Gaussian::new(17).variance(p)));
 }
 
 /// Tells the golden bits of every kind and sum in every dimension.
@@ -175,7 +175,7 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
 pub(crate) fn batches(tell: &mut impl FnMut(&'static str, Golden)) {
     tell("Perlin 2002", batched::<Vec3, 3>(&Perlin2002::new(17)));
     tell("simplex", batched::<Vec2, 2>(&Simplex::new(17)));
-    tell("Gaussian", batched::<Vec4, 4>(&Gaussian::new(17)));
+    tell("Gaussian", batched::<Vec2, 2>(&Gaussian::new(17)));
     let sum = GaussianOctaves::<2>::new(Gaussian::new(17), Spectrum::default());
     tell("Gaussian octaves", batched::<Vec2, 2>(&sum.first(6.5)));
 }
