@@ -31,7 +31,7 @@ pub trait CurvedKernel<const N: usize>: Kernel<N> {
 /// Value, gradient and Hessian at any point.
 #[inline]
 pub(crate) fn at<K: CurvedKernel<N> + ?Sized, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> Jet<N> {
-    evaluated::<K, N>(p).map_or(Jet::ZERO, |p| kernel.near_jet(p, seed))
+    evaluated(p, K::REACH).map_or(Jet::ZERO, |p| kernel.near_jet(p, seed))
 }
 
 /// Copies what is above the diagonal to below it.

@@ -65,27 +65,35 @@ pub trait Kernel<const N: usize>: Measured<N> {
 }
 
 /// The values at any points, and the gradients if `GRADIENTS`.
+///
+/// Points beyond reach are moved to where they have the same cells before the kind is evaluated, so that it is compiled once.
 #[inline(always)]
 fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
     s: S,
-    p: [S::F; N],
+    mut p: [S::F; N],
     seed: u32,
 ) -> LaneSample<S, N> {
-    if is_within(s, &p, K::REACH) {
-        return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
-    }
-    let mut far = [(0.0, [0.0; N]); LANES];
-    for lane in 0..S::LEN {
-        far[lane % LANES] = evaluate_far::<K, N, GRADIENTS>(kernel, p.map(|x| s.lane(x, lane)), seed);
-    }
-    let mut gradient = p;
-    if GRADIENTS {
-        for axis in 0..N {
-            gradient[axis] = s.floats(|lane| far[lane % LANES].1[axis]);
+    let mut beyond = None;
+    if !is_within(s, &p, K::REACH) {
+        let mut lanes = [None; LANES];
+        for lane in 0..S::LEN {
+            lanes[lane % LANES] = evaluated_far(p.map(|x| s.lane(x, lane)), K::REACH);
         }
+        for axis in 0..N {
+            p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
+        }
+        beyond = Some(lanes);
     }
-    (s.floats(|lane| far[lane % LANES].0), gradient)
+    let (mut value, mut gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
+    if let Some(lanes) = beyond {
+        let kept = |x| s.floats(|lane| lanes[lane % LANES].map_or(0.0, |_| s.lane(x, lane)));
+        if GRADIENTS {
+            gradient = gradient.map(kept);
+        }
+        value = kept(value);
+    }
+    (value, gradient)
 }
 
 /// The value at any point.
@@ -106,10 +114,10 @@ pub(crate) fn sample<K: Kernel<N>, const N: usize>(
 
 /// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
 #[inline]
-pub(crate) fn evaluated<K: Kernel<N> + ?Sized, const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
-    if is_within(Scalar, &p, K::REACH) {
+pub(crate) fn evaluated<const N: usize>(p: [f32; N], reach: f32) -> Option<[f32; N]> {
+    if is_within(Scalar, &p, reach) {
         Some(p)
-    } else if K::REACH < REACH {
+    } else if reach < REACH {
         None
     } else {
         wrapped(p)
@@ -118,12 +126,8 @@ pub(crate) fn evaluated<K: Kernel<N> + ?Sized, const N: usize>(p: [f32; N]) -> O
 
 #[cold]
 #[inline(never)]
-fn evaluate_far<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
-    kernel: &K,
-    p: [f32; N],
-    seed: u32,
-) -> LaneSample<Scalar, N> {
-    evaluated::<K, N>(p).map_or((0.0, [0.0; N]), |p| kernel.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed))
+fn evaluated_far<const N: usize>(p: [f32; N], reach: f32) -> Option<[f32; N]> {
+    evaluated(p, reach)
 }
 
 /// Values along a row, and gradients if `GRADIENTS`, from as many single points at once as there are lanes.
