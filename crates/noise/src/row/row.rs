@@ -143,7 +143,10 @@ impl<const N: usize, const GRADIENTS: bool> Strip<'_, N, GRADIENTS> {
         Strip {
             row: self.row.after(range.start),
             seed: self.seed,
-            gradients: self.gradients.each_mut().map(|g| g.get_mut(range.clone()).unwrap_or_default()),
+            gradients: self.gradients.each_mut().map(|g| match g.get_mut(range.clone()) {
+                Some(part) if GRADIENTS => part,
+                _ => Default::default(),
+            }),
             values: self.values.get_mut(range).unwrap_or_default(),
         }
     }

@@ -226,9 +226,11 @@ impl<const N: usize> Stretch<N> {
                 }
             }
         }
-        copy(&tail[0], values, whole * LANES);
-        for axis in 0..N {
-            copy(&slopes[axis][0], gradients[axis], whole * LANES);
+        if whole * LANES < values.len() {
+            copy(&tail[0], values, whole * LANES);
+            for axis in 0..if GRADIENTS { N } else { 0 } {
+                copy(&slopes[axis][0], gradients[axis], whole * LANES);
+            }
         }
     }
 }

@@ -79,8 +79,8 @@ impl<const N: usize> Sums<N> {
             self.place(s, &part.row, part.values.len());
             splat::<L, S, N, GRADIENTS>(s, noise, &part.row, part.seed, self, part.values.len());
             copy(&self.values, part.values);
-            for (sums, gradient) in self.gradients.iter().zip(part.gradients) {
-                copy(sums, gradient);
+            for axis in 0..if GRADIENTS { N } else { 0 } {
+                copy(&self.gradients[axis], part.gradients[axis]);
             }
         }
     }
