@@ -97,8 +97,10 @@
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |
 //!
-//! The price of `simd` is the time to compile `fearless_simd`: 9 of the 13 seconds of processor time that this crate takes from
-//! nothing. Without it, `default-features = false, features = ["std"]`, it takes 4, and batches run one point at a time.
+//! The price of `simd` is the time to compile `fearless_simd`: 6 of the 9 seconds of processor time that this crate takes from
+//! nothing. Without it, `default-features = false, features = ["std"]`, it takes 3, and batches run one point at a time. Levels that
+//! a program does not need are left out of it by `--cfg disable_dispatch_avx512` and its sisters in `RUSTFLAGS`, which
+//! [`fearless_simd`](https://docs.rs/fearless_simd) documents.
 #![no_std]
 #![expect(
     clippy::needless_range_loop,

@@ -57,7 +57,7 @@ pub(super) fn hermite() -> impl Strategy<Value = Fif<4>> {
         })
 }
 
-/// As many cases from a seed.
+/// A number of cases from a seed.
 pub(super) fn seeded(seed: u64, cases: u32) -> ProptestConfig {
     let rng_seed = proptest::test_runner::RngSeed::Fixed(seed);
     ProptestConfig { cases, rng_seed, failure_persistence: None, ..ProptestConfig::default() }

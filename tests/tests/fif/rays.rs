@@ -66,7 +66,7 @@ fn first_hits_agree_with_the_brackets() {
 
 #[test]
 fn heights_and_normals_equal_the_exact_ones() {
-    /// What a function takes within an ulp of the rational that the double stands for.
+    /// The range of a function within an ulp of the rational that the double stands for.
     fn spread<const C: usize>(f: &Fif<C>, x: f64) -> f64 {
         let near = f64::EPSILON * x.abs();
         f.extrema_over(x - near, x + near, 1e-12).unwrap().enclosure().width()

@@ -85,7 +85,7 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         self.ray.direction.x == 0.0 && self.ray.direction.y == 0.0
     }
 
-    /// Where a ray along z meets the surface.
+    /// The distance at which a ray along z meets the surface.
     pub(crate) fn vertical(&self, span: Interval) -> Option<f64> {
         if span.lo > span.hi {
             return None;
