@@ -63,7 +63,7 @@ fn contender<T: Real, R, const N: usize>(
     // What a library is set up with is not known to the optimiser, as it would not be in a program.
     let f = black_box(f);
     let points = points::<N>();
-    let at = |index: usize| std::array::from_fn(|axis| T::from(points[axis][index]));
+    let at = move |index: usize| std::array::from_fn(|axis| T::from(points[axis][index]));
     let pass: Box<dyn FnMut()> = match row.order {
         Order::Grid => {
             let grid = Grid::<N>::new(step);
@@ -73,8 +73,7 @@ fn contender<T: Real, R, const N: usize>(
             })
         }
         Order::Points => Box::new(move || {
-            (0..POINTS)
-                .for_each(|index| store(index, f(std::array::from_fn(|axis| T::from(points[axis][index])))));
+            (0..POINTS).for_each(|index| store(index, f(at(index))));
             black_box(&mut store);
         }),
         // One call after the other: the result of each goes through memory, so that no two are computed together.

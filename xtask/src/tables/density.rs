@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::glam::{Mat3, Vec3};
 use asperity_ndf_sampling::normal_table::{Chart, Deviation, Spacing, TableAccuracy, TableLayout};
 use asperity_ndf_sampling::{ConditionalTable, Ndf, NormalTable};
-use asperity_render::image::formats::{exr, npy};
+use asperity_render::image::formats::{F32, F64, exr, npy};
 use serde_json::{Value, json};
 
 use super::made::Made;
@@ -41,11 +41,11 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
     let packed = map.pack();
     let files = vec![
         ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
-        ("marginal_cdf.npy".into(), npy(&[width + 1], &marginal)),
-        ("conditional_cdf.npy".into(), npy(&[width, height + 1], &conditional)),
+        ("marginal_cdf.npy".into(), npy(F64, &[width + 1], &marginal)),
+        ("conditional_cdf.npy".into(), npy(F64, &[width, height + 1], &conditional)),
         ("normal_table.exr".into(), channels(L_SIZE, names, frames)?),
         ("half_vectors.exr".into(), channels(L_SIZE, ["z1", "z2", "D"], half_vectors)?),
-        ("packed_map.npy".into(), npy(&[packed.len()], &packed)),
+        ("packed_map.npy".into(), npy(F32, &[packed.len()], &packed)),
     ];
     let peak = texture.iter().fold(0.0_f32, |peak, &d| peak.max(d));
     let picture = Image::from_fn(256, 256, |x, y| {

@@ -1,7 +1,7 @@
 //! The tables of a fractal interpolation function: its system, its integrals, their bounds and values.
 
 use asperity_fif::Fif;
-use asperity_render::image::formats::npy;
+use asperity_render::image::formats::{F64, npy};
 use serde_json::{Value, json};
 
 use super::made::Made;
@@ -24,7 +24,7 @@ pub(super) fn tables(system: &System) -> Result<Made, Failure> {
     let files = names
         .iter()
         .zip(&curves)
-        .map(|(name, values)| (format!("{name}.npy"), npy(&[POINTS, 2], &values.concat())))
+        .map(|(name, values)| (format!("{name}.npy"), npy(F64, &[POINTS, 2], &values.concat())))
         .collect();
     Ok(Made {
         text: format!(

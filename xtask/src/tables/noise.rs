@@ -2,7 +2,7 @@
 
 use asperity_noise::lattice::{PermutationTable, gaussian_corner};
 use asperity_noise::{Gaussian, IntegerHash, Lattice, Noise, Perlin1985, Perlin2002, Simplex, Statistics};
-use asperity_render::image::formats::npy;
+use asperity_render::image::formats::{F32, U8, npy};
 use glam::{Vec2, Vec3, Vec4};
 use serde_json::{Map, json};
 
@@ -24,8 +24,8 @@ pub(super) fn lattice(seed: u32) -> Result<Made, Failure> {
         .collect();
     let side = SIDE as usize;
     let files = vec![
-        ("permutation.npy".into(), npy(&[256], permutation.entries())),
-        ("gaussian_variates.npy".into(), npy(&[side, side, 4], variates.as_flattened())),
+        ("permutation.npy".into(), npy(U8, &[256], permutation.entries())),
+        ("gaussian_variates.npy".into(), npy(F32, &[side, side, 4], variates.as_flattened())),
     ];
     let picture = Image::from_fn(256, 256, |x, y| {
         let index = (y as usize / 2) * side + x as usize / 2;
@@ -58,7 +58,7 @@ pub(super) fn distributions() -> Result<Made, Failure> {
     let mut parameters = Map::new();
     let mut files = Vec::new();
     for (name, kind) in &kinds {
-        files.push((format!("{name}.npy"), npy(&[kind.cdf.len()], kind.cdf)));
+        files.push((format!("{name}.npy"), npy(F32, &[kind.cdf.len()], kind.cdf)));
         let numbers = json!({
             "standard_deviation": kind.standard_deviation,
             "excess_kurtosis": kind.excess_kurtosis,

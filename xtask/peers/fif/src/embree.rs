@@ -7,6 +7,7 @@ use std::{
 
 type Handle = *mut c_void;
 
+#[derive(Default)]
 #[repr(C, align(16))]
 struct RayHit {
     origin: [f32; 3],
@@ -109,20 +110,15 @@ impl Mesh {
     pub(crate) fn first_hit(&self, origin: [f32; 3], direction: [f32; 3]) -> f32 {
         let mut ray = RayHit {
             origin,
-            t_near: 0.0,
             direction,
-            time: 0.0,
             t_far: f32::INFINITY,
             mask: NONE,
-            id: 0,
-            flags: 0,
-            normal: [0.0; 3],
-            uv: [0.0; 2],
             primitive: NONE,
             geometry: NONE,
             instance: NONE,
             #[cfg(not(embree3))]
             instance_primitive: NONE,
+            ..RayHit::default()
         };
         // SAFETY: the scene is committed, the ray is laid out and aligned as Embree's `RTCRayHit`.
         #[cfg(not(embree3))]

@@ -20,8 +20,9 @@ const AROUND: usize = 192;
 /// Texture coordinates are the angle and the length along the profile.
 pub fn revolved(points: &[[f32; 2]]) -> Mesh {
     let profile = smooth(points);
-    grid(profile.len(), AROUND, |row, column| {
-        let angle = TAU * column as f32 / AROUND as f32;
+    // The last column lies where the first does, with texture coordinates of its own.
+    Mesh::grid(profile.len() - 1, AROUND, |row, column| {
+        let angle = TAU * (AROUND - column) as f32 / AROUND as f32;
         let (sin, cos) = angle.sin_cos();
         let (p, along, length) = profile[row];
         let out = Vec2::new(along.y, -along.x);
@@ -36,8 +37,9 @@ pub fn revolved(points: &[[f32; 2]]) -> Mesh {
 
 /// A ring of radius `ring` about `centre`, upright in the x–z plane, of a tube of radius `tube`.
 pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
-    grid(AROUND / 4 + 1, AROUND / 2, |row, column| {
-        let (a, b) = (TAU * column as f32 / (AROUND / 2) as f32, TAU * row as f32 / (AROUND / 4) as f32);
+    let (columns, rows) = (AROUND / 2, AROUND / 4);
+    Mesh::grid(rows, columns, |row, column| {
+        let (a, b) = (TAU * (columns - column) as f32 / columns as f32, TAU * row as f32 / rows as f32);
         let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
         let out = Vec3::new(cb * ca, sb, cb * sa);
         Vertex {
@@ -47,11 +49,6 @@ pub fn ring(centre: Vec3, ring: f32, tube: f32) -> Mesh {
             uv: Vec2::new(ring * a, tube * b),
         }
     })
-}
-
-/// Triangles over rows of vertices; the last column lies where the first does, with texture coordinates of its own.
-fn grid(rows: usize, columns: usize, vertex: impl Fn(usize, usize) -> Vertex) -> Mesh {
-    Mesh::grid(rows - 1, columns, |row, column| vertex(row, columns - column))
 }
 
 /// Points of the Catmull–Rom spline through the given ones, with its unit directions and lengths up to there.

@@ -21,38 +21,26 @@ pub fn exr(width: usize, height: usize, channels: &[(&str, Vec<f32>)]) -> Result
     Ok(bytes.into_inner())
 }
 
-/// A number that NumPy knows.
-pub trait Element: Copy {
-    /// NumPy's name of the little-endian type.
-    const DESCR: &'static str;
-    /// Appends the little-endian bytes.
-    fn append(self, bytes: &mut Vec<u8>);
-}
-
-macro_rules! element {
-    ($($type:ty => $descr:literal),*) => {$(
-        impl Element for $type {
-            const DESCR: &'static str = $descr;
-            fn append(self, bytes: &mut Vec<u8>) {
-                bytes.extend_from_slice(&self.to_le_bytes());
-            }
-        }
-    )*};
-}
-element!(u8 => "|u1", f32 => "<f4", f64 => "<f8");
+/// The numbers of arrays, as NumPy names them, and their little-endian bytes.
+pub const U8: (&str, fn(u8) -> [u8; 1]) = ("|u1", u8::to_le_bytes);
+pub const F32: (&str, fn(f32) -> [u8; 4]) = ("<f4", f32::to_le_bytes);
+pub const F64: (&str, fn(f64) -> [u8; 8]) = ("<f8", f64::to_le_bytes);
 
 /// A C-ordered array in NumPy's format 1.0.
-pub fn npy<T: Element>(shape: &[usize], values: &[T]) -> Vec<u8> {
+pub fn npy<T: Copy, const N: usize>(
+    (descr, bytes_of): (&str, fn(T) -> [u8; N]),
+    shape: &[usize],
+    values: &[T],
+) -> Vec<u8> {
     let dimensions: String = shape.iter().map(|n| format!("{n}, ")).collect();
-    let mut header =
-        format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({dimensions}), }}", T::DESCR);
+    let mut header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({dimensions}), }}");
     // Magic, version and length take 10 bytes; the header ends in a line feed on a multiple of 64.
     header += &" ".repeat(63 - (header.len() + 10) % 64);
     header.push('\n');
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
     bytes.extend_from_slice(&(header.len() as u16).to_le_bytes());
     bytes.extend_from_slice(header.as_bytes());
-    values.iter().for_each(|value| value.append(&mut bytes));
+    bytes.extend(values.iter().flat_map(|&value| bytes_of(value)));
     bytes
 }
 
@@ -62,7 +50,7 @@ mod tests {
 
     #[test]
     fn an_array_has_numpy_s_header() {
-        let bytes = npy(&[2, 3], &[0.5_f32; 6]);
+        let bytes = npy(F32, &[2, 3], &[0.5_f32; 6]);
         assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
         let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
         assert_eq!((10 + length) % 64, 0);

@@ -62,11 +62,9 @@ impl ImageFile {
 }
 
 /// Refuses sizes that no density has, before anything is allocated.
-fn check_size(width: usize, height: usize) -> Result<usize, ImageFileError> {
-    match width.checked_mul(height) {
-        Some(pixels) if (1..=MAX_TEXELS).contains(&pixels) => Ok(pixels),
-        _ => Err(ImageFileError::Size { width, height }),
-    }
+fn check_size(width: usize, height: usize) -> Result<(), ImageFileError> {
+    let right = width.checked_mul(height).is_some_and(|pixels| (1..=MAX_TEXELS).contains(&pixels));
+    if right { Ok(()) } else { Err(ImageFileError::Size { width, height }) }
 }
 
 fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
@@ -75,7 +73,7 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(broken)?;
     let (width, height) = (reader.info().width as usize, reader.info().height as usize);
-    let pixels = check_size(width, height)?;
+    check_size(width, height)?;
     let length = reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?;
     if length > bytes.len().saturating_mul(MOST_INFLATED) {
         return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
@@ -86,13 +84,8 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let wide = info.bit_depth == png::BitDepth::Sixteen;
     let (step, top) = if wide { (2, 65_535.0) } else { (1, 255.0) };
     let names: &[&str] = if channels > 2 { &["R", "G", "B"] } else { &["Y"] };
-    let plane = |channel: usize| {
-        let value = |pixel: &[u8]| {
-            let sample = pixel.chunks_exact(step).nth(channel).unwrap_or_default();
-            sample.iter().fold(0_u32, |value, &byte| value << 8 | u32::from(byte)) as f32 / top
-        };
-        samples.chunks_exact(channels * step).take(pixels).map(value).collect()
-    };
+    let value = |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
+    let plane = |channel| samples.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
     let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
     Ok(ImageFile { width, height, planes, signed: false })
 }

@@ -33,29 +33,25 @@ pub struct Bumps {
 impl Bumps {
     /// The bump map in space.
     pub fn field(&self, seed: u32) -> Result<BumpField<Field>, Failure> {
-        Ok(BumpField::new(Field::new(self.kind, self.octaves, self.gain, seed)?, self.frequency)?)
-    }
-}
-
-/// Two independent channels of octaves of noise over space; without any octave the surface is seen from afar at every distance.
-pub struct Field(Option<Box<dyn GaussianField + Send + Sync>>);
-
-impl Field {
-    /// The field of a kind with at most `octaves` octaves, each with `gain` times the amplitude of the last.
-    pub fn new(kind: NoiseKind, octaves: u32, gain: f32, seed: u32) -> Result<Self, Failure> {
         /// No round number, so that the lattices of neighbouring octaves do not meet.
         const LACUNARITY: f32 = 2.17;
-        if octaves == 0 {
-            return Ok(Self(None));
+        if self.octaves == 0 {
+            return Ok(BumpField::new(Field(None), self.frequency)?);
         }
-        let spectrum = Spectrum::new(LACUNARITY, gain, octaves)?;
-        Ok(Self(Some(match kind {
+        let spectrum = Spectrum::new(LACUNARITY, self.gain, self.octaves)?;
+        let noise: Box<Noise> = match self.kind {
             NoiseKind::Gaussian => Box::new(GaussianOctaves::<3>::new(Gaussian::new(seed), spectrum)),
             NoiseKind::Perlin2002 => Box::new(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?),
             NoiseKind::Simplex => Box::new(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?),
-        })))
+        };
+        Ok(BumpField::new(Field(Some(noise)), self.frequency)?)
     }
 }
+
+type Noise = dyn GaussianField + Send + Sync;
+
+/// Two independent channels of octaves of noise over space; without any octave the surface is seen from afar at every distance.
+pub struct Field(Option<Box<Noise>>);
 
 impl GaussianField for Field {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
@@ -73,12 +69,17 @@ impl GaussianField for Field {
 
 #[cfg(test)]
 mod tests {
+    use asperity_shading::Footprint;
+
     use super::*;
 
     #[test]
     fn kinds_differ_and_no_octaves_are_flat() {
         let p = Vec3::new(0.3, 0.7, -1.9);
-        let at = |kind, octaves| Field::new(kind, octaves, 0.8, 3).unwrap().coordinates(p, 2.5).z;
+        let at = |kind, octaves| {
+            let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3).unwrap();
+            bumps.coordinates(p, Footprint::from_width(0.1)).z
+        };
         let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin2002, NoiseKind::Simplex];
         for (i, &kind) in kinds.iter().enumerate() {
             assert_eq!(at(kind, 0), glam::Vec2::ZERO);

@@ -11,15 +11,11 @@ use crate::geometry::mesh_file::error::{MOST_CORNERS, MeshFileError};
 /// have ears"), in the plane that the polygon is nearest to. Of one that crosses itself, there is always something to
 /// cut off, though not always an ear.
 pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, MeshFileError> {
-    if corners.len() < 3 {
-        return Ok(Vec::new());
-    }
     let flat = flattened(corners);
     let turn = |[a, b, c]: [usize; 3]| (flat[b] - flat[a]).perp_dot(flat[c] - flat[b]);
     // A corner given twice would hide which way the polygon turns there.
-    let last = corners.len() - 1;
-    let mut left: Vec<usize> =
-        (0..=last).filter(|&i| flat[i] != flat[i.checked_sub(1).unwrap_or(last)]).collect();
+    let count = corners.len();
+    let mut left: Vec<usize> = (0..count).filter(|&i| flat[i] != flat[(i + count - 1) % count]).collect();
     let n = left.len();
     if n < 3 {
         return Ok(Vec::new());

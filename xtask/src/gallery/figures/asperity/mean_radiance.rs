@@ -1,7 +1,7 @@
 //! The mean radiance of a patch against zoom, for both rules of level of detail.
 
 use asperity_ndf_sampling::{Beckmann, Ggx};
-use asperity_render::materials::field::{Field, NoiseKind};
+use asperity_render::materials::field::{Bumps, Field, NoiseKind};
 use asperity_render::{integrator::pixels::jitter, materials::SharedNdf};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 use glam::Vec3;
@@ -51,7 +51,8 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
             cases.extend(rules.map(|rule| Case { density, ndf, look, h, rule, ratios: Vec::new() }));
         }
     }
-    let bumps = BumpField::new(Field::new(NoiseKind::Gaussian, 16, GAIN, context.seed)?, 1.0)?;
+    let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 1.0, octaves: 16, gain: GAIN };
+    let bumps = bumps.field(context.seed)?;
     for doubling in DOUBLINGS {
         measure(context, &mut cases, &bumps, f64::exp2(doubling) as f32)?;
     }
