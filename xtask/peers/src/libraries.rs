@@ -13,13 +13,17 @@ use crate::{
 pub(crate) const ALL: [fn(Row, f32) -> Option<Contender>; 7] =
     [noise, noise_functions, fastnoise_lite, libnoise, noiz, opensimplex2, bracket_noise];
 
-/// Calls a function that is generic over the dimension.
+/// An expression in which the constant of this name is the row's dimension.
 macro_rules! in_dimension {
-    ($row:expr, $step:expr, $of:ident) => {
+    ($row:expr, $n:ident, $of:expr) => {
+        in_dimension!($row, $n, $of, 2 3 4)
+    };
+    ($row:expr, $n:ident, $of:expr, $($dimension:literal)*) => {
         match $row.dimension {
-            2 => Some($of::<2>($row, $step)),
-            3 => Some($of::<3>($row, $step)),
-            4 => Some($of::<4>($row, $step)),
+            $($dimension => {
+                const $n: usize = $dimension;
+                Some($of)
+            })*
             _ => None,
         }
     };
@@ -37,30 +41,22 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
         values(NAME, row, step, move |p: [f64; N]| noise.get(p) as f32)
     }
 
-    fn in_any<const N: usize>(row: Row, step: f32) -> Contender
-    where
-        Perlin: NoiseFn<f64, N>,
-        Value: NoiseFn<f64, N>,
-        Simplex: NoiseFn<f64, N>,
-        Fbm<Perlin>: NoiseFn<f64, N>,
-    {
-        match row.kind {
-            Kind::Perlin => of(row, step, Perlin::new(SEED)),
-            Kind::Value => of(row, step, Value::new(SEED)),
-            Kind::Simplex => of(row, step, Simplex::new(SEED)),
-            Kind::Octaves => {
-                let sum = Fbm::<Perlin>::new(SEED).set_octaves(5).set_lacunarity(2.0).set_persistence(0.5);
-                of(row, step, sum)
-            }
-        }
-    }
-
     fn narrow<const N: usize>((value, gradient): (f64, [f64; N])) -> (f32, [f32; N]) {
         (value as f32, gradient.map(|x| x as f32))
     }
 
     if row.kind != Kind::Simplex || !row.gradients {
-        return in_dimension!(row, step, in_any);
+        let sum = || Fbm::<Perlin>::new(SEED).set_octaves(5).set_lacunarity(2.0).set_persistence(0.5);
+        return in_dimension!(
+            row,
+            N,
+            match row.kind {
+                Kind::Perlin => of::<N>(row, step, Perlin::new(SEED)),
+                Kind::Value => of::<N>(row, step, Value::new(SEED)),
+                Kind::Simplex => of::<N>(row, step, Simplex::new(SEED)),
+                Kind::Octaves => of::<N>(row, step, sum()),
+            }
+        );
     }
     let table = PermutationTable::new(SEED);
     Some(match row.dimension {
@@ -79,21 +75,16 @@ fn noise_functions(row: Row, step: f32) -> Option<Contender> {
         values("noise-functions", row, step, move |p: [f32; N]| noise.sample_with_seed(p, SEED as i32))
     }
 
-    fn in_any<const N: usize>(row: Row, step: f32) -> Contender
-    where
-        Perlin: Sample<N>,
-        Value: Sample<N>,
-        Simplex: Sample<N>,
-    {
+    in_dimension!(
+        row,
+        N,
         match row.kind {
-            Kind::Perlin => of(row, step, Perlin),
-            Kind::Value => of(row, step, Value),
-            Kind::Simplex => of(row, step, Simplex),
-            Kind::Octaves => of(row, step, Perlin.fbm(5, 0.5, 2.0)),
+            Kind::Perlin => of::<N>(row, step, Perlin),
+            Kind::Value => of::<N>(row, step, Value),
+            Kind::Simplex => of::<N>(row, step, Simplex),
+            Kind::Octaves => of::<N>(row, step, Perlin.fbm(5, 0.5, 2.0)),
         }
-    }
-
-    in_dimension!(row, step, in_any)
+    )
 }
 
 /// One configurable generator, `f32`.
@@ -123,29 +114,23 @@ fn fastnoise_lite(row: Row, step: f32) -> Option<Contender> {
 
 /// `f64`, permutation tables, adapters.
 fn libnoise(row: Row, step: f32) -> Option<Contender> {
-    use libnoise::{Fbm, Generator, ImprovedPerlin, Simplex, Source, Value};
+    use libnoise::{Generator, Source};
 
     fn of<const N: usize>(row: Row, step: f32, noise: impl Generator<N> + 'static) -> Contender {
         values("libnoise", row, step, move |p: [f64; N]| noise.sample(p) as f32)
     }
 
-    fn in_any<const N: usize>(row: Row, step: f32) -> Contender
-    where
-        ImprovedPerlin<N>: Generator<N>,
-        Value<N>: Generator<N>,
-        Simplex<N>: Generator<N>,
-        Fbm<N, ImprovedPerlin<N>>: Generator<N>,
-    {
-        let seed = u64::from(SEED);
+    let seed = u64::from(SEED);
+    in_dimension!(
+        row,
+        N,
         match row.kind {
             Kind::Perlin => of(row, step, Source::<N>::improved_perlin(seed)),
             Kind::Value => of(row, step, Source::<N>::value(seed)),
             Kind::Simplex => of(row, step, Source::<N>::simplex(seed)),
             Kind::Octaves => of(row, step, Source::<N>::improved_perlin(seed).fbm(5, 1.0, 2.0, 0.5)),
         }
-    }
-
-    in_dimension!(row, step, in_any)
+    )
 }
 
 /// `f32`, hashes, gradients of its own for all but sums.
