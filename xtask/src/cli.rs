@@ -346,12 +346,6 @@ fn colour(text: &str) -> Result<u32, &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
-
-    #[test]
-    fn the_command_line_holds_together() {
-        Cli::command().debug_assert();
-    }
 
     #[test]
     fn wrong_values_are_usage_errors() {

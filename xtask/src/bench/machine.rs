@@ -6,7 +6,6 @@ use std::{fs, path::Path, process::Command, thread};
 pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    let compiled = library.map(|path| compiler(&fs::read(path).unwrap_or_default()));
     [
         format!(
             "Processor: {}, {cores} cores; {}, {}",
@@ -16,13 +15,10 @@ pub(crate) fn facts(library: Option<&Path>) -> [String; 4] {
         ),
         format!("Instructions: {}", instructions().join(", ")),
         format!("Rust: {}, for the target's baseline unless the code asks for more", rustc()),
-        match compiled {
-            Some(compiler) => format!(
-                "FastNoise2: compiled with {}",
-                compiler.unwrap_or_else(|| "unknown compiler".to_owned())
-            ),
-            None => "FastNoise2: not measured".to_owned(),
-        },
+        library.map_or("FastNoise2: not measured".to_owned(), |path| {
+            let compiler = compiler(&fs::read(path).unwrap_or_default());
+            format!("FastNoise2: compiled with {}", compiler.as_deref().unwrap_or("unknown compiler"))
+        }),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! The words of the gallery, read from `captions.md`: pages, their sections, titles, sources and captions.
 
-use std::{collections::BTreeMap, sync::OnceLock};
+use std::{collections::BTreeMap, sync::LazyLock};
 
 use crate::failure::Result;
 
@@ -34,10 +34,8 @@ pub(crate) struct Captions {
 }
 
 /// The words of the gallery.
-pub(crate) fn captions() -> &'static Captions {
-    static CAPTIONS: OnceLock<Captions> = OnceLock::new();
-    CAPTIONS.get_or_init(|| Captions::read(include_str!("captions.md")))
-}
+pub(crate) static CAPTIONS: LazyLock<Captions> =
+    LazyLock::new(|| Captions::read(include_str!("captions.md")));
 
 impl Captions {
     /// The words of a figure.

@@ -13,7 +13,7 @@ use std::{sync::atomic::AtomicBool, time::Instant};
 
 use crate::cli::Gallery;
 use crate::failure::Result;
-use crate::gallery::captions::captions;
+use crate::gallery::captions::CAPTIONS;
 use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
 use crate::gallery::page::{Record, Stored};
 use crate::output::{Output, sha256};
@@ -34,7 +34,7 @@ pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a 
 /// Says the name, the title and the source of the chosen figures.
 pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     for figure in chosen(all, only)? {
-        let words = captions().of(figure.name)?;
+        let words = CAPTIONS.of(figure.name)?;
         progress::say(&format!("{:<26} {} ({})", figure.name, words.title, words.source));
     }
     Ok(())
@@ -72,7 +72,7 @@ pub(crate) fn draw(
     }
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    for page in &captions().pages {
+    for page in &CAPTIONS.pages {
         let text = page.gallery(&records, drawing);
         output.write(page.file, text.as_bytes())?;
     }

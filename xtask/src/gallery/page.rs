@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::gallery::captions::{Caption, Page, captions};
+use crate::gallery::captions::{CAPTIONS, Caption, Page};
 use crate::gallery::figure::{Drawn, Panel};
 
 const STYLE: &str = include_str!("page.css");
@@ -65,10 +65,10 @@ impl Page {
     /// The page over its records; `drawing` hands over the text of an SVG file by its name.
     pub(crate) fn gallery(&self, records: &[Record], drawing: impl Fn(&str) -> String) -> String {
         let prefix = if self.title == "Asperity" { String::new() } else { format!("{}: ", self.title) };
-        let others = captions().pages.iter().filter(|other| other.file != self.file).map(|other| {
+        let others = CAPTIONS.pages.iter().filter(|other| other.file != self.file).map(|other| {
             format!("<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>\n", other.file, other.name)
         });
-        let words = |record: &Record| captions().of(&record.name).ok().filter(|c| c.page == self.file);
+        let words = |record: &Record| CAPTIONS.of(&record.name).ok().filter(|c| c.page == self.file);
         let records: Vec<_> = records.iter().filter_map(|record| Some((words(record)?, record))).collect();
         let links = records.iter().map(|(caption, record)| {
             format!("<li><a href=\"#{}\">{}</a></li>\n", escape(&record.name), escape(caption.title))
@@ -147,7 +147,7 @@ mod tests {
 
     fn page_of(index: usize, names: &[&str]) -> String {
         let records: Vec<_> = names.iter().copied().map(record).collect();
-        captions().pages[index].gallery(&records, |_| String::new())
+        CAPTIONS.pages[index].gallery(&records, |_| String::new())
     }
 
     #[test]

@@ -50,7 +50,13 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let output = Output::new(folder)?;
     let &Render { size, spp: samples_per_pixel, seed, .. } = wanted;
     let sampling = Sampling { width: size, height: size, samples_per_pixel, seed };
-    let material = wanted.material.unwrap_or(usual(wanted.scene));
+    let material = wanted.material.unwrap_or(match wanted.scene {
+        Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
+        Set::Car => Material::Paint,
+        Set::Room => Material::Carpet,
+        Set::Wall => Material::Brick,
+        Set::Vase => Material::Marble,
+    });
     let lamps = match &wanted.light {
         Some(light) => light == "lamps",
         None => material == Material::Bumps,
@@ -75,17 +81,6 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     output.write(&name, &bytes)?;
     progress::say(&format!("the picture: {}", path.display()));
     Ok(())
-}
-
-/// The usual material of a set.
-const fn usual(set: Set) -> Material {
-    match set {
-        Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
-        Set::Car => Material::Paint,
-        Set::Room => Material::Carpet,
-        Set::Wall => Material::Brick,
-        Set::Vase => Material::Marble,
-    }
 }
 
 fn bumps(wanted: &Render, usual: Bumps) -> Bumps {

@@ -10,7 +10,6 @@ mod noise_means;
 mod noise_pictures;
 mod shipped;
 
-use std::fmt::Write;
 use std::sync::atomic::AtomicBool;
 
 use serde_json::json;
@@ -101,12 +100,12 @@ fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
     let mut links = String::new();
     for (name, bytes) in &made.files {
         digests.insert(name.clone(), folder.write(name, bytes)?.into());
-        let _ = write!(
-            links,
-            "<a href=\"{0}/{name}\">{name}</a> <span>{1}</span><br>",
-            page::escape(&set.folder),
-            size(bytes.len())
-        );
+        let size = match bytes.len() {
+            few @ ..10_000 => format!("{few} bytes"),
+            many => format!("{} kB", many.div_ceil(1000)),
+        };
+        let folder = page::escape(&set.folder);
+        links += &format!("<a href=\"{folder}/{name}\">{name}</a> <span>{size}</span><br>");
     }
     folder.write("picture.png", &made.picture.png()?)?;
     let provenance = json!({
@@ -127,8 +126,4 @@ fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
         made.picture.height,
         folder = page::escape(&set.folder),
     ))
-}
-
-fn size(bytes: usize) -> String {
-    if bytes < 10_000 { format!("{bytes} bytes") } else { format!("{} kB", bytes.div_ceil(1000)) }
 }

@@ -80,19 +80,18 @@ pub(crate) fn figures() -> Vec<&'static Figure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gallery::captions::captions;
+    use crate::gallery::captions::CAPTIONS;
 
     #[test]
     fn every_figure_has_its_words_and_no_words_are_left_over() {
-        let words = captions();
         for figure in figures() {
-            let caption = words.of(figure.name).unwrap();
+            let caption = CAPTIONS.of(figure.name).unwrap();
             let texts = [caption.page, caption.section, caption.title, caption.source, &caption.text];
             assert!(texts.iter().all(|text| !text.is_empty() && !text.contains('#')), "{}", figure.name);
         }
-        assert_eq!(words.figures.len(), figures().len());
-        assert_eq!(words.pages[0].title, "Asperity");
-        assert!(words.pages.iter().all(|page| page.about.ends_with('.')));
+        assert_eq!(CAPTIONS.figures.len(), figures().len());
+        assert_eq!(CAPTIONS.pages[0].title, "Asperity");
+        assert!(CAPTIONS.pages.iter().all(|page| page.about.ends_with('.')));
     }
 
     /// The words in backticks of a cell of every row of a page's tables: the first one, or the last.

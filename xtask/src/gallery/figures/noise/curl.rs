@@ -5,7 +5,7 @@ use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
-use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::gallery::figure::{Context, Drawn};
 use crate::gallery::figures::noise::gradients::{hue, steepness};
 use crate::gallery::figures::noise::plane::{Window, grey};
 
@@ -29,8 +29,22 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let gradient = |p| carried(p, time, |p| -flow.0.sample(p).gradient);
     let stirred = "A chequerboard stirred into spirals.";
     let squeezed = "A chequerboard squeezed into thin lines around a few blown-up fields.";
+    let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
+    // Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution": white noise smeared along the flow.
+    let streamlines = window.draw(context, words, |p| {
+        let smeared = |sign: f32| {
+            let (mut p, mut sum) = (p, 0.0);
+            for _ in 0..REACH {
+                p += flow.velocity(p).normalize_or_zero() * (sign * window.step());
+                sum += White::new(context.seed).value(p / window.step());
+            }
+            sum
+        };
+        let mean = (smeared(1.0) + smeared(-1.0)) / (2 * REACH) as f32;
+        hue(flow.velocity(p) / (1.6 * speed)) * grey(0.62 + 2.0 * mean) * 1.9
+    })?;
     let panels = vec![
-        streamlines(context, window, speed, &flow)?,
+        streamlines,
         window.draw(context, ["dye", "dye carried by the curl", stirred], |p| dye(curl(p)))?,
         window.draw(context, ["gradient", "dye carried by the gradient", squeezed], |p| dye(gradient(p)))?,
     ];
@@ -47,29 +61,6 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         .fact("way", format!("{WAY} cells at the root mean square speed, {STEPS} midpoint steps"))
         .fact("area before", "of what fills a unit of area afterwards")
         .table(["carried by", "greatest divergence", "area before, 5 %", "median", "95 %"], rows))
-}
-
-/// White noise smeared along the flow (Cabral, Leedom 1993, "Imaging Vector Fields Using Line Integral Convolution").
-fn streamlines<F: Field<Vec2> + Sync>(
-    context: &Context<'_>,
-    window: Window,
-    speed: f32,
-    flow: &Curl2<F>,
-) -> Result<Panel> {
-    let step = window.step();
-    let words = ["streamlines", "streamlines of the curl", "Closed swirling lines, tinted by direction."];
-    window.draw(context, words, |p| {
-        let smeared = |sign: f32| {
-            let (mut p, mut sum) = (p, 0.0);
-            for _ in 0..REACH {
-                p += flow.velocity(p).normalize_or_zero() * (sign * step);
-                sum += White::new(context.seed).value(p / step);
-            }
-            sum
-        };
-        let mean = (smeared(1.0) + smeared(-1.0)) / (2 * REACH) as f32;
-        hue(flow.velocity(p) / (1.6 * speed)) * grey(0.62 + 2.0 * mean) * 1.9
-    })
 }
 
 /// Origin of the fluid at a point, by the midpoint rule backwards in time.
