@@ -19,7 +19,11 @@ pub(crate) fn noise_levels_source() -> String {
     let fourth: f64 = inner.iter().map(|x| x * x * x * x).sum();
     let scale_squared = |t: f64| (HALF as f64 - t * t) / second;
     let excess = |t: f64| scale_squared(t).powi(2) * fourth + t.powi(4) - 3.0 * HALF as f64;
-    let outermost = bisect(excess, 3.5, 5.0);
+    // To the last bit: it increases.
+    let [outermost, _] = (0..60).fold([3.5, 5.0], |[low, high], _| {
+        let middle = 0.5 * (low + high);
+        if excess(middle) < 0.0 { [middle, high] } else { [low, middle] }
+    });
     let scale = scale_squared(outermost).sqrt();
     for x in &mut quantiles {
         *x *= scale;
@@ -38,19 +42,4 @@ pub(crate) fn noise_levels_source() -> String {
     }
     text.push_str("];\n");
     text
-}
-
-/// The root of an increasing function between `low` and `high`, to the last bit.
-fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return middle;
-        }
-        if f(middle) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
 }

@@ -49,8 +49,25 @@ where
     K: Noise<V> + Copy + Sync,
     V: Point,
 {
-    let means: Vec<[f64; 4]> =
-        (0..seeds).into_par_iter().map(|seed| means_of_seed::<K, V>(noise, seed)).collect();
+    let means_of_seed = |seed: u32| -> [f64; 4] {
+        let mut random = Random(u64::from(seed) << 32);
+        let mut points = V::array(|_| [0.0; POINTS]);
+        points.as_mut().iter_mut().flatten().for_each(|x| *x = random.coordinate());
+        let (noise, mut values) = (noise.with_seed(seed), [0.0; POINTS]);
+        // The lists are all `POINTS` long.
+        let _ = Batch::new().list_values(&noise, V::array(|axis| &points.as_ref()[axis][..]), &mut values);
+        let mut sums = [0.0; 4];
+        for value in values {
+            let size = f64::from(value).abs();
+            let mut power = 1.0;
+            for sum in &mut sums {
+                power *= size;
+                *sum += power;
+            }
+        }
+        sums.map(|sum| sum / POINTS as f64)
+    };
+    let means: Vec<[f64; 4]> = (0..seeds).into_par_iter().map(means_of_seed).collect();
     let count = f64::from(seeds);
     let mut moments = [0.0; 4];
     let mut worst = 0.0_f64;
@@ -60,27 +77,4 @@ where
         worst = worst.max((variance / count).sqrt() / *moment);
     }
     (moments, Some(worst))
-}
-
-fn means_of_seed<K: Noise<V> + Copy, V: Point>(noise: K, seed: u32) -> [f64; 4] {
-    let mut random = Random(u64::from(seed) << 32);
-    let mut points = V::array(|_| [0.0; POINTS]);
-    points.as_mut().iter_mut().flatten().for_each(|x| *x = random.coordinate());
-    let mut values = [0.0; POINTS];
-    let filled = Batch::new().list_values(
-        &noise.with_seed(seed),
-        V::array(|axis| &points.as_ref()[axis][..]),
-        &mut values,
-    );
-    debug_assert!(filled.is_ok(), "lists of equal length");
-    let mut sums = [0.0; 4];
-    for value in values {
-        let size = f64::from(value).abs();
-        let mut power = 1.0;
-        for sum in &mut sums {
-            power *= size;
-            *sum += power;
-        }
-    }
-    sums.map(|sum| sum / POINTS as f64)
 }
