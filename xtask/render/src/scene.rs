@@ -40,11 +40,6 @@ impl<'a> Object<'a> {
     ) -> Self {
         Self::new(shape, Shaded(bsdf))
     }
-
-    /// A body of this tint, in whose shadow is so much of the light.
-    pub fn refracting(self, body: Vec3, passes: f32) -> Self {
-        Self { passes, body: Some(body), ..self }
-    }
 }
 
 /// A hit on an object.

@@ -108,10 +108,10 @@ fn by_lamps(
     if material != Material::Bumps {
         return Err("lamps light bumps only; take `--light studio`".into());
     }
-    let mut request = match &mesh {
-        Some(mesh) => RenderRequest::of_mesh(mesh, density.ndf.as_ref(), sampling),
-        None => RenderRequest::new(set, density.ndf.as_ref(), sampling),
-    };
+    let mut request = RenderRequest::new(set, density.ndf.as_ref(), sampling);
+    if let Some(mesh) = &mesh {
+        (request.view, request.bumps.frequency) = (View::of_mesh(mesh), 24.0);
+    }
     request.facets = Facets::Consistent(wanted.rule);
     request.zoom = wanted.zoom;
     request.bumps = bumps(wanted, request.bumps);

@@ -22,7 +22,7 @@ const LID: std::ops::Range<usize> = 20..28;
 
 #[derive(Deserialize)]
 struct Data {
-    patches_16_indices: Vec<Vec<usize>>,
+    patches_16_indices: Vec<[usize; 16]>,
     vertices_xyz_z_up: Vec<[f64; 3]>,
 }
 
@@ -38,10 +38,8 @@ pub fn teapot() -> Mesh {
     let mut mesh = Mesh::default();
     for (index, patch) in data.patches_16_indices.iter().enumerate() {
         let widen = if LID.contains(&index) { DVec3::new(14.0 / 13.0, 14.0 / 13.0, 1.0) } else { DVec3::ONE };
-        let mut control = [DVec3::ZERO; 16];
-        for (point, &i) in control.iter_mut().zip(patch) {
-            *point = data.vertices_xyz_z_up.get(i).map_or(DVec3::ZERO, |&p| DVec3::from(p) * widen);
-        }
+        let control =
+            patch.map(|i| data.vertices_xyz_z_up.get(i).map_or(DVec3::ZERO, |&p| DVec3::from(p) * widen));
         // Control points come by rows; u runs along a row, v across them.
         mesh.append(Mesh::grid(CELLS.1, CELLS.0, |j, i| {
             let (u, v) = (i as f64 / CELLS.0 as f64, j as f64 / CELLS.1 as f64);

@@ -32,14 +32,11 @@ impl ImageFile {
 
     /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
     pub fn decode(bytes: Vec<u8>) -> Result<Self, ImageFileError> {
-        if bytes.is_empty() {
-            Err(ImageFileError::Empty)
-        } else if bytes.starts_with(b"\x89PNG") {
-            decode_png(&bytes)
-        } else if bytes.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
-            decode_exr(bytes)
-        } else {
-            Err(ImageFileError::UnknownFormat)
+        match bytes[..] {
+            [] => Err(ImageFileError::Empty),
+            [0x89, b'P', b'N', b'G', ..] => decode_png(&bytes),
+            [0x76, 0x2f, 0x31, 0x01, ..] => decode_exr(bytes),
+            _ => Err(ImageFileError::UnknownFormat),
         }
     }
 

@@ -29,7 +29,7 @@ const TEAPOT_FOCUS: Vec3 = Vec3::new(-0.45, -1.85, 1.45);
 /// Request for one picture.
 #[derive(Clone, Copy)]
 pub struct RenderRequest<'a> {
-    view: View,
+    pub view: View,
     pub ndf: &'a SharedNdf,
     pub facets: Facets<'a>,
     /// Magnification over the view of the whole object.
@@ -52,15 +52,6 @@ impl<'a> RenderRequest<'a> {
             Set::Teapot => (set.view().towards(TEAPOT_FOCUS), 16.0),
             _ => (View::new([0.0, -3.0, 3.0], [0.0; 3], 27.0), 24.0),
         };
-        Self::seen(view, frequency, ndf, sampling)
-    }
-
-    /// A copper-coloured picture of a mesh in the unit ball.
-    pub fn of_mesh(mesh: &TracedMesh, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
-        Self::seen(View::of_mesh(mesh), 24.0, ndf, sampling)
-    }
-
-    fn seen(view: View, frequency: f32, ndf: &'a SharedNdf, sampling: Sampling) -> Self {
         Self {
             view,
             ndf,

@@ -222,8 +222,6 @@ impl Material for Body<'_> {
 fn car(paint: Box<Surface<'_>>) -> Result<Vec<Object<'_>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
-    let mut objects = vec![Object::new(car_body(), body)];
-    objects.push(faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?);
     let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
     for [x, z] in WHEELS {
         for side in [-1.0, 1.0] {
@@ -232,7 +230,10 @@ fn car(paint: Box<Surface<'_>>) -> Result<Vec<Object<'_>>, Failure> {
             discs.append(disc);
         }
     }
-    objects.push(Object::new(tyres, cloth(hex(0x2a_2a2c))?));
-    objects.push(Object::new(discs, Coat::metal(Vec3::new(0.62, 0.63, 0.65))));
-    Ok(objects)
+    Ok(vec![
+        Object::new(car_body(), body),
+        faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?,
+        Object::new(tyres, cloth(hex(0x2a_2a2c))?),
+        Object::new(discs, Coat::metal(Vec3::new(0.62, 0.63, 0.65))),
+    ])
 }

@@ -21,7 +21,13 @@ use crate::geometry::mesh::Mesh;
 /// Data that the file does not give are computed: normals by the angles of the triangles around a point,
 /// tangents along ∂P/∂u. Triangles without area are left out.
 pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
-    let parse = parser(path)?;
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    let parse = match extension.as_deref() {
+        Some("obj") => obj::parse,
+        Some("ply") => ply::parse,
+        Some("glb") => glb::parse,
+        _ => return Err(MeshFileError::UnknownExtension),
+    };
     let unreadable = |error| MeshFileError::Unreadable { error };
     let file = File::open(path).map_err(unreadable)?;
     let metadata = file.metadata().map_err(unreadable)?;
@@ -37,16 +43,6 @@ pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
 }
 
 type Parser = fn(&[u8]) -> Result<TriangleSoup, MeshFileError>;
-
-fn parser(path: &Path) -> Result<Parser, MeshFileError> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    match extension.as_deref() {
-        Some("obj") => Ok(obj::parse),
-        Some("ply") => Ok(ply::parse),
-        Some("glb") => Ok(glb::parse),
-        _ => Err(MeshFileError::UnknownExtension),
-    }
-}
 
 fn mesh(parse: Parser, bytes: &[u8], up: Up) -> Result<Mesh, MeshFileError> {
     if bytes.is_empty() {

@@ -82,8 +82,8 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let copper = [Conductor::new(0.21, 3.67)?, Conductor::new(1.02, 2.59)?, Conductor::new(1.17, 2.36)?];
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
-    let glass =
-        object(Box::new(Coat::body(Dielectric::new(GLASS)?))).refracting(Vec3::new(0.7, 0.9, 0.84), 0.65);
+    let glass = object(Box::new(Coat::body(Dielectric::new(GLASS)?)));
+    let glass = Object { body: Some(Vec3::new(0.7, 0.9, 0.84)), passes: 0.65, ..glass };
     Ok([
         ("matte", "Matte", object(Box::new(matte(hex(0xe6_dac6))))),
         ("phong", "Phong", object(Box::new(lacquer))),
