@@ -56,13 +56,7 @@ where
     V: Point<Coordinates = [f32; N]>,
 {
     if row.order != Order::Calls {
-        let batch = |level: Level| Contender {
-            library: NAME,
-            level: level.name(),
-            samples: inputs::samples::<N>(row.order),
-            pass: pass::<V, N>(row, step, Batch::with_level(level), field),
-        };
-        return Level::available().map(batch).collect();
+        return Level::available().map(|level| batch::<V, N>(row, step, level, field)).collect();
     }
     vec![if row.gradients {
         derivatives(NAME, row, step, move |p| {
@@ -74,15 +68,11 @@ where
     }]
 }
 
-fn pass<V, const N: usize>(
-    row: Row,
-    step: f32,
-    batch: Batch,
-    field: impl Field<V> + 'static,
-) -> Box<dyn FnMut()>
+fn batch<V, const N: usize>(row: Row, step: f32, level: Level, field: impl Field<V> + 'static) -> Contender
 where
     V: Point<Coordinates = [f32; N]>,
 {
+    let batch = Batch::with_level(level);
     let field = black_box(field);
     let grid = Grid::<N>::new(step);
     let (origin, size) = (V::from_coordinates(grid.origin), grid.size);
@@ -91,7 +81,7 @@ where
     let samples = inputs::samples::<N>(row.order);
     let mut values = vec![0.0; samples];
     let mut slopes = V::array(|_| vec![0.0; samples]);
-    Box::new(move || {
+    let pass = Box::new(move || {
         let mut slots = slopes.as_mut().iter_mut();
         let slots = V::array(|_| slots.next().map(Vec::as_mut_slice).unwrap_or_default());
         let points = V::array(|axis| &points[axis][..]);
@@ -103,5 +93,6 @@ where
         };
         done.expect("every array is as long as the grid or the list of points");
         black_box(&mut values);
-    })
+    });
+    Contender { library: NAME, level: level.name(), samples, pass }
 }
