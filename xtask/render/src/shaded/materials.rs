@@ -16,17 +16,10 @@ pub(super) const VALID: &str = "parameters in range";
 /// Materials whose mean is the same at every zoom.
 #[must_use]
 pub fn materials() -> Vec<Subject> {
-    let carpet = |name, seams_pattern| {
-        let specular_roughness = 0.4;
-        let fake_rim_light_colour = Vec3::splat(0.1);
-        let seamed = CarpetParameters {
-            seams_pattern,
-            specular_roughness,
-            fake_rim_light_colour,
-            ..Default::default()
-        };
-        Subject::of(name, 1.2, Carpet::new(seamed).expect(VALID), |p| p)
-    };
+    let carpet =
+        |name, width, parameters| Subject::of(name, width, Carpet::new(parameters).expect(VALID), |p| p);
+    let (specular_roughness, fake_rim_light_colour) = (0.4, Vec3::splat(0.1));
+    let seamed = CarpetParameters { specular_roughness, fake_rim_light_colour, ..Default::default() };
     let fibres = CarpetParameters {
         diffuse: Vec3::splat(0.5),
         diffuse_thread_strength: 0.0,
@@ -82,9 +75,9 @@ pub fn materials() -> Vec<Subject> {
     let variations = Variations::new(VariationsParameters::default()).expect(VALID);
     let scratches = ScratchesParameters { scratch_width: 0.02, scratch_strength: 0.4, ..Default::default() };
     vec![
-        carpet("carpet", SeamPattern::Lines),
-        carpet("carpet, grid", SeamPattern::Grid),
-        Subject::of("fibres", 0.2, Carpet::new(fibres).expect(VALID), |p| p),
+        carpet("carpet", 1.2, CarpetParameters { seams_pattern: SeamPattern::Lines, ..seamed }),
+        carpet("carpet, grid", 1.2, CarpetParameters { seams_pattern: SeamPattern::Grid, ..seamed }),
+        carpet("fibres", 0.2, fibres),
         paint("orange peel", peel),
         paint("passive flakes", passive),
         paint("flakes", flakes),
