@@ -71,7 +71,7 @@ impl MeshFileError {
     }
 }
 
-/// What a library says: what it quotes of the file may be long, or no text at all.
+/// The words of a library in one line: its quotes of the file may be long, or no text at all.
 fn one_line(error: &Failure) -> String {
     let words: Vec<_> = error.to_string().split_whitespace().map(str::to_owned).collect();
     words.join(" ").chars().filter(|c| !c.is_control()).take(300).collect()
