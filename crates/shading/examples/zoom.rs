@@ -1,8 +1,9 @@
 //! Writes a bump-mapped sphere, from afar, four and sixteen times nearer, as a PNG: `cargo run --example zoom [path]`.
 
-use asperity_shading::glam::Vec3;
+use asperity_shading::environment::low_discrepancy_points;
+use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
-use asperity_shading::{BumpField, BumpMapped, Footprint, Ggx, LevelOfDetail, Material, SurfacePoint};
+use asperity_shading::{Brdf, BumpField, BumpMapped, Footprint, Ggx, LevelOfDetail, Material, SurfacePoint};
 
 const SIDE: u32 = 224;
 
@@ -10,12 +11,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bumps = BumpField::new(GaussianOctaves::new(Gaussian::new(1), Spectrum::new(2.17, 0.6, 8)?), 5.0)?;
     let (ndf, colour) = (Ggx::new(0.3, 0.3)?, Vec3::new(0.95, 0.64, 0.54));
     let copper = BumpMapped { ndf, bumps, rule: LevelOfDetail::Exact, colour };
-    // A soft sky of lamps, the brighter the higher.
-    let lamp = |k: u8| {
-        let (z, turn) = ((f32::from(k) + 0.5) / 64.0, 2.4 * f32::from(k));
-        let across = (1.0 - z * z).sqrt() * Vec3::new(turn.cos(), 0.0, turn.sin());
-        ((across + Vec3::new(-0.3, z, 0.4)).normalize(), 0.02 + 0.3 * z.powi(6))
-    };
+    // A sky that is bright above and to the left, over a dim ground.
+    let sky = |w: Vec3| 0.05 + 0.95 * (0.5 + 0.5 * w.dot(Vec3::new(-0.45, 0.75, 0.48))).powi(10);
     let pixels: Vec<u8> = (0..3 * SIDE * SIDE)
         .flat_map(|k| {
             let (x, y, zoom) = (k % (3 * SIDE) % SIDE, k / (3 * SIDE), 4_u32.pow(k % (3 * SIDE) / SIDE));
@@ -28,9 +25,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let frame = point.frame();
             let wo = frame.to_local(Vec3::Z);
             let bsdf = copper.bsdf(&point, wo);
-            let from = |(wi, light): (Vec3, f32)| light * bsdf.scattered(frame.to_local(wi), wo);
-            let light: Vec3 = (0..64).filter(|_| z > 0.0).map(|k| from(lamp(k))).sum();
-            light.to_array().map(|c| (255.0 * (c / (0.3 + c)).powf(1.0 / 2.2)) as u8)
+            let lit = |[u, _]: [Vec2; 2]| {
+                let wi = bsdf.sample(wo, u);
+                let share = bsdf.scattered(wi, wo) / bsdf.density(wi, wo).max(1e-6);
+                sky(frame.to_world(wi)) * share
+            };
+            let light: Vec3 = low_discrepancy_points(32).filter(|_| z > 0.0).map(lit).sum::<Vec3>() / 32.0;
+            light.to_array().map(|c| (255.0 * c.powf(1.0 / 2.2)) as u8)
         })
         .collect();
     let path = std::env::args().nth(1).unwrap_or_else(|| "target/zoom.png".into());
