@@ -80,9 +80,11 @@ fn neither_backend(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Tests and benches that are built many times and run once are not optimised.
+/// Tests and benches that are built many times and run once are not optimised, as a user's first build.
 fn test(root: &Path, name: &str, of: &str) -> Result<(), Failure> {
-    run(cargo(root, &format!("test --quiet --package {name} {of}")).env("CARGO_PROFILE_TEST_OPT_LEVEL", "0"))
+    let mut test = cargo(root, &format!("test --quiet --package {name} {of}"));
+    test.env("CARGO_PROFILE_TEST_OPT_LEVEL", "0").env("CARGO_PROFILE_TEST_DEBUG_ASSERTIONS", "true");
+    run(&mut test)
 }
 
 /// Unit and golden tests under each set; examples in docs run with all features in the workspace's tests, and here with
