@@ -158,6 +158,7 @@ mod tests {
     use super::*;
     use crate::{FixedFif, paper};
     use approx::assert_abs_diff_eq;
+    use glam::DVec3;
 
     fn mirror() -> HeightField<FixedFif<2, 3>, FixedFif<2, 3>> {
         HeightField::new(paper::f_hat().unwrap(), paper::f_hat().unwrap())
