@@ -45,7 +45,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
     perform(cli.command, &interrupted)
 }
 
-fn perform(command: Command, interrupted: &Arc<AtomicBool>) -> Result<(), Failure> {
+fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
     // The manifest's folder is the builder's own; the workspace is the folder above it.
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("the builder has no workspace")?;
     match command {
@@ -126,7 +126,7 @@ mod tests {
         ];
         for (line, said) in refused.into_iter().chain(unlinked) {
             let cli = Cli::try_parse_from(["xtask"].into_iter().chain(line.split(' '))).unwrap();
-            let error = perform(cli.command, &Arc::default()).unwrap_err().to_string();
+            let error = perform(cli.command, &AtomicBool::new(false)).unwrap_err().to_string();
             assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
         }
     }

@@ -13,6 +13,20 @@ use crate::shaded::subject::Subject;
 
 pub(super) const VALID: &str = "parameters in range";
 
+/// A carpet of fibres without threads, dark areas and seams.
+#[must_use]
+pub fn fibres_alone() -> CarpetParameters {
+    CarpetParameters {
+        diffuse_thread_strength: 0.0,
+        diffuse_thread_bump_strength: 0.0,
+        specular_thread_strength: 0.0,
+        dark_area_strength: 0.0,
+        seams_pattern: SeamPattern::None,
+        fibre_strength: 1.0,
+        ..Default::default()
+    }
+}
+
 /// Materials whose mean is the same at every zoom.
 #[must_use]
 pub fn materials() -> Vec<Subject> {
@@ -22,15 +36,9 @@ pub fn materials() -> Vec<Subject> {
     let seamed = CarpetParameters { specular_roughness, fake_rim_light_colour, ..Default::default() };
     let fibres = CarpetParameters {
         diffuse: Vec3::splat(0.5),
-        diffuse_thread_strength: 0.0,
-        diffuse_thread_bump_strength: 0.0,
-        specular_thread_strength: 0.0,
-        dark_area_strength: 0.0,
-        seams_pattern: SeamPattern::None,
-        fibre_strength: 1.0,
         fibres: FibresParameters { fibre_length: 0.04, ..Default::default() },
         fake_rim_light: 0.0,
-        ..Default::default()
+        ..fibres_alone()
     };
     let paint =
         |name, parameters| Subject::of(name, 0.08, MetallicPaint::new(parameters).expect(VALID), |p| p);

@@ -4,7 +4,7 @@ mod fields;
 mod parameters;
 mod strip;
 
-use asperity_shading::material::SeamPattern;
+use asperity_render::shaded::fibres_alone;
 use asperity_shading::{Carpet, CarpetParameters, MetallicPaint, Scratches, TemperedGlass, Variations};
 use glam::Vec3;
 
@@ -25,15 +25,9 @@ pub(crate) const SLIDERS: &[Figure] = &[
         draw(context, &fibres(), |fibres| {
             Carpet::new(CarpetParameters {
                 diffuse: Vec3::new(0.3, 0.27, 0.23),
-                diffuse_thread_strength: 0.0,
-                diffuse_thread_bump_strength: 0.0,
-                specular_thread_strength: 0.0,
-                dark_area_strength: 0.0,
-                seams_pattern: SeamPattern::None,
-                fibre_strength: 1.0,
                 fibre_bump_strength: 0.5,
                 fibres,
-                ..Default::default()
+                ..fibres_alone()
             })
         })
     }),
