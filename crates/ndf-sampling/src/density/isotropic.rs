@@ -81,6 +81,7 @@ impl Isotropic {
     }
 
     /// The table in its borrowed form, which has every call.
+    #[inline]
     #[must_use]
     pub fn view(&self) -> IsotropicRef<'_> {
         IsotropicRef { nodes: &self.nodes }
@@ -161,23 +162,27 @@ impl<'a> IsotropicRef<'a> {
     }
 
     /// The number of cells.
+    #[inline]
     fn cells(&self) -> usize {
         self.nodes.len().saturating_sub(1)
     }
 
     /// The density and `C` at a node.
+    #[inline]
     fn node(&self, index: usize) -> (f32, f64) {
         let [density, high, low] = self.nodes.get(index).copied().unwrap_or([0.0; PER_NODE]);
         (density, f64::from(high) + f64::from(low))
     }
 
     /// A cell with `C` at its ends.
+    #[inline]
     fn cell(&self, index: usize) -> (Cell, f64, f64) {
         let ((low, from), (high, to)) = (self.node(index), self.node(index + 1));
         (Cell::new(index, low, high), from, to)
     }
 
     /// The exponent at the cosine `1 − d`, for which both are given.
+    #[inline]
     fn exponent_at(&self, cos: f64, d: f64) -> f64 {
         let cells = self.cells() as f64;
         let index = ((cos * cells) as usize).min(self.cells().saturating_sub(1));
@@ -196,6 +201,7 @@ impl<'a> IsotropicRef<'a> {
 }
 
 impl Ndf for IsotropicRef<'_> {
+    #[inline]
     fn density(&self, m: Vec3) -> f32 {
         let (x, y, z) = (f64::from(m.x), f64::from(m.y), f64::from(m.z));
         let cos = z / math::sqrt_f64(x * x + y * y + z * z);
@@ -206,6 +212,7 @@ impl Ndf for IsotropicRef<'_> {
         if m.z > 0.0 && density >= 0.0 { density as f32 } else { 0.0 }
     }
 
+    #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
         let z = bounded(z);
         let (x, y) = (f64::from(z.x), f64::from(z.y));
@@ -232,12 +239,14 @@ impl Ndf for IsotropicRef<'_> {
         if exponent > 0.0 { tilted(z, math::sqrt_f64(sin2) / cos) } else { Vec3::Z }
     }
 
+    #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         untilted(m, |slope| self.exponent(slope).unwrap_or(0.0))
     }
 }
 
 impl Radial for IsotropicRef<'_> {
+    #[inline]
     fn exponent(&self, slope: f64) -> Option<f64> {
         let cos = 1.0 / math::sqrt_f64(1.0 + slope * slope);
         // 1 − cos θ = sin² θ/(1 + cos θ) without the difference.

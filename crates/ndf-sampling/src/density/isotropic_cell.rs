@@ -9,29 +9,34 @@ pub(crate) struct Cell {
 }
 
 impl Cell {
+    #[inline]
     pub(crate) fn new(index: usize, low: f32, high: f32) -> Self {
         Self { index: index as f64, low: f64::from(low), high: f64::from(high) }
     }
 
     /// `∫₀^x (d + g s)(i + s) ds`
+    #[inline]
     pub(crate) fn below(self, x: f64) -> f64 {
         let rise = self.high - self.low;
         x * (self.low * self.index + x * (0.5 * (self.low + rise * self.index) + x * rise / 3.0))
     }
 
     /// `∫₀^y (d′ − g s)(i + 1 − s) ds`
+    #[inline]
     pub(crate) fn above(self, y: f64) -> f64 {
         let (rise, top) = (self.high - self.low, self.index + 1.0);
         y * (self.high * top + y * (-0.5 * (self.high + rise * top) + y * rise / 3.0))
     }
 
     /// The integrand at `x`.
+    #[inline]
     pub(crate) fn weight(self, x: f64) -> f64 {
         (self.low + (self.high - self.low) * x) * (self.index + x)
     }
 }
 
 /// Inverse at `value` of an increasing function on [0, 1], given with its derivative; bracketed Newton.
+#[inline]
 pub(crate) fn invert(value: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high, mut x) = (0.0, 1.0, 0.5);
     for _ in 0..60 {

@@ -124,6 +124,7 @@ fn own_slope(ndf: &impl Ndf, rho: f32) -> f64 {
 }
 
 /// The normal tilted by `slope` towards `z`, which is not 0.
+#[inline]
 pub(crate) fn tilted(z: Vec2, slope: f64) -> Vec3 {
     let (x, y) = (f64::from(z.x), f64::from(z.y));
     let up = 1.0 / math::sqrt_f64(1.0 + slope * slope);
@@ -132,6 +133,7 @@ pub(crate) fn tilted(z: Vec2, slope: f64) -> Vec3 {
 }
 
 /// The coordinates of `m` by its exponent as a function of the slope; NaN is read as 0.
+#[inline]
 pub(crate) fn untilted(m: Vec3, exponent: impl Fn(f64) -> f64) -> Vec2 {
     let (x, y) = (f64::from(m.x), f64::from(m.y));
     let length = math::sqrt_f64(x * x + y * y);

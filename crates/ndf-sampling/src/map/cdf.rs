@@ -123,6 +123,7 @@ impl Cdf {
     }
 
     /// `f(x, y)`, per unit area of the map; 0 outside the disk. It is 4 D.
+    #[inline]
     #[must_use]
     pub fn density(&self, [x, y]: [f64; 2]) -> f64 {
         let (nx, ny) = (to_normal(x), to_normal(y));
@@ -192,6 +193,7 @@ impl Cdf {
     }
 
     /// The density at a point, without the disk.
+    #[inline]
     pub(crate) fn value(&self, at: [f64; 2]) -> f64 {
         self.columns.value(at) * self.scale
     }

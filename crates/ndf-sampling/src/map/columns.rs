@@ -113,6 +113,7 @@ impl Columns {
     }
 
     /// The value at a point of the map.
+    #[inline]
     pub(crate) fn value(&self, [x, y]: [f64; 2]) -> f64 {
         let (column, row) = (self.kind.cell(x, self.width), self.kind.cell(y, self.height));
         let along =

@@ -125,6 +125,7 @@ impl NdfMap {
 }
 
 impl Ndf for NdfMap {
+    #[inline]
     fn density(&self, m: Vec3) -> f32 {
         let [x, y] = on_map(m);
         let (nx, ny) = (to_normal(x), to_normal(y));
@@ -137,11 +138,13 @@ impl Ndf for NdfMap {
     }
 
     /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
+    #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
         let [x, y] = self.cdf.inverse([u.x, u.y].map(f64::from));
         upward(to_normal(x), to_normal(y))
     }
 
+    #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
         let u =
             [z.x, z.y].map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z).clamp(-FARTHEST, FARTHEST)) });
@@ -149,6 +152,7 @@ impl Ndf for NdfMap {
         upward(to_normal(x), to_normal(y))
     }
 
+    #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         let [z1, z2] = self.cdf.forward(on_map(m)).map(|u| inverse_phi(u).clamp(-FARTHEST, FARTHEST) as f32);
         Vec2::new(z1, z2)
@@ -156,11 +160,13 @@ impl Ndf for NdfMap {
 }
 
 /// The map coordinates of a normal.
+#[inline]
 fn on_map(m: Vec3) -> [f64; 2] {
     [m.x, m.y].map(|n| (f64::from(n) + 1.0) * 0.5)
 }
 
 /// The unit normal over a point of the disk; just above the horizon at its rim.
+#[inline]
 fn upward(nx: f64, ny: f64) -> Vec3 {
     let nz2 = (1.0 - nx * nx) - ny * ny;
     Vec3::new(nx as f32, ny as f32, crate::math::sqrt_f64(nz2.max(1e-15)) as f32)

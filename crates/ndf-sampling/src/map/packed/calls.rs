@@ -16,12 +16,14 @@ use crate::simd::lanes::Scalar;
 
 impl PackedMapRef<'_> {
     /// `(M, C)⁻¹(u)`: the first two coordinates of the normal.
+    #[inline]
     #[must_use]
     pub fn inverse(&self, u: Vec2) -> Vec2 {
         self.one::<Inverse, 2>(u).into()
     }
 
     /// `(M, C)`: the uniform numbers of a normal by its first two coordinates, each in [0, 1].
+    #[inline]
     #[must_use]
     pub fn forward(&self, n: Vec2) -> Vec2 {
         self.one::<Forward, 2>(n).into()
@@ -71,22 +73,26 @@ impl PackedMapRef<'_> {
 }
 
 impl Ndf for PackedMapRef<'_> {
+    #[inline]
     fn density(&self, m: Vec3) -> f32 {
         let [density] = self.one::<Density, 1>(m.truncate());
         if m.z > 0.0 { density } else { 0.0 }
     }
 
     /// `(M, C)⁻¹(u)`, without the detour over Gaussian numbers.
+    #[inline]
     fn sample(&self, u: Vec2) -> Vec3 {
         let n = self.inverse(u);
         n.extend(math::sqrt((1.0 - n.x * n.x - n.y * n.y).max(1e-15)))
     }
 
+    #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
         let u = z.to_array().map(|z| if z.is_nan() { 0.5 } else { phi(f64::from(z)) as f32 });
         self.sample(Vec2::from(u))
     }
 
+    #[inline]
     fn to_gaussian(&self, m: Vec3) -> Vec2 {
         const LEAST: f64 = 1.0 / (1u32 << 25) as f64;
         let u = self.forward(Vec2::new(m.x, m.y)).to_array();
