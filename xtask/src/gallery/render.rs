@@ -76,7 +76,7 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
         (true, Tone::Filmic) => image.exposed(1.0).png()?,
         (true, Tone::Plain) => image.png()?,
         (false, Tone::Filmic) => image.filmic(wanted.exposure).png()?,
-        (false, Tone::Plain) => image.scaled(wanted.exposure).png()?,
+        (false, Tone::Plain) => image.map(|p| p * wanted.exposure).png()?,
     };
     output.write(&name, &bytes)?;
     progress::say(&format!("the picture: {}", path.display()));

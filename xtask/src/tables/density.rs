@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::made::Made;
 use crate::{failure::Failure, input::density::Density};
-use asperity_render::{image::Image, integrator::hemisphere::ember, materials::SharedNdf};
+use asperity_render::{image::Image, image::tone::ember, materials::SharedNdf};
 
 /// Side of the table L.
 const L_SIZE: usize = 256;

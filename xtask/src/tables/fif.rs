@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::made::Made;
 use crate::failure::Failure;
 use crate::input::fif_system::{COEFFICIENTS, System};
-use asperity_render::{image::Image, integrator::hemisphere::ember};
+use asperity_render::{image::Image, image::tone::ember};
 
 /// Values of a function from end to end.
 const POINTS: usize = 4097;

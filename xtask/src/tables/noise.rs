@@ -8,7 +8,7 @@ use serde_json::{Map, json};
 
 use super::made::Made;
 use crate::failure::Failure;
-use asperity_render::{image::Image, integrator::hemisphere::ember};
+use asperity_render::{image::Image, image::tone::ember};
 
 /// Lattice points per side.
 const SIDE: i32 = 128;

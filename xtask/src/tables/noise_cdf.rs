@@ -52,7 +52,7 @@ pub(crate) fn noise_statistics_source() -> String {
     }
     text.push_str("\n#[rustfmt::skip]\nstatic PHI: [f32; 257] = [\n");
     let gaussian: Vec<f64> = (0..KNOTS).map(|k| phi(knot(k))).collect();
-    knots(&mut text, "    ", &gaussian);
+    numbers(&mut text, "    ", 32, &gaussian);
     text.push_str("];\n");
     let first = (2.0 / PI).sqrt();
     table(&mut text, "GAUSSIAN", |text| {
@@ -147,7 +147,7 @@ where
     head(text, [variance.sqrt(), excess, range(name, N)], moments);
     let error = error.map_or(String::new(), |error| format!(" // ±{error:.0e}"));
     let _ = writeln!(text, "mirrored([{error}");
-    knots(text, "        ", &low);
+    numbers(text, "        ", 32, &low);
     text.push_str("    ]) },\n");
 }
 
@@ -219,9 +219,10 @@ fn head(text: &mut String, [sigma, excess, range]: [f64; 3], moments: [f64; 4]) 
     );
 }
 
-fn knots(text: &mut String, indent: &str, cdf: &[f64]) {
-    for row in cdf.chunks(32) {
-        let row: Vec<String> = row.iter().map(|&g| format!("{:?}", g as f32)).collect();
+/// The elements of an array of `f32`, so many to a line.
+pub(super) fn numbers(text: &mut String, indent: &str, columns: usize, values: &[f64]) {
+    for row in values.chunks(columns) {
+        let row: Vec<String> = row.iter().map(|&x| format!("{:?}", x as f32)).collect();
         let _ = writeln!(text, "{indent}{},", row.join(", "));
     }
 }

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use asperity_ndf_sampling::inverse_phi;
 
+use super::noise_cdf::numbers;
+
 /// Half as many levels as a 12-bit index has values; the other half are their negatives.
 const HALF: usize = 2048;
 
@@ -36,10 +38,7 @@ pub(crate) fn noise_levels_source() -> String {
          #[rustfmt::skip]\n",
     );
     let _ = writeln!(text, "pub(crate) const POSITIVE_LEVELS: [f32; {HALF}] = [");
-    for row in quantiles.chunks(8) {
-        let row: Vec<String> = row.iter().map(|&x| format!("{:?}", x as f32)).collect();
-        let _ = writeln!(text, "    {},", row.join(", "));
-    }
+    numbers(&mut text, "    ", 8, &quantiles);
     text.push_str("];\n");
     text
 }

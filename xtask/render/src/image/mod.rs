@@ -32,14 +32,6 @@ impl Image {
         Self { width, height, pixels }
     }
 
-    /// The pixel in column `x` and row `y`; black outside the image.
-    #[must_use]
-    pub fn at(&self, x: u32, y: u32) -> Vec3 {
-        let inside = x < self.width && y < self.height;
-        let index = y as usize * self.width as usize + x as usize;
-        if inside { self.pixels.get(index).copied().unwrap_or(Vec3::ZERO) } else { Vec3::ZERO }
-    }
-
     /// Every pixel times `exposure`, then through [`shoulder`].
     pub fn exposed(self, exposure: f32) -> Self {
         self.map(|p| (p * exposure).map(shoulder))
@@ -50,12 +42,8 @@ impl Image {
         self.map(|p| (p * exposure).map(filmic))
     }
 
-    /// Every pixel times `exposure`.
-    pub fn scaled(self, exposure: f32) -> Self {
-        self.map(|p| p * exposure)
-    }
-
-    fn map(mut self, of: impl Fn(Vec3) -> Vec3) -> Self {
+    /// Every pixel through a function.
+    pub fn map(mut self, of: impl Fn(Vec3) -> Vec3) -> Self {
         self.pixels.iter_mut().for_each(|pixel| *pixel = of(*pixel));
         self
     }
@@ -91,6 +79,6 @@ mod tests {
         let planes = ImageFile::decode(bytes).unwrap().planes.into_iter().map(|(_, plane)| plane);
         let bytes: Vec<_> = planes.map(|plane| plane.iter().map(|x| x * 255.0).collect::<Vec<_>>()).collect();
         assert_eq!(bytes, [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]]);
-        assert_eq!(image.at(1, 1).y, 1.0);
+        assert_eq!(image.pixels[3 + 1].y, 1.0);
     }
 }

@@ -1,4 +1,4 @@
-//! From linear radiance to what a screen shows, and back: tone curves and the sRGB transfer curve.
+//! From numbers to what a screen shows, and back: tone curves, the sRGB transfer curve, the colours of a density.
 
 use glam::Vec3;
 
@@ -40,6 +40,17 @@ pub fn hex(rgb: u32) -> Vec3 {
     Vec3::from([r, g, b].map(|byte| linear(f32::from(byte) / 255.0)))
 }
 
+/// The colours of a density, from none to its peak: night, violet, ember, straw.
+pub fn ember(t: f32) -> Vec3 {
+    const STOPS: [u32; 6] = [0x1a_1b22, 0x3b_2557, 0x83_2f5e, 0xcc_5540, 0xf1_9b50, 0xfd_ebb8];
+    let place = t.clamp(0.0, 1.0) * (STOPS.len() - 1) as f32;
+    let k = (place as usize).min(STOPS.len() - 2);
+    // Between the stops evenly for the eye: in square roots of the linear values.
+    let root = |rgb: u32| hex(rgb).map(f32::sqrt);
+    let mixed = root(STOPS[k]).lerp(root(STOPS[k + 1]), place - k as f32);
+    mixed * mixed
+}
+
 pub(super) fn srgb_byte(value: f32) -> u8 {
     let clamped = if value > 0.0 { value.min(1.0) } else { 0.0 };
     (srgb(clamped) * 255.0 + 0.5) as u8
@@ -61,6 +72,13 @@ mod tests {
         // The middle grey of photographers stays about where it is.
         assert_abs_diff_eq!(filmic(0.18), 0.18, epsilon = 0.05);
         assert_abs_diff_eq!(shoulder(0.700_01) - shoulder(0.699_99), 0.000_02, epsilon = 1e-6);
+    }
+
+    #[test]
+    fn the_colours_of_a_density_grow_lighter() {
+        let lightness = |i: u8| ember(f32::from(i) / 50.0).dot(Vec3::new(0.2126, 0.7152, 0.0722));
+        assert!((0..50).all(|i| lightness(i) < lightness(i + 1)));
+        assert_eq!(ember(2.0), ember(1.0));
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! Two integrators over one scene: direct light of lamps, and paths in light from all around.
 
 pub mod direct;
-pub mod hemisphere;
 pub mod path_tracer;
 pub mod pixels;
 

@@ -96,10 +96,7 @@ impl SelfAffine<ZigZag> {
         let nodes = z.iter().zip(d).enumerate().map(node).collect();
         let fold = ZigZag { nodes, cells: [x.len() - 1, y.len() - 1], domain };
         let widest = along[0].widest.max(along[1].widest);
-        let limits = limits(&fold, factor, [ratio, widest], contraction);
-        if !limits.is_finite() {
-            return Err(SelfAffineError::TooLarge { magnitude: magnitude.into_iter().fold(0.0, f64::max) });
-        }
+        let limits = limits(&fold, factor, [ratio, widest], contraction).checked(magnitude)?;
         Ok(Self { fold, factor, limits })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
+use crate::surface::self_affine::error::SelfAffineError;
 
 /// Constants of bounds, rounded up.
 #[derive(Clone, Copy, Debug)]
@@ -47,11 +48,14 @@ impl Limits {
         steepest: 0.0,
     };
 
-    pub(crate) fn is_finite(&self) -> bool {
+    /// The limits, unless numbers of these magnitudes take one out of the range of `f64`.
+    pub(crate) fn checked(self, magnitudes: [f64; 3]) -> Result<Self, SelfAffineError> {
         let ranges = [self.range, self.slopes[0], self.slopes[1]];
-        ranges.iter().all(|range| range.magnitude().is_finite())
+        let finite = ranges.iter().all(|range| range.magnitude().is_finite())
             && self.noise.iter().all(|noise| noise.is_finite())
-            && (self.bend + self.steepest).is_finite()
+            && (self.bend + self.steepest).is_finite();
+        let magnitude = magnitudes.into_iter().fold(0.0, f64::max);
+        if finite { Ok(self) } else { Err(SelfAffineError::TooLarge { magnitude }) }
     }
 
     /// `contractionᵏ`, rounded up; no smaller than for 64 steps.

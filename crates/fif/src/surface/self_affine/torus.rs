@@ -92,10 +92,7 @@ impl SelfAffine<TorusFold> {
         });
         let scaled = entry.map(|row| row.map(|entry| factor * entry));
         let fold = TorusFold { nodes: nodes.collect::<Vec<_>>(), bits, matrix, scaled };
-        let limits = limits(&fold, factor, [norm, contraction], largest);
-        if !limits.is_finite() {
-            return Err(SelfAffineError::TooLarge { magnitude: largest.into_iter().fold(0.0, f64::max) });
-        }
+        let limits = limits(&fold, factor, [norm, contraction], largest).checked(largest)?;
         Ok(Self { fold, factor, limits })
     }
 

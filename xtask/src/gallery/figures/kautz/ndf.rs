@@ -5,11 +5,11 @@ use std::f32::consts::FRAC_PI_2;
 use asperity_ndf_sampling::{Ggx, Ndf};
 use asperity_render::geometry::mesh::{Mesh, TracedMesh};
 use asperity_render::geometry::{relief::relief, shape::Shape};
-use asperity_render::image::{Image, tone::hex};
+use asperity_render::image::{Image, tone::ember, tone::hex};
 use asperity_render::light::lamps::{Lamps, direction};
 use asperity_render::materials::{SharedNdf, chalk};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
-use asperity_render::{integrator::hemisphere::ember, scenes::peak};
+use asperity_render::scenes::peak;
 use asperity_shading::SurfacePoint;
 use glam::Vec3;
 

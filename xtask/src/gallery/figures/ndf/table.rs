@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 use asperity_ndf_sampling::{Ggx, Ndf, NormalTable};
-use asperity_render::integrator::hemisphere::ember;
+use asperity_render::image::tone::ember;
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;

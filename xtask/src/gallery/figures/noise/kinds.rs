@@ -4,7 +4,7 @@ use asperity_noise::{
     Field, Gaussian, Noise, Octaves, Perlin1985, Perlin2002, Simplex, Sparse, Spectrum, Value,
     ValueCatmullRom, ValueGradient, White, simd::Kernel,
 };
-use asperity_render::{image::Image, image::tone::hex, integrator::hemisphere::ember};
+use asperity_render::image::{Image, tone::ember, tone::hex};
 use glam::Vec2;
 use rayon::prelude::*;
 
