@@ -3,12 +3,11 @@
 use std::any::Any;
 
 use asperity_noise::{
-    Field, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
-    glam::{Vec2, Vec3, Vec4},
+    Field, Lattice, Noise, Normalisation, Octaves, Point, Rotation, Sample, Spectrum, Statistics,
     simd::{Kernel, LaneSample, Lanes, Measured},
 };
 
-use crate::noise_kinds::{Testable, Visit, every_dimension, every_kind, every_variant};
+use crate::noise_kinds::{AnyKind, Testable, Visit, every_dimension, every_kind, every_variant};
 
 /// Value and gradient at coordinates.
 pub type At<const N: usize> = Sample<[f32; N]>;
@@ -37,7 +36,9 @@ pub trait AnySum<const N: usize> {
     fn value(&self, p: [f32; N], octaves: f32) -> f32;
 }
 
-fn at<V: Point<Coordinates = [f32; N]>, const N: usize>(sample: Sample<V>) -> At<N> {
+/// A sample at coordinates.
+#[must_use]
+pub fn at<V: Point<Coordinates = [f32; N]>, const N: usize>(sample: Sample<V>) -> At<N> {
     Sample { value: sample.value, gradient: sample.gradient.coordinates() }
 }
 
@@ -117,6 +118,16 @@ impl<const N: usize> Kernel<N> for AnyKernel<'_, N> {
         let samples: Vec<_> = (0..S::LEN).map(|i| self.0.sample(lane(i), seed)).collect();
         let gradient = std::array::from_fn(|axis| s.floats(|i| samples[i].gradient[axis]));
         (s.floats(|i| samples[i].value), gradient)
+    }
+}
+
+/// The words of any lattice by cells of 1 to 4 coordinates, so that a kind is compiled once for all lattices without terms of their own.
+#[derive(Clone, Copy)]
+pub struct AnyLattice<'a>(pub &'a dyn Fn(&[i32], u32) -> u32);
+
+impl Lattice for AnyLattice<'_> {
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        (self.0)(&cell, seed)
     }
 }
 
@@ -210,11 +221,7 @@ pub fn any_variant(visitor: &mut impl VisitAny) {
 }
 
 /// Visits one kind of the test's own.
-pub fn any_dimension<K>(visitor: &mut impl VisitAny, name: &str, noise: K)
-where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync + 'static,
-{
+pub fn any_dimension<K: AnyKind>(visitor: &mut impl VisitAny, name: &str, noise: K) {
     let mut collection = Collection::default();
     every_dimension(&mut collection, name, noise);
     collection.tell_all(visitor);

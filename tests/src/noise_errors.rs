@@ -5,18 +5,15 @@ use asperity_noise::{
     glam::{Vec2, Vec3, Vec4},
 };
 
-use crate::{noise_reference::Kind, random::Random};
+use crate::{
+    noise_any::{At, at},
+    noise_reference::{Kind, Words},
+    random::Random,
+};
 
 /// A coordinate in ±4096 with twelve bits of fraction, so that `f32` holds it and moves no point off a face.
-#[must_use]
-pub fn coordinate(random: &mut Random) -> f32 {
+fn coordinate(random: &mut Random) -> f32 {
     ((random.uniform() - 0.5) * 8192.0 * 4096.0).round() as f32 / 4096.0
-}
-
-/// A random point in ±4096, divided by a power of two.
-#[must_use]
-pub fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random, divisor: f32) -> V {
-    V::from_coordinates([(); N].map(|()| coordinate(random) / divisor))
 }
 
 /// The worst errors of value and gradient of a noise in 1 to 4 dimensions, at points of ±4096 divided by a power of two.
@@ -31,7 +28,9 @@ where
         kind: Kind,
         divisor: f32,
     ) -> [f64; 2] {
-        errors_on(lattice, kind, kind.scales()[N - 1], divisor, |p: V, seed| noise.with_seed(seed).sample(p))
+        let words = |cell: [i32; N], seed| lattice.word(cell, seed);
+        let at = |p, seed| at(noise.with_seed(seed).sample(V::from_coordinates(p)));
+        errors_on(&words, kind, divisor, &at)
     }
     [
         of::<f32, 1>(noise, lattice, kind, divisor),
@@ -45,39 +44,39 @@ where
 #[must_use]
 pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     kind: Kind,
-    scale: f64,
     divisor: f32,
     noise: impl Fn(V, u32) -> Sample<V>,
 ) -> [f64; 2] {
-    errors_on(&IntegerHash, kind, scale, divisor, noise)
+    let noise = |p, seed| at(noise(V::from_coordinates(p), seed));
+    errors_on(&|cell, seed| IntegerHash.word(cell, seed), kind, divisor, &noise)
 }
 
-/// The worst errors on a lattice.
+/// The worst errors on a lattice, by pointers, so that they are compiled once a dimension.
 ///
 /// # Panics
 /// If nearly no gradient could be compared.
 #[must_use]
-pub fn errors_on<V: Point<Coordinates = [f32; N]>, const N: usize>(
-    lattice: &impl Lattice,
+pub fn errors_on<const N: usize>(
+    words: Words<'_, N>,
     kind: Kind,
-    scale: f64,
     divisor: f32,
-    noise: impl Fn(V, u32) -> Sample<V>,
+    noise: &dyn Fn([f32; N], u32) -> At<N>,
 ) -> [f64; 2] {
+    let scale = kind.scales()[N - 1];
     // Splines and impulses of 4-D have hundreds of parts each.
     let points = if N == 4 { 800 } else { 3000 };
     let mut random = Random(2);
     let mut worst = [0.0_f64; 2];
     let mut compared = 0;
     for seed in 0..points {
-        let p: V = point(&mut random, divisor);
-        let wide = p.coordinates().map(f64::from);
+        let p = [(); N].map(|()| coordinate(&mut random) / divisor);
+        let wide = p.map(f64::from);
         let sample = noise(p, seed);
-        let value = scale * kind.value_on(lattice, wide, seed);
+        let value = scale * kind.value_on(words, wide, seed);
         worst[0] = worst[0].max((f64::from(sample.value) - value).abs());
-        if let Some(gradient) = kind.gradient_on(lattice, wide, seed) {
+        if let Some(gradient) = kind.gradient_on(words, wide, seed) {
             compared += 1;
-            for (got, expected) in sample.gradient.coordinates().into_iter().zip(gradient) {
+            for (got, expected) in sample.gradient.into_iter().zip(gradient) {
                 worst[1] = worst[1].max((f64::from(got) - scale * expected).abs());
             }
         }

@@ -12,6 +12,11 @@ pub trait Testable<V: Point, const N: usize>: Kernel<N> + Noise<V> + Copy + Sync
 
 impl<K: Kernel<N> + Noise<V> + Copy + Sync + 'static, V: Point, const N: usize> Testable<V, N> for K {}
 
+/// A kind of noise that can be tested in 1 to 4 dimensions.
+pub trait AnyKind: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4> {}
+
+impl<K: Testable<f32, 1> + Testable<Vec2, 2> + Testable<Vec3, 3> + Testable<Vec4, 4>> AnyKind for K {}
+
 /// A test of each kind in each dimension.
 pub trait Visit {
     /// One kind in one dimension.
@@ -23,11 +28,7 @@ pub trait Visit {
 }
 
 /// Visits one kind in 1 to 4 dimensions.
-pub fn every_dimension<K>(visitor: &mut impl Visit, name: &str, noise: K)
-where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4>,
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy + Sync + 'static,
-{
+pub fn every_dimension<K: AnyKind>(visitor: &mut impl Visit, name: &str, noise: K) {
     visitor.visit::<f32, K, 1>(&format!("{name} 1-D"), noise);
     visitor.visit::<Vec2, K, 2>(&format!("{name} 2-D"), noise);
     visitor.visit::<Vec3, K, 3>(&format!("{name} 3-D"), noise);

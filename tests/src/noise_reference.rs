@@ -29,6 +29,9 @@ pub enum Kind {
     Gaussian(usize),
 }
 
+/// The words of a lattice, by cell and seed.
+pub type Words<'a, const D: usize> = &'a dyn Fn([i32; D], u32) -> u32;
+
 /// A lattice point that a value comes from: its cell, its weight, the way from it.
 type Part<const D: usize> = ([i32; D], f64, [f64; D]);
 
@@ -36,13 +39,13 @@ impl Kind {
     /// The unscaled value at `p`.
     #[must_use]
     pub fn value<const D: usize>(self, p: [f64; D], seed: u32) -> f64 {
-        self.value_on(&IntegerHash, p, seed)
+        self.value_on(&|cell, seed| IntegerHash.word(cell, seed), p, seed)
     }
 
     /// The unscaled value at `p` on a lattice.
     #[must_use]
-    pub fn value_on<const D: usize>(self, lattice: &impl Lattice, p: [f64; D], seed: u32) -> f64 {
-        let parts = self.parts(p).into_iter().map(|part| (lattice.word(part.0, seed), part));
+    pub fn value_on<const D: usize>(self, words: Words<'_, D>, p: [f64; D], seed: u32) -> f64 {
+        let parts = self.parts(p).into_iter().map(|part| (words(part.0, seed), part));
         let Self::Gaussian(_) = self else {
             return parts.map(|(word, (_, w, d))| self.part(word, w, d)).sum();
         };
@@ -100,19 +103,13 @@ impl Kind {
         }
     }
 
-    /// The gradient at `p` by central differences of fourth order, exact to about 1e-9 of the noise's range.
+    /// The gradient at `p` on a lattice by central differences of fourth order, exact to about 1e-9 of the noise's range.
     ///
     /// None where a difference would reach into another cell or simplex, where some kinds have a kink.
     #[must_use]
-    pub fn gradient<const D: usize>(self, p: [f64; D], seed: u32) -> Option<[f64; D]> {
-        self.gradient_on(&IntegerHash, p, seed)
-    }
-
-    /// The gradient at `p` on a lattice.
-    #[must_use]
     pub fn gradient_on<const D: usize>(
         self,
-        lattice: &impl Lattice,
+        words: Words<'_, D>,
         p: [f64; D],
         seed: u32,
     ) -> Option<[f64; D]> {
@@ -128,7 +125,7 @@ impl Kind {
             if [2.0 * H, -2.0 * H].into_iter().any(|step| self.lattice_points(at(step)) != here) {
                 return None;
             }
-            *slope = difference(H, |step| self.value_on(lattice, at(step), seed));
+            *slope = difference(H, |step| self.value_on(words, at(step), seed));
         }
         Some(gradient)
     }

@@ -1,13 +1,15 @@
 //! Values and analytic gradients against a plain `f64` evaluation and its central differences; ranges.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Noise, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
+    Field, Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
     ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
     assert_abs_diff_eq,
-    noise_errors::{errors, errors_by_dimension},
+    noise_any::{AnyNoise, VisitAny, any_dimension},
+    noise_errors::{errors, errors_on},
+    noise_kinds::AnyKind,
     noise_reference::Kind,
 };
 
@@ -16,25 +18,36 @@ const NEAR: f32 = 64.0;
 const NEAREST: f32 = 1024.0;
 const FAR: f32 = 1.0;
 
-/// The errors of a kind that is given in every dimension, asserted.
-fn close<K>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4])
-where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
-{
-    let worst = errors_by_dimension(noise, &IntegerHash, kind, divisor);
-    for (dimension, ([v, g], [value, gradient])) in (1..).zip(worst.into_iter().zip(tolerances)) {
-        assert!(v < value && g < gradient, "{name} {dimension}-D: {v:e}, {g:e}");
+/// The errors of a kind in the dimensions that it is visited in, asserted.
+struct Errors {
+    kind: Kind,
+    divisor: f32,
+    tolerances: [[f64; 2]; 4],
+    visited: usize,
+}
+
+impl VisitAny for Errors {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
+        let words = |cell: [i32; N], seed| IntegerHash.word(cell, seed);
+        let [v, g] = errors_on(&words, self.kind, self.divisor, &|p, seed| noise.sample(p, seed));
+        let [value, gradient] = self.tolerances[N - 1];
+        assert!(v < value && g < gradient, "{name}: {v:e}, {g:e}");
+        self.visited += N;
     }
+}
+
+/// The errors of a kind that is given in every dimension, asserted.
+fn close<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
+    let mut errors = Errors { kind, divisor, tolerances, visited: 0 };
+    any_dimension(&mut errors, name, noise);
+    assert_eq!(errors.visited, 1 + 2 + 3 + 4);
 }
 
 /// [`close`] for a kind that is scaled to its range.
 ///
 /// A noise that equals the reference at this scale, derived anew here, has the bound |n| ≤ 1, and it is tight. Scales have seven
 /// digits; worst seen 2.1e-7.
-fn tight<K>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4])
-where
-    K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
-{
+fn tight<K: AnyKind>(name: &str, noise: K, kind: Kind, divisor: f32, tolerances: [[f64; 2]; 4]) {
     let bounds = [greatest::<1>(kind), greatest::<2>(kind), greatest::<3>(kind), greatest::<4>(kind)];
     for (bound, scale) in bounds.into_iter().zip(kind.scales()) {
         assert_abs_diff_eq!(scale * bound, 1.0 - 2e-6, epsilon = 4e-7, "{name}");
@@ -138,10 +151,10 @@ fn both_channels_of_gaussian_noise_equal_the_reference() {
     close("Gaussian", Gaussian::default(), Kind::Gaussian(0), NEAR, tolerances);
     let (noise, second) = (Gaussian::default(), Kind::Gaussian(1));
     for worst in [
-        errors::<f32, 1>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
-        errors::<Vec2, 2>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
-        errors::<Vec3, 3>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
-        errors::<Vec4, 4>(second, 1.0, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<f32, 1>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec2, 2>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec3, 3>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
+        errors::<Vec4, 4>(second, NEAR, |p, seed| noise.with_seed(seed).pair(p)[1]),
     ] {
         assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "second channel: {worst:?}");
     }
@@ -150,9 +163,9 @@ fn both_channels_of_gaussian_noise_equal_the_reference() {
 #[test]
 fn far_from_the_origin_noises_equal_the_reference_still() {
     let (gaussian, simplex) = (Kind::Gaussian(0), Kind::Simplex(0.5));
-    let worst = errors::<Vec3, 3>(gaussian, 1.0, FAR, |p, seed| Gaussian::new(seed).sample(p));
+    let worst = errors::<Vec3, 3>(gaussian, FAR, |p, seed| Gaussian::new(seed).sample(p));
     assert!(worst[0] < 6e-6 && worst[1] < 2e-5, "Gaussian: {worst:?}");
     // Corners are rounded by up to 7100·2⁻²² = 0.0017 there, where slopes reach 4 and second derivatives 30.
-    let worst = errors::<Vec3, 3>(simplex, simplex.scales()[2], FAR, |p, seed| Simplex::new(seed).sample(p));
+    let worst = errors::<Vec3, 3>(simplex, FAR, |p, seed| Simplex::new(seed).sample(p));
     assert!(worst[0] < 0.007 && worst[1] < 0.05, "simplex: {worst:?}");
 }

@@ -1,37 +1,47 @@
 //! Hessians against differences of a plain `f64` evaluation, and those of sums against differences of gradients.
 
 use asperity_noise::{
-    Curved, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation, Simplex,
-    Spectrum, Value, ValueGradient,
+    Curved, Gaussian, GaussianOctaves, Noise, Octaves, Perlin1985, Perlin2002, Point, Rotation, Sample,
+    Simplex, Spectrum, Value, ValueGradient,
     glam::{Vec2, Vec3, Vec4},
 };
 use asperity_tests::{
+    noise_any::{At, at},
     noise_reference::{Kind, difference},
     random::Random,
 };
 
 /// Coordinates in ±32 with twelve bits of fraction.
-fn point<V: Point<Coordinates = [f32; N]>, const N: usize>(random: &mut Random) -> V {
-    V::from_coordinates([(); N].map(|()| ((random.uniform() - 0.5) * 262_144.0).round() as f32 / 4096.0))
+fn point<const N: usize>(random: &mut Random) -> [f32; N] {
+    [(); N].map(|()| ((random.uniform() - 0.5) * 262_144.0).round() as f32 / 4096.0)
 }
 
-/// The worst error of the Hessian, relative to the greatest entry seen; value and gradient have the sample's bits.
-fn error<
+/// Value and gradient of the Hessian's evaluation, those of the sample, and the Hessian.
+type Jet<const N: usize> = ([At<N>; 2], [[f32; N]; N]);
+
+/// The worst error of the Hessian in a dimension, whatever the kind; value and gradient have the sample's bits.
+fn error<V, K, const N: usize>(noise: K, kind: Kind) -> f64
+where
     V: Point<Coordinates = [f32; N], Matrix = [[f32; N]; N]>,
     K: Curved<V> + Noise<V> + Copy,
-    const N: usize,
->(
-    noise: &K,
-    kind: Kind,
-) -> f64 {
+{
+    relative_error(kind, &|p, seed| {
+        let (noise, p) = (noise.with_seed(seed), V::from_coordinates(p));
+        let jet = noise.second_order(p);
+        ([at(Sample { value: jet.value, gradient: jet.gradient }), at(noise.sample(p))], jet.hessian)
+    })
+}
+
+/// The worst error of a Hessian, relative to the greatest entry seen.
+fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet<N>) -> f64 {
     const H: f64 = 1e-4;
     let mut random = Random(7);
     let (mut worst, mut greatest, mut compared) = (0.0_f64, 0.0_f64, 0);
     for seed in 0..400 {
-        let p: V = point(&mut random);
-        let (jet, sample) = (noise.with_seed(seed).second_order(p), noise.with_seed(seed).sample(p));
-        assert_eq!((jet.value, jet.gradient), (sample.value, sample.gradient));
-        let wide = p.coordinates().map(f64::from);
+        let p = point(&mut random);
+        let ([with, without], hessian) = jet(p, seed);
+        assert_eq!(with, without);
+        let wide = p.map(f64::from);
         let moved = |axis: usize, step: f64| {
             let mut q = wide;
             q[axis] += step;
@@ -53,7 +63,7 @@ fn error<
                 };
                 let expected = kind.scales()[N - 1] * difference(H, |step| slope(moved(i, step)));
                 greatest = greatest.max(expected.abs());
-                worst = worst.max((f64::from(jet.hessian[i][j]) - expected).abs());
+                worst = worst.max((f64::from(hessian[i][j]) - expected).abs());
                 compared += 1;
             }
         }
@@ -63,7 +73,7 @@ fn error<
 }
 
 /// Errors in 1 to 4 dimensions, asserted.
-fn close<K>(name: &str, noise: &K, kind: Kind, tolerance: f64)
+fn close<K>(name: &str, noise: K, kind: Kind, tolerance: f64)
 where
     K: Curved<f32> + Curved<Vec2> + Curved<Vec3> + Curved<Vec4>,
     K: Noise<f32> + Noise<Vec2> + Noise<Vec3> + Noise<Vec4> + Copy,
@@ -84,18 +94,18 @@ fn hessians_are_second_derivatives() {
     // Offsets from corners err by 2e-7, and third derivatives are up to fifty times second ones: the kernels are narrow.
     // Worst seen 1.3e-5.
     const SIMPLICES: f64 = 3e-5;
-    close("Perlin 1985", &Perlin1985::default(), Kind::Perlin1985, CELLS);
-    close("Perlin 2002", &Perlin2002::default(), Kind::Perlin2002, CELLS);
+    close("Perlin 1985", Perlin1985::default(), Kind::Perlin1985, CELLS);
+    close("Perlin 2002", Perlin2002::default(), Kind::Perlin2002, CELLS);
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let r2 = noise.radius_squared();
-        close(&format!("simplex {r2}"), &noise, Kind::Simplex(r2.into()), SIMPLICES);
+        close(&format!("simplex {r2}"), noise, Kind::Simplex(r2.into()), SIMPLICES);
     }
-    close("Gaussian", &Gaussian::default(), Kind::Gaussian(0), CELLS);
-    close("value", &Value::default(), Kind::Value, CELLS);
+    close("Gaussian", Gaussian::default(), Kind::Gaussian(0), CELLS);
+    close("value", Value::default(), Kind::Value, CELLS);
     for weight in [0.0, 0.5, 1.0] {
         let (noise, kind) =
             (ValueGradient::default().with_weight(weight).unwrap(), Kind::ValueGradient(weight.into()));
-        close(&format!("value-gradient {weight}"), &noise, kind, CELLS);
+        close(&format!("value-gradient {weight}"), noise, kind, CELLS);
     }
 }
 
@@ -105,7 +115,7 @@ fn sum_error<F: Curved<Vec3>>(field: &F) -> f64 {
     let mut random = Random(8);
     let (mut worst, mut greatest) = (0.0_f64, 0.0_f64);
     for _ in 0..200 {
-        let p: Vec3 = point(&mut random);
+        let p = Vec3::from(point(&mut random));
         let jet = field.second_order(p);
         for (axis, row) in jet.hessian.iter().enumerate() {
             let [ahead, behind] = [H, -H].map(|h| {

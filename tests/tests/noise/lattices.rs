@@ -7,6 +7,7 @@ use asperity_noise::{
     lattice::{ChainedTable, PermutationTable},
 };
 use asperity_tests::{
+    noise_any::{AnyLattice, at},
     noise_errors::{errors_by_dimension, errors_on},
     noise_reference::Kind,
 };
@@ -79,22 +80,35 @@ fn every_kind_tiles_with_the_words_of_the_first_tile() {
 fn simplex_noise_tiles_on_the_line_and_in_space() {
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let kind = Kind::Simplex(noise.radius_squared().into());
-        let [line, _, space, _] = kind.scales();
         let tiled = noise.with_lattice(Tiled::new(IntegerHash, [5]).unwrap());
-        let errors =
-            errors_on(&Wrapped([5; 4]), kind, line, DIVISOR, |p: f32, seed| tiled.with_seed(seed).sample(p));
-        assert_close("simplex", 1, errors);
-        let (tiled, periods) = (TiledSimplex::new(noise, [3, 9, 6]).unwrap(), WrappedCorners([3, 9, 6]));
-        let errors =
-            errors_on(&periods, kind, space, DIVISOR, |p: Vec3, seed| tiled.with_seed(seed).sample(p));
-        assert_close("simplex", 3, errors);
+        let words = |cell: [i32; 1], seed| Wrapped([5; 4]).word(cell, seed);
+        let line = |[x]: [f32; 1], seed| at(tiled.with_seed(seed).sample(x));
+        assert_close("simplex", 1, errors_on(&words, kind, DIVISOR, &line));
+        let tiled = TiledSimplex::new(noise, [3, 9, 6]).unwrap();
+        let words = |cell: [i32; 3], seed| WrappedCorners([3, 9, 6]).word(cell, seed);
+        let space = |p, seed| at(tiled.with_seed(seed).sample(Vec3::from(p)));
+        assert_close("simplex", 3, errors_on(&words, kind, DIVISOR, &space));
+    }
+}
+
+/// The word of a cell of 1 to 4 coordinates.
+fn word(lattice: &impl Lattice, cell: &[i32], seed: u32) -> u32 {
+    match *cell {
+        [x] => lattice.word([x], seed),
+        [x, y] => lattice.word([x, y], seed),
+        [x, y, z] => lattice.word([x, y, z], seed),
+        [x, y, z, w] => lattice.word([x, y, z, w], seed),
+        _ => panic!("a cell of {} coordinates", cell.len()),
     }
 }
 
 #[test]
 fn tables_take_the_place_of_the_hash() {
     let table = PermutationTable::new(1);
-    every_kind("by permutation", table, &table);
+    let words = |cell: &[i32], seed| word(&table, cell, seed);
+    every_kind("by permutation", AnyLattice(&words), &table);
     let chained = ChainedTable(table);
-    close("Perlin 1985, chained", Perlin1985::default().with_lattice(chained), &chained, Kind::Perlin1985);
+    let words = |cell: &[i32], seed| word(&chained, cell, seed);
+    let noise = Perlin1985::default().with_lattice(AnyLattice(&words));
+    close("Perlin 1985, chained", noise, &chained, Kind::Perlin1985);
 }

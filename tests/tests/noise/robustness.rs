@@ -1,11 +1,10 @@
 //! Every kind and sum is defined everywhere: huge points, points beyond all cells, points that are not finite.
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Grid, Normalisation, Octaves, Perlin2002, Point, Rotation, Sample,
-    Simplex, Spectrum,
+    Field, Gaussian, GaussianOctaves, Normalisation, Octaves, Perlin2002, Point, Rotation, Sample, Simplex,
+    Spectrum,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
-    simd::{Batch, Level},
 };
 use asperity_tests::{
     assert_abs_diff_eq,
@@ -276,23 +275,5 @@ fn a_lone_octave_stays_as_it_is_however_small_its_weight() {
             let [lone, whole] = [octaves, 1.0].map(|o| noise.detail(o).standard_deviation());
             assert_eq!(lone, whole, "{normalisation:?} {octaves}");
         }
-    }
-}
-
-/// Rows so wide that the products of step and index are rounded by more than a step.
-#[test]
-fn the_end_of_a_wide_row_has_the_scalar_bits() {
-    const WIDTH: usize = 40_000_000;
-    let field: &dyn Field<Vec2> = &Simplex::new(7);
-    let grid = Grid {
-        origin: Vec2::new(-0.2 * (WIDTH as f32 - 10_000.0), 0.3),
-        step: Vec2::new(0.2, 0.1),
-        size: [WIDTH, 1],
-    };
-    let mut values = vec![0.0; WIDTH];
-    Batch::with_level(Level::Scalar).grid_values(field, &grid, &mut values).unwrap();
-    for (i, value) in values.iter().enumerate().skip(WIDTH - 20_000) {
-        let p = grid.point([i, 0]);
-        assert_eq!(value.to_bits(), field.value(p).to_bits(), "point {i}, {p}");
     }
 }

@@ -2,7 +2,7 @@
 
 use asperity_noise::{
     Billow, Field, Normalisation, Octaves, Perlin2002, Plasma, Point, Power, Ridged, RidgedMultifractal,
-    Rotation, Shape, Signed, Simplex, Spectrum, Turbulence,
+    Rotation, Sample, Shape, Signed, Simplex, Spectrum, Turbulence,
     glam::{Vec2, Vec3},
     simd::Kernel,
 };
@@ -39,8 +39,22 @@ fn octave<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize>(
     ((above.0 - below.0) / amplitude, std::array::from_fn(slope))
 }
 
-/// Sums of four octaves, the last at half weight, against φ of their octaves.
+/// Signed octaves, or those of a shape.
+type Signs<'a, const N: usize> = Octaves<AnyKernel<'a, N>, N>;
+
+/// Sums of four octaves of a shape, the last at half weight, against φ of their octaves.
 fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T, phi: Phi) {
+    follows_phi(&format!("{shape:?} {name}"), noise, phi, &|signed, p| {
+        signed.with_shape(shape).detail(3.5).sample(p)
+    });
+}
+
+fn follows_phi<const N: usize>(
+    name: &str,
+    noise: &dyn AnyNoise<N>,
+    phi: Phi,
+    shaped: &dyn Fn(Signs<'_, N>, Coordinates<N>) -> Sample<Coordinates<N>>,
+) {
     let spectrum = Spectrum::default();
     let mut random = Random(11);
     // Octaves come out of sums by differences: a few roundings of values under twice the range and of gradients under 30.
@@ -66,12 +80,12 @@ fn follows<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape:
                     gradient[axis] += amplitude * slope * g[axis];
                 }
             }
-            let sample = signed.with_shape(shape).detail(3.5).sample(p);
+            let sample = shaped(signed, p);
             let error = (f64::from(sample.value) - value / norm).abs();
-            assert!(error < 4e-6 * range, "{shape:?} {name} at {p:?}: {error:e}");
+            assert!(error < 4e-6 * range, "{name} at {p:?}: {error:e}");
             for (got, slope) in sample.gradient.coordinates().into_iter().zip(gradient) {
                 let (got, slope) = (f64::from(got), slope / norm);
-                assert_abs_diff_eq!(got, slope, epsilon = 1e-4 * range, "{shape:?} {name} at {p:?}");
+                assert_abs_diff_eq!(got, slope, epsilon = 1e-4 * range, "{name} at {p:?}");
             }
         }
     }
@@ -147,6 +161,19 @@ fn gradients_are_limits_of_differences() {
 
 /// Whether the mean and deviation of a sum of three octaves are the stated ones, clamped or not.
 fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, shape: T) {
+    has_stated_moments(&format!("{shape:?} {name}"), &|normalisation, seed| {
+        let sum = Octaves::new(AnyKernel(noise), Spectrum::THREADS).with_seed(seed);
+        let whole = sum.with_normalisation(normalisation).with_shape(shape).first(3.0);
+        let part = whole.clamped(0.15);
+        let values = move |p: Coordinates<N>| [whole.value(p), part.value(p)];
+        ([whole.mean(), whole.standard_deviation()], Box::new(values))
+    });
+}
+
+/// The stated mean and deviation of a sum, and its value at a point, whole and clamped.
+type Stated<'a, const N: usize> = ([f32; 2], Box<dyn Fn(Coordinates<N>) -> [f32; 2] + 'a>);
+
+fn has_stated_moments<'a, const N: usize>(name: &str, sum: &dyn Fn(Normalisation, u32) -> Stated<'a, N>) {
     const SEEDS: u32 = 600;
     const POINTS: usize = 48;
     let mut random = Random(3);
@@ -154,19 +181,15 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
         let (mut means, mut squares, mut clamped) = (Vec::new(), Vec::new(), Vec::new());
         let mut stated = [0.0; 2];
         for seed in 0..SEEDS {
-            let sum = Octaves::new(AnyKernel(noise), Spectrum::THREADS)
-                .with_seed(seed)
-                .with_normalisation(normalisation)
-                .with_shape(shape);
-            stated = [sum.first(3.0).mean(), sum.detail(3.0).standard_deviation()].map(f64::from);
-            let (whole, part) = (sum.first(3.0), sum.first(3.0).clamped(0.15));
+            let (moments, values) = sum(normalisation, seed);
+            stated = moments.map(f64::from);
             let (mut mean, mut square, mut mean_clamped) = (0.0, 0.0, 0.0);
             for _ in 0..POINTS {
                 let p: Coordinates<N> = point(&mut random);
-                let value = f64::from(whole.value(p));
+                let [value, part] = values(p).map(f64::from);
                 mean += value / POINTS as f64;
                 square += (value - stated[0]).powi(2) / POINTS as f64;
-                mean_clamped += f64::from(part.value(p)) / POINTS as f64;
+                mean_clamped += part / POINTS as f64;
             }
             means.push(mean);
             squares.push(square);
@@ -179,7 +202,7 @@ fn has_moments<T: Shape, const N: usize>(name: &str, noise: &dyn AnyNoise<N>, sh
             let mean = samples.iter().sum::<f64>() / count;
             let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count - 1.0);
             let error = (variance / count).sqrt();
-            assert_abs_diff_eq!(mean, expected, epsilon = 5.0 * error, "{what} of {shape:?} {name}");
+            assert_abs_diff_eq!(mean, expected, epsilon = 5.0 * error, "{what} of {name}");
         };
         agrees("mean", &means, stated[0]);
         agrees("variance", &squares, stated[1] * stated[1]);

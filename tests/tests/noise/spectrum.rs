@@ -3,7 +3,7 @@
 use asperity_tests::assert_abs_diff_eq;
 use std::f64::consts::TAU;
 
-use asperity_noise::{Field, Gaussian, GaussianOctaves, Grid, Spectrum, glam::Vec2};
+use asperity_noise::{Field, Gaussian, GaussianOctaves, Spectrum, glam::Vec2};
 
 const LENGTH: usize = 4096;
 /// Points per cell of the first octave.
@@ -33,16 +33,14 @@ fn transform(x: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// From the power in bands as wide as the lacunarity, in which the octaves' own spectra repeat.
 fn slope(spectrum: Spectrum, octaves: f32, bands: i32) -> f64 {
     let mut power = vec![0.0; LENGTH / 2];
-    let mut row = [0.0; LENGTH];
     for line in 0..LINES {
         let noise = GaussianOctaves::<2>::new(Gaussian::new(line), spectrum);
-        let grid =
-            Grid { origin: Vec2::new(0.0, 0.37), step: Vec2::splat(1.0 / RESOLUTION), size: [LENGTH, 1] };
-        noise.first(octaves).grid_values(&grid, &mut row).expect("a row of that length");
-        let windowed: Vec<[f64; 2]> = row
-            .iter()
-            .enumerate()
-            .map(|(i, &x)| [f64::from(x) * (1.0 - (TAU * i as f64 / LENGTH as f64).cos()), 0.0])
+        let sum = noise.first(octaves);
+        let windowed: Vec<[f64; 2]> = (0..LENGTH)
+            .map(|i| {
+                let x = f64::from(sum.value(Vec2::new(i as f32 / RESOLUTION, 0.37)));
+                [x * (1.0 - (TAU * i as f64 / LENGTH as f64).cos()), 0.0]
+            })
             .collect();
         for (sum, [re, im]) in power.iter_mut().zip(transform(&windowed)) {
             *sum += re * re + im * im;

@@ -7,7 +7,7 @@ use asperity_noise::{
 };
 use asperity_tests::{
     assert_abs_diff_eq,
-    noise_any::{AnyNoise, VisitAny, any_kind, any_variant, thinning},
+    noise_any::{AnyLattice, AnyNoise, VisitAny, any_kind, any_variant, thinning},
     noise_reference::Kind,
     random::Random,
 };
@@ -17,16 +17,22 @@ use statrs::function::erf::erf;
 const SEEDS: u32 = 3072;
 const POINTS: u32 = 32;
 
+/// A field at coordinates.
+type Values<'a, const N: usize> = Box<dyn Fn([f32; N]) -> f32 + 'a>;
+
 /// Values at random points of a box of 128 cells a side, a list for each seed.
-fn values<F: Fn([f32; N]) -> f32, const N: usize>(
+fn values<'a, const N: usize>(
     seeds: u32,
-    field: impl Fn(u32) -> F + Sync,
+    field: &(dyn Fn(u32) -> Values<'a, N> + Sync + 'a),
 ) -> Vec<Vec<f64>> {
-    let list = |seed: u32| {
+    lists(seeds, &|seed| {
         let (field, mut random) = (field(seed), Random(u64::from(seed) << 32 | 5));
         let mut point = || [(); N].map(|()| ((random.uniform() - 0.5) * 128.0) as f32);
         (0..POINTS).map(|_| field(point()).into()).collect()
-    };
+    })
+}
+
+fn lists(seeds: u32, list: &(dyn Fn(u32) -> Vec<f64> + Sync)) -> Vec<Vec<f64>> {
     (0..seeds).into_par_iter().map(list).collect()
 }
 
@@ -34,7 +40,7 @@ fn values<F: Fn([f32; N]) -> f32, const N: usize>(
 const ERRORS: f64 = 5.0;
 
 /// Whether the mean of a function of the values is the expected one. Points of one seed share cells; seeds are independent.
-fn assert_mean(name: &str, values: &[Vec<f64>], f: impl Fn(f64) -> f64, expected: f64) {
+fn assert_mean(name: &str, values: &[Vec<f64>], f: &dyn Fn(f64) -> f64, expected: f64) {
     let n = values.len() as f64;
     let mean = |list: &[f64]| list.iter().map(|&x| f(x)).sum::<f64>() / list.len() as f64;
     let means: Vec<f64> = values.iter().map(|list| mean(list)).collect();
@@ -50,13 +56,13 @@ fn mean_of(numbers: &[f64]) -> f64 {
 
 /// The moments of a kind's values over so many seeds are those that it states, and the range is kept.
 fn assert_stated<const N: usize>(name: &str, noise: &dyn AnyNoise<N>, seeds: u32) -> Vec<Vec<f64>> {
-    let values = values(seeds, |seed| move |p| noise.value(p, seed));
-    assert_mean(&format!("{name}: mean"), &values, |x| x, 0.0);
+    let values = values(seeds, &|seed| Box::new(move |p| noise.value(p, seed)));
+    assert_mean(&format!("{name}: mean"), &values, &|x| x, 0.0);
     let variance = f64::from(noise.standard_deviation()).powi(2);
-    assert_mean(&format!("{name}: variance"), &values, |x| x * x, variance);
+    assert_mean(&format!("{name}: variance"), &values, &|x| x * x, variance);
     for (power, expected) in (1..).zip(noise.absolute_moments()) {
         let what = format!("{name}: absolute moment {power}");
-        assert_mean(&what, &values, |x| x.abs().powi(power), expected.into());
+        assert_mean(&what, &values, &|x| x.abs().powi(power), expected.into());
     }
     let greatest = values.iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
     assert!(greatest <= f64::from(noise.statistics().range), "{name}: {greatest}");
@@ -66,9 +72,9 @@ fn assert_stated<const N: usize>(name: &str, noise: &dyn AnyNoise<N>, seeds: u32
 /// The first, second and fourth moment are those of σ and κ.
 fn assert_moments(name: &str, values: &[Vec<f64>], sigma: f32, excess: f32) {
     let (sigma, excess) = (f64::from(sigma), f64::from(excess));
-    assert_mean(&format!("{name}: mean"), values, |x| x, 0.0);
-    assert_mean(&format!("{name}: variance"), values, |x| x * x, sigma * sigma);
-    assert_mean(&format!("{name}: fourth moment"), values, |x| x.powi(4), (excess + 3.0) * sigma.powi(4));
+    assert_mean(&format!("{name}: mean"), values, &|x| x, 0.0);
+    assert_mean(&format!("{name}: variance"), values, &|x| x * x, sigma * sigma);
+    assert_mean(&format!("{name}: fourth moment"), values, &|x| x.powi(4), (excess + 3.0) * sigma.powi(4));
 }
 
 struct Shipped;
@@ -88,9 +94,9 @@ impl VisitAny for Shipped {
         for (low, high) in cdf.iter().zip(cdf.iter().rev()) {
             assert_abs_diff_eq!(low + high, 1.0, epsilon = 1e-7, "{name}");
         }
-        let mut sums: Vec<f64> = values(seeds, |seed| {
+        let mut sums: Vec<f64> = values(seeds, &|seed| {
             let sum = noise.octaves(Normalisation::Variance, Rotation::Random, seed);
-            move |p| sum.value(p, 8.0)
+            Box::new(move |p| sum.value(p, 8.0))
         })
         .concat();
         sums.sort_by(f64::total_cmp);
@@ -156,9 +162,9 @@ fn sums_have_the_stated_deviation_and_kurtosis() {
                 Octaves::<_, 3>::new(Perlin2002::new(seed), Spectrum::default())
                     .with_normalisation(normalisation)
             };
-            let sums = values(SEEDS, |seed| {
+            let sums = values(SEEDS, &|seed| {
                 let sum = build(seed);
-                move |p: [f32; 3]| sum.detail(count).value(Vec3::from_array(p))
+                Box::new(move |p: [f32; 3]| sum.detail(count).value(Vec3::from_array(p)))
             });
             let (name, sum) = (format!("{count} octaves, {normalisation:?}"), build(0).first(count));
             assert_moments(&name, &sums, sum.standard_deviation(), sum.excess_kurtosis());
@@ -177,11 +183,9 @@ impl Best {
         };
         Self(kind.parts(place).into_iter().map(|(cell, w, d)| (cell.to_vec(), best(w, d))).collect())
     }
-}
 
-impl Lattice for Best {
-    fn word<const N: usize>(&self, cell: [i32; N], _: u32) -> u32 {
-        self.0.iter().find(|(at, _)| at[..] == cell).map_or(0, |(_, word)| *word)
+    fn word(&self, cell: &[i32]) -> u32 {
+        self.0.iter().find(|(at, _)| at == cell).map_or(0, |(_, word)| *word)
     }
 }
 
@@ -209,25 +213,26 @@ fn greatest_place<const D: usize>(kind: Kind) -> [f64; D] {
     best.1
 }
 
-/// The noise over its range at its greatest place, if the words of the lattice happen to be the best ones.
-fn reached<V: Point<Coordinates = [f32; D]>, K: Noise<V>, const D: usize>(
-    kind: Kind,
-    noise: impl Fn(Best) -> K,
-    words: u32,
-) -> f32 {
+/// A noise over its range.
+fn share<V: Point>(noise: &impl Noise<V>, p: V) -> f32 {
+    noise.value(p) / noise.statistics().range
+}
+
+/// What a noise is at its greatest place, if the words of the lattice happen to be the best ones.
+fn reached<const D: usize>(kind: Kind, words: u32, noise: &dyn Fn(AnyLattice<'_>, [f32; D]) -> f32) -> f32 {
     let place = greatest_place::<D>(kind).map(|x| f64::from(x as f32));
     let words: Vec<u32> = (0..words as i32).map(|i| IntegerHash.word([i], 1)).collect();
-    let noise = noise(Best::new(kind, place, &words));
-    noise.value(V::from_coordinates(place.map(|x| x as f32))) / noise.statistics().range
+    let best = Best::new(kind, place, &words);
+    noise(AnyLattice(&|cell, _| best.word(cell)), place.map(|x| x as f32))
 }
 
 macro_rules! assert_reached {
     ($name:literal, $kind:expr, $noise:expr, $words:literal) => {
         let reached = [
-            reached::<f32, _, 1>($kind, $noise, $words),
-            reached::<Vec2, _, 2>($kind, $noise, $words),
-            reached::<Vec3, _, 3>($kind, $noise, $words),
-            reached::<Vec4, _, 4>($kind, $noise, $words),
+            reached($kind, $words, &|best, [x]| share(&$noise.with_lattice(best), x)),
+            reached($kind, $words, &|best, p| share(&$noise.with_lattice(best), Vec2::from_array(p))),
+            reached($kind, $words, &|best, p| share(&$noise.with_lattice(best), Vec3::from_array(p))),
+            reached($kind, $words, &|best, p| share(&$noise.with_lattice(best), Vec4::from_array(p))),
         ];
         assert!(reached.iter().all(|x| (0.99..=1.0).contains(x)), "{}: {reached:?}", $name);
     };
@@ -235,24 +240,19 @@ macro_rules! assert_reached {
 
 #[test]
 fn ranges_are_reached() {
-    assert_reached!("white", Kind::White, |best| White::new(0).with_lattice(best), 20_000);
-    assert_reached!("value", Kind::Value, |best| Value::new(0).with_lattice(best), 20_000);
-    assert_reached!(
-        "value, Catmull-Rom",
-        Kind::CatmullRom,
-        |best| ValueCatmullRom::new(0).with_lattice(best),
-        20_000
-    );
-    assert_reached!("Perlin 1985", Kind::Perlin1985, |best| Perlin1985::new(0).with_lattice(best), 20_000);
-    assert_reached!("Perlin 2002", Kind::Perlin2002, |best| Perlin2002::new(0).with_lattice(best), 20_000);
+    assert_reached!("white", Kind::White, White::new(0), 20_000);
+    assert_reached!("value", Kind::Value, Value::new(0), 20_000);
+    assert_reached!("value, Catmull-Rom", Kind::CatmullRom, ValueCatmullRom::new(0), 20_000);
+    assert_reached!("Perlin 1985", Kind::Perlin1985, Perlin1985::new(0), 20_000);
+    assert_reached!("Perlin 2002", Kind::Perlin2002, Perlin2002::new(0), 20_000);
     let even = ValueGradient::default();
     // Few words have both the greatest number and the best gradient.
-    assert_reached!("value-gradient", Kind::ValueGradient(0.5), |best| even.with_lattice(best), 400_000);
+    assert_reached!("value-gradient", Kind::ValueGradient(0.5), even, 400_000);
     let gradients = ValueGradient::default().with_weight(1.0).unwrap();
-    assert_reached!("gradient part", Kind::ValueGradient(1.0), |best| gradients.with_lattice(best), 20_000);
-    assert_reached!("simplex", Kind::Simplex(0.5), |best| Simplex::new(0).with_lattice(best), 20_000);
+    assert_reached!("gradient part", Kind::ValueGradient(1.0), gradients, 20_000);
+    assert_reached!("simplex", Kind::Simplex(0.5), Simplex::new(0), 20_000);
     let kind = Kind::Simplex(f64::from(0.6_f32));
-    assert_reached!("wide simplex", kind, |best| Simplex::wide(0).with_lattice(best), 20_000);
+    assert_reached!("wide simplex", kind, Simplex::wide(0), 20_000);
 }
 
 #[test]

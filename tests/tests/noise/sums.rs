@@ -3,12 +3,13 @@
 use std::cell::RefCell;
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Rotation,
-    Sample, Simplex, Spectrum, Statistics,
+    Field, Gaussian, GaussianOctaves, Noise, Normalisation, Octaves, Perlin2002, Point, Rotation, Spectrum,
+    Statistics,
     glam::{Vec2, Vec3, Vec4},
     simd::{Kernel, LaneSample, Lanes, Measured},
 };
 use asperity_tests::{
+    noise_any::{AnyNoise, At, Coordinates, VisitAny, any_kind, at},
     noise_reference::{Kind, difference},
     random::Random,
 };
@@ -43,7 +44,7 @@ struct Octave<const N: usize> {
 }
 
 /// The octaves of a sum, without an error in their matrices.
-fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
+fn octaves<const N: usize>(
     spectrum: Spectrum,
     rotation: Rotation,
     seed: u32,
@@ -54,11 +55,18 @@ fn octaves<V: Point<Coordinates = [f32; N]>, const N: usize>(
         .with_seed(seed)
         .with_normalisation(Normalisation::Range)
         .with_rotation(rotation);
-    let noted = |p: [f32; N]| {
+    noted_octaves(count, &|p| {
         notes.borrow_mut().clear();
-        let _ = sum.detail(count as f32).value(V::from_coordinates(p));
+        let _ = sum.detail(count as f32).value(Coordinates(p));
         notes.take()
-    };
+    })
+}
+
+/// Octaves from the seeds and places that they look up for a point.
+fn noted_octaves<const N: usize>(
+    count: usize,
+    noted: &dyn Fn([f32; N]) -> Vec<(u32, [f32; N])>,
+) -> Vec<Octave<N>> {
     let along = |axis: usize, x: f32| {
         let mut p = [0.0; N];
         p[axis] = x;
@@ -98,11 +106,11 @@ fn amplitudes(spectrum: &Spectrum, count: f32, normalisation: Normalisation, sig
 }
 
 /// The worst errors of value and gradient of a sum; gradients are relative to the greatest.
-fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
+fn errors<const N: usize>(
     octaves: &[Octave<N>],
     (amplitudes, norm): &(Vec<f64>, f64),
     kind: Kind,
-    sample: impl Fn(V) -> Sample<V>,
+    sample: &dyn Fn([f32; N]) -> At<N>,
 ) -> [f64; 2] {
     let value = |p: [f64; N]| {
         let terms = octaves.iter().zip(amplitudes).map(|(octave, amplitude)| {
@@ -117,9 +125,9 @@ fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     let (mut worst, mut greatest) = ([0.0_f64; 2], 0.0_f64);
     for _ in 0..400 {
         let p: [f32; N] = std::array::from_fn(|_| ((random.uniform() - 0.5) * 4.0) as f32);
-        let (wide, sample) = (p.map(f64::from), sample(V::from_coordinates(p)));
+        let (wide, sample) = (p.map(f64::from), sample(p));
         worst[0] = worst[0].max((f64::from(sample.value) - value(wide)).abs());
-        for (axis, got) in sample.gradient.coordinates().into_iter().enumerate() {
+        for (axis, got) in sample.gradient.into_iter().enumerate() {
             let expected = difference(1e-6, |step| {
                 let mut q = wide;
                 q[axis] += step;
@@ -145,60 +153,61 @@ fn assert_close(name: &str, [value, gradient]: [f64; 2]) {
     );
 }
 
-fn sum<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Copy, const N: usize>(
-    name: &str,
-    noise: K,
-    kind: Kind,
-) {
-    let spectrum = Spectrum::default();
-    let sigma = f64::from(noise.statistics().standard_deviation);
-    for rotation in [Rotation::Random, Rotation::Aligned] {
-        for normalisation in [Normalisation::Range, Normalisation::Variance] {
-            for (seed, count) in [(3, 4.5), (4, 1.0)] {
-                let sum = Octaves::<K, N>::new(noise, spectrum)
-                    .with_seed(seed)
-                    .with_normalisation(normalisation)
-                    .with_rotation(rotation);
-                let octaves = octaves::<V, N>(spectrum, rotation, seed, f32::ceil(count) as usize);
-                let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
-                let worst = errors(&octaves, &amplitudes, kind, |p: V| sum.detail(count).sample(p));
-                assert_close(&format!("{name} {N}-D {rotation:?} {normalisation:?}"), worst);
+/// Sums of the kinds of some names, and how many were compared.
+struct Sums(&'static [(&'static str, Kind)], usize);
+
+impl VisitAny for Sums {
+    fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
+        let Some(&(_, kind)) = self.0.iter().find(|(kind, _)| name == format!("{kind} {N}-D")) else {
+            return;
+        };
+        let spectrum = Spectrum::default();
+        let sigma = f64::from(noise.statistics().standard_deviation);
+        for rotation in [Rotation::Random, Rotation::Aligned] {
+            for normalisation in [Normalisation::Range, Normalisation::Variance] {
+                for (seed, count) in [(3, 4.5), (4, 1.0)] {
+                    let sum = noise.octaves(normalisation, rotation, seed);
+                    let octaves = octaves::<N>(spectrum, rotation, seed, f32::ceil(count) as usize);
+                    let amplitudes = amplitudes(&spectrum, count, normalisation, sigma);
+                    let worst = errors(&octaves, &amplitudes, kind, &|p| sum.sample(p, count));
+                    assert_close(&format!("{name} {rotation:?} {normalisation:?}"), worst);
+                    self.1 += 1;
+                }
             }
         }
     }
 }
 
-fn sums<K>(name: &str, noise: K, kind: Kind)
-where
-    K: Kernel<1> + Kernel<2> + Kernel<3> + Kernel<4> + Copy,
-{
-    sum::<f32, K, 1>(name, noise, kind);
-    sum::<Vec2, K, 2>(name, noise, kind);
-    sum::<Vec3, K, 3>(name, noise, kind);
-    sum::<Vec4, K, 4>(name, noise, kind);
+/// Checks the sums of kinds in 1 to 4 dimensions, of two rotations, normalisations and seeds each.
+fn assert_sums(kinds: &'static [(&'static str, Kind)]) {
+    let mut sums = Sums(kinds, 0);
+    any_kind(&mut sums);
+    assert_eq!(sums.1, kinds.len() * 4 * 8);
 }
 
 #[test]
 fn sums_of_gradient_noise_equal_the_reference() {
-    sums("Perlin 1985", Perlin1985::default(), Kind::Perlin1985);
-    sums("Perlin 2002", Perlin2002::default(), Kind::Perlin2002);
+    assert_sums(&[("Perlin 1985", Kind::Perlin1985), ("Perlin 2002", Kind::Perlin2002)]);
 }
 
 #[test]
 fn sums_of_simplex_and_gaussian_noise_equal_the_reference() {
-    sums("simplex", Simplex::new(0), Kind::Simplex(0.5));
-    sums("Gaussian", Gaussian::default(), Kind::Gaussian(0));
+    assert_sums(&[("simplex", Kind::Simplex(0.5)), ("Gaussian", Kind::Gaussian(0))]);
 }
 
 fn gaussian_sum<V: Point<Coordinates = [f32; N]>, const N: usize>() {
     let spectrum = Spectrum::default();
     for (seed, count) in [(3, 4.5), (4, 1.0), (5, 2.25)] {
         let sum = GaussianOctaves::<N>::new(Gaussian::new(seed), spectrum);
-        let octaves = octaves::<V, N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
+        let octaves = octaves::<N>(spectrum, Rotation::Random, seed, f32::ceil(count) as usize);
         let amplitudes = amplitudes(&spectrum, count, Normalisation::Variance, 1.0);
-        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), |p: V| sum.detail(count).sample(p));
+        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(0), &|p| {
+            at(sum.detail(count).sample(V::from_coordinates(p)))
+        });
         assert_close(&format!("Gaussian octaves {N}-D"), worst);
-        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(1), |p: V| sum.detail(count).pair(p)[1]);
+        let worst = errors(&octaves, &amplitudes, Kind::Gaussian(1), &|p| {
+            at(sum.detail(count).pair(V::from_coordinates(p))[1])
+        });
         assert_close(&format!("Gaussian octaves {N}-D, second channel"), worst);
     }
 }

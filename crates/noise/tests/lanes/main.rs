@@ -37,6 +37,24 @@ fn fine_rows_across_the_end_of_a_kernel_have_the_scalar_bits() {
     }
 }
 
+/// Rows so wide that the products of step and index are rounded by more than a step.
+#[test]
+fn the_end_of_a_wide_row_has_the_scalar_bits() {
+    const WIDTH: usize = 40_000_000;
+    let field: &dyn Field<Vec2> = &Simplex::new(7);
+    let grid = Grid {
+        origin: Vec2::new(-0.2 * (WIDTH as f32 - 10_000.0), 0.3),
+        step: Vec2::new(0.2, 0.1),
+        size: [WIDTH, 1],
+    };
+    let mut values = vec![0.0; WIDTH];
+    Batch::with_level(Level::Scalar).grid_values(field, &grid, &mut values).unwrap();
+    for (i, value) in values.iter().enumerate().skip(WIDTH - 20_000) {
+        let p = grid.point([i, 0]);
+        assert_eq!(value.to_bits(), field.value(p).to_bits(), "point {i}, {p}");
+    }
+}
+
 #[test]
 fn grids_in_space_have_the_scalar_bits() {
     grids("value 3-D", &Value::new(7) as &dyn Field<Vec3>, &near_cases());
