@@ -91,12 +91,12 @@ impl<L: Lattice> Gaussian<L> {
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
         let place = Place::new(Scalar, self, &p, 0);
-        let both = place.corners(Scalar, self, seed, [Corner::nothing(Scalar); 2], |word| {
-            [corner::<Scalar, N, 0>(Scalar, word), corner::<Scalar, N, 1>(Scalar, word)]
-        });
-        let channel = |k: usize| both.map(|ends| ends.map(|corners| corners.map(|pair| pair[k])));
-        let (first, variance) = place.parts_of::<Self>(Scalar, &channel(0));
-        let (second, _) = place.parts_of::<Self>(Scalar, &channel(1));
+        // Each channel draws by itself: handing pairs around costs more than the words that the compiler shares.
+        let nothing = Corner::nothing(Scalar);
+        let corners = place.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 0>(Scalar, word));
+        let (first, variance) = place.parts_of::<Self>(Scalar, &corners);
+        let corners = place.corners(Scalar, self, seed, nothing, |word| corner::<Scalar, N, 1>(Scalar, word));
+        let (second, _) = place.parts_of::<Self>(Scalar, &corners);
         let normalised = |sample| normalised::<_, N, true>(Scalar, sample, variance);
         [normalised(first), normalised(second)]
     }

@@ -7,6 +7,7 @@ use crate::{
     kinds::gaussian::Gaussian,
     lanes::lanes::{LaneSample, Scalar},
     lattice::lattice::Lattice,
+    math,
     point::Point,
     row::points::{Points, Target},
     sample::{Sample, SecondOrder},
@@ -133,23 +134,25 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             factor: 0.0,
             range: self.shape.range(self.noise.statistics().range),
         };
+        let (mut sum, mut squares) = (0.0, 0.0);
         for (amplitude, (_, weighted)) in active.amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
             *amplitude = weighted;
             active.count += 1;
+            sum += weighted;
+            squares += weighted * weighted;
         }
         let norm = match self.normalisation {
-            Normalisation::Range => self.spectrum.sum_of_amplitudes(octaves),
+            Normalisation::Range => sum,
             Normalisation::Variance => {
                 let [mean, deviation] = self.moments();
                 // From 0, so that shapes of mean 0 start from 0 and not from −0.
                 let constant = active.amplitudes.iter().fold(0.0, |sum, amplitude| sum - mean * amplitude);
                 active.constant = constant + 0.0;
-                deviation * self.spectrum.root_sum_of_squares(octaves)
+                deviation * math::sqrt(squares)
             }
         };
         active.factor = if norm > 0.0 { 1.0 / norm } else { 0.0 };
-        let amplitudes = self.spectrum.sum_of_amplitudes(octaves);
-        active.range = active.range.map(|bound| (active.constant + bound * amplitudes) * active.factor);
+        active.range = active.range.map(|bound| (active.constant + bound * sum) * active.factor);
         active
     }
 

@@ -113,6 +113,7 @@ impl Spectrum {
     }
 
     /// wᵢ, the weight of octave i in [0, 1].
+    #[inline]
     #[must_use]
     pub fn weight(&self, octaves: f32, i: u32) -> f32 {
         (self.clamped(octaves) - i as f32).clamp(0.0, 1.0)
@@ -130,6 +131,7 @@ impl Spectrum {
         crate::math::sqrt(self.sum_of_squares(octaves))
     }
 
+    #[inline]
     fn sum_of_squares(&self, octaves: f32) -> f32 {
         self.active(octaves).fold(0.0, |sum, (_, a)| sum + a * a)
     }
@@ -144,6 +146,7 @@ impl Spectrum {
     /// The rest to 1 belongs to the octaves not evaluated; for a gain below 1 the whole spectrum is endless
     /// and includes those beyond the maximum, for others it ends there. The share grows continuously from 0
     /// at `octaves` = 0 and stays under 1 (2⁻²⁴ under at least).
+    #[inline]
     #[must_use]
     pub fn share(&self, octaves: f32) -> f32 {
         const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
