@@ -170,10 +170,10 @@ fn estimated(path: &Path, tangent_space: TangentSpace) -> Result<NdfMap, Failure
 
 #[cfg(test)]
 mod tests {
-    use approx::assert_abs_diff_eq;
-
-    use png::{BitDepth, ColorType};
     use std::fs;
+
+    use approx::assert_abs_diff_eq;
+    use asperity_render::image::{Image, formats::exr, tone::hex};
 
     use super::*;
 
@@ -189,13 +189,9 @@ mod tests {
         path.to_str().unwrap().into()
     }
 
-    fn encode([width, height]: [u32; 2], color: ColorType, depth: BitDepth, samples: &[u8]) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(color);
-        encoder.set_depth(depth);
-        encoder.write_header().unwrap().write_image_data(samples).unwrap();
-        bytes
+    /// A PNG with a colour for every row.
+    fn png(width: u32, rows: &[u32]) -> Vec<u8> {
+        Image::from_fn(width, rows.len() as u32, |_, y| hex(rows[y as usize])).png().unwrap()
     }
 
     #[test]
@@ -221,33 +217,28 @@ mod tests {
     #[test]
     fn images_of_no_density_are_refused() {
         let folder = tempfile::tempdir().unwrap();
-        let black = encode([8, 8], ColorType::Grayscale, BitDepth::Eight, &[0; 64]);
-        assert!(refused(&file(&folder, "black.png", &black)).contains("black"));
+        assert!(refused(&file(&folder, "black.png", &png(8, &[0; 8]))).contains("black"));
         assert!(refused(&file(&folder, "empty.png", b"")).contains("empty"));
     }
 
     #[test]
-    fn one_pixel_and_sixteen_bits_are_densities() {
+    fn one_pixel_is_a_density_and_rows_run_downwards() {
         let folder = tempfile::tempdir().unwrap();
-        let one = file(&folder, "one.png", &encode([1, 1], ColorType::Grayscale, BitDepth::Eight, &[9]));
+        let one = file(&folder, "one.png", &png(1, &[0x09_0909]));
         let density = Density::parse(&one, Images::USUAL).unwrap();
         // Uniform over the disk: D = 1/π.
         assert_abs_diff_eq!(density.ndf.density(Vec3::Z), std::f32::consts::FRAC_1_PI, epsilon = 1e-6);
-        // The lower byte of a sample decides: 0x0100 above, 0x0101 below.
-        let deep = [[1_u8, 0], [1, 1]].concat();
-        let deep = file(&folder, "deep.png", &encode([1, 2], ColorType::Grayscale, BitDepth::Sixteen, &deep));
-        let density = Density::parse(&deep, Images::USUAL).unwrap();
-        let ratio =
-            density.ndf.density(Vec3::new(0.0, -0.6, 0.8)) / density.ndf.density(Vec3::new(0.0, 0.6, 0.8));
-        assert_abs_diff_eq!(ratio, 257.0 / 256.0, epsilon = 1e-5);
+        let two = file(&folder, "two.png", &png(1, &[0x80_8080, 0x40_4040]));
+        let ndf = Density::parse(&two, Images::USUAL).unwrap().ndf;
+        let [below, above] = [-0.6, 0.6].map(|y| ndf.density(Vec3::new(0.0, y, 0.8)));
+        assert_abs_diff_eq!(below / above, 0.5, epsilon = 1e-5);
     }
 
     #[test]
     fn a_normal_map_is_read_in_both_tangent_spaces() {
         let folder = tempfile::tempdir().unwrap();
         // Both texels lean to the top of the image, where the green channel grows in OpenGL's sense.
-        let bytes = encode([2, 1], ColorType::Rgb, BitDepth::Eight, &[128, 204, 230, 128, 204, 230]);
-        let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &bytes));
+        let spec = format!("{NORMAL_MAP}{}", file(&folder, "leaning.png", &png(2, &[0x80_cce6])));
         let up = Vec3::new(0.0, 0.6, 0.8);
         let down = Vec3::new(0.0, -0.6, 0.8);
         for (tangent_space, high, low) in
@@ -258,8 +249,8 @@ mod tests {
             assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
         }
-        let grey = encode([1, 1], ColorType::Grayscale, BitDepth::Eight, &[9]);
-        let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.png", &grey)));
+        let grey = exr(1, 1, &[("Y", vec![0.5])]).unwrap();
+        let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.exr", &grey)));
         assert!(grey.contains("R, G, B"), "{grey}");
     }
 
