@@ -1,10 +1,12 @@
-//! A plane to the horizon: one filtered sample a pixel against a thousand plain ones.
+//! A plane to the horizon: one filtered sample a pixel against hundreds of plain ones.
 
 use asperity_render::shaded::{Horizon, Sky, Subject, errors, materials, textures};
 use asperity_shading::glam::Vec3;
 use rayon::prelude::*;
 
-const PICTURE: Horizon = Horizon { width: 120, height: 60 };
+/// By 256 independent samples a mean has a 256th of a plain one's mean square error, which adds to that of filtered ones: 0.18 is
+/// measured as 0.19, and the test is harder to pass. By 1024 samples ratios are 0.024 lower to 0.008 higher.
+const PICTURE: Horizon = Horizon { width: 120, height: 60, samples: 256 };
 
 /// One of so many pixels is measured, which are spread evenly over the picture.
 const ONE_OF: usize = 23;

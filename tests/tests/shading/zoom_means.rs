@@ -35,11 +35,11 @@ fn worst(subject: &Subject, pixels: [u32; 3]) -> [f64; 2] {
     let zooms =
         [(1.0, 16, 4), (10.0, 16, 4), (100.0, pixels[0], 1), (1e3, pixels[1], 1), (1e4, pixels[2], 1)];
     for view in views() {
-        for sky in &skies() {
-            let means =
-                zooms.map(|(zoom, pixels, samples)| Patch { pixels, samples, view }.mean(subject, sky, zoom));
-            let first = means[0].value;
-            for mean in means {
+        let means = zooms
+            .map(|(zoom, pixels, samples)| Patch { pixels, samples, view }.means(subject, &skies(), zoom));
+        for sky in 0..skies().len() {
+            let first = means[0][sky].value;
+            for mean in means.map(|skies| skies[sky]) {
                 worst[0] = worst[0].max((mean.value / first - 1.0).abs());
                 worst[1] = worst[1].max(mean.error / first);
             }

@@ -15,16 +15,18 @@ pub struct Horizon {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// Samples of a pixel's mean.
+    pub samples: u32,
 }
 
-/// A pixel by one sample without a filter, by one with, and by 1024 without.
+/// A pixel by one sample without a filter, by one with, and by many without.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
     /// One sample in the middle.
     pub plain: Vec3,
     /// One sample in the middle that knows its pixel.
     pub filtered: Vec3,
-    /// The mean of 1024 samples.
+    /// The mean of [`Horizon::samples`].
     pub mean: Vec3,
 }
 
@@ -48,15 +50,16 @@ impl Horizon {
         let unit = subject.width / 8.0;
         let radiance = |at: Vec2, derivatives: [Vec2; 2]| {
             let (derivatives, eye) = (derivatives.map(|d| d * unit), Eye::At(Vec3::Z * unit));
-            subject.radiance(&Pixel::new(at * unit, derivatives, 32, eye), sky)
+            let [radiance] = subject.radiances(&Pixel::new(at * unit, derivatives, 32, eye), &[*sky]);
+            radiance
         };
-        let sum = (0..1024).map(r2).fold(Vec3::ZERO, |sum, [i, j]| {
+        let sum = (0..self.samples).map(r2).fold(Vec3::ZERO, |sum, [i, j]| {
             sum + radiance(self.point(x + i as f32, y + j as f32), [Vec2::ZERO; 2])
         });
         Seen {
             plain: radiance(middle, [Vec2::ZERO; 2]),
             filtered: radiance(middle, derivatives),
-            mean: sum / 1024.0,
+            mean: sum / self.samples as f32,
         }
     }
 }

@@ -38,14 +38,17 @@ impl Pixel {
         }
     }
 
-    /// The mean of a radiance, by the point and the direction to the eye, over the taps of the pixel.
-    pub(super) fn over(&self, radiance: impl Fn(SurfacePoint, Vec3) -> Vec3) -> Vec3 {
+    /// The means of radiances, which are added by the point and the direction to the eye, over the taps of the pixel.
+    pub(super) fn over(&self, means: &mut [Vec3], add: impl Fn(SurfacePoint, Vec3, &mut [Vec3])) {
         let point = self.point;
-        let (sum, count) = point.pixel.fine_taps(self.taps).fold((Vec3::ZERO, 0.0), |(sum, count), tap| {
+        means.fill(Vec3::ZERO);
+        let mut count = 0.0;
+        for tap in point.pixel.fine_taps(self.taps) {
             let (position, uv) = (point.position + tap.offset, point.uv + tap.offset.truncate());
             let there = SurfacePoint { position, uv, pixel: tap.footprint.into(), ..point };
-            (sum + radiance(there, self.view(&there)), count + 1.0)
-        });
-        sum / count
+            add(there, self.view(&there), means);
+            count += 1.0;
+        }
+        means.iter_mut().for_each(|mean| *mean /= count);
     }
 }

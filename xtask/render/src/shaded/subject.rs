@@ -9,7 +9,10 @@ use crate::{light::lamps::Lamp, shaded::pixel::Pixel};
 
 /// A lamp, and a soft sky of three more.
 #[derive(Clone, Copy, Debug)]
-pub struct Sky([Lamp; 4]);
+pub struct Sky {
+    lamp: Lamp,
+    soft: [Lamp; 3],
+}
 
 impl Sky {
     /// A sky about a lamp in this direction; half as bright as the lamp, straight up.
@@ -20,18 +23,21 @@ impl Sky {
             Lamp { direction: Vec3::new(r * turn.cos(), r * turn.sin(), z), colour: Vec3::splat(0.25) }
         };
         let lamp = Lamp { direction: lamp.normalize(), colour: Vec3::ONE };
-        Self([lamp, sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)])
+        Self { lamp, soft: [sky(1, 0.5), sky(2, 0.87), sky(3, 0.5)] }
     }
 
-    /// Radiance of a surface of this BSDF along `view`.
-    pub(super) fn on(&self, bsdf: &Bsdf<'_>, view: Vec3) -> Vec3 {
-        self.0
-            .iter()
-            .fold(bsdf.emitted(), |sum, lamp| sum + PI * lamp.colour * bsdf.scattered(lamp.direction, view))
+    /// Adds the radiances of a surface of this BSDF along `view`, one under each sky; what is soft of them is the same.
+    pub(super) fn add(skies: &[Self], bsdf: &Bsdf<'_>, view: Vec3, radiances: &mut [Vec3]) {
+        let scattered = |lamp: &Lamp| PI * lamp.colour * bsdf.scattered(lamp.direction, view);
+        let soft = skies.first().map(|sky| sky.soft.each_ref().map(scattered)).unwrap_or_default();
+        for (radiance, sky) in radiances.iter_mut().zip(skies) {
+            *radiance += soft.iter().fold(bsdf.emitted() + scattered(&sky.lamp), |sum, soft| sum + soft);
+        }
     }
 }
 
-type Radiance = dyn Fn(&Pixel, &Sky) -> Vec3 + Send + Sync;
+/// Writes the radiances of a sample, one under each sky.
+type Radiance = dyn Fn(&Pixel, &[Sky], &mut [Vec3]) + Send + Sync;
 
 /// A surface, and how it is looked at.
 pub struct Subject {
@@ -43,11 +49,11 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// A surface with this radiance, in positions of its own unit.
+    /// A surface that writes its radiances, one under each sky, in positions of its own unit.
     pub(super) fn new(
         name: &'static str,
         width: f32,
-        radiance: impl Fn(&Pixel, &Sky) -> Vec3 + Send + Sync + 'static,
+        radiance: impl Fn(&Pixel, &[Sky], &mut [Vec3]) + Send + Sync + 'static,
     ) -> Self {
         Self { name, width, radiance: Box::new(radiance) }
     }
@@ -59,23 +65,28 @@ impl Subject {
         material: impl Material + Send + Sync + 'static,
         point: fn(SurfacePoint) -> SurfacePoint,
     ) -> Self {
-        Self::new(name, width, move |pixel, sky| {
-            pixel.over(|tap, view| sky.on(&material.bsdf(&point(tap), view), view))
+        Self::new(name, width, move |pixel, skies, radiances| {
+            pixel.over(radiances, |tap, view, sums| {
+                Sky::add(skies, &material.bsdf(&point(tap), view), view, sums);
+            });
         })
     }
 
     /// The surface whose details come up one octave after another: every pixel is as wide as the next power of two.
     #[must_use]
     pub fn in_steps(self) -> Self {
-        Self::new(self.name, self.width, move |pixel, sky| {
+        Self::new(self.name, self.width, move |pixel, skies, radiances| {
             let width = pixel.point.footprint().width();
             let ellipse = pixel.point.pixel.scaled(width.log2().ceil().exp2() / width);
-            self.radiance(&Pixel { point: SurfacePoint { pixel: ellipse, ..pixel.point }, ..*pixel }, sky)
+            let point = SurfacePoint { pixel: ellipse, ..pixel.point };
+            (self.radiance)(&Pixel { point, ..*pixel }, skies, radiances);
         })
     }
 
-    /// Radiance of a sample under a sky.
-    pub(super) fn radiance(&self, pixel: &Pixel, sky: &Sky) -> Vec3 {
-        (self.radiance)(pixel, sky)
+    /// Radiances of a sample under skies.
+    pub(super) fn radiances<const K: usize>(&self, pixel: &Pixel, skies: &[Sky; K]) -> [Vec3; K] {
+        let mut radiances = [Vec3::ZERO; K];
+        (self.radiance)(pixel, skies, &mut radiances);
+        radiances
     }
 }

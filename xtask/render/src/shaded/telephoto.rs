@@ -51,43 +51,54 @@ impl Patch {
         [Vec2::new(width, 0.0), Vec2::new(0.0, width / self.view.z)]
     }
 
-    /// A pixel of this width.
-    fn pixel(&self, subject: &Subject, sky: &Sky, centre: Vec2, width: f32) -> Frame {
+    /// A pixel of this width, under each sky.
+    fn pixel<const K: usize>(
+        &self,
+        subject: &Subject,
+        skies: &[Sky; K],
+        centre: Vec2,
+        width: f32,
+    ) -> [Frame; K] {
         let derivatives = self.derivatives(width);
-        let (mut sum, mut range) = (0.0, [f64::INFINITY, f64::NEG_INFINITY]);
+        let mut frames = [Frame { mean: 0.0, range: [f64::INFINITY, f64::NEG_INFINITY] }; K];
         for k in 0..self.samples {
             let [x, y] = r2(k).map(|x| x as f32 - 0.5);
             let at = centre + derivatives[0] * x + derivatives[1] * y;
-            let radiance = subject.radiance(&Pixel::new(at, derivatives, 2, Eye::Towards(self.view)), sky);
-            let radiance = f64::from(radiance.dot(Vec3::ONE)) / 3.0;
-            sum += radiance;
-            range = [range[0].min(radiance), range[1].max(radiance)];
+            let pixel = Pixel::new(at, derivatives, 2, Eye::Towards(self.view));
+            for (frame, radiance) in frames.iter_mut().zip(subject.radiances(&pixel, skies)) {
+                let radiance = f64::from(radiance.dot(Vec3::ONE)) / 3.0;
+                frame.mean += radiance;
+                frame.range = [frame.range[0].min(radiance), frame.range[1].max(radiance)];
+            }
         }
-        Frame { mean: sum / f64::from(self.samples), range }
+        frames.map(|frame| Frame { mean: frame.mean / f64::from(self.samples), ..frame })
     }
 
-    /// The mean radiance of the patch at a zoom.
+    /// The mean radiances of the patch under some skies at a zoom.
     #[must_use]
-    pub fn mean(&self, subject: &Subject, sky: &Sky, zoom: f32) -> Mean {
+    pub fn means<const K: usize>(&self, subject: &Subject, skies: &[Sky; K], zoom: f32) -> [Mean; K] {
         // Pixels do not overlap.
         let side = (self.pixels as f32).min(SIDE * zoom);
         let stratum = self.derivatives(subject.width * SIDE / side);
         let share = side / (SIDE * zoom);
         let side = side as u32;
-        let row = |y: u32| -> Vec<f64> {
+        let row = |y: u32| -> Vec<[Frame; K]> {
             (0..side)
                 .map(|x| {
                     let [i, j] = r2(y * side + x).map(|u| 0.5 + (1.0 - share) * (u as f32 - 0.5));
                     let centre = stratum[0] * (x as f32 + i) + stratum[1] * (y as f32 + j);
-                    self.pixel(subject, sky, centre, subject.width / zoom).mean
+                    self.pixel(subject, skies, centre, subject.width / zoom)
                 })
                 .collect()
         };
-        let pixels: Vec<f64> = (0..side).into_par_iter().flat_map_iter(row).collect();
+        let pixels: Vec<[Frame; K]> = (0..side).into_par_iter().flat_map_iter(row).collect();
         let count = pixels.len() as f64;
-        let value = pixels.iter().sum::<f64>() / count;
-        let variance = pixels.iter().map(|x| (x - value).powi(2)).sum::<f64>() / (count - 1.0);
-        Mean { value, error: (variance / count).sqrt() }
+        std::array::from_fn(|k| {
+            let value = pixels.iter().map(|frames| frames[k].mean).sum::<f64>() / count;
+            let squares = pixels.iter().map(|frames| (frames[k].mean - value).powi(2));
+            let variance = squares.sum::<f64>() / (count - 1.0);
+            Mean { value, error: (variance / count).sqrt() }
+        })
     }
 
     /// Five slow zooms by 1 % a frame, of 200 frames each, into pixels of the patch: from ×1 to ×20,000 altogether.
@@ -98,7 +109,8 @@ impl Patch {
             let first = 1.01_f32.powf(200.0 * f32::from(start));
             let frame = |k: u8| {
                 let width = subject.width / (first * 1.01_f32.powf(f32::from(k)));
-                self.pixel(subject, sky, centre, width)
+                let [frame] = self.pixel(subject, &[*sky], centre, width);
+                frame
             };
             (0..200_u8).into_par_iter().map(frame).collect()
         };

@@ -7,7 +7,10 @@ use asperity_shading::reflectance::{Bsdf, Coat};
 use asperity_shading::texture::{Bevel, Brick, Gas, Marble, PerturbedTexture, StarWallpaper, march};
 use glam::{Vec2, Vec3};
 
-use crate::shaded::{materials::VALID, subject::Subject};
+use crate::shaded::{
+    materials::VALID,
+    subject::{Sky, Subject},
+};
 
 /// Textures of walls, floors, stone and gas.
 #[must_use]
@@ -41,9 +44,10 @@ pub fn textures() -> Vec<Subject> {
 
 /// A wall is filtered by the box about its pixel, without taps.
 fn wall(name: &'static str, wall: BrickWall) -> Subject {
-    Subject::new(name, 8.0, move |pixel, sky| {
+    Subject::new(name, 8.0, move |pixel, skies, radiances| {
         let view = pixel.view(&pixel.point);
-        sky.on(&wall.bsdf(&pixel.point, view), view)
+        radiances.fill(Vec3::ZERO);
+        Sky::add(skies, &wall.bsdf(&pixel.point, view), view, radiances);
     })
 }
 
@@ -55,14 +59,14 @@ fn raised(point: SurfacePoint) -> SurfacePoint {
 /// A slab of gas over dark ground, seen from above.
 fn gas() -> Subject {
     let gas = Gas::default();
-    Subject::new("gas", 8.0, move |pixel, _| {
-        pixel.over(|tap, _| {
+    Subject::new("gas", 8.0, move |pixel, _, radiances| {
+        pixel.over(radiances, |tap, _, sums| {
             let extinction = |p: Vec3| gas.clamped_density(p, tap.footprint());
             let seen = march(tap.position, Vec3::Z, [0.0, 1.0], 0.25, 0.5, extinction, |_| Vec3::ONE);
             let veil = Coat::veil(Vec3::splat(seen.transmittance));
             let bsdf = Bsdf::new(Vec3::Z).with_coat(veil).with_emitted(seen.light);
             let [_, ground] = bsdf.deltas(Vec3::Z, Vec2::ZERO);
-            bsdf.emitted() + 0.05 * ground.weight
-        })
+            sums.iter_mut().for_each(|sum| *sum += bsdf.emitted() + 0.05 * ground.weight);
+        });
     })
 }

@@ -68,7 +68,7 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
                 _ if fine => (104, SAMPLES / 16),
                 _ => (24, SAMPLES),
             };
-            *mean = Patch { pixels, samples, view }.mean(subject, sky, zoom);
+            [*mean] = Patch { pixels, samples, view }.means(subject, &[*sky], zoom);
             context.progress.inc(1);
         }
     }
@@ -137,7 +137,7 @@ fn tick(range: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|step| step * 4.0 > range).unwrap_or(power)
 }
 
-const PICTURE: Horizon = Horizon { width: 60, height: 40 };
+const PICTURE: Horizon = Horizon { width: 60, height: 40, samples: 1024 };
 
 /// Pixels of the page for each of the picture's, and between its parts.
 const SIDE: u32 = 6;
@@ -157,7 +157,8 @@ pub(crate) fn draw_horizon(context: &Context<'_>) -> Result<Drawn> {
         panels.push(Panel::new(stem(name), format!("{name}: {ratio}"), alt, triple(&seen)));
         rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
     }
-    let picture = format!("{} × {} pixels, 1024 samples in the mean", PICTURE.width, PICTURE.height);
+    let picture =
+        format!("{} × {} pixels, {} samples in the mean", PICTURE.width, PICTURE.height, PICTURE.samples);
     Ok(Drawn::new(2, panels)
         .fact("picture", picture)
         .fact("filter", "exact boxes, or up to 32 taps along the pixel's ellipse")
