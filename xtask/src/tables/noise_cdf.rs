@@ -5,14 +5,13 @@ use std::{f64::consts::PI, fmt::Write};
 use asperity_ndf_sampling::phi;
 use asperity_noise::{
     Field, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Point, Simplex, Sparse, Spectrum, Value,
-    ValueCatmullRom, ValueGradient, White,
-    simd::{Batch, Kernel},
+    ValueCatmullRom, ValueGradient, White, simd::Kernel,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::noise_means::absolute_moments;
+use super::noise_means::{POINTS, absolute_moments, list_values};
 
 /// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 3e-5.
 const KNOTS: usize = 257;
@@ -20,8 +19,6 @@ const KNOTS: usize = 257;
 const BINS: usize = KNOTS / 2;
 /// The outermost knots, in standard deviations.
 const REACH: f64 = 4.0;
-/// Points per seed.
-const POINTS: usize = 1024;
 /// Seeds of the moments of one octave: 8.4 million points, standard error of σ₁ under 0.0003 σ₁ and of κ₁ under 0.002.
 const MOMENT_SEEDS: u32 = 8192;
 /// Seeds of G: 4.2 million points; folded at 0, KS under 0.0004 at significance 0.05.
@@ -79,7 +76,7 @@ where
 }
 
 /// A field's values at the random points of a seed.
-fn values<V: Point>(field: &dyn Field<V>, seed: u32) -> Vec<f32> {
+fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
     let mut random = Random(u64::from(seed) << 32);
     let mut points = V::array(|_| [0.0; POINTS]);
     for i in 0..POINTS {
@@ -88,8 +85,7 @@ fn values<V: Point>(field: &dyn Field<V>, seed: u32) -> Vec<f32> {
         }
     }
     let mut values = vec![0.0; POINTS];
-    // The lists are all `POINTS` long.
-    let _ = Batch::new().list_values(field, V::array(|axis| &points.as_ref()[axis][..]), &mut values);
+    list_values(field, &points, &mut values);
     values
 }
 

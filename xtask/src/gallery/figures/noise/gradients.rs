@@ -5,7 +5,7 @@ use asperity_render::image::tone::hex;
 use glam::{Vec2, Vec3};
 
 use crate::failure::Result;
-use crate::gallery::figure::{Context, Drawn};
+use crate::gallery::figure::{Context, Drawn, Shown};
 use crate::gallery::figures::noise::plane::{Window, grey};
 
 const CELLS: f32 = 5.0;
@@ -120,15 +120,14 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
         let seed = context.seed.wrapping_mul(16).wrapping_add(k as u32);
         Octaves::<_, 2>::new(Simplex::new(seed), Spectrum::CLOUD)
     });
-    let first = |k: usize| sums[k].first(OCTAVES);
+    let first = sums[0].first(OCTAVES);
     let moving = |k: usize| sums[k].first(MOVING);
-    let once = Warp::new(first(0), [moving(1), moving(2)], STRENGTH)?;
+    let once = Warp::new(first, [moving(1), moving(2)], STRENGTH)?;
     let by = Warp::new(moving(3), [moving(1), moving(2)], STRENGTH)?;
     let other = Warp::new(moving(4), [moving(1), moving(2)], STRENGTH)?;
-    let twice = Warp::new(first(0), [by, other], STRENGTH)?;
-    let shown = |words, field: &(dyn Field<Vec2> + Sync)| {
-        window.draw(context, words, |p| grey(0.5 + 0.22 * field.value(p)))
-    };
+    let twice = Warp::new(first, [by, other], STRENGTH)?;
+    let shown =
+        |words, value: Shown<'_, Vec2, f32>| window.draw(context, words, |p| grey(0.5 + 0.22 * value(p)));
     let light = Vec3::new(-0.5, 0.6, 0.62).normalize();
     let words = ["lit", "lit by its gradient", "A carved, tinted relief of the marbled streaks."];
     let lit = window.draw(context, words, |p: Vec2| {
@@ -139,9 +138,11 @@ pub(crate) fn draw_warp(context: &Context<'_>) -> Result<Drawn> {
         tint * (0.08 + 1.1 * lambert(gradient * RELIEF, light))
     })?;
     let panels = vec![
-        shown(["plain", "f(p)", "Soft clouds."], &first(0))?,
-        shown(["once", "f(p + s w(p))", "The clouds drawn out into streaks and folds."], &once)?,
-        shown(["twice", "w warped too", "Marbled streaks with eddies and sharp folds."], &twice)?,
+        shown(["plain", "f(p)", "Soft clouds."], &|p| first.value(p))?,
+        shown(["once", "f(p + s w(p))", "The clouds drawn out into streaks and folds."], &|p| once.value(p))?,
+        shown(["twice", "w warped too", "Marbled streaks with eddies and sharp folds."], &|p| {
+            twice.value(p)
+        })?,
         lit,
     ];
     let noise = format!("simplex, r² = 0.5, f of {OCTAVES} octaves, lacunarity 2, gain 0.5, of variance 1");

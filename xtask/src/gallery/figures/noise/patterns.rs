@@ -40,19 +40,19 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let entangled = threads.with_shape(Plasma);
     let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
     let seventh = Power(entangled, 7);
-    let panel = |cells, field: &(dyn Field<Vec3> + Sync), [black, white]: [f32; 2], words| {
-        let shade = |p| grey((field.value(slanted(p)) - black) / (white - black));
+    let panel = |cells, value: Shown<'_, Vec3, f32>, [black, white]: [f32; 2], words| {
+        let shade = |p| grey((value(slanted(p)) - black) / (white - black));
         Window::new(context, cells).draw(context, words, shade)
     };
     let panels = vec![
-        panel(CELLS, &clouds, [-0.5, 0.5], CLOUD)?,
-        panel(CELLS, &turbulence, [0.0, 0.6], TURBULENCE)?,
-        panel(CELLS, &plasma, [0.4, 1.0], PLASMA)?,
-        panel(THREAD_CELLS, &threads, [-0.6, 0.6], PILE)?,
-        panel(THREAD_CELLS, &entangled, [0.2, 1.0], ENTANGLED)?,
-        panel(THREAD_CELLS, &seventh, [0.0, 0.6], SEVENTH)?,
-        panel(CELLS, &billow, [-1.0, 0.2], BILLOW)?,
-        panel(CELLS, &ridges, [0.0, 0.8], RIDGED)?,
+        panel(CELLS, &|p| clouds.value(p), [-0.5, 0.5], CLOUD)?,
+        panel(CELLS, &|p| turbulence.value(p), [0.0, 0.6], TURBULENCE)?,
+        panel(CELLS, &|p| plasma.value(p), [0.4, 1.0], PLASMA)?,
+        panel(THREAD_CELLS, &|p| threads.value(p), [-0.6, 0.6], PILE)?,
+        panel(THREAD_CELLS, &|p| entangled.value(p), [0.2, 1.0], ENTANGLED)?,
+        panel(THREAD_CELLS, &|p| seventh.value(p), [0.0, 0.6], SEVENTH)?,
+        panel(CELLS, &|p| billow.value(p), [-1.0, 0.2], BILLOW)?,
+        panel(CELLS, &|p| ridges.value(p), [0.0, 0.8], RIDGED)?,
     ];
     Ok(Drawn::new(4, panels)
         .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
