@@ -7,22 +7,28 @@ use asperity_tests::{
     random::Random,
 };
 
-/// Mostly in cells of their own, so that the points are independent.
-fn point<const N: usize>(random: &mut Random) -> [f32; N] {
-    [(); N].map(|()| ((random.uniform() - 0.5) * 200_000.0) as f32)
+/// Points that are mostly in cells of their own, and so independent.
+fn points<const N: usize>(name: &str) -> Vec<[f32; N]> {
+    let mut random = Random(11);
+    let mut point = || [(); N].map(|()| ((random.uniform() - 0.5) * 200_000.0) as f32);
+    (0..20_000 / thinning::<N>(name)).map(|_| point()).collect()
 }
 
-/// The correlation of two fields and of their squares over random points, in standard errors.
-fn correlations<const N: usize>(name: &str, pair: impl Fn([f32; N]) -> [f32; 2]) -> [f64; 2] {
-    let count = 20_000 / thinning::<N>(name);
-    let mut random = Random(11);
-    let values: Vec<[f64; 2]> = (0..count).map(|_| pair(point(&mut random)).map(f64::from)).collect();
+/// The values of a field at points.
+fn values<const N: usize>(points: &[[f32; N]], field: &dyn Fn([f32; N]) -> f32) -> Vec<f32> {
+    points.iter().map(|&p| field(p)).collect()
+}
+
+/// The correlation of two fields and of their squares by their values at the same points, in standard errors.
+fn correlations(a: &[f32], b: &[f32]) -> [f64; 2] {
+    let count = a.len() as f64;
     let correlation = |f: fn(f64) -> f64| {
-        let mean = |g: &dyn Fn(&[f64; 2]) -> f64| values.iter().map(g).sum::<f64>() / f64::from(count);
-        let (ma, mb) = (mean(&|v| f(v[0])), mean(&|v| f(v[1])));
-        let covariance = mean(&|v| (f(v[0]) - ma) * (f(v[1]) - mb));
-        let (va, vb) = (mean(&|v| (f(v[0]) - ma).powi(2)), mean(&|v| (f(v[1]) - mb).powi(2)));
-        covariance / (va * vb).sqrt() * f64::from(count).sqrt()
+        let [a, b] = [a, b].map(|list| list.iter().map(|&x| f(x.into())).collect::<Vec<f64>>());
+        let [ma, mb] = [&a, &b].map(|list| list.iter().sum::<f64>() / count);
+        let covariance = a.iter().zip(&b).map(|(x, y)| (x - ma) * (y - mb)).sum::<f64>() / count;
+        let [va, vb] = [(&a, ma), (&b, mb)]
+            .map(|(list, mean)| list.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count);
+        covariance / (va * vb).sqrt() * count.sqrt()
     };
     [correlation(|x| x), correlation(|x| x * x)]
 }
@@ -59,14 +65,18 @@ impl VisitAny for Others {
                 5,
             ),
         ];
-        let value = |p: [f32; N], seed| noise.value(p, seed);
+        let points = points::<N>(name);
+        let first = values(&points, &|p| noise.value(p, 5));
+        let with = |map: &dyn Fn([f32; N]) -> [f32; N], seed| {
+            correlations(&first, &values(&points, &|p| noise.value(map(p), seed)))
+        };
         for (how, map, seed) in others {
             // A line has one axis.
             if N == 1 && how.ends_with("axes") {
                 continue;
             }
-            let [values, squares] = correlations(name, |p| [value(p, 5), value(map(p), seed)]);
-            assert_uncorrelated(values, &format!("{name} and {how}"));
+            let [plain, squares] = with(&map, seed);
+            assert_uncorrelated(plain, &format!("{name} and {how}"));
             // Other kinds have a variance that depends on the place in the cell.
             if ["white", "sparse", "Gaussian"].iter().any(|kind| name.starts_with(kind)) {
                 assert_uncorrelated(squares, &format!("squares of {name} and {how}"));
@@ -75,21 +85,21 @@ impl VisitAny for Others {
         // Two reflected axes and no others; and so many cells apart that no lattice point is shared, of which splines take
         // four along an axis.
         if N > 2 {
-            let [values, _] = correlations(name, |p| {
-                let mut q = p;
-                (q[0], q[N - 1]) = (-p[0], -p[N - 1]);
-                [value(p, 5), value(q, 5)]
-            });
-            assert_uncorrelated(values, &format!("{name} and two reflected axes"));
+            let reflected = |mut p: [f32; N]| {
+                (p[0], p[N - 1]) = (-p[0], -p[N - 1]);
+                p
+            };
+            let [plain, _] = with(&reflected, 5);
+            assert_uncorrelated(plain, &format!("{name} and two reflected axes"));
         }
         for axis in [0, N - 1] {
             for distance in if name.contains("Catmull-Rom") { [4.0, -5.0] } else { [2.0, -3.0] } {
-                let [values, _] = correlations(name, |p| {
-                    let mut q = p;
-                    q[axis] += distance;
-                    [value(p, 5), value(q, 5)]
-                });
-                assert_uncorrelated(values, &format!("{name}, {distance} cells along axis {axis}"));
+                let moved = |mut p: [f32; N]| {
+                    p[axis] += distance;
+                    p
+                };
+                let [plain, _] = with(&moved, 5);
+                assert_uncorrelated(plain, &format!("{name}, {distance} cells along axis {axis}"));
             }
         }
     }
@@ -105,15 +115,19 @@ struct OctavesApart;
 impl VisitAny for OctavesApart {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         let spectrum = Spectrum::default();
+        let points = points::<N>(name);
         for rotation in [Rotation::Random, Rotation::Aligned] {
             let sum = noise.octaves(Normalisation::Range, rotation, 9);
+            let wholes = [0.0, 1.0, 2.0, 3.0]
+                .map(|k| values(&points, &|p| sum.value(p, k) * spectrum.sum_of_amplitudes(k)));
             // Octave k is what it adds to the sum of those before it.
-            let whole = |p: [f32; N], k: f32| sum.value(p, k) * spectrum.sum_of_amplitudes(k);
-            let octave = |p: [f32; N], k: f32| whole(p, k) - whole(p, k - 1.0);
-            for (first, second) in [(1.0, 2.0), (2.0, 3.0), (1.0, 3.0)] {
-                let [values, squares] = correlations(name, |p| [octave(p, first), octave(p, second)]);
+            let octave = |k: usize| -> Vec<f32> {
+                wholes[k].iter().zip(&wholes[k - 1]).map(|(whole, before)| whole - before).collect()
+            };
+            for (first, second) in [(1, 2), (2, 3), (1, 3)] {
+                let [plain, squares] = correlations(&octave(first), &octave(second));
                 let case = format!("{name} {rotation:?}, octaves {first} and {second}");
-                assert_uncorrelated(values, &case);
+                assert_uncorrelated(plain, &case);
                 // Lattices apart, even the variances that depend on the place do.
                 if rotation == Rotation::Random && N > 1 {
                     assert_uncorrelated(squares, &format!("squares of {case}"));
@@ -133,8 +147,10 @@ struct SumsApart;
 impl VisitAny for SumsApart {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
         let sums = [1, 2].map(|seed| noise.octaves(Normalisation::Variance, Rotation::Random, seed));
-        let [values, squares] = correlations(name, |p| sums.each_ref().map(|sum| sum.value(p, 2.5)));
-        assert_uncorrelated(values, name);
+        let points = points::<N>(name);
+        let [a, b] = sums.each_ref().map(|sum| values(&points, &|p| sum.value(p, 2.5)));
+        let [plain, squares] = correlations(&a, &b);
+        assert_uncorrelated(plain, name);
         if name.starts_with("Gaussian") {
             assert_uncorrelated(squares, &format!("squares of {name}"));
         }
