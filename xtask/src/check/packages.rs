@@ -1,0 +1,98 @@
+//! What a stranger gets from the registry: licences, a page whose links lead somewhere, and addresses.
+
+use std::{collections::BTreeSet, fs, path::Path};
+
+use cargo_metadata::{MetadataCommand, Package};
+
+use super::cargo::{cargo, run};
+use super::ci::CRATES;
+use crate::failure::Failure;
+
+/// Files that every package holds.
+const FILES: [&str; 5] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/lib.rs"];
+
+/// Builds every package as it is uploaded, after a look at what is in it.
+pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
+    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    for name in CRATES {
+        let package = metadata.packages.iter().find(|package| package.name == name);
+        let faults = package.map_or_else(|| vec!["is no package".into()], |package| faults(root, package));
+        if !faults.is_empty() {
+            return Err(format!("{name} {}", faults.join("; ")).into());
+        }
+        let mut list = cargo(root, &format!("package --quiet --list --allow-dirty --package {name}"));
+        let output = list.output()?;
+        let listed = String::from_utf8_lossy(&output.stdout);
+        let listed: BTreeSet<&str> = listed.lines().collect();
+        let missing: Vec<&str> = FILES.into_iter().filter(|file| !listed.contains(file)).collect();
+        if !output.status.success() || !missing.is_empty() {
+            return Err(format!("the package of {name} lacks {}", missing.join(", ")).into());
+        }
+    }
+    let words = CRATES.map(|name| format!("--package {name}")).join(" ");
+    run(&mut cargo(root, &format!("package --quiet --allow-dirty --locked {words}")))
+}
+
+/// Runs a program that names the oldest `glam` that the crates allow as its own.
+pub(crate) fn oldest_glam(root: &Path) -> Result<(), Failure> {
+    let folder = root.join("tests/oldest-glam");
+    run(cargo(&folder, "run --quiet --locked --features all").env_remove("CARGO_TARGET_DIR"))
+}
+
+/// What a package lacks.
+fn faults(root: &Path, package: &Package) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut must = |holds: bool, fault: &str| {
+        if !holds {
+            faults.push(fault.to_owned());
+        }
+    };
+    must(package.description.is_some(), "has no description");
+    // Elsewhere crates.io does not resolve the links of a page.
+    let hosted = |address: &String| address.starts_with("https://github.com/");
+    must(package.repository.as_ref().is_some_and(hosted), "has no repository on GitHub");
+    must(package.documentation.is_some(), "has no documentation");
+    must(package.metadata["docs"]["rs"]["all-features"] == true, "hides features on docs.rs");
+    let folder = package.manifest_path.as_std_path().parent().unwrap_or(root);
+    for file in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        let same = matches!((fs::read(folder.join(file)), fs::read(root.join(file))), (Ok(own), Ok(all)) if own == all);
+        must(same, &format!("has another {file} than the project"));
+    }
+    let page = fs::read_to_string(folder.join("README.md")).unwrap_or_default();
+    for link in links(&page) {
+        must(folder.join(link).exists(), &format!("links to {link}, which is not there"));
+    }
+    faults
+}
+
+/// Relative links and pictures of a page, without their anchors.
+fn links(page: &str) -> impl Iterator<Item = &str> {
+    let marked = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let tagged = page.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let paths = marked.chain(tagged).filter_map(|link| link.split('#').next());
+    paths.filter(|path| !path.is_empty() && !path.contains("://"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_are_found_and_addresses_passed_over() {
+        let page = "[a](docs/a.md#part) ![b](b.png) [c](https://c.org/c) [d](#d) <img src=\"e.png\">";
+        assert_eq!(links(page).collect::<Vec<_>>(), ["docs/a.md", "b.png", "e.png"]);
+    }
+
+    #[test]
+    fn packages_have_what_a_stranger_needs() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
+        let metadata = MetadataCommand::new().no_deps().exec().expect("metadata");
+        for package in metadata.packages.iter().filter(|package| CRATES.contains(&package.name.as_str())) {
+            assert_eq!(faults(root, package), Vec::<String>::new(), "{}", package.name);
+        }
+        let page = fs::read_to_string(root.join("README.md")).expect("a page");
+        for link in links(&page) {
+            assert!(root.join(link).exists(), "{link}");
+        }
+    }
+}
