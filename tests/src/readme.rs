@@ -19,3 +19,19 @@ pub struct System;
 /// The page of `asperity-shading`.
 #[doc = include_str!("../../crates/shading/README.md")]
 pub struct Shading;
+
+/// The guide for those who come from another noise library.
+#[doc = include_str!("../../docs/guide/coming-from-noise.md")]
+pub struct ComingFromNoise;
+
+/// The guide to a renderer.
+#[doc = include_str!("../../docs/guide/renderer.md")]
+pub struct Renderer;
+
+/// The guide to textures.
+#[doc = include_str!("../../docs/guide/engine-textures.md")]
+pub struct EngineTextures;
+
+/// The guide to fits.
+#[doc = include_str!("../../docs/guide/fractal-fit.md")]
+pub struct FractalFit;

@@ -87,6 +87,8 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
 
 #[cfg(test)]
 mod tests {
+    use std::{fs, path::Path};
+
     use clap::CommandFactory;
 
     use super::*;
@@ -98,6 +100,23 @@ mod tests {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn commands_of_the_readme_and_the_guide_are_understood() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let guides = fs::read_dir(root.join("docs/guide")).unwrap().map(|entry| entry.unwrap().path());
+        let mut commands = 0;
+        for path in guides.chain([root.join("README.md")]) {
+            let page = fs::read_to_string(&path).unwrap();
+            for line in page.lines().filter_map(|line| line.strip_prefix("cargo xtask ")) {
+                let words = line.split('#').next().unwrap().split_whitespace();
+                let parsed = Cli::try_parse_from(["xtask"].into_iter().chain(words));
+                assert!(parsed.is_ok(), "{}: {line}: {}", path.display(), parsed.unwrap_err());
+                commands += 1;
+            }
+        }
+        assert!(commands > 8);
     }
 
     #[test]

@@ -218,7 +218,7 @@ fn share<V: Point>(noise: &impl Noise<V>, p: V) -> f32 {
     noise.value(p) / noise.statistics().range
 }
 
-/// What a noise is at its greatest place, if the words of the lattice happen to be the best ones.
+/// Value of a noise at its greatest place, if the words of the lattice happen to be the best ones.
 fn reached<const D: usize>(kind: Kind, words: u32, noise: &dyn Fn(AnyLattice<'_>, [f32; D]) -> f32) -> f32 {
     let place = greatest_place::<D>(kind).map(|x| f64::from(x as f32));
     let words: Vec<u32> = (0..words as i32).map(|i| IntegerHash.word([i], 1)).collect();

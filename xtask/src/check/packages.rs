@@ -1,11 +1,10 @@
-//! What a stranger gets from the registry: licences, a page whose links lead somewhere, and addresses.
+//! Packages as a stranger gets them: with licences, addresses, and a page whose links lead somewhere.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use cargo_metadata::{MetadataCommand, Package};
+use cargo_metadata::{Metadata, MetadataCommand, Package};
 
 use super::cargo::{cargo, run};
-use super::ci::CRATES;
 use crate::failure::Failure;
 
 /// Files that every package holds.
@@ -14,9 +13,9 @@ const FILES: [&str; 5] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README
 /// Builds every package as it is uploaded, after a look at what is in it.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
-    for name in CRATES {
-        let package = metadata.packages.iter().find(|package| package.name == name);
-        let faults = package.map_or_else(|| vec!["is no package".into()], |package| faults(root, package));
+    let mut words = String::from("package --quiet --allow-dirty --locked");
+    for package in published(&metadata) {
+        let (name, faults) = (&package.name, faults(root, package));
         if !faults.is_empty() {
             return Err(format!("{name} {}", faults.join("; ")).into());
         }
@@ -28,9 +27,9 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         if !output.status.success() || !missing.is_empty() {
             return Err(format!("the package of {name} lacks {}", missing.join(", ")).into());
         }
+        words += &format!(" --package {name}");
     }
-    let words = CRATES.map(|name| format!("--package {name}")).join(" ");
-    run(&mut cargo(root, &format!("package --quiet --allow-dirty --locked {words}")))
+    run(&mut cargo(root, &words))
 }
 
 /// Runs a program that names the oldest `glam` that the crates allow as its own.
@@ -39,7 +38,12 @@ pub(crate) fn oldest_glam(root: &Path) -> Result<(), Failure> {
     run(cargo(&folder, "run --quiet --locked --features all").env_remove("CARGO_TARGET_DIR"))
 }
 
-/// What a package lacks.
+/// The packages of the workspace that the registry takes.
+fn published(metadata: &Metadata) -> impl Iterator<Item = &Package> {
+    metadata.packages.iter().filter(|package| package.publish.is_none())
+}
+
+/// Rules that a package breaks.
 fn faults(root: &Path, package: &Package) -> Vec<String> {
     let mut faults = Vec::new();
     let mut must = |holds: bool, fault: &str| {
@@ -87,7 +91,8 @@ mod tests {
     fn packages_have_what_a_stranger_needs() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
         let metadata = MetadataCommand::new().no_deps().exec().expect("metadata");
-        for package in metadata.packages.iter().filter(|package| CRATES.contains(&package.name.as_str())) {
+        assert_eq!(published(&metadata).count(), 4);
+        for package in published(&metadata) {
             assert_eq!(faults(root, package), Vec::<String>::new(), "{}", package.name);
         }
         let page = fs::read_to_string(root.join("README.md")).expect("a page");

@@ -54,7 +54,7 @@ pub(super) fn list_values<V: Point>(
     let _ = Batch::new().list_values(field, V::array(|axis| &points.as_ref()[axis][..]), values);
 }
 
-/// The same bits one by one: no test measures, and the lanes of every kind were three quarters of the tests' code.
+/// Values at a list of points, one by one: no test measures, and the lanes of every kind were three quarters of the tests' code.
 #[cfg(test)]
 pub(super) fn list_values<V: Point>(
     field: &impl Field<V>,
