@@ -36,15 +36,20 @@ pub(crate) enum Command {
   cargo xtask tables --fif system.json --out my-tables
   cargo xtask tables --check")]
     Tables(Tables),
-    /// Render one scene with a chosen material and light to a PNG or an OpenEXR file.
+    /// Render a scene or a mesh with a chosen material and light to a PNG, JPEG, WebP or OpenEXR file.
     #[command(after_help = "Examples:
   cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
-  cargo xtask render --scene car --material paint --spp 64
+  cargo xtask render --scene car --material paint --noise 0.02
   cargo xtask render --scene room --material carpet --tone plain --out carpet.exr
   cargo xtask render --scene sphere --material glass --light studio.exr
-  cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024 --spp 16
+  cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024
   cargo xtask render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
-  cargo xtask render --mesh house.obj --up z")]
+  cargo xtask render --mesh house.obj --up z --material brick --light sky.hdr --noise 0.02
+  cargo xtask render --mesh part.stl --material paint --tint b02a1e --set orange_peel_strength=0.03
+  cargo xtask render --help-material paint
+
+The picture appears at once, coarse, and is written anew as it grows finer: watch the file, stop with Ctrl-C at will.
+--ndf, --normal-map, --rule, --octaves, --frequency, --gain and --bump-noise are of bumps; what another material would pass over is refused.")]
     Render(Render),
     /// Run the crates' benches, or time our noises beside those of other libraries.
     #[command(after_help = "Examples:
@@ -131,65 +136,86 @@ pub(crate) struct Render {
     /// The scene.
     #[arg(long, value_parser = one_of(SCENES), default_value = "teapot")]
     pub(crate) scene: Set,
-    /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply or .glb.
+    /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply, .stl, .glb or .gltf.
     #[arg(long, value_name = "FILE", conflicts_with = "scene")]
     pub(crate) mesh: Option<PathBuf>,
-    /// Which way is up in the mesh's file.
-    #[arg(long, value_parser = one_of(UPS), default_value = "y", requires = "mesh")]
-    pub(crate) up: Up,
+    /// Which way is up in the mesh's file [default: z of .stl, else y].
+    #[arg(long, value_parser = one_of(UPS), requires = "mesh")]
+    pub(crate) up: Option<Up>,
+    /// Angle between triangles from which on there is an edge, in degrees, where a file has no normals [default: 40].
+    #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = degrees)]
+    pub(crate) crease: Option<f32>,
     /// The material of the subject [default: what suits the scene].
     #[arg(long, value_enum)]
     pub(crate) material: Option<Material>,
+    /// Colour of the material, sRGB in hexadecimal.
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub(crate) tint: Option<u32>,
+    /// Roughness of the material, between 0 and 1; of bumps that of a GGX density.
+    #[arg(long, value_parser = share, conflicts_with_all = ["ndf", "normal_map"])]
+    pub(crate) roughness: Option<f32>,
+    /// Size of the material's pattern over the usual one.
+    #[arg(long, value_parser = positive)]
+    pub(crate) scale: Option<f32>,
+    /// Set a parameter of the material; may be given again. `--help-material` lists them.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    pub(crate) set: Vec<(String, String)>,
+    /// List the parameters of a material and stop.
+    #[arg(long, value_enum, value_name = "MATERIAL", exclusive = true)]
+    pub(crate) help_material: Option<Material>,
     /// The light: `lamps` (from single directions, without shadows; for bumps alone), `studio`, `day`, or an image of the
-    /// surroundings by longitude and latitude, PNG or OpenEXR [default: `lamps` for bumps, else `studio`].
+    /// surroundings by longitude and latitude: Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for bumps, else `studio`].
     #[arg(long, value_name = "LIGHT")]
     pub(crate) light: Option<String>,
-    /// Tone curve of a PNG; OpenEXR files have the radiance itself.
-    #[arg(long, value_enum, default_value_t = Tone::Filmic)]
-    pub(crate) tone: Tone,
-    /// The density of normals: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
-    /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
-    #[arg(long, default_value = "ggx:0.2,0.4")]
-    pub(crate) ndf: String,
+    /// Background of the subject: `light`, or a colour [default: a light that is given, else dark grey].
+    #[arg(long, value_name = "light|RRGGBB", value_parser = behind)]
+    pub(crate) background: Option<Background>,
+    /// Tone curve [default: filmic]; OpenEXR files have the radiance itself.
+    #[arg(long, value_enum)]
+    pub(crate) tone: Option<Tone>,
+    /// The density of normals of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
+    /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file [default: ggx:0.2,0.4].
+    #[arg(long)]
+    pub(crate) ndf: Option<String>,
     /// Take the density of this normal map's normals.
     #[arg(long, value_name = "FILE", conflicts_with = "ndf")]
     pub(crate) normal_map: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) images: Images,
-    /// The level-of-detail rule.
-    #[arg(long, value_parser = one_of(RULES), default_value = "exact")]
-    pub(crate) rule: LevelOfDetail,
+    /// The level-of-detail rule of bumps [default: exact].
+    #[arg(long, value_parser = one_of(RULES))]
+    pub(crate) rule: Option<LevelOfDetail>,
     /// Magnification: 1 shows the whole object.
     #[arg(long, default_value_t = 1.0, value_parser = positive)]
     pub(crate) zoom: f32,
-    /// The most octaves of noise.
-    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(0..=16))]
-    pub(crate) octaves: u32,
-    /// Lattice cells of the first octave per unit of length [default: what suits the scene].
+    /// The most octaves of bumps, up to 16 [default: 16].
+    #[arg(long, value_parser = whole(0, 16))]
+    pub(crate) octaves: Option<u32>,
+    /// Lattice cells of the bumps' first octave per unit of length [default: what suits the scene].
     #[arg(long, value_parser = positive)]
     pub(crate) frequency: Option<f32>,
-    /// Each octave's amplitude over the one before, between 0 and 1 [default: 0.8].
+    /// Amplitude of each octave of bumps over the one before, above 0, at most 1 [default: 0.8].
     #[arg(long, value_parser = share)]
     pub(crate) gain: Option<f32>,
-    /// The noise that the bumps are made of.
-    #[arg(long, value_parser = one_of(NOISES), default_value = "gaussian")]
-    pub(crate) noise: NoiseKind,
-    /// Colour of the surface, sRGB in hexadecimal.
-    #[arg(long, value_name = "RRGGBB", default_value = "f2b184", value_parser = colour)]
-    pub(crate) tint: u32,
-    /// Exposure; at 1 the density's peak under the key light is just short of white.
-    #[arg(long, default_value_t = 1.45, value_parser = positive)]
-    pub(crate) exposure: f32,
-    /// Side of the picture in pixels.
-    #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=8192))]
+    /// The noise that bumps are made of [default: gaussian].
+    #[arg(long, value_parser = one_of(NOISES))]
+    pub(crate) bump_noise: Option<NoiseKind>,
+    /// Exposure [default: 1.45, of an image of the surroundings what suits its brightness].
+    #[arg(long, value_parser = positive)]
+    pub(crate) exposure: Option<f32>,
+    /// Side of the picture in pixels, from 16 to 8192.
+    #[arg(long, default_value_t = 512, value_parser = whole(16, 8192))]
     pub(crate) size: u32,
-    /// Samples per pixel.
-    #[arg(long, default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=4096))]
-    pub(crate) spp: u32,
+    /// The most samples per pixel, up to 65536; alone, exactly so many [default: 1024].
+    #[arg(long, value_parser = whole(1, 65_536))]
+    pub(crate) spp: Option<u32>,
+    /// Grain at which the picture is done: its standard deviation, where white is 1 [default: 0.008].
+    #[arg(long, value_parser = share)]
+    pub(crate) noise: Option<f32>,
     /// Seed of every random choice.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u32,
-    /// The picture's file.
+    /// The picture's file, in the format of its ending: .png, .jpg, .webp or .exr; written anew as it grows finer.
     #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
     pub(crate) out: PathBuf,
 }
@@ -217,26 +243,22 @@ pub(crate) struct Bench {
 }
 
 /// Options for reading images.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, PartialEq, Args)]
 pub(crate) struct Images {
-    /// Measure that an image's grey values are a density over.
-    #[arg(long, value_parser = one_of(MEASURES), default_value = "normals")]
-    pub(crate) measure: Measure,
-    /// Reconstruction of a density between the pixels of its image.
-    #[arg(long, value_parser = one_of(RECONSTRUCTIONS), default_value = "constant")]
-    pub(crate) reconstruction: Reconstruction,
-    /// Which way the green channel of a normal map points.
-    #[arg(long, value_parser = one_of(TANGENT_SPACES), default_value = "opengl")]
-    pub(crate) tangent_space: TangentSpace,
+    /// Measure that an image's grey values are a density over [default: normals].
+    #[arg(long, value_parser = one_of(MEASURES))]
+    pub(crate) measure: Option<Measure>,
+    /// Reconstruction of a density between the pixels of its image [default: constant].
+    #[arg(long, value_parser = one_of(RECONSTRUCTIONS))]
+    pub(crate) reconstruction: Option<Reconstruction>,
+    /// Which way the green channel of a normal map points [default: opengl].
+    #[arg(long, value_parser = one_of(TANGENT_SPACES))]
+    pub(crate) tangent_space: Option<TangentSpace>,
 }
 
 impl Images {
     /// Values of options that are not given.
-    pub(crate) const USUAL: Self = Self {
-        measure: Measure::Normals,
-        reconstruction: Reconstruction::Constant,
-        tangent_space: TangentSpace::OpenGl,
-    };
+    pub(crate) const USUAL: Self = Self { measure: None, reconstruction: None, tangent_space: None };
 }
 
 /// Words that an option takes: each with its help and its meaning.
@@ -326,6 +348,42 @@ pub(crate) enum Tone {
     Plain,
 }
 
+/// Background of the subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Background {
+    /// The light.
+    Light,
+    /// A colour.
+    Colour(u32),
+}
+
+fn behind(text: &str) -> Result<Background, &'static str> {
+    let given = || colour(text).map(Background::Colour);
+    if text == "light" {
+        Ok(Background::Light)
+    } else {
+        given().map_err(|_| "must be `light` or six hexadecimal digits")
+    }
+}
+
+fn assignment(text: &str) -> Result<(String, String), &'static str> {
+    let parts = text.split_once('=').ok_or("must be NAME=VALUE, as in coat_roughness=0.1")?;
+    Ok((parts.0.trim().into(), parts.1.trim().into()))
+}
+
+/// A parser of whole numbers of a range.
+fn whole(least: u32, most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync {
+    move |text| {
+        let number = text.parse().ok().filter(|n| (least..=most).contains(n));
+        number.ok_or_else(|| format!("must be a whole number from {least} to {most}, written in digits"))
+    }
+}
+
+fn degrees(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| (0.0..=180.0).contains(x));
+    number.ok_or("must be a number of degrees from 0 to 180")
+}
+
 fn positive(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0);
     number.ok_or("must be a number above 0")
@@ -353,7 +411,14 @@ mod tests {
             "cargo-xtask render --zoom 0",
             "cargo-xtask render --zoom nan",
             "cargo-xtask render --gain 1.5",
+            "cargo-xtask render --gain 2",
             "cargo-xtask render --tint f2b18",
+            "cargo-xtask render --background sky",
+            "cargo-xtask render --set gain",
+            "cargo-xtask render --octaves 17",
+            "cargo-xtask render --roughness 0.2 --ndf ggx:0.2",
+            "cargo-xtask render --crease 30",
+            "cargo-xtask render --mesh a.obj --crease 181",
             "cargo-xtask render --scene barn",
             "cargo-xtask render --mesh a.obj --scene plane",
             "cargo-xtask render --up z",
@@ -369,5 +434,7 @@ mod tests {
             let error = Cli::try_parse_from(line.split(' ')).unwrap_err();
             assert_eq!(error.exit_code(), 2, "{line}");
         }
+        let error = Cli::try_parse_from(["cargo-xtask", "render", "--size", "1e3"]).unwrap_err().to_string();
+        assert!(error.contains("must be a whole number from 16 to 8192, written in digits"), "{error}");
     }
 }

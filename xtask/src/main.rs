@@ -57,9 +57,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
                 tables::build(&tables::default_sets()?, &output.inside("tables")?, interrupted)?;
             }
             let pictures = output.inside("gallery")?;
-            gallery::draw(&figures(), &wanted, &pictures, interrupted)?;
-            progress::say(&format!("the gallery: {}", pictures.place("index.html")));
-            Ok(())
+            gallery::draw(&figures(), &wanted, &pictures, interrupted)
         }
         Command::Tables(wanted) if wanted.check => tables::check(root).map(|()| {
             progress::say("the tables that the crates ship are what the builder makes");
@@ -136,11 +134,11 @@ mod tests {
             ("tables --fif nowhere.json", "system `nowhere.json`: "),
             ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
             ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
-            ("render --mesh nowhere.stl", "mesh `nowhere.stl`: the name of a mesh file ends in "),
+            ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: the name of a mesh file ends in "),
             ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
             ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),
             ("render --out src", "`src` is a folder; "),
-            ("render --out a.jpg", "picture `a.jpg`: its name must end in .png or .exr"),
+            ("render --out a.gif", "picture `a.gif`: its name must end in .png, .jpg, .webp or .exr"),
             ("render --out Cargo.toml/a.png", "cannot write "),
         ];
         for (line, said) in refused.into_iter().chain(unlinked) {

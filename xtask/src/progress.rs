@@ -19,6 +19,11 @@ pub(crate) fn bar(label: &str) -> ProgressBar {
     bar
 }
 
+/// Prints one line to standard error: what was done with a file that others would do otherwise.
+pub(crate) fn note(line: &str) {
+    let _ = writeln!(io::stderr().lock(), "note: {line}");
+}
+
 /// Prints one line to standard output; a reader that has gone away is no error.
 pub(crate) fn say(line: &str) {
     let _ = writeln!(io::stdout().lock(), "{line}");

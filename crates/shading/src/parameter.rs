@@ -73,18 +73,20 @@ impl fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
-/// Parameters with their defaults, each behind the check that its part of the material does not make itself.
+/// Parameters with their defaults, each behind the check that its part of the material does not make itself. With the feature
+/// `serde` a file names those that differ from the defaults, and a name that is none is refused.
 macro_rules! parameters {
     (
         $(#[$about:meta])*
         pub struct $name:ident of $material:ident {
-            $($(#[$doc:meta])* $field:ident: $kind:ty = $default:expr $(, $check:expr)?;)*
+            $($(#[doc = $doc:literal])* $field:ident: $kind:ty = $default:expr $(, $check:expr)?;)*
         }
     ) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
         pub struct $name {
-            $($(#[$doc])* pub $field: $kind,)*
+            $($(#[doc = $doc])* pub $field: $kind,)*
         }
 
         impl Default for $name {
@@ -102,6 +104,10 @@ macro_rules! parameters {
         }
 
         impl $name {
+            /// Names of the parameters, each with what its documentation says: ranges and defaults.
+            pub const FIELDS: &'static [(&'static str, &'static str)] =
+                &[$((stringify!($field), concat!($($doc),*))),*];
+
             /// Refuses the first parameter that is out of its range.
             fn check(&self) -> Result<(), ParameterError> {
                 $($($check(stringify!($field), self.$field)?;)?)*

@@ -56,8 +56,8 @@ fn materials() -> Vec<(&'static str, Boxed, f32)> {
     let wall = BrickWall { clay: white, mortar: white, variation: 0.0, depth: 0.02, ..Default::default() };
     let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect(VALID);
     let tiles = BevelledTiles { bevel, side: 0.2, colour: white, roughness: 0.5 };
-    let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white };
-    let marble = PolishedMarble { marble: Marble::default(), brightness: 100.0, polish: 0.3 };
+    let stars = Wallpaper { stars: StarWallpaper::default(), paper: white, star: white, roughness: 0.0 };
+    let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(100.0), polish: 0.3 };
     let field = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 3).expect(VALID));
     let bumps = |rule| BumpMapped {
         ndf: Ggx::new(0.3, 0.5).expect(VALID),

@@ -1,8 +1,10 @@
 //! `cargo xtask gallery`: the tables, then every figure, then the pages.
 
 mod captions;
+
 pub(crate) mod figure;
 pub(crate) mod figures;
+mod materials;
 pub(crate) mod page;
 pub(crate) mod panels;
 pub(crate) mod plot;
@@ -15,7 +17,7 @@ use crate::cli::Gallery;
 use crate::failure::Result;
 use crate::gallery::captions::CAPTIONS;
 use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
-use crate::gallery::page::{Record, Stored};
+use crate::gallery::page::{Record, Stored, TABLES};
 use crate::output::{Output, sha256};
 use crate::progress;
 
@@ -40,7 +42,7 @@ pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Draws the chosen figures into `output` and writes the pages over all that are there.
+/// Draws the chosen figures into `output` and writes the pages over all that are there, of which it names the first.
 pub(crate) fn draw(
     all: &[&Figure],
     wanted: &Gallery,
@@ -72,10 +74,13 @@ pub(crate) fn draw(
     }
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    for page in &CAPTIONS.pages {
-        let text = page.gallery(&records, drawing);
-        output.write(page.file, text.as_bytes())?;
+    let tables = output.read(TABLES).map(|_| TABLES);
+    let mut first = None;
+    for page in CAPTIONS.pages.iter().filter(|page| page.shows(&records)) {
+        output.write(page.file, page.gallery(&records, tables, drawing).as_bytes())?;
+        first = first.or(Some(page.file));
     }
+    first.into_iter().for_each(|file| progress::say(&format!("the gallery: {}", output.place(file))));
     Ok(())
 }
 

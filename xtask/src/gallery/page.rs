@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::gallery::captions::{CAPTIONS, Caption, Page};
 use crate::gallery::figure::{Drawn, Panel};
 
+/// The page of the tables, seen from the gallery's.
+pub(crate) const TABLES: &str = "../tables/index.html";
+
 const STYLE: &str = include_str!("page.css");
 
 /// A drawn figure on disk, with its provenance.
@@ -62,10 +65,22 @@ pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
 }
 
 impl Page {
-    /// The page over its records; `drawing` hands over the text of an SVG file by its name.
-    pub(crate) fn gallery(&self, records: &[Record], drawing: impl Fn(&str) -> String) -> String {
+    /// Whether one of the records is on the page.
+    pub(crate) fn shows(&self, records: &[Record]) -> bool {
+        records.iter().any(|record| CAPTIONS.of(&record.name).is_ok_and(|c| c.page == self.file))
+    }
+
+    /// The page over its records, with links to other pages that show some and to `tables` if there are any; `drawing` hands over the
+    /// text of an SVG file by its name.
+    pub(crate) fn gallery(
+        &self,
+        records: &[Record],
+        tables: Option<&str>,
+        drawing: impl Fn(&str) -> String,
+    ) -> String {
         let prefix = if self.title == "Asperity" { String::new() } else { format!("{}: ", self.title) };
-        let others = CAPTIONS.pages.iter().filter(|other| other.file != self.file).map(|other| {
+        let others = CAPTIONS.pages.iter().filter(|other| other.file != self.file && other.shows(records));
+        let others = others.map(|other| {
             format!("<li><a class=\"page\" href=\"{}\">{} \u{2192}</a></li>\n", other.file, other.name)
         });
         let words = |record: &Record| CAPTIONS.of(&record.name).ok().filter(|c| c.page == self.file);
@@ -80,11 +95,13 @@ impl Page {
         let rest = format!(
             "<nav><div class=\"wide\"><ol>\n{}</ol></div></nav>\n<main class=\"wide\">\n{}</main>\n\
              <footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for byte, on \
-             any number of threads. The tables behind the pictures: \
-             <a href=\"../tables/index.html\">tables</a>.</footer>\n",
+             any number of threads.{}</footer>\n",
             others.chain(links).collect::<String>(),
             sections.collect::<String>(),
             env!("CARGO_PKG_VERSION"),
+            tables.map_or_else(String::new, |file| {
+                format!(" The tables behind the pictures: <a href=\"{file}\">tables</a>.")
+            }),
         );
         page(&format!("{prefix}Asperity gallery"), self.title, &self.about, &rest)
     }
@@ -147,7 +164,17 @@ mod tests {
 
     fn page_of(index: usize, names: &[&str]) -> String {
         let records: Vec<_> = names.iter().copied().map(record).collect();
-        CAPTIONS.pages[index].gallery(&records, |_| String::new())
+        CAPTIONS.pages[index].gallery(&records, Some(TABLES), |_| String::new())
+    }
+
+    #[test]
+    fn a_page_links_to_what_was_made_alone() {
+        let sphere = [record("kautz-1-sphere")];
+        let page = CAPTIONS.pages[0].gallery(&sphere, None, |_| String::new());
+        assert!(page.contains("href=\"#kautz-1-sphere\"") && !page.contains(".html\""), "{page}");
+        assert!(CAPTIONS.pages[0].shows(&sphere) && !CAPTIONS.pages[1].shows(&sphere));
+        let whole = page_of(0, &["kautz-1-sphere", "noise-kind-white"]);
+        assert!(whole.contains("href=\"noise.html\"") && whole.contains(TABLES));
     }
 
     #[test]

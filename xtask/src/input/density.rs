@@ -49,7 +49,9 @@ impl Density {
                 }
                 _ if text == "painted" => painted()?,
                 _ => match text.strip_prefix(NORMAL_MAP) {
-                    Some(file) => estimated(Path::new(file), reading.tangent_space)?,
+                    Some(file) => {
+                        estimated(Path::new(file), reading.tangent_space.unwrap_or(TangentSpace::OpenGl))?
+                    }
                     None => image_density(Path::new(text), reading)?,
                 },
             };
@@ -149,17 +151,19 @@ fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
     })?;
     // Rows from the bottom up: an image's first row is its top, a map's first row has n_y = −1.
     let texels: Vec<f32> = image.grey().chunks(image.width.max(1)).rev().flatten().copied().collect();
-    Ok(NdfMap::from_texels(image.width, image.height, &texels, reading.measure, reading.reconstruction)?)
+    let measure = reading.measure.unwrap_or(Measure::Normals);
+    let reconstruction = reading.reconstruction.unwrap_or(Reconstruction::Constant);
+    Ok(NdfMap::from_texels(image.width, image.height, &texels, measure, reconstruction)?)
 }
 
-/// The density of a normal map's normals: PNG unsigned, OpenEXR signed.
+/// The density of a normal map's normals: integers unsigned, floats signed.
 fn estimated(path: &Path, tangent_space: TangentSpace) -> Result<NdfMap, Failure> {
     let image = ImageFile::open(path)?;
     let format = NormalMapFormat { tangent_space, ..NormalMapFormat::default() };
     let [x, y, z] = image
         .components(&[["R", "G", "B"], ["n.X", "n.Y", "n.Z"], ["X", "Y", "Z"]])
         .ok_or("a normal map needs the channels R, G, B or X, Y, Z")?;
-    let scale = if image.signed { 1.0 } else { 2.0 };
+    let scale = if image.floats { 1.0 } else { 2.0 };
     let signed = |c: f32| c * scale - (scale - 1.0);
     let normals: Vec<Vec3> = (0..image.width * image.height)
         .map(|i| [x, y, z].map(|plane| signed(plane.get(i).copied().unwrap_or(0.0))))
@@ -244,7 +248,7 @@ mod tests {
         for (tangent_space, high, low) in
             [(TangentSpace::OpenGl, up, down), (TangentSpace::DirectX, down, up)]
         {
-            let reading = Images { tangent_space, ..Images::USUAL };
+            let reading = Images { tangent_space: Some(tangent_space), ..Images::USUAL };
             let density = Density::parse(&spec, reading).unwrap();
             assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");

@@ -14,6 +14,7 @@ use crate::reflectance::{Bsdf, Coat, Dielectric};
 
 /// The shape of the waves of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum GlassWaves {
     /// A sine along one direction, as rollers leave it.
     #[default]
@@ -24,6 +25,7 @@ pub enum GlassWaves {
 
 /// The thickness of [`TemperedGlass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum GlassBody {
     /// A thin pane, through which one looks straight.
     #[default]

@@ -133,13 +133,15 @@ pub struct Wallpaper {
     pub paper: Vec3,
     /// The colour of stars.
     pub star: Vec3,
+    /// The roughness of the facets, in [0, 1].
+    pub roughness: f32,
 }
 
 impl Material for Wallpaper {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let share = self.stars.coverage(point.uv, point.uv_pixel().long());
         let colour = self.paper.lerp(self.star, share);
-        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(colour, 0.0).into()])
+        Bsdf::new(wo).with([Facet::FLAT], [EnergyPreservingOrenNayar::clamped(colour, self.roughness).into()])
     }
 }
 
@@ -148,15 +150,15 @@ impl Material for Wallpaper {
 pub struct PolishedMarble {
     /// The veins.
     pub marble: Marble,
-    /// The brightness over the lecture's colours.
-    pub brightness: f32,
+    /// Factor of the lecture's colours.
+    pub tint: Vec3,
     /// The roughness of the polish: Beckmann's α; what is not positive is stone without polish.
     pub polish: f32,
 }
 
 impl Material for PolishedMarble {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
-        let colour = self.brightness * self.marble.colour(point.position, point.footprint());
+        let colour = self.tint * self.marble.colour(point.position, point.footprint());
         let stone = EnergyPreservingOrenNayar::clamped(colour, 0.0).into();
         let bsdf = Bsdf::new(wo).with([Facet::FLAT], [stone]);
         if self.polish > 0.0 {

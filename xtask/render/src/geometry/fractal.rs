@@ -66,7 +66,17 @@ impl Fractal {
         let tangent = (Vec3::X - normal * normal.x).normalize_or(Vec3::Y);
         let tangents = [Vec3::new(1.0, 0.0, slope.x as f32), Vec3::new(0.0, 1.0, slope.y as f32)];
         let uv = position.truncate();
-        Some(Hit { t: hit.t as f32, position, normal, tangent, uv, tangents, bend: Mat3::ZERO })
+        Some(Hit {
+            t: hit.t as f32,
+            position,
+            normal,
+            flat: normal,
+            lift: [Vec3::ZERO; 2],
+            tangent,
+            uv,
+            tangents,
+            bend: Mat3::ZERO,
+        })
     }
 
     /// Any hit in front of `origin`, for shadows.

@@ -107,6 +107,18 @@ impl TracedMesh {
         let normal = blend(|v| v.normal).normalize_or_zero();
         let along = blend(|v| v.tangent);
         let tangent = (along - normal * normal.dot(along)).normalize_or_zero();
+        let [a, b, c] = corners.map(|v| v.position);
+        let flat = (b - a).cross(c - a).normalize_or(normal);
+        let flat = if flat.dot(normal) < 0.0 { -flat } else { flat };
+        let position = blend(|v| v.position);
+        // To the mean of the planes through the corners, where the point is below them: Hanika 2021, "Hacking the Shadow
+        // Terminator".
+        let lift = [f32::max, f32::min].map(|outwards| {
+            let weighted = corners.iter().zip(weights);
+            weighted.fold(Vec3::ZERO, |sum, (v, w)| {
+                sum + v.normal * (w * outwards((v.position - position).dot(v.normal), 0.0))
+            })
+        });
         let slopes = slopes(corners.map(|v| v.position));
         // The gradient of what has these values at the corners.
         let gradient = |values: [f32; 3]| {
@@ -119,8 +131,10 @@ impl TracedMesh {
         let by_u = if by_u.dot(tangent) > 0.9 * along_u { along_u * tangent } else { by_u };
         Some(Hit {
             t,
-            position: blend(|v| v.position),
+            position,
             normal,
+            flat,
+            lift,
             tangent,
             uv: corners.iter().zip(weights).fold(Vec2::ZERO, |sum, (v, w)| sum + v.uv * w),
             tangents: [by_u, by_v],

@@ -93,6 +93,10 @@ pub struct Hit {
     pub position: Vec3,
     /// Unit, outwards.
     pub normal: Vec3,
+    /// Unit, outwards; of a triangle its own, whatever the normals of its corners are.
+    pub flat: Vec3,
+    /// From the triangle to the rounded surface that its normals are of, outwards and inwards: rays of light begin there.
+    pub lift: [Vec3; 2],
     /// Unit, orthogonal to the normal; the local x axis of an anisotropic density.
     pub tangent: Vec3,
     /// Texture coordinates.
@@ -104,12 +108,26 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// The point with its normal turned towards the eye of a ray in `direction`: the inside of a spout is
+    /// The point with its normals turned towards the eye of a ray in `direction`: the inside of a spout is
     /// shaded like the outside.
-    pub fn facing(mut self, direction: Vec3) -> Self {
-        if self.normal.dot(direction) > 0.0 {
-            self.normal = -self.normal;
-            self.bend = -self.bend;
+    pub fn facing(self, direction: Vec3) -> Self {
+        let mut hit = self.consistent(direction);
+        if hit.flat.dot(direction) > 0.0 {
+            (hit.normal, hit.flat, hit.bend) = (-hit.normal, -hit.flat, -hit.bend);
+            hit.lift.swap(0, 1);
+        }
+        hit
+    }
+
+    /// The point whose normal is on the side of the triangle's own, as a ray sees them: at outlines the mean of normals may point
+    /// away from an eye that sees the triangle, and would be lit from behind.
+    pub fn consistent(mut self, direction: Vec3) -> Self {
+        /// Cosine of the normal that is barely seen.
+        const GRAZING: f32 = 0.01;
+        let side = self.flat.dot(direction).signum();
+        let cosine = side * self.normal.dot(direction);
+        if cosine < GRAZING && self.flat.dot(direction).abs() > GRAZING {
+            self.normal = (self.normal + side * (GRAZING - cosine) * direction).normalize_or(self.flat);
         }
         self
     }

@@ -1,10 +1,14 @@
-//! An image of linear radiance, row by row from the top left, and its way to an sRGB PNG.
+//! An image of linear radiance, row by row from the top left, and its way to a file.
 
 pub mod formats;
+mod radiance;
 pub mod read;
 pub mod tone;
 
+use std::path::Path;
+
 use glam::Vec3;
+use image_webp::WebPEncoder;
 use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
 
 use crate::{
@@ -14,6 +18,28 @@ use crate::{
         tone::{filmic, shoulder, srgb_byte},
     },
 };
+
+/// Formats that pictures are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Png,
+    Jpeg,
+    WebP,
+    Exr,
+}
+
+impl Format {
+    /// The format that the extension of a file's name stands for.
+    pub fn of(file: &Path) -> Option<Self> {
+        match file.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "png" => Some(Self::Png),
+            "jpg" | "jpeg" => Some(Self::Jpeg),
+            "webp" => Some(Self::WebP),
+            "exr" => Some(Self::Exr),
+            _ => None,
+        }
+    }
+}
 
 /// Linear RGB pixels.
 #[derive(Clone)]
@@ -54,6 +80,32 @@ impl Image {
         exr(self.width as usize, self.height as usize, &[("R", plane(0)), ("G", plane(1)), ("B", plane(2))])
     }
 
+    /// The bytes of a file of a format: [`exr`](Self::exr), or sRGB of 8 bits, where values outside `[0, 1]` and NaN are clamped.
+    ///
+    /// JPEG has a quality of 95 without smaller planes of colour, WebP loses nothing.
+    pub fn encode(&self, format: Format) -> Result<Vec<u8>, Failure> {
+        let (mut bytes, &Self { width, height, .. }) = (Vec::new(), self);
+        match format {
+            Format::Png => return Ok(self.png()?),
+            Format::Exr => return self.exr(),
+            Format::Jpeg => {
+                let mut encoder = jpeg_encoder::Encoder::new(&mut bytes, 95);
+                encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::F_1_1);
+                let [width, height] = [width, height].map(u16::try_from);
+                encoder.encode(&self.srgb_bytes(), width?, height?, jpeg_encoder::ColorType::Rgb)?;
+            }
+            Format::WebP => {
+                let encoder = WebPEncoder::new(&mut bytes);
+                encoder.encode(&self.srgb_bytes(), width, height, image_webp::ColorType::Rgb8)?;
+            }
+        }
+        Ok(bytes)
+    }
+
+    fn srgb_bytes(&self) -> Vec<u8> {
+        self.pixels.iter().flat_map(|p| p.to_array().map(srgb_byte)).collect()
+    }
+
     /// The bytes of an 8-bit sRGB PNG; values outside `[0, 1]` and NaN are clamped.
     pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
         let mut bytes = Vec::new();
@@ -61,24 +113,40 @@ impl Image {
         encoder.set_color(ColorType::Rgb);
         encoder.set_depth(BitDepth::Eight);
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        let samples: Vec<u8> = self.pixels.iter().flat_map(|p| p.to_array().map(srgb_byte)).collect();
-        encoder.write_header()?.write_image_data(&samples)?;
+        encoder.write_header()?.write_image_data(&self.srgb_bytes())?;
         Ok(bytes)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::image::read::ImageFile;
 
     #[test]
-    fn a_written_png_reads_back() {
+    fn a_written_picture_reads_back_in_the_format_of_its_name() {
         let image = Image::from_fn(3, 2, |x, y| Vec3::new(x as f32 / 2.0, y as f32, f32::NAN));
-        let bytes = image.png().unwrap();
-        let planes = ImageFile::decode(bytes).unwrap().planes.into_iter().map(|(_, plane)| plane);
-        let bytes: Vec<_> = planes.map(|plane| plane.iter().map(|x| x * 255.0).collect::<Vec<_>>()).collect();
-        assert_eq!(bytes, [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]]);
+        for (name, first, off) in [
+            ("a.png", &b"\x89PNG"[..], 0.0),
+            ("b.JPG", &[0xff, 0xd8], 6.0),
+            ("c.jpeg", &[0xff, 0xd8], 6.0),
+            ("d.webp", b"RIFF", 0.0),
+        ] {
+            let bytes = image.encode(Format::of(Path::new(name)).unwrap()).unwrap();
+            assert!(bytes.starts_with(first), "{name}");
+            let planes = ImageFile::decode(bytes).unwrap().planes.into_iter().flat_map(|(_, plane)| plane);
+            let expected =
+                [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]].concat();
+            // The quality of a JPEG: measured up to 5.
+            for (value, expected) in planes.zip(expected) {
+                assert_abs_diff_eq!(value * 255.0, expected, epsilon = off + 1e-4);
+            }
+        }
+        let exr = ImageFile::decode(image.encode(Format::of(Path::new("e.exr")).unwrap()).unwrap()).unwrap();
+        assert_eq!(exr.components(&[["R", "G", "B"]]).unwrap()[0], [0.0, 0.5, 1.0].repeat(2));
+        assert_eq!(["x.gif", "png", "x"].map(|name| Format::of(Path::new(name))), [None; 3]);
         assert_eq!(image.pixels[3 + 1].y, 1.0);
     }
 }

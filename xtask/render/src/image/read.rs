@@ -1,15 +1,21 @@
-//! Images from files, PNG of 8 and 16 bits and OpenEXR, as data: no transfer curve, alpha left out.
+//! Images from files, PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, as data: no transfer curve, alpha left out.
 
 use std::{fs, io::Cursor, path::Path};
 
-use asperity_ndf_sampling::MAX_TEXELS;
 use exr::{
     meta::MetaData,
     prelude::{ReadChannels, ReadLayers},
 };
+use image_webp::WebPDecoder;
+use zune_jpeg::{
+    JpegDecoder,
+    zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions},
+};
 
-use crate::failure::Failure;
+use crate::{failure::Failure, image::radiance};
 
+/// Pixels of surroundings of 16k by 8k.
+const MOST_PIXELS: usize = 1 << 27;
 /// No deflated data grows by more than this: a header that claims more than its file could hold is wrong.
 const MOST_INFLATED: usize = 1032;
 
@@ -18,10 +24,10 @@ const MOST_INFLATED: usize = 1032;
 pub struct ImageFile {
     pub width: usize,
     pub height: usize,
-    /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; PNG samples in [0, 1], OpenEXR's as they are.
+    /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; integers in [0, 1], floats as they are.
     pub planes: Vec<(String, Vec<f32>)>,
-    /// Signed samples, as OpenEXR has them.
-    pub signed: bool,
+    /// Samples are floats: light as it is, and signed coordinates of normals.
+    pub floats: bool,
 }
 
 impl ImageFile {
@@ -36,8 +42,22 @@ impl ImageFile {
             [] => Err(ImageFileError::Empty),
             [0x89, b'P', b'N', b'G', ..] => decode_png(&bytes),
             [0x76, 0x2f, 0x31, 0x01, ..] => decode_exr(bytes),
+            [0xff, 0xd8, 0xff, ..] => decode_jpeg(&bytes),
+            [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(&bytes),
+            [b'#', b'?', ..] => decode_radiance(&bytes),
             _ => Err(ImageFileError::UnknownFormat),
         }
+    }
+
+    /// An image of integers that are interleaved, so many bytes each, with the greatest first.
+    fn of_integers(width: usize, height: usize, channels: usize, step: usize, bytes: &[u8]) -> Self {
+        let names: &[&str] = if channels > 2 { &["R", "G", "B"] } else { &["Y"] };
+        let top = if step == 2 { 65_535.0 } else { 255.0 };
+        let value =
+            |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
+        let plane = |channel| bytes.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
+        let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
+        Self { width, height, planes, floats: false }
     }
 
     /// The mean of all planes.
@@ -58,9 +78,9 @@ impl ImageFile {
     }
 }
 
-/// Refuses sizes that no density has, before anything is allocated.
+/// Refuses sizes beyond reason, before anything is allocated.
 fn check_size(width: usize, height: usize) -> Result<(), ImageFileError> {
-    let right = width.checked_mul(height).is_some_and(|pixels| (1..=MAX_TEXELS).contains(&pixels));
+    let right = width.checked_mul(height).is_some_and(|pixels| (1..=MOST_PIXELS).contains(&pixels));
     if right { Ok(()) } else { Err(ImageFileError::Size { width, height }) }
 }
 
@@ -77,14 +97,49 @@ fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     }
     let mut samples = vec![0; length];
     let info = reader.next_frame(&mut samples).map_err(broken)?;
-    let channels = info.color_type.samples();
-    let wide = info.bit_depth == png::BitDepth::Sixteen;
-    let (step, top) = if wide { (2, 65_535.0) } else { (1, 255.0) };
-    let names: &[&str] = if channels > 2 { &["R", "G", "B"] } else { &["Y"] };
-    let value = |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
-    let plane = |channel| samples.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
-    let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
-    Ok(ImageFile { width, height, planes, signed: false })
+    let step = if info.bit_depth == png::BitDepth::Sixteen { 2 } else { 1 };
+    Ok(ImageFile::of_integers(width, height, info.color_type.samples(), step, &samples))
+}
+
+fn decode_jpeg(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
+    let broken = |error: zune_jpeg::errors::DecodeErrors| ImageFileError::Broken {
+        format: "JPEG",
+        error: error.to_string().into(),
+    };
+    let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    decoder.decode_headers().map_err(broken)?;
+    let (width, height) = decoder.info().map_or((0, 0), |info| (info.width.into(), info.height.into()));
+    check_size(width, height)?;
+    let samples = decoder.decode().map_err(broken)?;
+    Ok(ImageFile::of_integers(width, height, 3, 1, &samples))
+}
+
+fn decode_webp(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
+    let broken =
+        |error: image_webp::DecodingError| ImageFileError::Broken { format: "WebP", error: error.into() };
+    let mut decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(broken)?;
+    let (width, height) = decoder.dimensions();
+    let (width, height) = (width as usize, height as usize);
+    check_size(width, height)?;
+    let mut samples = vec![0; decoder.output_buffer_size().ok_or(ImageFileError::Size { width, height })?];
+    decoder.read_image(&mut samples).map_err(broken)?;
+    Ok(ImageFile::of_integers(width, height, if decoder.has_alpha() { 4 } else { 3 }, 1, &samples))
+}
+
+fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
+    let mut size = Ok(());
+    let check = |width, height| {
+        size = check_size(width, height);
+        size.is_ok()
+    };
+    let read = radiance::decode(bytes, check);
+    let broken = |error: &str| ImageFileError::Broken { format: "Radiance HDR", error: error.into() };
+    let ([width, height], pixels) = read.map_err(broken)?;
+    size?;
+    let plane = |k: usize| pixels.iter().map(|pixel| pixel[k]).collect();
+    let planes = ["R", "G", "B"].iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
+    Ok(ImageFile { width, height, planes, floats: true })
 }
 
 fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
@@ -119,7 +174,7 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
     if planes.is_empty() {
         return Err(ImageFileError::OnlyAlpha);
     }
-    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes, signed: true })
+    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes, floats: true })
 }
 
 /// Why a file is not an image of data.
@@ -133,9 +188,9 @@ pub enum ImageFileError {
     },
     #[error("the file is empty")]
     Empty,
-    #[error("the file is neither PNG nor OpenEXR")]
+    #[error("the file is none of PNG, JPEG, WebP, Radiance HDR and OpenEXR")]
     UnknownFormat,
-    #[error("an image must have 1 to {MAX_TEXELS} pixels, got {width} × {height}")]
+    #[error("an image must have 1 to {MOST_PIXELS} pixels, got {width} × {height}")]
     Size { width: usize, height: usize },
     #[error("{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")]
     Truncated { width: usize, height: usize, bytes: usize },
@@ -185,9 +240,16 @@ mod tests {
     }
 
     #[test]
+    fn light_of_a_radiance_file_is_linear() {
+        let image = ImageFile::decode(b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec()).unwrap();
+        assert_eq!((image.floats, image.grey().len()), (true, 1));
+        assert_eq!(image.components(&[["R", "G", "B"]]).unwrap()[0], [128.5 / 128.0]);
+    }
+
+    #[test]
     fn headers_without_data_are_refused_before_anything_is_allocated() {
         for (size, message) in [
-            ([10_000, 10_000], "an image must have 1 to 16777216 pixels, got 10000 × 10000"),
+            ([20_000, 20_000], "an image must have 1 to 134217728 pixels, got 20000 × 20000"),
             ([4096, 4096], "cannot hold the 4096 × 4096 pixels"),
             ([8, 9], "the PNG cannot be decoded"),
         ] {
@@ -214,11 +276,18 @@ mod tests {
         };
         let alpha = exr(1, 1, &[("A", vec![1.0])]).unwrap();
         for (bytes, message) in [
-            (claiming(10_000, 10_000), "an image must have 1 to 16777216 pixels"),
+            (claiming(20_000, 20_000), "an image must have 1 to 134217728 pixels"),
             (claiming(4, 4_000_000), "cannot hold the 4 × 4000000 pixels"),
             (good[..20].to_vec(), "the OpenEXR file cannot be decoded"),
             (alpha, "the image has no channel but alpha"),
-            (b"GIF89a".to_vec(), "the file is neither PNG nor OpenEXR"),
+            (b"GIF89a".to_vec(), "the file is none of PNG, JPEG, WebP, Radiance HDR and OpenEXR"),
+            (vec![0xff, 0xd8, 0xff, 0xe0], "the JPEG cannot be decoded"),
+            (b"RIFF\x04\0\0\0WEBP".to_vec(), "the WebP cannot be decoded"),
+            (b"#?RGBE\n\n-Y 20000 +X 20000\n".to_vec(), "an image must have 1 to 134217728 pixels"),
+            (
+                b"#?RGBE\n\n-Y 2 +X 2\n".to_vec(),
+                "the Radiance HDR cannot be decoded: the file ends within its pixels",
+            ),
             (Vec::new(), "the file is empty"),
         ] {
             let error = ImageFile::decode(bytes).unwrap_err().to_string();

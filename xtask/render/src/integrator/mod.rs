@@ -4,7 +4,7 @@ pub mod direct;
 pub mod path_tracer;
 pub mod pixels;
 
-use std::sync::atomic::AtomicBool;
+use std::{ops::Range, sync::atomic::AtomicBool};
 
 use asperity_shading::{
     Frame, PixelEllipse, SurfacePoint,
@@ -20,7 +20,7 @@ use crate::{
         ray::{Hit, Ray},
     },
     image::Image,
-    integrator::pixels::{Sampling, render, render_paths},
+    integrator::pixels::{Sampling, Sums, jitter, pixel_hash, sample},
     sampling::{
         low_discrepancy::r2_from,
         sampler::{Sampler, hash},
@@ -44,16 +44,59 @@ impl Scene<'_, '_> {
         progress: &ProgressBar,
         interrupted: &AtomicBool,
     ) -> Result<Image, Failure> {
-        let place = |x: f32, y: f32| [x / sampling.width as f32, y / sampling.height as f32];
-        match self.light {
-            Light::Lamps { .. } => render(sampling, progress, interrupted, |x, y| {
-                let mut sampler = Sampler::new(0, hash(x.to_bits() ^ hash(y.to_bits())));
-                self.seen(&camera.ray(x, y), place(x, y), &mut sampler).radiance
-            }),
-            Light::Around(_) => render_paths(sampling, progress, interrupted, |x, y, sampler| {
-                self.seen(&camera.ray(x, y), place(x, y), sampler).radiance
-            }),
+        let samples = 0..sampling.samples_per_pixel.max(1);
+        Ok(self.and(&Sums::default(), samples, sampling, camera, progress, interrupted)?.mean())
+    }
+
+    /// Draws it in passes of ever more samples, and hands over each with its number of samples and its noise, until the noise of
+    /// what is `shown` of a channel is at most `goal` or all samples are drawn.
+    pub fn refine(
+        &self,
+        sampling: Sampling,
+        camera: &Camera,
+        (goal, shown): (f32, impl Fn(f32) -> f32),
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+        mut pass: impl FnMut(Image, u32, f32) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let (mut sums, mut samples, most) = (Sums::default(), 0, sampling.samples_per_pixel.max(1));
+        while samples < most {
+            let more = (2 * samples).clamp(1, most);
+            let next = self.and(&sums, samples..more, sampling, camera, progress, interrupted)?;
+            let noise = next.noise(&sums, &shown);
+            (sums, samples) = (next, more);
+            pass(sums.mean(), samples, noise)?;
+            if noise <= goal {
+                break;
+            }
         }
+        Ok(())
+    }
+
+    /// Sums with more samples.
+    fn and(
+        &self,
+        sums: &Sums,
+        samples: Range<u32>,
+        sampling: Sampling,
+        camera: &Camera,
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+    ) -> Result<Sums, Failure> {
+        let Sampling { width, height, seed, .. } = sampling;
+        let paths = matches!(self.light, Light::Around(_));
+        sums.and(sampling, samples, progress, interrupted, |x, y| {
+            let (hashed, shift) = (pixel_hash(x, y, seed), jitter(x, y, seed));
+            move |k| {
+                let mut sampler = Sampler::new(k, hashed);
+                let place = if paths { sampler.point() } else { sample(k, shift) };
+                let [x, y] = [x as f32 + place.x, y as f32 + place.y];
+                if !paths {
+                    sampler = Sampler::new(0, hash(x.to_bits() ^ hash(y.to_bits())));
+                }
+                self.seen(&camera.ray(x, y), [x / width as f32, y / height as f32], &mut sampler).radiance
+            }
+        })
     }
 
     /// The radiance along a ray of the camera, through a place of the picture whose sides are 1.
@@ -76,11 +119,11 @@ impl Scene<'_, '_> {
         bounces: u32,
     ) -> Vec3 {
         let facing = hit.facing(ray.direction);
-        let step = self.start * hit.t.max(1e-3) * facing.normal;
-        let (above, below) = (hit.position + step, hit.position - step);
-        let outside = facing.normal == hit.normal;
+        let step = self.start * hit.t.max(1e-3) * facing.flat;
+        let (above, below) = (facing.position + facing.lift[0] + step, facing.position - step);
+        let outside = facing.flat == hit.flat;
         // A body is seen from inside; of anything else the inside of a spout is shaded like the outside.
-        let hit = if object.body.is_some() { hit } else { facing };
+        let hit = if object.body.is_some() { hit.consistent(ray.direction) } else { facing };
         let point = match self.light {
             Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
             Light::Lamps { .. } => hit.point(ray.footprint(&hit)),

@@ -1,6 +1,6 @@
 //! Pixels in parallel rows, with samples that depend on the pixel alone.
 
-use std::sync::atomic::AtomicBool;
+use std::{ops::Range, sync::atomic::AtomicBool};
 
 use glam::{Vec2, Vec3};
 use indicatif::ProgressBar;
@@ -67,11 +67,55 @@ fn pixels<S: Fn(u32) -> Vec3>(
     interrupted: &AtomicBool,
     pixel: impl Fn(u32, u32) -> S + Sync,
 ) -> Result<Image, Failure> {
-    let Sampling { width, height, samples_per_pixel, .. } = sampling;
-    let count = samples_per_pixel.max(1);
-    let mean = |sample: S| (0..count).fold(Vec3::ZERO, |sum, k| sum + sample(k)) / count as f32;
-    let row = |y: usize| (0..width).map(|x| mean(pixel(x, y as u32))).collect::<Vec<_>>();
-    Ok(Image { width, height, pixels: rows(height as usize, progress, interrupted, row)? })
+    let samples = 0..sampling.samples_per_pixel.max(1);
+    Ok(Sums::default().and(sampling, samples, progress, interrupted, pixel)?.mean())
+}
+
+/// Sums of the samples of pixels, to which more can be added: the same in one go and in several.
+#[derive(Default)]
+pub(super) struct Sums {
+    sums: Option<Image>,
+    samples: u32,
+}
+
+impl Sums {
+    /// The sums with the samples of a range, which follows those that they have.
+    pub(super) fn and<S: Fn(u32) -> Vec3>(
+        &self,
+        Sampling { width, height, .. }: Sampling,
+        samples: Range<u32>,
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+        pixel: impl Fn(u32, u32) -> S + Sync,
+    ) -> Result<Self, Failure> {
+        let sum = |x: u32, y: u32| {
+            let before = self.sums.as_ref().and_then(|sums| sums.pixels.get((y * width + x) as usize));
+            let sample = pixel(x, y);
+            samples.clone().fold(before.copied().unwrap_or_default(), |sum, k| sum + sample(k))
+        };
+        let row = |y: usize| (0..width).map(|x| sum(x, y as u32)).collect::<Vec<_>>();
+        let pixels = rows(height as usize, progress, interrupted, row)?;
+        Ok(Self { sums: Some(Image { width, height, pixels }), samples: samples.end })
+    }
+
+    pub(super) fn mean(&self) -> Image {
+        let image = self.sums.clone().unwrap_or(Image { width: 0, height: 0, pixels: Vec::new() });
+        let count = self.samples as f32;
+        Image { pixels: image.pixels.into_iter().map(|sum| sum / count).collect(), ..image }
+    }
+
+    /// The standard error of the mean, in the root mean square over what pixels and channels show: by the difference of the samples
+    /// that another sum lacks from its own.
+    pub(super) fn noise(&self, fewer: &Self, shown: impl Fn(f32) -> f32) -> f32 {
+        let (Some(all), Some(first)) = (&self.sums, &fewer.sums) else { return f32::INFINITY };
+        let [n, m] = [fewer.samples, self.samples - fewer.samples].map(|count| count as f32);
+        let squares = all.pixels.iter().zip(&first.pixels).map(|(&all, &first)| {
+            let difference = ((all - first) / m).map(&shown) - (first / n).map(&shown);
+            difference.as_dvec3().length_squared()
+        });
+        let mean = squares.sum::<f64>() / (3.0 * all.pixels.len().max(1) as f64);
+        (n * m).sqrt() / (n + m) * mean.sqrt() as f32
+    }
 }
 
 /// Rows one below the other, made on all threads, in their order whatever the number of threads.
@@ -93,7 +137,7 @@ pub fn rows<T: Send, R: IntoIterator<Item = T>>(
 }
 
 /// The `k`-th point of the R₂ sequence, shifted on the torus.
-fn sample(k: u32, shift: Vec2) -> Vec2 {
+pub(super) fn sample(k: u32, shift: Vec2) -> Vec2 {
     let [x, y] = r2_from([0.0; 2], k).map(|x| x as f32);
     Vec2::new((x + shift.x).fract(), (y + shift.y).fract())
 }
@@ -105,12 +149,14 @@ pub fn jitter(x: u32, y: u32, seed: u32) -> Vec2 {
     Vec2::new(unit(first), unit(hash(first ^ 0x9e37_79b9)))
 }
 
-fn pixel_hash(x: u32, y: u32, seed: u32) -> u32 {
+pub(super) fn pixel_hash(x: u32, y: u32, seed: u32) -> u32 {
     hash(x ^ hash(y ^ hash(seed)))
 }
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn draw(threads: usize) -> Vec<Vec3> {
@@ -125,6 +171,24 @@ mod tests {
     #[test]
     fn the_number_of_threads_changes_no_bit() {
         assert_eq!(draw(1), draw(3));
+    }
+
+    #[test]
+    fn sums_in_passes_are_the_mean_and_tell_its_standard_error() {
+        let sampling = Sampling { width: 64, height: 64, samples_per_pixel: 12, seed: 7 };
+        let bar = ProgressBar::hidden();
+        // Even over [0, 1]: a standard deviation of 1/√12.
+        let pixel = |x, y| move |k| Vec3::splat(jitter(hash(x ^ k << 8), y, k).x);
+        let add =
+            |sums: &Sums, samples| sums.and(sampling, samples, &bar, &AtomicBool::new(false), pixel).unwrap();
+        let first = add(&Sums::default(), 0..4);
+        let all = add(&first, 4..12);
+        assert_eq!(all.mean().pixels, add(&Sums::default(), 0..12).mean().pixels);
+        let expected = (1.0_f32 / 12.0 / 12.0).sqrt();
+        // The channels are equal: three standard errors of 4096 squares are a thirtieth.
+        assert_abs_diff_eq!(all.noise(&first, |x| x), expected, epsilon = expected / 30.0);
+        assert_abs_diff_eq!(all.noise(&first, |x| 0.5 * x), 0.5 * expected, epsilon = expected / 60.0);
+        assert_eq!(first.noise(&Sums::default(), |x| x), f32::INFINITY);
     }
 
     #[test]

@@ -4,7 +4,9 @@ mod bumped;
 pub mod cobbles;
 pub mod field;
 pub mod pattern;
+mod projected;
 mod shader;
 
 pub use bumped::{Facets, Printed, SharedNdf, sky};
+pub use projected::Projected;
 pub use shader::{InMetres, Layers, Shaded, chalk, glazed};

@@ -5,5 +5,5 @@ mod sets;
 mod swatch;
 
 pub use portrait::{RenderRequest, peak};
-pub use sets::{Set, View, backdrop, ground};
+pub use sets::{Behind, PLAIN, Set, View, backdrop, ground};
 pub use swatch::Form;

@@ -107,6 +107,12 @@ pub fn backdrop() -> Vec3 {
     hex(0x2a_2d33)
 }
 
+/// Radiance behind the objects in a direction: the ground fades into it.
+pub type Behind<'a> = &'a (dyn Fn(Vec3) -> Vec3 + Sync);
+
+/// The [`backdrop`] in every direction.
+pub const PLAIN: Behind<'static> = &|_| backdrop();
+
 impl Set {
     /// Length of the scene's unit in metres.
     pub const fn metres(self) -> f32 {
@@ -132,13 +138,17 @@ impl Set {
     }
 
     /// The objects, of which the first has the subject's material.
-    pub fn objects<'a>(self, subject: Box<Surface<'a>>) -> Result<Vec<Object<'a>>, Failure> {
+    pub fn objects<'a>(
+        self,
+        subject: Box<Surface<'a>>,
+        behind: Behind<'a>,
+    ) -> Result<Vec<Object<'a>>, Failure> {
         Ok(match self {
-            Self::Sphere => vec![Object::new(ball(Vec3::Z, 1.0), subject), ground(0.0)?],
-            Self::Teapot => vec![Object::new(teapot(), subject), ground(0.0)?],
-            Self::Vase => vec![Object::new(revolved(&VASE_PROFILE), subject), ground(0.0)?],
+            Self::Sphere => vec![Object::new(ball(Vec3::Z, 1.0), subject), ground(0.0, behind)?],
+            Self::Teapot => vec![Object::new(teapot(), subject), ground(0.0, behind)?],
+            Self::Vase => vec![Object::new(revolved(&VASE_PROFILE), subject), ground(0.0, behind)?],
             Self::Plane => vec![Object::new(Shape::Plane, subject)],
-            Self::Car => car(subject)?,
+            Self::Car => car(subject, behind)?,
             Self::Room => {
                 let floor = Mesh::parallelogram(Vec3::new(-1.0, -1.6, 0.0), [Vec3::X * 3.0, Vec3::Y * 2.9]);
                 let back = Mesh::parallelogram(Vec3::new(-1.0, 1.3, 0.0), [Vec3::X * 3.0, Vec3::Z * 1.6]);
@@ -159,9 +169,9 @@ impl Set {
     }
 }
 
-/// A disc of cloth at this height that fades into the backdrop.
-pub fn ground(height: f32) -> Result<Object<'static>, Failure> {
-    faded_disc(height, hex(0x8d_8377), [2.5, 6.0])
+/// A disc of cloth at this height that fades into what is behind.
+pub fn ground(height: f32, behind: Behind<'_>) -> Result<Object<'_>, Failure> {
+    faded_disc(height, hex(0x8d_8377), [2.5, 6.0], behind)
 }
 
 /// A rough colour.
@@ -169,15 +179,22 @@ fn cloth(colour: Vec3) -> Result<EnergyPreservingOrenNayar, ParameterError> {
     EnergyPreservingOrenNayar::new(colour, 0.8)
 }
 
-/// A disc of cloth that fades into the backdrop from one radius on, over another.
-fn faded_disc(height: f32, colour: Vec3, [from, over]: [f32; 2]) -> Result<Object<'static>, Failure> {
+/// A disc of cloth that fades into what is behind from one radius on, over another.
+fn faded_disc(
+    height: f32,
+    colour: Vec3,
+    [from, over]: [f32; 2],
+    behind: Behind<'_>,
+) -> Result<Object<'_>, Failure> {
     let cloth = cloth(colour)?;
     let disc = revolved(&[[60.0, height], [9.0, height], [0.0, height]]);
     Ok(Object::shaded(disc, move |point, wo| {
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
         let lobe = Lobe::from(cloth).weighted(Vec3::splat(kept));
-        Bsdf::new(wo).with([Facet::FLAT], [lobe]).with_emitted((1.0 - kept) * backdrop())
+        Bsdf::new(wo)
+            .with([Facet::FLAT], [lobe])
+            .with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)))
     }))
 }
 
@@ -219,7 +236,7 @@ impl Material for Body<'_> {
 }
 
 /// The car: paint, windows and tyres.
-fn car(paint: Box<Surface<'_>>) -> Result<Vec<Object<'_>>, Failure> {
+fn car<'a>(paint: Box<Surface<'a>>, behind: Behind<'a>) -> Result<Vec<Object<'a>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
     let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
     let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
@@ -232,7 +249,7 @@ fn car(paint: Box<Surface<'_>>) -> Result<Vec<Object<'_>>, Failure> {
     }
     Ok(vec![
         Object::new(car_body(), body),
-        faded_disc(0.0, hex(0x77_7470), [3.5, 5.0])?,
+        faded_disc(0.0, hex(0x77_7470), [3.5, 5.0], behind)?,
         Object::new(tyres, cloth(hex(0x2a_2a2c))?),
         Object::new(discs, Coat::metal(Vec3::new(0.62, 0.63, 0.65))),
     ])

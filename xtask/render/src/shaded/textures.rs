@@ -30,12 +30,17 @@ pub fn textures() -> Vec<Subject> {
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, 1).expect(VALID);
     // A wall that runs.
     let by = PerturbedTexture { scale: 0.5, strength: Vec2::new(0.15, 0.08), ..Default::default() };
-    let marble = PolishedMarble { marble: Marble::default(), brightness: 1.0, polish: 0.0 };
+    let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::ONE, polish: 0.0 };
     vec![
         wall("brick", flat),
         wall("bumped brick", bumped),
         Subject::of("bevel", 8.0, BevelledTiles { bevel, side: 1.0, colour, roughness: 0.0 }, |p| p),
-        Subject::of("stars", 8.0, Wallpaper { stars, paper: Vec3::ZERO, star: Vec3::ONE }, |p| p),
+        Subject::of(
+            "stars",
+            8.0,
+            Wallpaper { stars, paper: Vec3::ZERO, star: Vec3::ONE, roughness: 0.0 },
+            |p| p,
+        ),
         Subject::of("perturbed texture", 8.0, Perturbed { by, material: flat }, raised),
         Subject::of("marble", 8.0, marble, raised),
         gas(),

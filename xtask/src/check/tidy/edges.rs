@@ -8,7 +8,7 @@ const EDGES: [(&str, &[&str], &[&str]); 4] = [
     ("asperity-fif", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-shading",
-        &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm"],
+        &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm", "serde"],
         &["criterion", "png"],
     ),
 ];

@@ -4,7 +4,7 @@ use asperity_render::image::{Image, tone::hex};
 use asperity_render::materials::InMetres;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
-use asperity_render::scenes::{Set, View, backdrop};
+use asperity_render::scenes::{PLAIN, Set, View, backdrop};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
 use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
@@ -42,7 +42,7 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
         (["flakes", flaked, from_nearby], (door, [12, 8], counted)),
     ];
     let mut drawn = Drawn::pictures(2, pictures, |(view, size, paint)| {
-        let objects = Set::Car.objects(Box::new(MetallicPaint::new(paint)?))?;
+        let objects = Set::Car.objects(Box::new(MetallicPaint::new(paint)?), PLAIN)?;
         picture(context, objects, view, context.sampling(size, 5))
     })?;
     drawn.panels[0].span = 2;
@@ -78,7 +78,7 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
         (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim)),
     ];
     let drawn = Drawn::pictures(3, pictures, |((set, view), carpet)| {
-        let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())))?;
+        let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())), PLAIN)?;
         picture(context, objects, view, context.sampling([12, 12], 6))
     })?;
     let light = format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width);
@@ -90,14 +90,15 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
 
 pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     let stars = StarWallpaper::new(5, [0.1, 0.3], 1.0, 0.55, context.seed)?;
-    let stars = InMetres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8) }, 10.0);
+    let stars =
+        InMetres(Wallpaper { stars, paper: hex(0x2c_3a5e), star: hex(0xe8_d9a8), roughness: 0.0 }, 10.0);
     let (away, pale) = ("A brick wall that runs away to the right", "Dark blue wallpaper with pale stars");
     let pictures: [([&str; 3], Subject); 2] = [
         (["bricks", "Bricks of 25 by 8 cm", away], Box::new(BrickWall::default())),
         (["stars", "Stars in cells of 10 cm", pale], Box::new(stars)),
     ];
     Drawn::pictures(2, pictures, |subject| {
-        picture(context, Set::Wall.objects(subject)?, Set::Wall.view(), context.sampling([16, 12], 4))
+        picture(context, Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), context.sampling([16, 12], 4))
     })
 }
 
@@ -131,7 +132,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
         bumps: bumps.field(context.seed)?,
         colour: hex(0xf2_b184),
     };
-    let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
+    let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
     let subjects: [(&str, &str, Subject); 6] = [
         ("bumps", "Bumps of a density", Box::new(copper)),
         ("paint", "Metallic paint", Box::new(InMetres(paint, metres))),
@@ -142,7 +143,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
     ];
     let mut panels = Vec::new();
     for (stem, label, subject) in subjects {
-        let mut objects = Set::Teapot.objects(subject)?;
+        let mut objects = Set::Teapot.objects(subject, PLAIN)?;
         if stem == "glass" {
             (objects[0].body, objects[0].passes) = (Some(Vec3::new(0.80, 0.93, 0.89)), 1.0);
         }

@@ -11,6 +11,7 @@ use crate::pixel::PixelEllipse;
 
 /// Pattern of seams.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum SeamPattern {
     /// Nowhere: 0 in the thesis.
     None,

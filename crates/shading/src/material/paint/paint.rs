@@ -62,6 +62,7 @@ parameters! {
 
 /// The flakes that glitter in a [`MetallicPaint`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum PaintFlakes {
     /// Of a fixed width in pixels, as in the thesis: [`Sparkles`].
     #[default]

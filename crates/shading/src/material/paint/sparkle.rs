@@ -11,6 +11,7 @@ use crate::pixel::Footprint;
 
 /// Share of flakes that is left out, by distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Elimination {
     /// One share at every distance.
     #[default]

@@ -22,7 +22,7 @@ pub enum MeshFileError {
     /// The path names a folder, a pipe or a device.
     #[error("this is not a file")]
     NotAFile,
-    #[error("the name of a mesh file ends in .obj, .ply or .glb")]
+    #[error("the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf")]
     UnknownExtension,
     #[error("the file is empty")]
     Empty,
@@ -49,6 +49,19 @@ pub enum MeshFileError {
     /// The glTF accessor is of a kind that is not read, or its data are not in the file.
     #[error("accessor {accessor} of the glTF must be {wanted}")]
     Accessor { accessor: usize, wanted: &'static str },
+    /// The glTF names a file that is not there.
+    #[error("the glTF's buffer `{uri}`, beside it, cannot be read: {error}")]
+    Buffer {
+        uri: String,
+        #[source]
+        error: io::Error,
+    },
+    #[error("the buffers of a glTF must be in it or beside it, got `{uri}`")]
+    Elsewhere { uri: String },
+    #[error(
+        "the glTF is compressed by {extension}, which is not read: export it without, by Draco, or as OBJ, PLY or STL"
+    )]
+    Compressed { extension: String },
     #[error("{corners} corners do not make whole triangles")]
     CornersLeft { corners: usize },
     #[error("a face has corner {index}, counted from 0, but there are {count} vertices")]

@@ -1,10 +1,12 @@
-//! Meshes from files: Wavefront OBJ, PLY and binary glTF, each centred on the origin and scaled into the unit ball.
+//! Meshes from files: Wavefront OBJ, PLY, STL and glTF, each centred on the origin and scaled into the unit ball.
 
+mod draco;
 mod error;
 mod glb;
 mod obj;
 mod ply;
 mod polygon;
+mod stl;
 #[cfg(test)]
 mod tests;
 mod triangle_soup;
@@ -12,20 +14,23 @@ mod triangle_soup;
 use std::{fs::File, io::Read, path::Path};
 
 pub use self::error::MeshFileError;
-pub use self::triangle_soup::Up;
+pub use self::triangle_soup::{MeshFile, MeshReading, Up};
 use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
-use crate::geometry::mesh::Mesh;
 
-/// Reads the mesh of a file by its extension, and turns its `up` to z.
+/// Reads the mesh of a file by its extension, and turns what is up to z.
 ///
-/// Data that the file does not give are computed: normals by the angles of the triangles around a point,
-/// tangents along ∂P/∂u. Triangles without area are left out.
-pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
+/// Data that the file does not give are computed: normals by the angles of the triangles around a point that are no crease
+/// apart, tangents along ∂P/∂u. Triangles without area are left out. Texture coordinates are scaled so that their
+/// unit is a unit of length, in the mean over the surface.
+pub fn open(path: &Path, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let gltf = |bytes: &[u8]| glb::parse(bytes, folder);
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let parse = match extension.as_deref() {
-        Some("obj") => obj::parse,
-        Some("ply") => ply::parse,
-        Some("glb") => glb::parse,
+    let parse: &Parser<'_> = match extension.as_deref() {
+        Some("obj") => &obj::parse,
+        Some("ply") => &ply::parse,
+        Some("stl") => &stl::parse,
+        Some("glb" | "gltf") => &gltf,
         _ => return Err(MeshFileError::UnknownExtension),
     };
     let unreadable = |error| MeshFileError::Unreadable { error };
@@ -39,14 +44,14 @@ pub fn open(path: &Path, up: Up) -> Result<Mesh, MeshFileError> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(MeshFileError::TooLong { bytes: metadata.len() });
     }
-    mesh(parse, &bytes, up)
+    mesh(parse, &bytes, reading)
 }
 
-type Parser = fn(&[u8]) -> Result<TriangleSoup, MeshFileError>;
+type Parser<'a> = dyn Fn(&[u8]) -> Result<TriangleSoup, MeshFileError> + 'a;
 
-fn mesh(parse: Parser, bytes: &[u8], up: Up) -> Result<Mesh, MeshFileError> {
+fn mesh(parse: &Parser<'_>, bytes: &[u8], reading: MeshReading) -> Result<MeshFile, MeshFileError> {
     if bytes.is_empty() {
         return Err(MeshFileError::Empty);
     }
-    parse(bytes)?.into_mesh(up)
+    parse(bytes)?.into_mesh(reading)
 }

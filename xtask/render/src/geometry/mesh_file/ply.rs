@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 
+use gltf::mesh::Mode;
 use ply_rs_bw::{
     parser::{ParseError, Parser, Reader},
     ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
@@ -9,11 +10,13 @@ use ply_rs_bw::{
 
 use crate::geometry::mesh_file::{
     error::MeshFileError,
+    glb::triangles,
     triangle_soup::{Corner, TriangleSoup},
 };
 
 /// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
-/// names, and the element `face` with a list of corners. All others are passed over.
+/// names, and the element `face` with a list of corners, or `tristrips` with lists of strips that −1 ends. All others are passed
+/// over.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let broken = |error: ParseError| {
         // The library's words, without its parser's state behind them.
@@ -23,7 +26,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(broken)?;
     let element = |name, what| header.elements.get(name).ok_or(MeshFileError::Lacks { what });
-    let (vertex, face) = (element("vertex", "element `vertex`")?, element("face", "element `face`")?);
+    let vertex = element("vertex", "element `vertex`")?;
+    let strips = !header.elements.contains_key("face") && header.elements.contains_key(STRIPS);
+    let faces_name = if strips { STRIPS } else { "face" };
+    let face = element(faces_name, "element `face`")?;
     for (name, what) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
         vertex.properties.get(name).ok_or(MeshFileError::Lacks { what })?;
     }
@@ -45,14 +51,25 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
         } else {
             let read =
                 Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
-            if name == "face" {
+            if name == faces_name {
                 faces = read;
             }
         }
     }
-    faces.iter().try_for_each(|Face(corners)| soup.push_polygon(corners))?;
+    if !strips {
+        faces.iter().try_for_each(|Face(corners)| soup.push_polygon(corners))?;
+        return Ok(soup);
+    }
+    for strip in faces.iter().flat_map(|Face(corners)| corners.split(|&corner| corner == u32::MAX)) {
+        for triangle in triangles(Mode::TriangleStrip, strip)? {
+            soup.push(triangle)?;
+        }
+    }
     Ok(soup)
 }
+
+/// The element of triangle strips.
+const STRIPS: &str = "tristrips";
 
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
@@ -94,7 +111,15 @@ impl PropertyAccess for Face {
         if !CORNERS.contains(&name) {
             return PropertyAccessResult::Ignored;
         }
-        match property.to_u32_list() {
+        let strips = || {
+            // The end of a strip is the greatest number; nothing else is below 0.
+            let Property::ListInt(corners) = &property else { return None };
+            corners
+                .iter()
+                .all(|&corner| corner >= -1)
+                .then(|| corners.iter().map(|&corner| corner as u32).collect())
+        };
+        match property.to_u32_list().or_else(strips) {
             Some(corners) => {
                 self.0 = corners;
                 PropertyAccessResult::Set

@@ -1,8 +1,9 @@
 //! Files that are right, cut off, and spoilt: each gives a right mesh or one clear line.
 
-use std::fs;
+use std::{fs, path::Path};
 
 use approx::assert_abs_diff_eq;
+use base64::{Engine, prelude::BASE64_STANDARD};
 use gltf::binary::{Glb, Header};
 use ply_rs_bw::{
     parser,
@@ -11,6 +12,7 @@ use ply_rs_bw::{
 };
 use serde_json::{Value, json};
 
+use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh_file::*;
 use crate::{
     geometry::{
@@ -46,14 +48,64 @@ fn cube_gltf() -> (Value, Vec<u8>) {
     (serde_json::from_slice(&json).unwrap(), bin.unwrap().into_owned())
 }
 
-fn good() -> [(&'static str, Parser, Vec<u8>); 5] {
+/// The cube as STL: text, or binary with a header that begins as text does.
+fn cube_stl(binary: bool) -> Vec<u8> {
+    let cube = soup_of(&obj::parse, CUBE_OBJ.as_bytes());
+    let corner = |i: &u32| cube.corners[*i as usize].position.as_vec3();
+    if binary {
+        let triangle = |t: &[u32; 3]| {
+            let numbers = [[0.0; 3]].into_iter().chain(t.iter().map(|i| corner(i).to_array()));
+            numbers.flatten().flat_map(f32::to_le_bytes).chain([0, 0]).collect::<Vec<u8>>()
+        };
+        let mut header = b"solid cube".to_vec();
+        header.resize(80, b' ');
+        let count = (cube.triangles.len() as u32).to_le_bytes();
+        return [header, count.into(), cube.triangles.iter().flat_map(triangle).collect()].concat();
+    }
+    let vertex = |i: &u32| format!("vertex {:e} {:e} {:e}\n", corner(i).x, corner(i).y, corner(i).z);
+    let facet = |t: &[u32; 3]| {
+        format!(
+            "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n",
+            t.iter().map(vertex).collect::<String>()
+        )
+    };
+    format!("solid\n{}endsolid\n", cube.triangles.iter().map(facet).collect::<String>()).into()
+}
+
+/// The cube as a `.gltf` with its buffer in itself.
+fn cube_gltf_text() -> Vec<u8> {
+    let (mut json, bin) = cube_gltf();
+    json["buffers"][0]["uri"] = data_uri(&bin).into();
+    json.to_string().into_bytes()
+}
+
+fn data_uri(bytes: &[u8]) -> String {
+    format!("data:application/octet-stream;base64,{}", BASE64_STANDARD.encode(bytes))
+}
+
+fn good() -> [(&'static str, &'static Parser<'static>, Vec<u8>); 8] {
     [
-        ("obj", obj::parse, CUBE_OBJ.into()),
-        ("ascii ply", ply::parse, CUBE_PLY.into()),
-        ("little-endian ply", ply::parse, cube_ply(Encoding::BinaryLittleEndian)),
-        ("big-endian ply", ply::parse, cube_ply(Encoding::BinaryBigEndian)),
-        ("glb", glb::parse, CUBE_GLB.into()),
+        ("obj", &obj::parse, CUBE_OBJ.into()),
+        ("ascii ply", &ply::parse, CUBE_PLY.into()),
+        ("little-endian ply", &ply::parse, cube_ply(Encoding::BinaryLittleEndian)),
+        ("big-endian ply", &ply::parse, cube_ply(Encoding::BinaryBigEndian)),
+        ("glb", &gltf_alone, CUBE_GLB.into()),
+        ("gltf", &gltf_alone, cube_gltf_text()),
+        ("ascii stl", &stl::parse, cube_stl(false)),
+        ("binary stl", &stl::parse, cube_stl(true)),
     ]
+}
+
+fn gltf_alone(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
+    glb::parse(bytes, Path::new("/nowhere"))
+}
+
+fn soup_of(parse: &Parser<'_>, bytes: &[u8]) -> TriangleSoup {
+    parse(bytes).unwrap()
+}
+
+fn reading(up: Up) -> MeshReading {
+    MeshReading { up, crease: 40.0 }
 }
 
 /// Properties of every mesh from a file, whatever the file gives for normals.
@@ -63,14 +115,14 @@ fn check(name: &str, mesh: &Mesh) {
 }
 
 /// The mesh, if it is one and right, or else one clear line.
-fn judged(name: &str, parse: Parser, bytes: &[u8]) -> Result<Mesh, String> {
-    let mesh = mesh(parse, bytes, Up::Y).map_err(|_| refusal(parse, bytes))?;
+fn judged(name: &str, parse: &Parser<'_>, bytes: &[u8]) -> Result<Mesh, String> {
+    let MeshFile { mesh, .. } = mesh(parse, bytes, reading(Up::Y)).map_err(|_| refusal(parse, bytes))?;
     check(name, &mesh);
     Ok(mesh)
 }
 
-fn refusal(parse: Parser, bytes: &[u8]) -> String {
-    let error = mesh(parse, bytes, Up::Y).err().expect("must be refused");
+fn refusal(parse: &Parser<'_>, bytes: &[u8]) -> String {
+    let error = mesh(parse, bytes, reading(Up::Y)).err().expect("must be refused");
     let text = error.to_string();
     assert!(text.lines().count() == 1 && !text.chars().any(char::is_control), "{text:?}");
     text
@@ -80,16 +132,16 @@ fn refusal(parse: Parser, bytes: &[u8]) -> String {
 fn a_cube_is_the_same_in_every_format() {
     for (name, parse, bytes) in good() {
         for up in [Up::Y, Up::Z] {
-            let mesh = mesh(parse, &bytes, up).unwrap();
+            let MeshFile { mesh, normals, .. } = mesh(parse, &bytes, reading(up)).unwrap();
             check(name, &mesh);
+            assert_eq!(normals, name.starts_with("gl"), "{name}");
             assert_eq!(mesh.triangles.len(), 12, "{name}");
             // Side 2/√3 in the unit ball, seen from outside.
             assert_abs_diff_eq!(volume(&mesh), (4.0_f32 / 3.0).powf(1.5), epsilon = 1e-5);
             for v in &mesh.vertices {
                 let along = v.normal.dot(v.position.normalize());
-                // Given: of the face. Computed: of the three faces about the corner.
-                let expected = if name == "glb" { 1.0 / 3.0_f32.sqrt() } else { 1.0 };
-                assert_abs_diff_eq!(along, expected, epsilon = 1e-5);
+                // Given or computed: of the face, whose neighbours are 90 degrees apart.
+                assert_abs_diff_eq!(along, 1.0 / 3.0_f32.sqrt(), epsilon = 1e-5);
             }
             TracedMesh::new(mesh);
         }
@@ -98,18 +150,24 @@ fn a_cube_is_the_same_in_every_format() {
 
 #[test]
 fn tangents_follow_u_and_v_goes_upwards() {
-    let [.., (_, _, cube_glb)] = good();
     let quad = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
     let plain = format!("{quad}f 1/1 2/2 3/3 4/4\n").into_bytes();
     let mirrored = format!("{quad}f 1/2 2/1 3/4 4/3\n").into_bytes();
-    for (parse, bytes, hand) in
-        [(obj::parse as Parser, plain, 1.0), (obj::parse, mirrored, -1.0), (glb::parse, cube_glb, 1.0)]
-    {
-        let mesh = mesh(parse, &bytes, Up::Z).unwrap();
+    for (parse, bytes, hand) in [
+        (&obj::parse as &Parser<'_>, plain, 1.0),
+        (&obj::parse, mirrored, -1.0),
+        (&gltf_alone, CUBE_GLB.into(), 1.0),
+    ] {
+        let MeshFile { mesh, uv, .. } = mesh(parse, &bytes, reading(Up::Z)).unwrap();
+        assert!(uv);
         for triangle in &mesh.triangles {
             let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
             for [p, q] in [[a, b], [b, c], [c, a]] {
                 let (edge, uv) = (q.position - p.position, q.uv - p.uv);
+                // Two sides of the quad and the cube's faces: a unit of the coordinates is one of length.
+                if uv.x == 0.0 || uv.y == 0.0 {
+                    assert_abs_diff_eq!(uv.length(), edge.length(), epsilon = 1e-5);
+                }
                 if uv.y == 0.0 {
                     let along = (edge / uv.x).normalize();
                     assert_abs_diff_eq!(p.tangent, along, epsilon = 1e-5);
@@ -128,7 +186,7 @@ fn files_that_are_cut_off_are_refused_or_smaller() {
     for (name, parse, bytes) in good() {
         for n in 0..bytes.len() {
             // Text may end early without a trace, or in the middle of a number.
-            let early = name == "obj" || name == "ascii ply" && n + 4 > bytes.len();
+            let early = ["obj", "ascii stl"].contains(&name) || name == "ascii ply" && n + 4 > bytes.len();
             assert!(judged(name, parse, &bytes[..n]).is_err() || early, "{name}: {n}");
         }
     }
@@ -183,7 +241,7 @@ fn texts_that_break_a_rule_are_told_so() {
         ("v 0 0 0\nv 1 0 0\nv 0 1 1e39\nf 1 2 3\n", "vertex 2, counted from 0, is not finite"),
         ("TRIANGLE f 1 two 3", "the OBJ cannot be read: line 4: face parse error"),
     ] {
-        assert_eq!(refusal(obj::parse, text.replace("TRIANGLE ", TRIANGLE).as_bytes()), message);
+        assert_eq!(refusal(&obj::parse, text.replace("TRIANGLE ", TRIANGLE).as_bytes()), message);
     }
 }
 
@@ -198,7 +256,7 @@ fn vertices_without_a_direction_get_one() {
         ("sheets back to back", TRIANGLE.into(), "f 1 2 3\nf 3 2 1\n"),
         ("mixed", TRIANGLE.into(), "v 0 0 0\nvn 0 0 1\nvt 0 0\nf 1//1 2 3/1/1\nf 1 2 2\nf 1 4 2 3\n"),
     ] {
-        let mesh = mesh(obj::parse, (corners + rest).as_bytes(), Up::Z).unwrap();
+        let MeshFile { mesh, .. } = mesh(&obj::parse, (corners + rest).as_bytes(), reading(Up::Z)).unwrap();
         check(name, &mesh);
         assert!(mesh.vertices.iter().all(|v| v.normal.z.abs() > 0.999), "{name}");
     }
@@ -220,10 +278,10 @@ fn headers_that_promise_too_much_are_refused_before_anything_is_allocated() {
         ("4 0 4 6 2", "4000000000 0 4 6 2", "the PLY cannot be read"),
     ] {
         assert!(CUBE_PLY.contains(from), "{from}");
-        let got = refusal(ply::parse, CUBE_PLY.replacen(from, to, 1).as_bytes());
+        let got = refusal(&ply::parse, CUBE_PLY.replacen(from, to, 1).as_bytes());
         assert!(got.contains(message), "{from} -> {to}: {got}");
     }
-    assert!(refusal(ply::parse, b"solid cube").contains("PLY cannot be read"));
+    assert!(refusal(&ply::parse, b"solid cube").contains("PLY cannot be read"));
 }
 
 const POSITION: &str = "/meshes/0/primitives/0/attributes/POSITION";
@@ -232,8 +290,11 @@ const NORMAL: &str = "/meshes/0/primitives/0/attributes/NORMAL";
 #[test]
 fn scenes_that_break_a_rule_are_told_so() {
     let (json, bin) = cube_gltf();
-    let sparse =
-        json!({"count": 1, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}});
+    // Of the first corner of a triangle, where 12 is one too many.
+    let sparse = |count: u32| {
+        let indices = json!({"bufferView": 1, "byteOffset": 24, "componentType": 5123});
+        json!({"count": count, "indices": indices, "values": {"bufferView": 0}})
+    };
     for (pointer, value, message) in [
         ("/scenes", json!([]), "scene: Index out of bounds"),
         ("/nodes/1/children", json!([0]), "node 0 of the glTF is in the scene more than once"),
@@ -242,7 +303,7 @@ fn scenes_that_break_a_rule_are_told_so() {
         ("/nodes/1/mesh", json!(3), "Index out of bounds"),
         (POSITION, json!(77), "Index out of bounds"),
         (POSITION, json!(2), "accessor 2 of the glTF must be vectors of three"),
-        (POSITION, json!(6), "min: Missing data"),
+        (POSITION, json!(6), "accessor 6 of the glTF must be vectors of three"),
         (NORMAL, json!(2), "accessor 2 of the glTF must be vectors of three"),
         ("/meshes/0/primitives/0/indices", json!(0), "accessor 0 of the glTF must be unsigned integers"),
         ("/meshes/0/primitives/0/mode", json!(0), "no triangle"),
@@ -252,17 +313,21 @@ fn scenes_that_break_a_rule_are_told_so() {
         ("/accessors/0/count", json!(u64::MAX), "accessor 0 of the glTF must be within its buffer"),
         ("/accessors/0/byteOffset", json!(u64::MAX), "accessor 0 of the glTF must be within its buffer"),
         ("/accessors/0/count", json!(11), "a face has corner 11, counted from 0, but there are 11 vertices"),
-        ("/accessors/0/bufferView", json!(null), "accessors[0].bufferView: Missing data"),
-        ("/accessors/0/sparse", sparse, "accessor 0 of the glTF must be dense, with a buffer view"),
+        ("/accessors/6/bufferView", json!(null), "no triangle has an area"),
+        ("/accessors/0/sparse", sparse(12), "accessor 0 of the glTF must be within its buffer"),
+        ("/accessors/0/sparse", sparse(900), "accessor 0 of the glTF must be within its buffer"),
         ("/bufferViews/0/byteStride", json!(4), "must be within its buffer"),
         ("/bufferViews/0/byteLength", json!(u64::MAX), "must be within its buffer"),
         ("/bufferViews/0/byteOffset", json!(900), "must be within its buffer"),
+        ("/buffers/0/uri", json!("cube.bin"), "the glTF's buffer `cube.bin`, beside it, cannot be read: "),
+        ("/buffers/0/uri", json!("https://x/y"), "must be in it or beside it, got `https://x/y`"),
+        ("/buffers/0/uri", json!("/etc/hosts"), "must be in it or beside it, got `/etc/hosts`"),
+        ("/buffers/0/uri", json!("data:,%%%"), "the glTF cannot be read: data URI"),
         (
-            "/buffers/0/uri",
-            json!("cube.bin"),
-            "accessor 0 of the glTF must be in the file's own binary chunk",
+            "/extensionsRequired",
+            json!(["EXT_meshopt_compression"]),
+            "compressed by EXT_meshopt_compression, which is not read: export it without",
         ),
-        ("/extensionsRequired", json!(["KHR_draco_mesh_compression"]), "Unsupported extension"),
         ("/asset", json!(null), "the glTF cannot be read"),
     ] {
         let mut broken = json.clone();
@@ -271,33 +336,33 @@ fn scenes_that_break_a_rule_are_told_so() {
         if pointer.ends_with("mode") {
             broken["meshes"][0]["primitives"][1]["mode"] = json!(1);
         }
-        let got = refusal(glb::parse, &glb(&broken, &bin));
+        let got = refusal(&gltf_alone, &glb(&broken, &bin));
         assert!(got.contains(message), "{pointer}: {got}");
     }
     // Read as infinity or refused as a number: other packages that are built along decide on serde_json's features.
     let mut broken = json.clone();
     broken["nodes"][1]["scale"] = json!([1e39, 1, 1]);
-    let got = refusal(glb::parse, &glb(&broken, &bin));
+    let got = refusal(&gltf_alone, &glb(&broken, &bin));
     assert!(got.contains("is not finite") || got.contains("out of range"), "{got}");
     // A container that is shorter than its own header, and other magic.
     let mut bytes = glb(&json, &bin);
     bytes[8..12].copy_from_slice(&3_u32.to_le_bytes());
-    assert!(refusal(glb::parse, &bytes).contains("glTF container cannot be read"));
-    assert!(refusal(glb::parse, json.to_string().as_bytes()).contains("glTF container cannot be read"));
+    assert!(refusal(&gltf_alone, &bytes).contains("glTF container cannot be read"));
+    assert!(refusal(&gltf_alone, json.to_string().as_bytes()).contains("glTF container cannot be read"));
 }
 
 #[test]
 fn strips_fans_mirrors_and_flat_triangles_of_gltf() {
     let (mut json, bin) = cube_gltf();
     json["nodes"][1]["scale"] = json!([2, 2, -2]);
-    let mirrored = mesh(glb::parse, &glb(&json, &bin), Up::Y).unwrap();
+    let mirrored = mesh(&gltf_alone, &glb(&json, &bin), reading(Up::Y)).unwrap().mesh;
     check("mirrored", &mirrored);
     assert_abs_diff_eq!(volume(&mirrored), (4.0_f32 / 3.0).powf(1.5), epsilon = 1e-5);
     assert!(mirrored.vertices.iter().all(|v| v.normal.dot(v.position) > 0.5), "inwards");
     for first in [0, 1] {
         json["meshes"][0]["primitives"][first]["attributes"].as_object_mut().unwrap().remove("NORMAL");
     }
-    let flat = mesh(glb::parse, &glb(&json, &bin), Up::Y).unwrap();
+    let flat = mesh(&gltf_alone, &glb(&json, &bin), reading(Up::Y)).unwrap().mesh;
     check("flat", &flat);
     assert_eq!((flat.vertices.len(), flat.triangles.len()), (36, 12));
     for v in &flat.vertices {
@@ -310,20 +375,153 @@ fn strips_fans_mirrors_and_flat_triangles_of_gltf() {
 }
 
 #[test]
+fn a_scene_as_other_programs_write_it_is_the_same_cube() {
+    let (json, bin) = cube_gltf();
+    let cube = soup_of(&gltf_alone, CUBE_GLB);
+    let same = |name: &str, json: &Value, bin: &[u8], tolerance: f64| {
+        let got = soup_of(&gltf_alone, &glb(json, bin));
+        assert_eq!(got.triangles, cube.triangles, "{name}");
+        for (got, expected) in got.corners.iter().zip(&cube.corners) {
+            assert_abs_diff_eq!(got.position, expected.position, epsilon = tolerance);
+        }
+    };
+    // No bounds, and materials, skins and required extensions that no reader of meshes needs.
+    let mut plain = json.clone();
+    for accessor in plain["accessors"].as_array_mut().unwrap() {
+        accessor.as_object_mut().unwrap().retain(|name, _| name != "min" && name != "max");
+    }
+    plain["extensionsRequired"] = json!(["KHR_texture_basisu", "ACME_shiny"]);
+    plain["meshes"][0]["primitives"][0]["material"] = json!(7);
+    plain["nodes"][1]["skin"] = json!(3);
+    plain["materials"] = json!([{ "alphaMode": "ODD" }]);
+    same("foreign", &plain, &bin, 0.0);
+    // Positions as 16-bit shares, as quantised meshes have them.
+    let shares: Vec<u8> = (0..24)
+        .flat_map(|k| [0, 4, 8].map(|at| f32::from_le_bytes(bin[32 * k + at..][..4].try_into().unwrap())))
+        .flat_map(|x| ((x * 32_767.0).round() as i16).to_le_bytes())
+        .collect();
+    let mut quantised = json.clone();
+    quantised["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
+    quantised["buffers"][0]["byteLength"] = json!(bin.len() + shares.len());
+    let view = json!({"buffer": 0, "byteOffset": bin.len(), "byteLength": shares.len()});
+    quantised["bufferViews"].as_array_mut().unwrap().push(view);
+    for (accessor, offset) in [(0, 0), (3, 72)] {
+        quantised["accessors"][accessor] = json!({
+            "bufferView": 2, "byteOffset": offset, "componentType": 5122, "count": 12, "normalized": true, "type": "VEC3",
+        });
+    }
+    // A 32767th of what the scale of the node makes 2.
+    same("quantised", &quantised, &[&bin[..], &shares[..]].concat(), 1e-4);
+    // A corner that is moved by a sparse accessor, to where it is.
+    let mut sparse = json.clone();
+    let indices = json!({"bufferView": 1, "byteOffset": 0, "componentType": 5123});
+    sparse["accessors"][0]["sparse"] = json!({"count": 1, "indices": indices, "values": {"bufferView": 0}});
+    same("sparse", &sparse, &bin, 0.0);
+}
+
+#[test]
+fn a_mesh_that_draco_compressed_is_read() {
+    // Four corners of a tetrahedron, by the encoder of npm `draco3d` 1.5.9 with its defaults.
+    let tetrahedron = include_bytes!("../../../tests/data/tetrahedron.drc");
+    let json = json!({
+        "asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"],
+        "buffers": [{"byteLength": tetrahedron.len()}],
+        "bufferViews": [{"buffer": 0, "byteLength": tetrahedron.len()}],
+        "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3"}, {"componentType": 5123, "count": 12, "type": "SCALAR"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "extensions": {
+            "KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}],
+        "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}],
+    });
+    let MeshFile { mesh, .. } = mesh(&gltf_alone, &glb(&json, tetrahedron), reading(Up::Z)).unwrap();
+    check("draco", &mesh);
+    assert_eq!(mesh.triangles.len(), 4);
+    // Corners at every other corner of a cube of side 2/√3; floats are not quantised unless asked for.
+    assert_abs_diff_eq!(volume(&mesh), (2.0_f32 / 3.0_f32.sqrt()).powi(3) / 3.0, epsilon = 1e-5);
+    for n in 0..tetrahedron.len() {
+        let got = refusal(&gltf_alone, &glb(&json, &tetrahedron[..n]));
+        assert!(got.contains("buffer of its Draco mesh"), "{n}: {got}");
+    }
+    let mut spoilt = tetrahedron.to_vec();
+    for at in 0..spoilt.len() {
+        spoilt[at] ^= 0x5a;
+        judged("spoilt draco", &gltf_alone, &glb(&json, &spoilt)).ok();
+        spoilt[at] ^= 0x5a;
+    }
+}
+
+#[test]
+fn a_binary_file_may_begin_as_text_and_text_may_have_no_name() {
+    let [text, binary] = [false, true].map(cube_stl);
+    assert!(text.starts_with(b"solid\n") && binary.starts_with(b"solid cube"));
+    let [text, binary] = [text, binary].map(|bytes| soup_of(&stl::parse, &bytes).corners);
+    assert!(text.iter().zip(&binary).all(|(a, b)| a.position == b.position) && text.len() == 36);
+    for (bytes, message) in [
+        (&b"solid\nvertex 1 2\n"[..], "vertex 0, counted from 0, is not three numbers"),
+        (b"solid\nvertex 1 2 x\n", "vertex 0, counted from 0, is not three numbers"),
+        (b"solid\nvertex 1 2 3\n", "1 corners do not make whole triangles"),
+        (b"solid\n", "no triangle has an area"),
+        (b"PK\x03\x04", "the STL cannot be read: 4 bytes do not hold 0 triangles"),
+    ] {
+        assert!(refusal(&stl::parse, bytes).contains(message), "{}", refusal(&stl::parse, bytes));
+    }
+}
+
+#[test]
+fn triangle_strips_of_ply_are_read() {
+    let strips = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+                  element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
+                  0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n8 0 1 2 3 -1 1 4 3\n";
+    assert_eq!(soup_of(&ply::parse, strips.as_bytes()).triangles, [[0, 1, 2], [2, 1, 3], [1, 4, 3]]);
+    assert!(refusal(&ply::parse, strips.replace("-1", "-2").as_bytes()).contains("unsupported"));
+}
+
+#[test]
+fn edges_are_hard_from_the_crease_on() {
+    // Two squares along the x axis, one of them turned up by 30 degrees.
+    let fold =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 -0.8660254 0.5\nv 1 -0.8660254 0.5\nf 1 2 3 4\nf 5 6 2 1\n";
+    let normals = |crease| {
+        let MeshFile { mesh, normals, uv } =
+            mesh(&obj::parse, fold.as_bytes(), MeshReading { up: Up::Z, crease }).unwrap();
+        assert!(!normals && !uv);
+        check("fold", &mesh);
+        let mut kinds: Vec<f32> =
+            mesh.vertices.iter().map(|v| v.normal.z.acos().to_degrees().round()).collect();
+        kinds.sort_by(f32::total_cmp);
+        (mesh.vertices.len(), kinds)
+    };
+    assert_eq!(normals(29.0), (8, [[0.0; 4], [30.0; 4]].concat()));
+    assert_eq!(normals(31.0), (6, vec![0.0, 0.0, 15.0, 15.0, 30.0, 30.0]));
+}
+
+#[test]
+fn buffers_beside_a_gltf_are_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut json, bin) = cube_gltf();
+    json["buffers"][0]["uri"] = json!("my%20parts/cube.bin");
+    fs::create_dir(folder.path().join("my parts")).unwrap();
+    fs::write(folder.path().join("my parts/cube.bin"), &bin).unwrap();
+    let file = folder.path().join("cube.gltf");
+    fs::write(&file, json.to_string()).unwrap();
+    assert_eq!(open(&file, reading(Up::Y)).unwrap().mesh.triangles.len(), 12);
+}
+
+#[test]
 fn files_are_told_by_their_names() {
     let folder = tempfile::tempdir().unwrap();
     let cube = folder.path().join("Cube.OBJ");
     fs::write(&cube, CUBE_OBJ).unwrap();
-    assert!(open(&cube, Up::Y).is_ok());
+    assert!(open(&cube, reading(Up::Y)).is_ok());
     for (name, message) in [
         ("missing.ply", "the file cannot be read"),
-        ("cube.stl", "the name of a mesh file ends in .obj, .ply or .glb"),
-        ("cube", "the name of a mesh file ends in .obj, .ply or .glb"),
+        ("cube.3ds", "the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf"),
+        ("cube", "the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf"),
     ] {
-        let error = open(&folder.path().join(name), Up::Y).err().expect("must be refused").to_string();
+        let error =
+            open(&folder.path().join(name), reading(Up::Y)).err().expect("must be refused").to_string();
         assert!(error.contains(message), "{name}: {error}");
     }
     let folder_by_name = folder.path().join("folder.glb");
     fs::create_dir(&folder_by_name).unwrap();
-    assert!(matches!(open(&folder_by_name, Up::Y), Err(MeshFileError::NotAFile)));
+    assert!(matches!(open(&folder_by_name, reading(Up::Y)), Err(MeshFileError::NotAFile)));
 }

@@ -22,6 +22,23 @@ pub enum Up {
     Z,
 }
 
+/// Conventions that a file does not name.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshReading {
+    pub up: Up,
+    /// The angle in degrees between triangles from which on there is an edge, where the file has no normals.
+    pub crease: f32,
+}
+
+/// A mesh from a file.
+pub struct MeshFile {
+    pub mesh: Mesh,
+    /// Every vertex has a normal in the file.
+    pub normals: bool,
+    /// Nine tenths of the surface have texture coordinates.
+    pub uv: bool,
+}
+
 /// A vertex as read; zero stands for what is not given.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Corner {
@@ -63,10 +80,10 @@ impl TriangleSoup {
     }
 
     /// The mesh, turned so that `up` is z, and into the unit ball.
-    pub(super) fn into_mesh(self, up: Up) -> Result<Mesh, MeshFileError> {
+    pub(super) fn into_mesh(self, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
         self.check_numbers()?;
         let (centre, radius) = self.ball().ok_or(MeshFileError::NoTriangles)?;
-        let turned = |v: DVec3| match up {
+        let turned = |v: DVec3| match reading.up {
             Up::Y => DVec3::new(v.x, -v.z, v.y),
             Up::Z => v,
         };
@@ -92,9 +109,13 @@ impl TriangleSoup {
         if mesh.triangles.is_empty() {
             return Err(MeshFileError::NoTriangles);
         }
-        complete_normals(&mut mesh);
+        let normals = mesh.vertices.iter().all(|v| v.normal != Vec3::ZERO);
+        if !normals {
+            complete_normals(&mut mesh, reading.crease);
+        }
+        let uv = scale_uv(&mut mesh);
         lay_tangents(&mut mesh);
-        Ok(mesh)
+        Ok(MeshFile { mesh, normals, uv })
     }
 
     fn check_numbers(&self) -> Result<(), MeshFileError> {
@@ -118,46 +139,75 @@ impl TriangleSoup {
     }
 }
 
-/// Hands out a vector of each triangle to its vertices, with the triangle's angle there.
-fn at_vertices(mesh: &Mesh, of: impl Fn([Vertex; 3]) -> DVec3, mut add: impl FnMut(usize, DVec3, f64)) {
-    for triangle in &mesh.triangles {
-        let corners = triangle.map(|i| mesh.vertices[i as usize]);
-        let vector = of(corners);
-        let places = corners.map(|v| v.position.as_dvec3());
-        for (k, &vertex) in triangle.iter().enumerate() {
-            let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| places[k]);
-            let angle = (b - a).cross(c - a).length().atan2((b - a).dot(c - a));
-            add(vertex as usize, vector, angle);
+/// The angle at the first of three points.
+fn angle([a, b, c]: [DVec3; 3]) -> f64 {
+    (b - a).cross(c - a).length().atan2((b - a).dot(c - a))
+}
+
+/// Gives each corner of a triangle whose vertex has no normal the mean of the triangles around its point that are at most
+/// `crease` degrees apart from its own, weighted by their angles there (Thürmer and Wüthrich 1998, "Computing Vertex
+/// Normals from Polygonal Facets"); a vertex whose corners differ is split.
+fn complete_normals(mesh: &mut Mesh, crease: f32) {
+    /// Each is compared with each other one; of more the mean is that of all.
+    const MOST_AROUND: usize = 256;
+    // Plus zero: −0 is where 0 is.
+    let bits = |v: Vec3| (v + Vec3::ZERO).to_array().map(f32::to_bits);
+    let places = |t: [u32; 3], vertices: &[Vertex]| t.map(|i| vertices[i as usize].position.as_dvec3());
+    let flat = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a).normalize_or_zero();
+    let mut around: HashMap<[u32; 3], Vec<(DVec3, f64)>> = HashMap::new();
+    for &triangle in &mesh.triangles {
+        let [a, b, c] = places(triangle, &mesh.vertices);
+        for corner in [[a, b, c], [b, c, a], [c, a, b]] {
+            around.entry(bits(corner[0].as_vec3())).or_default().push((flat(corner), angle(corner)));
+        }
+    }
+    let least = f64::from(crease.to_radians()).cos() - 1e-9;
+    let mut split: HashMap<(u32, [u32; 3]), u32> = HashMap::new();
+    for triangle in &mut mesh.triangles {
+        let own = flat(places(*triangle, &mesh.vertices));
+        for index in triangle {
+            let vertex = mesh.vertices[*index as usize];
+            if vertex.normal != Vec3::ZERO && !split.contains_key(&(*index, bits(vertex.normal))) {
+                continue;
+            }
+            let faces = around.get(&bits(vertex.position)).map_or(&[][..], Vec::as_slice);
+            let one_sheet = |face: &&(DVec3, f64)| faces.len() > MOST_AROUND || face.0.dot(own) >= least;
+            let sum: DVec3 = faces.iter().filter(one_sheet).map(|&(normal, angle)| normal * angle).sum();
+            // Two faces of one sheet, back to back, cancel.
+            let normal = if sum.length() > 1e-6 { sum.normalize() } else { own }.as_vec3();
+            let unset = mesh.vertices[*index as usize].normal == Vec3::ZERO;
+            *index = *split.entry((*index, bits(normal))).or_insert_with(|| {
+                if unset {
+                    mesh.vertices[*index as usize].normal = normal;
+                    return *index;
+                }
+                mesh.vertices.push(Vertex { normal, ..vertex });
+                mesh.vertices.len() as u32 - 1
+            });
         }
     }
 }
 
-/// Gives each vertex without a normal the mean of the triangles around its point, weighted by their angles there
-/// (Thürmer and Wüthrich 1998, "Computing Vertex Normals from Polygonal Facets"); vertices at one point share it.
-fn complete_normals(mesh: &mut Mesh) {
-    if mesh.vertices.iter().all(|v| v.normal != Vec3::ZERO) {
-        return;
-    }
-    // Plus zero: −0 is where 0 is.
-    let point = |v: &Vertex| (v.position + Vec3::ZERO).to_array().map(f32::to_bits);
-    let mut sums: HashMap<[u32; 3], (DVec3, DVec3)> = HashMap::new();
-    let normal = |corners: [Vertex; 3]| {
-        let [a, b, c] = corners.map(|v| v.position.as_dvec3());
-        (b - a).cross(c - a).normalize_or_zero()
-    };
-    at_vertices(mesh, normal, |i, normal, angle| {
-        let (sum, first) = sums.entry(point(&mesh.vertices[i])).or_default();
-        *sum += normal * angle;
-        if *first == DVec3::ZERO {
-            *first = normal;
+/// Scales texture coordinates to a unit of length, in the mean over the surface; false where a tenth of it has none.
+fn scale_uv(mesh: &mut Mesh) -> bool {
+    let (mut all, mut covered, mut flat) = (0.0, 0.0, 0.0);
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize]);
+        let [p, q] = [b, c].map(|v| (v.position - a.position).as_dvec3());
+        let [s, t] = [b, c].map(|v| (v.uv - a.uv).as_dvec2());
+        let (area, own) = (p.cross(q).length(), s.perp_dot(t).abs());
+        all += area;
+        if own > 0.0 {
+            (covered, flat) = (covered + area, flat + own);
         }
-    });
-    for v in mesh.vertices.iter_mut().filter(|v| v.normal == Vec3::ZERO) {
-        let (sum, first) = sums.get(&point(v)).copied().unwrap_or_default();
-        // Two faces of one sheet, back to back, cancel; then one of them it is.
-        let normal = if sum.length() > 1e-6 { sum.normalize() } else { first };
-        v.normal = normal.as_vec3();
     }
+    let scale = (covered / flat).sqrt() as f32;
+    let uv = covered > 0.9 * all && scale.is_finite() && scale > 0.0;
+    let largest = mesh.vertices.iter().map(|v| v.uv.abs().max_element()).fold(0.0, f32::max);
+    if uv && (scale * largest).is_finite() {
+        mesh.vertices.iter_mut().for_each(|v| v.uv *= scale);
+    }
+    uv
 }
 
 /// Tangents along ∂P/∂u of the triangles around each vertex, weighted by their angles; where texture coordinates do
@@ -172,11 +222,13 @@ fn lay_tangents(mesh: &mut Mesh) {
         let turn = b.perp_dot(c);
         if turn == 0.0 { DVec3::ZERO } else { ((q - p) * c.y - (o - p) * b.y) * turn.signum() }
     };
-    at_vertices(
-        mesh,
-        |corners| along(corners).normalize_or_zero(),
-        |i, along, angle| sums[i] += along * angle,
-    );
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|i| mesh.vertices[i as usize]);
+        let (along, places) = (along(corners).normalize_or_zero(), corners.map(|v| v.position.as_dvec3()));
+        for (k, &vertex) in triangle.iter().enumerate() {
+            sums[vertex as usize] += along * angle([0, 1, 2].map(|i| places[(k + i) % 3]));
+        }
+    }
     for (v, sum) in mesh.vertices.iter_mut().zip(sums) {
         // Unit to the last bit of f64, for the sum may be nearly along it.
         let normal = v.normal.as_dvec3().normalize();

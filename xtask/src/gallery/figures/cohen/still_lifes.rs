@@ -3,7 +3,7 @@
 use asperity_render::geometry::camera::Camera;
 use asperity_render::geometry::revolution::{revolved, ring};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
-use asperity_render::scenes::{Set, backdrop, ground};
+use asperity_render::scenes::{PLAIN, Set, backdrop, ground};
 use asperity_render::{
     image::tone::hex, integrator::pixels::render_paths, light::environments::Studio, materials::glazed,
 };
@@ -37,8 +37,8 @@ const TEA: f32 = 0.84;
 pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
-    let marble = PolishedMarble { marble: Marble::default(), brightness: 2.6, polish: 0.12 };
-    let objects = Set::Vase.objects(Box::new(marble))?;
+    let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
+    let objects = Set::Vase.objects(Box::new(marble), PLAIN)?;
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let alt = "A tall vase with blue veins on a table";
     let views = [
@@ -62,7 +62,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
         Object::new(ring(Vec3::new(1.0, 0.0, 0.58), 0.26, 0.065), china()),
         Object::new(revolved(&SAUCER_PROFILE), china()),
         Object::new(tea, glazed(0.05, hex(0x7a_2f10))),
-        ground(0.0)?,
+        ground(0.0, PLAIN)?,
     ];
     let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
     let steam = Steam::new(Vec3::new(0.0, 0.0, TEA), 0.8, 1.9)?;

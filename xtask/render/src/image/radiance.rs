@@ -1,0 +1,197 @@
+//! Radiance HDR files, in every orientation, with both of their run lengths.
+//!
+//! Ward 1991, "Real Pixels", Graphics Gems II.
+
+/// Runs of the newer kind: scanlines of these widths, whose first bytes are 2 and 2.
+const RUNS: std::ops::Range<usize> = 8..1 << 15;
+
+/// Width, height and linear RGB from the top left; or what is wrong.
+pub(super) fn decode(
+    bytes: &[u8],
+    check: impl FnOnce(usize, usize) -> bool,
+) -> Result<([usize; 2], Vec<[f32; 3]>), &'static str> {
+    let mut rest = bytes;
+    let mut scale = 1.0;
+    loop {
+        let line = line(&mut rest).ok_or("the header has no end")?;
+        match line.split_once('=').map(|(name, value)| (name.trim(), value.trim())) {
+            None if line.trim().is_empty() => break,
+            Some(("FORMAT", format)) if format != "32-bit_rle_rgbe" => {
+                return Err("its colours are not RGB: only 32-bit_rle_rgbe is read");
+            }
+            // Every program on the way multiplied the picture by its own.
+            Some(("EXPOSURE", value)) => scale *= value.parse().unwrap_or(1.0_f32),
+            _ => {}
+        }
+    }
+    let line = line(&mut rest).ok_or("the size is missing")?;
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let &[slow, rows, fast, columns] = &words[..] else { return Err("the size is not four words") };
+    let (rows, columns) = rows.parse().ok().zip(columns.parse().ok()).ok_or("the size is no number")?;
+    let turned = match (slow.trim_start_matches(['+', '-']), fast.trim_start_matches(['+', '-'])) {
+        ("Y", "X") => false,
+        ("X", "Y") => true,
+        _ => return Err("the size has other axes than X and Y"),
+    };
+    let [width, height] = if turned { [rows, columns] } else { [columns, rows] };
+    if !check(width, height) {
+        return Ok(([width, height], Vec::new()));
+    }
+    // Nothing is allocated for pixels that the bytes do not hold.
+    let mut scanlines = Vec::new();
+    for _ in 0..rows {
+        scanlines.push(scanline(&mut rest, columns)?);
+    }
+    let mut pixels = vec![[0.0; 3]; width * height];
+    for (row, texels) in scanlines.into_iter().enumerate() {
+        for (column, texel) in texels.into_iter().enumerate() {
+            let [mut x, mut y] = if turned { [row, column] } else { [column, row] };
+            // X grows to the right and Y upwards; the first row of an image is its top.
+            if slow == "-X" || fast == "-X" {
+                x = width - 1 - x;
+            }
+            if slow == "+Y" || fast == "+Y" {
+                y = height - 1 - y;
+            }
+            pixels[y * width + x] = linear(texel).map(|c| c / scale);
+        }
+    }
+    Ok(([width, height], pixels))
+}
+
+/// Text up to the end of a line, which is taken off.
+fn line<'a>(rest: &mut &'a [u8]) -> Option<std::borrow::Cow<'a, str>> {
+    let end = rest.iter().position(|&byte| byte == b'\n')?;
+    let (line, behind) = (&rest[..end], &rest[end + 1..]);
+    *rest = behind;
+    Some(String::from_utf8_lossy(line))
+}
+
+/// One scanline: four runs of bytes, or texels that may be repeated.
+fn scanline(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, &'static str> {
+    const SHORT: &str = "the file ends within its pixels";
+    let mut texels = Vec::new();
+    if let ([2, 2, high @ ..=127, low, behind @ ..], true) = (*rest, RUNS.contains(&width)) {
+        if usize::from(*high) << 8 | usize::from(*low) != width {
+            return Err("a scanline has another width than the image");
+        }
+        *rest = behind;
+        texels.resize(width, [0; 4]);
+        for channel in 0..4 {
+            let mut at = 0;
+            while at < width {
+                let (&count, behind) = rest.split_first().ok_or(SHORT)?;
+                let (run, taken) =
+                    if count > 128 { (usize::from(count) - 128, 1) } else { (count.into(), count.into()) };
+                let (values, behind) = behind.split_at_checked(taken).ok_or(SHORT)?;
+                if run == 0 || at + run > width {
+                    return Err("a run leaves its scanline");
+                }
+                for (k, texel) in texels[at..at + run].iter_mut().enumerate() {
+                    texel[channel] = values[k % taken];
+                }
+                (at, *rest) = (at + run, behind);
+            }
+        }
+        return Ok(texels);
+    }
+    let mut shift = 0;
+    while texels.len() < width {
+        let (&texel, behind) = rest.split_first_chunk::<4>().ok_or(SHORT)?;
+        *rest = behind;
+        if let [1, 1, 1, count] = texel {
+            // Counts behind one another are digits of one number.
+            let count = usize::from(count).checked_shl(shift).unwrap_or(width).min(width - texels.len());
+            let last = *texels.last().ok_or("a scanline begins with a repetition")?;
+            texels.extend(std::iter::repeat_n(last, count));
+            shift = (shift + 8).min(24);
+        } else {
+            texels.push(texel);
+            shift = 0;
+        }
+    }
+    Ok(texels)
+}
+
+/// ```text
+/// (m + ½) 2^(e − 136),   0 for e = 0
+/// ```
+fn linear([r, g, b, e]: [u8; 4]) -> [f32; 3] {
+    let unit = if e == 0 { 0.0 } else { (f32::from(e) - 136.0).exp2() };
+    [r, g, b].map(|m| (f32::from(m) + 0.5) * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(size: &str, data: &[u8]) -> Vec<u8> {
+        [format!("#?RADIANCE\n# made\nFORMAT=32-bit_rle_rgbe\n\n{size}\n").as_bytes(), data].concat()
+    }
+
+    fn read(size: &str, data: &[u8]) -> Result<([usize; 2], Vec<[f32; 3]>), &'static str> {
+        decode(&file(size, data), |w, h| w * h < 1 << 20)
+    }
+
+    #[test]
+    fn a_texel_is_its_mantissas_times_a_power_of_two() {
+        let (_, pixels) = read("-Y 1 +X 3", &[128, 64, 0, 129, 9, 9, 9, 0, 255, 1, 2, 60]).unwrap();
+        let unit = 2.0_f32.powi(60 - 136);
+        assert_eq!(
+            pixels,
+            [[1.003_906_3, 0.503_906_25, 0.003_906_25], [0.0; 3], [255.5, 1.5, 2.5].map(|m| m * unit)]
+        );
+        let exposed =
+            String::from_utf8_lossy(&file("-Y 1 +X 1", b"")).replace("# made", "EXPOSURE=2\nEXPOSURE= 4");
+        let bytes = [exposed.as_bytes(), &[127, 127, 127, 128 + 4]].concat();
+        assert_eq!(decode(&bytes, |_, _| true).unwrap().1, [[127.5 / 128.0; 3]]);
+    }
+
+    #[test]
+    fn runs_of_both_kinds_are_what_they_stand_for() {
+        let plain: Vec<u8> = (0..9).flat_map(|k| [if k < 6 { 5 } else { k }, 0, 7, 130]).collect();
+        let old = [[5, 0, 7, 130], [1, 1, 1, 5], [6, 0, 7, 130], [7, 0, 7, 130], [8, 0, 7, 130]].concat();
+        let new = [&[2, 2, 0, 9, 128 + 6, 5, 3, 6, 7, 8][..], &[137, 0, 137, 7, 137, 130]].concat();
+        for data in [old, new] {
+            assert_eq!(read("-Y 1 +X 9", &data), read("-Y 1 +X 9", &plain));
+        }
+        // The second count is the higher digit.
+        let long = [[5, 0, 7, 130], [1, 1, 1, 4], [1, 1, 1, 1]].concat();
+        assert!(read("-Y 1 +X 261", &long).is_ok() && read("-Y 1 +X 262", &long).is_err());
+    }
+
+    #[test]
+    fn every_orientation_is_turned_upright() {
+        let red = |k: u8| [k, 0, 0, 136];
+        let upright = [red(1), red(2), red(3), red(4), red(5), red(6)].concat();
+        let (_, expected) = read("-Y 2 +X 3", &upright).unwrap();
+        for (size, order) in [
+            ("+Y 2 +X 3", [4, 5, 6, 1, 2, 3]),
+            ("-Y 2 -X 3", [3, 2, 1, 6, 5, 4]),
+            ("+X 3 -Y 2", [1, 4, 2, 5, 3, 6]),
+            ("-X 3 +Y 2", [6, 3, 5, 2, 4, 1]),
+        ] {
+            assert_eq!(read(size, &order.map(red).concat()), Ok(([3, 2], expected.clone())), "{size}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_picture_says_why() {
+        for (size, data, said) in [
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 0][..], "a run leaves its scanline"),
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 138, 1], "a run leaves its scanline"),
+            ("-Y 1 +X 9", &[2, 2, 0, 8], "a scanline has another width than the image"),
+            ("-Y 1 +X 9", &[2, 2, 0, 9, 5, 1], "the file ends within its pixels"),
+            ("-Y 1 +X 2", &[1, 1, 1, 1], "a scanline begins with a repetition"),
+            ("-Y 1 +X", &[], "the size is not four words"),
+            ("-Y 1 +Y 2", &[], "the size has other axes than X and Y"),
+            ("-Y -1 +X 2", &[], "the size is no number"),
+        ] {
+            assert_eq!(read(size, data), Err(said), "{size}");
+        }
+        assert_eq!(
+            decode(b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n", |_, _| true).unwrap_err().split(':').next(),
+            Some("its colours are not RGB")
+        );
+    }
+}
