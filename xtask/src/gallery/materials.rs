@@ -131,8 +131,13 @@ impl Parameters {
     /// A line of each parameter: its name, what it is and its value.
     pub(crate) fn lines(&self) -> impl Iterator<Item = String> {
         self.fields.iter().map(|(name, about)| {
-            let about = about.split(" Default").next().unwrap_or(about).replace("[`", "").replace("`]", "");
-            format!("  {name} = {}\n     {}", self.values[*name], about.trim())
+            // Links and defaults are for readers of the crate's documentation.
+            let about = about.split(" Default").next().unwrap_or(about);
+            let (text, links) = about.split_once("](").unwrap_or((about, ""));
+            let behind = links.split("](").map(|link| link.split_once(')').map_or("", |link| link.1));
+            let about: Vec<_> = std::iter::once(text).chain(behind).collect();
+            let about: String = about.concat().chars().filter(|c| !"`[]".contains(*c)).collect();
+            format!("  {name} = {}\n     {}", shown(&self.values[*name]), about.trim())
         })
     }
 
@@ -233,6 +238,20 @@ const WALLPAPER: Fields = &[
     ("seed", "Which stars: any number."),
 ];
 
+/// A value as [`value`] reads it.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) if number.is_f64() => (number.as_f64().unwrap_or_default() as f32).to_string(),
+        Value::Array(all) => all.iter().map(shown).collect::<Vec<_>>().join(","),
+        Value::Object(fields) => {
+            let field = |(name, value): (&String, &Value)| format!("{name}.{}", shown(value));
+            fields.iter().map(field).collect::<Vec<_>>().join(" ")
+        }
+        Value::String(word) => word.clone(),
+        other => other.to_string(),
+    }
+}
+
 /// The value of a parameter: a number, a word, a list `0.2,0.1,0.4`, or a colour `#d9a066`.
 fn value(text: &str) -> Value {
     let rgb = text.strip_prefix('#').filter(|digits| digits.len() == 6);
@@ -242,4 +261,44 @@ fn value(text: &str) -> Value {
     let list = format!("[{text}]");
     let parsed = serde_json::from_str(text).ok();
     parsed.or_else(|| serde_json::from_str(&list).ok()).unwrap_or_else(|| json!(text))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::ValueEnum;
+
+    use super::*;
+
+    #[test]
+    fn every_parameter_is_listed_with_a_value_that_it_takes() {
+        for &material in Material::value_variants() {
+            let own = Parameters::usual(material).unwrap();
+            let fields = own.values.as_object().unwrap();
+            let mut names: Vec<_> = own.fields.iter().map(|field| field.0).collect();
+            names.sort_unstable();
+            assert!(fields.keys().eq(&names), "{material:?}: {names:?}");
+            for (name, about) in own.fields {
+                assert!(!about.trim().is_empty(), "{material:?} {name}");
+                let text = shown(&own.values[*name]);
+                if !own.values[*name].is_object() {
+                    assert_eq!(shown(&value(&text)), text, "{material:?} {name}");
+                }
+            }
+            for line in own.lines() {
+                assert!(!line.contains("crate::") && !line.contains('`'), "{line}");
+            }
+            if material != Material::Bumps {
+                assert!(own.make(material, 1.0, true).is_ok(), "{material:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn words_lists_and_colours_are_values() {
+        assert_eq!(value("0.25"), json!(0.25));
+        assert_eq!(value("grid"), json!("grid"));
+        assert_eq!(value("1, 0.5,0"), json!([1, 0.5, 0]));
+        assert_eq!(value("#ffffff"), json!([1.0, 1.0, 1.0]));
+        assert_eq!(value("#fffff"), json!("#fffff"));
+    }
 }
