@@ -72,6 +72,8 @@ the folder of its static library; xtask/peers/README.md says how to build it.")]
     NoStd,
     /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
     BareMetal,
+    /// Compute the bits of every crate in WebAssembly, with and without SIMD128, or say what is missing for that.
+    Wasm,
 }
 
 #[derive(Debug, Args)]

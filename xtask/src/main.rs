@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Parser;
 
-use check::{bare_metal, ci, no_std, tidy};
+use check::{bare_metal, ci, no_std, tidy, wasm};
 use cli::{Cli, Command};
 use failure::Failure;
 use gallery::figures::figures;
@@ -80,6 +80,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
         Command::Ci(wanted) => ci::gates(&wanted.only, root, interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
+        Command::Wasm => wasm::probe(root).map(|line| progress::say(&line)),
     }
 }
 
@@ -94,7 +95,8 @@ mod tests {
     #[test]
     fn every_command_explains_itself() {
         let said = Cli::command().render_help().to_string();
-        for command in ["gallery", "tables", "render", "bench", "tidy", "ci", "no-std", "bare-metal"] {
+        for command in ["gallery", "tables", "render", "bench", "tidy", "ci", "no-std", "bare-metal", "wasm"]
+        {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();

@@ -5,7 +5,7 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 use cargo_metadata::MetadataCommand;
 
 use super::cargo::{cargo, run};
-use super::{bare_metal, no_std, packages, tidy};
+use super::{bare_metal, no_std, packages, tidy, wasm};
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, tables};
 
@@ -26,7 +26,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 12] = [
+const GATES: [Gate; 13] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("generated tables", tables::check),
@@ -41,6 +41,7 @@ const GATES: [Gate; 12] = [
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("oldest glam", packages::oldest_glam),
     ("packages", packages::packages),
+    ("wasm probe", |root| wasm::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 

@@ -6,3 +6,5 @@ pub(crate) mod ci;
 pub(crate) mod no_std;
 pub(crate) mod packages;
 pub(crate) mod tidy;
+mod toolchain;
+pub(crate) mod wasm;

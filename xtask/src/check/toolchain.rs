@@ -1,0 +1,70 @@
+//! Toolchains that can build for other machines.
+
+use std::{ffi::OsString, path::Path, path::PathBuf, process::Command};
+
+use super::cargo::cargo_program;
+
+/// A cargo and a rustc that can build for a target.
+pub(crate) struct Toolchain {
+    pub(crate) cargo: OsString,
+    rustc: OsString,
+    /// Without libraries for the target, but with their sources.
+    pub(crate) builds_core: bool,
+}
+
+impl Toolchain {
+    /// The toolchain that runs this program, or the system's, whichever has the libraries of a target; or else their sources, if a
+    /// linker is at hand.
+    pub(crate) fn of(target: &str, has_linker: bool) -> Option<Self> {
+        let candidates = [own(), ("/usr/bin/cargo".into(), "/usr/bin/rustc".into())];
+        candidates.into_iter().find_map(|(cargo, rustc)| {
+            let libraries = print(&rustc, &["target-libdir", "--target", target])?;
+            let sysroot = print(&rustc, &["sysroot"])?;
+            let has_core = Path::new(&libraries).read_dir().is_ok_and(|mut files| {
+                files.any(|file| file.is_ok_and(|f| f.file_name().to_string_lossy().starts_with("libcore")))
+            });
+            let has_sources = Path::new(&sysroot).join("lib/rustlib/src/rust/library/core").is_dir();
+            (has_core || has_sources && has_linker).then_some(Self { cargo, rustc, builds_core: !has_core })
+        })
+    }
+
+    /// A build in a folder for a target, which builds these libraries of Rust itself where there are only their sources.
+    pub(crate) fn build(&self, folder: &Path, target: &str, libraries: &str) -> Command {
+        let mut build = Command::new(&self.cargo);
+        build
+            .args(["build", "--quiet", "--locked", "--release", "--target", target])
+            .current_dir(folder)
+            .env("RUSTC", &self.rustc)
+            .env_remove("RUSTUP_TOOLCHAIN")
+            .env_remove("CARGO_TARGET_DIR");
+        if self.builds_core {
+            build.arg(format!("-Zbuild-std={libraries}")).env("RUSTC_BOOTSTRAP", "1");
+        }
+        build
+    }
+}
+
+/// The linker that toolchains of rustup bring along, for every target that needs no other.
+pub(crate) fn rust_lld() -> Option<PathBuf> {
+    let (_, rustc) = own();
+    let (sysroot, host) = (print(&rustc, &["sysroot"])?, print(&rustc, &["host-tuple"])?);
+    let name = format!("lib/rustlib/{host}/bin/rust-lld{}", std::env::consts::EXE_SUFFIX);
+    Some(Path::new(&sysroot).join(name)).filter(|linker| linker.is_file())
+}
+
+/// The output of a command, if it can be run and succeeds.
+pub(crate) fn output(command: &mut Command) -> Option<String> {
+    let output = command.output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// The cargo that runs this program, and its rustc.
+fn own() -> (OsString, OsString) {
+    let cargo = cargo_program();
+    let rustc = Path::new(&cargo).with_file_name("rustc").into_os_string();
+    (cargo, rustc)
+}
+
+fn print(rustc: &OsString, what: &[&str]) -> Option<String> {
+    output(Command::new(rustc).arg("--print").args(what))
+}
