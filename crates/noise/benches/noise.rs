@@ -6,8 +6,8 @@
 use std::{hint::black_box, time::Duration};
 
 use asperity_noise::{
-    Field, Gaussian, Grid, IntegerHash, Octaves, Perlin1985, Perlin2002, Point, RidgedMultifractal, Rotation,
-    Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom, ValueGradient, White,
+    Cellular, Field, Gaussian, Grid, IntegerHash, Octaves, Perlin1985, Perlin2002, Point, RidgedMultifractal,
+    Rotation, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom, ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
     lattice::{ChainedTable, PermutationTable},
     simd::Batch,
@@ -33,6 +33,7 @@ fn kinds(criterion: &mut Criterion) {
     every_dimension(criterion, "simplex", Simplex::new(SEED));
     every_dimension(criterion, "simplex-wide", Simplex::wide(SEED));
     every_dimension(criterion, "sparse", Sparse::new(SEED));
+    every_dimension(criterion, "cellular", Cellular::new(SEED));
     every_dimension(criterion, "gaussian", Gaussian::new(SEED));
 }
 

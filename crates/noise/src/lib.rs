@@ -36,6 +36,7 @@
 //! | [`ValueGradient`] | a weighted sum of both on one lattice | 1–4 | yes | by [`Tiled`] |
 //! | [`Simplex`] | gradient noise on simplices, r² = 0.5 (continuous) or 0.6 (customary) | 1–4 | yes | by [`Tiled`] in 1-D, [`TiledSimplex`] in 3-D; nothing can in 2-D and 4-D, where the lattice is irrational along the axes |
 //! | [`Sparse`] | impulses at random places, convolved with a radial kernel | 1–4 | – | by [`Tiled`] |
+//! | [`Cellular`] | distances to the nearest of random feature points, or the number of the nearest, in three metrics | 1–4 | – | by [`Tiled`] |
 //! | [`Gaussian`] | value-gradient noise over its standard deviation at the point: N(0, 1) everywhere | 1–4 | yes | by [`Tiled`] |
 //! | [`printed`] | the algorithms of Ebert (ed.) 1994 with tables as they are filled there | 3 | – | period 256 |
 //!
@@ -49,6 +50,7 @@
 //! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
 //! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`Affine`], [`Power`], [`Unit`] | fields of fields, by value |
 //! | [`Warp`], [`curl`] | domain warping with its Jacobian; flows without divergence |
+//! | [`Basis`], [`Metric`] | what cellular noise gives and measures in |
 //! | [`Lattice`], [`IntegerHash`], [`lattice`] | where a lattice point's bits come from, and what kinds make of them |
 //! | [`Statistics`] | measured deviation, kurtosis, range and distribution of a kind |
 //! | [`simd`] | SIMD levels, and the interface that kinds are written in |
@@ -85,7 +87,7 @@
 //!
 //! # What it does not do
 //!
-//! No cellular (Worley) noise, no fifth dimension, no double precision.
+//! No fifth dimension, no double precision.
 //!
 //! # Features
 //!
@@ -133,6 +135,8 @@ pub use glam;
 pub use contract::field::{Curved, Field};
 pub use contract::many::BatchError;
 pub use contract::noise::Noise;
+pub use kinds::cellular::cellular::{Basis, Cellular, CellularError};
+pub use kinds::cellular::metric::Metric;
 pub use kinds::gaussian::Gaussian;
 pub use kinds::perlin::{Perlin1985, Perlin2002};
 pub use kinds::simplex::simplex::Simplex;

@@ -2,10 +2,10 @@
 
 use asperity_lanes::{
     compare::{ORIGIN, Random, coordinate, cut, far_cases, grid, grids, lengths, near_cases, points},
-    noise_kinds::{Testable, Visit, every_kind},
+    noise_kinds::{Testable, Visit, every_dimension, every_kind},
 };
 use asperity_noise::{
-    Field, Gaussian, Grid, IntegerHash, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex,
+    Basis, Cellular, Field, Gaussian, Grid, IntegerHash, Metric, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex,
     Sparse, Spectrum, Tiled, TiledSimplex, ValueCatmullRom,
     glam::{Vec2, Vec3, Vec4},
     lattice::PermutationTable,
@@ -62,6 +62,21 @@ fn far_grids_have_the_scalar_bits() {
 #[test]
 fn rows_of_any_length_have_the_scalar_bits() {
     every_kind(&mut Check::Lengths);
+}
+
+#[test]
+fn cellular_noise_has_the_scalar_bits() {
+    for (basis, metric) in [
+        (Basis::F1, Metric::Euclidean),
+        (Basis::F2MinusF1, Metric::Manhattan),
+        (Basis::F2, Metric::Chebyshev),
+        (Basis::Cell, Metric::Euclidean),
+    ] {
+        let noise = Cellular::default().with_basis(basis).with_metric(metric);
+        for check in [&mut Check::Near, &mut Check::Far, &mut Check::Points] {
+            every_dimension(check, &format!("{basis:?} {metric:?}"), noise);
+        }
+    }
 }
 
 /// Lattices share all code but the hash, whose look-ups no register does.

@@ -5,6 +5,7 @@ mod fif;
 mod made;
 mod noise;
 mod noise_cdf;
+mod noise_cellular;
 mod noise_levels;
 mod noise_means;
 mod noise_pictures;

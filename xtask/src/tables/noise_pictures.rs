@@ -3,8 +3,8 @@
 //! The documentation of a crate can show only what lies in its own text, so the lines hold their PNG as a data URL.
 
 use asperity_noise::{
-    Billow, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Power,
-    Ridged, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom,
+    Billow, Cellular, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma,
+    Power, Ridged, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, Turbulence, Value, ValueCatmullRom,
     ValueGradient, Warp, White,
 };
 use glam::Vec2;
@@ -42,6 +42,7 @@ pub(super) fn noise_pictures() -> Result<Vec<File>, Failure> {
         picture("value_gradient", [-0.6, 0.6], &|p| ValueGradient::new(SEED).value(p))?,
         picture("simplex", [-1.0, 1.0], &|p| Simplex::new(SEED).value(p))?,
         picture("sparse", [-2.5, 2.5], &|p| Sparse::new(SEED).value(p))?,
+        picture("cellular", [0.0, 1.1], &|p| Cellular::new(SEED).value(p))?,
         picture("gaussian", [-2.5, 2.5], &|p| Gaussian::new(SEED).value(p))?,
         picture("tiled", [-0.75, 0.75], &|p| tiled.value(p * 1.5))?,
         picture("octaves", [-0.6, 0.6], &|p| clouds.value(p))?,

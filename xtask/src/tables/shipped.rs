@@ -4,16 +4,17 @@
 use std::{fs, path::Path};
 
 use super::{
-    noise_cdf::noise_statistics_source, noise_levels::noise_levels_source,
-    noise_means::absolute_moments_source, noise_pictures::noise_pictures,
+    noise_cdf::noise_statistics_source, noise_cellular::cellular_statistics_source,
+    noise_levels::noise_levels_source, noise_means::absolute_moments_source, noise_pictures::noise_pictures,
 };
 use crate::{failure::Failure, output::Output, progress};
 
 /// One generated file: its folder and name in the source tree, and what makes its text.
 type Shipped = (&'static str, &'static str, fn() -> String);
 
-const SHIPPED: [Shipped; 3] = [
+const SHIPPED: [Shipped; 4] = [
     ("crates/noise/src/statistics", "absolute_moments.rs", absolute_moments_source),
+    ("crates/noise/src/statistics", "cellular.rs", cellular_statistics_source),
     ("crates/noise/src/lattice", "gaussian_levels.rs", noise_levels_source),
     ("crates/noise/src/statistics", "tables.rs", noise_statistics_source),
 ];

@@ -26,6 +26,17 @@ pub trait Measured<const N: usize> {
         self.statistics().standard_deviation
     }
 
+    /// The mean of one octave over all points and seeds.
+    fn mean(&self) -> f32 {
+        0.0
+    }
+
+    /// Lower and upper bound of the values of this very noise.
+    fn bounds(&self) -> [f32; 2] {
+        let range = self.statistics().range;
+        [-range, range]
+    }
+
     /// E|n|, E|n|², E|n|³ and E|n|⁴ of one octave over all points and seeds, what a [`Shape`](crate::Shape)'s mean follows from.
     fn absolute_moments(&self) -> [f32; 4] {
         self.statistics().absolute_moments

@@ -21,6 +21,12 @@ pub trait Noise<V: Point>: Field<V> {
     #[must_use]
     fn standard_deviation(&self) -> f32;
 
+    /// E n, the mean over all points and seeds: 0 for all kinds but [`Cellular`](crate::Cellular).
+    #[must_use]
+    fn mean(&self) -> f32 {
+        0.0
+    }
+
     /// E|n|, E|n|², E|n|³ and E|n|⁴ over all points and seeds, measured; what a [`Shape`](crate::Shape)'s mean follows from.
     #[must_use]
     fn absolute_moments(&self) -> [f32; 4];
@@ -38,12 +44,12 @@ pub trait Noise<V: Point>: Field<V> {
 
 /// The constructors of a kind: of its parameters, if it has any, with the values that they begin with.
 macro_rules! kind {
-    ($kind:ident $({ $parameter:ident: $value:expr }, $about:literal)?) => {
+    ($kind:ident $({ $($parameter:ident: $value:expr),+ }, $about:literal)?) => {
         impl $kind {
             #[doc = concat!("The noise that `seed` selects", $(", ", $about,)? ".")]
             #[must_use]
             pub const fn new(seed: u32) -> Self {
-                Self { seed, $($parameter: $value,)? lattice: $crate::lattice::integer_hash::IntegerHash }
+                Self { seed, $($($parameter: $value,)+)? lattice: $crate::lattice::integer_hash::IntegerHash }
             }
         }
 
@@ -58,7 +64,7 @@ macro_rules! kind {
             /// Its words drawn from another lattice.
             #[must_use]
             pub fn with_lattice<M>(self, lattice: M) -> $kind<M> {
-                $kind { seed: self.seed, $($parameter: self.$parameter,)? lattice }
+                $kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice }
             }
 
             /// Another seed.
@@ -138,8 +144,7 @@ macro_rules! noise {
             }
 
             fn range(&self) -> [f32; 2] {
-                let range = $crate::contract::kernel::Measured::<$n>::statistics(self).range;
-                [-range, range]
+                $crate::contract::kernel::Measured::<$n>::bounds(self)
             }
 
             fn fill(
@@ -162,6 +167,10 @@ macro_rules! noise {
 
             fn standard_deviation(&self) -> f32 {
                 $crate::contract::kernel::Measured::<$n>::standard_deviation(self)
+            }
+
+            fn mean(&self) -> f32 {
+                $crate::contract::kernel::Measured::<$n>::mean(self)
             }
 
             fn absolute_moments(&self) -> [f32; 4] {

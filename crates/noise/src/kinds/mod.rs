@@ -2,6 +2,7 @@
 
 pub(crate) mod catmull_rom;
 pub(crate) mod cell;
+pub(crate) mod cellular;
 pub(crate) mod gaussian;
 pub(crate) mod perlin;
 pub(crate) mod simplex;

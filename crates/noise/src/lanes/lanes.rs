@@ -84,6 +84,10 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn abs(self, x: Self::F) -> Self::F;
     /// √x, correctly rounded.
     fn sqrt(self, x: Self::F) -> Self::F;
+    /// The lesser of numbers that are neither NaN nor −0.
+    fn min(self, a: Self::F, b: Self::F) -> Self::F;
+    /// The greater of numbers that are neither NaN nor −0.
+    fn max(self, a: Self::F, b: Self::F) -> Self::F;
     /// a < b; false if either is NaN.
     fn less(self, a: Self::F, b: Self::F) -> Self::M;
     /// a = b.
@@ -242,6 +246,14 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn sqrt(self, x: f32) -> f32 {
         math::sqrt(x)
+    }
+    #[inline(always)]
+    fn min(self, a: f32, b: f32) -> f32 {
+        if a < b { a } else { b }
+    }
+    #[inline(always)]
+    fn max(self, a: f32, b: f32) -> f32 {
+        if a < b { b } else { a }
     }
     #[inline(always)]
     fn less(self, a: f32, b: f32) -> bool {

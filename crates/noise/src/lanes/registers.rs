@@ -100,6 +100,14 @@ impl<S: Simd> Lanes for Wide<S> {
         x.sqrt()
     }
     #[inline(always)]
+    fn min(self, a: Self::F, b: Self::F) -> Self::F {
+        a.min(b)
+    }
+    #[inline(always)]
+    fn max(self, a: Self::F, b: Self::F) -> Self::F {
+        a.max(b)
+    }
+    #[inline(always)]
     fn less(self, a: Self::F, b: Self::F) -> Self::M {
         a.simd_lt(b)
     }

@@ -15,7 +15,7 @@ use crate::{
 /// word(c) = L.word(c mod period)
 /// ```
 ///
-/// Every noise on the integer lattice tiles with it: white, value, gradient, value-gradient, sparse and Gaussian noise, in
+/// Every noise on the integer lattice tiles with it: white, value, gradient, value-gradient, sparse, cellular and Gaussian noise, in
 /// any dimension; axes beyond the N-th do not repeat. Where p and p + period are both exact in `f32`, values and gradients
 /// have the same bits. From |x| = 2³¹ on cells wrap modulo 2³², and only periods that are powers of two go on.
 ///
@@ -135,8 +135,8 @@ impl Error for TiledError {}
 mod tests {
     use super::*;
     use crate::{
-        Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value, ValueCatmullRom,
-        ValueGradient, White,
+        Basis, Cellular, Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Point, Simplex, Sparse, Value,
+        ValueCatmullRom, ValueGradient, White,
         lanes::lanes::Scalar,
         lattice::{ChainedTable, PermutationTable},
     };
@@ -224,6 +224,8 @@ mod tests {
         kind(&Perlin2002::new(4).with_lattice(lattice));
         kind(&Gaussian::new(4).with_lattice(lattice));
         kind(&Sparse::new(4).with_lattice(lattice));
+        kind(&Cellular::new(4).with_lattice(lattice));
+        kind(&Cellular::new(4).with_basis(Basis::Cell).with_lattice(lattice));
         let table = PermutationTable::new(1);
         kind(&Perlin2002::new(4).with_lattice(Tiled::new(table, [7, 1, 12, 2]).unwrap()));
         kind(&Perlin2002::new(4).with_lattice(Tiled::new(ChainedTable(table), [7, 1, 12, 2]).unwrap()));

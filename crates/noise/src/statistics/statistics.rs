@@ -3,7 +3,7 @@
 /// Standard deviation, excess kurtosis, range and distribution of a kind of noise, measured over points and seeds.
 ///
 /// The distribution G is that of the sum of eight octaves with gain 0.5, divided by its standard deviation:
-/// knot k of K stands at r = −4 + 8 k/(K − 1), and G(−r) = 1 − G(r).
+/// knot k of K stands at r = −4 + 8 k/(K − 1). G(−r) = 1 − G(r), but for [`Cellular`](crate::Cellular) noise, whose mean is taken away first.
 ///
 /// ```
 /// use asperity_noise::{Noise, Perlin2002, glam::Vec3};

@@ -25,7 +25,7 @@ pub enum Normalisation {
     Range,
     /// σ₁ √Σ (wᵢ aᵢ)²: the sum has variance 1 for every number of octaves, and no bound of 1.
     ///
-    /// With a [`Shape`] whose mean is not 0 the mean is taken away first, so that the sum has mean 0.
+    /// With a kind or a [`Shape`] whose mean is not 0 the mean is taken away first, so that the sum has mean 0.
     #[default]
     Variance,
 }
@@ -132,7 +132,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             count: 0,
             constant: 0.0,
             factor: 0.0,
-            range: self.shape.range(self.noise.statistics().range),
+            range: self.bounds(),
         };
         let (mut sum, mut squares) = (0.0, 0.0);
         for (amplitude, (_, weighted)) in active.amplitudes.iter_mut().zip(self.spectrum.active(octaves)) {
@@ -156,11 +156,18 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
         active
     }
 
+    /// Lower and upper bound of one octave of amplitude 1.
+    #[inline]
+    fn bounds(&self) -> [f32; 2] {
+        let [low, high] = self.noise.bounds();
+        if T::IS_IDENTITY { [low, high] } else { self.shape.range(high.max(-low)) }
+    }
+
     /// Mean and standard deviation of one octave of amplitude 1.
     #[inline]
     fn moments(&self) -> [f32; 2] {
         if T::IS_IDENTITY {
-            return [0.0, self.noise.standard_deviation()];
+            return [self.noise.mean(), self.noise.standard_deviation()];
         }
         self.shape.mean_and_deviation(self.noise.standard_deviation(), self.noise.absolute_moments())
     }

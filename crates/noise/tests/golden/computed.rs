@@ -1,8 +1,9 @@
 //! Values whose bits are golden: every kind and sum in every dimension. Needs neither std nor an allocator.
 
 use asperity_noise::{
-    Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Normalisation, Octaves, Perlin1985, Perlin2002,
-    Point, Rotation, Sample, Simplex, Sparse, Spectrum, Value, ValueCatmullRom, ValueGradient, White,
+    Basis, Cellular, Field, Gaussian, GaussianOctaves, IntegerHash, Lattice, Metric, Normalisation, Octaves,
+    Perlin1985, Perlin2002, Point, Rotation, Sample, Simplex, Sparse, Spectrum, Value, ValueCatmullRom,
+    ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
     lattice::{PermutationTable, edge_gradient, gaussian_corner, unit_gradient},
     simd::{Batch, Kernel, Level},
@@ -162,6 +163,15 @@ pub(crate) fn fields(tell: &mut impl FnMut(&'static str, Golden)) {
     kind("value, Catmull-Rom", &ValueCatmullRom::new(17), tell);
     kind("value-gradient", &ValueGradient::new(17), tell);
     kind("sparse", &Sparse::new(17), tell);
+    let cellular = Cellular::new(17);
+    kind("cellular, F₁", &cellular, tell);
+    kind(
+        "cellular, F₂ − F₁, Manhattan",
+        &cellular.with_basis(Basis::F2MinusF1).with_metric(Metric::Manhattan),
+        tell,
+    );
+    kind("cellular, F₂, Chebyshev", &cellular.with_basis(Basis::F2).with_metric(Metric::Chebyshev), tell);
+    kind("cellular, cell", &cellular.with_basis(Basis::Cell), tell);
     sum("octaves, range", Normalisation::Range, Rotation::Random, tell);
     sum("octaves, variance", Normalisation::Variance, Rotation::Random, tell);
     sum("octaves, aligned", Normalisation::Range, Rotation::Aligned, tell);

@@ -6,7 +6,8 @@ mod compare;
 mod shapes;
 
 use asperity_noise::{
-    Field, Grid, Normalisation, Octaves, Perlin2002, Rotation, Simplex, Spectrum, Value,
+    Basis, Cellular, Field, Grid, Metric, Normalisation, Octaves, Perlin2002, Rotation, Simplex, Spectrum,
+    Value,
     glam::{Vec2, Vec3},
     simd::{Batch, Level},
 };
@@ -58,6 +59,29 @@ fn the_end_of_a_wide_row_has_the_scalar_bits() {
 #[test]
 fn grids_in_space_have_the_scalar_bits() {
     grids("value 3-D", &Value::new(7) as &dyn Field<Vec3>, &near_cases());
+}
+
+#[test]
+fn grids_of_cellular_noise_have_the_scalar_bits() {
+    for basis in [Basis::F1, Basis::F2MinusF1, Basis::Cell] {
+        for metric in [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev] {
+            let noise = Cellular::new(7).with_basis(basis).with_metric(metric);
+            let name = format!("{basis:?} {metric:?} 2-D");
+            grids(&name, &noise as &dyn Field<Vec2>, &near_cases()[..3]);
+            // Four feature points are equally near everywhere on these grids.
+            let squares = noise.with_jitter(0.0).unwrap();
+            for step in [0.25, -0.25, 1.0] {
+                let grid_here =
+                    Grid { origin: Vec2::new(-3.0, -2.0), step: Vec2::new(step, 0.5), size: [300, 9] };
+                grid(&name, &squares as &dyn Field<Vec2>, &grid_here);
+            }
+        }
+    }
+    let field: &dyn Field<Vec2> = &Cellular::new(7).with_basis(Basis::F2);
+    grids("F2 2-D", field, &near_cases());
+    grids("F2 2-D", field, &far_cases());
+    lengths("F2 2-D", field);
+    points("F2 2-D", field, 4001);
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "noise",
         sources: "crates/noise/src",
         rooms: "math → point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
-                kinds → sums → transforms → printed",
+                kinds/cellular → kinds → sums → transforms → printed",
         face: Some(60),
     },
     House {

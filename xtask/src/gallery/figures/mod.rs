@@ -62,6 +62,7 @@ const FIGURES: &[&[Figure]] = &[
     ],
     noise::kinds::KINDS,
     &[
+        figure("noise-cellular", noise::cellular::draw),
         figure("noise-sum-patterns", noise::patterns::draw),
         figure("noise-sum-slope", noise::slope::draw),
         figure("noise-sum-footprint", noise::footprint::draw),

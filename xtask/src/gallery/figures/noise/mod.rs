@@ -1,5 +1,6 @@
 //! Figures of the noises.
 
+pub(super) mod cellular;
 pub(super) mod curl;
 pub(super) mod footprint;
 pub(super) mod gradients;
