@@ -3,7 +3,8 @@
 use std::hint::black_box;
 
 use asperity_noise::{
-    self as ours, Field, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum, Value,
+    self as ours, Cellular, Field, Normalisation, Octaves, Perlin2002, Point, Rotation, Simplex, Spectrum,
+    Value,
     glam::{Vec2, Vec3, Vec4},
     simd::{Batch, Kernel, Level},
 };
@@ -32,12 +33,14 @@ where
     V: Point<Coordinates = [f32; N]>,
     Perlin2002: Kernel<N> + Field<V>,
     Simplex: Field<V>,
+    Cellular: Field<V>,
     Value: Field<V>,
 {
     match row.kind {
         Kind::Perlin => of::<V, N>(row, step, Perlin2002::new(SEED)),
         Kind::Simplex => of::<V, N>(row, step, Simplex::new(SEED)),
         Kind::Value => of::<V, N>(row, step, Value::new(SEED)),
+        Kind::Cellular => of::<V, N>(row, step, Cellular::new(SEED)),
         Kind::Octaves => {
             let spectrum = Spectrum::new(2.0, 0.5, 5).expect("five octaves");
             let sum = Octaves::<_, N>::new(Perlin2002::new(SEED), spectrum);

@@ -85,8 +85,10 @@ impl Node {
             Kind::Perlin | Kind::Octaves => c"Perlin",
             Kind::Value => c"Value",
             Kind::Simplex => c"Simplex",
+            Kind::Cellular => c"Cellular Distance",
         };
-        let source = Self::named(generator, features)?;
+        let source = Self::named(generator, features)
+            .or_else(|| (kind == Kind::Cellular).then(|| Self::named(c"CellularDistance", features))?)?;
         source.set("Feature Scale", 1.0);
         if kind != Kind::Octaves {
             return Some(source);

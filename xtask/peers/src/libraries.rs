@@ -32,7 +32,9 @@ macro_rules! in_dimension {
 /// The oldest of the Rust libraries: `f64` and permutation tables; its simplex noise has derivatives.
 fn noise(row: Row, step: f32) -> Option<Contender> {
     use noise::{
-        Fbm, MultiFractal, NoiseFn, Perlin, Simplex, Value, core::simplex, permutationtable::PermutationTable,
+        Fbm, MultiFractal, NoiseFn, Perlin, Simplex, Value, Worley,
+        core::{simplex, worley},
+        permutationtable::PermutationTable,
     };
 
     const NAME: &str = "noise";
@@ -46,6 +48,7 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
     }
 
     if row.kind != Kind::Simplex || !row.gradients {
+        let nearest = || Worley::new(SEED).set_return_type(worley::ReturnType::Distance);
         let sum = || Fbm::<Perlin>::new(SEED).set_octaves(5).set_lacunarity(2.0).set_persistence(0.5);
         return in_dimension!(
             row,
@@ -55,6 +58,7 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
                 Kind::Value => of::<N>(row, step, Value::new(SEED)),
                 Kind::Simplex => of::<N>(row, step, Simplex::new(SEED)),
                 Kind::Octaves => of::<N>(row, step, sum()),
+                Kind::Cellular => of::<N>(row, step, nearest()),
             }
         );
     }
@@ -69,7 +73,7 @@ fn noise(row: Row, step: f32) -> Option<Contender> {
 
 /// `f32`, hashes and small tables, no state.
 fn noise_functions(row: Row, step: f32) -> Option<Contender> {
-    use noise_functions::{Noise, Perlin, Sample, Simplex, Value};
+    use noise_functions::{CellDistance, Noise, Perlin, Sample, Simplex, Value};
 
     fn of<const N: usize>(row: Row, step: f32, noise: impl Sample<N> + 'static) -> Contender {
         values("noise-functions", row, step, move |p: [f32; N]| noise.sample_with_seed(p, SEED as i32))
@@ -83,13 +87,16 @@ fn noise_functions(row: Row, step: f32) -> Option<Contender> {
             Kind::Value => of::<N>(row, step, Value),
             Kind::Simplex => of::<N>(row, step, Simplex),
             Kind::Octaves => of::<N>(row, step, Perlin.fbm(5, 0.5, 2.0)),
+            Kind::Cellular => of::<N>(row, step, CellDistance::default()),
         }
     )
 }
 
 /// One configurable generator, `f32`.
 fn fastnoise_lite(row: Row, step: f32) -> Option<Contender> {
-    use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+    use fastnoise_lite::{
+        CellularDistanceFunction, CellularReturnType, FastNoiseLite, FractalType, NoiseType,
+    };
 
     const NAME: &str = "fastnoise-lite";
     let mut noise = FastNoiseLite::with_seed(SEED as i32);
@@ -98,7 +105,10 @@ fn fastnoise_lite(row: Row, step: f32) -> Option<Contender> {
         Kind::Perlin | Kind::Octaves => NoiseType::Perlin,
         Kind::Value => NoiseType::Value,
         Kind::Simplex => NoiseType::OpenSimplex2,
+        Kind::Cellular => NoiseType::Cellular,
     }));
+    noise.set_cellular_return_type(Some(CellularReturnType::Distance));
+    noise.set_cellular_distance_function(Some(CellularDistanceFunction::Euclidean));
     if row.kind == Kind::Octaves {
         noise.set_fractal_type(Some(FractalType::FBm));
         noise.set_fractal_octaves(Some(5));
@@ -129,6 +139,7 @@ fn libnoise(row: Row, step: f32) -> Option<Contender> {
             Kind::Value => of(row, step, Source::<N>::value(seed)),
             Kind::Simplex => of(row, step, Source::<N>::simplex(seed)),
             Kind::Octaves => of(row, step, Source::<N>::improved_perlin(seed).fbm(5, 1.0, 2.0, 0.5)),
+            Kind::Cellular => of(row, step, Source::<N>::worley(seed)),
         }
     )
 }
@@ -181,6 +192,7 @@ fn noiz(row: Row, step: f32) -> Option<Contender> {
                 Kind::Simplex if row.gradients => {
                     derivative!(common_noise::SimplexWithDerivative::default(), $vector)
                 }
+                Kind::Cellular => value!(common_noise::Worley::default()),
                 Kind::Perlin => value!(common_noise::Perlin::default()),
                 Kind::Value => value!(common_noise::Value::default()),
                 Kind::Simplex => value!(common_noise::Simplex::default()),
@@ -215,7 +227,9 @@ fn opensimplex2(row: Row, step: f32) -> Option<Contender> {
 
 /// The first FastNoise in Rust, `f32` and permutation tables.
 fn bracket_noise(row: Row, step: f32) -> Option<Contender> {
-    use bracket_noise::prelude::{FastNoise, FractalType, Interp, NoiseType};
+    use bracket_noise::prelude::{
+        CellularDistanceFunction, CellularReturnType, FastNoise, FractalType, Interp, NoiseType,
+    };
 
     const NAME: &str = "bracket-noise";
     let mut noise = FastNoise::seeded(u64::from(SEED));
@@ -226,7 +240,10 @@ fn bracket_noise(row: Row, step: f32) -> Option<Contender> {
         Kind::Value => NoiseType::Value,
         Kind::Simplex => NoiseType::Simplex,
         Kind::Octaves => NoiseType::PerlinFractal,
+        Kind::Cellular => NoiseType::Cellular,
     });
+    noise.set_cellular_return_type(CellularReturnType::Distance);
+    noise.set_cellular_distance_function(CellularDistanceFunction::Euclidean);
     noise.set_fractal_type(FractalType::FBM);
     noise.set_fractal_octaves(5);
     noise.set_fractal_lacunarity(2.0);

@@ -117,7 +117,7 @@ mod tests {
     fn a_word_chooses_the_rows_that_contain_it() {
         assert_eq!(chosen(&[]).unwrap(), row::all());
         let some = chosen(&["fill_grid/2-d".into()]).unwrap();
-        assert_eq!(some.len(), 4, "{some:?}");
+        assert_eq!(some.len(), 5, "{some:?}");
         assert!(chosen(&["worley".into()]).unwrap_err().contains("`worley`"));
     }
 

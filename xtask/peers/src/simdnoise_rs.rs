@@ -1,4 +1,4 @@
-//! `simdnoise`: simplex noise for SSE2, SSE4.1 and AVX2; a block of values is a new vector each time.
+//! `simdnoise`: simplex and cellular noise for SSE2, SSE4.1 and AVX2; a block of values is a new vector each time.
 #![expect(unsafe_code, reason = "its functions for one instruction set are unsafe to call")]
 
 use std::arch::x86_64;
@@ -17,7 +17,8 @@ const NAME: &str = "simdnoise";
 
 pub(crate) fn contenders(row: Row, step: f32) -> Vec<Contender> {
     match row.dimension {
-        _ if row.kind != Kind::Simplex => Vec::new(),
+        _ if row.kind == Kind::Cellular && row.order != Order::Grid => Vec::new(),
+        _ if !matches!(row.kind, Kind::Simplex | Kind::Cellular) => Vec::new(),
         _ if row.order == Order::Calls => calls(row, step).into_iter().collect(),
         2 => levels().map(|level| contender::<2>(row, step, level)).collect(),
         3 => levels().map(|level| contender::<3>(row, step, level)).collect(),
@@ -56,7 +57,7 @@ fn contender<const N: usize>(row: Row, step: f32, level: &'static str) -> Conten
     if row.order == Order::Grid {
         let grid = Grid::<N>::new(step);
         return arrays::contender(NAME, level, row, move |moved, values| {
-            *values = block::<N>(level, &settings(&grid.moved(moved)));
+            *values = block::<N>(level, &settings(row.kind, &grid.moved(moved)));
         });
     }
     let points = inputs::points::<N>();
@@ -71,8 +72,18 @@ fn contender<const N: usize>(row: Row, step: f32, level: &'static str) -> Conten
 }
 
 /// Its grids step by 1 and are scaled by the frequency afterwards.
-fn settings<const N: usize>(grid: &Grid<N>) -> NoiseType {
+fn settings<const N: usize>(kind: Kind, grid: &Grid<N>) -> NoiseType {
     let at = |axis: usize| grid.origin[axis] / grid.step;
+    if kind == Kind::Cellular {
+        // The square of the Euclidean distance, which it calls Euclidean.
+        let mut settings = if N == 2 {
+            NoiseBuilder::cellular_2d_offset(at(0), grid.size[0], at(1), grid.size[1])
+        } else {
+            NoiseBuilder::cellular_3d_offset(at(0), grid.size[0], at(1), grid.size[1], at(2), grid.size[2])
+        };
+        settings.with_freq(grid.step).with_seed(SEED as i32);
+        return settings.wrap();
+    }
     let mut settings = if N == 2 {
         NoiseBuilder::gradient_2d_offset(at(0), grid.size[0], at(1), grid.size[1])
     } else {

@@ -3,19 +3,18 @@
 use std::fmt::Write;
 
 use asperity_noise::{
-    Basis, Cellular, Field, Metric, Noise, Normalisation, Octaves, Point, Spectrum,
-    simd::{Batch, Kernel},
+    Basis, Cellular, Field, Metric, Noise, Normalisation, Octaves, Point, Spectrum, simd::Kernel,
 };
 use asperity_render::sampling::random::Random;
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
+use super::noise_means::{POINTS, list_values};
+
 /// Knots of G; odd, so that one stands at 0. Linear interpolation of Φ between them errs by at most 5e-4.
 const KNOTS: usize = 65;
 /// The outermost knots, in standard deviations.
 const REACH: f64 = 4.0;
-/// Points per seed.
-const POINTS: usize = 1024;
 /// Seeds of the moments of one octave, and of G: a quarter of a million points each.
 const SEEDS: u32 = 256;
 
@@ -78,13 +77,12 @@ pub(crate) fn cellular_statistics_source() -> String {
 }
 
 /// A field's values at the random points of a seed.
-fn values<V: Point>(field: &dyn Field<V>, seed: u32) -> Vec<f32> {
+fn values<V: Point>(field: &impl Field<V>, seed: u32) -> Vec<f32> {
     let mut random = Random(u64::from(seed) << 32);
     let mut points = V::array(|_| [0.0; POINTS]);
     points.as_mut().iter_mut().flatten().for_each(|x| *x = random.coordinate());
     let mut values = vec![0.0; POINTS];
-    // The lists are all `POINTS` long.
-    let _ = Batch::new().list_values(field, V::array(|axis| &points.as_ref()[axis][..]), &mut values);
+    list_values(field, &points, &mut values);
     values
 }
 

@@ -74,9 +74,8 @@ impl Metric {
     #[inline(always)]
     pub(super) const fn reach(self, dimension: usize) -> usize {
         match self {
-            Self::Chebyshev => 1,
             Self::Euclidean if dimension > 1 => 2,
-            Self::Euclidean => 1,
+            Self::Euclidean | Self::Chebyshev => 1,
             Self::Manhattan => dimension,
         }
     }
