@@ -13,6 +13,7 @@ mod mean_radiance;
 mod normal_maps;
 mod reflectance;
 mod remapped;
+mod rough_glass;
 mod tangents;
 mod textures;
 mod zoom;

@@ -49,9 +49,10 @@ parameters! {
         body: GlassBody = GlassBody::Pane;
         /// The relative index, within `[1, 4]`. Default 1.52.
         index: f32 = 1.52, range([1.0, 4.0]);
-        /// The share of light that a pane lets through beside what it mirrors, by colour. Default white.
+        /// The share of light that a pane lets through beside what it mirrors, straight through, by colour. Default white.
         tint: Vec3 = Vec3::ONE, colour;
-        /// The roughness of what is mirrored, within `[0, 1]`; 0 is a mirror. Default 0.
+        /// The roughness of its surfaces, Beckmann's α, within `[0, 1]`: of what is mirrored and of what is transmitted, as of frosted
+        /// glass. 0 is smooth. Default 0.
         roughness: f32 = 0.0, as_share;
         /// Which noise: any number.
         seed: u32 = 1;
@@ -174,7 +175,7 @@ impl TemperedGlass {
 }
 
 impl Material for TemperedGlass {
-    /// A coat that mirrors and transmits, each with the waves in it; nothing else.
+    /// A coat that mirrors and transmits, each with the waves in it, or rough glass; nothing else.
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let (normal, slopes) = self.surface(point);

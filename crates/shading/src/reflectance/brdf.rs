@@ -17,7 +17,8 @@ use crate::math::{clamp_to, cos, sin, sqrt};
 /// are linear RGB. The trait is dyn-compatible.
 ///
 /// Every implementation in this crate is total: 0 where either direction is not above the horizon or not finite, never
-/// negative, never NaN. Each states whether it is reciprocal, `f_r(ωi, ωo) = f_r(ωo, ωi)`, and its albedo, the share
+/// negative, never NaN. Those that let light through, [`transmits`](Brdf::transmits), take directions below the surface as well:
+/// they are bidirectional scattering distribution functions, whose integrals run over both half spheres with |cos θ_i|. Each states whether it is reciprocal, `f_r(ωi, ωo) = f_r(ωo, ωi)`, and its albedo, the share
 /// of light that it sends anywhere:
 ///
 /// ```text
@@ -59,6 +60,12 @@ pub trait Brdf {
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
         if are_above(wi, wo) { wi.z * FRAC_1_PI } else { 0.0 }
     }
+
+    /// Whether light comes through: values and densities of directions below the surface count. The provided one says no.
+    #[must_use]
+    fn transmits(&self) -> bool {
+        false
+    }
 }
 
 impl<B: Brdf + ?Sized> Brdf for &B {
@@ -73,12 +80,22 @@ impl<B: Brdf + ?Sized> Brdf for &B {
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
         (**self).density(wi, wo)
     }
+
+    fn transmits(&self) -> bool {
+        (**self).transmits()
+    }
 }
 
 /// Whether both directions are finite and above the horizon.
 #[inline]
 pub(crate) fn are_above(wi: Vec3, wo: Vec3) -> bool {
     wi.z > 0.0 && wo.z > 0.0 && wi.is_finite() && wo.is_finite()
+}
+
+/// Whether both directions are finite and on a side of the surface, any.
+#[inline]
+pub(crate) fn have_sides(wi: Vec3, wo: Vec3) -> bool {
+    wi.z != 0.0 && wo.z != 0.0 && wi.is_finite() && wo.is_finite()
 }
 
 /// A direction with density `cos θ / π`: a uniform point of the disk, lifted to the hemisphere.

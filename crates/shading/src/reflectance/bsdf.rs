@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 
 use crate::bump::{Facet, facing};
 use crate::math::clamp_to;
-use crate::reflectance::brdf::{Brdf, are_above, finite};
+use crate::reflectance::brdf::{Brdf, are_above, finite, have_sides};
 use crate::reflectance::coat::{Coat, Delta};
 use crate::reflectance::lobe::Lobe;
 
@@ -24,6 +24,8 @@ const LAYERS: usize = 4;
 /// ```text
 /// f(ωi, ωo) cos θ_i = T(ωi) T(ωo) Σ_layers Σ_facets share Σ_lobes f_r(ωi′, ωo′) max(0, ωi·m)
 /// ```
+///
+/// Lobes that transmit, such as rough glass, have |ωi·m| in place of the cosine, of directions on the same side of facet and surface.
 ///
 /// with ω′ in the frame of the facet m and T = 1 − F of the coat. Directions are unit vectors in the frame of the surface without
 /// bumps, [`SurfacePoint::frame`](crate::material::SurfacePoint::frame), and point away from it. It is a [`Brdf`]: value, samples and
@@ -62,6 +64,8 @@ pub struct Bsdf<'a> {
     layer_count: usize,
     coat: Option<Coat>,
     emitted: Vec3,
+    /// Whether any lobe does.
+    transmits: bool,
 }
 
 /// Lobes about facets, by their places.
@@ -85,6 +89,7 @@ impl<'a> Bsdf<'a> {
             layer_count: 0,
             coat: None,
             emitted: Vec3::ZERO,
+            transmits: false,
         }
     }
 
@@ -102,7 +107,7 @@ impl<'a> Bsdf<'a> {
     #[must_use]
     pub fn with_coat(self, coat: Coat) -> Self {
         let coated = Self { coat: Some(coat), ..self };
-        match coat.lobe(self.wo) {
+        match coat.lobe() {
             Some(lobe) => coated.layered(|add| coat.facets().for_each(add), [lobe], true),
             None => coated,
         }
@@ -142,6 +147,7 @@ impl<'a> Bsdf<'a> {
             if let Some(place) = self.lobes.get_mut(end_lobe) {
                 *place = lobe;
                 end_lobe += 1;
+                self.transmits |= lobe.transmits();
             }
         }
         if let Some(layer) = self.layers.get_mut(self.layer_count) {
@@ -181,7 +187,7 @@ impl<'a> Bsdf<'a> {
     /// `f cos θ_i`: the radiance into `wo` of light from `wi` per unit of its irradiance on a surface that faces it.
     #[must_use]
     pub fn scattered(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        if !are_above(wi, wo) {
+        if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return Vec3::ZERO;
         }
         let through = self.coat.map_or(1.0, |coat| coat.through(wi) * coat.through(wo));
@@ -190,9 +196,9 @@ impl<'a> Bsdf<'a> {
             let mut light = Vec3::ZERO;
             for (share, frame) in self.facets_of(layer) {
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
-                if i.z > 0.0 && o.z > 0.0 {
+                if on_the_sides_of([i, o], [wi, wo]) {
                     let lobes = self.lobes_of(layer).iter();
-                    light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z);
+                    light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z.abs());
                 }
             }
             sum += if layer.in_coat { light } else { light * through };
@@ -223,6 +229,18 @@ impl<'a> Bsdf<'a> {
     }
 }
 
+/// Whether a facet sees both directions from the side that the surface does.
+fn on_the_sides_of(local: [Vec3; 2], [wi, wo]: [Vec3; 2]) -> bool {
+    local[0].z * wi.z > 0.0 && local[1].z * wo.z > 0.0
+}
+
+impl Lobe<'_> {
+    /// Whether the lobe about a facet knows of these directions, in the frames of the facet and of the surface.
+    fn counts(&self, local: [Vec3; 2], [wi, wo]: [Vec3; 2]) -> bool {
+        if self.transmits() { on_the_sides_of(local, [wi, wo]) } else { are_above(wi, wo) }
+    }
+}
+
 /// Puts a facet after the first so many, or merges it with the nearest where there is no place; returns how many it added.
 fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> usize {
     if let Some(place) = facets.get_mut(count) {
@@ -239,7 +257,7 @@ fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> u
 
 impl Brdf for Bsdf<'_> {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
-        let cosine = wi.z.max(f32::MIN_POSITIVE);
+        let cosine = wi.z.abs().max(f32::MIN_POSITIVE);
         Vec3::from_array(self.scattered(wi, wo).to_array().map(|f| finite(f / cosine)))
     }
 
@@ -260,22 +278,35 @@ impl Brdf for Bsdf<'_> {
                 let o = frame.to_local(wo);
                 let i = lobe.sample(o, Vec2::new(x, u.y));
                 let wi = frame.to_world(i);
-                // What is behind the facet brings nothing, and must not count as a direction above the surface.
-                if i.z > 0.0 && o.z > 0.0 { wi } else { Vec3::new(wi.x, wi.y, -wi.z.abs()) }
+                // What is behind the facet brings nothing, and must not count as a direction above the surface, nor as one below where
+                // another lobe transmits.
+                match self.transmits {
+                    false if i.z > 0.0 && o.z > 0.0 => wi,
+                    false => Vec3::new(wi.x, wi.y, -wi.z.abs()),
+                    true if lobe.counts([i, o], [wi, wo]) => wi,
+                    true => Vec3::ZERO,
+                }
             }
             None => Vec3::ZERO,
         }
     }
 
     fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
-        if !are_above(wi, wo) {
+        if !(are_above(wi, wo) || self.transmits && have_sides(wi, wo)) {
             return 0.0;
         }
         let (mut sum, mut total) = (0.0, 0.0);
         for (chance, frame, lobe) in self.chances(wo) {
             total += chance;
-            sum += chance * lobe.density(frame.to_local(wi), frame.to_local(wo));
+            let local = [wi, wo].map(|w| frame.to_local(w));
+            if lobe.counts(local, [wi, wo]) {
+                sum += chance * lobe.density(local[0], local[1]);
+            }
         }
         if total > 0.0 { finite(sum / total) } else { 0.0 }
+    }
+
+    fn transmits(&self) -> bool {
+        self.transmits
     }
 }

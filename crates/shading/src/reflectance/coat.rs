@@ -8,9 +8,11 @@ use glam::{Vec2, Vec3};
 use crate::bump::{Facet, bumped_normal, facing, slope_facets};
 use crate::direction::reflect;
 use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
+use crate::reflectance::absorption::through_wall;
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
 use crate::reflectance::lobe::Lobe;
+use crate::reflectance::rough_dielectric::RoughDielectric;
 
 /// A smooth surface over the layers of a [`Bsdf`](crate::reflectance::Bsdf), or one without any: varnish, a pane, a body of glass, a polished metal.
 ///
@@ -69,7 +71,9 @@ impl Coat {
         Self::flat(Behind::Layers(fresnel))
     }
 
-    /// A thin pane, through which one looks straight, tinted: `R = 2F/(1 + F)` of both its surfaces, `T = (1 − R) tint`.
+    /// A thin pane, through which one looks straight, tinted: `R = 2F/(1 + F)` of both its surfaces, `T = (1 − R) tint^(1/cos θ_t)`.
+    ///
+    /// `tint` is the share of light that goes straight through; at an angle the way is longer, by Beer and Lambert's law.
     #[must_use]
     pub const fn pane(fresnel: Dielectric, tint: Vec3) -> Self {
         Self::flat(Behind::Pane(fresnel, tint))
@@ -102,22 +106,21 @@ impl Coat {
     }
 
     /// The coat with what it mirrors spread by Beckmann's density of this width: a lobe of the [`Bsdf`](crate::reflectance::Bsdf) in
-    /// place of a single direction. 0 is smooth; `(1 − F)²` of the light is transmitted as if it were.
+    /// place of a single direction. 0 is smooth.
+    ///
+    /// A rough pane or body spreads what it transmits as well: it is a [`RoughDielectric`], and has no [`Delta`].
     #[must_use]
     pub fn rough(self, alpha: f32) -> Self {
         Self { roughness: clamp_to(alpha, 1.0), ..self }
     }
 
-    /// The lobe of a rough coat that is seen from `wo`.
-    pub(super) fn lobe<'a>(&self, wo: Vec3) -> Option<Lobe<'a>> {
+    /// The lobe of a rough coat.
+    pub(super) fn lobe<'a>(&self) -> Option<Lobe<'a>> {
         let facets = Beckmann::clamped(self.roughness, self.roughness);
-        let mirror = |fresnel: Dielectric| Lobe::from(CookTorrance::new(facets, fresnel));
         (self.roughness > 0.0).then_some(match self.behind {
-            Behind::Layers(fresnel) | Behind::Body(fresnel) => mirror(fresnel),
-            Behind::Pane(fresnel, _) => {
-                let once = fresnel.reflectance(wo.dot(self.normal));
-                mirror(fresnel).weighted(Vec3::splat(2.0 / (1.0 + once)))
-            }
+            Behind::Layers(fresnel) => CookTorrance::new(facets, fresnel).into(),
+            Behind::Body(fresnel) => RoughDielectric::new(facets, fresnel).into(),
+            Behind::Pane(fresnel, tint) => RoughDielectric::thin(facets, fresnel, tint).into(),
             Behind::Metal(colour) => CookTorrance::new(facets, colour).into(),
             Behind::Veil(_) => Lobe::default(),
         })
@@ -190,8 +193,6 @@ impl Coat {
         let cosine = up.dot(m);
         let smooth = if self.roughness > 0.0 { 0.0 } else { 1.0 };
         let mirrored = |share: Vec3| Delta { wi: reflect(up, m) * side, weight: share * smooth };
-        // A rough surface scatters some of what goes through it.
-        let through = |share: f32| if smooth > 0.0 { share } else { share * share };
         let straight = |share: Vec3| Delta { wi: -wo, weight: share.clamp(Vec3::ZERO, Vec3::ONE) };
         match self.behind {
             Behind::Layers(fresnel) if !inside => {
@@ -203,7 +204,8 @@ impl Coat {
             Behind::Pane(fresnel, tint) => {
                 let once = fresnel.reflectance(cosine);
                 let both = 2.0 * once / (1.0 + once);
-                [mirrored(Vec3::splat(both)), straight(tint * through(1.0 - both))]
+                let tint = through_wall(tint, cosine, fresnel.relative_index());
+                [mirrored(Vec3::splat(both)), straight(tint * ((1.0 - both) * smooth))]
             }
             Behind::Body(fresnel) => {
                 let fresnel = if inside { fresnel.reversed() } else { fresnel };
@@ -211,7 +213,7 @@ impl Coat {
                 // Snell: sin θ_t = sin θ_i/η.
                 let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
                 let wi = (eta * cosine - sqrt(below.max(0.0))) * m - eta * up;
-                let kept = if below > 0.0 && wi.z < 0.0 { through(1.0 - share) } else { 0.0 };
+                let kept = if below > 0.0 && wi.z < 0.0 { (1.0 - share) * smooth } else { 0.0 };
                 [mirrored(Vec3::splat(share)), Delta { wi: wi * side, weight: Vec3::splat(kept) }]
             }
         }

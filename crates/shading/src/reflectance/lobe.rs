@@ -11,6 +11,7 @@ use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::diffuse::EnergyPreservingOrenNayar;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
+use crate::reflectance::rough_dielectric::RoughDielectric;
 
 /// A reflectance with a weight, one of those that a layer of a [`Bsdf`](crate::reflectance::Bsdf) adds up.
 ///
@@ -61,6 +62,7 @@ enum Kind<'a> {
         coordinates: Coordinates,
     },
     Slopes(OffsetBeckmann),
+    Frosted(RoughDielectric<Beckmann>),
     Other(&'a dyn Brdf),
 }
 
@@ -96,6 +98,7 @@ lobes! {
     EnergyPreservingOrenNayar => Diffuse;
     CookTorrance<Beckmann, Vec3> => Glossy;
     CookTorrance<Beckmann, Dielectric> => Varnish;
+    RoughDielectric<Beckmann> => Frosted;
     &'a dyn Brdf => Other;
     /// A density of normals about a mean slope, of hand-made normal maps.
     OffsetBeckmann => Slopes;
@@ -137,7 +140,7 @@ impl<'a> Lobe<'a> {
                 *lobe.fresnel()
             }
             Kind::Varnish(lobe) => lobe.fresnel().reflectance_rgb(wo.z).max(Vec3::splat(0.1)),
-            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Other(_) => Vec3::ONE,
+            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Other(_) => Vec3::ONE,
         };
         finite((own * self.weight).max_element())
     }
@@ -146,7 +149,11 @@ impl<'a> Lobe<'a> {
 impl Brdf for Lobe<'_> {
     fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
         if !are_above(wi, wo) {
-            return Vec3::ZERO;
+            return match &self.kind {
+                Kind::Frosted(glass) => self.weight * glass.value(wi, wo),
+                Kind::Other(brdf) if brdf.transmits() => self.weight * brdf.value(wi, wo),
+                _ => Vec3::ZERO,
+            };
         }
         let h = half_vector(wi, wo);
         // p(h) h_z is what a surface has of facets; they send on no more.
@@ -172,6 +179,7 @@ impl Brdf for Lobe<'_> {
             }
             Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
             Kind::Slopes(slopes) => facets(slopes.density(h)),
+            Kind::Frosted(glass) => glass.value(wi, wo),
             Kind::Other(brdf) => brdf.value(wi, wo),
         };
         self.weight * value
@@ -190,6 +198,7 @@ impl Brdf for Lobe<'_> {
                 if m.z > 0.0 { reflect(wo, m) } else { Vec3::NEG_Z }
             }
             Kind::Slopes(slopes) => reflect(wo, slopes.sample(u)),
+            Kind::Frosted(glass) => glass.sample(wo, u),
             Kind::Other(brdf) => brdf.sample(wo, u),
         }
     }
@@ -209,7 +218,16 @@ impl Brdf for Lobe<'_> {
                 rule.radiance(*ndf, h, *coordinates) * cosine.max(0.0)
             }),
             Kind::Slopes(slopes) => mirrored_density(wi, wo, |h| slopes.sample_density(h)),
+            Kind::Frosted(glass) => glass.density(wi, wo),
             Kind::Other(brdf) => brdf.density(wi, wo),
+        }
+    }
+
+    fn transmits(&self) -> bool {
+        match &self.kind {
+            Kind::Frosted(_) => true,
+            Kind::Other(brdf) => brdf.transmits(),
+            _ => false,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Reflectances: the trait and its models, smooth and rough, diffuse and glossy, with their samples.
 
+mod absorption;
 pub(crate) mod brdf;
 mod bsdf;
 pub(crate) mod coat;
@@ -8,9 +9,11 @@ mod diffuse;
 mod fresnel;
 pub(crate) mod lobe;
 mod phong;
+mod rough_dielectric;
 mod torrance_sparrow;
 mod ward;
 
+pub use absorption::Absorption;
 pub use brdf::Brdf;
 pub use bsdf::Bsdf;
 pub use coat::{Coat, Delta};
@@ -19,5 +22,6 @@ pub use diffuse::{EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use fresnel::{Conductor, Dielectric, Fresnel, Schlick, SchlickF82};
 pub use lobe::Lobe;
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong};
+pub use rough_dielectric::RoughDielectric;
 pub use torrance_sparrow::TorranceSparrow;
 pub use ward::{WardForm, WardReflection};

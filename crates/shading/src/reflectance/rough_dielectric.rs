@@ -1,0 +1,241 @@
+//! Rough glass: microfacets that mirror and refract.
+
+use asperity_ndf_sampling::Microfacet;
+use glam::{Vec2, Vec3};
+
+use crate::direction::{half_vector, reflect};
+use crate::math::{clamp_to, sqrt};
+use crate::reflectance::absorption::through_wall;
+use crate::reflectance::brdf::{Brdf, finite, have_sides};
+use crate::reflectance::fresnel::Dielectric;
+
+/// A rough surface of glass, whose facets mirror and refract: the model of Walter and others, for any density with Smith's masking.
+///
+/// ```text
+/// reflection     f = D(h) F G₁(ωi) G₁(ωo) / (4 |cos θ_i cos θ_o|),                           h ∝ ωi + ωo
+/// transmission   f = D(h) (1 − F) G₁(ωi) G₁(ωo) |ωi·h ωo·h| η_i² / (|cos θ_i cos θ_o| (η_i ωi·h + η_o ωo·h)²)
+///                                                                                            h ∝ η_i ωi + η_o ωo
+/// thin wall      f = D(h) (1 − R) G₁(ωi′) G₁(ωo) tint^(1/cos θ_t) / (4 |cos θ_i cos θ_o|),   R = 2F/(1 + F), ωi′ = ωi mirrored
+/// ```
+///
+/// with the indices η_i and η_o of the sides of ωi and ωo: 1 above the surface, the relative index of the [`Dielectric`] below. A view
+/// from below sees the backs of the same facets, `G₁(ω)` is then that of −ω.
+///
+/// - **Radiance over η²:** the change of radiance by `η_o²/η_i²` is left out, as by [`Coat::body`](crate::reflectance::Coat::body): it is
+///   undone where the light leaves. For radiance itself multiply what is transmitted by it (Walter's eq. 21 has it).
+/// - **Domain:** directions on both sides of the surface. An index nearer to 1 than 0.01 is moved away from it: where there is hardly an
+///   interface transmission has no density.
+/// - **Range:** at least 0, finite; `η_o² f(ωi, ωo) = η_i² f(ωo, ωi)`.
+/// - **Energy:** the albedo over both half spheres is 1 without what shadowing loses, `E[G₁(ωi)]` over visible normals; it falls with
+///   roughness and towards the horizon, as multiple scattering is left out. A thin wall loses what its tint takes as well.
+/// - **Sampling:** visible normals (Heitz 2018), mirrored or refracted by their mean reflectance; a sample's weight is
+///   `F G₁(ωi)/q` or `(1 − F) G₁(ωi)/(1 − q)`, with q of the view.
+/// - **Thin wall:** a sheet with the same facets on both sides, seen as one. Light goes on as mirrored facets send it back, so it is
+///   spread as widely; a real sheet spreads it less, by about `(η − 1)/√2` of that.
+///
+/// Walter, Marschner, Li, Torrance 2007, *Microfacet Models for Refraction through Rough Surfaces*, eq. 20, 21 and 23; Heitz 2018,
+/// *Sampling the GGX Distribution of Visible Normals*.
+///
+/// ```
+/// use asperity_shading::glam::{Vec2, Vec3};
+/// use asperity_shading::reflectance::RoughDielectric;
+/// use asperity_shading::{Brdf, Dielectric, Ggx};
+///
+/// let frosted = RoughDielectric::new(Ggx::isotropic(0.3)?, Dielectric::new(1.5)?);
+/// let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.3, 0.1, -0.9).normalize());
+/// let (there, back) = (frosted.value(wi, wo), frosted.value(wo, wi));
+/// assert!(there.x > 0.0 && (there - 2.25 * back).length() < 1e-5);
+/// // Most of the light goes through.
+/// assert!(frosted.sample(wo, Vec2::new(0.7, 0.2)).z < 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "frosted glass")]
+#[doc(alias = "btdf")]
+#[doc(alias = "microfacet")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoughDielectric<D> {
+    density: D,
+    fresnel: Dielectric,
+    /// The share that a thin wall lets through straight; none for the surface of a body.
+    wall: Option<Vec3>,
+}
+
+/// The least distance of the index from 1.
+const LEAST_STEP: f32 = 0.01;
+
+/// Random numbers whose visible normals give the mean reflectance of a view.
+const PROBES: [Vec2; 4] =
+    [Vec2::new(0.15, 0.1), Vec2::new(0.4, 0.6), Vec2::new(0.65, 0.35), Vec2::new(0.9, 0.85)];
+
+/// A facet between two directions.
+struct Meeting {
+    /// Facet's normal, above the surface.
+    h: Vec3,
+    /// |ωi·h| and |ωo·h|.
+    cosines: [f32; 2],
+    /// Whether light goes through it.
+    crosses: bool,
+    /// Solid angle of facets over that of ωi: `dω_h/dω_i`.
+    jacobian: f32,
+}
+
+impl<D: Microfacet> RoughDielectric<D> {
+    /// The surface of a body of glass with facets of this density.
+    #[must_use]
+    pub fn new(density: D, fresnel: Dielectric) -> Self {
+        Self { density, fresnel: apart(fresnel), wall: None }
+    }
+
+    /// A thin wall, both sides of it, that lets through this share of the light beside what it mirrors, straight through.
+    ///
+    /// At an angle the way through is longer: `tint^(1/cos θ_t)`, by Beer and Lambert's law. A tint that is not within `[0, 1]³` is
+    /// clamped to it.
+    #[must_use]
+    pub fn thin(density: D, fresnel: Dielectric, tint: Vec3) -> Self {
+        let tint = tint.map(|share| clamp_to(share, 1.0));
+        Self { density, fresnel: apart(fresnel), wall: Some(tint) }
+    }
+
+    /// The density of normals.
+    #[must_use]
+    pub const fn facets(&self) -> &D {
+        &self.density
+    }
+
+    /// The interface of the facets.
+    #[must_use]
+    pub const fn fresnel(&self) -> &Dielectric {
+        &self.fresnel
+    }
+
+    /// Interface of a facet as light from `w` meets it.
+    fn interface(&self, w: Vec3) -> Dielectric {
+        if w.z < 0.0 && self.wall.is_none() { self.fresnel.reversed() } else { self.fresnel }
+    }
+
+    /// Share that a facet mirrors of light at this angle on the side of `w`.
+    fn reflectance(&self, w: Vec3, cosine: f32) -> f32 {
+        let once = self.interface(w).reflectance(cosine);
+        if self.wall.is_some() { 2.0 * once / (1.0 + once) } else { once }
+    }
+
+    /// The facet that sends light of `wi` into `wo`; none where it would be seen from behind.
+    fn meeting(&self, wi: Vec3, wo: Vec3) -> Option<Meeting> {
+        if !have_sides(wi, wo) {
+            return None;
+        }
+        let crosses = wi.z * wo.z < 0.0;
+        let up = |w: Vec3| if w.z < 0.0 { -w } else { w };
+        let meeting = if crosses && self.wall.is_none() {
+            let relative = self.fresnel.relative_index();
+            let [index_i, index_o] = if wi.z < 0.0 { [relative, 1.0] } else { [1.0, relative] };
+            let sum = wi * index_i + wo * index_o;
+            let h = up(sum).normalize_or_zero();
+            let (i, o) = (wi.dot(h), wo.dot(h));
+            let both = index_i * i + index_o * o;
+            // A facet that both directions see from the same side does not refract one into the other.
+            if i * wi.z <= 0.0 || o * wo.z <= 0.0 {
+                return None;
+            }
+            let jacobian = (index_i / both) * (index_i / both) * i.abs();
+            Meeting { h, cosines: [i.abs(), o.abs()], crosses, jacobian }
+        } else {
+            let mirrored = if crosses { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
+            let h = up(half_vector(mirrored, wo));
+            let cosine = 0.5 * (mirrored + wo).length();
+            Meeting { h, cosines: [cosine; 2], crosses, jacobian: 0.25 / cosine }
+        };
+        (meeting.h.z > 0.0).then_some(meeting)
+    }
+
+    /// Share of light that the facet of a meeting sends on, by colour.
+    fn share(&self, wo: Vec3, meeting: &Meeting) -> Vec3 {
+        let [incident, cosine] = meeting.cosines;
+        match (meeting.crosses, self.wall) {
+            (false, _) => Vec3::splat(self.reflectance(wo, cosine)),
+            // By the cosine above the surface both ways: that below is ill conditioned near the critical angle.
+            (true, None) => {
+                let above = if wo.z > 0.0 { cosine } else { incident };
+                Vec3::splat(1.0 - self.fresnel.reflectance(above))
+            }
+            (true, Some(tint)) => {
+                let index = self.fresnel.relative_index();
+                (1.0 - self.reflectance(wo, cosine)) * through_wall(tint, cosine, index)
+            }
+        }
+    }
+
+    /// Chance to mirror, by the mean over visible normals: neither way is left out.
+    fn chance(&self, wo: Vec3) -> f32 {
+        let v = seen_from_above(wo);
+        let sum: f32 =
+            PROBES.iter().map(|u| self.reflectance(wo, v.dot(self.density.sample_visible(v, *u)))).sum();
+        (0.25 * sum).clamp(0.03, 0.97)
+    }
+}
+
+/// An interface whose index is at least a step away from 1.
+fn apart(fresnel: Dielectric) -> Dielectric {
+    let index = fresnel.relative_index();
+    let away = if index < 1.0 { index.min(1.0 - LEAST_STEP) } else { index.max(1.0 + LEAST_STEP) };
+    Dielectric::clamped(away)
+}
+
+/// The direction from which facets above are seen as `w` sees them.
+fn seen_from_above(w: Vec3) -> Vec3 {
+    if w.z < 0.0 { -w } else { w }
+}
+
+impl<D: Microfacet> Brdf for RoughDielectric<D> {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let Some(meeting) = self.meeting(wi, wo) else {
+            return Vec3::ZERO;
+        };
+        // A thin wall's far side is seen through it, as if light came from above.
+        let back = if meeting.crosses && self.wall.is_some() { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
+        let masking = self.density.g2_separable(seen_from_above(back), seen_from_above(wo));
+        let facets = self.density.density(meeting.h) * masking * meeting.cosines[1] * meeting.jacobian;
+        finite(facets / (wi.z * wo.z).abs()) * self.share(wo, &meeting)
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        if !have_sides(wo, wo) {
+            return Vec3::ZERO;
+        }
+        let (chance, x) = (self.chance(wo), clamp_to(u.x, 1.0));
+        let mirrors = x < chance;
+        let x = if mirrors { x / chance } else { (x - chance) / (1.0 - chance) };
+        let v = seen_from_above(wo);
+        let h = self.density.sample_visible(v, Vec2::new(x.min(0.999_999_94), u.y));
+        let mirrored = reflect(v, h);
+        let same_side = if mirrored.z > 0.0 { mirrored * wo.z.signum() } else { Vec3::ZERO };
+        if mirrors {
+            return same_side;
+        }
+        if self.wall.is_some() {
+            return if mirrored.z > 0.0 {
+                mirrored * Vec3::new(1.0, 1.0, -1.0) * wo.z.signum()
+            } else {
+                Vec3::ZERO
+            };
+        }
+        // Snell: sin θ_t = sin θ/η.
+        let (eta, cosine) = (1.0 / self.interface(wo).relative_index(), v.dot(h));
+        let below = 1.0 - eta * eta * (1.0 - cosine * cosine).max(0.0);
+        let refracted = (eta * cosine - sqrt(below.max(0.0))) * h - eta * v;
+        if below > 0.0 && refracted.z < 0.0 { refracted * wo.z.signum() } else { Vec3::ZERO }
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        let Some(meeting) = self.meeting(wi, wo) else {
+            return 0.0;
+        };
+        let chance = self.chance(wo);
+        let chance = if meeting.crosses { 1.0 - chance } else { chance };
+        chance * finite(self.density.visible_density(seen_from_above(wo), meeting.h) * meeting.jacobian)
+    }
+
+    fn transmits(&self) -> bool {
+        true
+    }
+}
