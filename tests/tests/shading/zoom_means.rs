@@ -20,6 +20,7 @@ fn demand(name: &str) -> (f64, [u32; 3]) {
         "bumps" => (0.02, [240, 330, 330]),
         "flakes" => (0.02, [40, 140, 260]),
         "passive flakes" => (0.02, [40; 3]),
+        "carpet" | "carpet, grid" => (0.03, [110; 3]),
         "paint" => (0.05, [40, 64, 110]),
         "orange peel" | "glass" => (0.05, [80; 3]),
         "glass, noise" => (0.05, [128; 3]),
@@ -55,7 +56,7 @@ fn materials_keep_their_mean_radiance_from_afar_to_very_near() {
         let [change, error] = worst(&subject, pixels);
         println!("{}: {change:.4}, standard errors up to {error:.4}", subject.name);
         assert!(error < bound / 3.0, "{}: an error of {error} shows nothing", subject.name);
-        // Measured: 2.5 % of scratches, 2.4 % of carpets, 1.4 % of flakes and less of the others, with errors of up to 1.3 %.
+        // Measured: 2.5 % of scratches, 2 % of carpets, 1.4 % of flakes and less of the others, with errors of up to 1.3 %.
         assert!(change < bound, "{}: {change}", subject.name);
     }
     // The paper's rule fails.

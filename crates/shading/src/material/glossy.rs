@@ -3,7 +3,8 @@
 use asperity_ndf_sampling::{Beckmann, Frame};
 use glam::Vec3;
 
-use crate::bump::slope_facets;
+use crate::bump::slope_facets::facets_along;
+use crate::math::sqrt;
 use crate::reflectance::{Bsdf, CookTorrance, EnergyPreservingOrenNayar};
 
 /// A rough diffuse surface with gloss, as a pixel sees it.
@@ -17,6 +18,8 @@ pub(crate) struct GlossySurface {
     pub normal: Vec3,
     /// The variance of the slope along each axis that the footprint took from the bumps.
     pub slope_variance: f32,
+    /// The deviation of the slope that it took from ridges, in the one direction across them; zero without.
+    pub ridges: Vec3,
 }
 
 impl GlossySurface {
@@ -26,7 +29,16 @@ impl GlossySurface {
         let diffuse = self.diffuse.min(Vec3::ONE - self.specular);
         let base = EnergyPreservingOrenNayar::clamped(diffuse, roughness);
         let gloss = CookTorrance::new(Beckmann::clamped(alpha, alpha), self.specular);
-        let facets = slope_facets(Vec3::Z, frame.to_local(self.normal), self.slope_variance);
+        let (across, normal) = (frame.to_local(self.ridges), frame.to_local(self.normal));
+        let ridge = across.dot(across);
+        let axes = if ridge > 0.0 {
+            let deviations = [ridge, 0.0].map(|more| sqrt(self.slope_variance.max(0.0) + more));
+            let across = across / sqrt(ridge);
+            [across * deviations[0], Vec3::Z.cross(across) * deviations[1]]
+        } else {
+            [Vec3::X, Vec3::Y].map(|axis| axis * sqrt(self.slope_variance.max(0.0)))
+        };
+        let facets = facets_along(Vec3::Z, normal, axes, 0.5);
         Bsdf::new(wo).with(facets, [base.into(), gloss.into()])
     }
 }

@@ -96,6 +96,7 @@ impl Variations {
             normal: bumped_normal(n, gradient),
             slope_variance: self.blemishes.removed_slope(bump, footprint)
                 + self.dents.removed_slope(dent, footprint),
+            ridges: Vec3::ZERO,
         }
     }
 }
