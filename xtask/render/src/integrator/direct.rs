@@ -11,7 +11,7 @@ impl Scene<'_, '_> {
     pub(super) fn lit_by_lamps(&self, lamps: &[Lamps], spot: &Spot<'_>) -> Vec3 {
         let lit = lamps.iter().map(|lamps| match lamps {
             Lamps::Far { lights, shadow } => {
-                let open = shadow.map_or(1.0, |direction| self.open(spot.start, direction));
+                let open = shadow.map_or(1.0, |direction| self.open(spot.starts[0], direction));
                 if open == 0.0 {
                     return Vec3::ZERO;
                 }
@@ -20,13 +20,13 @@ impl Scene<'_, '_> {
                     .fold(Vec3::ZERO, |sum, light| sum + light.colour * spot.scattered(light.direction))
             }
             Lamps::Near { place, colour } => {
-                let towards = *place - spot.start;
+                let towards = *place - spot.starts[0];
                 let direction = towards.normalize_or_zero();
                 let reflected = spot.scattered(direction);
                 if reflected == Vec3::ZERO {
                     return Vec3::ZERO;
                 }
-                self.open(spot.start, direction) * *colour * reflected / towards.length_squared()
+                self.open(spot.starts[0], direction) * *colour * reflected / towards.length_squared()
             }
         });
         PI * lit.sum::<Vec3>()

@@ -21,17 +21,19 @@ impl Scene<'_, '_> {
         light: &dyn Environment,
         spot: &Spot<'_>,
         sampler: &mut Sampler,
-        bounces: u32,
+        [mirrors, bounces]: [u32; 2],
     ) -> Vec3 {
-        let Spot { ray, hit, frame, wo, bsdf, start } = spot;
+        let Spot { ray, hit, frame, wo, bsdf, .. } = spot;
         let mut sum = Vec3::ZERO;
         let wi = light.sample(sampler.point());
-        let scattered = spot.scattered(wi);
+        let local = frame.to_local(wi);
+        // Light comes into a body through another place of its surface, not straight.
+        let scattered = if spot.inside(local) { Vec3::ZERO } else { spot.scattered(wi) };
         // Seen by way of another object, samples of the light alone will do.
-        let other = if bounces > 0 { bsdf.density(frame.to_local(wi), *wo) } else { 0.0 };
+        let other = if bounces > 0 { bsdf.density(local, *wo) } else { 0.0 };
         if scattered.max_element() > 0.0 {
             let density = light.density(wi) + other;
-            sum += self.open(*start, wi) * scattered * light.radiance(wi) / density;
+            sum += self.open(spot.start(local), wi) * scattered * light.radiance(wi) / density;
         }
         if bounces == 0 {
             return sum;
@@ -42,11 +44,18 @@ impl Scene<'_, '_> {
             return sum;
         }
         let (density, wi) = (bsdf.density(local, *wo), frame.to_world(local).normalize());
-        match self.first_hit(*start, wi) {
+        let start = spot.start(local);
+        match self.first_hit(start, wi) {
             None => sum + scattered * light.radiance(wi) / (density + light.density(wi)),
             Some(meeting) => {
-                let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), *start);
-                let sent = self.shade(&next, meeting, sampler, MIRRORS, bounces - 1);
+                let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), start);
+                // What goes on inside of rough glass has not left it.
+                let left = if spot.inside(local) && mirrors < MIRRORS {
+                    [mirrors + 1, bounces]
+                } else {
+                    [MIRRORS, bounces - 1]
+                };
+                let sent = self.shade(&next, meeting, sampler, left[0], left[1]);
                 sum + scattered / density * sent.min(Vec3::splat(BRIGHTEST))
             }
         }

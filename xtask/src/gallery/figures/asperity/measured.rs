@@ -61,8 +61,9 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
         for (zoom, mean) in ZOOMS.into_iter().zip(means) {
             context.checkpoint()?;
             let from_afar = ["glass", "glass, noise", "orange peel", "bumps"].contains(&subject.name);
-            let fine = from_afar || (["flakes", "paint"].contains(&subject.name) && zoom > 500.0);
-            // Where a pixel sees one flake or one wave, so do all of its samples: more pixels of fewer.
+            let from_near = ["flakes", "paint", "carpet", "carpet, grid", "fibres"].contains(&subject.name);
+            let fine = from_afar || (from_near && zoom > 500.0);
+            // Where a pixel sees one flake, one fibre or one wave, so do all of its samples: more pixels of fewer.
             let (pixels, samples) = match zoom {
                 zoom if zoom < 50.0 => (8, SAMPLES),
                 _ if fine => (104, SAMPLES / 16),

@@ -4,11 +4,11 @@ use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
 use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, WardForm, WardReflection,
+    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, RoughDielectric, WardForm, WardReflection,
 };
 use asperity_shading::{
-    Brdf, Conductor, CookTorrance, EnergyPreservingOrenNayar, Ggx, Lambert, Phong, TorranceSparrow,
-    ndf_sampling::Isotropic,
+    Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
+    TorranceSparrow, ndf_sampling::Isotropic,
 };
 use glam::Vec3;
 
@@ -33,7 +33,11 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let ward = WardReflection::new(hex(0xb8_bdc4), 0.08, 0.35, WardForm::Bounded)?;
     let smooth = CookTorrance::new(Ggx::isotropic(0.25)?, gold);
     let grooves = TorranceSparrow::new(Isotropic::new(&groove)?, gold);
-    let balls: [(&str, &str, Lobes); 9] = [
+    let frosted = |alpha| -> Result<Lobes> {
+        Ok(vec![Box::new(RoughDielectric::new(Ggx::isotropic(alpha)?, Dielectric::new(1.5)?))])
+    };
+    let sheet = RoughDielectric::thin(Ggx::isotropic(0.3)?, Dielectric::new(1.5)?, hex(0xc4_e0ea));
+    let balls: [(&str, &str, Lobes); 12] = [
         ("lambert", "Lambert", vec![Box::new(lambert)]),
         ("oren-nayar", "Oren–Nayar, full, σ = 0.6", vec![Box::new(full)]),
         ("fujii", "Fujii, σ = 1", vec![Box::new(fujii)]),
@@ -43,13 +47,18 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ("ward", "Ward, 0.08 and 0.35", vec![Box::new(ward)]),
         ("gold", "Cook–Torrance, GGX 0.25, gold", vec![Box::new(smooth)]),
         ("grooves", "Torrance–Sparrow, a table, gold", vec![Box::new(grooves)]),
+        ("glass", "Rough glass, GGX 0.05", frosted(0.05)?),
+        ("frosted", "Rough glass, GGX 0.3", frosted(0.3)?),
+        ("thin", "A thin wall, GGX 0.3", vec![Box::new(sheet)]),
     ];
     let words = |label| format!("A sphere in a room with three lamps: {label}");
-    let balls =
-        balls.map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], layers));
+    let balls = balls
+        .map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], (stem, layers)));
     let (sampling, studio) = (context.sampling([8, 8], 12), Studio::new(1.0));
-    let drawn = Drawn::pictures(3, balls, |layers| {
+    let drawn = Drawn::pictures(3, balls, |(stem, layers)| {
         let ball = Object::new(Shape::Sphere, Layers(layers));
+        let body = ["glass", "frosted"].contains(&stem).then_some(Vec3::new(0.86, 0.95, 0.92));
+        let ball = Object { body, passes: if body.is_some() { 1.0 } else { 0.0 }, ..ball };
         let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
         Ok(context.look(&scene, sampling, [Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO], 0.4)?.exposed(1.0))
     })?;
