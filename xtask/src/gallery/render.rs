@@ -301,11 +301,11 @@ impl<'a> Picture<'a> {
 /// Refuses options that would change nothing.
 fn refuse_idle(wanted: &Render, material: Material, lamps: bool, format: Format) -> Result<()> {
     let bumps = material == Material::Bumps;
-    if lamps && !bumps {
-        return Err("lamps light bumps only; take `--light studio`".into());
-    }
     if lamps && !matches!(wanted.scene, Set::Teapot | Set::Sphere | Set::Plane) {
         return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
+    }
+    if lamps && !bumps {
+        return Err("lamps light bumps only; take `--light studio`".into());
     }
     let exr = format == Format::Exr;
     let image = wanted.ndf.as_ref().is_some_and(|ndf| ndf != "painted" && !ndf.contains(':'));
@@ -498,7 +498,7 @@ mod tests {
             "--set coat=1 --material paint",
             "--set coat_index=9 --material paint",
             "--set seams_pattern=dots --material carpet",
-            "--mesh xtask/render/tests/data/cube.glb --crease 20",
+            "--mesh render/tests/data/cube.glb --crease 20",
         ] {
             assert!(bytes(line).is_err(), "{line}");
         }

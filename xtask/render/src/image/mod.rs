@@ -139,7 +139,7 @@ mod tests {
             let planes = ImageFile::decode(bytes).unwrap().planes.into_iter().flat_map(|(_, plane)| plane);
             let expected =
                 [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]].concat();
-            // The quality of a JPEG: measured up to 5.
+            // libjpeg is off by 3 here at this quality.
             for (value, expected) in planes.zip(expected) {
                 assert_abs_diff_eq!(value * 255.0, expected, epsilon = off + 1e-4);
             }

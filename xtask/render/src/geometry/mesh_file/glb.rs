@@ -280,18 +280,16 @@ fn geometry_alone(json: &mut Value) -> Result<Vec<bool>, MeshFileError> {
             "extensionsRequired",
         ],
     );
-    let each = |list: &mut Value, change: &mut dyn FnMut(&mut Value)| {
-        list.as_array_mut().into_iter().flatten().for_each(change);
+    let each = |value: &mut Value, name: &str, change: &mut dyn FnMut(&mut Value)| {
+        value.get_mut(name).and_then(Value::as_array_mut).into_iter().flatten().for_each(change);
     };
-    if json.is_object() {
-        each(&mut json["nodes"], &mut |node| leave(node, &["camera", "skin", "weights"]));
-        each(&mut json["meshes"], &mut |mesh| {
-            leave(mesh, &["weights"]);
-            each(&mut mesh["primitives"], &mut |primitive| leave(primitive, &["material", "targets"]));
-        });
-    }
+    each(json, "nodes", &mut |node| leave(node, &["camera", "skin", "weights"]));
+    each(json, "meshes", &mut |mesh| {
+        leave(mesh, &["weights"]);
+        each(mesh, "primitives", &mut |primitive| leave(primitive, &["material", "targets"]));
+    });
     let mut empty = Vec::new();
-    each(&mut json["accessors"], &mut |accessor| {
+    each(json, "accessors", &mut |accessor| {
         let Some(fields) = accessor.as_object_mut() else { return };
         // The library asks for bounds and a view, which a Draco mesh has not.
         for bound in ["min", "max"] {

@@ -18,8 +18,8 @@ const TRIANGLE: usize = 50;
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let count =
         bytes.get(80..HEADER).and_then(|n| n.try_into().ok()).map(u32::from_le_bytes).unwrap_or(0) as usize;
-    let whole =
-        count.checked_mul(TRIANGLE).is_some_and(|length| bytes.len() - HEADER.min(bytes.len()) >= length);
+    let left = bytes.len().checked_sub(HEADER);
+    let whole = left.zip(count.checked_mul(TRIANGLE)).is_some_and(|(left, length)| left >= length);
     let text = bytes.trim_ascii_start().starts_with(b"solid");
     // Some programs write blanks behind the last triangle.
     let binary = whole && (!text || bytes.len() == HEADER + count * TRIANGLE);
