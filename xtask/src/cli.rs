@@ -327,6 +327,8 @@ pub(crate) enum Material {
     Flakes,
     /// Tempered glass: a body that refracts.
     Glass,
+    /// Rough glass: a body that refracts to all sides.
+    Frosted,
     /// Plastic with blemishes and dents.
     Plastic,
     /// Scratched metal.

@@ -20,7 +20,7 @@ fn demand(name: &str) -> (f64, [u32; 3]) {
         "bumps" => (0.02, [240, 330, 330]),
         "flakes" => (0.02, [40, 140, 260]),
         "passive flakes" => (0.02, [40; 3]),
-        "carpet" | "carpet, grid" => (0.03, [110; 3]),
+        "carpet" | "carpet, grid" => (0.04, [110; 3]),
         "paint" => (0.05, [40, 64, 110]),
         "orange peel" | "glass" => (0.05, [80; 3]),
         "glass, noise" => (0.05, [128; 3]),

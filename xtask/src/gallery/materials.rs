@@ -3,7 +3,7 @@
 use asperity_render::image::tone::hex;
 use asperity_render::materials::{InMetres, Projected};
 use asperity_render::scene::Surface;
-use asperity_shading::material::{BrickWall, GlassBody, PaintFlakes, PolishedMarble, Wallpaper};
+use asperity_shading::material::{BrickWall, GlassBody, GlassWaves, PaintFlakes, PolishedMarble, Wallpaper};
 use asperity_shading::reflectance::Coat;
 use asperity_shading::texture::{Brick, StarWallpaper};
 use asperity_shading::{
@@ -58,9 +58,16 @@ impl Parameters {
                 let fields = MetallicPaintParameters::FIELDS;
                 (of(paint, fields)?, &[("specular", 1.0), ("pigment", 0.25)], "flake_roughness")
             }
-            Material::Glass => {
+            Material::Glass | Material::Frosted => {
                 let (body, tint) = (GlassBody::Solid, Vec3::new(0.86, 0.95, 0.92));
                 let glass = TemperedGlassParameters { body, tint, ..Default::default() };
+                let frosted = TemperedGlassParameters {
+                    roughness: 0.25,
+                    wave_amplitude: 2e-3,
+                    waves: GlassWaves::Noise,
+                    ..glass
+                };
+                let glass = if material == Material::Frosted { frosted } else { glass };
                 (of(glass, TemperedGlassParameters::FIELDS)?, &[("tint", 1.0)], "roughness")
             }
             Material::Plastic => {
@@ -168,7 +175,7 @@ impl Parameters {
             Material::Bumps => return Err("bumps are made of their own options".into()),
             Material::Carpet => laid(Carpet::new(read(values)?)?, metres, projected),
             Material::Paint | Material::Flakes => laid(MetallicPaint::new(read(values)?)?, metres, false),
-            Material::Glass => {
+            Material::Glass | Material::Frosted => {
                 let parameters: TemperedGlassParameters = read(values)?;
                 body = (parameters.body == GlassBody::Solid).then_some(parameters.tint);
                 laid(TemperedGlass::new(parameters)?, metres, false)

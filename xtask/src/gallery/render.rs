@@ -241,7 +241,7 @@ impl<'a> Picture<'a> {
             }
             None => (set.objects(surface, &behind)?, set.view().camera(wanted.zoom, sampling)),
         };
-        if self.material == Material::Glass {
+        if matches!(self.material, Material::Glass | Material::Frosted) {
             (objects[0].passes, objects[0].body) = (1.0, body);
         }
         let backdrop = colour.map_or(Backdrop::Light, Backdrop::Colour);
@@ -450,6 +450,7 @@ mod tests {
             ("paint", "coat_roughness=0.3"),
             ("flakes", "flakes.counted.bin=0.5"),
             ("glass", "index=1.2"),
+            ("frosted", "index=1.2"),
             ("plastic", "dent_strength=0.9"),
             ("scratched", "specular=0.9,0.1,0.1"),
             ("chrome", "colour=#204060"),
