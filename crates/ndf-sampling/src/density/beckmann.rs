@@ -29,8 +29,8 @@ use crate::simd::lanes::Lanes;
 /// - **Domain:** `αx, αy` in [`MIN_ALPHA`](crate::MIN_ALPHA)`..=`[`MAX_ALPHA`](crate::MAX_ALPHA); unit `m`, used as given;
 ///   `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Sign:** `s` is the slope of the normal, `s_x = m_x/m_z`; the height falls where it is positive.
-/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a` up to 87, beyond which `D` is 0. `T⁻¹(T(z)) = z` within 4e-6 for `|z| ≤ 6` and roughness
-///   1e-4 to 1.
+/// - **Accuracy:** `D` 1e-6 + 5e-7 a relative, with the exponent `a`, wherever `D` is a normal `f32`. `T⁻¹(T(z)) = z` within 4e-6
+///   for `|z| ≤ 6` and roughness 1e-4 to 1.
 ///
 /// ```
 /// use asperity_ndf_sampling::{Beckmann, Ndf, glam::Vec3};
@@ -47,6 +47,9 @@ use crate::simd::lanes::Lanes;
 pub struct Beckmann {
     pub(crate) alpha: Roughness,
 }
+
+/// Up to this exponent `exp(−a)` times the least peak, of [`MAX_ALPHA`](crate::MAX_ALPHA), is a normal `f32`.
+const NEAR: f32 = 40.0;
 
 roughness_parameters!(Beckmann);
 
@@ -71,12 +74,16 @@ impl ClosedForm for Beckmann {
     #[inline(always)]
     fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
         let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
-        let falloff = exp(s, -(x * x + y * y));
+        let (zero, one) = (s.float(0.0), s.float(1.0));
+        let exponent = -(x * x + y * y);
+        // Far out the peak or z⁴ make up for an exponential that would underflow: D = (exp(−a/2)/z²)² peak.
+        let near = s.less(s.float(-NEAR), exponent);
+        let falloff = exp(s, s.select(near, exponent, exponent * s.float(0.5)));
         let z2 = z * z;
         let peak = s.float(1.0 / (PI * self.alpha.x * self.alpha.y));
-        let density = s.at_most(falloff * peak / (z2 * z2), f32::MAX);
+        let ratio = falloff * s.select(near, peak, one) / s.select(near, z2 * z2, z2);
+        let density = s.at_most(s.select(near, ratio, ratio * (ratio * peak)), f32::MAX);
         // Next to the horizon the exponential is 0 long before z⁴ underflows.
-        let zero = s.float(0.0);
         [s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)]
     }
 
@@ -131,5 +138,47 @@ impl Radial for Beckmann {
     fn exponent(&self, slope: f64) -> Option<f64> {
         let t = slope / f64::from(self.alpha.x);
         (self.alpha.x == self.alpha.y).then_some(t * t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ndf::Ndf;
+
+    fn exact(alpha: [f32; 2], m: Vec3) -> (f64, f64) {
+        let ([ax, ay], [x, y, z]) = (alpha.map(f64::from), m.to_array().map(f64::from));
+        let a = ((x / ax / z).powi(2) + (y / ay / z).powi(2)).abs();
+        (a, libm::exp(-a) / (core::f64::consts::PI * ax * ay * z.powi(4)))
+    }
+
+    #[test]
+    fn density_is_relative_down_to_the_least_normal_number() {
+        let m = Vec3::new(0.920_338_1, -0.332_970_1, 0.205_204);
+        let got = Beckmann::isotropic(0.5).unwrap().density(m);
+        assert_abs_diff_eq!(got / 2.181_27e-37, 1.0, epsilon = 5e-5, "{got:e}");
+        let mut farthest = 0.0_f64;
+        for alpha in [[0.5; 2], [1e-6; 2], [1e-3; 2], [1.0; 2], [1e6; 2], [1e6, 1e-6], [0.02, 3.0]] {
+            let beckmann = Beckmann::new(alpha[0], alpha[1]).unwrap();
+            for (k, turn) in (1..=1400).flat_map(|k| [0.0_f32, 0.3, 1.0].map(|turn| (k, turn))) {
+                let q = k as f32 * 0.01;
+                let slope = Vec2::new(alpha[0] * q * turn.cos(), alpha[1] * q * turn.sin());
+                let m = slope.extend(1.0) / slope.extend(1.0).length();
+                let (a, exact) = exact(alpha, m);
+                let got = f64::from(beckmann.density(m));
+                if exact >= f64::from(f32::MIN_POSITIVE) {
+                    assert_abs_diff_eq!(
+                        got / exact,
+                        1.0,
+                        epsilon = 1e-6 + 5e-7 * a,
+                        "{alpha:?} at {m}: {got:e}"
+                    );
+                    farthest = farthest.max(a);
+                } else {
+                    assert!(got <= 1.2e-38, "{alpha:?} at {m}: {got:e}");
+                }
+            }
+        }
+        assert!(farthest > 140.0, "{farthest}");
     }
 }
