@@ -28,6 +28,7 @@
 //! | [`Isotropic`], [`IsotropicRef`] | a density of the tilt, from a table over the cosine |
 //! | [`Mixture`], [`Blend`], [`Rotated`], [`Radial`] | sums of densities, with and without a map; turned densities |
 //! | [`NdfMap`], [`PackedMapRef`] | a density painted or computed on the hemispherical map; as one array, for flash or a GPU |
+//! | [`Masked`], [`Bounded`] | masking and visible normals of maps and tables, for reflectances |
 //! | [`Measure`], [`Reconstruction`], [`Cdf`] | how its texels count; its marginal and conditional distributions and their inverses |
 //! | [`NoiseDistribution`], [`NoiseCdfRef`], [`GaussianNoise`], [`KurtoticNoise`] | G: from values of a noise to Gaussian numbers and back; measured, Gaussian, by its kurtosis |
 //! | [`NormalTable`], [`NormalTableRef`], [`normal_table`] | table L: tangent frames by look-up; its layouts, accuracy and half floats |
@@ -61,7 +62,7 @@
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
 //! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `approx` | comparisons of frames, densities and other small records by `approx`, and those of `glam` |
-//! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
+//! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
 
@@ -84,6 +85,8 @@ mod density;
 mod frame;
 pub mod level_of_detail;
 mod map;
+#[cfg(feature = "alloc")]
+mod masked;
 mod math;
 mod microfacet;
 mod ndf;
@@ -128,6 +131,8 @@ pub use map::{
     ndf_map::NdfMap,
     texels::Measure,
 };
+#[cfg(feature = "alloc")]
+pub use masked::{bounded::Bounded, masked::Masked, wedge::Wedge};
 pub use microfacet::Microfacet;
 pub use ndf::Ndf;
 pub use noise_distribution::distribution::{GaussianNoise, NoiseDistribution};

@@ -35,7 +35,7 @@ use crate::ndf::{Ndf, forward};
 #[diagnostic::on_unimplemented(
     message = "masking and visible normals of `{Self}` are not known",
     label = "`Microfacet` is not implemented for this",
-    note = "analytic densities such as `Ggx` implement it; maps and tables of normals are an `Ndf` only"
+    note = "analytic densities such as `Ggx` implement it; `Masked::new` gives them to maps and tables"
 )]
 #[doc(alias = "smith")]
 #[doc(alias = "masking")]

@@ -11,6 +11,7 @@ mod image_light;
 mod materials;
 mod mean_radiance;
 mod normal_maps;
+mod painted;
 mod reflectance;
 mod remapped;
 mod rough_glass;

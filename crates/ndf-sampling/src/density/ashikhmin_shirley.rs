@@ -13,6 +13,7 @@ use crate::math;
 use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
 use crate::numeric::gauss_kronrod::integrate;
+use crate::numeric::hashed::Hashed;
 use crate::radial::Radial;
 use crate::range_error::RangeError;
 use crate::simd::elementary::cos_sin_turns;
@@ -214,21 +215,6 @@ const TOLERANCE: f64 = 1e-4;
 
 /// After which the last try is taken.
 const MOST_TRIES: u32 = 64;
-
-/// Numbers from the bits of others: SplitMix64 of Steele, Lea and Flood 2014.
-struct Hashed {
-    state: u64,
-}
-
-impl Hashed {
-    /// Uniform in `[0, 1)`.
-    fn uniform(&mut self) -> f32 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let bits = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((bits ^ (bits >> 31)) >> 40) as f32 / 16_777_216.0
-    }
-}
 
 impl Radial for AshikhminShirley {
     fn exponent(&self, slope: f64) -> Option<f64> {

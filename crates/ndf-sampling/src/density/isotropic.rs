@@ -35,6 +35,7 @@ type Node = [f32; PER_NODE];
 /// `√(2/n)`, so lobes narrower than a few such tilts need another density or [`NdfMap`](crate::NdfMap).
 ///
 /// - **Storage:** three numbers for each node; [`IsotropicRef`] borrows them.
+/// - **Masking and visible normals:** by [`Masked`](crate::Masked).
 /// - **Domain:** unit `m`, of which only the slope counts; `D = 0` for `m.z ≤ 0` and NaN.
 /// - **Accuracy:** `C` 1e-14; `T⁻¹(T(z)) = z` within 1e-5 where the density is not 0.
 ///
@@ -159,6 +160,16 @@ impl<'a> IsotropicRef<'a> {
     #[must_use]
     pub const fn packed(self) -> &'a [f32] {
         self.nodes.as_flattened()
+    }
+
+    /// At least the largest density between two cosines.
+    pub(crate) fn most_between(&self, low: f64, high: f64) -> f32 {
+        let cells = self.cells() as f64;
+        // With a node beyond, for cosines are rounded.
+        let at = |cos: f64| (cos.clamp(0.0, 1.0) * cells) as usize;
+        let nodes = at(low - 1e-6)..=at(high + 1e-6) + 1;
+        let most = nodes.fold(0.0_f32, |most, k| most.max(self.node(k.min(self.cells())).0));
+        most.next_up().min(f32::MAX)
     }
 
     /// The number of cells.

@@ -3,6 +3,8 @@
 #[cfg(feature = "alloc")]
 pub(crate) mod b_spline;
 #[cfg(feature = "alloc")]
+pub(crate) mod bound;
+#[cfg(feature = "alloc")]
 pub(crate) mod breakpoints;
 #[cfg(feature = "alloc")]
 pub(crate) mod cdf;

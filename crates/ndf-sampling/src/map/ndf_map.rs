@@ -33,6 +33,7 @@ const POINTS: usize = 4;
 /// - **The flat normal** is at `to_gaussian(Vec3::Z)`, not at `z = 0`, which is the median, unless the map is symmetric.
 /// - **Resolution:** a roughness under about 6 texels (`α · size/2 < 6`) is not resolved: use [`Ggx`](crate::Ggx) or
 ///   [`Beckmann`](crate::Beckmann) there.
+/// - **Masking and visible normals:** by [`Masked`](crate::Masked).
 /// - **Accuracy:** `T⁻¹(T(z)) = z` to the rounding of `m` to `f32`: 1.2e-7 times the slope of `z` over the normal.
 ///
 /// ```

@@ -7,4 +7,5 @@ pub(crate) mod compensated_sum;
 pub(crate) mod gauss_kronrod;
 #[cfg(feature = "alloc")]
 pub(crate) mod guide_table;
+pub(crate) mod hashed;
 pub(crate) mod normal_distribution;
