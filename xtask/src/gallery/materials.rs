@@ -143,7 +143,7 @@ impl Parameters {
             let (text, links) = about.split_once("](").unwrap_or((about, ""));
             let behind = links.split("](").map(|link| link.split_once(')').map_or("", |link| link.1));
             let about: Vec<_> = std::iter::once(text).chain(behind).collect();
-            let about: String = about.concat().chars().filter(|c| !"`[]".contains(*c)).collect();
+            let about = about.concat().replace("[`", "").replace("`]", "").replace('`', "");
             format!("  {name} = {}\n     {}", shown(&self.values[*name]), about.trim())
         })
     }
