@@ -2,8 +2,7 @@
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
 use asperity_noise::{
-    Field, Grid, IntegerHash, Octaves, Perlin2002, Ridged, Rotation, Sample, Simplex, Spectrum, Tiled, Unit,
-    Warp,
+    Field, Grid, IntegerHash, Octaves, Perlin2002, Ridged, Sample, Simplex, Spectrum, Tiled, Unit, Warp,
     glam::{Vec2, Vec3, Vec4},
 };
 
@@ -15,7 +14,7 @@ fn heightmap(heights: &mut [f32; 64 * 64]) {
 
 fn tileable_fbm() -> impl Field<Vec2> {
     let noise = Perlin2002::new(42).with_lattice(Tiled::new(IntegerHash, [8, 8]).expect("short periods"));
-    Octaves::new(noise, Spectrum::CLOUD).with_rotation(Rotation::Aligned)
+    Octaves::tiled(noise, Spectrum::CLOUD).expect("periods that lacunarity 2 keeps")
 }
 
 fn domain_warp() -> impl Field<Vec2> {

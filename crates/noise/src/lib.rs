@@ -46,6 +46,8 @@
 //! | [`Grid`] | regular points, for whole pictures and volumes |
 //! | [`Spectrum`], [`Octaves`], [`Rotation`], [`Normalisation`] | lacunarity, gain and a real number of octaves; sums of any kind |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
+//! | [`Octaves::tiled`] | sums that repeat, each octave with periods of its own |
+//! | [`Octaves::anchored`] | sums far from the origin, told to a thousandth of a cell at 10¹² |
 //! | [`Octaves::clamped`], [`removed_share`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
 //! | [`Add`], [`Multiply`], [`Blend`], [`Clamp`], [`Map`], [`Affine`], [`Power`], [`Unit`] | fields of fields, by value |
@@ -82,12 +84,13 @@
 //! # Precision
 //!
 //! Value and gradient are within 4e-6 and 9e-6 of an `f64` evaluation at the same point (kinds of range 1: 1e-6 and
-//! 3e-6; simplex noise within 8 cells of the origin: 2e-6 and 1.3e-5). A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so.
+//! 3e-6; simplex noise within 8 cells of the origin: 2e-6 and 1.3e-5). A coordinate x itself has a spacing of |x|·2⁻²³, and octave i of a sum sees fᵢ x: keep fᵢ |x| under 10⁵ or so,
+//! or put an anchor of `f64` near the points, by [`Octaves::anchored`].
 //! Values far out and at points that are not finite are stated at [`Field`].
 //!
 //! # What it does not do
 //!
-//! No fifth dimension, no double precision.
+//! No fifth dimension, no `f64` values.
 //!
 //! # Features
 //!
@@ -176,9 +179,9 @@ pub mod curl {
 pub mod simd {
     pub use crate::contract::batch::Batch;
     pub use crate::contract::hessian::CurvedKernel;
-    pub use crate::contract::kernel::Kernel;
     #[doc(hidden)]
     pub use crate::contract::kernel::Measured;
+    pub use crate::contract::kernel::{Anchor, Kernel};
     pub use crate::lanes::lanes::{Floats, LaneSample, Lanes, Scalar, Words};
     pub use crate::lanes::level::Level;
     pub use crate::row::points::{Points, Target};

@@ -1,5 +1,6 @@
 //! Noise: properties, references, statistics and independence.
 
+mod anchors;
 mod continuity;
 mod gaussian;
 mod gradient;
@@ -13,4 +14,5 @@ mod shapes;
 mod spectrum;
 mod statistics;
 mod sums;
+mod tiled_sums;
 mod warp_curl;

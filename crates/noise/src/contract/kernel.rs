@@ -57,8 +57,27 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// modulo 2³².
     const REACH: f32 = REACH;
 
+    /// Whether the noise repeats.
+    const TILED: bool = false;
+    /// Whether cells are simplices of the skewed lattice.
+    const SIMPLICIAL: bool = false;
+
     /// Intermediate results that rows of a grid share, from row to row.
     type RowScratch: Default;
+
+    /// The period along an axis, 0 where there is none.
+    fn period(&self, _axis: usize) -> u32 {
+        0
+    }
+
+    /// The noise of an octave of a sum, on its own lattice; nothing where that is the noise itself.
+    #[inline(always)]
+    fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
 
     /// The values at points, and the gradients if `GRADIENTS`; else those are of no meaning.
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
@@ -74,6 +93,33 @@ pub trait Kernel<const N: usize>: Measured<N> {
         by_lanes(s, self, strip);
     }
 }
+
+/// A kind whose sums can be seen from an anchor far from the origin.
+pub trait Anchor<const N: usize>: Kernel<N> {
+    /// The kind on a lattice whose cells are counted from the anchor's.
+    type Shifted: Kernel<N>;
+
+    /// The noise on such a lattice, not shifted yet.
+    fn shifted(self) -> Self::Shifted;
+}
+
+/// The methods of a [`Kernel`] for octaves, by its lattice.
+macro_rules! on_lattice {
+    () => {
+        const TILED: bool = <<Self as $crate::lattice::lattice::OnLattice>::Lattice as $crate::lattice::lattice::Lattice>::TILED;
+
+        fn period(&self, axis: usize) -> u32 {
+            $crate::lattice::lattice::Lattice::period($crate::lattice::lattice::OnLattice::lattice(self), axis)
+        }
+
+        #[inline(always)]
+        fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
+            $crate::lattice::lattice::OnLattice::of_octave(self, frequency, cell)
+        }
+    };
+}
+
+pub(crate) use on_lattice;
 
 /// The values at any points, and the gradients if `GRADIENTS`.
 ///

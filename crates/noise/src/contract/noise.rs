@@ -81,6 +81,25 @@ macro_rules! kind {
             fn lattice(&self) -> &L {
                 &self.lattice
             }
+
+            #[inline(always)]
+            fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
+                let lattice = self.lattice.of_octave(frequency, cell)?;
+                Some($kind { seed: self.seed, $($($parameter: self.$parameter,)+)? lattice })
+            }
+        }
+
+        impl<L: $crate::lattice::lattice::Lattice + Clone, const N: usize> $crate::contract::kernel::Anchor<N> for $kind<L>
+        where
+            Self: $crate::contract::kernel::Kernel<N>,
+            $kind<$crate::lattice::shifted::Shifted<L, N>>: $crate::contract::kernel::Kernel<N>,
+        {
+            type Shifted = $kind<$crate::lattice::shifted::Shifted<L, N>>;
+
+            fn shifted(self) -> Self::Shifted {
+                let lattice = $crate::lattice::shifted::Shifted::new(self.lattice.clone());
+                self.with_lattice(lattice)
+            }
         }
     };
 }
@@ -124,11 +143,11 @@ macro_rules! noise {
             }
         }
     };
-    ($kind:ident, [$($generic:tt)*], $n:tt) => {
+    ($kind:ident, [$($generic:tt)*], $n:tt $(, $bound:path)?) => {
         impl<V, L $($generic)*> $crate::contract::field::Field<V> for $kind<L>
         where
             V: $crate::point::Point<Coordinates = [f32; $n]>,
-            L: $crate::lattice::lattice::Lattice,
+            L: $crate::lattice::lattice::Lattice $(+ $bound)?,
         {
             #[inline]
             fn sample(&self, p: V) -> $crate::sample::Sample<V> {
@@ -159,7 +178,7 @@ macro_rules! noise {
         impl<V, L $($generic)*> $crate::contract::noise::Noise<V> for $kind<L>
         where
             V: $crate::point::Point<Coordinates = [f32; $n]>,
-            L: $crate::lattice::lattice::Lattice,
+            L: $crate::lattice::lattice::Lattice $(+ $bound)?,
         {
             fn statistics(&self) -> &'static $crate::statistics::statistics::Statistics {
                 $crate::contract::kernel::Measured::<$n>::statistics(self)

@@ -7,7 +7,7 @@ use crate::{
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
-    lattice::variates::{MARGIN, UNIT_SCALE, edge_direction, unit_direction},
+    lattice::variates::{EDGE_MAXIMUM, MARGIN, UNIT_SCALE, edge_direction, unit_direction},
     statistics::tables,
 };
 
@@ -48,7 +48,8 @@ pub struct Perlin1985<L = IntegerHash> {
 /// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
 ///
 /// Perlin 2002, "Improving Noise". Two deviations: all twelve gradients are equally likely, where Perlin repeats four
-/// to fill a table of sixteen; and the range is made tight.
+/// to fill a table of sixteen; and the range is made tight. On a [`PerlinTable`](crate::lattice::PerlinTable) neither holds: there it is
+/// his own noise, but for its scale.
 ///
 /// ```
 /// use asperity_noise::{Field, Perlin2002, glam::Vec3};
@@ -70,8 +71,9 @@ kind!(Perlin2002);
 measured!(Perlin2002, |self| &tables::PERLIN_2002);
 noise!(Perlin2002, curved);
 
-/// The inverse of the searched max Σ W_c max_g g·(p − c).
-const SCALE_2002: [f32; 4] = [MARGIN * 2.0, MARGIN, MARGIN / 1.036_353_8, MARGIN / 1.536_582_3];
+/// The inverse of the searched maximum.
+const SCALE_2002: [f32; 4] =
+    [MARGIN / EDGE_MAXIMUM[0], MARGIN / EDGE_MAXIMUM[1], MARGIN / EDGE_MAXIMUM[2], MARGIN / EDGE_MAXIMUM[3]];
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
     const HAS_VALUE: bool = false;

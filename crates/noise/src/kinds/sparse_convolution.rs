@@ -3,7 +3,7 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::kernel::{Kernel, Measured, by_lanes},
+    contract::kernel::{Kernel, Measured, by_lanes, on_lattice},
     contract::noise::{kind, noise},
     kinds::cell::blend::splat,
     lanes::lanes::{LaneSample, Lanes},
@@ -276,6 +276,8 @@ impl<const N: usize> Columns<N> {
 
 impl<L: Lattice, const N: usize> Kernel<N> for Sparse<L> {
     type RowScratch = ();
+
+    on_lattice!();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

@@ -1,7 +1,7 @@
 //! Value noise: random numbers at lattice points, interpolated in two ways.
 
 use crate::{
-    contract::kernel::Kernel,
+    contract::kernel::{Kernel, on_lattice},
     contract::noise::{kind, measured, noise},
     kinds::catmull_rom::{SplineNoise, spline, spline_rows},
     kinds::cell::corner::{CellNoise, Corner},
@@ -99,6 +99,8 @@ impl<L: Lattice, const N: usize> SplineNoise<N> for ValueCatmullRom<L> {
 
 impl<L: Lattice, const N: usize> Kernel<N> for ValueCatmullRom<L> {
     type RowScratch = ();
+
+    on_lattice!();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

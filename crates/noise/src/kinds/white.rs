@@ -1,7 +1,7 @@
 //! White noise: one random number per cell.
 
 use crate::{
-    contract::kernel::Kernel,
+    contract::kernel::{Kernel, on_lattice},
     contract::noise::{kind, measured, noise},
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
@@ -43,6 +43,8 @@ noise!(White);
 
 impl<L: Lattice, const N: usize> Kernel<N> for White<L> {
     type RowScratch = ();
+
+    on_lattice!();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

@@ -29,6 +29,28 @@ pub trait Lattice {
     /// The random word of a lattice point in N dimensions.
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32;
 
+    /// Whether the lattice repeats.
+    #[doc(hidden)]
+    const TILED: bool = false;
+
+    /// The period along an axis, 0 where there is none.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn period(&self, _axis: usize) -> u32 {
+        0
+    }
+
+    /// The lattice of an octave of a sum: its periods as many times as long as the frequency says, its cells counted from another.
+    /// Nothing where that changes nothing.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// The part of a cell's word that its coordinate along an axis makes.
     #[inline(always)]
     fn term<S: Lanes>(&self, _: S, _axis: usize, cell: S::U) -> S::U {
@@ -54,6 +76,15 @@ pub(crate) trait OnLattice {
     type Lattice: Lattice;
 
     fn lattice(&self) -> &Self::Lattice;
+
+    /// The noise on the lattice of an octave, [`Lattice::of_octave`].
+    #[inline(always)]
+    fn of_octave(&self, _frequency: f32, _cell: &[i32]) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
 }
 
 /// From here on cells do not fit an `i32`.

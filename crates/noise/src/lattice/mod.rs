@@ -5,10 +5,13 @@ pub(crate) mod fade;
 pub(crate) mod gaussian_levels;
 pub(crate) mod integer_hash;
 pub(crate) mod lattice;
+pub(crate) mod perlin_table;
 pub(crate) mod permutation_table;
+pub(crate) mod shifted;
 pub(crate) mod tiled;
 pub(crate) mod variates;
 
 pub use chained_table::ChainedTable;
+pub use perlin_table::PerlinTable;
 pub use permutation_table::{PermutationTable, PermutationTableError};
 pub use variates::{edge_gradient, gaussian_corner, unit_gradient};

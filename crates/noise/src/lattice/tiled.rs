@@ -19,6 +19,8 @@ use crate::{
 /// any dimension; axes beyond the N-th do not repeat. Where p and p + period are both exact in `f32`, values and gradients
 /// have the same bits. From |x| = 2³¹ on cells wrap modulo 2³², and only periods that are powers of two go on.
 ///
+/// Octaves each have periods of their own: a sum is made by [`Octaves::tiled`](crate::Octaves::tiled).
+///
 /// [`Simplex`](crate::Simplex) noise tiles with it in 1-D alone. In space it has [`TiledSimplex`](crate::TiledSimplex); in the
 /// plane and in 4-D no step along an axis maps the simplicial lattice onto itself, since its shear is irrational.
 ///
@@ -62,6 +64,28 @@ impl<L, const N: usize> Tiled<L, N> {
     }
 }
 
+/// The period of an octave, a whole number as the sum has been checked for.
+#[inline(always)]
+pub(crate) fn octave_period(period: u32, frequency: f32) -> u32 {
+    ((period as f32 * frequency) as u32).max(1)
+}
+
+/// Points moved by whole periods into the first tile, exactly; along an axis whose period is 0 they stay.
+#[inline(always)]
+pub(crate) fn in_first_tile<S: Lanes, const N: usize>(s: S, p: [S::F; N], periods: &[f32; N]) -> [S::F; N] {
+    let mut q = p;
+    for axis in 0..N {
+        if periods[axis] > 0.0 {
+            let period = s.float(periods[axis]);
+            let near = p[axis] - period * s.floor(p[axis] / period);
+            // A quotient may be rounded up to the next integer, or down from it.
+            let low = s.select(s.less(near, s.float(0.0)), near + period, near);
+            q[axis] = s.select(s.less(low, period), low, low - period);
+        }
+    }
+    q
+}
+
 /// A cell modulo a period of at most 6 · 2²¹, the remainder not negative.
 ///
 /// Exact: the first quotient times the period errs by less than 2³¹ · 2⁻²², which leaves a rest from −2⁹ to the period + 2⁹. That is
@@ -73,7 +97,20 @@ pub(crate) fn remainder<S: Lanes>(s: S, cell: S::U, period: u32) -> S::U {
     near - s.integer(s.floor(s.real(near) / real)) * bits
 }
 
-impl<L: Lattice, const M: usize> Lattice for Tiled<L, M> {
+impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
+    const TILED: bool = true;
+
+    #[inline(always)]
+    fn period(&self, axis: usize) -> u32 {
+        self.periods.get(axis).copied().unwrap_or(0)
+    }
+
+    #[inline(always)]
+    fn of_octave(&self, frequency: f32, _: &[i32]) -> Option<Self> {
+        let periods = self.periods.map(|period| octave_period(period, frequency));
+        Some(Self { lattice: self.lattice.clone(), periods })
+    }
+
     #[inline]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         word_by_terms(self, cell, seed)
@@ -95,7 +132,7 @@ impl<L: Lattice, const M: usize> Lattice for Tiled<L, M> {
 }
 
 /// Why a lattice was not repeated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TiledError {
     /// A period is 0 or too long.
@@ -114,6 +151,19 @@ pub enum TiledError {
         /// The number.
         factor: u32,
     },
+    /// A noise that does not repeat along an axis was to be summed as one that does.
+    NoPeriod,
+    /// A sum's lacunarity leaves an octave without a period of its own.
+    NoOctavePeriod {
+        /// The axis, from 0.
+        axis: usize,
+        /// The period of the first octave.
+        period: u32,
+        /// The lacunarity.
+        lacunarity: f32,
+        /// The octave, from 0.
+        octave: u32,
+    },
 }
 
 impl fmt::Display for TiledError {
@@ -125,6 +175,15 @@ impl fmt::Display for TiledError {
             Self::NoMultiple { axis, period, factor } => {
                 write!(f, "`periods[{axis}]` must be a multiple of {factor}, got {period}")
             }
+            Self::NoPeriod => {
+                write!(f, "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`")
+            }
+            Self::NoOctavePeriod { axis, period, lacunarity, octave } => write!(
+                f,
+                "`periods[{axis}]` times `lacunarity` to the power {octave} must be a whole number up to {}, got {period} · \
+                 {lacunarity}^{octave}",
+                1 << 21
+            ),
         }
     }
 }

@@ -12,6 +12,9 @@ pub(crate) const MARGIN: f32 = 1.0 - 2e-6;
 pub(crate) const UNIT_SCALE: [f32; 4] =
     [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
 
+/// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
+pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 1.0, 1.036_353_8, 1.536_582_3];
+
 /// The top bit of a word, the sign of a float.
 const SIGN: u32 = 0x8000_0000;
 

@@ -1,5 +1,6 @@
 //! Octaves and their sums.
 
+pub(crate) mod anchor;
 pub(crate) mod frequency_clamp;
 pub(crate) mod octave;
 pub(crate) mod octaves;

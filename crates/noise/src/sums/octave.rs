@@ -1,6 +1,7 @@
 //! The place of one octave: its own seed and offset, and its rotation, times its frequency.
 
 use crate::{
+    contract::kernel::Kernel,
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::mix,
     lattice::variates::{gaussian_corner, unit_direction},
@@ -30,6 +31,8 @@ pub(crate) struct Layer<const N: usize> {
     /// Rotation times frequency, by rows.
     pub(crate) matrix: [[f32; N]; N],
     pub(crate) offset: [f32; N],
+    /// The cell that the octave's are counted from, where the sum is anchored.
+    pub(crate) cell: [i32; N],
 }
 
 impl<const N: usize> Layer<N> {
@@ -49,6 +52,7 @@ impl<const N: usize> Layer<N> {
                 seed: (word(0) >> 32) as u32,
                 rotation,
                 matrix: matrix.map(|row: [f32; N]| row.map(|x| x * frequency)),
+                cell: [0; N],
                 offset: [(); N].map(|()| {
                     shift += 20;
                     if shift <= 60 { fraction(low >> (shift - 20)) } else { fraction(high) }
@@ -57,6 +61,14 @@ impl<const N: usize> Layer<N> {
             i += 1;
             layer
         })
+    }
+
+    /// The noise of the octave: `noise`, or `own` if the octave has a lattice of its own.
+    #[inline(always)]
+    pub(crate) fn noise<'a, K: Kernel<N>>(&self, noise: &'a K, own: &'a mut Option<K>) -> &'a K {
+        // Sums on lattices that repeat are aligned, and others do not ask for the frequency.
+        *own = noise.of_octave(self.matrix[0][0], &self.cell);
+        own.as_ref().unwrap_or(noise)
     }
 
     /// The octave's own coordinates of points.

@@ -4,6 +4,7 @@ use crate::{
     contract::kernel::{FEW_POINTS, FillList, FillRow, Kernel},
     lanes::lanes::Lanes,
     lanes::level::{Instructions, Task},
+    lattice::tiled::in_first_tile,
     point::Point,
     row::cells::POINTS,
     row::points::{Block, Points, Source, Target, by_axes},
@@ -23,6 +24,8 @@ pub(crate) type Lists<const N: usize> = [[f32; LIST]; N];
 /// The octaves of a sum that take part, and what becomes of them.
 pub(crate) struct Passes<'a, K, const N: usize, T> {
     pub(crate) noise: &'a K,
+    /// The periods along all axes, 0 where there is none.
+    pub(crate) periods: [f32; N],
     pub(crate) shape: T,
     pub(crate) layers: &'a [Layer<N>],
     pub(crate) amplitudes: &'a [f32],
@@ -46,7 +49,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                     .into_iter()
                     .for_each(|mut gradients| gradients.as_mut().iter_mut().for_each(|g| g.fill(0.0)));
             }
-        } else if self.layers[0].rotation == Rotation::Aligned
+        } else if !K::TILED
+            && self.layers[0].rotation == Rotation::Aligned
             && points.len() >= FEW_POINTS
             && matches!(points.0, Source::Window(_))
         {
@@ -79,14 +83,15 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
     ) {
         let Source::Window(window) = &points.0 else { return };
         let (instructions, width) = (target.instructions, block.width());
-        let (mut octave, mut slopes) = ([0.0; POINTS], [[0.0; POINTS]; N]);
+        let (mut own, mut octave, mut slopes) = (None, [0.0; POINTS], [[0.0; POINTS]; N]);
         for (i, amplitude, layer) in self.octaves() {
+            let noise = layer.noise(self.noise, &mut own);
             let frequencies = layer.frequencies();
             for (r, row) in window.rows(0..block.rows.len()) {
                 let (values, gradients) = target.row(r, width);
                 let row = row.scaled(frequencies, layer.offset);
                 let room = gradients.as_ref().map(|_| slopes.each_mut().map(|slope| &mut slope[..width]));
-                let (kernel, seed, octave) = (self.noise, layer.seed, &mut octave[..]);
+                let (kernel, seed, octave) = (noise, layer.seed, &mut octave[..]);
                 let fill = FillRow {
                     kernel,
                     seed,
@@ -128,12 +133,16 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
     ) {
         let count = points.len().min(LIST);
         let (mut from, mut to) = ([[0.0; LIST]; N], [[0.0; LIST]; N]);
-        let (mut octave, mut slopes) = ([0.0; LIST], [[0.0; LIST]; N]);
+        let (mut own, mut octave, mut slopes) = (None, [0.0; LIST], [[0.0; LIST]; N]);
         points.write(&mut from);
+        if K::TILED {
+            instructions.run(Wrap { periods: &self.periods, points: &mut from, count });
+        }
         for term @ (_, _, layer) in self.octaves() {
             instructions.run(Move { layer, from: &from, to: &mut to, count });
             let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
-            let (kernel, seed, points) = (self.noise, layer.seed, to.each_ref().map(|x| &x[..count]));
+            let kernel = layer.noise(self.noise, &mut own);
+            let (seed, points) = (layer.seed, to.each_ref().map(|x| &x[..count]));
             FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
             add(term, &mut octave, &slopes);
         }
@@ -179,6 +188,30 @@ pub(crate) fn copy_out<V: Point, const N: usize>(
         if let Some(mut gradients) = gradients {
             for (to, from) in gradients.as_mut().iter_mut().zip(gradient) {
                 to.copy_from_slice(&from[part.clone()]);
+            }
+        }
+    }
+}
+
+/// Points moved into the first tile.
+struct Wrap<'a, const N: usize> {
+    periods: &'a [f32; N],
+    points: &'a mut Lists<N>,
+    count: usize,
+}
+
+impl<const N: usize> Task for Wrap<'_, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        let Self { periods, points, count } = self;
+        for i in (0..count.min(LIST)).step_by(S::LEN) {
+            let mut p = [s.float(0.0); N];
+            for axis in 0..N {
+                p[axis] = s.load(&points[axis][i..]);
+            }
+            let q = in_first_tile(s, p, periods);
+            for axis in 0..N {
+                s.store(q[axis], &mut points[axis][i..]);
             }
         }
     }

@@ -7,6 +7,7 @@ use crate::{
     contract::kernel::{self, Kernel},
     lanes::lanes::{Lanes, Scalar},
     lanes::level::Task,
+    lattice::tiled::in_first_tile,
     point::Point,
     row::points::{Points, Target},
     sample::Sample,
@@ -55,11 +56,19 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
     ///
     /// If `feedback` is not a finite number from 0 on.
     pub fn new(noise: K, spectrum: Spectrum, feedback: f32) -> Result<Self, FeedbackError> {
+        Self::of(Octaves::new(noise, spectrum), feedback)
+    }
+
+    /// The sum of the octaves of another sum: one that is [tiled](Octaves::tiled) or [anchored](Octaves::anchored), for instance.
+    ///
+    /// # Errors
+    ///
+    /// If `feedback` is not a finite number from 0 on.
+    pub fn of(octaves: Octaves<K, N>, feedback: f32) -> Result<Self, FeedbackError> {
         if !(feedback >= 0.0 && feedback.is_finite()) {
             return Err(FeedbackError { feedback });
         }
-        let octaves =
-            Octaves::new(noise, spectrum).with_shape(Ridged).with_normalisation(Normalisation::Range);
+        let octaves = octaves.with_normalisation(Normalisation::Range).with_shape(Ridged);
         Ok(Self { octaves, feedback })
     }
 
@@ -78,10 +87,12 @@ impl<K: Kernel<N>, const N: usize> RidgedMultifractal<K, N> {
 
 impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> for RidgedMultifractal<K, N> {
     fn sample(&self, p: V) -> Sample<V> {
-        let (p, passes) = (p.coordinates(), self.octaves.parts());
+        let (passes, mut own) = (self.octaves.parts(), None);
+        let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
-            let (n, slopes) = kernel::sample(passes.noise, layer.points(Scalar, p), layer.seed);
+            let noise = layer.noise(passes.noise, &mut own);
+            let (n, slopes) = kernel::sample(noise, layer.points(Scalar, p), layer.seed);
             let (value, slope) = (Ridged.value(n), Ridged.slope(n));
             let slopes = layer.pull_back(Scalar, slopes.map(|g| slope * g));
             let ridge = weight.0 * value;
@@ -99,10 +110,12 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
     }
 
     fn value(&self, p: V) -> f32 {
-        let (p, passes) = (p.coordinates(), self.octaves.parts());
+        let (passes, mut own) = (self.octaves.parts(), None);
+        let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = (0.0, 1.0);
         for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
-            let n = kernel::value(passes.noise, layer.points(Scalar, p), layer.seed);
+            let noise = layer.noise(passes.noise, &mut own);
+            let n = kernel::value(noise, layer.points(Scalar, p), layer.seed);
             let ridge = weight * Ridged.value(n);
             sum += amplitude * ridge;
             let next = self.feedback * ridge;

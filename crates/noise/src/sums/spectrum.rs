@@ -51,6 +51,9 @@ impl Spectrum {
     /// Signed for the threads together; for the single ones [`Plasma`](crate::Plasma) to the seventh [`Power`](crate::Power).
     pub const THREADS: Self = Self { lacunarity: 2.0, gain: 1.0, max_octaves: 3 };
 
+    /// One octave.
+    pub(crate) const SINGLE: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 1 };
+
     /// A spectrum of at most `max_octaves` octaves.
     ///
     /// A gain below 1 is that of an endless spectrum, of which these octaves are the first. With a gain of 1 and above, where

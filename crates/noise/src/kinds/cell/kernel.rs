@@ -1,7 +1,7 @@
 //! Noises on cells as kinds: at points and along rows.
 
 use crate::{
-    contract::kernel::Kernel,
+    contract::kernel::{Kernel, on_lattice},
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,
@@ -23,6 +23,8 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
 
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     type RowScratch = Stretch<N>;
+
+    on_lattice!();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

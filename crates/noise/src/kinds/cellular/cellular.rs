@@ -3,7 +3,7 @@
 use core::{error::Error, fmt};
 
 use crate::{
-    contract::kernel::{Kernel, Measured, by_lanes},
+    contract::kernel::{Kernel, Measured, by_lanes, on_lattice},
     contract::noise::{kind, noise},
     kinds::cellular::metric::Metric,
     kinds::cellular::rows::{Columns, LONG_STEP, Seen},
@@ -142,6 +142,8 @@ impl<L> Cellular<L> {
 
 impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
     type RowScratch = Columns<N>;
+
+    on_lattice!();
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

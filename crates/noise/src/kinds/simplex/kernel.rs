@@ -7,7 +7,7 @@ use crate::{
     kinds::simplex::rows::Sums,
     kinds::simplex::simplex::Simplex,
     lanes::lanes::{LaneSample, Lanes, Scalar},
-    lattice::lattice::Lattice,
+    lattice::lattice::{Lattice, OnLattice},
     row::row::Strip,
 };
 
@@ -54,7 +54,21 @@ macro_rules! for_corners {
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     const REACH: f32 = 4_194_304.0;
 
+    const SIMPLICIAL: bool = true;
+
     type RowScratch = Sums<N>;
+
+    const TILED: bool = L::TILED;
+
+    /// Only on the line does the noise repeat with its lattice.
+    fn period(&self, axis: usize) -> u32 {
+        if N == 1 { Lattice::period(self.lattice(), axis) } else { 0 }
+    }
+
+    #[inline(always)]
+    fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
+        OnLattice::of_octave(self, frequency, cell)
+    }
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {

@@ -6,8 +6,8 @@ use crate::{
     kinds::simplex::simplex::Simplex,
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::{Lattice, word_by_terms},
-    lattice::tiled::{Tiled, TiledError, remainder},
+    lattice::lattice::{Lattice, OnLattice, word_by_terms},
+    lattice::tiled::{Tiled, TiledError, octave_period, remainder},
     statistics::statistics::Statistics,
 };
 
@@ -84,7 +84,15 @@ struct Corners<L> {
     periods: [u32; 3],
 }
 
-impl<L: Lattice> Lattice for Corners<L> {
+impl<L: Lattice + Clone> Lattice for Corners<L> {
+    const TILED: bool = true;
+
+    #[inline(always)]
+    fn of_octave(&self, frequency: f32, _: &[i32]) -> Option<Self> {
+        let periods = self.periods.map(|period| octave_period(period, frequency));
+        Some(Self { lattice: self.lattice.clone(), periods })
+    }
+
     #[inline]
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         word_by_terms(self, cell, seed)
@@ -119,8 +127,20 @@ impl<L> TiledSimplex<L> {
     }
 }
 
-impl<L: Lattice> Kernel<3> for TiledSimplex<L> {
+impl<L: Lattice + Clone> Kernel<3> for TiledSimplex<L> {
+    const TILED: bool = true;
+
     type RowScratch = ();
+
+    fn period(&self, axis: usize) -> u32 {
+        self.periods.get(axis).copied().unwrap_or(0)
+    }
+
+    #[inline(always)]
+    fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
+        let noise = OnLattice::of_octave(&self.noise, frequency, cell)?;
+        Some(Self { noise, periods: self.periods.map(|period| octave_period(period, frequency)) })
+    }
 
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; 3], seed: u32) -> LaneSample<S, 3> {
@@ -138,7 +158,7 @@ impl<L> Measured<3> for TiledSimplex<L> {
     }
 }
 
-noise!(TiledSimplex, [], 3);
+noise!(TiledSimplex, [], 3, Clone);
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,182 @@
+//! Ken Perlin's own lattice of 2002: his permutation, his order of look-ups and his choice of gradients.
+
+use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
+
+/// The lattice of Perlin's reference implementation of 2002: period 256 along each axis, twelve gradients in a table of sixteen.
+///
+/// ```text
+/// h = p[p[p[x] + y] + z] mod 16,   gradient h of his listing
+/// ```
+///
+/// With it [`Perlin2002`](crate::Perlin2002) in space is his noise over [`SCALE`](Self::SCALE), with his seedless pictures for seed 0;
+/// another seed moves the lattice by so many cells along x. In other dimensions, for which he lists no noise, words are drawn from
+/// the last look-up, one per axis.
+///
+/// Perlin 2002, "Improved Noise reference implementation", <https://mrl.cs.nyu.edu/~perlin/noise/>.
+///
+/// ```
+/// use asperity_noise::{Affine, Field, Perlin2002, glam::Vec3, lattice::PerlinTable};
+///
+/// let noise = Affine(Perlin2002::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+/// assert!((noise.value(Vec3::new(3.14, 42.0, 7.0)) - 0.136_919_95).abs() < 3e-7);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PerlinTable;
+
+impl PerlinTable {
+    /// His noise over [`Perlin2002`](crate::Perlin2002)'s, whose range is [−1, 1].
+    pub const SCALE: f32 = crate::lattice::variates::EDGE_MAXIMUM[2] / crate::lattice::variates::MARGIN;
+
+    /// The byte p[…p[p[x] + y]…] of a cell.
+    #[must_use]
+    #[inline]
+    pub fn index<const N: usize>(&self, cell: [i32; N]) -> u8 {
+        cell.into_iter().fold(0, |byte, x| PERMUTATION[(x.wrapping_add(i32::from(byte)) & 255) as usize])
+    }
+}
+
+impl Lattice for PerlinTable {
+    #[inline]
+    fn word<const N: usize>(&self, mut cell: [i32; N], seed: u32) -> u32 {
+        if let Some(x) = cell.first_mut() {
+            *x = x.wrapping_add(seed as i32);
+        }
+        let byte = self.index(cell);
+        if N == 3 { WORDS[usize::from(byte) & 15] } else { (mix(u64::from(byte)) >> 32) as u32 }
+    }
+}
+
+/// The word of which [`edge_gradient`](crate::lattice::edge_gradient) makes each gradient of his listing.
+const WORDS: [u32; 16] = {
+    // The axis along which the gradient is 0, and the axes with a minus sign as bits.
+    const GRADIENTS: [(u32, u32); 16] = [
+        (2, 0b000),
+        (2, 0b001),
+        (2, 0b010),
+        (2, 0b011),
+        (1, 0b000),
+        (1, 0b001),
+        (1, 0b100),
+        (1, 0b101),
+        (0, 0b000),
+        (0, 0b010),
+        (0, 0b100),
+        (0, 0b110),
+        (2, 0b000),
+        (0, 0b010),
+        (2, 0b001),
+        (0, 0b110),
+    ];
+    let mut words = [0; 16];
+    let mut h = 0;
+    while h < 16 {
+        let (axis, signs) = GRADIENTS[h];
+        // The middle of the third of 2³² that draws the axis.
+        words[h] = (0x2aaa + 0x5555 * axis) << 16 | signs;
+        h += 1;
+    }
+    words
+};
+
+/// The permutation that is printed in the reference implementation.
+#[rustfmt::skip]
+const PERMUTATION: [u8; 256] = [
+    151, 160, 137, 91, 90, 15, 131, 13, 201, 95, 96, 53, 194, 233, 7, 225, 140, 36, 103, 30, 69, 142, 8, 99, 37, 240, 21, 10, 23,
+    190, 6, 148, 247, 120, 234, 75, 0, 26, 197, 62, 94, 252, 219, 203, 117, 35, 11, 32, 57, 177, 33, 88, 237, 149, 56, 87, 174, 20,
+    125, 136, 171, 168, 68, 175, 74, 165, 71, 134, 139, 48, 27, 166, 77, 146, 158, 231, 83, 111, 229, 122, 60, 211, 133, 230, 220,
+    105, 92, 41, 55, 46, 245, 40, 244, 102, 143, 54, 65, 25, 63, 161, 1, 216, 80, 73, 209, 76, 132, 187, 208, 89, 18, 169, 200,
+    196, 135, 130, 116, 188, 159, 86, 164, 100, 109, 198, 173, 186, 3, 64, 52, 217, 226, 250, 124, 123, 5, 202, 38, 147, 118, 126,
+    255, 82, 85, 212, 207, 206, 59, 227, 47, 16, 58, 17, 182, 189, 28, 42, 223, 183, 170, 213, 119, 248, 152, 2, 44, 154, 163, 70,
+    221, 153, 101, 155, 167, 43, 172, 9, 129, 22, 39, 253, 19, 98, 108, 110, 79, 113, 224, 232, 178, 185, 112, 104, 218, 246, 97,
+    228, 251, 34, 242, 193, 238, 210, 144, 12, 191, 179, 162, 241, 81, 51, 145, 235, 249, 14, 239, 107, 49, 192, 214, 31, 181, 199,
+    106, 157, 184, 84, 204, 176, 115, 121, 50, 45, 127, 4, 150, 254, 138, 236, 205, 93, 222, 114, 67, 29, 24, 72, 243, 141, 128,
+    195, 78, 66, 215, 61, 156, 180,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        contract::field::Field, kinds::perlin::Perlin2002, lattice::permutation_table::PermutationTable,
+        lattice::variates::edge_gradient, row::grid::Grid, transforms::arithmetic::Affine,
+    };
+    use approx::assert_abs_diff_eq;
+    use glam::Vec3;
+
+    #[test]
+    fn gradients_are_those_of_the_listing() {
+        assert!(PermutationTable::from_entries(PERMUTATION).is_ok());
+        let p = [0.25, 4.0, -64.0];
+        for (h, word) in WORDS.into_iter().enumerate() {
+            let [x, y, z] = p;
+            let u = if h < 8 { x } else { y };
+            let v = if h < 4 {
+                y
+            } else if h == 12 || h == 14 {
+                x
+            } else {
+                z
+            };
+            let listed = if h & 1 == 0 { u } else { -u } + if h & 2 == 0 { v } else { -v };
+            let drawn: f32 = edge_gradient::<3>(word).iter().zip(p).map(|(g, x)| g * x).sum();
+            assert_eq!(drawn, listed, "{h}");
+        }
+    }
+
+    /// The reference implementation in `f64`.
+    fn reference(p: [f64; 3]) -> f64 {
+        let cell = p.map(f64::floor);
+        let mut sum = 0.0;
+        for corner in 0..8 {
+            let ends = [corner & 1, corner >> 1 & 1, corner >> 2];
+            let table = |i: i32| i32::from(PERMUTATION[(i & 255) as usize]);
+            let [x, y, z] = core::array::from_fn(|axis| cell[axis] as i32 + ends[axis]);
+            let h = table(table(table(x) + y) + z) & 15;
+            let d: [f64; 3] = core::array::from_fn(|axis| p[axis] - cell[axis] - f64::from(ends[axis]));
+            let weight: f64 =
+                d.iter().map(|d| 1.0 - d.abs()).map(|t| t * t * t * (t * (t * 6.0 - 15.0) + 10.0)).product();
+            let u = if h < 8 { d[0] } else { d[1] };
+            let v = if h < 4 {
+                d[1]
+            } else if h == 12 || h == 14 {
+                d[0]
+            } else {
+                d[2]
+            };
+            sum += weight * (if h & 1 == 0 { u } else { -u } + if h & 2 == 0 { v } else { -v });
+        }
+        sum
+    }
+
+    #[test]
+    #[expect(clippy::approx_constant, reason = "the point of the value that is known of his noise")]
+    fn every_form_gives_his_noise() {
+        assert_abs_diff_eq!(reference([3.14, 42.0, 7.0]), 0.136_919_958_784, epsilon = 1e-9);
+        let noise = Affine(Perlin2002::new(0).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+        let classic = Vec3::new(3.14, 42.0, 7.0);
+        let step = Vec3::new(0.04, 0.75, 0.5);
+        let grid = Grid { origin: classic - step * Vec3::new(11.0, 2.0, 3.0), step, size: [32, 4, 5] };
+        let (mut values, mut points) = ([0.0; 640], [Vec3::ZERO; 640]);
+        for (i, p) in points.iter_mut().enumerate() {
+            *p = grid.point([i % 32, i / 32 % 4, i / 128]);
+        }
+        points[7] = classic;
+        noise.grid_values(&grid, &mut values).unwrap();
+        assert_abs_diff_eq!(values[11 + 32 * (2 + 4 * 3)], 0.136_920, epsilon = 5e-6);
+        let mut listed = [0.0; 640];
+        noise.values(&points, &mut listed).unwrap();
+        assert_abs_diff_eq!(listed[7], 0.136_919_96, epsilon = 3e-7);
+        for (i, p) in points.into_iter().enumerate() {
+            let expected = reference(p.to_array().map(f64::from)) as f32;
+            assert_abs_diff_eq!(listed[i], expected, epsilon = 4e-7);
+            assert_eq!(noise.value(p), listed[i]);
+            assert_eq!(noise.sample(p).value, listed[i]);
+            if i != 7 {
+                assert_eq!(values[i], listed[i]);
+            }
+        }
+        // Another seed is a translate.
+        let moved = Affine(Perlin2002::new(5).with_lattice(PerlinTable), PerlinTable::SCALE, 0.0);
+        assert_abs_diff_eq!(moved.value(classic - Vec3::X * 5.0), 0.136_92, epsilon = 1e-6);
+    }
+}

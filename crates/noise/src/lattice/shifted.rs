@@ -1,0 +1,53 @@
+//! Lattices seen from a cell far from the origin.
+
+use crate::{
+    lanes::lanes::Lanes,
+    lattice::lattice::{Lattice, word_by_terms},
+};
+
+/// A lattice whose cells are counted from another cell: what an anchored sum of octaves draws its words from.
+///
+/// ```text
+/// word(c) = L.word(c + cell mod 2³²)
+/// ```
+///
+/// [`Octaves::anchored`](crate::Octaves::anchored) makes it; the cell is that of each octave's anchor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shifted<L, const N: usize> {
+    lattice: L,
+    cell: [i32; N],
+}
+
+impl<L, const N: usize> Shifted<L, N> {
+    /// The lattice itself, until an octave shifts it.
+    pub(crate) const fn new(lattice: L) -> Self {
+        Self { lattice, cell: [0; N] }
+    }
+}
+
+impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
+    const TILED: bool = L::TILED;
+
+    #[inline(always)]
+    fn of_octave(&self, _: f32, cell: &[i32]) -> Option<Self> {
+        let mut shifted = self.clone();
+        shifted.cell.copy_from_slice(cell.get(..M)?);
+        Some(shifted)
+    }
+
+    #[inline]
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        word_by_terms(self, cell, seed)
+    }
+
+    #[inline(always)]
+    fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
+        let shift = self.cell.get(axis).copied().unwrap_or(0);
+        self.lattice.term(s, axis, cell + s.word(shift as u32))
+    }
+
+    #[inline(always)]
+    fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        self.lattice.words(s, terms, seed)
+    }
+}

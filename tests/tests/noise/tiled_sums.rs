@@ -1,0 +1,170 @@
+//! Sums of octaves of every kind that repeat: their edges, what lies between, and grids in lanes.
+
+use asperity_noise::{
+    Field, Gaussian, IntegerHash, Octaves, Perlin1985, Perlin2002, RidgedMultifractal, Sample, Simplex,
+    Sparse, Spectrum, Tiled, TiledError, TiledSimplex, Turbulence, Value, ValueCatmullRom, ValueGradient,
+    White,
+    glam::{Vec2, Vec3},
+    simd::{Batch, Kernel, Level},
+};
+use asperity_tests::assert_abs_diff_eq;
+use rayon::prelude::*;
+
+fn spectrum(octaves: u32) -> Spectrum {
+    // Octaves as strong as the first: with a gain of 0.7 the edges of white noise are as many in few coarse cells as in many fine.
+    Spectrum::new(2.0, 1.0, octaves).expect("in range")
+}
+
+/// The autocorrelation of periodic samples at a shift along the axis of this stride and of so many points.
+fn correlation(samples: &[f32], stride: usize, size: usize, shift: usize) -> f64 {
+    let (mut product, mut square) = (0.0, 0.0);
+    for (i, &sample) in samples.iter().enumerate() {
+        let along = i / stride % size;
+        let other = samples[i - along * stride + (along + shift) % size * stride];
+        product += f64::from(sample) * f64::from(other);
+        square += f64::from(sample).powi(2);
+    }
+    product / square
+}
+
+/// Asserts that what is finer than two steps does not repeat at an eighth, a quarter and half of the tile, along each axis.
+fn assert_no_repeats(name: &str, samples: &[f32], axes: u32, size: usize) {
+    // The second differences along all axes, mean 0.
+    let strides: Vec<usize> = (0..axes).map(|axis| size.pow(axis)).collect();
+    let at = |i: usize, stride: usize, step: usize| {
+        let along = i / stride % size;
+        samples[i - along * stride + (along + step) % size * stride]
+    };
+    let high: Vec<f32> = (0..samples.len())
+        .map(|i| {
+            strides.iter().map(|&stride| at(i, stride, 1) + at(i, stride, size - 1) - 2.0 * samples[i]).sum()
+        })
+        .collect();
+    for stride in strides {
+        for share in [8, 4, 2] {
+            let correlation = correlation(&high, stride, size, size / share);
+            // The finest octave has some 16 000 cells: 6 standard errors. With one period for all octaves it was 0.98.
+            assert_abs_diff_eq!(correlation, 0.0, epsilon = 0.05, "{name}, 1/{share} of the tile");
+        }
+    }
+}
+
+const PERIOD: f32 = 8.0;
+
+/// A kind's tile in the plane: edges equal to the bit, and nothing repeated between.
+fn plane<K: Kernel<2> + Sync>(name: &str, noise: K) {
+    const SIZE: usize = 384;
+    let sum = Octaves::tiled(noise, spectrum(5)).expect("periods that lacunarity keeps");
+    let step = PERIOD / SIZE as f32;
+    let samples: Vec<f32> = (0..SIZE * SIZE)
+        .into_par_iter()
+        .map(|i| sum.value(Vec2::new((i % SIZE) as f32 + 0.4, (i / SIZE) as f32 + 0.3) * step))
+        .collect();
+    assert_no_repeats(name, &samples, 2, SIZE);
+    for i in 0..100_u8 {
+        let t = 0.079 * f32::from(i);
+        for (low, axis) in [(Vec2::new(0.0, t), Vec2::X), (Vec2::new(t, 0.0), Vec2::Y)] {
+            let [here, there]: [Sample<Vec2>; 2] = [low, low + PERIOD * axis].map(|p| sum.sample(p));
+            assert_eq!(here, there, "{name} at {low}");
+        }
+        // Inside too, where both points are exact.
+        let p = Vec2::new(f32::from(i) / 16.0, 2.5 - f32::from(i) / 32.0);
+        assert_eq!(sum.sample(p), sum.sample(p + Vec2::new(-3.0 * PERIOD, 1000.0 * PERIOD)), "{name} at {p}");
+    }
+}
+
+#[test]
+fn sums_of_every_kind_in_the_plane_tile_and_repeat_nothing_between() {
+    let lattice = Tiled::new(IntegerHash, [8, 8]).expect("in range");
+    plane("white", White::new(3).with_lattice(lattice));
+    plane("value", Value::new(3).with_lattice(lattice));
+    plane("Catmull-Rom", ValueCatmullRom::new(3).with_lattice(lattice));
+    plane("Perlin 1985", Perlin1985::new(3).with_lattice(lattice));
+    plane("Perlin 2002", Perlin2002::new(3).with_lattice(lattice));
+    plane("value-gradient", ValueGradient::new(3).with_lattice(lattice));
+    plane("sparse", Sparse::new(3).with_lattice(lattice));
+    plane("Gaussian", Gaussian::new(3).with_lattice(lattice));
+}
+
+#[test]
+fn sums_of_simplex_noise_tile_on_the_line() {
+    const LINE: usize = 1 << 16;
+    let noise = Simplex::new(3).with_lattice(Tiled::new(IntegerHash, [1024]).expect("in range"));
+    let sum = Octaves::<_, 1>::tiled(noise, spectrum(5)).expect("a period");
+    let samples: Vec<f32> = (0..LINE).map(|i| sum.value((i as f32 + 0.4) / 64.0)).collect();
+    assert_no_repeats("simplex, line", &samples, 1, LINE);
+    assert_eq!(sum.sample(0.0), sum.sample(1024.0));
+}
+
+#[test]
+fn sums_of_simplex_noise_tile_in_space() {
+    const SIZE: usize = 96;
+    let noise = TiledSimplex::new(Simplex::new(3), [6; 3]).expect("multiples of three");
+    let sum = Octaves::tiled(noise, spectrum(3)).expect("periods");
+    let place = |i: usize| Vec3::new((i % SIZE) as f32, (i / SIZE % SIZE) as f32, (i / SIZE / SIZE) as f32);
+    let samples: Vec<f32> = (0..SIZE.pow(3)).into_par_iter().map(|i| sum.value(place(i) / 16.0)).collect();
+    assert_no_repeats("simplex, space", &samples, 3, SIZE);
+    for i in 0..100_u8 {
+        let p = Vec3::new(0.0, 0.059 * f32::from(i), 0.031 * f32::from(i));
+        assert_eq!(sum.sample(p), sum.sample(p + 6.0 * Vec3::X), "{p}");
+    }
+}
+
+/// Fields whose grids and lists have the bits of single points, across tiles and at every level.
+fn assert_same_bits(name: &str, field: &dyn Field<Vec2>) {
+    const WIDTH: usize = 61;
+    let grid =
+        asperity_noise::Grid { origin: Vec2::new(-9.3, 6.7), step: Vec2::new(0.37, 0.21), size: [WIDTH, 20] };
+    let points: Vec<Vec2> = (0..grid.len()).map(|i| grid.point([i % WIDTH, i / WIDTH])).collect();
+    let single: Vec<Sample<Vec2>> = points.iter().map(|&p| field.sample(p)).collect();
+    for level in Level::available() {
+        let batch = Batch::with_level(level);
+        let [mut values, mut dx, mut dy] = [(); 3].map(|()| vec![0.0; grid.len()]);
+        batch.grid_samples(field, &grid, &mut values, [&mut dx, &mut dy]).expect("one number per point");
+        let mut listed = vec![Sample::default(); grid.len()];
+        batch.samples(field, &points, &mut listed).expect("one sample per point");
+        for (i, sample) in single.iter().enumerate() {
+            let of_grid = Sample { value: values[i], gradient: Vec2::new(dx[i], dy[i]) };
+            assert_eq!([*sample; 2], [of_grid, listed[i]], "{name} at {}, {level}", points[i]);
+            assert_eq!(field.value(points[i]), sample.value, "{name}");
+        }
+    }
+}
+
+#[test]
+fn grids_of_tiled_sums_have_the_bits_of_single_points() {
+    let noise = Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [8, 3]).expect("in range"));
+    let sum = Octaves::tiled(noise, spectrum(4)).expect("periods");
+    assert_same_bits("signed", &sum);
+    assert_same_bits("turbulence", &sum.with_shape(Turbulence).first(2.5));
+    assert_same_bits("ridged", &RidgedMultifractal::of(sum, 2.0).expect("a feedback"));
+}
+
+#[test]
+fn what_lacunarity_cannot_keep_is_refused_with_the_rule() {
+    let tiled =
+        |period| Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [period; 2]).expect("in range"));
+    let sum = |period, lacunarity, octaves| {
+        let spectrum = Spectrum::new(lacunarity, 0.5, octaves).expect("in range");
+        Octaves::<_, 2>::tiled(tiled(period), spectrum).map(|_| ())
+    };
+    assert_eq!(sum(7, 2.0, 10), Ok(()));
+    assert_eq!(sum(7, 3.0, 10), Ok(()));
+    assert_eq!(sum(8, 1.5, 4), Ok(()));
+    let refused = TiledError::NoOctavePeriod { axis: 0, period: 8, lacunarity: 1.5, octave: 4 };
+    assert_eq!(sum(8, 1.5, 5), Err(refused));
+    assert_eq!(
+        refused.to_string(),
+        "`periods[0]` times `lacunarity` to the power 4 must be a whole number up to 2097152, got 8 · 1.5^4"
+    );
+    assert!(matches!(sum(1 << 21, 2.0, 2), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
+    // A noise that does not repeat, or not along all axes.
+    let short = Perlin2002::new(5).with_lattice(Tiled::new(IntegerHash, [8]).expect("in range"));
+    assert_eq!(Octaves::<_, 2>::tiled(short, Spectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
+    assert_eq!(
+        Octaves::<_, 2>::tiled(Perlin2002::new(5), Spectrum::CLOUD).map(|_| ()),
+        Err(TiledError::NoPeriod)
+    );
+    let simplex = Simplex::new(5).with_lattice(Tiled::new(IntegerHash, [8; 2]).expect("in range"));
+    assert_eq!(Octaves::<_, 2>::tiled(simplex, Spectrum::CLOUD).map(|_| ()), Err(TiledError::NoPeriod));
+}
