@@ -3,7 +3,6 @@
 pub use approx;
 
 pub mod assertions;
-pub mod chi_square;
 pub mod disk_bins;
 pub mod facets;
 pub mod fif_systems;

@@ -64,6 +64,11 @@ The benches of noise have every kind at every SIMD level and take a quarter of a
 example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names
 the folder of its static library; xtask/peers/README.md says how to build it.")]
     Bench(Bench),
+    /// Check a density's normalisation, samples, map and inverse map, and print a report.
+    #[command(after_help = "Examples:
+  cargo xtask check --ndf ggx:0.1,0.5
+  cargo xtask check --ndf painted.png --measure solid-angle --seed 7")]
+    Check(Check),
     /// Check dependency edges, the order of rooms, circles of files, and the heads of all files.
     Tidy,
     /// Run every gate that stands before `main`.
@@ -74,6 +79,18 @@ the folder of its static library; xtask/peers/README.md says how to build it.")]
     BareMetal,
     /// Compute the bits of every crate in WebAssembly, with and without SIMD128, or say what is missing for that.
     Wasm,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    /// The density, in the words of `tables`; may be given again.
+    #[arg(long, value_name = "NDF", required = true)]
+    pub(crate) ndf: Vec<String>,
+    #[command(flatten)]
+    pub(crate) images: Images,
+    /// Seed of the samples.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u32,
 }
 
 #[derive(Debug, Args)]
@@ -433,6 +450,7 @@ mod tests {
             "cargo-xtask bench --ship",
             "cargo-xtask bench --peers --ship --only value",
             "cargo-xtask bench --peers --rounds 0",
+            "cargo-xtask check",
             "cargo-xtask nothing",
         ] {
             let error = Cli::try_parse_from(line.split(' ')).unwrap_err();

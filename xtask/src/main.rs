@@ -72,6 +72,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
         }
         Command::Render(wanted) => gallery::render::render(&wanted, interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
+        Command::Check(wanted) => check::density::check(&wanted),
         Command::Tidy => {
             let report = tidy::report()?;
             report.lines.iter().for_each(|line| progress::say(line));
@@ -95,7 +96,8 @@ mod tests {
     #[test]
     fn every_command_explains_itself() {
         let said = Cli::command().render_help().to_string();
-        for command in ["gallery", "tables", "render", "bench", "tidy", "ci", "no-std", "bare-metal", "wasm"]
+        for command in
+            ["gallery", "tables", "render", "bench", "check", "tidy", "ci", "no-std", "bare-metal", "wasm"]
         {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
@@ -128,6 +130,7 @@ mod tests {
             ("gallery --only nowhere", "no figure is called `nowhere`; there are "),
             ("gallery --only kautz --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
             ("tables --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("check --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
             ("tables --ndf ggx:0", "density `ggx:0`: alpha_x must be "),
             (
                 "tables --normal-map nowhere.png",

@@ -35,6 +35,7 @@
 //! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing bump maps: their density, their texels, noise added to them |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
 //! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one look-up, for any density |
+//! | [`check`] (feature `check`) | property tests for any [`Ndf`], with a report that prints |
 //! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian distribution function and its inverse |
 //!
 //! Plural calls fill arrays, in SIMD lanes: those of [`ClosedForm`] for [`Ggx`] and [`Beckmann`],
@@ -62,6 +63,7 @@
 //! | `libm` | those of the crate `libm`, also without `std`; wins when both are on |
 //! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `approx` | comparisons of frames, densities and other small records by `approx`, and those of `glam` |
+//! | `check` | property tests for any density, your own included: module [`check`] |
 //! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
@@ -81,6 +83,8 @@ mod assertions;
 
 mod approx;
 mod batch_error;
+#[cfg(feature = "check")]
+pub mod check;
 mod density;
 mod frame;
 pub mod level_of_detail;

@@ -1,12 +1,12 @@
 //! Exact level of detail: the mean over the surface is the far field, and resolving more keeps the mean.
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, ConditionalNdf, GaussianSplit, Ggx, Isotropic, Measure, Mixture,
     Ndf, NdfMap, Reconstruction, Rotated, StudentT, Ward, conditional_density,
     level_of_detail::OffsetBeckmann,
 };
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{self, rows};

@@ -1,8 +1,8 @@
 //! Every density, roughness and map against the integrals of the textbook's density: χ² at 0.001 over the number of cases.
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{Beckmann, Ggx, Isotropic, Microfacet, Ndf, StudentT};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::facets::{BINS, Facets};
 use asperity_tests::random::Random;

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod batch;
+mod checked;
 mod compared;
 mod conditional;
 mod conditional_table;

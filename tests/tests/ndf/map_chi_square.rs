@@ -1,8 +1,8 @@
 //! Normals sampled from images against their density: χ² with pooled bins, significance 0.001 over the number of cases.
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_ndf_sampling::{Measure, Ndf, NdfMap, Reconstruction};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::disk_bins::DiskBins;
 use asperity_tests::random::Random;
 use glam::{Vec2, Vec3};

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Environment, EnvironmentMap};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
 
 /// A soft sky over a dark ground.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::ndf_sampling::BlinnPhong;
 use asperity_shading::ndf_sampling::{Isotropic, StudentT};
@@ -13,7 +14,6 @@ use asperity_shading::{
     Schlick, TorranceSparrow,
 };
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
 use proptest::prelude::*;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_shading::bump::{Facet, slope_facets};
 use asperity_shading::glam::{DVec3, Vec2, Vec3};
 use asperity_shading::ndf_sampling::{Beckmann, Microfacet, StudentT};
 use asperity_shading::reflectance::{Bsdf, Coat, Delta, Lobe, RoughDielectric};
 use asperity_shading::{Brdf, Dielectric, Ggx, Lambert};
 use asperity_tests::assert_abs_diff_eq;
-use asperity_tests::chi_square::p_value;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
 

@@ -16,7 +16,7 @@ pub(crate) const CRATES: [&str; 4] =
 const SETS: [(&str, &[&str]); 4] = [
     // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
     ("asperity-noise", &["std", "std,simd", "libm", "libm,alloc,simd"]),
-    ("asperity-ndf-sampling", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
+    ("asperity-ndf-sampling", &["std,alloc,simd", "libm,check,simd", "libm"]),
     ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
     ("asperity-shading", &["std,alloc", "libm,alloc", "libm"]),
 ];

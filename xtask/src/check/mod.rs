@@ -3,6 +3,7 @@
 pub(crate) mod bare_metal;
 pub(crate) mod cargo;
 pub(crate) mod ci;
+pub(crate) mod density;
 pub(crate) mod no_std;
 pub(crate) mod packages;
 pub(crate) mod tidy;

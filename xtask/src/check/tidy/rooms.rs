@@ -24,7 +24,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
         rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx → simd → density → map → \
-                map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail",
+                map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → check",
         face: Some(65),
     },
     House {

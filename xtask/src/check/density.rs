@@ -1,0 +1,24 @@
+//! `cargo xtask check`: property tests of a density of normals, printed.
+
+use asperity_ndf_sampling::check::{Settings, ndf};
+
+use crate::cli;
+use crate::failure::Failure;
+use crate::input::density::Density;
+use crate::progress;
+
+/// Checks each density that is asked for.
+pub(crate) fn check(wanted: &cli::Check) -> Result<(), Failure> {
+    let settings = Settings { seed: wanted.seed, ..Settings::default() };
+    let mut failed = 0;
+    for spec in &wanted.ndf {
+        let density = Density::parse(spec, wanted.images)?;
+        let report = ndf(density.ndf.as_ref(), settings);
+        progress::say(&format!("{}\n{report}", density.name()));
+        failed += report.failures().count();
+    }
+    match failed {
+        0 => Ok(()),
+        _ => Err(format!("{failed} checks failed").into()),
+    }
+}
