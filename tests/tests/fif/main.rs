@@ -7,6 +7,7 @@ mod fast;
 mod fit;
 mod folded;
 mod golden;
+mod hard_rays;
 mod jets;
 mod properties;
 mod rays;

@@ -1,5 +1,6 @@
 //! The orbit of a point under the inverse maps: its address, one index per step.
 
+use crate::numeric::double::Double;
 use crate::system::map::Piece;
 
 /// One inverse step: the map, and where in the domain its inverse sends the point.
@@ -37,6 +38,15 @@ impl Fraction {
             return Self { high: u64::MAX, low: u64::MAX };
         }
         Self { high, low: (rest.max(0.0) * SCALE) as u64 }
+    }
+
+    /// `t` in `(0, 1)`, cut to 128 bits.
+    pub(crate) fn between(t: Double) -> Self {
+        const SCALE: f64 = 18_446_744_073_709_551_616.0;
+        let Self { high, low } = Self::new(t.hi);
+        let rest = (t.lo * SCALE * SCALE) as i128;
+        let all = (u128::from(high) << 64 | u128::from(low)).saturating_add_signed(rest);
+        Self { high: (all >> 64) as u64, low: all as u64 }
     }
 }
 

@@ -1,8 +1,9 @@
 //! Values of a fractal interpolation function, at a point and at an address.
 
 use crate::evaluate::address::{Fraction, LongFraction, Orbit, Position, Step};
+use crate::numeric::double::Double;
 use crate::numeric::interval::Bounded;
-use crate::numeric::polynomial::{UNIT, horner};
+use crate::numeric::polynomial::{LEAST, UNIT, horner};
 use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
@@ -52,10 +53,23 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
     }
 
+    /// [`System::evaluate`] to the rounding error at a place between doubles.
+    pub(crate) fn evaluate_between(&self, x: Double) -> Bounded {
+        let domain = self.domain();
+        let t = x.minus(Double::from(domain.lo)).over(domain.width());
+        match self.spacing() {
+            Spacing::Uniform if t > Double::from(Fraction::LEAST) && t < Double::from(1.0) => {
+                self.follow(Fraction::between(t), 0.0)
+            }
+            _ => self.evaluate(x.hi, 0.0),
+        }
+    }
+
     /// `f` at the point with this address: the indices of the maps, from 0, the outermost first.
     ///
     /// The point is `L_i(L_j(L_k(…)))` for the address `i, j, k, …`. Addresses may be endless; exactly as much is read
-    /// as `tolerance` needs, [`MAX_DEPTH`] at most. The bound of a finite address covers every point of its cell:
+    /// as `tolerance` needs, 2²² at most: where cells shrink slowly, their place is followed when their factors have died out.
+    /// The bound of a finite address covers every point of its cell:
     /// repeat 0 for the left end, the last index for the right end. An address is exact where the nearest `f64` is not.
     ///
     /// `None` when an index has no map.
@@ -74,17 +88,38 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         address: I,
         tolerance: f64,
     ) -> Option<Bounded> {
+        const LONGEST: usize = 1 << 22;
         let mut cell = Cell::root();
         let mut range = self.range();
-        for index in address.into_iter().take(MAX_DEPTH) {
+        let mut address = address.into_iter().take(LONGEST);
+        // Restricting a polynomial again and again costs more digits than following a place.
+        let mut steps = 0;
+        while steps < 128 || cell.product.abs() * self.range().width() > 0.25 * UNIT * range.magnitude() {
+            let Some(index) = address.next() else { break };
+            steps += 1;
             cell = cell.child(self.pieces().get(index)?);
             range = cell.range(self.range());
             if 0.5 * range.width() <= tolerance || (0.5 * range.width()) <= 1.02 * cell.error() {
+                return Some(Bounded::around(range));
+            }
+        }
+        // What is left is a polynomial, and the place in the cell.
+        let (mut left, mut width) = (Double::from(0.0), 1.0);
+        let radius = 0.5 * cell.polynomial_range().width();
+        let steep = 2.0 * C.saturating_sub(1) as f64 * radius;
+        for index in address {
+            let piece = self.pieces().get(index)?;
+            left = left.plus(self.place(index).times(Double::from(width)));
+            width *= piece.s[1] - piece.s[0];
+            if steep * width <= tolerance || steep * width <= cell.error() {
                 break;
             }
         }
-        let value = range.middle();
-        Some(Bounded { value, bound: (0.5 * range.width() + 2.0 * UNIT * value.abs()).next_up() })
+        if width < 1.0 {
+            let [from, to] = [left.hi - 2.0 * UNIT, left.hi + width + 2.0 * UNIT];
+            range = cell.levelled(self.range(), from.max(0.0), to.min(1.0)).range(self.range());
+        }
+        Some(Bounded::around(range))
     }
 
     /// The address of `x`: indices of maps from 0, the outermost first, without end; clamped, and empty for NaN.
@@ -177,7 +212,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     fn rounding(&self, steps: f64) -> f64 {
         let scale = self.range().magnitude();
         let weight = if steps < self.gain { steps } else { self.gain };
-        weight * self.noise + UNIT * (steps + 2.0) * 2.0 * scale + 4.0 * UNIT * weight * weight * scale
+        // Products of the least numbers round to multiples of these.
+        let least = 4.0 * (steps + 2.0) * LEAST;
+        weight * self.noise
+            + UNIT * (steps + 2.0) * 2.0 * scale
+            + 4.0 * UNIT * weight * weight * scale
+            + least
     }
 
     /// The largest bound that [`System::evaluate`] returns for the tolerance 0.
@@ -279,6 +319,39 @@ mod tests {
         assert!(f.address(0.0).take(3).eq([0, 0, 0]) && f.address(-7.0).take(3).eq([0, 0, 0]));
         assert!(f.address(2.0).take(3).eq([1, 1, 1]) && f.address(9.0).take(3).eq([1, 1, 1]));
         assert_eq!(f.address(f64::NAN).next(), None);
+    }
+
+    #[test]
+    fn slow_addresses_are_followed_to_the_tolerance() {
+        let f = FixedFif::<2, 2>::affine(&[0.0, 1e-3, 1.0], &[0.0, 1.0, 0.0], &[0.5, -0.875]).unwrap();
+        let knot = f.value_at_address(core::iter::once(0).chain(core::iter::repeat(1)), 1e-12).unwrap();
+        assert!((knot.value - 1.0).abs() <= knot.bound && knot.bound <= 1e-12, "{knot:?}");
+        // Ninety-nine times the right map, the left one, and again: a fixed point of a hundred maps.
+        let period = || (0..100).map(|k| usize::from(k < 99)).cycle();
+        let fine = f.value_at_address(period(), 1e-12).unwrap();
+        assert!(fine.bound <= 1e-12, "{fine:?}");
+        let coarse = f.value_at_address(period(), 1e-4).unwrap();
+        assert!((fine.value - coarse.value).abs() <= fine.bound + coarse.bound && coarse.bound <= 1e-4);
+        let gentle = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.999, 0.5]).unwrap();
+        let start = gentle.value_at_address(core::iter::repeat(0), 1e-9).unwrap();
+        assert!(start.value.abs() <= start.bound && start.bound <= 1e-9, "{start:?}");
+    }
+
+    #[test]
+    fn bounds_hold_among_the_least_numbers() {
+        let scale = 2f64.powi(900);
+        let y = [1e-310, -3e-310, 2e-320, 7e-324, -1e-310];
+        let x = [0.0, 0.25, 0.5, 0.75, 1.0];
+        let tiny = FixedFif::<4, 2>::affine(&x, &y, &[0.7, -0.9, 0.3, -0.6]).unwrap();
+        let large = FixedFif::<4, 2>::affine(&x, &y.map(|y| y * scale), &[0.7, -0.9, 0.3, -0.6]).unwrap();
+        for i in 1..1000 {
+            let at = f64::from(i) / 1000.0;
+            let (got, want) = (tiny.evaluate(at, 0.0), large.evaluate(at, 0.0));
+            assert!(
+                (got.value * scale - want.value).abs() <= got.bound * scale + want.bound,
+                "{at}: {got:?}, {want:?}"
+            );
+        }
     }
 
     #[test]

@@ -140,6 +140,12 @@ pub struct Bounded {
 impl Bounded {
     pub(crate) const NAN: Self = Self { value: f64::NAN, bound: f64::NAN };
 
+    /// The middle of an enclosure.
+    pub(crate) fn around(range: Interval) -> Self {
+        let value = range.middle();
+        Self { value, bound: (0.5 * range.width() + f64::EPSILON * value.abs()).next_up() }
+    }
+
     /// `[value − bound, value + bound]`, rounded outward.
     #[inline]
     #[must_use]

@@ -9,6 +9,9 @@ use crate::numeric::interval::Interval;
 /// Unit roundoff, `2⁻⁵³`.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
+/// The least positive number, `2⁻¹⁰⁷⁴`.
+pub(crate) const LEAST: f64 = f64::from_bits(1);
+
 /// `Σ c_i xⁱ` by Horner's rule, from the last coefficient: a product with zero would be kept.
 #[inline(always)]
 #[must_use]

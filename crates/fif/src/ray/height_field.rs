@@ -11,7 +11,7 @@ use crate::math::sqrt;
 use crate::numeric::interval::Interval;
 use crate::ray::intersect::Intersect;
 #[cfg(feature = "alloc")]
-use crate::ray::ray::Aim;
+use crate::ray::ray::{Aim, Root};
 use crate::ray::ray::{Hit, Ray};
 #[cfg(feature = "alloc")]
 use crate::ray::tracer::{Path, Tracer};
@@ -23,20 +23,22 @@ use crate::surface::normal::upward_normal;
 
 /// Boxes of rigorous value ranges are visited in the order of the ray, split along one axis at a time. Where the
 /// slope ranges show that the ray comes nearer to the surface all along, there is one root at most: two evaluations
-/// decide, and a bracketed secant finds it to the last places of `t`. A continuous surface is followed down to
-/// stretches of 10⁻¹² of the domain, where a change of sign is a root.
+/// decide, and a bracketed secant finds it to the last places of `t`. A surface that is only continuous is followed down to
+/// stretches of 10⁻¹² of the domain, where a change of sign is a root. One without is split on, by places that are followed to
+/// 100 bits: a rough surface has spikes far narrower than an `f64` can tell, that of the source's g one of 9·10⁻⁴ over 10⁻¹³.
 ///
 /// With the tables of two smooth functions on equal knots stretches of the ray take the place of boxes: rigorous ranges over
 /// the cells under a stretch cut off what lies above or below the surface, a height in the middle what is too near to it for a
 /// root, and Newton's steps find the one root where the ray comes nearer all along. After 256 divisions boxes decide the rest.
 ///
-/// No hit is passed by, but a pair of roots within one such stretch: a ray that dips into the surface and out again.
-/// Rounding counts as that of the ray: the result belongs to a ray within a few units in the last place, and one that
-/// grazes nearer than the rounding error of `h` counts as a hit. Two limits keep every ray bounded: a box is split
-/// at most 96 times per axis (that binds where a horizontal factor is over 0.75) and a ray, or what tables leave of one stretch, visits at most 2¹⁶ boxes;
-/// beyond, a box is decided like a stretch.
+/// No hit is passed by: `None` and `false` are proofs. A hit is [`certain`](Hit::certain) unless the ray grazes nearer than the
+/// rounding error of `h`, or a limit binds: a ray, or what tables leave of one stretch, visits 2¹⁶ boxes, 2⁷ of
+/// these below 10⁻¹² of the domain (2¹⁴ for a ray along an axis), and a box is split 192 times per axis. Rough surfaces of Hölder
+/// exponents near 1/4 reach them: most slanted rays at g(x) g(y) hit without being certain that nothing lies before, most
+/// rays along an axis are certain. Over smooth axes, and on unequal knots, rounding counts as that of the ray: the result
+/// belongs to one within a few units in the last place.
 ///
-/// `None` for a ray that misses, a zero direction, one so short that `t` overflows, and any component that is NaN or
+/// `None` too for a ray that misses, a zero direction, one so short that `t` overflows, and any component that is NaN or
 /// infinite.
 ///
 /// The hit is within `tolerance`, a length in the domain's unit, of the exact one along the ray, and its gradient that over a
@@ -129,15 +131,15 @@ impl<F: Function, G: Function> HeightField<F, G> {
     /// The first hit by boxes.
     fn first_box(&self, ray: &Ray, t: Interval) -> Option<Hit> {
         let (mut way, span) = Way::new(self, ray, t, 0.0)?;
-        let t = if way.is_vertical() { way.vertical(span) } else { way.boxes(span) }?;
-        way.hit(t, 0.0)
+        let root = if way.is_vertical() { way.vertical(span) } else { way.boxes(span) }?;
+        way.hit(root, 0.0)
     }
 
     /// The first hit by tables.
     #[cfg(feature = "alloc")]
     #[inline(always)]
     pub(crate) fn meet(&self, path: &Path<'_, F, G>) -> Option<Hit> {
-        let t = path.search(Aim::First)?;
+        let Root { t, certain } = path.search(Aim::First)?;
         let [f, g] = path.jets(t);
         let [x, y] = path.place(t);
         let gradient = DVec2::new(f[1] * g[0], f[0] * g[1]);
@@ -149,7 +151,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
         } else {
             upward_normal(gradient)
         };
-        Some(Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal: Some(normal) })
+        Some(Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal: Some(normal), certain })
     }
 }
 

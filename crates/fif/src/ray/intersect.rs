@@ -29,8 +29,8 @@ pub trait Intersect: Surface {
     /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
     /// ```
     ///
-    /// No hit is passed by but a pair of roots within one
-    /// stretch of 10⁻¹² of the domain, and none is invented; rays that are no rays hit nothing.
+    /// `None` is a proof that there is none. A hit is the first one if it is [`certain`](Hit::certain), but for others within
+    /// the rounding error before it; one that is not stands for "unknown". Rays that are no rays hit nothing.
     #[must_use]
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
@@ -44,10 +44,11 @@ pub trait Intersect: Surface {
     ///
     /// Rigorous boxes are visited in the order of the ray. Within one, bounds of the slopes say from both ends how far the nearest
     /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
-    /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. So a
-    /// hit lies within `tolerance` of a root before which there is none, but for a pair of roots within one such
-    /// stretch: a ray that dips in and out again. 0, negative and NaN stand for 10⁻¹² of the domain and a root to the
-    /// rounding error. A ray takes at most 2¹⁶ evaluations; beyond, a stretch is decided by its ends.
+    /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. A stretch
+    /// without one is split on, down to 10⁻¹² of the domain, until its bounds exclude that the ray dips in and out
+    /// again; where they do not, the hit behind it is not certain, or the stretch itself is an uncertain one. So a certain hit
+    /// lies within `tolerance` of a root before which there is none. 0, negative and NaN stand for a root to the
+    /// rounding error. A ray takes at most 2¹⁶ evaluations; beyond, no hit is certain.
     ///
     /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
     #[must_use]
@@ -55,7 +56,8 @@ pub trait Intersect: Surface {
         first(self, &Unbounded(self), ray, t, tolerance)
     }
 
-    /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit.
+    /// Whether the ray meets the surface at any `t` in the interval; for shadows, and quicker than the first hit. `false` is a
+    /// proof; `true` may stand for a hit that is not certain.
     #[must_use]
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
         any(self, &Unbounded(self), ray, t)

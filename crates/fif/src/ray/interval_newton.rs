@@ -2,7 +2,7 @@
 
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
-use crate::ray::ray::Aim;
+use crate::ray::ray::{Aim, Root};
 use crate::ray::way::Way;
 use crate::surface::bounds::{Surface, SurfaceBounds};
 
@@ -46,7 +46,7 @@ impl Stretches {
         span: Interval,
         rate: Interval,
         aim: Aim,
-    ) -> Option<f64> {
+    ) -> Option<Root> {
         self.filled = 0;
         self.slack = 4.0 * UNIT * (span.lo.abs() + span.hi.abs());
         self.push(Stretch { span, rate, clear: [0.0; 2], splits: 0 });
@@ -58,30 +58,25 @@ impl Stretches {
             let coarse = if speed.is_finite() { 0.0625 * speed * width } else { way.surface.range().width() };
             let low = if clear[0] == 0.0 { distance(way, lo, coarse) } else { clear[0] };
             if low == 0.0 {
-                return Some(lo);
+                return Some(way.proven(lo));
             }
             let high = if clear[1] == 0.0 { distance(way, hi, coarse) } else { clear[1] };
             let crosses = (low < 0.0) != (high < 0.0) && high != 0.0;
             if crosses && aim == Aim::Any {
-                return Some(lo);
+                return Some(Root { t: lo, certain: true });
             }
             if rate.lo > 0.0 || rate.hi < 0.0 {
                 if crosses {
-                    return Some(self.root(way, stretch.span, rate, low));
+                    return Some(Root { t: self.root(way, stretch.span, rate, low), certain: true });
                 }
                 if high == 0.0 {
-                    return Some(hi);
+                    return Some(way.proven(hi));
                 }
                 continue;
             }
-            if width <= way.close || way.budget == 0 {
-                if crosses {
-                    return Some(self.root(way, stretch.span, Interval::ENTIRE, low));
-                }
-                if high == 0.0 {
-                    return Some(hi);
-                }
-                continue;
+            if crosses && (width <= way.close || way.budget == 0) {
+                let certain = width <= way.close;
+                return Some(Root { t: self.root(way, stretch.span, Interval::ENTIRE, low), certain });
             }
             // From either end the surface comes nearer at these rates at most.
             let (fall, rise) = if low > 0.0 { (-rate.lo, rate.hi) } else { (rate.hi, -rate.lo) };
@@ -90,6 +85,13 @@ impl Stretches {
             let to = if crosses || high == 0.0 { hi } else { hi - high.abs() / rise + self.slack };
             let to = if to < hi { to } else { hi };
             if from > to {
+                continue;
+            }
+            if width <= way.finest || way.budget == 0 {
+                // Nothing may tell whether the ray dips in and out again.
+                if way.lost.is_none() && bounded(way, stretch).is_some() {
+                    way.lost = Some(lo);
+                }
                 continue;
             }
             let kept = |end: f64, old: f64, clear: f64| if end == old { clear } else { 0.0 };

@@ -2,7 +2,7 @@
 
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::UNIT;
-use crate::ray::ray::Aim;
+use crate::ray::ray::{Aim, Root};
 use crate::ray::tracer::Path;
 use crate::surface::height_field::function::Function;
 
@@ -36,7 +36,11 @@ impl Search {
 
     /// The root, or none; for [`Aim::Any`] only near to it.
     #[inline(always)]
-    pub(crate) fn finish<F: Function, G: Function>(mut self, path: &Path<'_, F, G>, aim: Aim) -> Option<f64> {
+    pub(crate) fn finish<F: Function, G: Function>(
+        mut self,
+        path: &Path<'_, F, G>,
+        aim: Aim,
+    ) -> Option<Root> {
         // More than the rounding of `t`.
         let slack = 4.0 * UNIT * (self.span.lo.abs() + self.span.hi.abs());
         let reach = path.reach + slack;
@@ -72,7 +76,7 @@ impl Search {
                 }
             }
             if aim == Aim::Any && self.starts && self.ends {
-                return Some(t);
+                return Some(Root { t, certain: true });
             }
             if !(next > self.lo && next < self.hi && !evaluated.is_multiple_of(8)) {
                 let (end, known) = if value > 0.0 { (self.lo, self.starts) } else { (self.hi, self.ends) };
@@ -97,9 +101,9 @@ impl Search {
 
     /// The root, once it is known to lie so near to `t` or outside the stretch.
     #[inline(always)]
-    fn settle<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64, near: f64) -> Option<f64> {
+    fn settle<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64, near: f64) -> Option<Root> {
         if (self.starts || t - near >= self.span.lo) && (self.ends || t + near <= self.span.hi) {
-            return Some(t);
+            return Some(Root { t, certain: true });
         }
         self.prove(path, t)
     }
@@ -107,20 +111,22 @@ impl Search {
     /// Looks at the ends of the stretch that are not known to lie on the right side of the root.
     #[cold]
     #[inline(never)]
-    fn prove<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64) -> Option<f64> {
+    fn prove<F: Function, G: Function>(&self, path: &Path<'_, F, G>, t: f64) -> Option<Root> {
         for (known, end, way) in
             [(self.starts, self.span.lo, self.sign), (self.ends, self.span.hi, -self.sign)]
         {
             if !known {
                 let (_, value, _) = path.above(end, path.tracer.finest());
                 if value.abs() <= path.error(path.tracer.finest()) {
-                    return Some(end);
+                    return Some(
+                        path.way(self.span).map_or(Root { t: end, certain: false }, |way| way.proven(end)),
+                    );
                 }
                 if way * value > 0.0 {
                     return None;
                 }
             }
         }
-        Some(t.clamp(self.span.lo, self.span.hi))
+        Some(Root { t: t.clamp(self.span.lo, self.span.hi), certain: true })
     }
 }

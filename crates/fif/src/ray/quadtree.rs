@@ -2,7 +2,7 @@
 
 use crate::numeric::interval::Interval;
 use crate::ray::interval_newton::Stretches;
-use crate::ray::ray::{Aim, Hit, Ray};
+use crate::ray::ray::{Aim, Hit, Ray, Root};
 use crate::ray::way::{Way, padded};
 use crate::surface::bounds::{Surface, SurfaceBounds};
 
@@ -61,7 +61,7 @@ impl<S: Surface + ?Sized> Squares for Unbounded<'_, S> {
 
 impl<S: Surface + ?Sized> Way<'_, S> {
     /// The least root in the squares along the ray, or any.
-    fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
+    fn descend(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
         const PLACES: usize = 64;
         let [x, y] = self.surface.domain();
         let finest = squares.finest().min(12);
@@ -80,9 +80,9 @@ impl<S: Surface + ?Sized> Way<'_, S> {
                 let SurfaceBounds { height, slopes } = squares.leaf(square, around[0], around[1]);
                 let span = self.within(span, height);
                 if span.lo <= span.hi
-                    && let Some(t) = stretches.first(self, span, self.rate(slopes), aim)
+                    && let Some(root) = stretches.first(self, span, self.rate(slopes), aim)
                 {
-                    return Some(t);
+                    return Some(root);
                 }
                 continue;
             }
@@ -132,8 +132,14 @@ impl<S: Surface + ?Sized> Way<'_, S> {
         None
     }
 
-    fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<f64> {
-        if self.is_vertical() { self.vertical(span) } else { self.descend(squares, span, aim) }
+    fn meets(&mut self, squares: &impl Squares, span: Interval, aim: Aim) -> Option<Root> {
+        if self.is_vertical() {
+            return self.vertical(span);
+        }
+        let found = self.descend(squares, span, aim);
+        let certain = self.lost.is_none();
+        let found = found.map(|root| Root { certain: root.certain && certain, ..root });
+        found.or(self.lost.map(|t| Root { t, certain }))
     }
 }
 
@@ -146,12 +152,12 @@ pub(crate) fn first<S: Surface + ?Sized>(
     tolerance: f64,
 ) -> Option<Hit> {
     let (mut way, span) = Way::new(surface, ray, t, tolerance)?;
-    let t = way.meets(squares, span, Aim::First)?;
-    way.hit(t, tolerance)
+    let root = way.meets(squares, span, Aim::First)?;
+    way.hit(root, tolerance)
 }
 
 /// Whether the ray meets the surface with `t` in the interval.
 pub(crate) fn any<S: Surface + ?Sized>(surface: &S, squares: &impl Squares, ray: &Ray, t: Interval) -> bool {
     let Some((mut way, span)) = Way::new(surface, ray, t, 0.0) else { return false };
-    way.meets(squares, span, Aim::Any).is_some_and(|t| t.is_finite() && ray.at(t).is_finite())
+    way.meets(squares, span, Aim::Any).is_some_and(|Root { t, .. }| t.is_finite() && ray.at(t).is_finite())
 }

@@ -2,10 +2,11 @@
 
 use crate::numeric::interval::Interval;
 use crate::ray::newton::Search;
-use crate::ray::ray::Aim;
+use crate::ray::ray::{Aim, Root};
 use crate::ray::tracer::Path;
 use crate::ray::way::Way;
 use crate::surface::height_field::function::Function;
+use crate::surface::height_field::height_field::HeightField;
 
 /// Stretches that wait behind the one under search at most; more are left to the descent of boxes.
 const WAITING: usize = 32;
@@ -16,7 +17,7 @@ const DIVISIONS: u32 = 256;
 impl<F: Function, G: Function> Path<'_, F, G> {
     /// The first hit, or any.
     #[inline(always)]
-    pub(crate) fn search(&self, aim: Aim) -> Option<f64> {
+    pub(crate) fn search(&self, aim: Aim) -> Option<Root> {
         let mut span = self.span;
         let ranges = self.ranges(span);
         let rate = self.narrow(&mut span, ranges);
@@ -31,18 +32,18 @@ impl<F: Function, G: Function> Path<'_, F, G> {
 
     /// Division where the ray may come nearer and go away again.
     #[inline(always)]
-    fn divide(&self, mut span: Interval, mut rate: Interval, aim: Aim) -> Option<f64> {
+    fn divide(&self, mut span: Interval, mut rate: Interval, aim: Aim) -> Option<Root> {
         let mut waiting = [Interval::EMPTY; WAITING];
         let (mut left, mut divisions) = (0, 0);
         loop {
             if span.lo <= span.hi {
                 if rate.lo > 0.0 || rate.hi < 0.0 {
-                    if let Some(t) = Search::new(span, rate).finish(self, aim) {
-                        return Some(t);
+                    if let Some(root) = Search::new(span, rate).finish(self, aim) {
+                        return Some(root);
                     }
                 } else if divisions >= DIVISIONS || left >= WAITING {
-                    if let Some(t) = self.descend(span) {
-                        return Some(t);
+                    if let Some(root) = self.descend(span) {
+                        return Some(root);
                     }
                 } else {
                     divisions += 1;
@@ -93,8 +94,13 @@ impl<F: Function, G: Function> Path<'_, F, G> {
 
     /// By boxes, as without tables.
     #[cold]
-    fn descend(&self, span: Interval) -> Option<f64> {
-        Way::new(self.tracer.surface, &self.ray, span, 0.0)?.0.boxes(span)
+    fn descend(&self, span: Interval) -> Option<Root> {
+        self.way(span)?.boxes(span)
+    }
+
+    /// The ray as without tables.
+    pub(crate) fn way(&self, span: Interval) -> Option<Way<'_, HeightField<F, G>>> {
+        Some(Way::new(self.tracer.surface, &self.ray, span, 0.0)?.0)
     }
 
     /// Cuts off what lies above or below all heights of a stretch; the rates at which the ray comes nearer over it.

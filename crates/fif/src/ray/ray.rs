@@ -39,6 +39,16 @@ pub struct Hit {
     pub gradient: Option<DVec2>,
     /// The upward unit normal, where the surface is differentiable.
     pub normal: Option<DVec3>,
+    /// Whether this is the first hit for certain. `false`: the ray grazes the surface here within the rounding error, or a
+    /// limit has bound and a hit may lie before; a ray that surely passes through the surface somewhere hits there.
+    pub certain: bool,
+}
+
+/// Where a search along a ray ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Root {
+    pub(crate) t: f64,
+    pub(crate) certain: bool,
 }
 
 /// The aim of a search along a ray.

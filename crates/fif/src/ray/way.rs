@@ -3,14 +3,14 @@
 use glam::DVec3;
 
 use crate::numeric::interval::{Bounded, Interval};
-use crate::ray::ray::{Hit, Ray};
+use crate::ray::ray::{Hit, Ray, Root};
 use crate::surface::bounds::Surface;
 use crate::surface::normal::upward_normal;
 
-/// Evaluations, or boxes, that one ray takes at most; beyond, a stretch is decided by its ends.
+/// Evaluations, or boxes, that one ray takes at most; beyond, a hit is not certain.
 const BUDGET: u32 = 1 << 16;
 
-/// Length of a stretch of the ray, relative to the domain, that is decided by the signs at its ends.
+/// Length of a stretch of the ray, relative to the domain, at whose ends a change of sign is a root.
 const CLOSE: f64 = 1e-12;
 
 /// One ray on its way.
@@ -19,12 +19,15 @@ pub(crate) struct Way<'a, S: ?Sized> {
     pub(crate) ray: Ray,
     /// More than the rounding of a coordinate on the ray within the domain.
     pub(crate) pad: DVec3,
-    /// Length of a stretch that is decided by the signs at its ends.
+    /// Length of a stretch at whose ends a change of sign is a root, and of one that is not split any more.
     pub(crate) close: f64,
+    pub(crate) finest: f64,
     /// Whether a root is wanted to the rounding error.
     pub(crate) exact: bool,
     /// Evaluations or boxes left.
     pub(crate) budget: u32,
+    /// Where a limit first left undecided whether the ray meets the surface.
+    pub(crate) lost: Option<f64>,
 }
 
 impl<'a, S: Surface + ?Sized> Way<'a, S> {
@@ -45,11 +48,12 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         let finest = CLOSE * x.width().max(y.width());
         let exact = tolerance <= finest || tolerance.is_nan();
         // The length of the direction is less than √3 times its longest component.
-        let close = if exact { finest } else { 0.5 * tolerance } / longest;
+        let finest = finest / longest;
+        let close = if exact { finest } else { 0.5 * tolerance / longest };
         let span = Interval::new(if t.lo > 0.0 { t.lo } else { 0.0 }, t.hi);
         let span = span.intersection(slab(o.x, d.x, padded(x, pad.x)));
         let span = span.intersection(slab(o.y, d.y, padded(y, pad.y)));
-        let way = Self { surface, ray: *ray, pad, close, exact, budget: BUDGET };
+        let way = Self { surface, ray: *ray, pad, close, finest, exact, budget: BUDGET, lost: None };
         Some((way, span))
     }
 
@@ -86,7 +90,7 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
     }
 
     /// The distance at which a ray along z meets the surface.
-    pub(crate) fn vertical(&self, span: Interval) -> Option<f64> {
+    pub(crate) fn vertical(&self, span: Interval) -> Option<Root> {
         if span.lo > span.hi {
             return None;
         }
@@ -94,21 +98,33 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         let t = -above.value / self.ray.direction.z;
         let slack = above.bound / self.ray.direction.z.abs();
         let near = span.lo - slack <= t && t <= span.hi + slack;
-        near.then(|| t.clamp(span.lo, span.hi))
+        let certain = span.lo + slack <= t && t <= span.hi - slack;
+        near.then(|| Root { t: t.clamp(span.lo, span.hi), certain })
+    }
+
+    /// The root, certain if the signs nearby tell so.
+    pub(crate) fn proven(&self, t: f64) -> Root {
+        const NEARBY: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
+        let apart = |near: f64| {
+            let [a, b] = [t - near, t + near].map(|t| self.above(t, 0.0));
+            a.value.abs() > a.bound && b.value.abs() > b.bound && (a.value < 0.0) != (b.value < 0.0)
+        };
+        Root { t, certain: NEARBY.iter().any(|part| apart(part * self.finest)) }
     }
 
     /// The hit at `t`, to the tolerance; `None` for a direction so short that t or the way to the surface overflows.
-    pub(crate) fn hit(&self, t: f64, tolerance: f64) -> Option<Hit> {
+    pub(crate) fn hit(&self, Root { t, certain }: Root, tolerance: f64) -> Option<Hit> {
         let at = self.ray.at(t);
         if !t.is_finite() || !at.is_finite() {
             return None;
         }
         let [x, y] = self.surface.domain();
+        let certain = certain && x.contains(at.x) && y.contains(at.y);
         let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
         let (near, height) = if self.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
         let gradient = self.surface.gradient_near(x, y, near);
         let height = self.surface.evaluate(x, y, height).value;
-        Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal) })
+        Some(Hit { t, x, y, height, gradient, normal: gradient.map(upward_normal), certain })
     }
 }
 

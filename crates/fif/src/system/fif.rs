@@ -1,5 +1,6 @@
 //! The validated system of maps and its constructors.
 
+use crate::numeric::double::Double;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
 use crate::system::cell::Cell;
@@ -208,6 +209,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// Knot `j`.
     pub(crate) fn knot(&self, j: usize) -> f64 {
         self.pieces().get(j).map_or(self.domain().hi, |piece| piece.x()[0])
+    }
+
+    /// Knot `j` in units of the domain, between doubles.
+    pub(crate) fn place(&self, j: usize) -> Double {
+        let pieces = self.pieces();
+        match self.spacing {
+            Spacing::Uniform => Double::ratio(j as f64, pieces.len() as f64),
+            Spacing::Nonuniform => Double::from(pieces.get(j).map_or(1.0, |piece| piece.s[0])),
+        }
     }
 
     /// The ordinate at knot `j`.

@@ -1,6 +1,6 @@
 //! One map of an iterated function system, and the composition of two.
 
-use crate::numeric::polynomial::{bernstein, horner, magnitude, restriction_error, substitute};
+use crate::numeric::polynomial::{LEAST, bernstein, horner, magnitude, restriction_error, substitute};
 use crate::system::error::{End, SystemError};
 
 /// Largest defect of the join-up that a constructor accepts, relative to the sum of the magnitudes of its terms.
@@ -113,7 +113,8 @@ impl<const C: usize> Piece<C> {
         let a = s[1] - s[0];
         let local = substitute(&q, width, domain[0]);
         // At most 2C roundings for each of the two changes of basis and of the width, on numbers of this scale.
-        let slack = 8.0 * C as f64 * f64::EPSILON * magnitude(&q, domain[0].abs() + width);
+        let scale = magnitude(&q, domain[0].abs() + width);
+        let slack = 8.0 * C as f64 * (f64::EPSILON * scale + LEAST);
         Self {
             map: Map { a, b: x[0] - a * domain[0], alpha, q },
             x,

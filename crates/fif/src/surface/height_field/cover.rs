@@ -4,8 +4,8 @@ use crate::numeric::interval::Interval;
 use crate::surface::height_field::curve::{Below, Cell, Curve};
 use crate::surface::height_field::function::Function;
 
-/// Levels below the smallest cell that holds the interval, to which its ends are followed.
-const FINER: u32 = 6;
+/// Width of the cells to which the ends of the interval are followed, in parts of its width.
+const FINER: f64 = 1.0 / 64.0;
 
 /// Splits of the domain at most.
 const LEVELS: u32 = 96;
@@ -33,20 +33,20 @@ pub(crate) fn covered<F: Function>(axis: &Curve<F>, over: Interval) -> [Interval
         place = child(axis, &place, j);
     }
     let mut all = [Interval::EMPTY; 2];
-    gather(axis, &place, over, FINER, &mut all);
+    gather(axis, &place, over, LEVELS, &mut all);
     all
 }
 
-/// At most as deep as `FINER`.
+/// At most `levels` deep.
 fn gather<F: Function>(
     axis: &Curve<F>,
     place: &Place<Below<F>>,
     over: Interval,
-    finer: u32,
+    levels: u32,
     all: &mut [Interval; 2],
 ) {
     let inside = over.lo <= place.left && place.left + place.width <= over.hi;
-    if inside || finer == 0 {
+    if inside || levels == 0 || place.width <= FINER * over.width() {
         let bounds = axis.bounds(&place.cell);
         *all = [0, 1].map(|k| all[k].hull(bounds[k]));
         return;
@@ -54,7 +54,7 @@ fn gather<F: Function>(
     for j in 0..axis.count() {
         let part = child(axis, place, j);
         if meets(&part, over) {
-            gather(axis, &part, over, finer - 1, all);
+            gather(axis, &part, over, levels - 1, all);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The function along one axis of a height field, with its derivative and the bounds of its top levels of cells.
 
 use crate::calculus::moment_basis::MomentError;
+use crate::numeric::double::Double;
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
@@ -126,6 +127,11 @@ impl<F: Function> Curve<F> {
             return Bounded { value: jets.jet(jets.part(x), steps)[0], bound };
         }
         self.function.evaluate(x, 0.0)
+    }
+
+    /// The value at a place between doubles.
+    pub(crate) fn at(&self, x: Double) -> Bounded {
+        self.function.evaluate_between(x)
     }
 
     /// The whole domain.

@@ -3,12 +3,13 @@
 use core::fmt::Debug;
 
 use crate::calculus::moment_basis::MomentError;
+use crate::numeric::double::Double;
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::system::cell::Cell;
-use crate::system::fif::System;
+use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
 #[cfg(feature = "alloc")]
 use crate::table::composite::Composite;
@@ -34,6 +35,11 @@ pub trait Function: Clone + Debug {
     fn range(&self) -> Interval;
     #[doc(hidden)]
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
+    /// The value between doubles, and what the rounding of such a place does to it.
+    #[doc(hidden)]
+    fn evaluate_between(&self, x: Double) -> Bounded;
+    #[doc(hidden)]
+    fn blur(&self) -> f64;
     #[doc(hidden)]
     fn mean(&self, l: f64, r: f64) -> Estimate;
     #[doc(hidden)]
@@ -49,6 +55,9 @@ pub trait Function: Clone + Debug {
     /// Knots of child `j` in units of the cell's width.
     #[doc(hidden)]
     fn part(&self, j: usize) -> [f64; 2];
+    /// Knot `j` in units of the domain, as exactly as [`System::evaluate`] takes it.
+    #[doc(hidden)]
+    fn knot(&self, j: usize) -> Double;
     /// Child `j`; the cell itself when there is none.
     #[doc(hidden)]
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell;
@@ -114,6 +123,18 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
         self.evaluate(x, tolerance)
     }
 
+    fn evaluate_between(&self, x: Double) -> Bounded {
+        self.evaluate_between(x)
+    }
+
+    fn blur(&self) -> f64 {
+        // A place is known to 2⁻¹⁰⁰ of the domain; on unequal knots it stands for one that is as near as a double.
+        match self.spacing() {
+            Spacing::Uniform => self.modulus().at(self.domain().width() * f64::EPSILON * f64::EPSILON * 16.0),
+            Spacing::Nonuniform => 0.0,
+        }
+    }
+
     fn mean(&self, l: f64, r: f64) -> Estimate {
         self.mean(l, r)
     }
@@ -138,6 +159,10 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
     #[inline]
     fn part(&self, j: usize) -> [f64; 2] {
         self.pieces().get(j).map_or([0.0, 1.0], |piece| piece.s)
+    }
+
+    fn knot(&self, j: usize) -> Double {
+        self.place(j)
     }
 
     #[inline]

@@ -1,0 +1,93 @@
+//! Sums of two doubles, for places that rounding must not move from one cell to the next.
+
+/// `hi + lo`, `hi` the nearest double: 106 bits; the order is that of the sums.
+///
+/// Dekker, *A floating-point technique for extending the available precision*, 1971.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Double {
+    pub(crate) hi: f64,
+    pub(crate) lo: f64,
+}
+
+impl From<f64> for Double {
+    fn from(hi: f64) -> Self {
+        Self { hi, lo: 0.0 }
+    }
+}
+
+impl Double {
+    /// `a / b`.
+    pub(crate) fn ratio(a: f64, b: f64) -> Self {
+        Self::from(a).over(b)
+    }
+
+    /// The exact `a + b` of doubles.
+    fn two_sum(a: f64, b: f64) -> Self {
+        let sum = a + b;
+        let part = sum - a;
+        Self::sane(sum, (a - (sum - part)) + (b - part))
+    }
+
+    /// The exact `a b` of doubles, but for parts under 2⁻¹⁰²².
+    fn two_product(a: f64, b: f64) -> Self {
+        const SPLIT: f64 = 134_217_729.0;
+        let halves = |a: f64| {
+            let high = SPLIT * a - (SPLIT * a - a);
+            [high, a - high]
+        };
+        let (product, [a1, a2], [b1, b2]) = (a * b, halves(a), halves(b));
+        Self::sane(product, a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2))
+    }
+
+    /// Without the small part where it overflows.
+    fn sane(hi: f64, lo: f64) -> Self {
+        Self { hi, lo: if lo.is_finite() { lo } else { 0.0 } }
+    }
+
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let (sum, rest) = (Self::two_sum(self.hi, other.hi), Self::two_sum(self.lo, other.lo));
+        let sum = Self::two_sum(sum.hi, sum.lo + rest.hi);
+        Self::two_sum(sum.hi, sum.lo + rest.lo)
+    }
+
+    pub(crate) fn minus(self, other: Self) -> Self {
+        self.plus(Self { hi: -other.hi, lo: -other.lo })
+    }
+
+    pub(crate) fn times(self, other: Self) -> Self {
+        let product = Self::two_product(self.hi, other.hi);
+        Self::two_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+
+    pub(crate) fn over(self, divisor: f64) -> Self {
+        let first = self.hi / divisor;
+        let rest = self.minus(Self::two_product(first, divisor));
+        let second = rest.hi / divisor;
+        Self::two_sum(first, if second.is_finite() { second } else { 0.0 })
+    }
+
+    pub(crate) fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+
+    pub(crate) fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thirds_are_known_to_a_hundred_bits() {
+        let third = Double::ratio(1.0, 3.0);
+        let rest = third.plus(third).plus(third).minus(Double::from(1.0));
+        assert!(rest.hi.abs() < 2f64.powi(-104), "{rest:?}");
+        let rest = third.times(third).times(Double::from(9.0)).minus(Double::from(1.0));
+        assert!(rest.hi.abs() < 2f64.powi(-100), "{rest:?}");
+        let near = Double::from(0.1).plus(Double::from(2f64.powi(-90)));
+        assert!(near > Double::from(0.1) && near.hi == 0.1 && near.max(Double::from(0.1)) == near);
+        assert_eq!(Double::ratio(1.0, 0.0).hi, f64::INFINITY);
+    }
+}
