@@ -1,7 +1,7 @@
-//! Fits a fractal function to noisy data with fewer and fewer knots, and prints how well it does.
+//! Fits a fractal function to noisy data with fewer and fewer knots, and prints how well it does and how rough both are.
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
 
-use asperity_fif::fit;
+use asperity_fif::{box_dimension, fit};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A mountain's profile: a random walk of 257 heights.
@@ -14,11 +14,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             (f64::from(k), height)
         })
         .unzip();
-    println!("maps  greatest error  rms error  collage bound");
+    let dimension = |y: &[f64]| box_dimension(y, y.len()).map_or(f64::NAN, |measured| measured.value);
+    println!("box dimension of the data: {:.3}", dimension(&y));
+    println!("maps  greatest error  rms error  collage bound  box dimension");
     for spacing in [2, 4, 8, 16, 32] {
         let knots: Vec<usize> = (0..=256).step_by(spacing).collect();
         let fit = fit::affine(&x, &y, &knots)?;
-        println!("{:4}  {:14.3}  {:9.3}  {:13.3}", knots.len() - 1, fit.error, fit.rms, fit.bound);
+        let values: Vec<f64> = x.iter().map(|&x| fit.system.evaluate(x, 1e-9).value).collect();
+        let (maps, rough) = (knots.len() - 1, dimension(&values));
+        println!("{maps:4}  {:14.3}  {:9.3}  {:13.3}  {rough:13.3}", fit.error, fit.rms, fit.bound);
     }
     Ok(())
 }

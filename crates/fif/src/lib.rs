@@ -39,6 +39,7 @@
 //! | [`Fif::extrema`], [`Fif::extrema_over`] | the least and the greatest value, and where they lie |
 //! | [`Fif::modulus`], [`Fif::conditioning`] | how much `f` moves when `x` does |
 //! | [`Fif::dimension`] | the box dimension of the graph |
+//! | [`box_dimension`], [`oscillation_exponent`] | box dimension and multifractal spectrum of a series or an image |
 //! | [`HeightField`] | `f(x) g(y)`: height, gradient, unit normal |
 //! | [`HeightField::curvature`] | mean and Gaussian [`Curvature`] |
 //! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
@@ -113,6 +114,7 @@ pub mod system;
 #[cfg(feature = "alloc")]
 mod table;
 
+pub use analysis::oscillation::{Scaling, box_dimension, oscillation_exponent};
 pub use analysis::{extrema::Extrema, modulus::Modulus};
 pub use calculus::{linear_combination::CombineError, moment_basis::MomentError};
 pub use evaluate::{batch_error::BatchError, grid::GridError, value::MAX_DEPTH};

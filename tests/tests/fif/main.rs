@@ -9,6 +9,7 @@ mod folded;
 mod golden;
 mod hard_rays;
 mod jets;
+mod oscillation;
 mod properties;
 mod rays;
 mod recurrent;

@@ -4,3 +4,4 @@ pub(crate) mod branch_and_bound;
 pub(crate) mod dimension;
 pub(crate) mod extrema;
 pub(crate) mod modulus;
+pub(crate) mod oscillation;
