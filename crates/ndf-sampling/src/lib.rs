@@ -64,6 +64,8 @@
 //! | `simd` (default) | plural calls in SIMD lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `approx` | comparisons of frames, densities and other small records by `approx`, and those of `glam` |
 //! | `check` | property tests for any density, your own included: module [`check`] |
+//! | `serde` | the parameters of [`Ggx`], [`Beckmann`], [`StudentT`], [`Ward`], [`BlinnPhong`] and [`AshikhminShirley`] in files, read through `new`; formats and layouts |
+//! | `rand` | densities as [`Distribution`](https://docs.rs/rand/latest/rand/distr/trait.Distribution.html)s of normals: `rng.sample(&ggx)` |
 //! | `alloc` (default) | [`NdfMap`], [`Cdf`], [`Masked`], [`NdfEstimator`] and [`NormalTable`], which own their tables; [`NormalTableRef`] does without |
 
 #![no_std]
@@ -99,7 +101,10 @@ pub mod normal_map;
 pub mod normal_table;
 mod numeric;
 mod radial;
+#[cfg(feature = "rand")]
+mod rand;
 mod range_error;
+mod serde;
 mod simd;
 
 pub use glam;

@@ -101,6 +101,7 @@
 //! | `simd` (default) | lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |
+//! | `serde` | [`Spectrum`], [`Grid`], [`Normalisation`] and [`Rotation`] in files; a spectrum is read through [`Spectrum::new`] |
 //!
 //! The price of `simd` is the time to compile `fearless_simd`: 6 of the 9 seconds of processor time that this crate takes from
 //! nothing. Without it, `default-features = false, features = ["std"]`, it takes 3, and batches run one point at a time. Levels that

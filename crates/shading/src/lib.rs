@@ -79,7 +79,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
-//! | `serde` | parameters of materials written to files; a file names those that differ from the defaults |
+//! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |
 //! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
 

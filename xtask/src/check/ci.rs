@@ -21,8 +21,8 @@ const SETS: [(&str, &[&str]); 4] = [
     ("asperity-shading", &["std,alloc", "libm,alloc", "libm"]),
 ];
 
-/// The least of features with which a crate is linted: one backend, and the traits of `approx` without std.
-const LEAST: [&str; 2] = ["std", "libm,approx"];
+/// The least of features with which a crate is linted: one backend, and the traits of `approx` and `serde` without std.
+const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 

@@ -25,6 +25,13 @@ pub struct Estimate {
     pub condition: f64,
 }
 
+/// Written as [`Bounded`], without the conditioning.
+impl core::fmt::Display for Estimate {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        core::fmt::Display::fmt(&Bounded { value: self.value, bound: self.bound }, f)
+    }
+}
+
 impl Estimate {
     pub(crate) const NAN: Self = Self { value: f64::NAN, bound: f64::NAN, condition: f64::NAN };
 

@@ -1,5 +1,7 @@
 //! Closed intervals with outward rounding, and values with an error bound.
 
+use core::fmt;
+
 /// A closed interval `[lo, hi]`; every operation rounds outward, so the result encloses the exact one.
 ///
 /// Each bound moves out by one unit in the last place after a rounding to nearest. NaN is not an interval's
@@ -128,13 +130,37 @@ fn times(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
+/// Written `[lo, hi]`, with the precision of the format: `{:.3}` rounds both ends to the nearest, not outward.
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("[")?;
+        fmt::Display::fmt(&self.lo, f)?;
+        f.write_str(", ")?;
+        fmt::Display::fmt(&self.hi, f)?;
+        f.write_str("]")
+    }
+}
+
 /// A value with a bound of its error: the exact one lies in `value ± bound`.
+///
+/// ```
+/// let value = asperity_fif::Bounded { value: 1.25, bound: 1e-9 };
+/// assert_eq!(format!("{value} and {value:.3}"), "1.25 ± 1e-9 and 1.250 ± 1e-9");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded {
     /// The approximation.
     pub value: f64,
     /// Bound of the absolute error, truncation and rounding together; NaN when `value` is NaN.
     pub bound: f64,
+}
+
+/// Written `value ± bound`, the value with the precision of the format, the bound in full as a power of ten.
+impl fmt::Display for Bounded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.value, f)?;
+        write!(f, " ± {:e}", self.bound)
+    }
 }
 
 impl Bounded {
@@ -166,6 +192,14 @@ impl Bounded {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ends_and_values_are_written_with_the_asked_precision() {
+        let third = Interval::new(-1.0 / 3.0, 0.5);
+        assert_eq!(alloc::format!("{} {third:.2}", Interval::new(-1.0, 0.5)), "[-1, 0.5] [-0.33, 0.50]");
+        let value = Bounded { value: 2.0 / 3.0, bound: 2.5e-13 };
+        assert_eq!(alloc::format!("{value:.4}, {}", Bounded::NAN), "0.6667 ± 2.5e-13, NaN ± NaN");
+    }
 
     #[test]
     fn operations_enclose_the_exact_result() {

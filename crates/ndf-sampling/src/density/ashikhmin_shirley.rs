@@ -16,6 +16,7 @@ use crate::numeric::gauss_kronrod::integrate;
 use crate::numeric::hashed::Hashed;
 use crate::radial::Radial;
 use crate::range_error::RangeError;
+use crate::serde::written;
 use crate::simd::elementary::cos_sin_turns;
 use crate::simd::lanes::Scalar;
 
@@ -60,6 +61,7 @@ pub struct AshikhminShirley {
 }
 
 compared!(AshikhminShirley, |density| [density.n_u, density.n_v]);
+written!(AshikhminShirley, |density| { n_u: density.n_u, n_v: density.n_v });
 
 impl AshikhminShirley {
     /// The density with the exponents `n_u` and `n_v`.

@@ -6,6 +6,7 @@ use crate::density::roughness::MIN_ALPHA;
 use crate::density::student_t::StudentT;
 use crate::math;
 use crate::range_error::RangeError;
+use crate::serde::written;
 
 /// The Blinn–Phong normal density with the exponent `n`.
 ///
@@ -44,6 +45,7 @@ pub struct BlinnPhong {
 
 delegate_ndf!(BlinnPhong, facets, Microfacet, Radial);
 compared!(BlinnPhong, |density| [density.exponent]);
+written!(BlinnPhong, |density| { exponent: density.exponent });
 
 impl BlinnPhong {
     /// The largest exponent, of the roughness 1e-6.

@@ -100,6 +100,7 @@ macro_rules! roughness_parameters {
 
         $crate::density::roughness::roughness_accessors!($density);
         $crate::approx::compared!($density, |density| [density.alpha.x, density.alpha.y]);
+        $crate::serde::written!($density, |density| { alpha_x: density.alpha.x, alpha_y: density.alpha.y });
     };
 }
 pub(crate) use roughness_parameters;

@@ -12,6 +12,7 @@ use crate::microfacet::{Microfacet, above};
 use crate::ndf::{Ndf, bounded, unit_square};
 use crate::radial::Radial;
 use crate::range_error::RangeError;
+use crate::serde::written;
 use crate::simd::elementary::cos_sin_turns;
 use crate::simd::lanes::Scalar;
 
@@ -57,6 +58,11 @@ pub struct StudentT {
 }
 
 roughness_accessors!(StudentT);
+written!(StudentT, |density| {
+    alpha_x: density.alpha.x,
+    alpha_y: density.alpha.y,
+    gamma: density.gamma
+});
 compared!(StudentT, |density| [density.alpha.x, density.alpha.y, density.gamma]);
 
 impl StudentT {

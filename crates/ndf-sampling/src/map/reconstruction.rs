@@ -3,6 +3,7 @@
 /// Reconstruction of a density between the texels of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Reconstruction {
     /// Constant on each texel.
     #[default]

@@ -13,6 +13,7 @@ use crate::map::reconstruction::Reconstruction;
 /// Measure over which the texels of a map are densities: projected normals or solid angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Measure {
     /// Over the projected normal, per `dn_x dn_y`: the value is `D` itself, as it is found by counting the normals of a bump
     /// map that is sampled uniformly over the macro surface.

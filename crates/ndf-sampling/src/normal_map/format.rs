@@ -7,6 +7,7 @@ use crate::math;
 /// Which way the second coordinate of a normal map points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum TangentSpace {
     /// Up the image, with the tangent and the normal a right-handed frame: the frame of this crate. A bump is bright at its
     /// top in the green channel.
@@ -19,6 +20,7 @@ pub enum TangentSpace {
 /// Which number stands for 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Zero {
     /// `c = 2v/(2ᵇ − 1) − 1`, what a GPU makes of an unsigned normalised texture: 0 is between two numbers, and a flat texel of
     /// 8 bits is tilted by 0.22° in each coordinate.
@@ -31,6 +33,7 @@ pub enum Zero {
 /// Content of the third channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Blue {
     /// `n_z`; the three are normalised together, so that only their ratios count.
     #[default]
@@ -63,6 +66,7 @@ pub enum Blue {
 #[doc(alias = "opengl")]
 #[doc(alias = "directx")]
 #[doc(alias = "unpack")]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalMapFormat {
     /// Which way the green channel points.
     pub tangent_space: TangentSpace,

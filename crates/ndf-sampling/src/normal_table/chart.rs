@@ -35,6 +35,7 @@ use crate::math;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Chart {
     /// `(n_x, n_y)`, in the unit disk.
     Projected,

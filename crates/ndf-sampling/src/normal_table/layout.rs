@@ -10,6 +10,7 @@ use crate::numeric::binary16::from_half;
 ///
 /// The default, Gaussian coordinates and stereographic entries, is the recommended one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TableLayout {
     /// Spacing of the entries along both coordinates.
     pub spacing: Spacing,

@@ -30,6 +30,7 @@ use crate::numeric::normal_distribution::{inverse_phi, phi};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Spacing {
     /// Uniform in `z`.
     #[default]

@@ -15,6 +15,14 @@ use crate::point::Point;
 /// ```
 #[doc(alias = "heightmap")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "V: serde::Serialize, V::Array<usize>: serde::Serialize",
+        deserialize = "V: serde::Deserialize<'de>, V::Array<usize>: serde::Deserialize<'de>",
+    ))
+)]
 pub struct Grid<V: Point> {
     /// The point of index 0.
     pub origin: V,

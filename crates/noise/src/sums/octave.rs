@@ -10,6 +10,7 @@ use crate::{
 
 /// Whether octaves are turned against one another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Rotation {
     /// Every octave has an own random rotation, so that lattices meet nowhere and look alike in no direction.
     #[default]

@@ -26,10 +26,30 @@ pub(crate) const MAX_OCTAVES: u32 = Spectrum::MAX_OCTAVES;
 /// ```
 #[doc(alias("hurst", "fbm"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "Arguments"))]
 pub struct Spectrum {
     lacunarity: f32,
     gain: f32,
     max_octaves: u32,
+}
+
+/// What is read goes through the constructor.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Arguments {
+    lacunarity: f32,
+    gain: f32,
+    max_octaves: u32,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Arguments> for Spectrum {
+    type Error = SpectrumError;
+
+    fn try_from(read: Arguments) -> Result<Self, SpectrumError> {
+        Self::new(read.lacunarity, read.gain, read.max_octaves)
+    }
 }
 
 impl Default for Spectrum {

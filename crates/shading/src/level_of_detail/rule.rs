@@ -74,6 +74,7 @@ pub fn facet_coordinates<N: Ndf + ?Sized>(ndf: &N, coordinates: Coordinates) -> 
 /// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum LevelOfDetail {
     /// The density of normals given what is resolved. Its mean over the surface is `p(h)` at every zoom.
     ///

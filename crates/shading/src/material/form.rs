@@ -4,6 +4,7 @@
 ///
 /// The printed form is there to be compared with; what differs is documented at each function that takes a form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Form {
     /// Printed form, errors included.
     Printed,

@@ -45,6 +45,7 @@ pub struct CookTorrance<D, F> {
 
 /// Masking-shadowing function G₂: height-correlated or separable.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Masking {
     /// By the facets' heights: `G₂ = 1/(1 + Λ(ωi) + Λ(ωo))` (Heitz 2014, eq. 99).
     #[default]

@@ -86,6 +86,7 @@ impl Brdf for Phong {
 
 /// The factor of a [`BlinnPhongLobe`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum BlinnPhongFactor {
     /// `(n + 2)(n + 4) / (8π (2^(−n/2) + n))`: straight down, the albedo is exactly `k_s` (Giesen 2009).
     #[default]

@@ -11,6 +11,7 @@ use crate::reflectance::brdf::{Brdf, are_above, finite, mirrored_density};
 
 /// The denominator of a [`WardReflection`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum WardForm {
     /// `1/(4 √(cos θ_i cos θ_o))`: as published. The albedo falls at first and grows as `1/√cos θ_o` without bound at the horizon:
     /// for α = 0.2 and k_s = 1 it is 0.18 at 85°, 0.67 at 89.9° and 6.6 at 89.999°.

@@ -23,8 +23,9 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
-        rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx → simd → density → map → \
-                map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → check",
+        rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx serde → simd → density → \
+                map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
+                check → rand",
         face: Some(65),
     },
     House {

@@ -11,6 +11,7 @@ use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
 /// Which formula an [`OrenNayar`] has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum OrenNayarForm {
     /// Direct light and one interreflection between the facets of a cavity:
     ///
