@@ -3,6 +3,7 @@
 mod anchors;
 mod continuity;
 mod gaussian;
+mod gaussian_tails;
 mod gradient;
 mod hessian;
 mod independence;

@@ -167,7 +167,8 @@ fn range(name: &str, dimension: usize) -> f64 {
 
 /// The greatest |z| that the levels of the variates allow: all at their outermost, with the signs of their weights.
 fn gaussian_range(dimension: usize) -> f64 {
-    // The outermost level of `noise_levels_source`, rounded up.
+    // The greatest value, that of 2⁻³², and the outermost level of `noise_levels_source`, rounded up.
+    const GREATEST: f64 = 6.24;
     const OUTERMOST: f64 = 3.7761;
     // Over half a cell: the other half is its mirror image.
     const STEPS: usize = 32;
@@ -184,10 +185,10 @@ fn gaussian_range(dimension: usize) -> f64 {
             let ends = axes.iter().enumerate().map(|(k, ends)| ends[corner >> k & 1]);
             let (weight, taxicab, square) =
                 ends.fold((1.0, 0.0, 0.0), |(w, l1, l2), (weight, d)| (w * weight, l1 + d, l2 + d * d));
-            sum += weight * (std::f64::consts::SQRT_2 + 2.0 * taxicab);
+            sum += weight * (GREATEST + 2.0 * OUTERMOST * taxicab);
             variance += weight * weight * (1.0 + 4.0 * square);
         }
-        greatest = greatest.max(OUTERMOST * sum / variance.sqrt());
+        greatest = greatest.max(sum / variance.sqrt());
     }
     // The grid's greatest lies in the centre or beside it; a tenth of a percent covers the gaps between its points.
     greatest * 1.001

@@ -27,9 +27,12 @@ use crate::{
 /// points, in cell centres and between, in 1 to 4 dimensions. v is from 0.75 to 1.07 in 2-D and from 0.5 to 1.09 in
 /// 3-D, least in cell centres.
 ///
-/// - **Variates:** 4096 equally likely levels with second and fourth moment 1 and 3; a value is the sum of two, over √2.
+/// - **Variates:** values of 32 bits, whose tails are normal to 5.5 deviations, P(|s| > x) within 0.6 % of the normal's; gradients of 4096
+///   equally likely levels with second and fourth moment 1 and 3.
+/// - **Tails:** at lattice points those of values. Elsewhere the levels' ends take away up to 0.4 % of P(|z| > 4) and 3 % of
+///   P(|z| > 5), most in the middle of edges and nothing that counts in the middle of cells in space.
 /// - **Gradient:** ∇z = (∇n − n ∇v/(2v))/√v.
-/// - **Range:** all of ℝ up to the variates' 12 bits: |s| ≤ 5.35, |g| ≤ 3.78.
+/// - **Range:** all of ℝ up to the variates' bits: |s| ≤ 6.24, |g| ≤ 3.78.
 ///
 /// ```
 /// use asperity_noise::{Field, Gaussian, glam::Vec3};
@@ -120,11 +123,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
 #[inline(always)]
 fn corner<S: Lanes, const N: usize, const CHANNEL: u32>(s: S, word: S::U) -> Corner<S, N> {
     let (value, gradient) = gaussian_variates::<S, N, CHANNEL>(s, word);
-    let mut twice = gradient;
-    for axis in 0..N {
-        twice[axis] = gradient[axis] + gradient[axis];
-    }
-    Corner { value, gradient: twice }
+    Corner { value, gradient }
 }
 
 #[cfg(test)]

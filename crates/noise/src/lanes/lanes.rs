@@ -98,6 +98,8 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn select_word(self, mask: Self::M, yes: Self::U, no: Self::U) -> Self::U;
     /// Whether the mask holds in every lane.
     fn all(self, mask: Self::M) -> bool;
+    /// Whether the mask holds in a lane.
+    fn any(self, mask: Self::M) -> bool;
 
     /// The first floats of a slice, followed by zeros if it has fewer than `LEN`.
     #[inline(always)]
@@ -273,6 +275,10 @@ impl Lanes for Scalar {
     }
     #[inline(always)]
     fn all(self, mask: bool) -> bool {
+        mask
+    }
+    #[inline(always)]
+    fn any(self, mask: bool) -> bool {
         mask
     }
 }

@@ -127,4 +127,8 @@ impl<S: Simd> Lanes for Wide<S> {
     fn all(self, mask: Self::M) -> bool {
         mask.all_true()
     }
+    #[inline(always)]
+    fn any(self, mask: Self::M) -> bool {
+        mask.any_true()
+    }
 }

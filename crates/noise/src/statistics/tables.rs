@@ -356,8 +356,8 @@ static PHI: [f32; 257] = [
 
 #[rustfmt::skip]
 pub(crate) static GAUSSIAN: [Statistics; 4] = [
-    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 9.125428, cdf: &PHI },
-    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 14.901762, cdf: &PHI },
-    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 23.596409, cdf: &PHI },
-    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 36.609005, cdf: &PHI },
+    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 10.026116, cdf: &PHI },
+    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 15.941787, cdf: &PHI },
+    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 24.870174, cdf: &PHI },
+    Statistics { standard_deviation: 1.0, excess_kurtosis: 0.0, absolute_moments: [0.7978846, 1.0, 1.5957692, 3.0], range: 38.220207, cdf: &PHI },
 ];

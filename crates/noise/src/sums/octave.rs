@@ -4,7 +4,7 @@ use crate::{
     contract::kernel::Kernel,
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::mix,
-    lattice::variates::{gaussian_corner, unit_direction},
+    lattice::variates::{gaussian_quaternion, unit_direction},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
 
@@ -162,7 +162,7 @@ fn random_rotation<const N: usize>([first, second]: [u32; 2]) -> [[f32; N]; N] {
             copy(&mut matrix, &[[c, -s], [s, c]]);
         }
         3 => {
-            let [(x, [y, z, w]), _] = gaussian_corner::<3>(first);
+            let [x, y, z, w] = gaussian_quaternion(first);
             let s = 2.0 / (x * x + y * y + z * z + w * w);
             copy(
                 &mut matrix,
