@@ -263,8 +263,8 @@ fn the_gaussian_range_is_that_of_the_outermost_variates() {
     {
         // In the cell's centre every weight is 2⁻ⁿ and every distance ½ an axis; near it are no greater values.
         let corners = f64::from(1_u32 << N);
-        let outermost = 3.776_028;
-        let sum = outermost * (std::f64::consts::SQRT_2 + N as f64);
+        let (greatest, outermost) = (6.230_2, 3.776_028);
+        let sum = greatest + outermost * N as f64;
         let variance = (1.0 + N as f64) / corners;
         (sum / variance.sqrt(), f64::from(Noise::<V>::statistics(&Gaussian::default()).range))
     }
