@@ -348,7 +348,9 @@ mod tests {
             let x = (f64::from(i) * f64::from(i) * 0.2147) as i32 | 1;
             // From line to line and to the first chord z may fall by what they miss.
             assert!(z(x) >= before - 2e-3, "{x}: {} after {before}", z(x));
-            assert_abs_diff_eq!(z(x), -z(-x), epsilon = 1e-3);
+            // Mirrored words lie one word apart, so one may be on a line and the other on a chord over a quarter of its distance
+            // from the end, which misses p by 1/(8 · 4²) of it and z by a third of that.
+            assert_abs_diff_eq!(z(x), -z(-x), epsilon = 2.6e-3);
             before = z(x);
         }
         assert_abs_diff_eq!(z(i32::MAX), 0.0, epsilon = 1e-6);

@@ -49,8 +49,8 @@ impl Scene<'_, '_> {
             None => sum + scattered * light.radiance(wi) / (density + light.density(wi)),
             Some(meeting) => {
                 let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), start);
-                // What goes on inside of rough glass has not left it.
-                let left = if spot.inside(local) && mirrors < MIRRORS {
+                // Behind rough glass, a body or a pane, light is on its way still.
+                let left = if local.z < 0.0 && mirrors < MIRRORS {
                     [mirrors + 1, bounces]
                 } else {
                     [MIRRORS, bounces - 1]
