@@ -140,7 +140,7 @@ impl Halves {
     }
 }
 
-/// What is true of a ray.
+/// Truth about a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Verdict {
     /// The first root lies between these.

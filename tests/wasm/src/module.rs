@@ -1,4 +1,4 @@
-//! What a module for the web needs instead of std, and its one function.
+//! Module for the web: its needs in place of std, and its one function.
 
 use alloc::boxed::Box;
 

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const LINKER: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER";
-/// What a module may be built for, and the folder of its build.
+/// Targets of a module, with the folders of their builds.
 const MODULES: [(&str, &str, &str); 2] = [
     ("without SIMD128", "", "target/wasm"),
     ("with SIMD128", "-C target-feature=+simd128", "target/wasm128"),

@@ -87,13 +87,13 @@ impl<F: Function> Level<F> {
     }
 }
 
-/// What is known of the side of the surface on which the ray is.
+/// Side of the surface on which the ray is, as far as it is known.
 struct Sight {
     /// `±1` where it was known last, 0 at the beginning.
     side: f64,
-    /// Where the ray came so near that rounding hides the side.
+    /// Distance at which the ray came so near that rounding hides the side.
     touched: Option<f64>,
-    /// Where a limit left undecided whether it passes through.
+    /// Distance at which a limit left undecided whether it passes through.
     lost: Option<f64>,
     /// The way from there within which a change of sides is a root.
     close: f64,
@@ -265,7 +265,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         false
     }
 
-    /// Where the budget ends a change of sign is the best guess; true.
+    /// A change of sign as the best guess at the end of the budget; true.
     fn give_up(&mut self, span: Interval) -> bool {
         let [a, b] = [span.lo, span.hi].map(|t| self.way.height(t).value);
         let t = match self.sight.touched {

@@ -44,7 +44,7 @@ pub struct Hit {
     pub certain: bool,
 }
 
-/// Where a search along a ray ends.
+/// End of a search along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Root {
     pub(crate) t: f64,

@@ -26,7 +26,7 @@ pub(crate) struct Way<'a, S: ?Sized> {
     pub(crate) exact: bool,
     /// Evaluations or boxes left.
     pub(crate) budget: u32,
-    /// Where a limit first left undecided whether the ray meets the surface.
+    /// Distance at which a limit first left undecided whether the ray meets the surface.
     pub(crate) lost: Option<f64>,
 }
 

@@ -114,7 +114,7 @@ impl Cells {
 /// By how much the quadrature of a part may change when it is halved: two in a thousand of a cell's share, divided among its parts.
 const TOLERANCE: f64 = 2e-6;
 
-/// How often a cell is halved in search of more digits, before its kinks are taken as they are.
+/// Halvings of a cell in search of more digits, before its kinks are taken as they are.
 const DEEPEST: u32 = 16;
 
 /// Halves a rectangle along its side of the larger change until that no longer counts.

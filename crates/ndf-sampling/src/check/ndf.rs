@@ -6,10 +6,10 @@ use alloc::vec::Vec;
 
 use glam::{Vec2, Vec3};
 
-use crate::check::Settings;
 use crate::check::cells::Cells;
 use crate::check::chi_square::p_value;
 use crate::check::report::{Limit, Report};
+use crate::check::settings::Settings;
 use crate::ndf::Ndf;
 use crate::numeric::hashed::Hashed;
 use crate::numeric::normal_distribution::inverse_phi;
@@ -34,7 +34,7 @@ const PILOT: u32 = 4096;
 /// /// A density of one's own, one per cent too bright.
 /// struct Bright(asperity_ndf_sampling::Beckmann);
 /// impl Ndf for Bright {
-///     fn density(&self, m: Vec3) -> f32 { 1.01 * self.0.density(m) }
+///     fn density(&self, m: Vec3) -> f32 { (1.01 * self.0.density(m)).min(f32::MAX) }
 ///     fn from_gaussian(&self, z: Vec2) -> Vec3 { self.0.from_gaussian(z) }
 ///     fn to_gaussian(&self, m: Vec3) -> Vec2 { self.0.to_gaussian(m) }
 /// }

@@ -1,4 +1,4 @@
-//! What was checked, with its figures and its limits.
+//! Properties that were checked, with their figures and limits.
 
 use alloc::borrow::Cow;
 use alloc::string::String;
@@ -30,9 +30,9 @@ pub struct Check {
     pub quantity: &'static str,
     /// Its worst value.
     pub value: f64,
-    /// What the value must keep.
+    /// Bound that the value must keep.
     pub limit: Limit,
-    /// Where the worst value was met; empty if there is only one place.
+    /// Place of the worst value; empty if there is only one place.
     pub place: String,
 }
 

@@ -67,7 +67,7 @@ pub struct Masked<N> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cell {
     centre: Vec3,
-    /// How far from its centre a direction of it is at most.
+    /// Greatest distance of a direction of it from its centre.
     reach: f32,
     /// A bound of the density times the solid angle.
     weight: f32,

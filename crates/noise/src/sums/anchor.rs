@@ -1,6 +1,6 @@
 //! Octaves seen from an anchor far from the origin: each in a cell of its own, and near it.
 
-/// Where an anchor lies in the coordinates of an octave along an axis: cell + place, exactly.
+/// Place of an anchor in the coordinates of an octave along an axis: cell + place, exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Position {
     cell: i64,

@@ -341,7 +341,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
     /// assert_ne!(tile.value(p), tile.value(p + Vec2::new(4.0, 0.0)));
     ///
     /// // The default lacunarity is 2.17, and 8 · 2.17 is no period.
-    /// assert!(matches!(Octaves::tiled(noise, Spectrum::default()), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
+    /// assert!(matches!(Octaves::<_, 2>::tiled(noise, Spectrum::default()), Err(TiledError::NoOctavePeriod { octave: 1, .. })));
     /// # Ok::<(), TiledError>(())
     /// ```
     #[doc(alias("seamless", "tileable", "periodic"))]

@@ -33,7 +33,7 @@ pub struct Spectrum {
     max_octaves: u32,
 }
 
-/// What is read goes through the constructor.
+/// Spectrum as it is read: it goes through the constructor.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -64,7 +64,7 @@ impl Metric {
         slopes
     }
 
-    /// How far a cell can be, in cells along one axis, for its feature point to be the nearest or the second nearest of a point.
+    /// Greatest distance of a cell, in cells along one axis, for its feature point to be the nearest or the second nearest of a point.
     ///
     /// Let the point lie in its cell with m as the greatest of mᵢ = max(tᵢ, 1 − tᵢ). A feature point of its own cell is within
     /// |m|, one of the cell across the border next to it along the axis of m within |m| with 2 − m in the place of m. A cell k

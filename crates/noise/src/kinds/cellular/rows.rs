@@ -21,9 +21,9 @@ type Numbers = [[f32; COLUMNS]; SECTIONS];
 /// The feature points of the columns that a stretch of a row crosses.
 #[derive(Clone, Debug)]
 pub struct Columns<const N: usize> {
-    /// What the places were computed for.
+    /// Line for which the places were computed.
     key: Option<Key<N>>,
-    /// How far columns reach, and the number of cells in each.
+    /// Reach of columns, and the number of cells in each.
     reach: usize,
     sections: usize,
     /// The steps to the cells of a column.
