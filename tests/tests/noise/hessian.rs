@@ -52,8 +52,8 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
         if (0..N).any(|axis| [4.0 * H, -4.0 * H].into_iter().any(|step| !inside(moved(axis, step)))) {
             continue;
         }
-        for i in 0..N {
-            for j in 0..N {
+        for (i, row) in hessian.iter().enumerate() {
+            for (j, &entry) in row.iter().enumerate() {
                 let slope = |q: [f64; N]| {
                     difference(H, |step| {
                         let mut q = q;
@@ -63,7 +63,7 @@ fn relative_error<const N: usize>(kind: Kind, jet: &dyn Fn([f32; N], u32) -> Jet
                 };
                 let expected = kind.scales()[N - 1] * difference(H, |step| slope(moved(i, step)));
                 greatest = greatest.max(expected.abs());
-                worst = worst.max((f64::from(hessian[i][j]) - expected).abs());
+                worst = worst.max((f64::from(entry) - expected).abs());
                 compared += 1;
             }
         }

@@ -28,6 +28,9 @@ fn painted() -> Vec<(&'static str, Box<dyn Microfacet>)> {
     ]
 }
 
+/// Samples along a side of the square.
+const SIDE: u32 = 40;
+
 #[test]
 fn painted_metals_make_no_energy() {
     for (name, density) in painted() {
@@ -36,7 +39,6 @@ fn painted_metals_make_no_energy() {
             for turn in [0.3_f32, 2.0, 4.4] {
                 let wo = (Vec2::from_angle(turn) * (1.0 - up * up).max(0.0).sqrt()).extend(up);
                 let (mut albedo, mut heaviest) = (0.0, 0.0_f32);
-                const SIDE: u32 = 40;
                 for k in 0..SIDE * SIDE {
                     let u = Vec2::new((k % SIDE) as f32 + 0.5, (k / SIDE) as f32 + 0.5) / SIDE as f32;
                     let wi = metal.sample(wo, u);
