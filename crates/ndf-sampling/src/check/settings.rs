@@ -1,6 +1,6 @@
 //! Seed and effort of checks.
 
-/// The seed and the effort of a [`Report`].
+/// The seed and the effort of a [`Report`](super::Report).
 ///
 /// ```
 /// use asperity_ndf_sampling::check::Settings;

@@ -163,6 +163,7 @@ impl<'a> IsotropicRef<'a> {
     }
 
     /// At least the largest density between two cosines.
+    #[cfg(feature = "alloc")]
     pub(crate) fn most_between(&self, low: f64, high: f64) -> f32 {
         let cells = self.cells() as f64;
         // With a node beyond, for cosines are rounded.

@@ -27,7 +27,7 @@ impl PerlinTable {
     /// His noise over [`Perlin2002`](crate::Perlin2002)'s, whose range is [−1, 1].
     pub const SCALE: f32 = crate::lattice::variates::EDGE_MAXIMUM[2] / crate::lattice::variates::MARGIN;
 
-    /// The byte p[…p[p[x] + y]…] of a cell.
+    /// The byte `p[…p[p[x] + y]…]` of a cell.
     #[must_use]
     #[inline]
     pub fn index<const N: usize>(&self, cell: [i32; N]) -> u8 {
