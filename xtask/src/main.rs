@@ -8,6 +8,7 @@ mod gallery;
 mod input;
 mod output;
 mod progress;
+mod render;
 mod tables;
 
 use std::io::Write;
@@ -70,7 +71,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             progress::say(&format!("the tables: {}", output.place("index.html")));
             Ok(())
         }
-        Command::Render(wanted) => gallery::render::render(&wanted, interrupted),
+        Command::Render(wanted) => render::render(&wanted, interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
         Command::Check(wanted) => check::density::check(&wanted),
         Command::Tidy => {

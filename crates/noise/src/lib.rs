@@ -113,7 +113,7 @@
     reason = "an axis indexes several arrays, and closures of iterators are not compiled for the lanes' SIMD level"
 )]
 
-#[cfg(feature = "alloc")]
+#[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;

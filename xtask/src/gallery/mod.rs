@@ -4,12 +4,10 @@ mod captions;
 
 pub(crate) mod figure;
 pub(crate) mod figures;
-mod materials;
 pub(crate) mod page;
 pub(crate) mod panels;
 pub(crate) mod plot;
 pub(crate) mod power_spectrum;
-pub(crate) mod render;
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 

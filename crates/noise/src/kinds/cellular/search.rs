@@ -339,7 +339,7 @@ mod tests {
     {
         let nearest = wide_search(&noise, p, window);
         let [first, second, third] = nearest.map(|found| found.distance);
-        let what = || std::format!("{:?} {p:?} of jitter {}", noise.metric(), noise.jitter());
+        let what = || alloc::format!("{:?} {p:?} of jitter {}", noise.metric(), noise.jitter());
         for (basis, expected) in [(Basis::F1, first), (Basis::F2, second), (Basis::F2MinusF1, second - first)]
         {
             let noise = noise.with_basis(basis);
