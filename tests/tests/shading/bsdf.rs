@@ -1,5 +1,8 @@
 //! BSDFs of all materials: energy, samples against their density, reciprocity, and light through coats.
 
+use std::f32::consts::PI;
+
+use asperity_shading::bump::bumped_normal;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{BumpField, LevelOfDetail};
 use asperity_shading::material::{
@@ -11,7 +14,7 @@ use asperity_shading::ndf_sampling::{Beckmann, Ggx};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::normal_map::SlopePyramid;
 use asperity_shading::pixel::Footprint;
-use asperity_shading::reflectance::{Brdf, Coat, Delta, Dielectric, Lambert};
+use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Delta, Dielectric, Lambert};
 use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
 use asperity_tests::assert_abs_diff_eq;
 
@@ -204,5 +207,54 @@ fn coats_mirror_and_refract() {
     assert!((a - b).length() > 0.1, "{a} {b}");
     for bad in [Vec3::ZERO, Vec3::X, Vec3::NAN] {
         assert_eq!(bsdf.deltas(bad, u), [Delta::default(); 2]);
+    }
+}
+
+/// The unit square, each side in so many parts, at their middles: Gaussian slopes of the deviation 1.
+fn gaussian_slopes(rings: u16, sectors: u16) -> Vec<Vec2> {
+    let at = |k: u16, n: u16| (f32::from(k) + 0.5) / f32::from(n);
+    let ring = |i| (-2.0 * (1.0 - at(i, rings)).ln()).sqrt();
+    let turn = |i: u16, j| 2.0 * PI * (at(j, sectors) + f32::from(i % 2) * 0.5 / f32::from(sectors));
+    (0..rings).flat_map(|i| (0..sectors).map(move |j| ring(i) * Vec2::from_angle(turn(i, j)))).collect()
+}
+
+#[test]
+fn slopes_too_fine_for_the_pixel_leave_the_mean_of_what_they_send() {
+    let glass = Dielectric::new(1.52).unwrap();
+    let (metal, body, pane) = (Coat::metal(Vec3::ONE), Coat::body(glass), Coat::pane(glass, Vec3::ONE));
+    // The roughness and the deviation of the slopes, and how much of the peak may be off: measured 0.2 % and 8 %.
+    let cases = [
+        ("metal", metal, [0.2, 0.105], 0.005),
+        ("body", body, [0.2, 0.105], 0.005),
+        ("pane", pane, [0.2, 0.105], 0.005),
+        ("metal", metal, [0.05, 0.1], 0.1),
+        ("body", body, [0.05, 0.1], 0.1),
+    ];
+    let slopes = gaussian_slopes(24, 48);
+    for (name, coat, [alpha, deviation], bound) in cases {
+        let coat = coat.rough(alpha);
+        for wo in [Vec3::Z, direction(1.05, 0.3)] {
+            let far = coat.bumped(Vec3::Z, deviation * deviation);
+            let far = Bsdf::new(wo).with_coat(far);
+            let near: Vec<_> = slopes
+                .iter()
+                .map(|slope| bumped_normal(Vec3::Z, deviation * slope.extend(0.0)))
+                .map(|normal| Bsdf::new(wo).with_coat(coat.bumped(normal, 0.0)))
+                .collect();
+            // Of what is mirrored and of what is transmitted.
+            let (mut worst, mut peaks) = ([0.0_f32; 2], [0.0_f32; 2]);
+            for (theta, phi) in (0..24_u8).flat_map(|i| (0..12_u8).map(move |j| (i, j))) {
+                let [theta, phi] = [(f32::from(theta) + 0.5) / 24.0, f32::from(phi) / 6.0];
+                let wi = direction(f64::from(theta * PI), f64::from(phi * PI));
+                let mean = near.iter().map(|bsdf| bsdf.scattered(wi, wo).x).sum::<f32>() / near.len() as f32;
+                let side = usize::from(wi.z < 0.0);
+                worst[side] = worst[side].max((far.scattered(wi, wo).x - mean).abs());
+                peaks[side] = peaks[side].max(mean);
+            }
+            println!("{name}, {alpha}, {wo:.1}: {:?}", [worst[0] / peaks[0], worst[1] / peaks[1]]);
+            for (worst, peak) in worst.into_iter().zip(peaks) {
+                assert!(worst <= bound * peak, "{name}, {alpha}, {wo}: {worst} of {peak}");
+            }
+        }
     }
 }

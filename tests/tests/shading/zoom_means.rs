@@ -23,7 +23,7 @@ fn demand(name: &str) -> (f64, [u32; 3]) {
         "carpet" | "carpet, grid" => (0.04, [110; 3]),
         "paint" => (0.05, [40, 64, 110]),
         "orange peel" | "glass" => (0.05, [80; 3]),
-        "glass, noise" => (0.05, [128; 3]),
+        "glass, noise" => (0.02, [330; 3]),
         _ => (0.05, [40; 3]),
     }
 }
@@ -56,7 +56,8 @@ fn materials_keep_their_mean_radiance_from_afar_to_very_near() {
         let [change, error] = worst(&subject, pixels);
         println!("{}: {change:.4}, standard errors up to {error:.4}", subject.name);
         assert!(error < bound / 3.0, "{}: an error of {error} shows nothing", subject.name);
-        // Measured: 2.5 % of scratches, 2 % of carpets, 1.4 % of flakes and less of the others, with errors of up to 1.3 %.
+        // Measured: 2.5 % of scratches, 2 % of carpets, 1.8 % of noisy glass, 1.4 % of flakes and less of the others, with errors of
+        // up to 1.3 %. Of the glass 1.3 % is left with an error of 0.1 %: half by its facets, half by the noise, whose slopes are no Gaussians.
         assert!(change < bound, "{}: {change}", subject.name);
     }
     // The paper's rule fails.

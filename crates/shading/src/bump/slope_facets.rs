@@ -34,13 +34,15 @@ impl Facet {
 /// Facets that stand for Gaussian slopes about a bumped normal, with their shares.
 ///
 /// ```text
-/// slopes g and g + 2√variance (cos kπ/3, sin kπ/3),   shares 1/2 and six times 1/12,   g the slope of `bumped`
+/// slopes g, g + √(6 − 2√3) σ (cos kπ/3, sin kπ/3) and g + √(6 + 2√3) σ (sin kπ/3, cos kπ/3),
+/// shares 1/3, six times (2 + √3)/36 and six times (2 − √3)/36,   σ² = variance,   g the slope of `bumped`
 /// ```
 ///
 /// `variance` is that along each axis: what fading took from the bumps of a material. The mean of any lighting model over the facets is what the pixel shows, exactly so for models that are
-/// polynomials of the slope up to the fifth degree (Stroud 1971, *Approximate Calculation of Multiple Integrals*, E₂^{r²} 5-1). A
-/// lobe of the width α = √2 · deviation or more sees no gaps between them; for a narrower one α² + 2 · variance is the better
-/// approximation.
+/// polynomials of the slope up to the fifth degree, and for those of |slope − g|² up to the fourth: Gauss and Radau's formula for
+/// the weight of Laguerre, with hexagons in place of circles (Stroud 1971, *Approximate Calculation of Multiple Integrals*, §2.7).
+/// A lobe of Beckmann's α = √2 · σ or more sees no gaps between them: a mirror of that width with σ = 0.1 is 1.3 % of its peak off
+/// straight above, one of half the width 56 %. For a narrower one α² + 2 · variance is the better approximation.
 ///
 /// Facets may be turned from the eye: see [`facing`](crate::bump::facing).
 ///
@@ -60,29 +62,47 @@ impl Facet {
 pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item = Facet> + use<> {
     let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
     let deviation = if variance > 0.0 { sqrt(variance) } else { 0.0 };
-    facets_along(n, bumped, [tangent * deviation, bitangent * deviation], 0.5)
+    let root = sqrt(3.0);
+    let rings = [-root, root].map(|root| [(2.0 - root) / 6.0, sqrt(6.0 + 2.0 * root)]);
+    in_rings(n, bumped, [tangent * deviation, bitangent * deviation], rings)
 }
 
-/// Facets for slopes with these deviations along two axes, with this share of the facet in the middle.
+/// Fewer facets for slopes with these deviations along two axes, with this share of the facet in the middle.
 ///
 /// ```text
 /// √(2/(1 − middle)) (u cos kπ/3 + v sin kπ/3),   shares (1 − middle)/6
 /// ```
+///
+/// Exact up to the fifth degree for a middle of one half (Stroud 1971, E₂^{r²} 5-1).
 pub(crate) fn facets_along(
     n: Vec3,
     bumped: Vec3,
-    [u, v]: [Vec3; 2],
+    axes: [Vec3; 2],
     middle: f32,
 ) -> impl Iterator<Item = Facet> + use<> {
+    in_rings(n, bumped, axes, [[1.0 - middle, sqrt(2.0 / (1.0 - middle))]])
+}
+
+/// A facet in the middle, and six in each ring of this share and radius, every other ring turned by a twelfth.
+fn in_rings<const RINGS: usize>(
+    n: Vec3,
+    bumped: Vec3,
+    [u, v]: [Vec3; 2],
+    rings: [[f32; 2]; RINGS],
+) -> impl Iterator<Item = Facet> + use<RINGS> {
     let cosine = bumped.dot(n);
     let rough = (u != Vec3::ZERO || v != Vec3::ZERO) && u.is_finite() && v.is_finite();
     let rough = rough && cosine > 0.0 && bumped.is_finite();
     let slope = n - bumped / cosine;
-    let radius = sqrt(2.0 / (1.0 - middle));
-    let (middle, sides) = if rough { (middle, HEXAGON.as_slice()) } else { (1.0, [].as_slice()) };
-    let share = (1.0 - middle) / 6.0;
-    let facet = move |[x, y]: [f32; 2]| Facet::new(share, bumped_normal(n, slope + (u * x + v * y) * radius));
-    core::iter::once(Facet::new(middle, bumped)).chain(sides.iter().copied().map(facet))
+    let middle = if rough { 1.0 - rings.iter().map(|[share, _]| share).sum::<f32>() } else { 1.0 };
+    let count = if rough { RINGS } else { 0 };
+    let sides = rings.into_iter().take(count).enumerate().flat_map(move |(ring, [share, radius])| {
+        HEXAGON.into_iter().map(move |[x, y]| {
+            let [x, y] = if ring % 2 == 0 { [x, y] } else { [y, x] };
+            Facet::new(share / 6.0, bumped_normal(n, slope + (u * x + v * y) * radius))
+        })
+    });
+    core::iter::once(Facet::new(middle, bumped)).chain(sides)
 }
 
 const HEIGHT: f32 = 0.866_025_4;
@@ -99,16 +119,17 @@ mod tests {
         let n = Vec3::new(0.36, 0.48, 0.8);
         let Frame { tangent, bitangent, .. } = Frame::from_normal(n);
         let bumped = bumped_normal(n, 0.2 * tangent - 0.1 * bitangent);
-        let mut moments = [0.0_f32; 6];
+        let mut moments = [0.0_f32; 8];
         for Facet { share, normal: m } in slope_facets(n, bumped, 0.09) {
             let slope = n - m / m.dot(n);
             let (x, y) = (slope.dot(tangent) - 0.2, slope.dot(bitangent) + 0.1);
-            let terms = [1.0, x, y, x * x, x * y, x * x * y * y];
+            let (square, xy) = (x * x + y * y, x * y);
+            let terms = [1.0, x, y, x * x, xy, xy * xy, square.powi(3) / 48.0, square.powi(4) / 384.0];
             for (moment, term) in moments.iter_mut().zip(terms) {
                 *moment += share * term;
             }
         }
-        let expected = [1.0, 0.0, 0.0, 0.09, 0.0, 0.0081];
+        let expected = [1.0, 0.0, 0.0, 0.09, 0.0, 0.0081, 0.09_f32.powi(3), 0.09_f32.powi(4)];
         for (got, expected) in moments.into_iter().zip(expected) {
             assert_abs_diff_eq!(got, expected, epsilon = 1e-6, "{moments:?}");
         }

@@ -60,6 +60,9 @@ pub struct Delta {
     pub weight: Vec3,
 }
 
+/// `α²/v` of the narrowest lobe that sees no gaps between the facets of slopes of the variance v.
+const GAPLESS: f32 = 1.4;
+
 impl Coat {
     const fn flat(behind: Behind) -> Self {
         Self { normal: Vec3::Z, slopes: Slopes::Gaussian(0.0), roughness: 0.0, behind }
@@ -114,9 +117,36 @@ impl Coat {
         Self { roughness: clamp_to(alpha, 1.0), ..self }
     }
 
+    /// The width of the lobe of a rough coat, and the variance of the slopes of the facets about which it stands.
+    ///
+    /// Where the lobe is narrower than the gaps between facets it takes a share β of the slopes' variance v, as much as makes it as wide:
+    ///
+    /// ```text
+    /// α′² = α² + 2βv,   v′ = (1 − β) v,   α′² ≥ 1.4 v′
+    /// ```
+    ///
+    /// Against the mean over slopes, α = √v = 0.1: a mirror seen from 0° and 60° is 5 % and 3 % of its peak off; with α as it is, 12 % and 6 %,
+    /// for α = 0.02 four times the peak. A pane keeps its width: slopes do not spread what comes straight through it.
+    fn widened(&self) -> (f32, f32) {
+        let square = self.roughness * self.roughness;
+        match self.slopes {
+            Slopes::Gaussian(v) if v.is_finite() && square < GAPLESS * v && !self.is_pane() => {
+                let taken = (GAPLESS * v - square) / (2.0 + GAPLESS);
+                (sqrt(square + 2.0 * taken), v - taken)
+            }
+            Slopes::Gaussian(v) => (self.roughness, v),
+            Slopes::Sine(_) => (self.roughness, 0.0),
+        }
+    }
+
+    fn is_pane(&self) -> bool {
+        matches!(self.behind, Behind::Pane(..))
+    }
+
     /// The lobe of a rough coat.
     pub(super) fn lobe<'a>(&self) -> Option<Lobe<'a>> {
-        let facets = Beckmann::clamped(self.roughness, self.roughness);
+        let (alpha, _) = self.widened();
+        let facets = Beckmann::clamped(alpha, alpha);
         (self.roughness > 0.0).then_some(match self.behind {
             Behind::Layers(fresnel) => CookTorrance::new(facets, fresnel).into(),
             Behind::Body(fresnel) => RoughDielectric::new(facets, fresnel).into(),
@@ -130,9 +160,10 @@ impl Coat {
     ///
     /// Of a sine three, at −√3/2, 0 and √3/2 of its swing, by the formula of Gauss and Chebyshev.
     pub(super) fn facets(&self) -> impl Iterator<Item = Facet> + use<> {
-        let (swing, variance, share) = match self.slopes {
-            Slopes::Gaussian(variance) => (Vec3::ZERO, variance, 1.0),
-            Slopes::Sine(swing) => (0.866_025_4 * swing, 0.0, 1.0 / 3.0),
+        let (_, variance) = self.widened();
+        let (swing, share) = match self.slopes {
+            Slopes::Gaussian(_) => (Vec3::ZERO, 1.0),
+            Slopes::Sine(swing) => (0.866_025_4 * swing, 1.0 / 3.0),
         };
         let sine = swing != Vec3::ZERO && self.normal.z > 0.0;
         let share = if sine { share } else { 1.0 };
