@@ -50,6 +50,7 @@
 //! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
 //! | [`Torus`] | a periodic surface without grain, through heights with gradients |
 //! | [`Folded`] | the like on a grid of unequal cells, not periodic |
+//! | [`RoughFolded`] | a continuous surface with a vertical factor at every node |
 //! | [`SelfAffine::bounds`], [`SelfAffine::extrema_over`], [`SelfAffine::mean`] | rigorous bounds and means of either |
 //! | [`SelfAffine::narrowed`] | narrower global ranges, before searches |
 //! | [`Recurrent`] | systems whose maps copy parts of the graph, each its own |
@@ -74,7 +75,7 @@
 //! |---|---|
 //! | `std` (default) | roots, powers and logarithms of the standard library |
 //! | `libm` | those of `libm`, for targets without a standard library; wins over `std` |
-//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables behind `tabulated()` |
+//! | `alloc` (default) | [`Fif`], [`Table`], [`Torus`], [`Folded`], [`RoughFolded`], [`Tabulated`], [`Recurrent`], [`fit`], and the tables behind `tabulated()` |
 //! | `serde` | systems written to files, and read through the checks of [`Fif::with_ordinates`]; needs `alloc` |
 //! | `approx` | comparisons of intervals, values with bounds, jets, rays and hits to a tolerance |
 //! | `simd` (default) | batches of [`Table32`] and of jets in SIMD lanes, with the same bits |
@@ -134,7 +135,10 @@ pub use surface::height_field::{curvature::Curvature, height_field::HeightField}
 pub use surface::{
     extrema::SurfaceExtrema,
     height_field::normal_distribution::NormalDistributionError,
-    self_affine::{error::SelfAffineError, folded::Folded, self_affine::SelfAffine, torus::Torus},
+    self_affine::{
+        error::SelfAffineError, folded::Folded, rough_folded::RoughFolded, self_affine::SelfAffine,
+        torus::Torus,
+    },
 };
 #[cfg(feature = "alloc")]
 pub use system::fif::Fif;

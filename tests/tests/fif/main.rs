@@ -14,6 +14,7 @@ mod properties;
 mod rays;
 mod recurrent;
 mod reference;
+mod rough_folded;
 mod serialise;
 mod surface_rays;
 mod surfaces;

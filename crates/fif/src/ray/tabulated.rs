@@ -9,6 +9,7 @@ use crate::ray::intersect::Intersect;
 use crate::ray::quadtree::{self, Square, Squares};
 use crate::ray::ray::{Hit, Ray};
 use crate::surface::bounds::{Surface, SurfaceBounds};
+use crate::surface::self_affine::rough_folded::RoughFolded;
 use crate::surface::self_affine::self_affine::{Fold, SelfAffine};
 
 /// A surface with bounds over the squares of its quartered domain: hits are found several times as fast.
@@ -87,6 +88,16 @@ impl<F: Fold> SelfAffine<F> {
     #[must_use]
     pub fn tabulated(self) -> Tabulated<Self> {
         Tabulated::new(self.narrowed())
+    }
+}
+
+impl Intersect for RoughFolded {}
+
+impl RoughFolded {
+    /// The surface with a table of bounds: faster hits.
+    #[must_use]
+    pub fn tabulated(self) -> Tabulated<Self> {
+        Tabulated::new(self)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// The refusal of a [`Torus`](crate::Torus) or of a [`Folded`](crate::Folded) surface. Axes are 0 and 1; knots, cells and
+/// The refusal of a [`Torus`](crate::Torus), a [`Folded`](crate::Folded) or a [`RoughFolded`](crate::RoughFolded) surface. Axes are 0 and 1; knots, cells and
 /// nodes are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -50,6 +50,13 @@ pub enum SelfAffineError {
         /// The least magnitude that is too large.
         most: f64,
     },
+    /// The vertical factor at a node is NaN or no smaller than 1 in magnitude, so values do not converge.
+    NodeFactor {
+        /// The node.
+        node: [usize; 2],
+        /// The vertical factor there.
+        factor: f64,
+    },
     /// A height or a component of a gradient is NaN or infinite.
     NotFinite {
         /// The node.
@@ -83,6 +90,9 @@ impl fmt::Display for SelfAffineError {
             }
             Self::Factor { factor, most } => {
                 write!(f, "`factor` must be under {most} in magnitude, got {factor}")
+            }
+            Self::NodeFactor { node: [i, j], factor } => {
+                write!(f, "`factors` must be under 1 in magnitude, got {factor} at node ({i}, {j})")
             }
             Self::NotFinite { node: [i, j], value } => {
                 write!(f, "`z` and `d` must be finite, got {value} at node ({i}, {j})")

@@ -3,12 +3,12 @@
 use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::UNIT;
 use crate::surface::bounds::SurfaceBounds;
-use crate::surface::hermite_patch::{Corner, Patch};
-use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
+use crate::surface::hermite_patch::Patch;
+use crate::surface::self_affine::error::SelfAffineError;
 use crate::surface::self_affine::folded_limits::{limits, slope_rounding, value_rounding};
 use crate::surface::self_affine::limits::Limits;
 use crate::surface::self_affine::self_affine::{Cell, Fold, Part, SelfAffine};
-use crate::surface::self_affine::zig_zag::{Node, Strip, ZigZag, part_of};
+use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, part_of};
 
 /// A fractal surface through given heights with given gradients on a grid of unequal cells, once continuously
 /// differentiable, that is no product of curves.
@@ -32,7 +32,7 @@ use crate::surface::self_affine::zig_zag::{Node, Strip, ZigZag, part_of};
 ///   `|s| < a` the limit is C¹; its gradient is Hölder continuous ([`SelfAffine::gradient_modulus`]).
 ///
 /// s is one number, since a factor that varies would have to be constant across every line of the grid, and since the mean
-/// is known then: [`SelfAffine::mean`].
+/// is known then: [`SelfAffine::mean`]. [`RoughFolded`](crate::RoughFolded) has a factor at every node, up to 1, and no slopes.
 ///
 /// - **Domain:** `[x_0, x_m] × [y_0, y_n]`; points outside, infinite ones too, are clamped to it. NaN gives NaN.
 /// - **Accuracy:** at the given nodes exact. Else within the reported bounds: values 2·10⁻¹⁵ of the range where `|s|/a` is
@@ -68,35 +68,12 @@ impl SelfAffine<ZigZag> {
         z: &[f64],
         d: &[[f64; 2]],
     ) -> Result<Self, SelfAffineError> {
-        let along = [knots(0, x)?, knots(1, y)?];
-        let magnitude = magnitudes(x.len().saturating_mul(y.len()), y.len(), z, d)?;
-        let ratio = along[0].narrowest.min(along[1].narrowest);
-        let contraction = factor.abs() / ratio * (1.0 + 32.0 * UNIT);
+        let Grid { fold, narrowest, widest, magnitudes } = ZigZag::through(x, y, z, d)?;
+        let contraction = factor.abs() / narrowest * (1.0 + 32.0 * UNIT);
         if contraction.is_nan() || contraction >= 1.0 {
-            return Err(SelfAffineError::Factor { factor, most: ratio });
+            return Err(SelfAffineError::Factor { factor, most: narrowest });
         }
-        let domain = along.map(|axis| axis.domain);
-        let corner = |i: usize, j: usize| {
-            z.get(i * (x.len() - 1) * y.len() + j * (y.len() - 1)).copied().unwrap_or(0.0)
-        };
-        let corners = [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]];
-        let node = |(index, (&z, &[z_x, z_y])): (usize, (&f64, &[f64; 2]))| {
-            let (i, j) = (index / y.len(), index % y.len());
-            let knot = |along: &[f64], k: usize| along.get(k).copied().unwrap_or(0.0);
-            let at = [part_of(domain[0], knot(x, i)), part_of(domain[1], knot(y, j))];
-            let [base, base_x, base_y] = bilinear(&corners, at);
-            let (ends_x, ends_y) = (i == 0 || i + 1 == x.len(), j == 0 || j + 1 == y.len());
-            let own = [
-                if ends_x && ends_y { 0.0 } else { z - base },
-                if ends_x { 0.0 } else { z_x * domain[0].width() - base_x },
-                if ends_y { 0.0 } else { z_y * domain[1].width() - base_y },
-            ];
-            Node { at, data: [z, z_x, z_y], own }
-        };
-        let nodes = z.iter().zip(d).enumerate().map(node).collect();
-        let fold = ZigZag { nodes, cells: [x.len() - 1, y.len() - 1], domain };
-        let widest = along[0].widest.max(along[1].widest);
-        let limits = limits(&fold, factor, [ratio, widest], contraction).checked(magnitude)?;
+        let limits = limits(&fold, factor, [narrowest, widest], contraction).checked(magnitudes)?;
         Ok(Self { fold, factor, limits })
     }
 }
@@ -210,55 +187,4 @@ impl Fold for ZigZag {
         };
         [cut(x, self.domain[0]), cut(y, self.domain[1])]
     }
-}
-
-/// Spacing of the knots of an axis; widths in units of the domain.
-#[derive(Clone, Copy)]
-struct Spacing {
-    domain: Interval,
-    /// The narrowest cell.
-    cell: usize,
-    narrowest: f64,
-    widest: f64,
-}
-
-fn knots(axis: usize, at: &[f64]) -> Result<Spacing, SelfAffineError> {
-    let (&[first, ..], &[.., last]) = (at, at) else {
-        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
-    };
-    if at.len() < 3 {
-        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
-    }
-    let not_increasing = |knot, value| Err(SelfAffineError::NotIncreasing { axis, knot, value });
-    if !first.is_finite() {
-        return not_increasing(0, first);
-    }
-    let domain = Interval::new(first, last);
-    let mut spacing = Spacing { domain, cell: 0, narrowest: f64::INFINITY, widest: 0.0 };
-    for (cell, pair) in at.windows(2).enumerate() {
-        let &[left, right] = pair else { continue };
-        if !(right.is_finite() && right > left) {
-            return not_increasing(cell + 1, right);
-        }
-    }
-    for (cell, pair) in at.windows(2).enumerate() {
-        let &[left, right] = pair else { continue };
-        let width = part_of(domain, right) - part_of(domain, left);
-        // Far more than the rounding of places in units of the domain.
-        if width.is_nan() || width < 1e-9 {
-            return not_increasing(cell + 1, right);
-        }
-        if width < spacing.narrowest {
-            (spacing.narrowest, spacing.cell) = (width, cell);
-        }
-        spacing.widest = spacing.widest.max(width);
-    }
-    Ok(spacing)
-}
-
-/// The bilinear function through the corners of the unit square, and its slopes.
-fn bilinear(corners: &[[f64; 2]; 2], [t, u]: [f64; 2]) -> Corner {
-    let [[a, b], [c, d]] = *corners;
-    let (s, v) = (1.0 - t, 1.0 - u);
-    [s * (v * a + u * b) + t * (v * c + u * d), v * (c - a) + u * (d - b), s * (b - a) + t * (d - c)]
 }

@@ -16,30 +16,10 @@ pub(crate) fn limits(fold: &ZigZag, factor: f64, [narrowest, widest]: [f64; 2], 
         stretch,
         contraction,
         gain: [up / (1.0 - factor.abs()), up / (1.0 - contraction)],
-        // 16 roundings in units of the domain a step; going back along the orbit, a cell's share makes them smaller.
-        shift: 16.0 * UNIT * (1.0 + up / (1.0 - widest)),
+        shift: shift(widest),
         ..Limits::EMPTY
     };
-    let mut ranges = [[Interval::EMPTY; 3]; 2];
-    let [m, n] = fold.cells;
-    for (i, j) in (0..m).flat_map(|i| (0..n).map(move |j| (i, j))) {
-        let strips = [fold.strip_of(0, i), fold.strip_of(1, j)];
-        let width = strips[0].width.min(strips[1].width);
-        for (all, part) in ranges.iter_mut().zip([Part::Data, Part::Own]) {
-            let patch = fold.patch(strips, part);
-            let [value, along_x, along_y] = patch.ranges([0.0, 1.0], [0.0, 1.0]);
-            let scaled = |range: Interval, k: usize| range.scaled(1.0 / strips[k].width).inflated(0.0);
-            let here = [value, scaled(along_x, 0), scaled(along_y, 1)];
-            *all = [0, 1, 2].map(|k| all[k].hull(here[k]));
-            add(&mut limits, &patch, width);
-        }
-    }
-    let [[h, h_x, h_y], [e, e_x, e_y]] = ranges;
-    let [noise, noise_slope] = limits.noise;
-    let [h, e] = [h, e].map(|range| range.inflated(noise));
-    let [h_x, h_y, e_x, e_y] = [h_x, h_y, e_x, e_y].map(|range| range.inflated(noise_slope));
-    let most = |ranges: &[Interval]| ranges.iter().fold(0.0_f64, |most, range| most.max(range.magnitude()));
-    limits.patch = [most(&[h, e]), most(&[h_x, h_y, e_x, e_y])];
+    let [[h, h_x, h_y], [e, e_x, e_y]] = patches(fold, &mut limits);
     let reach = e.magnitude() * limits.gain[0] * up;
     limits.own = Interval::new(-reach, reach);
     for _ in 0..SWEEPS {
@@ -53,6 +33,36 @@ pub(crate) fn limits(fold: &ZigZag, factor: f64, [narrowest, widest]: [f64; 2], 
     limits.slopes = [0, 1].map(|k| [h_x, h_y][k].sum(limits.own_slopes[k].scaled(contraction)));
     limits.steepest = steepest(&limits);
     limits
+}
+
+/// The orbit of a point is that of one within this distance, in units of the domain, when the widest cell has this share.
+pub(crate) fn shift(widest: f64) -> f64 {
+    // 16 roundings a step; going back along the orbit, a cell's share makes them smaller.
+    16.0 * UNIT * (1.0 + (1.0 + 64.0 * UNIT) / (1.0 - widest))
+}
+
+/// Ranges of values and slopes of the patches of both functions, which the limits take in with their noise.
+pub(crate) fn patches(fold: &ZigZag, limits: &mut Limits) -> [[Interval; 3]; 2] {
+    let mut ranges = [[Interval::EMPTY; 3]; 2];
+    let [m, n] = fold.cells;
+    for (i, j) in (0..m).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let strips = [fold.strip_of(0, i), fold.strip_of(1, j)];
+        let width = strips[0].width.min(strips[1].width);
+        for (all, part) in ranges.iter_mut().zip([Part::Data, Part::Own]) {
+            let patch = fold.patch(strips, part);
+            let [value, along_x, along_y] = patch.ranges([0.0, 1.0], [0.0, 1.0]);
+            let scaled = |range: Interval, k: usize| range.scaled(1.0 / strips[k].width).inflated(0.0);
+            let here = [value, scaled(along_x, 0), scaled(along_y, 1)];
+            *all = [0, 1, 2].map(|k| all[k].hull(here[k]));
+            add(limits, &patch, width);
+        }
+    }
+    let [noise, noise_slope] = limits.noise;
+    let ranges =
+        ranges.map(|[value, x, y]| [value.inflated(noise), x.inflated(noise_slope), y.inflated(noise_slope)]);
+    let most = |k: usize| ranges[0][k].magnitude().max(ranges[1][k].magnitude());
+    limits.patch = [most(0), most(1).max(most(2))];
+    ranges
 }
 
 /// The greatest slope of f along either axis.

@@ -12,7 +12,7 @@ use crate::surface::self_affine::zig_zag::{Strip, ZigZag};
 const MOST_STEPS: u32 = 64;
 
 /// Rounding of a step in units of the domain.
-const STEP: f64 = 16.0 * UNIT;
+pub(crate) const STEP: f64 = 16.0 * UNIT;
 
 /// Enclosures over a rectangle, slopes in units of the domain.
 struct Followed {
@@ -141,14 +141,14 @@ impl SelfAffine<ZigZag> {
 }
 
 /// The parts of a stretch in its one or two cells, and where in each.
-fn pieces([low, high]: [Strip; 2]) -> impl Iterator<Item = (Strip, [f64; 2])> {
+pub(crate) fn pieces([low, high]: [Strip; 2]) -> impl Iterator<Item = (Strip, [f64; 2])> {
     let one = low.index == high.index;
     let first = (low, [low.u, if one { high.u } else { 1.0 }]);
     [Some(first), (!one).then_some((high, [0.0, high.u]))].into_iter().flatten()
 }
 
 /// Image of a part of a cell under Φ.
-fn image((strip, [low, high]): (Strip, [f64; 2])) -> Interval {
+pub(crate) fn image((strip, [low, high]): (Strip, [f64; 2])) -> Interval {
     let at = |u: f64| Strip { u, ..strip }.folded();
     let (a, b) = (at(low), at(high));
     if a < b { Interval::new(a, b) } else { Interval::new(b, a) }

@@ -6,6 +6,7 @@ pub(crate) mod folded;
 pub(crate) mod folded_limits;
 pub(crate) mod folded_ranges;
 pub(crate) mod limits;
+pub(crate) mod rough_folded;
 pub(crate) mod self_affine;
 pub(crate) mod torus;
 pub(crate) mod torus_fold;

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use crate::numeric::interval::Interval;
 use crate::surface::hermite_patch::{Corner, Patch};
+use crate::surface::self_affine::error::{SelfAffineError, magnitudes};
 use crate::surface::self_affine::self_affine::Part;
 
 /// A rectangle under zig-zags, affine from every cell of a grid onto the whole, rising and falling in turn.
@@ -23,6 +24,16 @@ pub(crate) struct Node {
     pub(crate) data: Corner,
     /// `H − G` and its slopes per width of the domain.
     pub(crate) own: Corner,
+}
+
+/// A grid with its nodes, and what the constructors of surfaces over it ask.
+pub(crate) struct Grid {
+    pub(crate) fold: ZigZag,
+    /// Widths of the narrowest and the widest cell along either axis, in units of the domain.
+    pub(crate) narrowest: f64,
+    pub(crate) widest: f64,
+    /// The greatest magnitudes of heights and of both slopes.
+    pub(crate) magnitudes: [f64; 3],
 }
 
 /// A cell of one axis, and a place within it.
@@ -50,6 +61,37 @@ impl Strip {
 }
 
 impl ZigZag {
+    /// The grid of knots `x` and `y` with heights `z` and gradients `d` at its nodes, row after row.
+    pub(crate) fn through(x: &[f64], y: &[f64], z: &[f64], d: &[[f64; 2]]) -> Result<Grid, SelfAffineError> {
+        let along = [knots(0, x)?, knots(1, y)?];
+        let magnitudes = magnitudes(x.len().saturating_mul(y.len()), y.len(), z, d)?;
+        let domain = along.map(|axis| axis.domain);
+        let corner = |i: usize, j: usize| {
+            z.get(i * (x.len() - 1) * y.len() + j * (y.len() - 1)).copied().unwrap_or(0.0)
+        };
+        let corners = [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]];
+        let node = |(index, (&z, &[z_x, z_y])): (usize, (&f64, &[f64; 2]))| {
+            let (i, j) = (index / y.len(), index % y.len());
+            let knot = |along: &[f64], k: usize| along.get(k).copied().unwrap_or(0.0);
+            let at = [part_of(domain[0], knot(x, i)), part_of(domain[1], knot(y, j))];
+            let [base, base_x, base_y] = bilinear(&corners, at);
+            let (ends_x, ends_y) = (i == 0 || i + 1 == x.len(), j == 0 || j + 1 == y.len());
+            let own = [
+                if ends_x && ends_y { 0.0 } else { z - base },
+                if ends_x { 0.0 } else { z_x * domain[0].width() - base_x },
+                if ends_y { 0.0 } else { z_y * domain[1].width() - base_y },
+            ];
+            Node { at, data: [z, z_x, z_y], own }
+        };
+        let nodes = z.iter().zip(d).enumerate().map(node).collect();
+        Ok(Grid {
+            fold: Self { nodes, cells: [x.len() - 1, y.len() - 1], domain },
+            narrowest: along[0].narrowest.min(along[1].narrowest),
+            widest: along[0].widest.max(along[1].widest),
+            magnitudes,
+        })
+    }
+
     /// Knot `index` of an axis, in units of the domain.
     #[inline]
     fn knot(&self, axis: usize, index: usize) -> f64 {
@@ -108,4 +150,55 @@ pub(crate) fn part_of(domain: Interval, x: f64) -> f64 {
     let x = if x < domain.lo { domain.lo } else { x };
     let x = if x > domain.hi { domain.hi } else { x };
     (x - domain.lo) / (domain.hi - domain.lo)
+}
+
+/// Spacing of the knots of an axis; widths in units of the domain.
+#[derive(Clone, Copy)]
+struct Spacing {
+    domain: Interval,
+    /// The narrowest cell.
+    cell: usize,
+    narrowest: f64,
+    widest: f64,
+}
+
+fn knots(axis: usize, at: &[f64]) -> Result<Spacing, SelfAffineError> {
+    let (&[first, ..], &[.., last]) = (at, at) else {
+        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
+    };
+    if at.len() < 3 {
+        return Err(SelfAffineError::TooFewKnots { axis, knots: at.len() });
+    }
+    let not_increasing = |knot, value| Err(SelfAffineError::NotIncreasing { axis, knot, value });
+    if !first.is_finite() {
+        return not_increasing(0, first);
+    }
+    let domain = Interval::new(first, last);
+    let mut spacing = Spacing { domain, cell: 0, narrowest: f64::INFINITY, widest: 0.0 };
+    for (cell, pair) in at.windows(2).enumerate() {
+        let &[left, right] = pair else { continue };
+        if !(right.is_finite() && right > left) {
+            return not_increasing(cell + 1, right);
+        }
+    }
+    for (cell, pair) in at.windows(2).enumerate() {
+        let &[left, right] = pair else { continue };
+        let width = part_of(domain, right) - part_of(domain, left);
+        // Far more than the rounding of places in units of the domain.
+        if width.is_nan() || width < 1e-9 {
+            return not_increasing(cell + 1, right);
+        }
+        if width < spacing.narrowest {
+            (spacing.narrowest, spacing.cell) = (width, cell);
+        }
+        spacing.widest = spacing.widest.max(width);
+    }
+    Ok(spacing)
+}
+
+/// The bilinear function through the corners of the unit square, and its slopes.
+pub(crate) fn bilinear(corners: &[[f64; 2]; 2], [t, u]: [f64; 2]) -> Corner {
+    let [[a, b], [c, d]] = *corners;
+    let (s, v) = (1.0 - t, 1.0 - u);
+    [s * (v * a + u * b) + t * (v * c + u * d), v * (c - a) + u * (d - b), s * (b - a) + t * (d - c)]
 }

@@ -1,0 +1,305 @@
+//! The folded surface whose vertical factor varies from node to node: continuous, and as rough as wanted.
+
+use alloc::vec::Vec;
+
+use glam::DVec2;
+
+use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::polynomial::UNIT;
+use crate::surface::bounds::{Surface, SurfaceBounds};
+use crate::surface::extrema::{SurfaceExtrema, extrema};
+use crate::surface::self_affine::error::SelfAffineError;
+use crate::surface::self_affine::folded_limits::{patches, shift};
+use crate::surface::self_affine::folded_ranges::{STEP, image, pieces};
+use crate::surface::self_affine::limits::Limits;
+use crate::surface::self_affine::self_affine::{Fold, MOST_STEPS, Part};
+use crate::surface::self_affine::zig_zag::{Grid, Strip, ZigZag, bilinear};
+
+/// Steps that bounds follow a rectangle at most.
+const FOLLOWED: u32 = 128;
+
+/// A fractal surface through given heights on a grid of unequal cells, with a vertical factor given at every node: rough
+/// here and smooth there.
+///
+/// ```text
+/// f = H + S (f − G)∘Φ,   so f = G + w,   w = (H − G) + S w∘Φ = Σ_k (Π_{i<k} S∘Φⁱ) (H − G)∘Φᵏ
+/// S: the bilinear function of the factors at the four corners of each cell
+/// Φ, H, G: zig-zags and Hermite patches, as for Folded
+/// ```
+///
+/// - **Continuity:** H, S and G are continuous, and so is Φ, as neighbouring zig-zags mirror one another. The right side maps
+///   continuous functions to such, and contracts by the greatest |S|, which is that of a node.
+/// - **Interpolation:** Φ sends nodes to corners of the domain, where `f − G` is 0. So f = H there.
+/// - **Slopes:** none are given, and there are none in general: on equal cells of the share a, f oscillates over a distance r
+///   by some `r^(ln |s|/ln a)` where the factors are s, more than in proportion once `|s| > a`. Gradients `d` only shape H.
+///   Hits of rays have no normals.
+/// - **One factor:** f is then [`Folded`](crate::Folded) with that factor, where that has one.
+/// - **Domain:** `[x_0, x_m] × [y_0, y_n]`; points outside, infinite ones too, are clamped to it. NaN gives NaN.
+/// - **Accuracy:** at the given nodes exact. Else values with their bound hold f at a point within some 10⁻¹⁴ of the domain's
+///   size, as on unequal knots of a curve: a rough surface changes by more than that over such a distance.
+///
+/// Feng, Feng, Yuan, *Fractal interpolation surfaces with function vertical scaling factors*, Applied Mathematics Letters 25,
+/// 2012; there the factor vanishes on the border or heights there lie on lines, here folded cells need neither.
+///
+/// ```
+/// use asperity_fif::{Intersect, Ray, RoughFolded, glam::DVec3};
+/// let knots = [0.0, 1.0, 2.0];
+/// let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
+/// // Smooth in the west, rough in the east.
+/// let factors = [0.0, 0.0, 0.0, 0.3, 0.3, 0.3, 0.8, 0.7, 0.8];
+/// let surface = RoughFolded::new(&knots, &knots, &factors, &z, &[[0.0; 2]; 9])?;
+/// assert_eq!(surface.height(1.0, 1.0), 2.0);
+/// let ray = Ray { origin: DVec3::new(0.3, 0.4, 9.0), direction: DVec3::new(0.1, 0.1, -1.0) };
+/// let hit = surface.first_hit(&ray).unwrap();
+/// assert!((ray.at(hit.t).z - hit.height).abs() < 1e-9 && hit.normal.is_none());
+/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct RoughFolded {
+    fold: ZigZag,
+    /// At the nodes, row after row.
+    factors: Vec<f64>,
+    /// The greatest |S|, and the errors of a factor and of a patch, the rounding of the place included.
+    steepest: f64,
+    noise: [f64; 2],
+    /// Rounding of the place, in units of the domain.
+    shift: f64,
+    /// Enclose f and w.
+    range: Interval,
+    own: Interval,
+}
+
+impl RoughFolded {
+    /// The surface with vertical factors `factors`, heights `z` and gradients `d` of the smooth part at the nodes of the grid of
+    /// knots `x` and `y`: node (i, j) lies at `(x_i, y_j)` and is entry `i · y.len() + j` of all lists.
+    ///
+    /// # Errors
+    /// A [`SelfAffineError`] names the rule that the data break, and the node: factors are under 1 in magnitude, by more than
+    /// their rounding.
+    pub fn new(
+        x: &[f64],
+        y: &[f64],
+        factors: &[f64],
+        z: &[f64],
+        d: &[[f64; 2]],
+    ) -> Result<Self, SelfAffineError> {
+        const SWEEPS: u32 = 64;
+        let Grid { fold, narrowest, widest, magnitudes } = ZigZag::through(x, y, z, d)?;
+        let (expected, got) = (fold.nodes.len(), factors.len());
+        if got != expected {
+            return Err(SelfAffineError::Length { parameter: "factors", expected, got });
+        }
+        let shift = shift(widest);
+        // What rounding makes of a factor, relative; along both axes the place is off by the shift.
+        let rounding = 16.0 * UNIT + 4.0 * shift / narrowest;
+        let (mut steepest, mut all) = (0.0_f64, Interval::EMPTY);
+        for (index, &factor) in factors.iter().enumerate() {
+            let most = factor.abs() * (1.0 + rounding);
+            if most.is_nan() || most >= 1.0 {
+                let node = [index / y.len(), index % y.len()];
+                return Err(SelfAffineError::NodeFactor { node, factor });
+            }
+            steepest = steepest.max(factor.abs());
+            all = all.hull(Interval::new(factor, factor));
+        }
+        let mut limits = Limits::EMPTY;
+        let [[h, ..], [e, ..]] = patches(&fold, &mut limits);
+        let noise = [steepest * rounding, limits.noise[0] + 2.0 * shift * limits.patch[1]];
+        let all = all.inflated(noise[0]);
+        let reach = e.magnitude() / (1.0 - steepest) * (1.0 + 64.0 * UNIT);
+        let mut own = Interval::new(-reach, reach);
+        for _ in 0..SWEEPS {
+            own = own.intersection(e.sum(all.product(own)));
+        }
+        let range = h.sum(all.product(own));
+        if !(range.magnitude().is_finite() && noise[1].is_finite()) {
+            let magnitude = magnitudes.into_iter().fold(0.0, f64::max);
+            return Err(SelfAffineError::TooLarge { magnitude });
+        }
+        Ok(Self { fold, factors: factors.into(), steepest, noise, shift, range, own })
+    }
+
+    /// The rectangle under the surface.
+    #[inline]
+    #[must_use]
+    pub const fn domain(&self) -> [Interval; 2] {
+        self.fold.domain
+    }
+
+    /// A rigorous enclosure of all heights.
+    #[inline]
+    #[must_use]
+    pub const fn range(&self) -> Interval {
+        self.range
+    }
+
+    /// `f(x, y)` with a bound of its error, to `tolerance` or the rounding error.
+    ///
+    /// ```text
+    /// f = H + Σ_{0<k<K} A_k (H − G)∘Φᵏ + A_K w∘Φᴷ,   A_k = Π_{i<k} S∘Φⁱ,   |A_K| ≤ (max |s|)ᴷ
+    /// ```
+    ///
+    /// The last term is replaced by A_K times the middle of w's range, or at a node by its exact value. The bound adds up what
+    /// rounding did on the way, that of the place but for its effect on f itself: see the type.
+    #[must_use]
+    pub fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        let Some((mut at, _)) = self.fold.locate(x, y) else { return Bounded::NAN };
+        let radius = 0.5 * self.own.width();
+        let floor = self.noise[1] + 16.0 * UNIT * self.range.magnitude();
+        let enough = if tolerance > 16.0 * floor { 0.5 * tolerance } else { 0.25 * floor };
+        let (mut sum, mut weight, mut part) = (0.0, 1.0_f64, Part::Data);
+        // Errors of both.
+        let (mut error, mut weight_error) = (0.0, 0.0);
+        for _ in 0..MOST_STEPS {
+            let cell = self.fold.cell(at, part);
+            let [u, v] = cell.at;
+            let patch = cell.node.map_or_else(|| cell.patch.value(u, v), |[z, ..]| z);
+            let term = weight * patch;
+            sum += term;
+            error += weight_error * (patch.abs() + self.noise[1]) + 2.0 * UNIT * (term.abs() + sum.abs());
+            if cell.node.is_some() {
+                // Where a node is reached by rounding, its height stands for one nearby.
+                let near = if part == Part::Data { 0.0 } else { weight.abs() * self.noise[1] };
+                let error = if part == Part::Data { 0.0 } else { error };
+                return Bounded { value: sum, bound: 1.01 * (error + near) };
+            }
+            error += weight.abs() * self.noise[1];
+            let factor = bilinear(&self.corners(cell.index), [u, v])[0];
+            weight_error =
+                weight_error * self.steepest + weight.abs() * (self.noise[0] + UNIT * self.steepest);
+            weight *= factor;
+            if (weight.abs() + weight_error) * radius <= enough {
+                break;
+            }
+            at = self.fold.next(at, &cell);
+            part = Part::Own;
+        }
+        let middle = self.own.middle();
+        let value = sum + weight * middle;
+        let tail = weight.abs() * radius + weight_error * self.own.magnitude();
+        let rounding = 2.0 * UNIT * (value.abs() + 2.0 * (weight * middle).abs());
+        Bounded { value, bound: 1.01 * (tail + error + rounding) }
+    }
+
+    /// `f(x, y)` to the rounding error; the value of [`RoughFolded::evaluate`] at tolerance 0.
+    #[inline]
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        self.evaluate(x, y, 0.0).value
+    }
+
+    /// A rigorous enclosure of the heights over `x × y`; the smaller the rectangle, the tighter.
+    ///
+    /// ```text
+    /// f(Q) ⊂ H(Q) + Σ_{0<k<K} A_k(Q) (H − G)(Φᵏ Q) + A_K(Q) w
+    /// ```
+    ///
+    /// K is where the image has grown to more than two cells. A rectangle of that size gets the range; so does one that is empty
+    /// or has ends that are NaN. Parts outside the domain count as its border.
+    ///
+    /// ```
+    /// # use asperity_fif::{Interval, RoughFolded};
+    /// # let knots = [0.0, 1.0, 2.0];
+    /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
+    /// # let surface = RoughFolded::new(&knots, &knots, &[0.75; 9], &z, &[[0.0; 2]; 9])?;
+    /// let bounds = surface.bounds(Interval::new(0.3, 0.3001), Interval::new(0.7, 0.7001));
+    /// assert!(bounds.contains(surface.height(0.30004, 0.70001)) && bounds.width() < 0.5);
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn bounds(&self, x: Interval, y: Interval) -> Interval {
+        let (Some((low, _)), Some((high, _))) = (self.fold.locate(x.lo, y.lo), self.fold.locate(x.hi, y.hi))
+        else {
+            return self.range;
+        };
+        let mut at = [0, 1].map(|k| Interval::new(low[k], high[k]));
+        if !(at[0].width() >= 0.0 && at[1].width() >= 0.0) {
+            return self.range;
+        }
+        let (mut sum, mut weight, mut part) = (Interval::new(0.0, 0.0), Interval::new(1.0, 1.0), Part::Data);
+        let mut height = self.range;
+        for step in 0..FOLLOWED {
+            let pad = STEP + self.shift;
+            let ends = [0, 1].map(|k| {
+                let padded = [(at[k].lo - pad).max(0.0), (at[k].hi + pad).min(1.0)];
+                padded.map(|place| self.fold.strip(k, place))
+            });
+            let all = at.iter().all(|side| side.width() >= 1.0);
+            if (all && step > 0) || ends.iter().any(|[low, high]| high.index - low.index > 1) {
+                break;
+            }
+            let [patch, factor] = self.ranges(ends, part);
+            sum = sum.sum(weight.product(patch));
+            weight = weight.product(factor);
+            at = ends.map(|ends| pieces(ends).map(image).fold(Interval::EMPTY, Interval::hull));
+            part = Part::Own;
+            height = height.intersection(sum.sum(weight.product(self.own)));
+        }
+        height
+    }
+
+    /// Brackets of the extrema over `x × y`, each at most `width` wide where 2¹⁶ rectangles allow that, as
+    /// [`SelfAffine::extrema_over`](crate::SelfAffine::extrema_over).
+    ///
+    /// ```
+    /// # use asperity_fif::RoughFolded;
+    /// # let knots = [0.0, 1.0, 2.0];
+    /// # let z = [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0];
+    /// # let surface = RoughFolded::new(&knots, &knots, &[0.5; 9], &z, &[[0.0; 2]; 9])?;
+    /// let [x, y] = surface.domain();
+    /// let extrema = surface.extrema_over(x, y, 0.1);
+    /// assert!(extrema.maximum.width() <= 0.1 && extrema.maximum.hi >= 2.0);
+    /// # Ok::<(), asperity_fif::SelfAffineError>(())
+    /// ```
+    #[must_use]
+    pub fn extrema_over(&self, x: Interval, y: Interval, width: f64) -> SurfaceExtrema {
+        extrema(self, self.fold.searched(x, y), width)
+    }
+
+    /// Factors at the corners of a cell.
+    #[inline]
+    fn corners(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 2] {
+        let row = self.fold.cells[1] + 1;
+        let at = |i: usize, j: usize| self.factors.get(i * row + j).copied().unwrap_or(0.0);
+        [[at(i, j), at(i, j + 1)], [at(i + 1, j), at(i + 1, j + 1)]]
+    }
+
+    /// Ranges of a function's patches and of S over a rectangle within two cells along each axis.
+    fn ranges(&self, [x, y]: [[Strip; 2]; 2], part: Part) -> [Interval; 2] {
+        let [mut patch, mut factor] = [Interval::EMPTY; 2];
+        for (across, u) in pieces(x) {
+            for (along, v) in pieces(y) {
+                patch = patch.hull(self.fold.patch([across, along], part).ranges(u, v)[0]);
+                // A bilinear function has its extrema at corners.
+                let corners = self.corners([across.index, along.index]);
+                for (u, v) in [(u[0], v[0]), (u[0], v[1]), (u[1], v[0]), (u[1], v[1])] {
+                    let [s, ..] = bilinear(&corners, [u, v]);
+                    factor = factor.hull(Interval::new(s, s));
+                }
+            }
+        }
+        [patch.inflated(self.noise[1]), factor.inflated(self.noise[0])]
+    }
+}
+
+impl Surface for RoughFolded {
+    fn domain(&self) -> [Interval; 2] {
+        self.domain()
+    }
+
+    fn range(&self) -> Interval {
+        self.range()
+    }
+
+    fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        self.evaluate(x, y, tolerance)
+    }
+
+    fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        SurfaceBounds { height: self.bounds(x, y), slopes: [Interval::ENTIRE; 2] }
+    }
+
+    fn gradient_near(&self, _: f64, _: f64, _: f64) -> Option<DVec2> {
+        None
+    }
+}

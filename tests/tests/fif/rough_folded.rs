@@ -1,0 +1,250 @@
+//! The folded surface with a factor at every node: its nodes, its equation, its edges, bounds, rays.
+#![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
+
+use asperity_fif::{Folded, Intersect, Interval, Ray, RoughFolded, SelfAffineError};
+use asperity_tests::assert_abs_diff_eq;
+use asperity_tests::random::Random;
+
+use crate::surface_rays::{random_rays, rough_folded};
+
+/// Knots of both axes, factors up to a magnitude, heights, gradients.
+struct Given {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    factors: Vec<f64>,
+    z: Vec<f64>,
+    d: Vec<[f64; 2]>,
+}
+
+impl Given {
+    fn new(random: &mut Random, most: f64) -> Self {
+        let mut uniform = |lo: f64, hi: f64| lo + (hi - lo) * random.uniform();
+        let mut knots = || -> Vec<f64> {
+            let count = uniform(3.0, 6.0) as usize;
+            let steps = (0..count).map(|_| uniform(0.5, 1.0));
+            steps.fold(vec![-0.75], |mut knots, step| {
+                knots.push(knots.last().unwrap() + step);
+                knots
+            })
+        };
+        let (x, y) = (knots(), knots());
+        let count = x.len() * y.len();
+        let mut list = |most: f64| -> Vec<f64> { (0..count).map(|_| uniform(-most, most)).collect() };
+        let (factors, z, slopes) = (list(most), list(1.0), list(3.0));
+        Self { x, y, factors, z, d: slopes.iter().map(|&s| [s, 0.5 - s]).collect() }
+    }
+
+    fn surface(&self) -> RoughFolded {
+        RoughFolded::new(&self.x, &self.y, &self.factors, &self.z, &self.d).unwrap()
+    }
+}
+
+#[test]
+fn rough_surfaces_pass_through_their_nodes_and_are_continuous_over_the_lines_of_the_grid() {
+    let mut random = Random(21);
+    for _ in 0..40 {
+        let given = Given::new(&mut random, 0.6);
+        let (surface, Given { x, y, z, .. }) = (given.surface(), &given);
+        for (i, &px) in x.iter().enumerate() {
+            for (j, &py) in y.iter().enumerate() {
+                let got = surface.evaluate(px, py, 0.0);
+                assert_eq!((got.value, got.bound), (z[i * y.len() + j], 0.0), "node ({i}, {j})");
+            }
+        }
+        let [wide, deep] = surface.domain();
+        for (lines, side, along_x) in [(x, deep, true), (y, wide, false)] {
+            for &line in &lines[1..lines.len() - 1] {
+                let s = side.lo + random.uniform() * side.width();
+                let at = |line: f64| if along_x { [line, s] } else { [s, line] };
+                for near in [1e-3, 1e-8, 1e-13] {
+                    let ([a, b], [p, q]) = (at(line - near), at(line + near));
+                    let bounds = surface.bounds(Interval::new(a, p), Interval::new(b, q));
+                    let ends = [surface.evaluate(a, b, 0.0), surface.evaluate(p, q, 0.0)];
+                    for end in ends {
+                        assert!(bounds.inflated(end.bound).contains(end.value), "{end:?} {bounds:?}");
+                    }
+                    // Factors of 0.6 to the powers that make `near` a cell.
+                    let widths = lines.windows(2).map(|pair| pair[1] - pair[0]);
+                    let least = widths.fold(f64::INFINITY, f64::min);
+                    let share = least / (lines[lines.len() - 1] - lines[0]);
+                    let most =
+                        8.0 * surface.range().width() * 0.6_f64.powf((near * 4.0).ln() / share.ln() - 1.0);
+                    let change = (ends[0].value - ends[1].value).abs();
+                    assert!(change <= most, "{change} over {most} beside {line}");
+                    assert!(near > 1e-12 || change < 0.02, "{change} beside {line}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_rough_surface_with_one_factor_is_the_folded_one() {
+    let mut random = Random(22);
+    for round in 0..60 {
+        let given = Given { factors: vec![], ..Given::new(&mut random, 0.0) };
+        let Given { x, y, z, d, .. } = &given;
+        let factor = if round == 0 { 0.0 } else { 0.13 * (random.uniform() - 0.5) };
+        let rough = RoughFolded::new(x, y, &vec![factor; z.len()], z, d).unwrap();
+        let folded = Folded::new(x, y, factor, z, d).unwrap();
+        for _ in 0..50 {
+            let [px, py] = [x, y].map(|knots| {
+                let (lo, hi) = (knots[0], knots[knots.len() - 1]);
+                lo + (hi - lo) * (1.1 * random.uniform() - 0.05)
+            });
+            let (a, b) = (rough.evaluate(px, py, 0.0), folded.evaluate(px, py, 0.0));
+            assert!((a.value - b.value).abs() <= a.bound + b.bound && a.bound < 1e-12, "{a:?} {b:?}");
+            assert!(folded.range().inflated(b.bound).contains(a.value));
+        }
+        assert!(rough.range().width() < 3.0 * folded.range().width());
+    }
+}
+
+/// On dyadic cells with all zero on the border but heights between corners, G is 0 and places are exact.
+#[test]
+fn the_equation_of_a_rough_surface_holds() {
+    let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
+    let mut random = Random(23);
+    for _ in 0..20 {
+        let inner = |index: usize| !(index / 5).is_multiple_of(4) && !(index % 5).is_multiple_of(4);
+        let corner = |index: usize| (index / 5).is_multiple_of(4) && (index % 5).is_multiple_of(4);
+        let mut list = |most: f64, keep: &dyn Fn(usize) -> bool| -> Vec<f64> {
+            let one = |k| if keep(k) { most * (2.0 * random.uniform() - 1.0) } else { 0.0 };
+            (0..25).map(one).collect()
+        };
+        let (factors, z) = (list(0.95, &|_| true), list(1.0, &|k| !corner(k)));
+        let d: Vec<[f64; 2]> = list(2.0, &inner).into_iter().map(|s| [s, -0.5 * s]).collect();
+        let surface = RoughFolded::new(&knots, &knots, &factors, &z, &d).unwrap();
+        let smooth = RoughFolded::new(&knots, &knots, &[0.0; 25], &z, &d).unwrap();
+        for _ in 0..100 {
+            let place = [(); 2].map(|()| (random.uniform() * 1_048_576.0).floor() / 1_048_576.0);
+            let [(i, u), (j, v)] = place.map(|t| ((4.0 * t) as usize, (4.0 * t).fract()));
+            let [p, q] = [(i, u), (j, v)].map(|(i, u)| if i % 2 == 0 { u } else { 1.0 - u });
+            let s = |a: usize, b: usize| factors[5 * (i + a) + j + b];
+            let factor =
+                (1.0 - u) * ((1.0 - v) * s(0, 0) + v * s(0, 1)) + u * ((1.0 - v) * s(1, 0) + v * s(1, 1));
+            let [left, right] = [surface.evaluate(place[0], place[1], 0.0), surface.evaluate(p, q, 0.0)];
+            let h = smooth.evaluate(place[0], place[1], 0.0);
+            let off = left.value - (h.value + factor * right.value);
+            assert!(off.abs() <= left.bound + h.bound + right.bound + 1e-15, "{place:?}: {off:e}");
+            assert!(left.bound < 1e-11, "{left:?}");
+        }
+    }
+}
+
+#[test]
+fn bounds_and_tolerances_of_a_rough_surface_hold() {
+    let mut random = Random(24);
+    for _ in 0..40 {
+        let surface = Given::new(&mut random, 0.9).surface();
+        for size in [-1.0, -4.0, -10.0, -30.0] {
+            let part = surface.domain().map(|side| {
+                let lo = side.lo + (1.05 * random.uniform() - 0.05) * side.width();
+                Interval::new(lo, lo + f64::exp2(size) * side.width())
+            });
+            let bounds = surface.bounds(part[0], part[1]);
+            for _ in 0..30 {
+                let [px, py] = part.map(|side| (side.lo + random.uniform() * side.width()).min(side.hi));
+                let fine = surface.evaluate(px, py, 0.0);
+                assert!(bounds.inflated(fine.bound).contains(fine.value), "{fine:?} {bounds:?}");
+                assert!(surface.range().inflated(fine.bound).contains(fine.value));
+                for tolerance in [1e-1, 1e-4, 1e-8] {
+                    let coarse = surface.evaluate(px, py, tolerance);
+                    assert!(coarse.bound <= tolerance.max(fine.bound), "{coarse:?} {fine:?}");
+                    assert!((coarse.value - fine.value).abs() <= coarse.bound + fine.bound, "{coarse:?}");
+                }
+            }
+        }
+        let [x, y] = surface.domain();
+        let extrema = surface.extrema_over(x, y, 0.5 * surface.range().width());
+        assert!(extrema.maximum.hi <= surface.range().hi && surface.range().lo <= extrema.minimum.lo);
+        assert_eq!(surface.bounds(Interval::EMPTY, y), surface.range());
+        assert_eq!(surface.bounds(x, Interval::new(f64::NAN, 0.0)), surface.range());
+        assert!(surface.height(f64::NAN, 0.0).is_nan());
+        assert_eq!(surface.height(f64::INFINITY, -1e300), surface.height(x.hi, y.lo));
+    }
+}
+
+#[test]
+fn it_is_rough_where_its_factors_are() {
+    // Factors 0 in the west, 0.8 in the east, on cells of a quarter.
+    let knots = [0.0, 0.25, 0.5, 0.75, 1.0];
+    let factors: Vec<f64> = (0..25).map(|k| [0.0, 0.0, 0.0, 0.8, 0.8][k / 5]).collect();
+    let z: Vec<f64> = (0..25).map(|k| f64::from(k * 7 % 5) / 5.0).collect();
+    let surface = RoughFolded::new(&knots, &knots, &factors, &z, &[[0.0; 2]; 25]).unwrap();
+    let sway = |from: f64| {
+        let steps = (0..1000).map(|k| from + 0.2 * f64::from(k) / 1000.0);
+        let heights: Vec<f64> = steps.map(|x| surface.height(x, 0.37)).collect();
+        heights.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>()
+    };
+    let (west, east) = (sway(0.2), sway(0.78));
+    assert!(east > 20.0 * west, "{east} {west}");
+}
+
+/// The first change of sides by steps along the ray, against both forms.
+#[test]
+fn hits_of_a_rough_surface_are_those_of_a_march() {
+    const STEPS: u32 = 20_000;
+    let surface = rough_folded();
+    let table = surface.clone().tabulated();
+    let [x, y] = surface.domain();
+    let (mut hits, mut certain) = (0, 0);
+    for ray in random_rays(&surface, 40) {
+        let end = 3.0;
+        let over = |t: f64| {
+            let at = ray.at(t);
+            (x.contains(at.x) && y.contains(at.y)).then(|| at.z - surface.height(at.x, at.y))
+        };
+        let marched = (0..STEPS).find_map(|k| {
+            let [a, b] = [k, k + 1].map(|k| end * f64::from(k) / f64::from(STEPS));
+            let (before, after) = (over(a)?, over(b)?);
+            ((before < 0.0) != (after < 0.0)).then_some((a, b, before))
+        });
+        for form in [&surface as &dyn Intersect, &table] {
+            let hit = form.first_hit(&ray);
+            assert_eq!(form.hits_any(&ray, Interval::new(0.0, f64::INFINITY)), hit.is_some());
+            let Some((_, b, _)) = marched else { continue };
+            let hit = hit.unwrap_or_else(|| panic!("{ray:?} is missed"));
+            assert!(hit.t <= b + 1e-11, "{ray:?}: {hit:?} behind {b}");
+            assert!(hit.normal.is_none() && hit.gradient.is_none());
+            // 10⁻¹² of the way is 10⁻¹²^0.16 of the height where factors are 0.8 on cells of a quarter.
+            assert_abs_diff_eq!(ray.at(hit.t).z, hit.height, epsilon = 0.02);
+            (hits, certain) = (hits + 1, certain + u32::from(hit.certain));
+        }
+    }
+    // Of 60 rays and both forms 52 and 32: near others the budget of evaluations ends.
+    assert!(hits >= 30 && certain >= 15, "{certain} of {hits}");
+}
+
+#[test]
+fn rough_data_that_break_a_rule_are_refused_by_name() {
+    let (knots, z, d) = ([0.0, 1.0, 2.0], [0.5; 9], [[0.0; 2]; 9]);
+    let new = |factors: &[f64], z: &[f64]| RoughFolded::new(&knots, &knots, factors, z, &d).err();
+    assert_eq!(new(&[0.999; 9], &z), None);
+    for bad in [1.0, -1.5, f64::NAN, f64::INFINITY, 1.0 - f64::EPSILON] {
+        let mut factors = [0.5; 9];
+        factors[5] = bad;
+        let error = new(&factors, &z).unwrap();
+        assert!(matches!(error, SelfAffineError::NodeFactor { node: [1, 2], .. }), "{error:?}");
+        let sentence = format!("`factors` must be under 1 in magnitude, got {bad} at node (1, 2)");
+        assert_eq!(error.to_string(), sentence);
+    }
+    let length = SelfAffineError::Length { parameter: "factors", expected: 9, got: 8 };
+    assert_eq!(new(&[0.5; 8], &z), Some(length));
+    assert!(matches!(new(&[0.5; 9], &[1e308; 9]), None | Some(SelfAffineError::TooLarge { .. })));
+    let mut high = [1e308; 9];
+    high[4] = -1e308;
+    assert!(matches!(new(&[0.5; 9], &high), Some(SelfAffineError::TooLarge { .. })));
+}
+
+#[test]
+fn rays_that_are_none_hit_no_rough_surface() {
+    let surface = rough_folded();
+    let down = Ray { origin: [0.1, 0.2, 9.0].into(), direction: [0.0, 0.0, -1.0].into() };
+    assert!(surface.first_hit(&down).unwrap().certain);
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert_eq!(surface.first_hit(&Ray { origin: [0.1, bad, 9.0].into(), ..down }), None);
+        assert_eq!(surface.first_hit(&Ray { direction: [bad, 0.0, -1.0].into(), ..down }), None);
+    }
+    assert_eq!(surface.first_hit(&Ray { direction: [0.0; 3].into(), ..down }), None);
+}
