@@ -53,15 +53,15 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         }
     }
 
-    /// [`System::evaluate`] to the rounding error at a place between doubles.
-    pub(crate) fn evaluate_between(&self, x: Double) -> Bounded {
+    /// [`System::evaluate`] at a place between doubles.
+    pub(crate) fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded {
         let domain = self.domain();
         let t = x.minus(Double::from(domain.lo)).over(domain.width());
         match self.spacing() {
             Spacing::Uniform if t > Double::from(Fraction::LEAST) && t < Double::from(1.0) => {
-                self.follow(Fraction::between(t), 0.0)
+                self.follow(Fraction::between(t), tolerance)
             }
-            _ => self.evaluate(x.hi, 0.0),
+            _ => self.evaluate(x.hi, tolerance),
         }
     }
 

@@ -22,6 +22,7 @@ impl Double {
     }
 
     /// The exact `a + b` of doubles.
+    #[inline]
     fn two_sum(a: f64, b: f64) -> Self {
         let sum = a + b;
         let part = sum - a;
@@ -29,6 +30,7 @@ impl Double {
     }
 
     /// The exact `a b` of doubles, but for parts under 2⁻¹⁰²².
+    #[inline]
     fn two_product(a: f64, b: f64) -> Self {
         const SPLIT: f64 = 134_217_729.0;
         let halves = |a: f64| {
@@ -40,23 +42,33 @@ impl Double {
     }
 
     /// Without the small part where it overflows.
+    #[inline]
     fn sane(hi: f64, lo: f64) -> Self {
         Self { hi, lo: if lo.is_finite() { lo } else { 0.0 } }
     }
 
+    #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
         let (sum, rest) = (Self::two_sum(self.hi, other.hi), Self::two_sum(self.lo, other.lo));
         let sum = Self::two_sum(sum.hi, sum.lo + rest.hi);
         Self::two_sum(sum.hi, sum.lo + rest.lo)
     }
 
+    #[inline]
     pub(crate) fn minus(self, other: Self) -> Self {
         self.plus(Self { hi: -other.hi, lo: -other.lo })
     }
 
+    #[inline]
     pub(crate) fn times(self, other: Self) -> Self {
         let product = Self::two_product(self.hi, other.hi);
         Self::two_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+
+    /// Times a power of two.
+    #[inline]
+    pub(crate) fn scaled(self, power: f64) -> Self {
+        Self { hi: self.hi * power, lo: self.lo * power }
     }
 
     pub(crate) fn over(self, divisor: f64) -> Self {
@@ -66,10 +78,12 @@ impl Double {
         Self::two_sum(first, if second.is_finite() { second } else { 0.0 })
     }
 
+    #[inline]
     pub(crate) fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
 
+    #[inline]
     pub(crate) fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }

@@ -2,7 +2,7 @@
 
 use crate::numeric::double::Double;
 use crate::numeric::interval::{Bounded, Interval};
-use crate::ray::ray::Root;
+use crate::ray::ray::{Aim, Root};
 use crate::ray::way::Way;
 use crate::surface::height_field::curve::{Below, Cell, Curve};
 use crate::surface::height_field::function::Function;
@@ -14,75 +14,144 @@ const LEVELS: u32 = 192;
 /// Width of the cells, in parts of the domain, down to which a ray's place is known: 2⁻⁹⁶.
 const FINEST: f64 = f64::EPSILON * f64::EPSILON / 256.0;
 
+/// More than the rounding of the times at which a ray is at the ends of cells, relative to them: 192 sums of 105 bits each.
+const THIN: f64 = 4.0 * FINEST;
+
 /// Boxes visited at most behind a place where the ray touches the surface.
 const FURTHER: u32 = 1 << 10;
 
 /// Boxes that decide at most whether rough stretches hide a pair of roots: of a ray along an axis, and of any other.
-const DEEPER: [u32; 2] = [1 << 14, 1 << 7];
+const DEEPER: [u32; 2] = [1 << 14, 1 << 13];
+
+/// Parts of a rough stretch of 10⁻¹² of the domain at whose ends heights are looked at, to this part of their ranges.
+const PROBES: u32 = 16;
+const PART: f64 = 1.0 / 32.0;
+
+/// Heights that are looked at behind a place that is left open, the farthest 10⁻¹² of the domain from it, each half as far.
+const LOST: u32 = 15;
+
+/// Boxes visited at most behind such a place.
+const BEHIND: u32 = 1 << 12;
+
+/// Levels after which heights are looked at again.
+const EVERY: u32 = 4;
+
+/// A curve under a ray: how its places become times.
+struct Axis<'a, F: Function> {
+    curve: &'a Curve<F>,
+    origin: f64,
+    direction: f64,
+    /// Whether places are kept as times at which the ray is there; else, where these overflow, as themselves.
+    timed: bool,
+    /// Share of a child in its cell, where all have the same.
+    share: Option<Double>,
+    /// Width of the cells that are not split any more; none for a ray along the axis, whose cells need no place of their own.
+    finest: f64,
+}
 
 /// A cell of one axis: where it lies and what bounds the function there.
 struct Level<F: Function> {
     cell: Cell<Below<F>>,
+    /// The left end and the width, as places or as times; the latter also as a length, rounded.
     left: Double,
     width: Double,
+    size: f64,
     value: Interval,
     slope: Interval,
     depth: u32,
 }
 
-impl<F: Function> Level<F> {
-    /// The domain, or the one place that a ray keeps to.
-    fn root(axis: &Curve<F>, origin: f64, direction: f64) -> Self {
-        let domain = axis.domain();
-        let width = Double::from(domain.hi).minus(Double::from(domain.lo));
-        let whole = Self::new(axis, axis.root(), Double::from(domain.lo), width, 0);
-        if direction == 0.0 {
-            return Self { value: axis.near(origin).interval(), depth: LEVELS, ..whole };
+impl<'a, F: Function> Axis<'a, F> {
+    fn new(curve: &'a Curve<F>, [origin, direction]: [f64; 2], other: f64) -> Self {
+        let count = curve.count();
+        let even = curve.function().is_even().then(|| Double::ratio(1.0, count as f64));
+        let domain = curve.domain();
+        let farthest = (domain.magnitude() + origin.abs()) / direction.abs();
+        let finest = if other == 0.0 { 0.0 } else { FINEST * domain.width() };
+        Self { curve, origin, direction, timed: farthest < 0.125 * f64::MAX, share: even, finest }
+    }
+
+    /// The domain, or the one place that the ray keeps to.
+    fn root(&self) -> Level<F> {
+        let domain = self.curve.domain();
+        let [lo, hi] = [domain.lo, domain.hi].map(Double::from);
+        let [mut left, mut width] = [lo, hi.minus(lo)];
+        if self.timed {
+            (left, width) = (self.time_of(left), width.over(self.direction));
         }
-        whole
+        let root = self.level(self.curve.root(), [left, width], domain.width(), 0);
+        if self.direction == 0.0 {
+            return Level { value: self.curve.near(self.origin).interval(), depth: LEVELS, ..root };
+        }
+        root
+    }
+
+    /// Whether a cell is not split any more.
+    #[inline]
+    fn ends(&self, level: &Level<F>) -> bool {
+        level.depth >= LEVELS || level.size <= self.finest
     }
 
     #[inline]
-    fn new(axis: &Curve<F>, cell: Cell<Below<F>>, left: Double, width: Double, depth: u32) -> Self {
-        let [value, slope] = axis.bounds(&cell);
-        Self { cell, left, width, value, slope, depth }
+    fn level(&self, cell: Cell<Below<F>>, [left, width]: [Double; 2], size: f64, depth: u32) -> Level<F> {
+        let [value, slope] = self.curve.bounds(&cell);
+        Level { cell, left, width, size, value, slope, depth }
     }
 
-    fn ends(&self, axis: &Curve<F>, other: f64) -> bool {
-        // Beside a place that is kept to, cells need no place of their own.
-        self.depth >= LEVELS || (other != 0.0 && self.width.hi <= FINEST * axis.domain().width())
+    fn time_of(&self, place: Double) -> Double {
+        place.minus(Double::from(self.origin)).over(self.direction)
     }
 
-    fn knot(&self, axis: &Curve<F>, j: usize) -> Double {
-        self.left.plus(self.width.times(axis.function().knot(j)))
+    #[inline]
+    fn time(&self, place: Double) -> Double {
+        if self.timed { place } else { self.time_of(place) }
+    }
+
+    /// Knot `j` of a cell, whose children have the width `part`, where all have the same.
+    #[inline]
+    fn knot(&self, level: &Level<F>, part: Double, j: usize) -> Double {
+        match (self.share, j) {
+            (_, 0) => level.left,
+            (Some(_), 1) => level.left.plus(part),
+            (Some(_), _) => level.left.plus(part.times(Double::from(j as f64))),
+            (None, _) => level.left.plus(level.width.times(self.curve.function().knot(j))),
+        }
     }
 
     /// The children that a stretch of the ray goes through, in its order, each made when it is asked for, and the part
-    /// of the stretch over each; from the ray's origin and direction along the axis.
+    /// of the stretch over each.
     #[inline]
-    fn children<'a>(
-        &'a self,
-        axis: &'a Curve<F>,
-        [origin, direction]: [f64; 2],
+    fn children<'b>(
+        &'b self,
+        level: &'b Level<F>,
         [mut lo, hi]: [Double; 2],
-    ) -> impl Iterator<Item = (impl Fn() -> Self + 'a, [Double; 2])> + 'a {
-        let (count, mut done) = (axis.count(), false);
+    ) -> impl Iterator<Item = (impl Fn() -> Level<F> + 'b, [Double; 2])> + 'b {
+        let (count, mut done) = (self.curve.count(), false);
+        let part = match self.share {
+            // Powers of two are exact.
+            Some(Double { hi: share, lo: 0.0 }) => level.width.scaled(share),
+            Some(share) => level.width.times(share),
+            None => level.width,
+        };
         (0..count).filter_map(move |k| {
-            let (j, far) = if direction < 0.0 { (count - 1 - k, count - 1 - k) } else { (k, k + 1) };
-            let end = || self.knot(axis, far).minus(Double::from(origin)).over(direction);
-            let end = if k + 1 == count { hi } else { end().min(hi) };
+            let (j, far) = if self.direction < 0.0 { (count - 1 - k, count - 1 - k) } else { (k, k + 1) };
+            let end = || self.time(self.knot(level, part, far));
+            let end = if k + 1 == count { hi } else { end() };
             // A stretch that only ends where the next child begins belongs to that.
             if done || (end <= lo && k + 1 < count) {
                 return None;
             }
-            let span = [lo, end.max(lo)];
+            let span = [lo, end.min(hi).max(lo)];
             (lo, done) = (span[1], end >= hi);
-            let part = move || {
-                let share = axis.function().knot(j + 1).minus(axis.function().knot(j));
-                let (left, width) = (self.knot(axis, j), self.width.times(share));
-                Self::new(axis, axis.child(&self.cell, j), left, width, self.depth + 1)
+            let child = move || {
+                let left = self.knot(level, part, j);
+                let [from, to] = self.curve.part(j);
+                let width =
+                    if self.share.is_some() { part } else { self.knot(level, part, j + 1).minus(left) };
+                let cell = self.curve.child(&level.cell, j);
+                self.level(cell, [left, width], level.size * (to - from), level.depth + 1)
             };
-            Some((part, span))
+            Some((child, span))
         })
     }
 }
@@ -120,43 +189,74 @@ impl Sight {
 /// A descent on its way.
 struct Descent<'a, 'b, F: Function, G: Function> {
     way: &'b mut Way<'a, HeightField<F, G>>,
+    x: &'b Axis<'a, F>,
+    y: &'b Axis<'a, G>,
+    /// Whether slopes are unknown.
+    rough: bool,
     sight: Sight,
     /// Height of a box that rounding leaves undecided.
     flat: f64,
     /// More than what rounding does to a height in the middle of a stretch.
     blur: f64,
-    /// Boxes left for rough stretches, and the end that was looked at last.
+    /// Length of a stretch that rounding may have put into a cell beside its own.
+    thin: f64,
+    /// Boxes left for rough stretches, the end of those that were probed, and the place that was looked at last.
     deeper: u32,
+    probed: f64,
     seen: Double,
+    /// End of the ray's stretch over the domain.
+    end: Double,
+    aim: Aim,
 }
 
 impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
-    /// The least root along a stretch of the ray.
-    pub(crate) fn boxes(&mut self, span: Interval) -> Option<Root> {
+    /// The least root along a stretch of the ray, or any.
+    pub(crate) fn boxes(&mut self, span: Interval, aim: Aim) -> Option<Root> {
         let (surface, o, d) = (self.surface, self.ray.origin, self.ray.direction);
-        let (x, y) = (Level::root(&surface.x, o.x, d.x), Level::root(&surface.y, o.y, d.y));
+        let across = Axis::new(&surface.x, [o.x, d.x], d.y);
+        let along = Axis::new(&surface.y, [o.y, d.y], d.x);
+        let (x, y) = (across.root(), along.root());
         let (mut lo, mut hi) = (Double::from(span.lo), Double::from(span.hi));
         let mut flat = 2.0 * self.pad.z;
         // Rounding at the border counts as the ray's where the surface is smooth.
         let rough = surface.x.derivative().is_none() || surface.y.derivative().is_none();
-        for (left, width, origin, direction, value, other) in [
-            (x.left, x.width, o.x, d.x, x.value, surface.y.range()),
-            (y.left, y.width, o.y, d.y, y.value, surface.x.range()),
+        for (ends, direction, value, other) in [
+            ([across.time(x.left), across.time(x.left.plus(x.width))], d.x, x.value, surface.y.range()),
+            ([along.time(y.left), along.time(y.left.plus(y.width))], d.y, y.value, surface.x.range()),
         ] {
-            let at = |border: Double| border.minus(Double::from(origin)).over(direction);
             if direction == 0.0 {
                 flat += 2.0 * value.width() * other.magnitude();
             } else if rough {
-                let (a, b) = (at(left), at(left.plus(width)));
+                let [a, b] = ends;
                 (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
             }
         }
         let [f, g] = [surface.x.range(), surface.y.range()].map(Interval::magnitude);
-        let moved = || surface.x.function().blur() * g + surface.y.function().blur() * f;
+        let near = |domain: Interval, origin: f64| FINEST * (domain.magnitude() + origin.abs());
+        let (off_x, off_y) = (near(surface.x.domain(), o.x), near(surface.y.domain(), o.y));
+        let moved = || surface.x.function().blur(off_x) * g + surface.y.function().blur(off_y) * f;
         let blur = self.pad.z + if rough { 1.0001 * moved() } else { 0.0 };
         let sight = Sight { side: 0.0, touched: None, lost: None, close: self.finest, found: None };
-        let deeper = DEEPER[usize::from(d.x != 0.0 && d.y != 0.0)];
-        let mut descent = Descent { way: self, sight, flat, blur, deeper, seen: Double::from(f64::NAN) };
+        let slanted = d.x != 0.0 && d.y != 0.0;
+        // Along an axis every cell is gone through from end to end.
+        let thin = if slanted { THIN * (span.lo.abs() + span.hi.abs()) } else { -1.0 };
+        let deeper = DEEPER[usize::from(slanted)];
+        let seen = Double::from(f64::NAN);
+        let mut descent = Descent {
+            way: self,
+            x: &across,
+            y: &along,
+            rough,
+            sight,
+            flat,
+            blur,
+            thin,
+            deeper,
+            probed: f64::NEG_INFINITY,
+            seen,
+            end: hi,
+            aim,
+        };
         descent.visit(&x, &y, [lo, hi]);
         let Sight { touched, lost, found, .. } = descent.sight;
         found.or(touched.or(lost).map(|t| Root { t, certain: false }))
@@ -171,13 +271,26 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
 impl<F: Function, G: Function> Descent<'_, '_, F, G> {
     /// Whether the search ends within the box over two cells and a stretch of the ray.
     fn visit(&mut self, x: &Level<F>, y: &Level<G>, [mut lo, mut hi]: [Double; 2]) -> bool {
-        let (height, span) = (x.value.product(y.value), Interval::new(lo.hi, hi.hi));
+        let (mut height, span) = (x.value.product(y.value), Interval::new(lo.hi, hi.hi));
         let inside = lo <= hi && span.lo < f64::INFINITY;
         if !inside {
             return false;
         }
+        if self.rough && hi.minus(lo).hi <= self.thin {
+            // The ray may be in a neighbouring cell all along.
+            height = height.inflated(self.blur);
+        }
+        let (ray, pad) = (self.way.ray, self.way.pad.z);
+        let [z, end] = [span.lo, span.hi].map(|t| ray.origin.z + t * ray.direction.z);
+        let (above, below) = (height.hi + pad, height.lo - pad);
+        if (z > above && end > above) || (z < below && end < below) {
+            return self.sight.known(if z > above { 1.0 } else { -1.0 }, span.lo);
+        }
+        if below <= z && z <= above && below <= end && end <= above {
+            return self.enter(x, y, [lo, hi], height);
+        }
         let cut = self.way.within(span, height);
-        let (ray, middle) = (self.way.ray, height.middle());
+        let middle = height.middle();
         let side = |t: f64| if ray.origin.z + t * ray.direction.z < middle { -1.0 } else { 1.0 };
         if cut.lo > cut.hi {
             return self.sight.known(side(span.lo), span.lo);
@@ -196,15 +309,17 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
 
     /// [`Descent::visit`] where the ray is as high as the box.
     fn enter(&mut self, x: &Level<F>, y: &Level<G>, [lo, hi]: [Double; 2], height: Interval) -> bool {
-        let (span, surface) = (Interval::new(lo.hi, hi.hi), self.way.surface);
-        let slopes = [x.slope.product(y.value), x.value.product(y.slope)];
-        let rate = self.way.rate(slopes);
+        let span = Interval::new(lo.hi, hi.hi);
+        let (mut slopes, mut rate) = ([Interval::ENTIRE; 2], Interval::ENTIRE);
+        if !self.rough {
+            slopes = [x.slope.product(y.value), x.value.product(y.slope)];
+            rate = self.way.rate(slopes);
+        }
         if rate.lo > 0.0 || rate.hi < 0.0 {
             return self.crossing(span, rate, slopes);
         }
         self.way.budget = self.way.budget.saturating_sub(1);
-        let d = self.way.ray.direction;
-        let (x_ends, y_ends) = (x.ends(&surface.x, d.y), y.ends(&surface.y, d.x));
+        let (x_ends, y_ends) = (self.x.ends(x), self.y.ends(y));
         if rate.magnitude() < f64::INFINITY {
             if (x_ends && y_ends) || span.width() <= self.way.close {
                 return self.crossing(span, rate, slopes);
@@ -213,48 +328,72 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             if height.width() <= self.flat {
                 return self.touch(span.lo);
             }
-            let short = span.width() <= self.way.close;
-            if short && self.looked([lo, hi]) {
-                return true;
-            }
+            let (ends, short) = (x_ends && y_ends, span.width() <= self.way.close);
             if short {
                 self.deeper = self.deeper.saturating_sub(1);
+                let now = (x.depth + y.depth).is_multiple_of(EVERY) || ends || span.lo >= self.probed;
+                if now && self.probe([lo, hi], [x.value, y.value]) {
+                    return true;
+                }
             }
-            if (x_ends && y_ends) || (short && (self.deeper == 0 || self.sight.lost.is_some())) {
-                self.sight.lost.get_or_insert(span.lo);
-                return false;
+            let far = self.sight.lost.is_some_and(|lost| span.lo - lost > self.sight.close);
+            if ends || (short && (self.deeper == 0 || far)) {
+                return self.lose(lo);
             }
         }
         if self.way.budget == 0 {
             return self.give_up(span);
         }
-        let o = self.way.ray.origin;
-        if y_ends || (!x_ends && x.width >= y.width) {
-            let mut parts = x.children(&surface.x, [o.x, d.x], [lo, hi]);
-            parts.any(|(part, span)| self.visit(&part(), y, span))
+        let (across, along) = (self.x, self.y);
+        if y_ends || (!x_ends && x.size >= y.size) {
+            across.children(x, [lo, hi]).any(|(part, span)| self.visit(&part(), y, span))
         } else {
-            let mut parts = y.children(&surface.y, [o.y, d.y], [lo, hi]);
-            parts.any(|(part, span)| self.visit(x, &part(), span))
+            along.children(y, [lo, hi]).any(|(part, span)| self.visit(x, &part(), span))
         }
     }
 
-    /// Looks at the heights at both ends of a short stretch over a rough surface: whether that ends the search.
-    fn looked(&mut self, ends: [Double; 2]) -> bool {
-        let (ray, surface, blur) = (self.way.ray, self.way.surface, self.blur);
-        let at = |t: Double, o: f64, d: f64| Double::from(o).plus(t.times(Double::from(d)));
-        for t in ends {
-            if t == self.seen {
-                continue;
-            }
-            self.seen = t;
-            let (x, y) = (at(t, ray.origin.x, ray.direction.x), at(t, ray.origin.y, ray.direction.y));
-            let height = surface.x.at(x).product(surface.y.at(y));
-            let above = ray.origin.z + t.hi * ray.direction.z - height.value;
-            if above.abs() > height.bound + blur && self.sight.known(above.signum(), t.hi) {
-                return true;
-            }
+    /// Looks at the heights at both ends of a short stretch over a rough surface, and in between where that is new: a root is
+    /// found sooner than all that lies before it is cleared. Whether that ends the search.
+    fn probe(&mut self, [lo, hi]: [Double; 2], values: [Interval; 2]) -> bool {
+        let parts = if lo.hi < self.probed { 1 } else { PROBES };
+        self.probed = self.probed.max(hi.hi);
+        let step = hi.minus(lo).scaled(1.0 / f64::from(parts));
+        let tolerances = values.map(|value| PART * value.width());
+        let at = |k: u32| if k == parts { hi } else { lo.plus(step.times(Double::from(f64::from(k)))) };
+        (0..=parts).any(|k| self.looked(at(k), tolerances))
+    }
+
+    /// Looks at the height at `t` over a rough surface: whether that ends the search.
+    fn looked(&mut self, t: Double, [x, y]: [f64; 2]) -> bool {
+        if t == self.seen || t > self.end {
+            return false;
         }
-        false
+        let (ray, surface, blur) = (self.way.ray, self.way.surface, self.blur);
+        let at = |o: f64, d: f64| Double::from(o).plus(t.times(Double::from(d)));
+        let f = surface.x.at(at(ray.origin.x, ray.direction.x), x);
+        let height = f.product(surface.y.at(at(ray.origin.y, ray.direction.y), y));
+        let above = ray.origin.z + t.hi * ray.direction.z - height.value;
+        if above.abs() <= height.bound + blur {
+            return false;
+        }
+        self.seen = t;
+        self.sight.known(above.signum(), t.hi)
+    }
+
+    /// From `t` on a limit hides the side, unless a height nearby tells that there is a root: whether that ends the search.
+    fn lose(&mut self, t: Double) -> bool {
+        if self.sight.lost.is_some() {
+            return false;
+        }
+        self.sight.lost = Some(t.hi);
+        if self.aim == Aim::Any {
+            return true;
+        }
+        self.deeper = self.deeper.min(BEHIND);
+        (0..=LOST).rev().any(|k| {
+            let near = Double::from(self.sight.close).scaled(1.0 / f64::from(1_u32 << k));
+            self.looked(t.plus(near), [0.0; 2])
+        })
     }
 
     /// From `t` on rounding hides the side; false, as the search goes on.

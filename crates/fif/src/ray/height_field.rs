@@ -11,8 +11,8 @@ use crate::math::sqrt;
 use crate::numeric::interval::Interval;
 use crate::ray::intersect::Intersect;
 #[cfg(feature = "alloc")]
-use crate::ray::ray::{Aim, Root};
-use crate::ray::ray::{Hit, Ray};
+use crate::ray::ray::Root;
+use crate::ray::ray::{Aim, Hit, Ray};
 #[cfg(feature = "alloc")]
 use crate::ray::tracer::{Path, Tracer};
 use crate::ray::way::Way;
@@ -24,17 +24,18 @@ use crate::surface::normal::upward_normal;
 /// Boxes of rigorous value ranges are visited in the order of the ray, split along one axis at a time. Where the
 /// slope ranges show that the ray comes nearer to the surface all along, there is one root at most: two evaluations
 /// decide, and a bracketed secant finds it to the last places of `t`. A surface that is only continuous is followed down to
-/// stretches of 10⁻¹² of the domain, where a change of sign is a root. One without is split on, by places that are followed to
-/// 100 bits: a rough surface has spikes far narrower than an `f64` can tell, that of the source's g one of 9·10⁻⁴ over 10⁻¹³.
+/// stretches of 10⁻¹² of the domain, where a change of sign is a root; heights at 17 places of such a stretch look for one. One
+/// without is split on, by places that are followed to 2⁻⁹⁶: a rough surface has spikes far narrower than an `f64` can tell, that
+/// of the source's g one of 9·10⁻⁴ over 10⁻¹³.
 ///
 /// With the tables of two smooth functions on equal knots stretches of the ray take the place of boxes: rigorous ranges over
 /// the cells under a stretch cut off what lies above or below the surface, a height in the middle what is too near to it for a
 /// root, and Newton's steps find the one root where the ray comes nearer all along. After 256 divisions boxes decide the rest.
 ///
 /// No hit is passed by: `None` and `false` are proofs. A hit is [`certain`](Hit::certain) unless the ray grazes nearer than the
-/// rounding error of `h`, or a limit binds: a ray, or what tables leave of one stretch, visits 2¹⁶ boxes, 2⁷ of
+/// rounding error of `h`, or a limit binds: a ray, or what tables leave of one stretch, visits 2¹⁶ boxes, 2¹³ of
 /// these below 10⁻¹² of the domain (2¹⁴ for a ray along an axis), and a box is split 192 times per axis. Rough surfaces of Hölder
-/// exponents near 1/4 reach them: most slanted rays at g(x) g(y) hit without being certain that nothing lies before, most
+/// exponents near 1/4 reach them: half of the slanted rays at g(x) g(y) hit without being certain that nothing lies before, most
 /// rays along an axis are certain. Over smooth axes, and on unequal knots, rounding counts as that of the ray: the result
 /// belongs to one within a few units in the last place.
 ///
@@ -77,7 +78,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         }
         // Without tables every value is as good as it can be.
         let _ = tolerance;
-        self.first_box(ray, t)
+        self.hit_by_boxes(ray, t, Aim::First)
     }
 
     fn hits_any(&self, ray: &Ray, t: Interval) -> bool {
@@ -87,7 +88,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         {
             return path.search(Aim::Any).is_some();
         }
-        self.first_box(ray, t).is_some()
+        self.hit_by_boxes(ray, t, Aim::Any).is_some()
     }
 
     /// All rays share their preparation, which is worth a fifth of the time with tables.
@@ -109,7 +110,7 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         }
         let _ = tolerance;
         for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.first_box(ray, t);
+            *hit = self.hit_by_boxes(ray, t, Aim::First);
         }
         Ok(())
     }
@@ -123,15 +124,15 @@ impl<F: Function, G: Function> HeightField<F, G> {
         for (ray, hit) in rays.iter().zip(hits) {
             *hit = match tracer.path(ray, t) {
                 Some(path) => self.meet(&path),
-                None => self.first_box(ray, t),
+                None => self.hit_by_boxes(ray, t, Aim::First),
             };
         }
     }
 
-    /// The first hit by boxes.
-    fn first_box(&self, ray: &Ray, t: Interval) -> Option<Hit> {
+    /// The first hit by boxes, or any.
+    fn hit_by_boxes(&self, ray: &Ray, t: Interval, aim: Aim) -> Option<Hit> {
         let (mut way, span) = Way::new(self, ray, t, 0.0)?;
-        let root = if way.is_vertical() { way.vertical(span) } else { way.boxes(span) }?;
+        let root = if way.is_vertical() { way.vertical(span) } else { way.boxes(span, aim) }?;
         way.hit(root, 0.0)
     }
 

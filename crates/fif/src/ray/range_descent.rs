@@ -95,7 +95,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
     /// By boxes, as without tables.
     #[cold]
     fn descend(&self, span: Interval) -> Option<Root> {
-        self.way(span)?.boxes(span)
+        self.way(span)?.boxes(span, Aim::First)
     }
 
     /// The ray as without tables.

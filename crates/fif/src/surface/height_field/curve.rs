@@ -130,8 +130,8 @@ impl<F: Function> Curve<F> {
     }
 
     /// The value at a place between doubles.
-    pub(crate) fn at(&self, x: Double) -> Bounded {
-        self.function.evaluate_between(x)
+    pub(crate) fn at(&self, x: Double, tolerance: f64) -> Bounded {
+        self.function.evaluate_between(x, tolerance)
     }
 
     /// The whole domain.

@@ -35,11 +35,11 @@ pub trait Function: Clone + Debug {
     fn range(&self) -> Interval;
     #[doc(hidden)]
     fn evaluate(&self, x: f64, tolerance: f64) -> Bounded;
-    /// The value between doubles, and what the rounding of such a place does to it.
+    /// The value between doubles, and what it changes over a distance to which such a place is known.
     #[doc(hidden)]
-    fn evaluate_between(&self, x: Double) -> Bounded;
+    fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded;
     #[doc(hidden)]
-    fn blur(&self) -> f64;
+    fn blur(&self, distance: f64) -> f64;
     #[doc(hidden)]
     fn mean(&self, l: f64, r: f64) -> Estimate;
     #[doc(hidden)]
@@ -58,6 +58,9 @@ pub trait Function: Clone + Debug {
     /// Knot `j` in units of the domain, as exactly as [`System::evaluate`] takes it.
     #[doc(hidden)]
     fn knot(&self, j: usize) -> Double;
+    /// Whether all children of a cell have the same width.
+    #[doc(hidden)]
+    fn is_even(&self) -> bool;
     /// Child `j`; the cell itself when there is none.
     #[doc(hidden)]
     fn child(&self, cell: &Self::Cell, j: usize) -> Self::Cell;
@@ -123,14 +126,14 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
         self.evaluate(x, tolerance)
     }
 
-    fn evaluate_between(&self, x: Double) -> Bounded {
-        self.evaluate_between(x)
+    fn evaluate_between(&self, x: Double, tolerance: f64) -> Bounded {
+        self.evaluate_between(x, tolerance)
     }
 
-    fn blur(&self) -> f64 {
-        // A place is known to 2⁻¹⁰⁰ of the domain; on unequal knots it stands for one that is as near as a double.
+    fn blur(&self, distance: f64) -> f64 {
+        // On unequal knots a place stands for one that is as near as a double.
         match self.spacing() {
-            Spacing::Uniform => self.modulus().at(self.domain().width() * f64::EPSILON * f64::EPSILON * 16.0),
+            Spacing::Uniform => self.modulus().at(distance),
             Spacing::Nonuniform => 0.0,
         }
     }
@@ -161,8 +164,14 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
         self.pieces().get(j).map_or([0.0, 1.0], |piece| piece.s)
     }
 
+    #[inline]
     fn knot(&self, j: usize) -> Double {
         self.place(j)
+    }
+
+    #[inline]
+    fn is_even(&self) -> bool {
+        self.spacing() == Spacing::Uniform
     }
 
     #[inline]

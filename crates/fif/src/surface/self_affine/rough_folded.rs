@@ -39,7 +39,8 @@ const FOLLOWED: u32 = 128;
 ///   size, as on unequal knots of a curve: a rough surface changes by more than that over such a distance.
 ///
 /// Feng, Feng, Yuan, *Fractal interpolation surfaces with function vertical scaling factors*, Applied Mathematics Letters 25,
-/// 2012; there the factor vanishes on the border or heights there lie on lines, here folded cells need neither.
+/// 2012: the idea that the factor is a function. Yun, Choi, O, arXiv 1404.1300, let it vanish on boundaries; folded cells need
+/// no such condition.
 ///
 /// ```
 /// use asperity_fif::{Intersect, Ray, RoughFolded, glam::DVec3};
