@@ -35,7 +35,7 @@
 //! | [`estimate_ndf`], [`NdfEstimator`], [`detailed`], [`detailed_normal`], [`normal_map`] | existing bump maps: their density, their texels, noise added to them |
 //! | [`ConditionalNdf`], [`conditional_density`], [`GaussianSplit`], [`level_of_detail`] | exact level of detail |
 //! | [`ConditionalTable`], [`ConditionalTableRef`] | exact level of detail by one look-up, for any density |
-//! | [`check`] (feature `check`) | property tests for any [`Ndf`], with a report that prints |
+//! | [`check`] (feature `check`) | property tests for any [`Ndf`] or [`Microfacet`], with a report that prints |
 //! | [`Frame`], [`phi`], [`inverse_phi`] | tangent frames; the Gaussian distribution function and its inverse |
 //!
 //! Plural calls fill arrays, in SIMD lanes: those of [`ClosedForm`] for [`Ggx`] and [`Beckmann`],

@@ -101,6 +101,7 @@
 //! | `simd` (default) | lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |
+//! | `check` | property tests for any field, your own included: module [`check`] |
 //! | `serde` | [`Spectrum`], [`Grid`], [`Normalisation`] and [`Rotation`] in files; a spectrum is read through [`Spectrum::new`] |
 //!
 //! The price of `simd` is the time to compile `fearless_simd`: 6 of the 9 seconds of processor time that this crate takes from
@@ -121,6 +122,8 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("asperity-noise needs a float backend: enable the feature `std` or `libm`");
 
+#[cfg(feature = "check")]
+pub mod check;
 mod contract;
 mod kinds;
 mod lanes;

@@ -9,3 +9,21 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     #[cfg(not(feature = "libm"))]
     return x.sqrt();
 }
+
+/// √x, correctly rounded; for checks.
+#[cfg(feature = "check")]
+pub(crate) fn sqrt_f64(x: f64) -> f64 {
+    #[cfg(feature = "libm")]
+    return libm::sqrt(x);
+    #[cfg(not(feature = "libm"))]
+    return x.sqrt();
+}
+
+/// ln x, for the limits of checks: no noise depends on it.
+#[cfg(feature = "check")]
+pub(crate) fn ln_f64(x: f64) -> f64 {
+    #[cfg(feature = "libm")]
+    return libm::log(x);
+    #[cfg(not(feature = "libm"))]
+    return x.ln();
+}

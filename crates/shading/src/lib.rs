@@ -53,6 +53,7 @@
 //! | [`normal_map`] | normal maps at every zoom, by the moments of their slopes (LEAN mapping with several lobes) | [`SlopePyramid`] |
 //! | [`texture`] | bricks, bevels, stars, marble, perturbed images, gas | [`Brick`], [`Marble`] |
 //! | [`material`] | [`Material`] and all materials: carpet, metallic paint, glass, wear, bump maps, walls | [`Material`], [`SurfacePoint`], [`Carpet`], [`MetallicPaint`], [`TemperedGlass`], [`Variations`], [`Scratches`], [`BumpMapped`] |
+//! | [`check`] (feature `check`) | property tests for any [`Brdf`] or [`Material`], with a report that prints | |
 //!
 //! [`half_vector`] and [`reflect`] are the geometry of mirrors, [`Frame`] that of tangents; [`ndf_sampling`] and [`noise`] are the crates
 //! below.
@@ -79,6 +80,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
+//! | `check` | property tests for any reflectance, your own included: module [`check`] |
 //! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |
 //! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
@@ -99,6 +101,8 @@ mod assertions;
 #[cfg(feature = "approx")]
 mod approx;
 pub mod bump;
+#[cfg(feature = "check")]
+pub mod check;
 mod direction;
 pub mod environment;
 mod image;

@@ -1,8 +1,9 @@
-//! BSDFs of all materials: energy, samples against their density, reciprocity, and light through coats.
+//! BSDFs of all materials: the public checks, energy to the horizon, reciprocity, and light through coats.
 
 use std::f32::consts::PI;
 
 use asperity_shading::bump::bumped_normal;
+use asperity_shading::check;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::level_of_detail::{BumpField, LevelOfDetail};
 use asperity_shading::material::{
@@ -18,7 +19,8 @@ use asperity_shading::reflectance::{Brdf, Bsdf, Coat, Delta, Dielectric, Lambert
 use asperity_shading::texture::{Bevel, Marble, StarWallpaper};
 use asperity_tests::assert_abs_diff_eq;
 
-use crate::reflectance::{albedo, direction, samples_fit};
+use crate::checked::quick;
+use crate::reflectance::{albedo, direction};
 
 type Boxed = Box<dyn Material>;
 
@@ -147,20 +149,11 @@ fn counted_flakes_send_no_more_light_than_they_get_on_average() {
 }
 
 #[test]
-fn samples_of_materials_follow_their_density() {
-    let materials = materials();
-    let level = 1e-3 / (2.0 * materials.len() as f64);
-    for (name, material, width) in materials {
-        if name == "glass" {
-            continue;
-        }
-        for (theta, phi) in [(0.3, 0.7), (1.1, -2.0)] {
-            let wo = direction(theta, phi);
-            let bsdf = material.bsdf(&point(PLACES[1], width), wo);
-            let p = samples_fit(name, &bsdf, wo);
-            assert!(p > level, "{name}, {theta}: p = {p:e}");
-        }
-    }
+fn materials_pass_the_public_checks() {
+    materials().into_iter().zip(0..).for_each(|((name, material, width), seed)| {
+        let report = check::material(&material, &point(PLACES[1], width), quick(seed));
+        assert!(report.passed(), "{name}\n{report}");
+    });
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod aliasing;
 mod bad_input;
 mod bsdf;
+mod checked;
 mod environment;
 mod fresnel;
 mod golden;

@@ -1,4 +1,4 @@
-//! Cells of the hemisphere that hold equally many samples, and integrals over them.
+//! Cells of the sphere or of its upper half that hold equally many samples, and integrals over them.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,23 +8,24 @@ use glam::Vec3;
 
 use crate::math;
 
-/// Halvings of the hemisphere: 2⁸ cells.
+/// Halvings of the domain: 2⁸ cells.
 const HALVINGS: usize = 8;
 
 /// The lowest coordinate of a tilt: 8e-11 rad, inside the narrowest lobe there is.
 const ZENITH: f64 = -24.0;
 
-/// A rectangle in Mercator's coordinates of the hemisphere: `ln tan(θ/2)` from the zenith to 0, and the azimuth.
+/// A rectangle in Mercator's coordinates: `ln tan(θ/2)`, from the zenith to 0 at the horizon and on to the nadir, and the azimuth.
 type Rectangle = [[f64; 2]; 2];
 
 const HEMISPHERE: Rectangle = [[ZENITH, 0.0], [-PI, PI]];
+const SPHERE: Rectangle = [[ZENITH, -ZENITH], [-PI, PI]];
 
 /// Mercator's coordinates of a direction. Lobes about the zenith are about 1 wide in them, whatever their roughness.
 fn coordinates(m: Vec3) -> [f64; 2] {
     let [x, y, z] = m.to_array().map(f64::from);
     let across = math::sqrt_f64(x * x + y * y);
-    let tilt = math::ln_f64(across / (math::sqrt_f64(across * across + z * z) + z));
-    [tilt.clamp(ZENITH, 0.0), math::atan2_f64(y, x)]
+    let tilt = math::ln_f64(across / (math::sqrt_f64(across * across + z * z) + z.abs())).max(ZENITH);
+    [if z < 0.0 { -tilt } else { tilt }, math::atan2_f64(y, x)]
 }
 
 /// The direction at a place, and `dω = sin² θ` per area of the coordinates.
@@ -35,31 +36,73 @@ fn direction([tilt, azimuth]: [f64; 2]) -> (Vec3, f64) {
     (Vec3::new(x as f32, y as f32, cos as f32), sin * sin)
 }
 
-/// A tree of halvings: each at the median of the pilot samples, along the coordinate in which they are spread the farther.
-pub(super) struct Cells {
+/// A rectangle on both sides of a cut.
+fn split(rectangle: Rectangle, axis: usize, cut: f64) -> [Rectangle; 2] {
+    let mut halves = [rectangle; 2];
+    (halves[0][axis][1], halves[1][axis][0]) = (cut, cut);
+    halves
+}
+
+/// Cells of directions for χ² tests: halvings at the medians of pilot samples, along the coordinate in which they are spread the farther.
+///
+/// Within cells of the sphere, quadrature stops at the horizon, where reflectances leap.
+///
+/// ```
+/// use asperity_ndf_sampling::{Ggx, Ndf, check::{Cells, p_value}, glam::Vec2};
+///
+/// let ggx = Ggx::new(0.2, 0.4)?;
+/// let sample = |k: u32| ggx.sample(Vec2::new((k as f32 * 0.754_877_7).fract(), (k as f32 * 0.569_840_3).fract()));
+/// let cells = Cells::of_hemisphere((0..4096).map(sample));
+/// let masses = cells.integrate(|m| f64::from(ggx.density(m) * m.z));
+/// assert!((masses.iter().sum::<f64>() - 1.0).abs() < 1e-3);
+/// assert!(p_value(&cells.count((4096..8192).map(sample)), &masses, 4096) > 1e-6);
+/// # Ok::<(), asperity_ndf_sampling::RangeError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    domain: Rectangle,
     /// The coordinate and the place of each cut; the cuts of cut `k` are `2k + 1` and `2k + 2`.
     cuts: Vec<(usize, f64)>,
+    /// The parts of each cell, and what its pilot samples span in each.
+    parts: Vec<Vec<[Rectangle; 2]>>,
 }
 
 impl Cells {
-    pub(super) fn new(pilot: impl Iterator<Item = Vec3>) -> Self {
-        let mut places: Vec<[f64; 2]> = pilot.map(coordinates).collect();
-        let mut cells = Self { cuts: vec![(0, 0.0); (1 << HALVINGS) - 1] };
-        cells.halve(0, &mut places, HEMISPHERE);
+    /// 256 cells of the upper half of the sphere, by samples of it.
+    #[must_use]
+    pub fn of_hemisphere(pilot: impl IntoIterator<Item = Vec3>) -> Self {
+        Self::of(HEMISPHERE, pilot)
+    }
+
+    /// 256 cells of the sphere, by samples of it.
+    #[must_use]
+    pub fn of_sphere(pilot: impl IntoIterator<Item = Vec3>) -> Self {
+        Self::of(SPHERE, pilot)
+    }
+
+    fn of(domain: Rectangle, pilot: impl IntoIterator<Item = Vec3>) -> Self {
+        let [low, high] = domain[0];
+        let mut places: Vec<[f64; 2]> = pilot
+            .into_iter()
+            .map(coordinates)
+            .filter(|[tilt, azimuth]| !tilt.is_nan() && !azimuth.is_nan())
+            .map(|[tilt, azimuth]| [tilt.clamp(low, high), azimuth.clamp(-PI, PI)])
+            .collect();
+        let cuts = vec![(0, 0.0); (1 << HALVINGS) - 1];
+        let mut cells = Self { domain, cuts, parts: Vec::with_capacity(1 << HALVINGS) };
+        cells.halve(0, &mut places, domain);
         cells
     }
 
-    fn halve(&mut self, node: usize, places: &mut [[f64; 2]], [tilts, azimuths]: Rectangle) {
+    fn halve(&mut self, node: usize, places: &mut [[f64; 2]], rectangle: Rectangle) {
         if node >= self.cuts.len() {
-            return;
+            let mut parts = Vec::new();
+            part_at_gaps(rectangle, places, &mut parts);
+            return self.parts.push(parts);
         }
+        let span = spanned(places);
         let middle = places.len() / 2;
-        let range = |axis: usize| {
-            let of = places.iter().map(|place| place[axis]);
-            of.clone().fold(f64::MIN, f64::max) - of.fold(f64::MAX, f64::min)
-        };
-        let axis = usize::from(range(1) > range(0));
-        let rectangle = [tilts, azimuths];
+        let axis = usize::from(span[1][1] - span[1][0] > span[0][1] - span[0][0]);
         let cut = if places.is_empty() {
             0.5 * (rectangle[axis][0] + rectangle[axis][1])
         } else {
@@ -67,15 +110,14 @@ impl Cells {
             places[middle][axis]
         };
         self.cuts[node] = (axis, cut);
-        let (mut low, mut high) = (rectangle, rectangle);
-        (low[axis][1], high[axis][0]) = (cut, cut);
+        let [low, high] = split(rectangle, axis, cut);
         let (below, above) = places.split_at_mut(middle);
         self.halve(2 * node + 1, below, low);
         self.halve(2 * node + 2, above, high);
     }
 
     /// The cell that holds a direction.
-    pub(super) fn index(&self, m: Vec3) -> usize {
+    fn index(&self, m: Vec3) -> usize {
         let (place, mut node) = (coordinates(m), 0);
         while let Some(&(axis, cut)) = self.cuts.get(node) {
             node = 2 * node + 1 + usize::from(place[axis] >= cut);
@@ -84,69 +126,156 @@ impl Cells {
     }
 
     /// Counts of directions by their cells.
-    pub(super) fn count(&self, directions: impl Iterator<Item = Vec3>) -> Vec<u64> {
-        let mut counts = vec![0; self.cuts.len() + 1];
+    #[must_use]
+    pub fn count(&self, directions: impl IntoIterator<Item = Vec3>) -> Vec<u64> {
+        let mut counts = vec![0; self.parts.len()];
         for m in directions {
             counts[self.index(m)] += 1;
         }
         counts
     }
 
-    /// The integral of `f` over each cell's solid angle.
-    pub(super) fn integrate(&self, f: impl Fn(Vec3) -> f64) -> Vec<f64> {
-        let mut integrals = Vec::with_capacity(self.cuts.len() + 1);
-        self.integrate_node(0, HEMISPHERE, &f, &mut integrals);
-        integrals
+    /// The integral of `f` over each cell's solid angle, by adaptive quadrature.
+    #[must_use]
+    pub fn integrate(&self, f: impl Fn(Vec3) -> f64) -> Vec<f64> {
+        self.integrate_all(|m| [f(m)]).into_iter().map(|[integral]| integral).collect()
     }
 
-    fn integrate_node(&self, node: usize, rectangle: Rectangle, f: &impl Fn(Vec3) -> f64, to: &mut Vec<f64>) {
-        let Some(&(axis, cut)) = self.cuts.get(node) else {
-            let coarse = gauss(rectangle, f);
-            return to.push(adaptive(rectangle, coarse, DEEPEST, f));
+    /// The integrals of several functions over each cell's solid angle, from the same directions.
+    #[must_use]
+    pub fn integrate_all<const N: usize>(&self, f: impl Fn(Vec3) -> [f64; N]) -> Vec<[f64; N]> {
+        let of = |parts: &Vec<[Rectangle; 2]>| {
+            parts.iter().fold([0.0; N], |sum, &[part, span]| plus(sum, graded(part, span, &f)))
         };
-        let (mut low, mut high) = (rectangle, rectangle);
-        (low[axis][1], high[axis][0]) = (cut, cut);
-        self.integrate_node(2 * node + 1, low, f, to);
-        self.integrate_node(2 * node + 2, high, f, to);
+        self.parts.iter().map(of).collect()
     }
 }
 
-/// By how much the quadrature of a part may change when it is halved: two in a thousand of a cell's share, divided among its parts.
-const TOLERANCE: f64 = 2e-6;
+fn sort(places: &mut [[f64; 2]], axis: usize) {
+    places.sort_unstable_by(|a, b| a[axis].total_cmp(&b[axis]));
+}
 
-/// Halvings of a cell in search of more digits, before its kinks are taken as they are.
+/// The least rectangle about places; from ∞ to −∞ where there are none.
+fn spanned(places: &[[f64; 2]]) -> Rectangle {
+    [0, 1].map(|axis| {
+        let of = places.iter().map(|place| place[axis]);
+        [of.clone().fold(f64::INFINITY, f64::min), of.fold(f64::NEG_INFINITY, f64::max)]
+    })
+}
+
+/// Parts of a rectangle on one side of the horizon, without a gap in their places that is wider than half of what they span.
+fn part_at_gaps(rectangle: Rectangle, places: &mut [[f64; 2]], to: &mut Vec<[Rectangle; 2]>) {
+    if rectangle[0][0] < 0.0 && rectangle[0][1] > 0.0 {
+        sort(places, 0);
+        return part_at(rectangle, 0, 0.0, places, to);
+    }
+    if places.is_empty() {
+        return to.push([rectangle; 2]);
+    }
+    let span = spanned(places);
+    for axis in [0, 1] {
+        sort(places, axis);
+        // Of few places a wide gap says little: two have nothing but a gap.
+        let wide = (0.5 + 1.0 / places.len() as f64) * (span[axis][1] - span[axis][0]);
+        let gap = places.windows(2).position(|pair| pair[1][axis] - pair[0][axis] > wide);
+        if let Some(gap) = gap {
+            return part_at(rectangle, axis, 0.5 * (places[gap][axis] + places[gap + 1][axis]), places, to);
+        }
+    }
+    to.push([rectangle, span]);
+}
+
+/// Parts on both sides of a cut, of places in the order of its axis.
+fn part_at(
+    rectangle: Rectangle,
+    axis: usize,
+    cut: f64,
+    places: &mut [[f64; 2]],
+    to: &mut Vec<[Rectangle; 2]>,
+) {
+    let [low, high] = split(rectangle, axis, cut);
+    let (below, above) = places.split_at_mut(places.partition_point(|place| place[axis] < cut));
+    part_at_gaps(low, below, to);
+    part_at_gaps(high, above, to);
+}
+
+/// The integral over a rectangle by frames about what samples span in it, each three times as wide as the one inside: a lobe that is
+/// narrow in a wide cell is in the inner ones.
+fn graded<const N: usize>(rectangle: Rectangle, span: Rectangle, f: &impl Fn(Vec3) -> [f64; N]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    let mut add = |part: Rectangle| {
+        if part.iter().all(|[low, high]| low < high) {
+            sum = plus(sum, adaptive(part, gauss(part, f), DEEPEST, f));
+        }
+    };
+    let within = |by: f64, span: Rectangle| {
+        [0, 1].map(|axis| {
+            let ([low, high], [from, to]) = (rectangle[axis], span[axis]);
+            // What a single sample spans has no width.
+            let wider = by * (to - from).max(1e-7);
+            [(from - wider).clamp(low, high), (to + wider).clamp(low, high)]
+        })
+    };
+    let mut inner = within(0.0, span);
+    add(inner);
+    while inner != rectangle {
+        let outer = within(1.0, inner);
+        add([[outer[0][0], inner[0][0]], outer[1]]);
+        add([[inner[0][1], outer[0][1]], outer[1]]);
+        add([inner[0], [outer[1][0], inner[1][0]]]);
+        add([inner[0], [inner[1][1], outer[1][1]]]);
+        inner = outer;
+    }
+    sum
+}
+
+/// By how much the quadrature of a part may change when it is halved: a thousandth of a cell's share, divided among its parts.
+const TOLERANCE: f64 = 4e-6;
+
+/// Halvings of a part in search of more digits, before its kinks are taken as they are.
 const DEEPEST: u32 = 16;
 
 /// Halves a rectangle along its side of the larger change until that no longer counts.
-fn adaptive(rectangle: Rectangle, coarse: f64, deepest: u32, f: &impl Fn(Vec3) -> f64) -> f64 {
-    let halves = |axis: usize| {
-        let middle = 0.5 * (rectangle[axis][0] + rectangle[axis][1]);
-        let (mut low, mut high) = (rectangle, rectangle);
-        (low[axis][1], high[axis][0]) = (middle, middle);
-        [(low, gauss(low, f)), (high, gauss(high, f))]
-    };
-    let change = |[low, high]: &[(Rectangle, f64); 2]| (low.1 + high.1 - coarse).abs();
-    let parts = [halves(0), halves(1)];
-    let [tilt, azimuth] = parts.each_ref().map(change);
+fn adaptive<const N: usize>(
+    rectangle: Rectangle,
+    coarse: [f64; N],
+    deepest: u32,
+    f: &impl Fn(Vec3) -> [f64; N],
+) -> [f64; N] {
+    let parts = [0, 1].map(|axis| {
+        let [from, to] = rectangle[axis];
+        split(rectangle, axis, 0.5 * (from + to)).map(|half| (half, gauss(half, f)))
+    });
+    let [tilt, azimuth] = parts.map(|[low, high]| {
+        let fine = plus(low.1, high.1);
+        fine.iter().zip(coarse).fold(0.0, |most: f64, (fine, coarse)| most.max((fine - coarse).abs()))
+    });
     let [low, high] = if azimuth > tilt { parts[1] } else { parts[0] };
     if deepest == 0 || tilt.max(azimuth) <= TOLERANCE {
-        return low.1 + high.1;
+        return plus(low.1, high.1);
     }
-    adaptive(low.0, low.1, deepest - 1, f) + adaptive(high.0, high.1, deepest - 1, f)
+    plus(adaptive(low.0, low.1, deepest - 1, f), adaptive(high.0, high.1, deepest - 1, f))
 }
 
 /// Three nodes of Gauss and Legendre along each side.
-fn gauss([tilts, azimuths]: Rectangle, f: &impl Fn(Vec3) -> f64) -> f64 {
+fn gauss<const N: usize>([tilts, azimuths]: Rectangle, f: &impl Fn(Vec3) -> [f64; N]) -> [f64; N] {
     // √(3/5)/2 about the middle, with the weights 5/18 and 4/9.
     const NODES: [(f64, f64); 3] =
         [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
     let at = |[from, to]: [f64; 2], t: f64| from + (to - from) * t;
-    let mut sum = 0.0;
+    let whole = (tilts[1] - tilts[0]) * (azimuths[1] - azimuths[0]);
+    let mut sum = [0.0; N];
     for ((s, weight), (t, other)) in NODES.into_iter().flat_map(|a| NODES.map(|b| (a, b))) {
         let (m, area) = direction([at(tilts, s), at(azimuths, t)]);
-        sum += weight * other * area * f(m);
+        sum = plus(sum, f(m).map(|value| weight * other * area * whole * value));
     }
-    sum * (tilts[1] - tilts[0]) * (azimuths[1] - azimuths[0])
+    sum
+}
+
+/// The sums of two lists.
+fn plus<const N: usize>(mut a: [f64; N], b: [f64; N]) -> [f64; N] {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+    a
 }
 
 #[cfg(test)]
@@ -154,23 +283,51 @@ mod tests {
     use super::*;
     use crate::{Ggx, Ndf};
 
+    fn ggx(count: u32) -> impl Iterator<Item = Vec3> {
+        let ggx = Ggx::new(0.05, 0.4).unwrap();
+        (0..count).map(move |k| {
+            ggx.sample(glam::Vec2::new((k as f32 * 0.618_034).fract(), (k as f32 * 0.754_877_7).fract()))
+        })
+    }
+
     #[test]
     fn cells_cover_the_hemisphere_once() {
-        let ggx = Ggx::new(0.05, 0.4).unwrap();
-        let at = |k: u32| {
-            ggx.sample(glam::Vec2::new((k as f32 * 0.618_034).fract(), (k as f32 * 0.754_877_7).fract()))
-        };
-        let cells = Cells::new((0..4096).map(at));
+        let cells = Cells::of_hemisphere(ggx(4096));
         let areas = cells.integrate(|_| 1.0);
         assert_abs_diff_eq!(areas.iter().sum::<f64>(), 2.0 * PI, epsilon = 2e-4);
-        assert_eq!(cells.count((0..4096).map(at)).iter().sum::<u64>(), 4096);
         // Each holds its share of the samples, but for those that share a coordinate with a cut.
-        assert!(cells.count((0..4096).map(at)).iter().all(|count| (12..=20).contains(count)));
+        let counts = cells.count(ggx(4096));
+        assert!(counts.iter().sum::<u64>() == 4096 && counts.iter().all(|count| (12..=20).contains(count)));
+    }
+
+    #[test]
+    fn cells_cover_the_sphere_once() {
+        let cells = Cells::of_sphere(ggx(1024).chain(ggx(1024).map(|m| -m)));
+        let [whole, upper] = cells
+            .integrate_all(|m| [1.0, if m.z > 0.0 { 1.0 } else { 0.0 }])
+            .into_iter()
+            .fold([0.0; 2], plus);
+        assert_abs_diff_eq!(whole, 4.0 * PI, epsilon = 4e-4);
+        assert_abs_diff_eq!(upper, 2.0 * PI, epsilon = 2e-4);
+        assert_eq!(
+            Cells::of_sphere([Vec3::NAN]).count([Vec3::NAN, Vec3::Z, -Vec3::X]).iter().sum::<u64>(),
+            3
+        );
+    }
+
+    #[test]
+    fn a_narrow_lobe_in_wide_cells_is_found() {
+        // Of 1e-4 rad about 60°, on a floor that has most of the samples.
+        let lobe = Vec3::new(0.866_025_4, 0.0, 0.5);
+        let near = ggx(64).map(|m| (lobe + 1e-4 * Vec3::new(m.x, m.y, 0.0)).normalize());
+        let cells = Cells::of_hemisphere(ggx(4032).chain(near));
+        let at = |m: Vec3| math::exp_f64(-f64::from((m - lobe).length_squared()) / 1e-8) / (PI * 1e-8);
+        assert_abs_diff_eq!(cells.integrate(at).iter().sum::<f64>(), 1.0, epsilon = 1e-3);
     }
 
     #[test]
     fn directions_keep_their_coordinates() {
-        for place in [[-20.0, 0.3], [-3.0, -3.1], [-0.1, 2.0]] {
+        for place in [[-20.0, 0.3], [-3.0, -3.1], [-0.1, 2.0], [0.1, 2.0], [3.0, 1.0], [20.0, -0.3]] {
             let back = coordinates(direction(place).0);
             assert_abs_diff_eq!(back[0], place[0], epsilon = 1e-6, "{place:?}");
             assert_abs_diff_eq!(back[1], place[1], epsilon = 1e-6, "{place:?}");

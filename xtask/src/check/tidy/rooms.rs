@@ -17,7 +17,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "noise",
         sources: "crates/noise/src",
         rooms: "math → point sample → lanes → lattice → row → statistics → contract → kinds/cell kinds/simplex → \
-                kinds/cellular → kinds → sums → transforms → printed",
+                kinds/cellular → kinds → sums → transforms → printed → check",
         face: Some(60),
     },
     House {
@@ -39,7 +39,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
-                normal_map → texture → material → approx",
+                normal_map → texture → material → approx → check",
         face: Some(60),
     },
     House {

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use crate::math::{atan2, clamp_to};
 use crate::parameter::ParameterError;
-use crate::reflectance::brdf::{Brdf, are_above};
+use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
 /// A rough diffuse surface that keeps all energy: light that leaves one facet for another comes out in the end.
@@ -105,7 +105,8 @@ impl Brdf for EnergyPreservingOrenNayar {
             return Vec3::ZERO;
         }
         let single = FRAC_1_PI * (1.0 + self.roughness * stretched(wi, wo)) / (1.0 + K * self.roughness);
-        self.albedo * single.max(0.0) + self.multiple * (lacking(wi) * lacking(wo))
+        // Cosines below 1e-38 overflow the ratio.
+        self.albedo * finite(single) + self.multiple * (lacking(wi) * lacking(wo))
     }
 }
 

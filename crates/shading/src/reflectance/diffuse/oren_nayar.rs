@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use crate::math::atan2;
 use crate::parameter::ParameterError;
-use crate::reflectance::brdf::{Brdf, are_above};
+use crate::reflectance::brdf::{Brdf, are_above, finite};
 use crate::reflectance::diffuse::rough::{checked, sine, stretched};
 
 /// Which formula an [`OrenNayar`] has.
@@ -127,7 +127,7 @@ impl Brdf for OrenNayar {
         if !are_above(wi, wo) {
             return Vec3::ZERO;
         }
-        match self.form {
+        let value = match self.form {
             OrenNayarForm::Full => self.full(wi, wo),
             OrenNayarForm::Qualitative => {
                 let s2 = self.sigma * self.sigma;
@@ -139,6 +139,8 @@ impl Brdf for OrenNayar {
                 let scale = 1.0 / (PI + (0.5 * PI - 2.0 / 3.0) * self.sigma);
                 self.albedo * (scale * (1.0 + self.sigma * stretched(wi, wo)))
             }
-        }
+        };
+        // Cosines below 1e-38 overflow the ratio.
+        Vec3::from_array(value.to_array().map(finite))
     }
 }

@@ -1,0 +1,124 @@
+//! Properties that were checked, with their figures and limits.
+
+use alloc::borrow::Cow;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// The checks of something, in order; prints one line for each.
+///
+/// ```
+/// use asperity_noise::check::{Check, Limit, Report};
+///
+/// let mut report = Report::default();
+/// report.add("range", "value", 1.25, Limit::AtMost(1.0), "at [0.5, 3]");
+/// assert!(!report.passed());
+/// assert_eq!(report.to_string(), "FAIL  range: value = 1.25, must be at most 1, at [0.5, 3]\n1 of 1 checks failed");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// The checks, in the order in which they were made.
+    pub checks: Vec<Check>,
+}
+
+/// A quantity with the limit that it must keep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// Property that is checked.
+    pub name: Cow<'static, str>,
+    /// Quantity that was measured.
+    pub quantity: &'static str,
+    /// Its worst value.
+    pub value: f64,
+    /// Bound that the value must keep.
+    pub limit: Limit,
+    /// Place of the worst value; empty if there is only one place.
+    pub place: String,
+}
+
+/// A bound that a measured quantity must keep; NaN keeps none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// The largest value that passes.
+    AtMost(f64),
+    /// The least value that passes.
+    AtLeast(f64),
+}
+
+impl Report {
+    /// Whether every check has passed.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.checks.iter().all(Check::passed)
+    }
+
+    /// Names of the checks that have failed.
+    pub fn failures(&self) -> impl Iterator<Item = &str> {
+        self.checks.iter().filter(|check| !check.passed()).map(|check| &*check.name)
+    }
+
+    /// Adds a check.
+    pub fn add(
+        &mut self,
+        name: impl Into<Cow<'static, str>>,
+        quantity: &'static str,
+        value: f64,
+        limit: Limit,
+        place: impl Into<String>,
+    ) {
+        self.checks.push(Check { name: name.into(), quantity, value, limit, place: place.into() });
+    }
+}
+
+impl Check {
+    /// Whether the value keeps its limit.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        match self.limit {
+            Limit::AtMost(most) => self.value <= most,
+            Limit::AtLeast(least) => self.value >= least,
+        }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AtMost(most) => write!(f, "at most {}", Short(*most)),
+            Self::AtLeast(least) => write!(f, "at least {}", Short(*least)),
+        }
+    }
+}
+
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, quantity, value, limit, place } = self;
+        let verdict = if self.passed() { "pass" } else { "FAIL" };
+        write!(f, "{verdict}  {name}: {quantity} = {}, must be {limit}", Short(*value))?;
+        if place.is_empty() { Ok(()) } else { write!(f, ", {place}") }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.checks.iter().try_for_each(|check| writeln!(f, "{check}"))?;
+        match (self.failures().count(), self.checks.len()) {
+            (0, all) => write!(f, "all {all} checks passed"),
+            (failed, all) => write!(f, "{failed} of {all} checks failed"),
+        }
+    }
+}
+
+/// A number with three digits where it is small or large.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let x = self.0;
+        if x.is_finite() && x != 0.0 && !(1e-3..1e5).contains(&x.abs()) {
+            write!(f, "{x:.2e}")
+        } else {
+            write!(f, "{x}")
+        }
+    }
+}

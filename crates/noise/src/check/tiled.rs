@@ -1,0 +1,42 @@
+//! Checks of fields that repeat.
+
+use alloc::format;
+
+use crate::{
+    check::{
+        difference::REACH,
+        field::{Broken, axes, same_sample},
+        report::Report,
+        settings::Settings,
+    },
+    contract::field::Field,
+    point::Point,
+};
+
+/// Checks that a field repeats along each axis after `period`, to the bit; along an axis of period 0 nothing is asked.
+///
+/// Of 4096 points with coordinates of 15 bits up to ±4: periods up to 1024 in steps of 2⁻¹² move them without rounding.
+///
+/// ```
+/// use asperity_noise::{IntegerHash, Octaves, Perlin2002, Spectrum, Tiled, check, glam::Vec2};
+///
+/// let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5])?);
+/// let tile = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD)?;
+/// assert!(check::tiled(&tile, Vec2::new(8.0, 5.0), check::Settings::default()).passed());
+/// assert!(!check::tiled(&tile, Vec2::new(4.0, 5.0), check::Settings::default()).passed());
+/// # Ok::<(), asperity_noise::TiledError>(())
+/// ```
+#[must_use]
+pub fn tiled<V: Point, F: Field<V> + ?Sized>(field: &F, period: V, settings: Settings) -> Report {
+    let (mut report, mut broken) = (Report::default(), Broken::default());
+    let (mut point, period) = (settings.points::<V>(0, REACH), period.coordinates());
+    for k in 0..4096 {
+        let (p, along) = (point().coordinates(), k % axes::<V>());
+        let moved =
+            V::from_axes(|axis| p.as_ref()[axis] + if axis == along { period.as_ref()[axis] } else { 0.0 });
+        let [here, there] = [V::from_coordinates(p), moved].map(|p| field.sample(p));
+        broken.unless(same_sample(here, there), || format!("{here:?} at {p:?}, {there:?} at {moved:?}"));
+    }
+    broken.add(&mut report, "tile", "points that differ a period on");
+    report
+}

@@ -1,0 +1,120 @@
+//! The public checks: right reflectances and materials pass, faulty ones are caught by the checks of what is wrong with them.
+
+use asperity_shading::check::{self, Settings};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::{Brdf, CookTorrance, Ggx, Lambert};
+use rayon::prelude::*;
+
+use crate::reflectance::{Case, cases};
+
+const VALID: &str = "in range";
+
+pub(crate) fn quick(seed: u32) -> Settings {
+    Settings { seed, samples: 1 << 14, ..Settings::default() }
+}
+
+/// A reflectance with one fault.
+struct Faulty<'a> {
+    of: &'a (dyn Brdf + Sync),
+    fault: Fault,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fault {
+    None,
+    /// A hundredth of light more than there is.
+    Bright,
+    /// A hundredth of light more one way than the other.
+    OneWay,
+    /// A density that is 1 % too great.
+    Density,
+    /// The density of facets in place of that of directions: without 1/(4 ωo·h).
+    Jacobian,
+    /// The density of another sampler.
+    Other,
+    /// No samples where x > 0.2, though the density says that there are.
+    Hole,
+    /// No samples and no density where x > 0.2, though there is light.
+    Bare,
+    /// Less than no light next to the horizon.
+    Negative,
+    /// NaN for what is not finite.
+    Partial,
+}
+
+impl Brdf for Faulty<'_> {
+    fn value(&self, wi: Vec3, wo: Vec3) -> Vec3 {
+        let value = self.of.value(wi, wo);
+        match self.fault {
+            Fault::Bright => 1.01 * value,
+            Fault::OneWay if wi.x > wo.x => 0.99 * value,
+            Fault::Negative if (0.0..0.1).contains(&wi.z.min(wo.z)) => -value,
+            Fault::Partial => value + (wi.x + wi.z) * 0.0,
+            _ => value,
+        }
+    }
+
+    fn sample(&self, wo: Vec3, u: Vec2) -> Vec3 {
+        let wi = self.of.sample(wo, u);
+        match self.fault {
+            Fault::Hole | Fault::Bare if wi.x > 0.2 => Vec3::NEG_Z,
+            _ => wi,
+        }
+    }
+
+    fn density(&self, wi: Vec3, wo: Vec3) -> f32 {
+        let density = self.of.density(wi, wo);
+        match self.fault {
+            Fault::Density => 1.01 * density,
+            Fault::Jacobian if density > 0.0 => (density * 2.0 * (wi + wo).length()).min(f32::MAX),
+            Fault::Other => Lambert::new(Vec3::ONE).expect(VALID).density(wi, wo),
+            Fault::Bare if wi.x > 0.2 => 0.0,
+            _ => density,
+        }
+    }
+}
+
+#[test]
+fn faulty_reflectances_are_caught() {
+    let gloss = CookTorrance::new(Ggx::new(0.3, 0.4).expect(VALID), Vec3::splat(0.9));
+    let chalk = Lambert::new(Vec3::ONE).expect(VALID);
+    let cases: [(&(dyn Brdf + Sync), Fault, &[&str]); 12] = [
+        (&gloss, Fault::None, &[]),
+        (&chalk, Fault::None, &[]),
+        (&chalk, Fault::Bright, &["energy"]),
+        (&gloss, Fault::OneWay, &["reciprocity"]),
+        (&chalk, Fault::OneWay, &["reciprocity"]),
+        (&chalk, Fault::Density, &["density", "samples"]),
+        (&gloss, Fault::Jacobian, &["density", "samples"]),
+        (&gloss, Fault::Other, &["samples"]),
+        (&gloss, Fault::Hole, &["samples"]),
+        (&gloss, Fault::Bare, &["weights"]),
+        (&chalk, Fault::Negative, &["sign", "totality"]),
+        (&gloss, Fault::Partial, &["totality"]),
+    ];
+    for (of, fault, caught) in cases {
+        let report = check::brdf(&Faulty { of, fault }, quick(1));
+        assert!(report.failures().eq(caught.iter().copied()), "{fault:?}\n{report}");
+    }
+}
+
+#[test]
+fn right_reflectances_pass() {
+    let failed = cases().into_par_iter().filter_map(|Case { name, brdf, albedo }| {
+        let report = check::brdf(&*brdf, quick(3));
+        // Of the older models some send more than they get, as their docs say.
+        let right = report.failures().all(|failure| failure == "energy" && albedo > 1.0);
+        (!right).then(|| format!("{name}\n{report}"))
+    });
+    let failed: Vec<String> = failed.collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn a_right_reflectance_passes_whatever_the_seed() {
+    let gloss = CookTorrance::new(Ggx::new(0.3, 0.4).expect(VALID), Vec3::splat(0.9));
+    (0..40).into_par_iter().for_each(|seed| {
+        let report = check::brdf(&gloss, Settings { samples: 4096, ..quick(seed) });
+        assert!(report.passed(), "{seed}\n{report}");
+    });
+}
