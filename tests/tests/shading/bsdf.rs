@@ -99,7 +99,7 @@ fn point(at: Vec2, width: f32) -> SurfacePoint {
 }
 
 /// Albedo of the smooth coat, the mean over its facets.
-fn coat(bsdf: &asperity_shading::reflectance::Bsdf<'_>, wo: Vec3) -> f64 {
+fn coat(bsdf: &Bsdf<'_>, wo: Vec3) -> f64 {
     let sum: f32 = (0..256_u16)
         .map(|k| {
             let u = Vec2::new((f32::from(k % 16) + 0.5) / 16.0, (f32::from(k / 16) + 0.5) / 16.0);
