@@ -15,4 +15,5 @@ pub use asperity_render::sampling::random;
 #[cfg(doctest)]
 pub mod readme;
 pub mod reference;
+pub mod sphere_bins;
 pub mod surface_patches;

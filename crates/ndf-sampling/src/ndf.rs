@@ -109,15 +109,23 @@ macro_rules! forward {
 }
 pub(crate) use forward;
 
+/// All methods of [`Ndf`] by those of another density.
+macro_rules! forward_ndf {
+    (|$this:ident| $to:expr) => {
+        $crate::ndf::forward! { |$this| $to;
+            density(m: glam::Vec3) -> f32;
+            from_gaussian(z: glam::Vec2) -> glam::Vec3;
+            to_gaussian(m: glam::Vec3) -> glam::Vec2;
+            slope_density(slope: glam::Vec2) -> f32;
+            sample(u: glam::Vec2) -> glam::Vec3;
+            sample_density(m: glam::Vec3) -> f32;
+        }
+    };
+}
+pub(crate) use forward_ndf;
+
 impl<N: Ndf + ?Sized> Ndf for &N {
-    forward! { |ndf| **ndf;
-        density(m: Vec3) -> f32;
-        from_gaussian(z: Vec2) -> Vec3;
-        to_gaussian(m: Vec3) -> Vec2;
-        slope_density(slope: Vec2) -> f32;
-        sample(u: Vec2) -> Vec3;
-        sample_density(m: Vec3) -> f32;
-    }
+    forward_ndf!(|ndf| **ndf);
 }
 
 /// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].

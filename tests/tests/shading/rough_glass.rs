@@ -2,25 +2,31 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use asperity_ndf_sampling::check::p_value;
 use asperity_shading::bump::{Facet, slope_facets};
 use asperity_shading::check;
 use asperity_shading::glam::{DVec3, Vec2, Vec3};
-use asperity_shading::ndf_sampling::{Beckmann, Microfacet, StudentT};
+use asperity_shading::ndf_sampling::{
+    Beckmann, Masked, Measure, Microfacet, NdfMap, Reconstruction, StudentT,
+};
 use asperity_shading::reflectance::{Bsdf, Coat, Lobe, RoughDielectric};
 use asperity_shading::{Brdf, Dielectric, Ggx, Lambert};
 use asperity_shading::{Footprint, Material, SurfacePoint};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
+use asperity_tests::sphere_bins::SphereBins;
+use rayon::prelude::*;
 
 use crate::checked::quick;
 use crate::reflectance::direction;
 
-type Glass<'a> = RoughDielectric<&'a dyn Microfacet>;
+type Facets = dyn Microfacet + Sync;
+type Glass<'a> = RoughDielectric<&'a Facets>;
 
 const VALID: &str = "in range";
 
-fn densities() -> [(&'static str, Box<dyn Microfacet>); 5] {
+fn densities() -> [(&'static str, Box<Facets>); 5] {
     [
         ("GGX 0.2, 0.4", Box::new(Ggx::new(0.2, 0.4).expect(VALID))),
         ("GGX 0.7", Box::new(Ggx::isotropic(0.7).expect(VALID))),
@@ -31,7 +37,7 @@ fn densities() -> [(&'static str, Box<dyn Microfacet>); 5] {
 }
 
 /// Surfaces of bodies, of bubbles in them, and thin walls.
-fn surfaces(density: &dyn Microfacet) -> [(&'static str, Glass<'_>); 3] {
+fn surfaces(density: &Facets) -> [(&'static str, Glass<'_>); 3] {
     let glass = |index| Dielectric::new(index).expect(VALID);
     [
         ("body", RoughDielectric::new(density, glass(1.5))),
@@ -92,7 +98,7 @@ fn albedos(brdf: &dyn Brdf, wo: Vec3, rows: u32) -> [f64; 2] {
 }
 
 /// Expectations over visible normals of what is mirrored and transmitted and not shadowed: Snell's and Fresnel's laws in `f64`.
-fn expected(name: &str, density: &dyn Microfacet, index: f64, wo: Vec3) -> [f64; 2] {
+fn expected(name: &str, density: &Facets, index: f64, wo: Vec3) -> [f64; 2] {
     const SIDE: u16 = 240;
     let v = if wo.z < 0.0 { -wo } else { wo };
     let outside = wo.z > 0.0;
@@ -172,6 +178,45 @@ fn light_goes_both_ways_alike_but_for_the_index() {
             assert!(seen.iter().all(|&n| n > 100), "{density_name}, {name}: {seen:?}");
         }
     }
+}
+
+/// Significance of 40,000 samples in bins of both half spheres.
+fn samples_fit(name: &str, brdf: &dyn Brdf, wo: Vec3) -> f64 {
+    const BINS: SphereBins = SphereBins { rows: 16, columns: 12 };
+    const SAMPLES: u64 = 40_000;
+    let probabilities = BINS.integrate(|wi| f64::from(brdf.density(wi, wo)));
+    let mut random = Random(11);
+    let samples = (0..SAMPLES).map(|_| {
+        let wi = brdf.sample(wo, Vec2::new(random.uniform() as f32, random.uniform() as f32));
+        assert!(wi == Vec3::ZERO || (wi.length() - 1.0).abs() < 1e-4, "{name}: {wi}");
+        wi
+    });
+    p_value(&BINS.count(samples), &probabilities, SAMPLES)
+}
+
+#[test]
+fn samples_follow_their_density_on_both_sides() {
+    let hills = |n: Vec3| (9.0 * n.x).sin() * (7.0 * n.y + 1.0).cos() + 1.1;
+    let painted = NdfMap::from_fn(24, 24, Measure::Normals, Reconstruction::Bilinear, hills).expect("hills");
+    let mut all = densities().into_iter().filter(|(name, _)| *name != "Beckmann 0.7").collect::<Vec<_>>();
+    all.push(("painted", Box::new(Masked::new(painted))));
+    // From outside and from inside, along the normal and up to grazing. Walls are the same from both sides.
+    let angles = [0.0, 45.0, 80.0, 100.0, 135.0, 180.0_f64];
+    let cases: Vec<_> = all
+        .iter()
+        .flat_map(|(density, facets)| {
+            surfaces(facets.as_ref()).into_iter().flat_map(move |(name, glass)| {
+                let angles = angles.into_iter().filter(move |&angle| name != "wall" || angle < 90.0);
+                angles.map(move |angle| (format!("{density}, {name}, {angle}°"), glass, angle))
+            })
+        })
+        .collect();
+    let level = 1e-3 / cases.len() as f64;
+    cases.into_par_iter().for_each(|(case, glass, angle)| {
+        let p = samples_fit(&case, &glass, direction(angle.to_radians(), 0.7));
+        println!("{case}: p = {p:.4}");
+        assert!(p > level, "{case}: p = {p:e}");
+    });
 }
 
 #[test]

@@ -2,7 +2,11 @@
 
 use std::sync::Arc;
 
-use asperity_shading::{Environment, SurfacePoint, material::Material, reflectance::Bsdf};
+use asperity_shading::{
+    Environment, SurfacePoint,
+    material::Material,
+    reflectance::{Absorption, Bsdf},
+};
 use glam::Vec3;
 
 use crate::{
@@ -23,8 +27,8 @@ pub struct Object<'a> {
     pub material: Box<Surface<'a>>,
     /// The share of light that goes through it to what is in its shadow: of glass all, or some.
     pub passes: f32,
-    /// Of a body that refracts, the share of light that is left after a unit of length; anything else is the same on both sides.
-    pub body: Option<Vec3>,
+    /// The inside of a body that refracts; anything else is the same on both sides.
+    pub body: Option<Absorption>,
 }
 
 impl<'a> Object<'a> {

@@ -4,7 +4,7 @@ use asperity_render::image::tone::hex;
 use asperity_render::materials::{InMetres, Projected};
 use asperity_render::scene::Surface;
 use asperity_shading::material::{BrickWall, GlassBody, GlassWaves, PaintFlakes, PolishedMarble, Wallpaper};
-use asperity_shading::reflectance::Coat;
+use asperity_shading::reflectance::{Absorption, Coat};
 use asperity_shading::texture::{Brick, StarWallpaper};
 use asperity_shading::{
     Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, Scratches, ScratchesParameters,
@@ -32,8 +32,8 @@ pub(crate) struct Parameters {
 /// A material for a scene.
 pub(crate) struct Made<'a> {
     pub(crate) surface: Box<Surface<'a>>,
-    /// Of a body that refracts, what is left of the light after a unit of length.
-    pub(crate) body: Option<Vec3>,
+    /// The inside of a body that refracts.
+    pub(crate) body: Option<Absorption>,
 }
 
 impl Parameters {
@@ -177,7 +177,9 @@ impl Parameters {
             Material::Paint | Material::Flakes => laid(MetallicPaint::new(read(values)?)?, metres, false),
             Material::Glass | Material::Frosted => {
                 let parameters: TemperedGlassParameters = read(values)?;
-                body = (parameters.body == GlassBody::Solid).then_some(parameters.tint);
+                if parameters.body == GlassBody::Solid {
+                    body = Some(Absorption::of_colour(parameters.tint, 1.0)?);
+                }
                 laid(TemperedGlass::new(parameters)?, metres, false)
             }
             Material::Plastic => laid(Variations::new(read(values)?)?, metres, false),

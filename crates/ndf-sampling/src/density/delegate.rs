@@ -4,12 +4,7 @@
 macro_rules! delegate_ndf {
     ($density:ty, $to:ident $(, $and:ident)*) => {
         impl $crate::ndf::Ndf for $density {
-            $crate::ndf::forward! { |density| density.$to();
-                density(m: glam::Vec3) -> f32;
-                from_gaussian(z: glam::Vec2) -> glam::Vec3;
-                to_gaussian(m: glam::Vec3) -> glam::Vec2;
-                sample(u: glam::Vec2) -> glam::Vec3;
-            }
+            $crate::ndf::forward_ndf!(|density| density.$to());
         }
 
         $($crate::density::delegate::delegate_ndf!(@$and $density, $to);)*

@@ -157,7 +157,7 @@ impl Scene<'_, '_> {
                 / count as f32;
         }
         match object.body {
-            Some(tint) if !outside => tint.powf(hit.t) * sum,
+            Some(inside) if !outside => inside.transmittance(hit.t) * sum,
             _ => sum,
         }
     }
@@ -264,7 +264,11 @@ mod tests {
 
     use std::f32::consts::PI;
 
-    use asperity_shading::{Dielectric, Lambert, material::Material, reflectance::Coat};
+    use asperity_shading::{
+        Dielectric, Lambert,
+        material::Material,
+        reflectance::{Absorption, Coat},
+    };
 
     use super::*;
     use crate::{
@@ -279,7 +283,7 @@ mod tests {
         image.pixels.iter().sum::<Vec3>() / 256.0
     }
 
-    fn sphere(material: impl Material + Sync + 'static, body: Option<Vec3>) -> Vec3 {
+    fn sphere(material: impl Material + Sync + 'static, body: Option<Absorption>) -> Vec3 {
         let mut object = Object::new(Shape::Sphere, material);
         object.body = body;
         let camera = Camera::new(Vec3::new(0.0, -5.0, 1.0), Vec3::ZERO, 0.2, 16, 16);
@@ -294,15 +298,16 @@ mod tests {
         let glass = Dielectric::new(1.5).unwrap();
         for (coat, body) in [
             (Coat::pane(glass, Vec3::ONE), None),
-            (Coat::body(glass), Some(Vec3::ONE)),
+            (Coat::body(glass), Some(Absorption::NONE)),
             (Coat::metal(Vec3::ONE), None),
         ] {
             assert_abs_diff_eq!(sphere(coat, body), Vec3::ONE, epsilon = 0.02);
         }
         // Shadowing takes some 1 % at each surface, and what is mirrored inside more than six times is lost.
-        for (coat, body) in
-            [(Coat::pane(glass, Vec3::ONE).rough(0.1), None), (Coat::body(glass).rough(0.1), Some(Vec3::ONE))]
-        {
+        for (coat, body) in [
+            (Coat::pane(glass, Vec3::ONE).rough(0.1), None),
+            (Coat::body(glass).rough(0.1), Some(Absorption::NONE)),
+        ] {
             assert_abs_diff_eq!(sphere(coat, body), Vec3::splat(0.96), epsilon = 0.05);
         }
     }

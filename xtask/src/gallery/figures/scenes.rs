@@ -9,6 +9,7 @@ use asperity_render::{integrator::pixels::Sampling, light::environments::Studio}
 use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
 };
+use asperity_shading::reflectance::Absorption;
 use asperity_shading::texture::StarWallpaper;
 use asperity_shading::{
     Carpet, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
@@ -145,7 +146,8 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
     for (stem, label, subject) in subjects {
         let mut objects = Set::Teapot.objects(subject, PLAIN)?;
         if stem == "glass" {
-            (objects[0].body, objects[0].passes) = (Some(Vec3::new(0.80, 0.93, 0.89)), 1.0);
+            let inside = Absorption::of_colour(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
+            (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
         let view = View { field: 21.5, ..Set::Teapot.view() };
         let image = picture(context, objects, view, context.sampling([11, 9], 5))?;

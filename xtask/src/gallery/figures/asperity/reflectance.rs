@@ -4,7 +4,8 @@ use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
 use asperity_shading::reflectance::{
-    BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, RoughDielectric, WardForm, WardReflection,
+    Absorption, BlinnPhongFactor, BlinnPhongLobe, OrenNayar, OrenNayarForm, RoughDielectric, WardForm,
+    WardReflection,
 };
 use asperity_shading::{
     Brdf, Conductor, CookTorrance, Dielectric, EnergyPreservingOrenNayar, Ggx, Lambert, Phong,
@@ -51,13 +52,14 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ("frosted", "Rough glass, GGX 0.3", frosted(0.3)?),
         ("thin", "A thin wall, GGX 0.3", vec![Box::new(sheet)]),
     ];
+    let inside = Absorption::of_colour(Vec3::new(0.86, 0.95, 0.92), 1.0)?;
     let words = |label| format!("A sphere in a room with three lamps: {label}");
     let balls = balls
         .map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], (stem, layers)));
     let (sampling, studio) = (context.sampling([8, 8], 12), Studio::new(1.0));
     let drawn = Drawn::pictures(3, balls, |(stem, layers)| {
         let ball = Object::new(Shape::Sphere, Layers(layers));
-        let body = ["glass", "frosted"].contains(&stem).then_some(Vec3::new(0.86, 0.95, 0.92));
+        let body = ["glass", "frosted"].contains(&stem).then_some(inside);
         let ball = Object { body, passes: if body.is_some() { 1.0 } else { 0.0 }, ..ball };
         let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
         Ok(context.look(&scene, sampling, [Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO], 0.4)?.exposed(1.0))

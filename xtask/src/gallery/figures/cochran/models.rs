@@ -9,7 +9,7 @@ use asperity_render::light::lamps::{Lamps, direction, studio};
 use asperity_render::materials::pattern::{checker, grid};
 use asperity_render::materials::{Shaded, chalk};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
-use asperity_shading::reflectance::{Bsdf, Coat, Lobe};
+use asperity_shading::reflectance::{Absorption, Bsdf, Coat, Lobe};
 use asperity_shading::{
     Beckmann, Brdf, Conductor, Dielectric, Fresnel, Phong, SurfacePoint, TorranceSparrow, bump::Facet,
     material::Material, reflect,
@@ -83,7 +83,8 @@ fn models(shape: &Arc<Shape>) -> Result<[Model; 4]> {
     let facets = TorranceSparrow::new(Beckmann::isotropic(ROUGHNESS)?, copper);
     let copper = Glossy { lobe: facets, base: Vec3::ZERO, room: 0.3 * copper.reflectance_rgb(1.0) };
     let glass = object(Box::new(Coat::body(Dielectric::new(GLASS)?)));
-    let glass = Object { body: Some(Vec3::new(0.7, 0.9, 0.84)), passes: 0.65, ..glass };
+    let inside = Absorption::of_colour(Vec3::new(0.7, 0.9, 0.84), 1.0)?;
+    let glass = Object { body: Some(inside), passes: 0.65, ..glass };
     Ok([
         ("matte", "Matte", object(Box::new(matte(hex(0xe6_dac6))))),
         ("phong", "Phong", object(Box::new(lacquer))),
