@@ -295,7 +295,8 @@ fn hard_ray(random: &mut Random, surface: &impl Intersect) -> Ray {
 fn judged(halves: Halves, surface: &(dyn Intersect + Sync), rays: &[Ray], boxes: u32) -> [usize; 5] {
     let judge = |ray: &Ray| {
         let hit: Option<Hit> = surface.first_hit(ray);
-        assert_eq!(surface.hits_any(ray, ALL), hit.is_some(), "{ray:?}");
+        // That there is none is a proof; that there is one need not be.
+        assert!(surface.hits_any(ray, ALL) || hit.is_none(), "{ray:?}");
         match (verdict(halves, ray, boxes), hit) {
             (Verdict::Hit(lo, hi), Some(hit)) => {
                 let within = lo - 1e-11 <= hit.t && hit.t <= hi + 1e-11;

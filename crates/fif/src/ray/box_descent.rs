@@ -23,6 +23,9 @@ const FURTHER: u32 = 1 << 10;
 /// Boxes that decide at most whether rough stretches hide a pair of roots: of a ray along an axis, and of any other.
 const DEEPER: [u32; 2] = [1 << 14, 1 << 13];
 
+/// The like where any hit does, certain or not.
+const DEEPER_FOR_ANY: u32 = 1 << 7;
+
 /// Parts of a rough stretch of 10⁻¹² of the domain at whose ends heights are looked at, to this part of their ranges.
 const PROBES: u32 = 16;
 const PART: f64 = 1.0 / 32.0;
@@ -34,7 +37,7 @@ const LOST: u32 = 15;
 const BEHIND: u32 = 1 << 12;
 
 /// Levels after which heights are looked at again.
-const EVERY: u32 = 4;
+const EVERY: u32 = 16;
 
 /// A curve under a ray: how its places become times.
 struct Axis<'a, F: Function> {
@@ -240,7 +243,7 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
         let slanted = d.x != 0.0 && d.y != 0.0;
         // Along an axis every cell is gone through from end to end.
         let thin = if slanted { THIN * (span.lo.abs() + span.hi.abs()) } else { -1.0 };
-        let deeper = DEEPER[usize::from(slanted)];
+        let deeper = if aim == Aim::Any { DEEPER_FOR_ANY } else { DEEPER[usize::from(slanted)] };
         let seen = Double::from(f64::NAN);
         let mut descent = Descent {
             way: self,
@@ -360,7 +363,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         let step = hi.minus(lo).scaled(1.0 / f64::from(parts));
         let tolerances = values.map(|value| PART * value.width());
         let at = |k: u32| if k == parts { hi } else { lo.plus(step.times(Double::from(f64::from(k)))) };
-        (0..=parts).any(|k| self.looked(at(k), tolerances))
+        [0, parts].into_iter().chain(1..parts).any(|k| self.looked(at(k), tolerances))
     }
 
     /// Looks at the height at `t` over a rough surface: whether that ends the search.
