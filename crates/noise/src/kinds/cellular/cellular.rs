@@ -331,8 +331,13 @@ impl<L> Cellular<L> {
             Basis::F2MinusF1 => 2,
             Basis::Cell => return None,
         };
-        Some(cellular::MOMENTS.each_ref().map(|tables| tables[basis][self.metric as usize % 3][N - 1]))
+        Some(cellular::MOMENTS.each_ref().map(|tables| tables[basis][row(self.metric, N)]))
     }
+}
+
+/// The row of the tables of a metric in a dimension; on the line all metrics are one.
+const fn row(metric: Metric, dimension: usize) -> usize {
+    if dimension == 1 { 0 } else { metric as usize % 3 * 3 + dimension - 1 }
 }
 
 impl<L, const N: usize> Measured<N> for Cellular<L> {
@@ -348,7 +353,7 @@ impl<L, const N: usize> Measured<N> for Cellular<L> {
             Basis::F2MinusF1 => 2,
             Basis::Cell => return &tables::WHITE[N - 1],
         };
-        &cellular::STATISTICS[basis][self.metric as usize % 3][N - 1]
+        &cellular::STATISTICS[basis][row(self.metric, N)]
     }
 
     fn mean(&self) -> f32 {
