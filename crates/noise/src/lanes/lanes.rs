@@ -100,6 +100,8 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn all(self, mask: Self::M) -> bool;
     /// Whether the mask holds in a lane.
     fn any(self, mask: Self::M) -> bool;
+    /// The lanes that the mask holds in, a bit for each, that of lane 0 the lowest.
+    fn lanes(self, mask: Self::M) -> u32;
 
     /// The first floats of a slice, followed by zeros if it has fewer than `LEN`.
     #[inline(always)]
@@ -280,5 +282,9 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn any(self, mask: bool) -> bool {
         mask
+    }
+    #[inline(always)]
+    fn lanes(self, mask: bool) -> u32 {
+        u32::from(mask)
     }
 }

@@ -131,4 +131,8 @@ impl<S: Simd> Lanes for Wide<S> {
     fn any(self, mask: Self::M) -> bool {
         mask.any_true()
     }
+    #[inline(always)]
+    fn lanes(self, mask: Self::M) -> u32 {
+        mask.to_bitmask() as u32
+    }
 }

@@ -130,6 +130,12 @@ impl Plan {
         self.key.map_or(0, |(.., points)| points.min(POINTS))
     }
 
+    /// The number of cells.
+    #[inline(always)]
+    pub(crate) fn crossed(&self) -> usize {
+        self.cells
+    }
+
     /// The cells from the given one on whose columns are computed at once; none after the last.
     #[inline(always)]
     pub(crate) fn run(&self, first: usize) -> Run {

@@ -5,14 +5,15 @@ use core::{error::Error, fmt};
 use crate::{
     contract::kernel::{Kernel, Measured, by_lanes, on_lattice},
     contract::noise::{kind, noise},
+    kinds::cell::blend::splat,
     kinds::cellular::metric::Metric,
-    kinds::cellular::rows::{Columns, LONG_STEP, Seen},
+    kinds::cellular::rows::Columns,
     kinds::cellular::search::{Features, Place, number},
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     math,
-    row::cells::{end_of_cell, has_columns},
+    row::cells::POINTS,
     row::row::Strip,
     statistics::cellular,
     statistics::statistics::Statistics,
@@ -78,8 +79,8 @@ pub enum Basis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cellular<L = IntegerHash> {
     seed: u32,
-    basis: Basis,
-    metric: Metric,
+    pub(super) basis: Basis,
+    pub(super) metric: Metric,
     jitter: f32,
     lattice: L,
 }
@@ -171,49 +172,45 @@ impl<L: Lattice, const N: usize> Kernel<N> for Cellular<L> {
         columns: &mut Columns<N>,
         mut strip: Strip<'_, N, GRADIENTS>,
     ) {
-        let (row, count) = (strip.row, strip.values.len());
-        let reach = self.metric.reach(N);
-        if !(Columns::<N>::holds(reach) && has_columns(&row, count, LONG_STEP)) {
-            return by_lanes(s, self, strip);
-        }
         let features = self.features(strip.seed);
-        let (inverse, descending) = (1.0 / row.stride(), row.stride() < 0.0);
-        let mut i = 0;
-        while i < count {
-            let first = s.lane_word(s.integer(s.floor(row.xs(s, i))), 0) as i32;
-            let crossed = (row.stride() * (count - i) as f32).abs() as usize + 2;
-            let cells = crossed.min(Columns::<N>::cells(reach));
-            let leftmost = if descending { first.wrapping_sub(cells as i32 - 1) } else { first };
-            columns.fill(s, &features, &row, [leftmost, cells as i32], self.takes_second());
-            for j in 0..cells {
-                let k = if descending { cells - 1 - j } else { j };
-                let floor = leftmost.wrapping_add(k as i32) as f32;
-                let end = end_of_cell(&row, floor, inverse, i, count);
-                if i == end {
-                    continue;
+        let count = strip.values.len();
+        for start in (0..count).step_by(POINTS) {
+            let mut part = strip.part(start..count.min(start + POINTS));
+            let (points, mut i) = (part.values.len(), 0);
+            if columns.plan(s, self.metric, &part.row, points) {
+                let places = splat(s, columns.fill(s, &features, &part.row, self.takes_second()));
+                let run = columns.plan.run(0);
+                for j in 0..columns.cells {
+                    let (_, end) = columns.plan.cell(&run, j);
+                    self.wave::<S, N, GRADIENTS>(
+                        s,
+                        columns.seen(j),
+                        &columns.plan,
+                        places,
+                        &mut part,
+                        i..end,
+                    );
+                    i = end;
                 }
-                let n = columns.see(self.metric, k);
-                let seen = columns.seen.get(..n).unwrap_or_default();
-                while i < end {
-                    let t = row.xs(s, i) - s.float(floor);
-                    strip.put(s, self.of_seen::<S, N, GRADIENTS>(s, t, seen), i);
-                    i += S::LEN;
-                }
-                i = end;
             }
+            by_lanes(s, self, part.part(i..points));
         }
     }
 }
 
 impl<L> Cellular<L> {
     #[inline(always)]
-    fn takes_second(&self) -> bool {
+    pub(super) fn takes_second(&self) -> bool {
         matches!(self.basis, Basis::F2 | Basis::F2MinusF1)
     }
 
     /// The value of measures of the nearest and the second nearest feature point.
     #[inline(always)]
-    fn of_measures<S: Lanes, const N: usize>(&self, s: S, [first, second]: [S::F; 2]) -> LaneSample<S, N> {
+    pub(super) fn of_measures<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        [first, second]: [S::F; 2],
+    ) -> LaneSample<S, N> {
         let value = match self.basis {
             Basis::F1 | Basis::Cell => self.metric.distance(s, first),
             Basis::F2 => self.metric.distance(s, second),
@@ -224,7 +221,7 @@ impl<L> Cellular<L> {
 
     /// Value and gradient from the ways from the nearest and the second nearest feature point.
     #[inline(always)]
-    fn of_ways<S: Lanes, const N: usize>(
+    pub(super) fn of_ways<S: Lanes, const N: usize>(
         &self,
         s: S,
         measures: [S::F; 2],
@@ -241,54 +238,6 @@ impl<L> Cellular<L> {
             }
         }
         (value, gradient)
-    }
-
-    /// Value and gradient at places `t` along a row, of the feature points that can be nearest.
-    #[inline(always)]
-    fn of_seen<S: Lanes, const N: usize, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        t: S::F,
-        seen: &[Seen<N>],
-    ) -> LaneSample<S, N> {
-        let mut measures = [s.float(f32::INFINITY); 2];
-        if !GRADIENTS && self.basis == Basis::F1 {
-            for seen in seen {
-                let measure = self.metric.joined(s, s.float(seen.rest), t - s.float(seen.x));
-                measures[0] = s.min(measures[0], measure);
-            }
-            return self.of_measures::<S, N>(s, measures);
-        }
-        if !GRADIENTS && self.basis != Basis::Cell {
-            for seen in seen {
-                let measure = self.metric.joined(s, s.float(seen.rest), t - s.float(seen.x));
-                measures = [s.min(measures[0], measure), s.min(measures[1], s.max(measures[0], measure))];
-            }
-            return self.of_measures::<S, N>(s, measures);
-        }
-        let mut ways = [[s.float(0.0); N]; 2];
-        let mut numbers = s.float(0.0);
-        for seen in seen {
-            let way = t - s.float(seen.x);
-            let measure = self.metric.joined(s, s.float(seen.rest), way);
-            // Of two at one distance the first one, which has the lower rank, is nearer.
-            let (nearest, nearer) = (s.less(measure, measures[0]), s.less(measure, measures[1]));
-            let place = |[first, second]: [S::F; 2], new| {
-                [s.select(nearest, new, first), s.select(nearest, first, s.select(nearer, new, second))]
-            };
-            measures = place(measures, measure);
-            numbers = s.select(nearest, s.float(seen.number), numbers);
-            for axis in 0..N {
-                let way = if axis == 0 { way } else { s.float(seen.ways[axis]) };
-                let [first, second] = place([ways[0][axis], ways[1][axis]], way);
-                ways[0][axis] = first;
-                ways[1][axis] = second;
-            }
-        }
-        if self.basis == Basis::Cell {
-            return (numbers, [s.float(0.0); N]);
-        }
-        self.of_ways(s, measures, ways)
     }
 }
 

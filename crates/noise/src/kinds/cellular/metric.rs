@@ -31,6 +31,22 @@ impl Metric {
         }
     }
 
+    /// The measure of the ways along all axes but the first.
+    #[inline(always)]
+    pub(super) fn rest<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
+        let mut measure = s.float(0.0);
+        for axis in 1..N {
+            measure = self.joined(s, measure, ways[axis]);
+        }
+        measure
+    }
+
+    /// The measure of ways, the first axis last: it is what changes along a row.
+    #[inline(always)]
+    pub(super) fn measure<S: Lanes, const N: usize>(self, s: S, ways: [S::F; N]) -> S::F {
+        self.joined(s, self.rest(s, ways), ways[0])
+    }
+
     /// The distance of a measure.
     #[inline(always)]
     pub(super) fn distance<S: Lanes>(self, s: S, measure: S::F) -> S::F {

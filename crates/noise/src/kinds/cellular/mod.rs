@@ -4,3 +4,4 @@ pub(crate) mod cellular;
 pub(crate) mod metric;
 pub(crate) mod rows;
 pub(crate) mod search;
+mod waves;

@@ -1,41 +1,63 @@
-//! Rows of cellular noise: the feature points that the points of a cell can have nearest are found once for all of them.
+//! Rows of cellular noise: the feature points that points of a cell can have nearest are found once for many of them.
+//!
+//! Cells are cut into slabs across all axes but the first. Rows of a grid that pass through the same slab of the same cells share
+//! the search: what is farther from the slab than the farthest that the nearest feature point can be is not seen from any of them.
 
 use crate::{
-    kinds::cell::blend::splat,
     kinds::cellular::metric::Metric,
-    kinds::cellular::search::{Features, Place, number},
+    kinds::cellular::search::{Features, number},
     lanes::lanes::{Lanes, Scalar},
-    lattice::lattice::Lattice,
+    lattice::fade::Fade,
+    lattice::lattice::{Lattice, cell},
+    row::cells::Plan,
     row::row::Row,
 };
 
 /// Steps from here on leave too few points in a cell for columns to pay.
-pub(super) const LONG_STEP: f32 = 0.5;
+const LONG_STEP: f32 = 0.15;
 /// Columns of cells that are computed at once along a row.
-const COLUMNS: usize = 32;
+const COLUMNS: usize = 64;
 /// The most cells of a column: 5² in space in the Euclidean metric, 3³ in that of Chebyshev in 4-D.
 const SECTIONS: usize = 27;
+/// The most feature points of the columns around a cell.
+const MOST: usize = SECTIONS * 5;
+/// Feature points that are kept for the cells of a row; 60 cells in space see some 600.
+const ROOM: usize = 1024;
+/// Slabs of a cell along an axis: a power of two, so that their borders are exact.
+const SLABS: f32 = 4.0;
 
 type Numbers = [[f32; COLUMNS]; SECTIONS];
 
 /// The feature points of the columns that a stretch of a row crosses.
 #[derive(Clone, Debug)]
 pub struct Columns<const N: usize> {
-    /// Line for which the places were computed.
+    pub(super) plan: Plan,
+    /// What the feature points were drawn for.
     key: Option<Key<N>>,
+    /// Where they were looked at from: the least and the greatest place in the cell, along all axes but the first.
+    slab: [[f32; N]; 2],
     /// Reach of columns, and the number of cells in each.
     reach: usize,
     sections: usize,
     /// The steps to the cells of a column.
     steps: [[f32; SECTIONS]; N],
-    /// Places in their cells, ways along the axes but the first, their measure, and the numbers of the cells.
+    /// Places of feature points: along the first axis in their cells, along the others as the cell of the row counts.
     places: [Numbers; N],
-    ways: [Numbers; N],
-    rest: Numbers,
-    number: Numbers,
+    /// The numbers of the cells.
+    numbers: Numbers,
+    /// Measures of the ways from the slab to the feature points, along all axes but the first: the least, and the greatest.
+    gaps: [Numbers; 2],
     /// The greatest measure that the feature point sought can have in a cell.
-    bound: [f32; COLUMNS],
-    pub(super) seen: [Seen<N>; MOST],
+    bounds: [f32; COLUMNS],
+    /// The cells whose feature points there was room for.
+    pub(super) cells: usize,
+    /// For each cell the columns and sections of the feature points that it sees, and how many they are.
+    lists: [[u8; MOST]; COLUMNS],
+    counts: [u8; COLUMNS],
+    /// The index after the last feature point of each cell, in the order of the points of the row.
+    ends: [u16; COLUMNS],
+    points: [[f32; N]; ROOM],
+    point_numbers: [f32; ROOM],
 }
 
 /// All that the words of columns depend on: the first column and their number, the row's cell along the other axes, the seed.
@@ -43,102 +65,99 @@ pub struct Columns<const N: usize> {
 struct Key<const N: usize> {
     first: i32,
     columns: usize,
+    descending: bool,
     cell: [u32; N],
     seed: u32,
 }
 
-/// A feature point that points of a cell can have nearest.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<const N: usize> {
-    pub(super) x: f32,
-    pub(super) rest: f32,
-    pub(super) ways: [f32; N],
-    pub(super) number: f32,
+/// The feature points that points of a cell can have nearest, in the order of their ranks, and the numbers of their cells.
+#[derive(Clone, Copy)]
+pub(super) struct Seen<'a, const N: usize> {
+    pub(super) points: &'a [[f32; N]],
+    pub(super) numbers: &'a [f32],
 }
-
-/// The most feature points of the columns around a cell.
-const MOST: usize = SECTIONS * 5;
 
 impl<const N: usize> Default for Columns<N> {
     fn default() -> Self {
         let numbers = [[0.0; COLUMNS]; SECTIONS];
         Self {
+            plan: Plan::empty(),
             key: None,
+            slab: [[0.0; N]; 2],
             reach: 0,
             sections: 0,
             steps: [[0.0; SECTIONS]; N],
             places: [numbers; N],
-            ways: [numbers; N],
-            rest: numbers,
-            number: numbers,
-            bound: [0.0; COLUMNS],
-            seen: [Seen { x: 0.0, rest: 0.0, ways: [0.0; N], number: 0.0 }; MOST],
+            numbers,
+            gaps: [numbers; 2],
+            bounds: [0.0; COLUMNS],
+            cells: 0,
+            lists: [[0; MOST]; COLUMNS],
+            counts: [0; COLUMNS],
+            ends: [0; COLUMNS],
+            points: [[0.0; N]; ROOM],
+            point_numbers: [0.0; ROOM],
         }
     }
 }
 
 impl<const N: usize> Columns<N> {
-    /// Whether a column holds all cells within a metric's reach.
+    /// Plans the first `points` points of a row; false if too few of them lie in a cell
+    /// for columns to pay, in too many cells, or columns do not hold all cells within reach.
     #[inline(always)]
-    pub(super) const fn holds(reach: usize) -> bool {
-        (2 * reach + 1).pow(N as u32 - 1) <= SECTIONS
+    pub(super) fn plan<S: Lanes>(&mut self, s: S, metric: Metric, row: &Row<N>, points: usize) -> bool {
+        let reach = metric.reach(N);
+        if (2 * reach + 1).pow(N as u32 - 1) > SECTIONS || row.stride().abs() >= LONG_STEP {
+            return false;
+        }
+        // Weights are not asked for.
+        self.plan.make(s, Fade::Cubic, row, points);
+        !self.plan.sparse && self.plan.crossed() + 2 * reach <= COLUMNS
     }
 
-    /// The most cells that are computed at once.
-    #[inline(always)]
-    pub(super) const fn cells(reach: usize) -> usize {
-        COLUMNS - 2 * reach
-    }
-
-    /// The feature points around `count` cells from `leftmost` on, as a row sees them.
+    /// Finds the feature points that the cells of the planned row see; its place in them along all axes but the first.
     #[inline(always)]
     pub(super) fn fill<S: Lanes, L: Lattice>(
         &mut self,
         s: S,
         features: &Features<'_, L>,
         row: &Row<N>,
-        [leftmost, count]: [i32; 2],
         second: bool,
-    ) {
-        let place = Place::<S, N>::new(s, splat(s, row.origin()));
-        let reach = features.metric.reach(N);
-        let (first, columns) = (leftmost.wrapping_sub(reach as i32), count as usize + 2 * reach);
-        let mut cell = [0; N];
+    ) -> [f32; N] {
+        let (reach, run) = (features.metric.reach(N), self.plan.run(0));
+        let (mut cells, mut places, mut slab) = ([0; N], [0.0; N], [[0.0; N]; 2]);
         for axis in 1..N {
-            cell[axis] = s.lane_word(place.cell[axis], 0);
+            let (cell, t) = cell(Scalar, row.origin()[axis]);
+            (cells[axis], places[axis]) = (cell.0, t);
+            let low = Scalar.floor(t * SLABS).min(SLABS - 1.0);
+            (slab[0][axis], slab[1][axis]) = (low / SLABS, (low + 1.0) / SLABS);
         }
-        let key = Key { first, columns, cell, seed: features.seed };
-        if self.key != Some(key) {
+        let key = Key {
+            first: run.leftmost.wrapping_sub(reach as i32),
+            columns: run.cells + 2 * reach,
+            descending: row.stride() < 0.0,
+            cell: cells,
+            seed: features.seed,
+        };
+        let drawn = self.key == Some(key);
+        if !drawn {
             self.key = Some(key);
             self.reach = reach;
             self.sections = (2 * reach + 1).pow(N as u32 - 1).min(SECTIONS);
-            self.draw(s, features, &place, first, columns);
+            self.draw(s, features, &key);
         }
-        for j in 0..self.sections {
-            for i in (0..columns).step_by(S::LEN) {
-                let mut rest = s.float(0.0);
-                for axis in 1..N {
-                    let step = s.float(self.steps[axis][j]);
-                    let way = place.t[axis] - (step + s.load_part(&self.places[axis][j][i..]));
-                    rest = features.metric.joined(s, rest, way);
-                    s.store(way, &mut self.ways[axis][j][i..]);
-                }
-                s.store(rest, &mut self.rest[j][i..]);
-            }
+        if !drawn || self.slab != slab {
+            self.slab = slab;
+            self.bound(s, features.metric, run.cells, second);
+            self.list(s, features.metric, run.cells);
+            self.copy(run.cells, key.descending);
         }
-        self.bound(s, features.metric, count as usize, second);
+        places
     }
 
     /// Draws the feature points of all cells.
     #[inline(always)]
-    fn draw<S: Lanes, L: Lattice>(
-        &mut self,
-        s: S,
-        features: &Features<'_, L>,
-        place: &Place<S, N>,
-        first: i32,
-        columns: usize,
-    ) {
+    fn draw<S: Lanes, L: Lattice>(&mut self, s: S, features: &Features<'_, L>, key: &Key<N>) {
         let side = 2 * self.reach + 1;
         for j in 0..self.sections {
             let (mut terms, mut rest) = ([s.word(0); N], j);
@@ -146,25 +165,45 @@ impl<const N: usize> Columns<N> {
                 let step = (rest % side) as i32 - self.reach as i32;
                 rest /= side;
                 self.steps[axis][j] = step as f32;
-                terms[axis] = features.lattice.term(s, axis, place.cell[axis] + s.word(step as u32));
+                let cell = key.cell[axis].wrapping_add(step as u32);
+                terms[axis] = features.lattice.term(s, axis, s.word(cell));
             }
-            for i in (0..columns).step_by(S::LEN) {
-                let cells = s.word(first.wrapping_add(i as i32) as u32) + s.iota();
+            for i in (0..key.columns).step_by(S::LEN) {
+                let cells = s.word(key.first.wrapping_add(i as i32) as u32) + s.iota();
                 terms[0] = features.lattice.term(s, 0, cells);
                 let word = features.lattice.words(s, terms, features.seed);
                 let places = features.places::<S, N>(s, word);
-                for axis in 0..N {
-                    s.store(places[axis], &mut self.places[axis][j][i..]);
+                s.store(places[0], &mut self.places[0][j][i..]);
+                for axis in 1..N {
+                    s.store(s.float(self.steps[axis][j]) + places[axis], &mut self.places[axis][j][i..]);
                 }
-                s.store(number(s, word), &mut self.number[j][i..]);
+                s.store(number(s, word), &mut self.numbers[j][i..]);
             }
         }
     }
 
-    /// Bounds what is sought in each cell by the feature points next to it, from the farther end of the cell.
+    /// Bounds what is sought in each cell by the feature points next to it, from the farthest corner of the slab.
     #[inline(always)]
-    fn bound<S: Lanes>(&mut self, s: S, metric: Metric, count: usize, second: bool) {
-        for i in (0..count).step_by(S::LEN) {
+    fn bound<S: Lanes>(&mut self, s: S, metric: Metric, cells: usize, second: bool) {
+        let [low, high] = self.slab;
+        for j in 0..self.sections {
+            for i in (0..cells + 2 * self.reach).step_by(S::LEN) {
+                let mut gaps = [s.float(0.0); 2];
+                for axis in 1..N {
+                    let place = s.load_part(&self.places[axis][j][i..]);
+                    let (below, above) = (place - s.float(low[axis]), place - s.float(high[axis]));
+                    let gap = s.max(s.max(above, -below), s.float(0.0));
+                    let ways = [gap, s.max(s.abs(below), s.abs(above))];
+                    for k in 0..2 {
+                        gaps[k] = metric.joined(s, gaps[k], ways[k]);
+                    }
+                }
+                for k in 0..2 {
+                    s.store(gaps[k], &mut self.gaps[k][j][i..]);
+                }
+            }
+        }
+        for i in (0..cells).step_by(S::LEN) {
             let mut bounds = [s.float(f32::INFINITY); 2];
             for j in 0..self.sections {
                 if (1..N).any(|axis| self.steps[axis][j].abs() > 1.0) {
@@ -174,43 +213,86 @@ impl<const N: usize> Columns<N> {
                     let column = (i as f32 + self.reach as f32 + near) as usize;
                     let x = s.float(near) + s.load_part(&self.places[0][j][column..]);
                     let farthest = s.max(s.abs(x), s.abs(s.float(1.0) - x));
-                    let measure = metric.joined(s, s.load_part(&self.rest[j][column..]), farthest);
+                    let measure = metric.joined(s, s.load_part(&self.gaps[1][j][column..]), farthest);
                     bounds = [s.min(bounds[0], measure), s.min(bounds[1], s.max(bounds[0], measure))];
                 }
             }
-            s.store(bounds[usize::from(second)], &mut self.bound[i..]);
+            s.store(bounds[usize::from(second)], &mut self.bounds[i..]);
         }
     }
 
-    /// The feature points that points of cell k can have nearest, in the order of their ranks; their count.
+    /// Lists the feature points that each cell sees, in the order of their ranks.
     ///
     /// Sums and differences are rounded by one formula here and at points, and rounding keeps their order.
     #[inline(always)]
-    pub(super) fn see(&mut self, metric: Metric, k: usize) -> usize {
-        let joined = |rest, way| metric.joined(Scalar, rest, way);
-        let bound = self.bound[k % COLUMNS];
-        let mut count = 0;
+    fn list<S: Lanes>(&mut self, s: S, metric: Metric, cells: usize) {
+        self.counts = [0; COLUMNS];
+        let greatest = self.bounds.iter().take(cells).fold(0.0, |greatest, &bound| bound.max(greatest));
         for c in 0..=2 * self.reach {
-            let (step, column) = (c as f32 - self.reach as f32, (k + c) % COLUMNS);
-            if joined(0.0, (step.abs() - 1.0).max(0.0)) > bound {
-                continue;
-            }
-            for j in 0..self.sections.min(SECTIONS) {
-                let rest = self.rest[j][column];
-                if rest > bound {
+            let step = c as f32 - self.reach as f32;
+            for j in 0..self.sections {
+                let mut gap = 0.0;
+                for axis in 1..N {
+                    let (below, above) = (
+                        self.slab[0][axis] - (self.steps[axis][j] + 1.0),
+                        self.steps[axis][j] - self.slab[1][axis],
+                    );
+                    gap = metric.joined(Scalar, gap, below.max(above).max(0.0));
+                }
+                if metric.joined(Scalar, gap, (step.abs() - 1.0).max(0.0)) > greatest {
                     continue;
                 }
-                let x = step + self.places[0][j][column];
-                if joined(rest, (x - 1.0).max(-x).max(0.0)) <= bound && count < MOST {
-                    let mut ways = [0.0; N];
-                    for axis in 1..N {
-                        ways[axis] = self.ways[axis][j][column];
+                for i in (0..cells).step_by(S::LEN) {
+                    let x = s.float(step) + s.load_part(&self.places[0][j][i + c..]);
+                    let way = s.max(s.max(x - s.float(1.0), -x), s.float(0.0));
+                    let measure = metric.joined(s, s.load_part(&self.gaps[0][j][i + c..]), way);
+                    let beyond = s.lanes(s.less(s.load_part(&self.bounds[i..]), measure));
+                    let mut seeing = !beyond & ((1 << S::LEN.min(cells - i)) - 1);
+                    while seeing != 0 {
+                        let k = i + seeing.trailing_zeros() as usize;
+                        seeing &= seeing - 1;
+                        let count = &mut self.counts[k % COLUMNS];
+                        self.lists[k % COLUMNS][usize::from(*count) % MOST] = (c << 5 | j) as u8;
+                        *count += 1;
                     }
-                    self.seen[count] = Seen { x, rest, ways, number: self.number[j][column] };
-                    count += 1;
                 }
             }
         }
-        count
+    }
+
+    /// Copies the feature points of the lists, of as many cells as there is room for.
+    #[inline(always)]
+    fn copy(&mut self, cells: usize, descending: bool) {
+        let mut end = 0;
+        self.cells = 0;
+        for i in 0..cells {
+            let k = if descending { cells - 1 - i } else { i } % COLUMNS;
+            let count = usize::from(self.counts[k]);
+            let Some(points) = self.points.get_mut(end..end + count) else { return };
+            let Some(numbers) = self.point_numbers.get_mut(end..end + count) else { return };
+            for ((point, number), &packed) in points.iter_mut().zip(numbers).zip(&self.lists[k]) {
+                let (c, j) = (usize::from(packed >> 5), usize::from(packed & 31) % SECTIONS);
+                let column = (k + c) % COLUMNS;
+                for axis in 0..N {
+                    point[axis] = self.places[axis][j][column];
+                }
+                point[0] = (c as f32 - self.reach as f32) + self.places[0][j][column];
+                *number = self.numbers[j][column];
+            }
+            end += count;
+            self.ends[i % COLUMNS] = end as u16;
+            self.cells += 1;
+        }
+    }
+
+    /// The feature points that points of cell j of the run can have nearest.
+    #[inline(always)]
+    pub(super) fn seen(&self, j: usize) -> Seen<'_, N> {
+        let start = if j == 0 { 0 } else { self.ends[(j - 1) % COLUMNS] };
+        let range = usize::from(start)..usize::from(self.ends[j % COLUMNS]);
+        Seen {
+            points: self.points.get(range.clone()).unwrap_or_default(),
+            numbers: self.point_numbers.get(range).unwrap_or_default(),
+        }
     }
 }

@@ -143,16 +143,6 @@ impl<L: Lattice> Features<'_, L> {
         self.lattice.words(s, terms, self.seed)
     }
 
-    /// The measure of ways, the first axis last, as rows have it.
-    #[inline(always)]
-    fn measure<S: Lanes, const N: usize>(&self, s: S, ways: [S::F; N]) -> S::F {
-        let mut measure = s.float(0.0);
-        for axis in 1..N {
-            measure = self.metric.joined(s, measure, ways[axis]);
-        }
-        self.metric.joined(s, measure, ways[0])
-    }
-
     #[inline(always)]
     fn visit<S: Lanes, const N: usize, const RANKED: bool>(
         &self,
@@ -168,7 +158,7 @@ impl<L: Lattice> Features<'_, L> {
                 rank = rank + axes[axis].step * s.float(RANKS[N - 1][axis]);
             }
         }
-        nearest.take::<RANKED>(s, self.measure(s, ways), rank);
+        nearest.take::<RANKED>(s, self.metric.measure(s, ways), rank);
     }
 
     /// The nearest feature point and, if `second`, the second nearest; of no meaning else.
@@ -279,10 +269,11 @@ mod tests {
     use super::*;
     use crate::{
         Basis, Cellular, Field, Point,
-        contract::kernel::Measured,
+        contract::kernel::{Kernel, Measured},
         lanes::lanes::Scalar,
         lattice::integer_hash::{IntegerHash, mix},
         lattice::lattice::OnLattice,
+        row::row::{Row, Strip},
     };
     use approx::assert_abs_diff_eq;
     use core::array::from_fn;
@@ -412,6 +403,37 @@ mod tests {
         compare_at_random::<Vec2, 2>(2000, 4);
         compare_at_random::<Vec3, 3>(400, 4);
         compare_at_random::<Vec4, 4>(60, 4);
+    }
+
+    /// Rows that find their feature points together, each a step further along all axes but the first, against a wide search.
+    fn compare_rows<const N: usize>(rows: u16, points: usize, window: i32) {
+        for (metric, step) in METRICS.into_iter().zip([0.05, -0.031, 0.12]) {
+            for basis in [Basis::F1, Basis::F2] {
+                let noise = Cellular::new(7).with_metric(metric).with_basis(basis);
+                let (mut columns, mut values) = (Default::default(), std::vec![0.0; points]);
+                for i in 0..rows {
+                    let origin = from_fn(|axis| 0.31 + 0.07 * f32::from(i) - 1.4 * axis as f32);
+                    let row = Row::new(origin, step, 0);
+                    let gradients = from_fn(|_| Default::default());
+                    let strip = Strip::<N, false> { row, seed: 7, values: &mut values, gradients };
+                    noise.rows(Scalar, &mut columns, strip);
+                    for (k, &value) in values.iter().enumerate() {
+                        let nearest = wide_search(&noise, row.point(k), window);
+                        let expected = nearest[usize::from(basis == Basis::F2)].distance;
+                        // As above.
+                        assert!((f64::from(value) - expected).abs() < 1.5e-6, "{noise:?} {:?}", row.point(k));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_feature_point_is_missed_along_rows() {
+        compare_rows::<1>(1, 600, 3);
+        compare_rows::<2>(20, 70, 4);
+        compare_rows::<3>(9, 40, 3);
+        compare_rows::<4>(2, 24, 4);
     }
 
     /// Feature points as far from the origin as their cells allow, but for those of planted cells, which are as near.
