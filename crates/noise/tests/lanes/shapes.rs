@@ -1,9 +1,9 @@
 //! Lists and grids of turbulence and its like, and of fields that are composed, against single points, bit by bit.
 
-use crate::compare::{far_cases, grids, lengths, near_cases, points};
+use super::compare::{far_cases, grids, lengths, near_cases, points};
 use asperity_noise::{
-    Add, Affine, Blend, Clamp, Field, Map, Multiply, Octaves, Perlin2002, Power, RidgedMultifractal,
-    Rotation, Sample, Simplex, Spectrum, Turbulence, Unit, Warp, glam::Vec2,
+    Add, Affine, Blend, Clamp, Field, Map, Multiply, Octaves, Power, RidgedMultifractal, Rotation, Sample,
+    Simplex, Spectrum, Turbulence, Unit, Warp, glam::Vec2,
 };
 
 /// Grids, rows of many lengths and lists, at every level.
@@ -16,7 +16,7 @@ fn same_bits(name: &str, field: &dyn Field<Vec2>) {
 
 #[test]
 fn batches_of_shaped_sums_have_the_bits_of_single_points() {
-    let octaves = Octaves::<_, 2>::new(Perlin2002::new(4), Spectrum::default()).first(3.5);
+    let octaves = Octaves::<_, 2>::new(Simplex::new(4), Spectrum::default()).first(3.5);
     for rotation in [Rotation::Random, Rotation::Aligned] {
         let turbulence = octaves.with_rotation(rotation).with_shape(Turbulence);
         for footprint in [0.0, 0.1, 9.0] {
@@ -30,7 +30,7 @@ fn batches_of_shaped_sums_have_the_bits_of_single_points() {
 
 #[test]
 fn batches_of_a_ridged_multifractal_have_the_bits_of_single_points() {
-    let ridges = RidgedMultifractal::<_, 2>::new(Perlin2002::new(1), Spectrum::CLOUD, 2.0).unwrap();
+    let ridges = RidgedMultifractal::<_, 2>::new(Simplex::new(1), Spectrum::CLOUD, 2.0).unwrap();
     same_bits("ridged multifractal, squared", &Power(ridges.first(3.5), 2));
 }
 
@@ -46,7 +46,7 @@ impl Field<Vec2> for Wave {
 /// Fields that own what they are made of, chosen at run time.
 fn composed(which: usize) -> Box<dyn Field<Vec2>> {
     let by = [1, 2].map(|seed| Octaves::new(Simplex::new(seed), Spectrum::CLOUD).first(2.0));
-    let noise = || Perlin2002::new(7);
+    let noise = || Simplex::new(7);
     match which {
         0 => Box::new(Add(noise(), Wave)),
         1 => Box::new(Multiply(Wave, noise())),
@@ -72,22 +72,26 @@ fn batches_of_composed_fields_have_the_bits_of_single_points() {
 
 #[test]
 fn gradients_of_composed_fields_are_differences() {
-    const H: f32 = 1.0 / 512.0;
+    const H: f32 = 1.0 / 1024.0;
     for which in (0..9).filter(|&which| which != 3) {
         let field = composed(which);
         let mut worst = 0.0_f32;
         for i in 0..200_u16 {
             let p = Vec2::new(0.037 * f32::from(i) - 3.0, 2.0 - 0.0213 * f32::from(i));
+            // Where the clamp of a warp sets in, within H times a slope, there is a crease.
+            let clamped = Simplex::new(7).value(p);
+            if which == 7 && [-0.2, 0.1].iter().any(|limit| (clamped - limit).abs() < 0.02) {
+                continue;
+            }
             let gradient = field.sample(p).gradient;
             let slope = |d: Vec2| (field.value(p + d) - field.value(p - d)) / (2.0 * H);
             let difference = Vec2::new(slope(Vec2::new(H, 0.0)), slope(Vec2::new(0.0, H)));
             worst = worst.max((gradient - difference).length() / (1.0 + gradient.length()));
         }
-        // H²/6 times third derivatives, which reach a few hundred, and the rounding of values, 4e-7, over H. A clamp in a warp
-        // leaps where it sets in, by H times a slope.
+        // H²/6 times third derivatives, which reach some ten thousand in warps, and the rounding of values, 4e-7, over H.
         assert!(worst < if which > 6 { 0.05 } else { 4e-3 }, "composed {which}: {worst:e}");
     }
-    let (clamped, whole) = (Clamp(Perlin2002::new(7), -0.2, 0.1), Perlin2002::new(7));
+    let (clamped, whole) = (Clamp(Simplex::new(7), -0.2, 0.1), Simplex::new(7));
     for i in 0..200_u16 {
         let p = Vec2::new(0.037 * f32::from(i), 0.41);
         let (cut, full) = (clamped.sample(p), whole.sample(p));

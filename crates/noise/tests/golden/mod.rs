@@ -1,8 +1,6 @@
 //! Golden bits: every kind and sum has the same bits with every feature, at every SIMD level, on every machine.
 
-#[path = "golden/computed.rs"]
 mod computed;
-#[path = "golden/pinned.rs"]
 mod pinned;
 
 use std::fmt::Write;
