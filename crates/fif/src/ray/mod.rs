@@ -1,6 +1,7 @@
 //! Rays: first hits on height fields and on any surface.
 
 pub(crate) mod box_descent;
+pub(crate) mod cells;
 pub(crate) mod height_field;
 pub(crate) mod intersect;
 pub(crate) mod interval_newton;
