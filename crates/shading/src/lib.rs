@@ -81,6 +81,7 @@
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
 //! | `check` | property tests for any reflectance, your own included: module [`check`] |
+//! | `proptest` | strategies of `proptest` for footprints, directions, roughness and unit squares, with `std`: module [`strategies`] |
 //! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |
 //! | `approx` | the traits of `approx` for points, pixels, facets, samples of light and textures, glam's values, and those of `asperity-noise` and `asperity-ndf-sampling` |
 #![no_std]
@@ -113,6 +114,8 @@ pub mod normal_map;
 mod parameter;
 pub mod pixel;
 pub mod reflectance;
+#[cfg(feature = "proptest")]
+pub mod strategies;
 pub mod texture;
 
 pub use asperity_ndf_sampling as ndf_sampling;

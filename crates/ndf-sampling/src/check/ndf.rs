@@ -50,7 +50,7 @@ const PLACES: usize = 4096;
 ///
 /// let bright = Bright(asperity_ndf_sampling::Beckmann::new(0.2, 0.4)?);
 /// let report = check::ndf(&bright, check::Settings::default());
-/// assert!(report.failures().eq(["normalisation"]), "{report}");
+/// assert!(report.failures().eq(["normalisation", "Jacobian of the map"]), "{report}");
 /// # Ok::<(), asperity_ndf_sampling::RangeError>(())
 /// ```
 #[must_use]

@@ -6,13 +6,13 @@ const EDGES: [(&str, &[&str], &[&str]); 4] = [
     ("asperity-noise", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-ndf-sampling",
-        &["approx", "fearless_simd", "glam", "libm", "rand", "serde"],
+        &["approx", "fearless_simd", "glam", "libm", "proptest", "rand", "serde"],
         &["criterion", "libm", "png"],
     ),
     ("asperity-fif", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-shading",
-        &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm", "serde"],
+        &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm", "proptest", "serde"],
         &["criterion", "png"],
     ),
 ];

@@ -25,7 +25,7 @@ pub(super) const HOUSES: &[House] = &[
         sources: "crates/ndf-sampling/src",
         rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx serde → simd → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
-                check → rand",
+                check → rand strategies",
         face: Some(65),
     },
     House {
@@ -39,7 +39,7 @@ pub(super) const HOUSES: &[House] = &[
         name: "shading",
         sources: "crates/shading/src",
         rooms: "math direction image parameter → pixel → bump → level_of_detail → reflectance → environment → \
-                normal_map → texture → material → approx → check",
+                normal_map → texture → material → approx → check strategies",
         face: Some(60),
     },
     House {
