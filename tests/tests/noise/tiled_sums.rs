@@ -1,9 +1,9 @@
 //! Sums of octaves of every kind that repeat: their edges, what lies between, and grids in lanes.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Octaves, Perlin1985, Perlin2002, RidgedMultifractal, Sample, Simplex,
-    Sparse, Spectrum, Tiled, TiledError, TiledSimplex, Turbulence, Value, ValueCatmullRom, ValueGradient,
-    White,
+    Cellular, Field, Gaussian, IntegerHash, Octaves, Perlin1985, Perlin2002, RidgedMultifractal, Sample,
+    Simplex, Sparse, Spectrum, Tiled, TiledError, TiledSimplex, Turbulence, Value, ValueCatmullRom,
+    ValueGradient, White,
     glam::{Vec2, Vec3},
     simd::{Batch, Kernel, Level},
 };
@@ -84,6 +84,7 @@ fn sums_of_every_kind_in_the_plane_tile_and_repeat_nothing_between() {
     plane("value-gradient", ValueGradient::new(3).with_lattice(lattice));
     plane("sparse", Sparse::new(3).with_lattice(lattice));
     plane("Gaussian", Gaussian::new(3).with_lattice(lattice));
+    plane("cellular", Cellular::new(3).with_lattice(lattice));
 }
 
 #[test]
