@@ -1,6 +1,7 @@
 //! Noise: properties, references, statistics and independence.
 
 mod anchors;
+mod checked;
 mod continuity;
 mod gaussian;
 mod gaussian_tails;

@@ -1,0 +1,139 @@
+//! The public checks: right noises pass, faulty ones are caught by the checks of what is wrong with them.
+
+use asperity_noise::{
+    Cellular, Curved, Field, Gaussian, IntegerHash, Noise, Octaves, Perlin2002, Sample, SecondOrder, Simplex,
+    Spectrum, Statistics, Tiled, White,
+    check::{self, Report, Settings},
+    glam::Vec2,
+};
+
+fn quick() -> Settings {
+    Settings { samples: 1 << 14, ..Settings::default() }
+}
+
+/// A noise with one fault, which has one instance for every kind.
+#[derive(Clone)]
+struct Faulty {
+    of: Perlin2002,
+    /// Factor of the second component of the gradient.
+    steep: f32,
+    /// Factor of everything, of which the range knows nothing.
+    large: f32,
+    /// What is added to every value.
+    higher: f32,
+    /// Value of points that are not finite.
+    lost: f32,
+    /// Factor of lists.
+    listed: f32,
+    /// Factor of the last entry of the Hessian.
+    curved: f32,
+}
+
+impl Field<Vec2> for Faulty {
+    fn sample(&self, p: Vec2) -> Sample<Vec2> {
+        let Sample { value, gradient } = self.of.sample(p);
+        let value = if p.is_finite() { self.large * value + self.higher } else { self.lost };
+        Sample { value, gradient: self.large * gradient * Vec2::new(1.0, self.steep) }
+    }
+    fn range(&self) -> [f32; 2] {
+        Field::<Vec2>::range(&self.of)
+    }
+    fn values(&self, points: &[Vec2], values: &mut [f32]) -> Result<(), asperity_noise::BatchError> {
+        points.iter().zip(values).for_each(|(&p, value)| *value = self.listed * self.sample(p).value);
+        Ok(())
+    }
+}
+
+impl Noise<Vec2> for Faulty {
+    fn statistics(&self) -> &'static Statistics {
+        Noise::<Vec2>::statistics(&self.of)
+    }
+    fn standard_deviation(&self) -> f32 {
+        Noise::<Vec2>::standard_deviation(&self.of)
+    }
+    fn absolute_moments(&self) -> [f32; 4] {
+        Noise::<Vec2>::absolute_moments(&self.of)
+    }
+    fn seed(&self) -> u32 {
+        Noise::<Vec2>::seed(&self.of)
+    }
+    fn with_seed(self, seed: u32) -> Self {
+        Self { of: self.of.with_seed(seed), ..self }
+    }
+}
+
+impl Curved<Vec2> for Faulty {
+    fn second_order(&self, p: Vec2) -> SecondOrder<Vec2> {
+        let [[xx, xy], [yx, yy]] = self.of.second_order(p).hessian;
+        let Sample { value, gradient } = self.sample(p);
+        SecondOrder { value, gradient, hessian: [[xx, xy], [yx, self.curved * yy]] }
+    }
+}
+
+const RIGHT: Faulty = Faulty {
+    of: Perlin2002::new(1),
+    steep: 1.0,
+    large: 1.0,
+    higher: 0.0,
+    lost: 0.0,
+    listed: 1.0,
+    curved: 1.0,
+};
+
+#[test]
+fn faulty_noises_are_caught() {
+    let cases: [(&str, Faulty, &[&str]); 7] = [
+        ("right", RIGHT, &[]),
+        ("a component of the gradient 1 % off", Faulty { steep: 1.01, ..RIGHT }, &["gradient"]),
+        // The range is 1, at places that are hardly ever met; 0.8 is.
+        (
+            "a range that is overstepped",
+            Faulty { large: 1.5, ..RIGHT },
+            &["range", "deviation", "distribution"],
+        ),
+        ("values too high", Faulty { higher: 0.05, ..RIGHT }, &["mean", "distribution"]),
+        ("NaN in, NaN out", Faulty { lost: f32::NAN, ..RIGHT }, &["totality"]),
+        ("other lists", Faulty { listed: 1.000_001, ..RIGHT }, &["lists and grids"]),
+        ("a Hessian 2 % off", Faulty { curved: 1.02, ..RIGHT }, &["Hessian"]),
+    ];
+    for (name, faulty, caught) in cases {
+        let mut report = check::noise::<Vec2, _>(&faulty, quick());
+        let hessian = check::curved::<Vec2, _>(&faulty, quick())
+            .checks
+            .into_iter()
+            .find(|check| check.name == "Hessian");
+        report.checks.extend(hessian.filter(|_| faulty.steep == 1.0 && faulty.large == 1.0));
+        assert!(report.failures().eq(caught.iter().copied()), "{name}\n{report}");
+    }
+}
+
+#[test]
+fn right_noises_pass() {
+    let passes = |name: &str, report: Report| assert!(report.passed(), "{name}\n{report}");
+    passes("white", check::noise::<Vec2, _>(&White::new(3), quick()));
+    passes("wide simplex", check::noise::<Vec2, _>(&Simplex::wide(3), quick()));
+    passes("cellular", check::noise::<Vec2, _>(&Cellular::new(3), quick()));
+    let sum: &dyn Curved<Vec2> = &Octaves::<_, 2>::new(Perlin2002::new(3), Spectrum::default());
+    passes("sum", check::curved(sum, quick()));
+}
+
+#[test]
+fn a_right_noise_passes_whatever_the_seed() {
+    for seed in 0..40 {
+        let report =
+            check::noise::<Vec2, _>(&Gaussian::new(seed), Settings { seed, samples: 4096, ..quick() });
+        assert!(report.passed(), "{seed}\n{report}");
+    }
+}
+
+#[test]
+fn tiles_that_do_not_meet_are_caught() {
+    let noise = Perlin2002::new(1).with_lattice(Tiled::new(IntegerHash, [8, 5]).expect("in range"));
+    let tile = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD).expect("whole periods");
+    let period = Vec2::new(8.0, 5.0);
+    assert!(check::tiled(&tile, period, quick()).passed());
+    assert!(check::tiled(&Perlin2002::new(1), Vec2::ZERO, quick()).passed());
+    for wrong in [Vec2::new(4.0, 5.0), Vec2::new(8.0, 1.0), Vec2::splat(8.0)] {
+        assert!(check::tiled(&tile, wrong, quick()).failures().eq(["tile"]), "{wrong}");
+    }
+}
