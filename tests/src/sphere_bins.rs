@@ -9,7 +9,7 @@ use glam::{DVec3, Vec3};
 /// A bin of 200 of 40,000 samples may be off by 1e-4 of all before χ² feels it, which is 50 parts.
 const TOLERANCE: f64 = 2e-6;
 
-/// How often parts of a bin are cut at most: edges are followed to 1/1024 of a bin.
+/// Cuts of a bin's parts at most: edges are followed to 1/1024 of a bin.
 const DEEPEST: u32 = 9;
 
 /// Three nodes of Gauss and Legendre on [0, 1], with their weights.

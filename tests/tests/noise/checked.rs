@@ -19,7 +19,7 @@ struct Faulty {
     steep: f32,
     /// Factor of everything, of which the range knows nothing.
     large: f32,
-    /// What is added to every value.
+    /// Added to every value.
     higher: f32,
     /// Value of points that are not finite.
     lost: f32,

@@ -2,7 +2,7 @@
 
 use crate::{math::sqrt_f64, point::Point};
 
-/// How far points are from the origin along each axis: so near, coordinates cost few digits.
+/// The most of a point's coordinates: so near to the origin they cost few digits.
 pub(super) const REACH: f32 = 4.0;
 
 /// A unit in the last place of a number of one.

@@ -19,7 +19,7 @@ const BOX: f32 = 64.0;
 /// The octaves of the sum whose distribution [`Statistics`](crate::Statistics) state.
 const OCTAVES: usize = 8;
 
-/// What measured means and deviations are off, over σ₁, and measured distributions.
+/// Error of measured means and deviations, over σ₁, and of measured distributions.
 const TABLE: f64 = 3e-3;
 
 /// Checks of a [`Noise`]: those of [`field`](field()), and its mean, deviation and distribution over seeds.

@@ -1,7 +1,7 @@
 //! Property tests for any reflectance or material, your own included: reciprocity, energy, samples against their density by χ²,
 //! totality on odd input.
 //!
-//! What the tests of this crate do to its reflectances, five lines do to another:
+//! Five lines do to another reflectance what the tests of this crate do to its own:
 //!
 //! ```
 //! use asperity_shading::{Lambert, check::{self, Settings}, glam::Vec3};

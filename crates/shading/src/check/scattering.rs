@@ -1,4 +1,4 @@
-//! What a reflectance sends into a few views, and what it makes of odd input.
+//! Reflectances seen from a few views, and given odd input.
 
 use alloc::format;
 use alloc::string::String;

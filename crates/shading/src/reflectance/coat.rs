@@ -122,7 +122,7 @@ impl Coat {
 
     /// The width of the lobe of a rough coat, and the variance of the slopes of the facets about which it stands.
     ///
-    /// Where the lobe is narrower than the gaps between facets it takes a share β of the slopes' variance v, as much as makes it as wide:
+    /// A lobe narrower than the gaps between facets takes a share β of the slopes' variance v, as much as makes it as wide:
     ///
     /// ```text
     /// α′² = α² + 2βv,   v′ = (1 − β) v,   α′² ≥ 1.4 v′

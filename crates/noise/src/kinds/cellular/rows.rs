@@ -32,9 +32,9 @@ type Numbers = [[f32; COLUMNS]; SECTIONS];
 #[derive(Clone, Debug)]
 pub struct Columns<const N: usize> {
     pub(super) plan: Plan,
-    /// What the feature points were drawn for.
+    /// The cells that the feature points were drawn for.
     key: Option<Key<N>>,
-    /// Where they were looked at from: the least and the greatest place in the cell, along all axes but the first.
+    /// The least and the greatest place in the cell that they are seen from, along all axes but the first.
     slab: [[f32; N]; 2],
     /// Reach of columns, and the number of cells in each.
     reach: usize,
