@@ -41,6 +41,8 @@ struct Sight {
     touched: Option<f64>,
     /// Distance at which a limit left undecided whether it passes through.
     lost: Option<f64>,
+    /// Distance at which cells were too narrow to be told apart, and the box over them was not decided.
+    narrow: Option<f64>,
     /// The way from there within which a change of sides is a root.
     close: f64,
     found: Option<Root>,
@@ -77,6 +79,8 @@ struct Descent<'a, 'b, F: Function, G: Function> {
     blur: f64,
     /// Length of a stretch that rounding may have put into a cell beside its own.
     thin: f64,
+    /// Length of a stretch below which cells may have the same time at both ends.
+    narrow: f64,
     /// Boxes left for rough stretches, the end of those that were probed, and the place that was looked at last.
     deeper: u32,
     probed: f64,
@@ -113,10 +117,11 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
         let (off_x, off_y) = (near(surface.x.domain(), o.x), near(surface.y.domain(), o.y));
         let moved = || surface.x.function().blur(off_x) * g + surface.y.function().blur(off_y) * f;
         let blur = self.pad.z + if rough { 1.0001 * moved() } else { 0.0 };
-        let sight = Sight { side: 0.0, touched: None, lost: None, close: self.finest, found: None };
+        let sight = Sight { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
         let slanted = d.x != 0.0 && d.y != 0.0;
         // Along an axis every cell is gone through from end to end.
-        let thin = if slanted { THIN * (span.lo.abs() + span.hi.abs()) } else { -1.0 };
+        let narrow = THIN * (span.lo.abs() + span.hi.abs());
+        let thin = if slanted { narrow } else { -1.0 };
         let deeper = if aim == Aim::Any { DEEPER_FOR_ANY } else { DEEPER[usize::from(slanted)] };
         let seen = Double::from(f64::NAN);
         let mut descent = Descent {
@@ -128,6 +133,7 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
             flat,
             blur,
             thin,
+            narrow,
             deeper,
             probed: f64::NEG_INFINITY,
             seen,
@@ -135,8 +141,8 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
             aim,
         };
         descent.visit(&x, &y, [lo, hi]);
-        let Sight { touched, lost, found, .. } = descent.sight;
-        found.or(touched.or(lost).map(|t| Root { t, certain: false }))
+        let Sight { touched, lost, narrow, found, .. } = descent.sight;
+        found.or(touched.or(lost).or(narrow).map(|t| Root { t, certain: false }))
     }
 
     /// The height of the ray above the surface at `t`.
@@ -216,6 +222,10 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             let far = self.sight.lost.is_some_and(|lost| span.lo - lost > self.sight.close);
             if ends || (short && (self.deeper == 0 || far)) {
                 return self.lose(lo);
+            }
+            // Of children without a length the last one alone is visited.
+            if hi.minus(lo).hi <= self.narrow && self.sight.narrow.is_none() {
+                self.sight.narrow = Some(lo.hi);
             }
         }
         if self.way.budget == 0 {

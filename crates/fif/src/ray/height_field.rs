@@ -36,9 +36,10 @@ use crate::surface::normal::upward_normal;
 /// rounding error of `h`, or a limit binds: a ray, or what tables leave of one stretch, visits 2¹⁶ boxes, 2¹³ of
 /// these below 10⁻¹² of the domain (2¹⁴ for a ray along an axis), and a box is split 192 times per axis. Rough surfaces of Hölder
 /// exponents near 1/4 reach them: a third to a half of the slanted rays at g(x) g(y) hit without being certain that nothing lies
-/// before, most rays along an axis are certain. Whether a ray hits at all is asked of 2⁷ boxes below 10⁻¹², and is `true` where
-/// they leave it open. Over smooth axes, and on unequal knots, rounding counts as that of the ray: the result
-/// belongs to one within a few units in the last place.
+/// before, most rays along an axis are certain. Certain there means that nothing lies before it that is as wide as 2⁻⁹⁴ of the
+/// ray's way, where times are no longer told apart; a ray that comes that near and is found to hit nowhere else hits there,
+/// uncertain. Whether a ray hits at all is asked of 2⁷ boxes below 10⁻¹², and is `true` where they leave it open. Over smooth
+/// axes, and on unequal knots, rounding counts as that of the ray: the result belongs to one within a few units in the last place.
 ///
 /// `None` too for a ray that misses, a zero direction, one so short that `t` overflows, and any component that is NaN or
 /// infinite.
