@@ -117,7 +117,8 @@ impl<F: Function, G: Function> Way<'_, HeightField<F, G>> {
         let (off_x, off_y) = (near(surface.x.domain(), o.x), near(surface.y.domain(), o.y));
         let moved = || surface.x.function().blur(off_x) * g + surface.y.function().blur(off_y) * f;
         let blur = self.pad.z + if rough { 1.0001 * moved() } else { 0.0 };
-        let sight = Sight { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
+        let sight =
+            Sight { side: 0.0, touched: None, lost: None, narrow: None, close: self.finest, found: None };
         let slanted = d.x != 0.0 && d.y != 0.0;
         // Along an axis every cell is gone through from end to end.
         let narrow = THIN * (span.lo.abs() + span.hi.abs());
