@@ -113,7 +113,7 @@ impl Coat {
     ///
     /// A rough pane or body spreads what it transmits as well: it is a [`RoughDielectric`], and has no [`Delta`].
     ///
-    /// Slopes that the pixel does not resolve are [facets](slope_facets) of a rough coat. Where the lobe is too narrow to fill the gaps
+    /// Slopes that the pixel does not resolve are [facets](slope_facets()) of a rough coat. Where the lobe is too narrow to fill the gaps
     /// between them, α below 1.2 deviations, it is widened by a share of the slopes; but not that of a pane, which then shows them.
     #[must_use]
     pub fn rough(self, alpha: f32) -> Self {
