@@ -25,7 +25,7 @@ const VIEWS: [Vec3; 5] = [
 const TILTS: u16 = 64;
 const AZIMUTHS: u16 = 5;
 
-/// Checks of a [`Microfacet`]: those of [`ndf`](crate::check::ndf), projected areas, masking and visible normals.
+/// Checks of a [`Microfacet`]: those of [`ndf`](crate::check::ndf()), projected areas, masking and visible normals.
 ///
 /// ```text
 /// σ(v) = ∫ D max(0, v·m) dω,      ∫ G₁ D max(0, v·m) dω = cos θ_v,      ∫ D_v dω = 1
@@ -34,7 +34,7 @@ const AZIMUTHS: u16 = 5;
 /// - the three integrals hold within 1e-3 relative from five views, from the zenith to next to the horizon. The second is not more than
 ///   `cos θ_v`, and not less where `∫ D max(0, v·m) dω ≥ cos θ_v`, as it is for every density whose mean normal is the macro normal;
 /// - `sample_visible` draws from `D_v`, by χ² from each view at a seventh of the significance of the settings, as do both tests of
-///   [`ndf`](crate::check::ndf) here;
+///   [`ndf`](crate::check::ndf()) here;
 /// - `G₁` is in [0, 1] and does not grow towards the horizon;
 /// - odd input gives unit normals above the horizon and numbers in their ranges.
 ///

@@ -410,7 +410,7 @@ mod tests {
         for (metric, step) in METRICS.into_iter().zip([0.05, -0.031, 0.12]) {
             for basis in [Basis::F1, Basis::F2] {
                 let noise = Cellular::new(7).with_metric(metric).with_basis(basis);
-                let (mut columns, mut values) = (Default::default(), std::vec![0.0; points]);
+                let (mut columns, mut values) = (Default::default(), alloc::vec![0.0; points]);
                 for i in 0..rows {
                     let origin = from_fn(|axis| 0.31 + 0.07 * f32::from(i) - 1.4 * axis as f32);
                     let row = Row::new(origin, step, 0);
