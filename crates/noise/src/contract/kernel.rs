@@ -3,12 +3,12 @@
 use core::array;
 
 use crate::{
-    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lanes::level::{Instructions, Task},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
     row::points::{Points, Source, Target, buffers, by_axes},
-    row::row::{Row, Strip, put},
+    row::row::{Row, Strip},
     statistics::statistics::Statistics,
 };
 
@@ -82,6 +82,12 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// The values at points, and the gradients if `GRADIENTS`; else those are of no meaning.
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
 
+    /// The value at one point, and the gradient if `GRADIENTS`, the same bits.
+    #[inline(always)]
+    fn lone<const GRADIENTS: bool>(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
+        self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
+    }
+
     /// The values along a row, and the gradients if `GRADIENTS`. What does not change along it may be computed once.
     #[inline(always)]
     fn rows<S: Lanes, const GRADIENTS: bool>(
@@ -121,42 +127,27 @@ macro_rules! on_lattice {
 
 pub(crate) use on_lattice;
 
-/// The values at any points, and the gradients if `GRADIENTS`.
+/// The value at any point, and the gradient if `GRADIENTS`.
 ///
-/// Points beyond reach are moved to where they have the same cells before the kind is evaluated, so that it is compiled once.
+/// A point beyond reach is moved to where it has the same cells before the kind is evaluated, so that it is compiled once.
 #[inline(always)]
-fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+fn lone<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
     kernel: &K,
-    s: S,
-    mut p: [S::F; N],
+    mut p: [f32; N],
     seed: u32,
-) -> LaneSample<S, N> {
-    let mut beyond = None;
-    if !is_within(s, &p, K::REACH) {
-        let mut lanes = [None; LANES];
-        for lane in 0..S::LEN {
-            lanes[lane % LANES] = evaluated_far(p.map(|x| s.lane(x, lane)), K::REACH);
-        }
-        for axis in 0..N {
-            p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
-        }
-        beyond = Some(lanes);
+) -> LaneSample<Scalar, N> {
+    let mut known = true;
+    if !is_within(Scalar, &p, K::REACH) {
+        (p, known) = evaluated_far(p, K::REACH).map_or(([0.0; N], false), |p| (p, true));
     }
-    let (mut value, mut gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
-    if let Some(lanes) = beyond {
-        let kept = |x| s.floats(|lane| lanes[lane % LANES].map_or(0.0, |_| s.lane(x, lane)));
-        if GRADIENTS {
-            gradient = gradient.map(kept);
-        }
-        value = kept(value);
-    }
-    (value, gradient)
+    let sample = kernel.lone::<GRADIENTS>(p, seed);
+    if known { sample } else { (0.0, [0.0; N]) }
 }
 
 /// The value at any point.
 #[inline(always)]
 pub(crate) fn value<K: Kernel<N>, const N: usize>(kernel: &K, p: [f32; N], seed: u32) -> f32 {
-    evaluate::<K, Scalar, N, false>(kernel, Scalar, p, seed).0
+    lone::<K, N, false>(kernel, p, seed).0
 }
 
 /// Value and gradient at any point.
@@ -166,7 +157,7 @@ pub(crate) fn sample<K: Kernel<N>, const N: usize>(
     p: [f32; N],
     seed: u32,
 ) -> LaneSample<Scalar, N> {
-    evaluate::<K, Scalar, N, true>(kernel, Scalar, p, seed)
+    lone::<K, N, true>(kernel, p, seed)
 }
 
 /// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.
@@ -281,35 +272,146 @@ impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
     #[inline(always)]
     fn run<S: Lanes>(self, s: S) {
         let Self { kernel, seed, points, values, gradients } = self;
-        let count = values.len();
         match gradients {
-            Some(gradients) => {
-                for i in (0..count).step_by(S::LEN) {
-                    let (value, gradient) = evaluate::<K, S, N, true>(kernel, s, load(s, &points, i), seed);
-                    put(s, value, values, i, count);
-                    for axis in 0..N {
-                        put(s, gradient[axis], gradients[axis], i, count);
-                    }
-                }
-            }
+            Some(gradients) => Blocks::<N, true> { points, values, gradients }.fill(s, kernel, seed),
             None => {
-                for i in (0..count).step_by(S::LEN) {
-                    let (value, _) = evaluate::<K, S, N, false>(kernel, s, load(s, &points, i), seed);
-                    put(s, value, values, i, count);
-                }
+                let gradients = array::from_fn(|_| <&mut [f32]>::default());
+                Blocks::<N, false> { points, values, gradients }.fill(s, kernel, seed);
             }
         }
     }
 }
 
-/// Points from index `i` on, one in each lane.
-#[inline(always)]
-pub(crate) fn load<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], i: usize) -> [S::F; N] {
-    let mut p = [s.float(0.0); N];
-    for axis in 0..N {
-        p[axis] = s.load_part(points[axis].get(i..).unwrap_or_default());
+/// Points of a list that are evaluated without a question in between.
+const BLOCK: usize = 64;
+
+/// A list of points by blocks, and room for their values, and for gradients if `GRADIENTS`.
+struct Blocks<'a, const N: usize, const GRADIENTS: bool> {
+    points: [&'a [f32]; N],
+    values: &'a mut [f32],
+    /// One slice per axis, as long as `values`; empty unless `GRADIENTS`.
+    gradients: [&'a mut [f32]; N],
+}
+
+impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
+    /// Whole blocks of points near the origin as they lie, and others by way of copies.
+    #[inline(always)]
+    fn fill<K: Kernel<N>, S: Lanes>(mut self, s: S, kernel: &K, seed: u32) {
+        let count = self.values.len();
+        let mut copies =
+            Copies { points: [[0.0; BLOCK]; N], values: [0.0; BLOCK], gradients: [[0.0; BLOCK]; N] };
+        for start in (0..count).step_by(BLOCK) {
+            let mut block = self.part(start, count.min(start + BLOCK));
+            let (len, whole) = (block.values.len(), block.is_near(s, K::REACH));
+            let mut known = u64::MAX;
+            if !whole {
+                known = copies.read(&block.points, K::REACH);
+            }
+            let direct = if whole { block.reborrow() } else { copies.block() };
+            let mut i = 0;
+            while i < len {
+                let mut p = [s.float(0.0); N];
+                for axis in 0..N {
+                    p[axis] = s.load(direct.points[axis].get(i..).unwrap_or_default());
+                }
+                let (value, gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
+                s.store(value, direct.values.get_mut(i..).unwrap_or_default());
+                for axis in 0..if GRADIENTS { N } else { 0 } {
+                    s.store(gradient[axis], direct.gradients[axis].get_mut(i..).unwrap_or_default());
+                }
+                i += S::LEN;
+            }
+            if !whole {
+                copies.write(&mut block, known);
+            }
+        }
     }
-    p
+
+    #[inline(always)]
+    fn part(&mut self, start: usize, end: usize) -> Blocks<'_, N, GRADIENTS> {
+        let mut points = self.points;
+        for axis in 0..N {
+            points[axis] = self.points[axis].get(start..end).unwrap_or_default();
+        }
+        Blocks {
+            points,
+            values: self.values.get_mut(start..end).unwrap_or_default(),
+            gradients: self.gradients.each_mut().map(|g| {
+                if GRADIENTS { g.get_mut(start..end).unwrap_or_default() } else { Default::default() }
+            }),
+        }
+    }
+
+    #[inline(always)]
+    fn reborrow(&mut self) -> Blocks<'_, N, GRADIENTS> {
+        self.part(0, BLOCK)
+    }
+
+    /// Whether this is a whole block of points within reach; it may be one and seem none where points are far from the origin.
+    #[inline(always)]
+    fn is_near<S: Lanes>(&self, s: S, reach: f32) -> bool {
+        if self.values.len() != BLOCK {
+            return false;
+        }
+        let mut sum = s.float(0.0);
+        for axis in 0..N {
+            let mut i = 0;
+            while i < BLOCK {
+                sum = sum + s.abs(s.load(self.points[axis].get(i..).unwrap_or_default()));
+                i += S::LEN;
+            }
+        }
+        s.all(s.less(sum, s.float(reach)))
+    }
+}
+
+/// A block's points, those beyond reach moved to where they have the same cells, and room for what is found there.
+struct Copies<const N: usize> {
+    points: [[f32; BLOCK]; N],
+    values: [f32; BLOCK],
+    gradients: [[f32; BLOCK]; N],
+}
+
+impl<const N: usize> Copies<N> {
+    /// Copies a block, and tells by bits which of its points the noise is other than 0 at.
+    #[cold]
+    #[inline(never)]
+    fn read(&mut self, points: &[&[f32]; N], reach: f32) -> u64 {
+        let mut known = 0;
+        for i in 0..BLOCK {
+            let p = points.map(|x| x.get(i).copied().unwrap_or(0.0));
+            let found = evaluated(p, reach);
+            known |= u64::from(found.is_some()) << i;
+            for (axis, x) in found.unwrap_or([0.0; N]).into_iter().enumerate() {
+                self.points[axis][i] = x;
+            }
+        }
+        known
+    }
+
+    #[inline(always)]
+    fn block<const GRADIENTS: bool>(&mut self) -> Blocks<'_, N, GRADIENTS> {
+        Blocks {
+            points: self.points.each_ref().map(|x| &x[..]),
+            values: &mut self.values,
+            gradients: self.gradients.each_mut().map(|g| &mut g[..]),
+        }
+    }
+
+    /// Copies values, and gradients if `GRADIENTS`, to a block.
+    #[cold]
+    #[inline(never)]
+    fn write<const GRADIENTS: bool>(&self, block: &mut Blocks<'_, N, GRADIENTS>, known: u64) {
+        let kept = |i: usize, x: f32| if known >> i & 1 == 1 { x } else { 0.0 };
+        for (i, (to, from)) in block.values.iter_mut().zip(self.values).enumerate() {
+            *to = kept(i, from);
+        }
+        for (to, from) in block.gradients.iter_mut().zip(&self.gradients) {
+            for (i, (to, from)) in to.iter_mut().zip(from).enumerate() {
+                *to = kept(i, *from);
+            }
+        }
+    }
 }
 
 /// From so many points on rows share enough to pay for the room that it takes.

@@ -102,6 +102,8 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn any(self, mask: Self::M) -> bool;
     /// The lanes that the mask holds in, a bit for each, that of lane 0 the lowest.
     fn lanes(self, mask: Self::M) -> u32;
+    /// The lanes from lane K on, followed by those before it.
+    fn turned<const K: usize>(self, x: Self::F) -> Self::F;
 
     /// The first floats of a slice, followed by zeros if it has fewer than `LEN`.
     #[inline(always)]
@@ -286,5 +288,9 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn lanes(self, mask: bool) -> u32 {
         u32::from(mask)
+    }
+    #[inline(always)]
+    fn turned<const K: usize>(self, x: f32) -> f32 {
+        x
     }
 }

@@ -73,7 +73,17 @@ impl<S: Simd> Lanes for Wide<S> {
     }
     #[inline(always)]
     fn floor(self, x: Self::F) -> Self::F {
-        x.floor()
+        if self.rounds() { x.floor() } else { self.below(x).1 }
+    }
+    #[inline(always)]
+    fn cell(self, x: Self::F) -> (Self::U, Self::F) {
+        let (cell, floor) = if self.rounds() {
+            let floor = x.floor();
+            (self.integer(floor), floor)
+        } else {
+            self.below(x)
+        };
+        (cell, x - floor)
     }
     #[inline(always)]
     fn integer(self, x: Self::F) -> Self::U {
@@ -135,4 +145,62 @@ impl<S: Simd> Lanes for Wide<S> {
     fn lanes(self, mask: Self::M) -> u32 {
         mask.to_bitmask() as u32
     }
+    #[inline(always)]
+    fn turned<const K: usize>(self, x: Self::F) -> Self::F {
+        x.slide::<K>(x)
+    }
+}
+
+impl<S: Simd> Wide<S> {
+    /// Whether the level has an instruction that rounds; without one a library would be called for every lane.
+    #[inline(always)]
+    fn rounds(self) -> bool {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        return !matches!(self.0.level(), fearless_simd::Level::Sse2(_));
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        true
+    }
+
+    /// ⌊x⌋ as the bits of an `i32` and as a float, for |x| < 2³¹: truncated, and one less where that is above x.
+    #[inline(always)]
+    fn below(self, x: <Self as Lanes>::F) -> (<Self as Lanes>::U, <Self as Lanes>::F) {
+        let truncated = self.integer(x);
+        let nearest = self.real(truncated);
+        let above = self.less(x, nearest);
+        let cell = truncated - self.select_word(above, self.word(1), self.word(0));
+        (cell, nearest - self.select(above, self.float(1.0), self.float(0.0)))
+    }
+}
+
+/// Four lanes of the level that the program is built for, which a single call may use.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn four() -> Option<Wide<fearless_simd::x86::Sse2>> {
+    fearless_simd::Level::baseline().as_sse2().map(Wide)
+}
+
+/// Four lanes of the level that the program is built for, which a single call may use.
+#[cfg(target_arch = "aarch64")]
+#[inline(always)]
+pub(crate) fn four() -> Option<Wide<fearless_simd::aarch64::Neon>> {
+    fearless_simd::Level::baseline().as_neon().map(Wide)
+}
+
+/// Four lanes of the level that the program is built for, which a single call may use.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[inline(always)]
+pub(crate) fn four() -> Option<Wide<fearless_simd::wasm32::WasmSimd128>> {
+    fearless_simd::Level::baseline().as_wasm_simd128().map(Wide)
+}
+
+/// Four lanes of the level that the program is built for; there are none.
+#[cfg(not(any(
+    target_arch = "x86",
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
+#[inline(always)]
+pub(crate) fn four() -> Option<crate::lanes::lanes::Scalar> {
+    None
 }

@@ -8,8 +8,8 @@ use crate::{
 /// A 32-bit hash of cell and seed.
 ///
 /// ```text
-/// h = x·P₁ ^ (y + D₂)·P₂ ^ (z + D₃)·P₃ ^ (w + D₄)·P₄   mod 2³²
-/// h = (h ^ h ≫ 16)·M₁ + key(seed)
+/// h = f(x·P₁) ^ f((y + D₂)·P₂) ^ f((z + D₃)·P₃) ^ f((w + D₄)·P₄)   mod 2³²,   f(t) = t ^ t ≫ 16
+/// h = h·M₁ + key(seed)
 /// h = (h ^ h ≫ 15)·M₂,   word = h ^ h ≫ 16
 /// ```
 ///
@@ -54,25 +54,38 @@ impl Lattice for IntegerHash {
 
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
-        cell * s.word(P[axis & 3]) + s.word(SHIFT[axis & 3])
+        folded(s, cell * s.word(P[axis & 3]) + s.word(SHIFT[axis & 3]))
     }
 
     #[inline(always)]
     fn terms<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> [S::U; 2] {
-        let term = self.term(s, axis, cell);
-        [term, term + s.word(P[axis & 3])]
+        let low = cell * s.word(P[axis & 3]) + s.word(SHIFT[axis & 3]);
+        [folded(s, low), folded(s, low + s.word(P[axis & 3]))]
+    }
+
+    #[inline(always)]
+    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [S::U; 2] {
+        let factors = s.words(|axis| P[axis & 3]);
+        let low = cells * factors + s.words(|axis| SHIFT[axis & 3]);
+        [folded(s, low), folded(s, low + factors)]
     }
 
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        let mut h = s.word(0);
-        for term in terms {
-            h = h ^ term;
+        let mut h = terms[0];
+        for axis in 1..N {
+            h = h ^ terms[axis];
         }
-        let h = (h ^ s.shr::<16>(h)) * s.word(M1) + s.word(key(seed));
+        let h = h * s.word(M1) + s.word(key(seed));
         let h = (h ^ s.shr::<15>(h)) * s.word(M2);
         h ^ s.shr::<16>(h)
     }
+}
+
+/// t ^ t ≫ 16 of a product, once for all the points that share it: exclusive or and the shift may change places.
+#[inline(always)]
+fn folded<S: Lanes>(s: S, t: S::U) -> S::U {
+    t ^ s.shr::<16>(t)
 }
 
 /// The word that a seed adds between the rounds.
@@ -230,7 +243,7 @@ mod tests {
         let [z, w] = [0x3c6e_f372, 0x1b87_3593];
         assert_eq!(IntegerHash.word([5, -9], 3), IntegerHash.word([5, -9, -z, -w], 3));
         let [here, next] = IntegerHash.terms(Scalar, 1, Scalar.word(41));
-        assert_eq!(here, Scalar.word(41) * Scalar.word(P[1]) + Scalar.word(SHIFT[1]));
+        assert_eq!(here, folded(Scalar, Scalar.word(41) * Scalar.word(P[1]) + Scalar.word(SHIFT[1])));
         assert_eq!(next, IntegerHash.term(Scalar, 1, Scalar.word(42)));
     }
 }

@@ -63,6 +63,14 @@ pub trait Lattice {
         [self.term(s, axis, cell), self.term(s, axis, cell + s.word(1))]
     }
 
+    /// The terms of the cells of all axes, one axis in each lane, and of the next ones.
+    #[inline(always)]
+    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [S::U; 2] {
+        let term =
+            |axis, step| self.term(Scalar, axis, Scalar.word(s.lane_word(cells, axis)) + Scalar.word(step)).0;
+        [0, 1].map(|step| s.words(|axis| if axis < N { term(axis, step) } else { 0 }))
+    }
+
     /// The words of the points that terms were made of.
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {

@@ -44,6 +44,26 @@ impl<S: Lanes, const N: usize> Column<S, N> {
     }
 }
 
+impl<S: Lanes> Plane<S> {
+    #[inline(always)]
+    fn turned<const K: usize>(&self, s: S) -> Self {
+        let [a, b] = self.slopes;
+        Self { value: s.turned::<K>(self.value), slopes: [s.turned::<K>(a), s.turned::<K>(b)] }
+    }
+}
+
+impl<S: Lanes, const N: usize> Column<S, N> {
+    /// The columns of the lanes from lane K on.
+    #[inline(always)]
+    pub(crate) fn turned<const K: usize>(&self, s: S) -> Self {
+        let mut column = Self { plane: self.plane.turned::<K>(s), derivatives: self.derivatives };
+        for axis in 2..N {
+            column.derivatives[axis] = self.derivatives[axis].turned::<K>(s);
+        }
+        column
+    }
+}
+
 /// e + f y.
 #[derive(Clone, Copy)]
 pub(crate) struct Line<S: Lanes> {
@@ -64,6 +84,25 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     pub(crate) fn empty(s: S) -> Self {
         let line = Line { value: s.float(0.0), slope: s.float(0.0) };
         Self { line, derivatives: [line; N] }
+    }
+}
+
+impl<S: Lanes> Line<S> {
+    #[inline(always)]
+    fn turned<const K: usize>(&self, s: S) -> Self {
+        Self { value: s.turned::<K>(self.value), slope: s.turned::<K>(self.slope) }
+    }
+}
+
+impl<S: Lanes, const N: usize> Edge<S, N> {
+    /// The edges of the lanes from lane K on.
+    #[inline(always)]
+    pub(crate) fn turned<const K: usize>(&self, s: S) -> Self {
+        let mut edge = Self { line: self.line.turned::<K>(s), derivatives: self.derivatives };
+        for axis in 0..N {
+            edge.derivatives[axis] = self.derivatives[axis].turned::<K>(s);
+        }
+        edge
     }
 }
 

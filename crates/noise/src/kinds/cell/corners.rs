@@ -57,6 +57,31 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         place
     }
 
+    /// The place of one point, its corners at the ends of the first two axes in the lanes: 0 and 0, 0 and 1, 1 and 0, 1 and 1.
+    #[inline(always)]
+    pub(crate) fn at_ends<K: CellNoise<N>>(s: S, noise: &K, p: [f32; N]) -> Self {
+        let mut axes = [0.0; 4];
+        axes[..N].copy_from_slice(&p);
+        let (cells, places) = cell(s, s.load(&axes));
+        let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
+        let all = Along::new(s, K::FADE, places);
+        let end = |axis, high: bool| s.lane_word(ends[usize::from(high)], axis);
+        let mut place = Self { terms: [[s.word(0); 2]; N], along: [all; N] };
+        for axis in 0..N {
+            place.along[axis] = Along {
+                place: s.float(s.lane(all.place, axis)),
+                weight: s.float(s.lane(all.weight, axis)),
+                slope: s.float(s.lane(all.slope, axis)),
+            };
+            place.terms[axis] = match axis {
+                0 => [s.words(|lane| end(0, lane & 2 != 0)); 2],
+                1 => [s.words(|lane| end(1, lane & 1 != 0)); 2],
+                _ => [s.word(end(axis, false)), s.word(end(axis, true))],
+            };
+        }
+        place
+    }
+
     /// The word of corner `k` of the column whose terms of the first axes are `first` and `second`.
     ///
     /// Bit i of k tells the end along axis i + 2.

@@ -2,12 +2,16 @@
 
 use crate::{
     contract::kernel::{Kernel, on_lattice},
+    kinds::cell::blend::edge,
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,
-    lanes::lanes::{LaneSample, Lanes},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     row::row::Strip,
 };
+
+#[cfg(feature = "simd")]
+use crate::lanes::registers::four;
 
 /// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
 #[inline(always)]
@@ -21,6 +25,29 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
     place.parts::<K, GRADIENTS>(s, &place.drawn_edges(s, noise, seed))
 }
 
+/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits of [`parts`].
+#[cfg(feature = "simd")]
+#[inline(always)]
+fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    p: [f32; N],
+    seed: u32,
+) -> LaneSample<Scalar, N> {
+    let place = Place::at_ends(s, noise, p);
+    let terms = [place.terms[0][0], place.terms[1 % N][0]];
+    let column = place.drawn_column(s, noise, terms, seed);
+    let edge = edge::<K, S, N>(s, &column, &column.turned::<2>(s), place.along[0]);
+    let (sample, variance) = place.parts::<K, GRADIENTS>(s, &[edge, edge.turned::<1>(s)]);
+    let (value, gradient) =
+        if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample };
+    let mut slopes = [0.0; N];
+    for axis in 0..if GRADIENTS { N } else { 0 } {
+        slopes[axis] = s.lane(gradient[axis], 0);
+    }
+    (s.lane(value, 0), slopes)
+}
+
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     type RowScratch = Stretch<N>;
 
@@ -30,6 +57,17 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let (sample, variance) = parts::<K, S, N, GRADIENTS>(s, self, p, seed);
         if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
+    }
+
+    #[inline(always)]
+    fn lone<const GRADIENTS: bool>(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
+        #[cfg(feature = "simd")]
+        if N > 1
+            && let Some(s) = four()
+        {
+            return by_corners::<K, _, N, GRADIENTS>(s, self, p, seed);
+        }
+        self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
 
     #[inline(always)]
