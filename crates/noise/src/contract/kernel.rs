@@ -3,7 +3,7 @@
 use core::array;
 
 use crate::{
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
     lanes::level::{Instructions, Task},
     lattice::lattice::{REACH, is_within, wrapped},
     point::Point,
@@ -62,12 +62,20 @@ pub trait Kernel<const N: usize>: Measured<N> {
     /// Whether cells are simplices of the skewed lattice.
     const SIMPLICIAL: bool = false;
 
+    /// From so many octaves on those of a point are evaluated in lanes, each with a key of its own.
+    const OCTAVES_IN_LANES: usize = usize::MAX;
+
     /// Intermediate results that rows of a grid share, from row to row.
     type RowScratch: Default;
 
     /// The period along an axis, 0 where there is none.
     fn period(&self, _axis: usize) -> u32 {
         0
+    }
+
+    /// What the lattice's words are made of in place of a seed.
+    fn key(&self, seed: u32) -> u32 {
+        seed
     }
 
     /// The noise of an octave of a sum, on its own lattice; nothing where that is the noise itself.
@@ -118,6 +126,10 @@ macro_rules! on_lattice {
             $crate::lattice::lattice::Lattice::period($crate::lattice::lattice::OnLattice::lattice(self), axis)
         }
 
+        fn key(&self, seed: u32) -> u32 {
+            $crate::lattice::lattice::Lattice::key($crate::lattice::lattice::OnLattice::lattice(self), seed)
+        }
+
         #[inline(always)]
         fn of_octave(&self, frequency: f32, cell: &[i32]) -> Option<Self> {
             $crate::lattice::lattice::OnLattice::of_octave(self, frequency, cell)
@@ -158,6 +170,36 @@ pub(crate) fn sample<K: Kernel<N>, const N: usize>(
     seed: u32,
 ) -> LaneSample<Scalar, N> {
     lone::<K, N, true>(kernel, p, seed)
+}
+
+/// The values at any points, one in each lane, and the gradients if `GRADIENTS`.
+#[inline(always)]
+pub(crate) fn evaluate<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    kernel: &K,
+    s: S,
+    mut p: [S::F; N],
+    seed: u32,
+) -> LaneSample<S, N> {
+    let mut beyond = None;
+    if !is_within(s, &p, K::REACH) {
+        let mut lanes = [None; LANES];
+        for lane in 0..S::LEN {
+            lanes[lane % LANES] = evaluated_far(p.map(|x| s.lane(x, lane)), K::REACH);
+        }
+        for axis in 0..N {
+            p[axis] = s.floats(|lane| lanes[lane % LANES].map_or(0.0, |p| p[axis]));
+        }
+        beyond = Some(lanes);
+    }
+    let (mut value, mut gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
+    if let Some(lanes) = beyond {
+        let kept = |x| s.floats(|lane| lanes[lane % LANES].map_or(0.0, |_| s.lane(x, lane)));
+        if GRADIENTS {
+            gradient = gradient.map(kept);
+        }
+        value = kept(value);
+    }
+    (value, gradient)
 }
 
 /// The point itself if it is within reach; beyond, a point with the same cells, if the kind has cells there.

@@ -1,16 +1,18 @@
 //! Value-gradient noise, normalised so that it is exactly Gaussian at every point.
 
 use crate::{
+    contract::kernel::Measured,
     contract::noise::{kind, measured, noise},
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::kernel::parts,
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::{Lattice, REACH, is_within, wrapped},
-    lattice::variates::gaussian_variates,
+    lattice::lattice::{Lattice, OnLattice, REACH, is_within, wrapped},
+    lattice::variates::{gaussian_variates, gaussian_variates_of_both},
     point::Point,
     sample::Sample,
+    statistics::statistics::Statistics,
     statistics::tables,
 };
 
@@ -117,6 +119,38 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         corner::<S, N, 0>(s, word)
+    }
+}
+
+/// Both channels at once: lanes of the lower half have the first, the others the second.
+pub(crate) struct Channels<'a, L>(pub(crate) &'a Gaussian<L>);
+
+impl<L: Lattice> OnLattice for Channels<'_, L> {
+    type Lattice = L;
+
+    #[inline(always)]
+    fn lattice(&self) -> &L {
+        self.0.lattice()
+    }
+}
+
+impl<L: Lattice, const N: usize> Measured<N> for Channels<'_, L> {
+    fn seed(&self) -> u32 {
+        self.0.seed
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        Measured::<N>::statistics(self.0)
+    }
+}
+
+impl<L: Lattice, const N: usize> CellNoise<N> for Channels<'_, L> {
+    const NORMALISED: bool = true;
+
+    #[inline(always)]
+    fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
+        let (value, gradient) = gaussian_variates_of_both(s, word);
+        Corner { value, gradient }
     }
 }
 

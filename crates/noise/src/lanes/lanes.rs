@@ -46,6 +46,8 @@ pub trait Lanes: Copy + sealed::Sealed {
     type U: Words;
     /// One truth value per lane.
     type M: Copy;
+    /// The same lanes, each of which draws words with a key of its own.
+    type Keyed: Lanes<F = Self::F, U = Self::U, M = Self::M>;
 
     /// One float in every lane.
     fn float(self, x: f32) -> Self::F;
@@ -57,8 +59,15 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn words(self, f: impl FnMut(usize) -> u32) -> Self::U;
     /// The number of each lane.
     fn iota(self) -> Self::U;
+    /// Lanes with a key each, in place of the one that a seed gives them all. One lane alone keeps that of its seed.
+    fn keyed(self, keys: Self::U) -> Self::Keyed;
+    /// The key of each lane: the one given, unless they have their own.
+    fn keys(self, common: impl FnOnce() -> u32) -> Self::U;
+
     /// The first floats of a slice, zeros if it has fewer than `LEN`.
     fn load(self, slice: &[f32]) -> Self::F;
+    /// The first words of a slice, zeros if it has fewer than `LEN`.
+    fn load_words(self, slice: &[u32]) -> Self::U;
     /// Writes as many lanes as the slice can hold.
     fn store(self, x: Self::F, slice: &mut [f32]);
     /// One lane; lane 0 where there is no such lane.
@@ -173,6 +182,7 @@ impl Lanes for Scalar {
     type F = f32;
     type U = Wrapping<u32>;
     type M = bool;
+    type Keyed = Self;
 
     #[inline(always)]
     fn float(self, x: f32) -> f32 {
@@ -195,8 +205,20 @@ impl Lanes for Scalar {
         Wrapping(0)
     }
     #[inline(always)]
+    fn keyed(self, _: Wrapping<u32>) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn keys(self, common: impl FnOnce() -> u32) -> Wrapping<u32> {
+        Wrapping(common())
+    }
+    #[inline(always)]
     fn load(self, slice: &[f32]) -> f32 {
         slice.first().copied().unwrap_or(0.0)
+    }
+    #[inline(always)]
+    fn load_words(self, slice: &[u32]) -> Wrapping<u32> {
+        Wrapping(slice.first().copied().unwrap_or(0))
     }
     #[inline(always)]
     fn store(self, x: f32, slice: &mut [f32]) {

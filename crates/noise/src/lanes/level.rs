@@ -3,6 +3,8 @@
 use core::fmt;
 
 use crate::lanes::lanes::{Lanes, Scalar};
+#[cfg(feature = "simd")]
+use crate::lanes::registers::{Common, Wide};
 
 /// A set of SIMD instructions.
 ///
@@ -73,10 +75,7 @@ impl Level {
     #[cfg(feature = "simd")]
     #[inline]
     fn token(self) -> Option<fearless_simd::Level> {
-        #[cfg(feature = "std")]
-        let best = fearless_simd::Level::new();
-        #[cfg(not(feature = "std"))]
-        let best = fearless_simd::Level::baseline();
+        let best = machine();
         match self {
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse2 => best.as_sse2().map(fearless_simd::Level::Sse2),
@@ -126,13 +125,59 @@ pub(crate) trait Task {
     fn run<S: Lanes>(self, s: S);
 }
 
+/// Runs the work of a single point, for which four or eight lanes are as many as it fills. Nothing where there is one lane only.
+#[inline(always)]
+pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
+    #[cfg(not(feature = "simd"))]
+    {
+        let _ = task;
+        None
+    }
+    #[cfg(feature = "simd")]
+    {
+        use fearless_simd::Simd;
+        let level = machine();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        if let Some(simd) = level.as_avx2() {
+            simd.vectorize(
+                #[inline(always)]
+                || task.run(Wide(simd, Common)),
+            );
+        } else {
+            let simd = level.as_sse2()?;
+            simd.vectorize(
+                #[inline(always)]
+                || task.run(Wide(simd, Common)),
+            );
+        }
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        {
+            if level.is_fallback() {
+                return None;
+            }
+            fearless_simd::dispatch!(level, simd => task.run(Wide(simd, Common)));
+        }
+        Some(())
+    }
+}
+
+/// The best level of the machine; without `std`, of the program.
+#[cfg(feature = "simd")]
+#[inline]
+fn machine() -> fearless_simd::Level {
+    #[cfg(feature = "std")]
+    return fearless_simd::Level::new();
+    #[cfg(not(feature = "std"))]
+    return fearless_simd::Level::baseline();
+}
+
 impl Instructions {
     /// Runs a task.
     #[inline(always)]
     pub(crate) fn run(self, task: impl Task) {
         #[cfg(feature = "simd")]
         if let Some(level) = self.token {
-            fearless_simd::dispatch!(level, simd => task.run(crate::lanes::registers::Wide(simd)));
+            fearless_simd::dispatch!(level, simd => task.run(Wide(simd, Common)));
             return;
         }
         task.run(Scalar);

@@ -4,18 +4,46 @@ use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask}
 
 use crate::lanes::lanes::{Lanes, sealed::Sealed};
 
-/// The lanes of a register of the SIMD level.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wide<S>(pub(crate) S);
+/// The lanes of a register of the SIMD level, and the keys that they draw words with.
+#[derive(Clone, Copy)]
+pub(crate) struct Wide<S, K = Common>(pub(crate) S, pub(crate) K);
 
-impl<S: Simd> Sealed for Wide<S> {}
+/// The keys of a register's lanes.
+pub(crate) trait Keys<S: Simd>: Copy {
+    fn keys(self, simd: S, common: impl FnOnce() -> u32) -> S::u32s;
+}
 
-impl<S: Simd> Lanes for Wide<S> {
+/// One key for all lanes, that of a seed.
+#[derive(Clone, Copy)]
+pub(crate) struct Common;
+
+/// A key for each lane.
+#[derive(Clone, Copy)]
+pub(crate) struct Own<U>(U);
+
+impl<S: Simd> Keys<S> for Common {
+    #[inline(always)]
+    fn keys(self, simd: S, common: impl FnOnce() -> u32) -> S::u32s {
+        S::u32s::splat(simd, common())
+    }
+}
+
+impl<S: Simd> Keys<S> for Own<S::u32s> {
+    #[inline(always)]
+    fn keys(self, _: S, _: impl FnOnce() -> u32) -> S::u32s {
+        self.0
+    }
+}
+
+impl<S: Simd, K: Keys<S>> Sealed for Wide<S, K> {}
+
+impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
     const LEN: usize = S::f32s::LEN;
     const TABLES: bool = false;
     type F = S::f32s;
     type U = S::u32s;
     type M = S::mask32s;
+    type Keyed = Wide<S, Own<S::u32s>>;
 
     #[inline(always)]
     fn float(self, x: f32) -> Self::F {
@@ -43,6 +71,21 @@ impl<S: Simd> Lanes for Wide<S> {
         match slice.get(..Self::LEN) {
             Some(slice) => S::f32s::from_slice(self.0, slice),
             None => self.float(0.0),
+        }
+    }
+    #[inline(always)]
+    fn keyed(self, keys: Self::U) -> Self::Keyed {
+        Wide(self.0, Own(keys))
+    }
+    #[inline(always)]
+    fn keys(self, common: impl FnOnce() -> u32) -> Self::U {
+        self.1.keys(self.0, common)
+    }
+    #[inline(always)]
+    fn load_words(self, slice: &[u32]) -> Self::U {
+        match slice.get(..Self::LEN) {
+            Some(slice) => S::u32s::from_slice(self.0, slice),
+            None => self.word(0),
         }
     }
     #[inline(always)]
@@ -151,7 +194,7 @@ impl<S: Simd> Lanes for Wide<S> {
     }
 }
 
-impl<S: Simd> Wide<S> {
+impl<S: Simd, K: Keys<S>> Wide<S, K> {
     /// Whether the level has an instruction that rounds; without one a library would be called for every lane.
     #[inline(always)]
     fn rounds(self) -> bool {
@@ -176,21 +219,21 @@ impl<S: Simd> Wide<S> {
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 pub(crate) fn four() -> Option<Wide<fearless_simd::x86::Sse2>> {
-    fearless_simd::Level::baseline().as_sse2().map(Wide)
+    fearless_simd::Level::baseline().as_sse2().map(|simd| Wide(simd, Common))
 }
 
 /// Four lanes of the level that the program is built for, which a single call may use.
 #[cfg(target_arch = "aarch64")]
 #[inline(always)]
 pub(crate) fn four() -> Option<Wide<fearless_simd::aarch64::Neon>> {
-    fearless_simd::Level::baseline().as_neon().map(Wide)
+    fearless_simd::Level::baseline().as_neon().map(|simd| Wide(simd, Common))
 }
 
 /// Four lanes of the level that the program is built for, which a single call may use.
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 #[inline(always)]
 pub(crate) fn four() -> Option<Wide<fearless_simd::wasm32::WasmSimd128>> {
-    fearless_simd::Level::baseline().as_wasm_simd128().map(Wide)
+    fearless_simd::Level::baseline().as_wasm_simd128().map(|simd| Wide(simd, Common))
 }
 
 /// Four lanes of the level that the program is built for; there are none.

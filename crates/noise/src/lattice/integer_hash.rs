@@ -52,6 +52,12 @@ impl Lattice for IntegerHash {
         word_by_terms(self, cell, seed)
     }
 
+    /// SplitMix64's finaliser of the seed.
+    #[inline(always)]
+    fn key(&self, seed: u32) -> u32 {
+        (mix(u64::from(seed)) >> 32) as u32
+    }
+
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
         folded(s, cell * s.word(P[axis & 3]) + s.word(SHIFT[axis & 3]))
@@ -76,7 +82,7 @@ impl Lattice for IntegerHash {
         for axis in 1..N {
             h = h ^ terms[axis];
         }
-        let h = h * s.word(M1) + s.word(key(seed));
+        let h = h * s.word(M1) + s.keys(|| self.key(seed));
         let h = (h ^ s.shr::<15>(h)) * s.word(M2);
         h ^ s.shr::<16>(h)
     }
@@ -86,12 +92,6 @@ impl Lattice for IntegerHash {
 #[inline(always)]
 fn folded<S: Lanes>(s: S, t: S::U) -> S::U {
     t ^ s.shr::<16>(t)
-}
-
-/// The word that a seed adds between the rounds.
-#[inline(always)]
-fn key(seed: u32) -> u32 {
-    (mix(u64::from(seed)) >> 32) as u32
 }
 
 /// SplitMix64's output for the state `counter`·γ: a bijection with full avalanche.
@@ -118,18 +118,20 @@ pub(crate) fn further<S: Lanes, const K: u32>(s: S, word: S::U) -> S::U {
     h ^ s.shr::<16>(h)
 }
 
-/// Number K of five words of a lattice point that are its word times different numbers: what Gaussian variates are drawn from.
+/// Multipliers of other hashes.
+pub(crate) const MULTIPLIERS: [u32; 5] = [0x846c_a68b, 0x9e37_79b1, 0xc2b2_ae3d, 0x2c1b_3c6d, 0x297a_2d39];
+
+/// One of five words of a lattice point that are its word times different [`MULTIPLIERS`]: what Gaussian variates are drawn from.
 ///
 /// ```text
 /// h = (word ^ word ≫ 15)·Mₖ,   h ^ h ≫ 16
 /// ```
 ///
-/// A bijection for every K. Of the word and these five no two 16-bit fields show dependence: χ² over 64 × 64 classes is within
-/// 4 standard deviations for all 66 pairs and 2³⁰ words. The multipliers are those of other hashes.
+/// A bijection for every k. Of the word and these five no two 16-bit fields show dependence: χ² over 64 × 64 classes is within
+/// 4 standard deviations for all 66 pairs and 2³⁰ words.
 #[inline(always)]
-pub(crate) fn multiplied<S: Lanes, const K: usize>(s: S, word: S::U) -> S::U {
-    const M: [u32; 5] = [0x846c_a68b, 0x9e37_79b1, 0xc2b2_ae3d, 0x2c1b_3c6d, 0x297a_2d39];
-    let h = (word ^ s.shr::<15>(word)) * s.word(M[K]);
+pub(crate) fn multiplied<S: Lanes>(s: S, word: S::U, multiplier: S::U) -> S::U {
+    let h = (word ^ s.shr::<15>(word)) * multiplier;
     h ^ s.shr::<16>(h)
 }
 
@@ -179,14 +181,8 @@ mod tests {
         let mut tables = [[[0_u32; 256]; 12]; 12];
         for i in 0..1 << 21 {
             let word = Scalar.word(IntegerHash.word([i & 2047, i >> 11, 3], 1));
-            let words = [
-                word,
-                multiplied::<_, 0>(Scalar, word),
-                multiplied::<_, 1>(Scalar, word),
-                multiplied::<_, 2>(Scalar, word),
-                multiplied::<_, 3>(Scalar, word),
-                multiplied::<_, 4>(Scalar, word),
-            ];
+            let by = |k: usize| multiplied(Scalar, word, Scalar.word(MULTIPLIERS[k]));
+            let words = [word, by(0), by(1), by(2), by(3), by(4)];
             let mut fields = [0; 12];
             for (fields, word) in fields.chunks_mut(2).zip(words) {
                 fields.copy_from_slice(&[word.0 >> 28, word.0 >> 12 & 15].map(|field| field as usize));

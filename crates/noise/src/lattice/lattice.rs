@@ -51,6 +51,17 @@ pub trait Lattice {
         None
     }
 
+    /// Whether all octaves of a sum draw from the lattice itself.
+    #[doc(hidden)]
+    const SHARED: bool = true;
+
+    /// What words are made of in place of the seed, computed once for all words of a seed.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn key(&self, seed: u32) -> u32 {
+        seed
+    }
+
     /// The part of a cell's word that its coordinate along an axis makes.
     #[inline(always)]
     fn term<S: Lanes>(&self, _: S, _axis: usize, cell: S::U) -> S::U {
@@ -74,7 +85,8 @@ pub trait Lattice {
     /// The words of the points that terms were made of.
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
-        s.words(|lane| self.word(terms.map(|term| s.lane_word(term, lane) as i32), seed))
+        let seeds = s.keys(|| seed);
+        s.words(|lane| self.word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane)))
     }
 }
 

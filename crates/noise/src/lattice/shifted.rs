@@ -27,6 +27,7 @@ impl<L, const N: usize> Shifted<L, N> {
 
 impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
     const TILED: bool = L::TILED;
+    const SHARED: bool = false;
 
     #[inline(always)]
     fn of_octave(&self, _: f32, cell: &[i32]) -> Option<Self> {
@@ -44,6 +45,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
         let shift = self.cell.get(axis).copied().unwrap_or(0);
         self.lattice.term(s, axis, cell + s.word(shift as u32))
+    }
+
+    #[inline(always)]
+    fn key(&self, seed: u32) -> u32 {
+        self.lattice.key(seed)
     }
 
     #[inline(always)]

@@ -99,6 +99,7 @@ pub(crate) fn remainder<S: Lanes>(s: S, cell: S::U, period: u32) -> S::U {
 
 impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
     const TILED: bool = true;
+    const SHARED: bool = false;
 
     #[inline(always)]
     fn period(&self, axis: usize) -> u32 {
@@ -123,6 +124,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
             None => cell,
         };
         self.lattice.term(s, axis, cell)
+    }
+
+    #[inline(always)]
+    fn key(&self, seed: u32) -> u32 {
+        self.lattice.key(seed)
     }
 
     #[inline(always)]

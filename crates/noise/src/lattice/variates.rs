@@ -3,7 +3,7 @@
 use crate::{
     lanes::lanes::{LANES, Lanes, Scalar},
     lattice::gaussian_levels::{POSITIVE_LEVELS, TAIL_LINES},
-    lattice::integer_hash::{further, multiplied},
+    lattice::integer_hash::{MULTIPLIERS, further, multiplied},
 };
 
 /// Keeps rounding from crossing 1.
@@ -266,11 +266,25 @@ pub(crate) fn gaussian_variates<S: Lanes, const N: usize, const CHANNEL: u32>(
     s: S,
     word: S::U,
 ) -> (S::F, [S::F; N]) {
-    let (value, words) = if CHANNEL == 0 {
-        (word, [multiplied::<S, 0>(s, word), multiplied::<S, 1>(s, word)])
-    } else {
-        (multiplied::<S, 2>(s, word), [multiplied::<S, 3>(s, word), multiplied::<S, 4>(s, word)])
+    let by = |k| multiplied(s, word, s.word(MULTIPLIERS[k]));
+    if CHANNEL == 0 { variates(s, word, [by(0), by(1)]) } else { variates(s, by(2), [by(3), by(4)]) }
+}
+
+/// [`gaussian_variates`] of channel 0 in the lower half of the lanes, of channel 1 in the others.
+#[inline(always)]
+pub(crate) fn gaussian_variates_of_both<S: Lanes, const N: usize>(s: S, word: S::U) -> (S::F, [S::F; N]) {
+    let second = |lane: usize| lane >= S::LEN / 2;
+    let by = |first, other| {
+        multiplied(s, word, s.words(|lane| MULTIPLIERS[if second(lane) { other } else { first }]))
     };
+    let own = multiplied(s, word, s.word(MULTIPLIERS[2]));
+    let is_first = s.equal(s.words(|lane| u32::from(second(lane))), s.word(0));
+    variates(s, s.select_word(is_first, word, own), [by(0, 3), by(1, 4)])
+}
+
+/// The value that a word draws, and twice the gradient that two others draw.
+#[inline(always)]
+fn variates<S: Lanes, const N: usize>(s: S, value: S::U, words: [S::U; 2]) -> (S::F, [S::F; N]) {
     let value = quantile(s, value);
     let mut twice = [value; N];
     for axis in 0..N {

@@ -5,6 +5,7 @@ pub(crate) mod frequency_clamp;
 pub(crate) mod octave;
 pub(crate) mod octaves;
 pub(crate) mod pass;
+pub(crate) mod point;
 pub(crate) mod ridged_multifractal;
 pub(crate) mod shape;
 pub(crate) mod spectrum;

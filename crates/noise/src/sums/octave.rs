@@ -1,5 +1,7 @@
 //! The place of one octave: its own seed and offset, and its rotation, times its frequency.
 
+use core::array;
+
 use crate::{
     contract::kernel::Kernel,
     lanes::lanes::{LaneSample, Lanes, Scalar},
@@ -37,7 +39,7 @@ pub(crate) struct Layer<const N: usize> {
 }
 
 impl<const N: usize> Layer<N> {
-    /// All layers of a spectrum; those beyond its maximum are there and unused.
+    /// All layers of a spectrum.
     pub(crate) fn all(spectrum: &Spectrum, rotation: Rotation, seed: u32) -> [Self; MAX_OCTAVES as usize] {
         let mut i = 0;
         [(); MAX_OCTAVES as usize].map(|()| {
@@ -72,40 +74,30 @@ impl<const N: usize> Layer<N> {
         own.as_ref().unwrap_or(noise)
     }
 
+    /// The octave's map, the same in every lane.
+    #[inline(always)]
+    fn map<S: Lanes>(&self, s: S) -> Map<S, N> {
+        let mut map =
+            Map { rotation: self.rotation, matrix: [[s.float(0.0); N]; N], offset: [s.float(0.0); N] };
+        for row in 0..N {
+            map.offset[row] = s.float(self.offset[row]);
+            for k in 0..N {
+                map.matrix[row][k] = s.float(self.matrix[row][k]);
+            }
+        }
+        map
+    }
+
     /// The octave's own coordinates of points.
     #[inline(always)]
     pub(crate) fn points<S: Lanes>(&self, s: S, p: [S::F; N]) -> [S::F; N] {
-        let mut q = self.product::<S, false>(s, p);
-        for axis in 0..N {
-            q[axis] = q[axis] + s.float(self.offset[axis]);
-        }
-        q
+        self.map(s).points(p)
     }
 
     /// Mᵀ g: a gradient turned back to the coordinates of the sum.
     #[inline(always)]
     pub(crate) fn pull_back<S: Lanes>(&self, s: S, g: [S::F; N]) -> [S::F; N] {
-        self.product::<S, true>(s, g)
-    }
-
-    /// M v, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
-    #[inline(always)]
-    fn product<S: Lanes, const TRANSPOSED: bool>(&self, s: S, v: [S::F; N]) -> [S::F; N] {
-        let mut product = v;
-        if self.rotation == Rotation::Aligned {
-            for axis in 0..N {
-                product[axis] = s.float(self.matrix[axis][axis]) * v[axis];
-            }
-            return product;
-        }
-        for row in 0..N {
-            for k in 0..N {
-                let entry = if TRANSPOSED { self.matrix[k][row] } else { self.matrix[row][k] };
-                let part = s.float(entry) * v[k];
-                product[row] = if k == 0 { part } else { product[row] + part };
-            }
-        }
-        product
+        self.map(s).pull_back(g)
     }
 
     /// The frequency along each axis of an aligned layer.
@@ -132,6 +124,125 @@ impl<const N: usize> Layer<N> {
         for axis in 0..N {
             sum.1[axis] = sum.1[axis] + factor * gradient[axis];
         }
+    }
+}
+
+/// The affine map into an octave in each lane.
+pub(crate) struct Map<S: Lanes, const N: usize> {
+    rotation: Rotation,
+    matrix: [[S::F; N]; N],
+    offset: [S::F; N],
+}
+
+impl<S: Lanes, const N: usize> Map<S, N> {
+    /// The octave's own coordinates of points.
+    #[inline(always)]
+    pub(crate) fn points(&self, p: [S::F; N]) -> [S::F; N] {
+        let mut q = self.product::<false>(p);
+        for axis in 0..N {
+            q[axis] = q[axis] + self.offset[axis];
+        }
+        q
+    }
+
+    /// Mᵀ g: a gradient turned back to the coordinates of the sum.
+    #[inline(always)]
+    pub(crate) fn pull_back(&self, g: [S::F; N]) -> [S::F; N] {
+        self.product::<true>(g)
+    }
+
+    /// M v, or Mᵀ v if `TRANSPOSED`; in an aligned layer all off the diagonal is 0 and left out.
+    #[inline(always)]
+    fn product<const TRANSPOSED: bool>(&self, v: [S::F; N]) -> [S::F; N] {
+        let mut product = v;
+        if self.rotation == Rotation::Aligned {
+            for axis in 0..N {
+                product[axis] = self.matrix[axis][axis] * v[axis];
+            }
+            return product;
+        }
+        for row in 0..N {
+            for k in 0..N {
+                let entry = if TRANSPOSED { self.matrix[k][row] } else { self.matrix[row][k] };
+                let part = entry * v[k];
+                product[row] = if k == 0 { part } else { product[row] + part };
+            }
+        }
+        product
+    }
+}
+
+/// The layers of all octaves of a sum, each number of all octaves side by side; those beyond the spectrum's maximum are there and
+/// unused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Layers<const N: usize> {
+    pub(crate) rotation: Rotation,
+    seeds: [u32; OCTAVES],
+    /// What the lattice makes of the seeds.
+    keys: [u32; OCTAVES],
+    matrix: [[[f32; OCTAVES]; N]; N],
+    offset: [[f32; OCTAVES]; N],
+    cell: [[i32; N]; OCTAVES],
+}
+
+const OCTAVES: usize = MAX_OCTAVES as usize;
+
+impl<const N: usize> Layers<N> {
+    /// The layers of octaves of a noise.
+    pub(crate) fn of<K: Kernel<N>>(noise: &K, layers: &[Layer<N>; OCTAVES]) -> Self {
+        Self {
+            rotation: layers[0].rotation,
+            seeds: layers.map(|layer| layer.seed),
+            keys: layers.map(|layer| noise.key(layer.seed)),
+            matrix: array::from_fn(|row| array::from_fn(|k| layers.map(|layer| layer.matrix[row][k]))),
+            offset: array::from_fn(|axis| layers.map(|layer| layer.offset[axis])),
+            cell: layers.map(|layer| layer.cell),
+        }
+    }
+
+    /// One layer; the last where there is none of the number.
+    #[inline(always)]
+    pub(crate) fn layer(&self, i: usize) -> Layer<N> {
+        let i = i % OCTAVES;
+        let mut layer = Layer {
+            seed: self.seeds[i],
+            rotation: self.rotation,
+            matrix: [[0.0; N]; N],
+            offset: [0.0; N],
+            cell: self.cell[i],
+        };
+        for row in 0..N {
+            layer.offset[row] = self.offset[row][i];
+            for k in 0..N {
+                layer.matrix[row][k] = self.matrix[row][k][i];
+            }
+        }
+        layer
+    }
+
+    /// All layers, one after the other.
+    #[inline(always)]
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Layer<N>> {
+        (0..OCTAVES).map(|i| self.layer(i))
+    }
+
+    /// The maps of octaves and their keys, by what puts the numbers of octaves into lanes.
+    #[inline(always)]
+    pub(crate) fn in_lanes<S: Lanes>(
+        &self,
+        s: S,
+        floats: impl Fn(&[f32; OCTAVES]) -> S::F,
+        words: impl Fn(&[u32; OCTAVES]) -> S::U,
+    ) -> (Map<S, N>, S::U) {
+        let mut map =
+            Map { rotation: self.rotation, matrix: [[s.float(0.0); N]; N], offset: [s.float(0.0); N] };
+        for row in 0..N {
+            map.offset[row] = floats(&self.offset[row]);
+            for k in 0..N {
+                map.matrix[row][k] = floats(&self.matrix[row][k]);
+            }
+        }
+        (map, words(&self.keys))
     }
 }
 

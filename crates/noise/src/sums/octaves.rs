@@ -1,11 +1,14 @@
 //! Sums of octaves of any noise, with a real number of octaves.
 
+use core::array;
+
 use crate::{
     contract::field::{Curved, Field},
     contract::hessian::{self, CurvedKernel, Jet, mirror},
     contract::kernel::{self, Anchor, Kernel},
     kinds::gaussian::Gaussian,
     lanes::lanes::{LaneSample, Scalar},
+    lanes::level::run_at_point,
     lattice::lattice::Lattice,
     lattice::tiled::{TiledError, in_first_tile},
     math,
@@ -14,8 +17,9 @@ use crate::{
     sample::{Sample, SecondOrder},
     sums::anchor::anchored,
     sums::frequency_clamp::removed_share,
-    sums::octave::{Layer, Rotation},
+    sums::octave::{Layer, Layers, Rotation},
     sums::pass::Passes,
+    sums::point::{AtPoint, Pair},
     sums::shape::{Shape, Signed},
     sums::spectrum::{MAX_OCTAVES, Spectrum},
 };
@@ -99,7 +103,7 @@ struct Terms<K, const N: usize, T> {
     normalisation: Normalisation,
     rotation: Rotation,
     seed: u32,
-    layers: [Layer<N>; MAX_OCTAVES as usize],
+    layers: Layers<N>,
     shape: T,
 }
 
@@ -117,6 +121,9 @@ struct Active {
     /// Lower and upper bound of the sum.
     range: [f32; 2],
 }
+
+/// From so many octaves on both channels of a point are evaluated in lanes.
+const FEW: usize = 2;
 
 /// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
 #[inline]
@@ -149,7 +156,8 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             Normalisation::Variance => {
                 let [mean, deviation] = self.moments();
                 // From 0, so that shapes of mean 0 start from 0 and not from −0.
-                let constant = active.amplitudes.iter().fold(0.0, |sum, amplitude| sum - mean * amplitude);
+                let amplitudes = active.amplitudes.iter().take(active.count);
+                let constant = amplitudes.fold(0.0, |sum, amplitude| sum - mean * amplitude);
                 active.constant = constant + 0.0;
                 deviation * math::sqrt(squares)
             }
@@ -190,12 +198,31 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     /// The octaves that take part, each with its amplitude.
     #[inline(always)]
-    fn octaves<'a>(&'a self, active: &'a Active) -> impl Iterator<Item = (f32, &'a Layer<N>)> {
-        active.amplitudes.iter().copied().take(active.count).zip(&self.layers)
+    fn octaves(&self, active: &Active) -> impl Iterator<Item = (f32, Layer<N>)> {
+        active.amplitudes.iter().copied().take(active.count).zip(self.layers.iter())
+    }
+
+    /// The octaves of a point that is evaluated in lanes.
+    #[inline(always)]
+    fn at_point<'a>(&'a self, active: &'a Active, p: [f32; N]) -> AtPoint<'a, K, N, T> {
+        AtPoint {
+            noise: &self.noise,
+            shape: self.shape,
+            layers: &self.layers,
+            amplitudes: &active.amplitudes,
+            count: active.count,
+            p,
+        }
     }
 
     #[inline(always)]
     fn value(&self, active: &Active, p: [f32; N]) -> f32 {
+        if active.count >= K::OCTAVES_IN_LANES {
+            let mut sum = (active.constant, [0.0; N]);
+            if run_at_point(self.at_point(active, p).sum::<false>(&mut sum)).is_some() {
+                return sum.0 * active.factor;
+            }
+        }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, active.constant);
         for (amplitude, layer) in self.octaves(active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
@@ -207,6 +234,12 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     #[inline(always)]
     fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
+        if active.count >= K::OCTAVES_IN_LANES {
+            let mut sum = (active.constant, [0.0; N]);
+            if run_at_point(self.at_point(active, p).sum::<true>(&mut sum)).is_some() {
+                return (sum.0 * active.factor, sum.1.map(|g| g * active.factor));
+            }
+        }
         let (p, mut own, mut sum) = (self.in_first_tile(p), None, (active.constant, [0.0; N]));
         for (amplitude, layer) in self.octaves(active) {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
@@ -263,7 +296,8 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
     fn jet(&self, active: &Active, p: [f32; N]) -> Jet<N> {
         let (p, mut own) = (in_first_tile(Scalar, p, &periods(&self.noise)), None);
         let (mut sum, mut hessian) = ((0.0, [0.0; N]), [[0.0; N]; N]);
-        for (amplitude, layer) in active.amplitudes.iter().copied().take(active.count).zip(&self.layers) {
+        for (amplitude, layer) in active.amplitudes.iter().copied().take(active.count).zip(self.layers.iter())
+        {
             let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
             let octave = hessian::at(noise, p, layer.seed);
             layer.accumulate(Scalar, &mut sum, amplitude, (octave.value, octave.gradient));
@@ -289,11 +323,15 @@ impl<K: CurvedKernel<N>, const N: usize, T> Terms<K, N, T> {
 impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
     #[inline]
     fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
-        let (p, mut own, mut sums) = (self.in_first_tile(p.coordinates()), None, [(0.0, [0.0; N]); 2]);
-        for (amplitude, layer) in self.octaves(active) {
-            let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
-            for (sum, sample) in sums.iter_mut().zip(noise.channels(p, layer.seed)) {
-                layer.accumulate(Scalar, sum, amplitude, sample);
+        let mut sums = [(0.0, [0.0; N]); 2];
+        let at_point = self.at_point(active, p.coordinates());
+        if !(L::SHARED && active.count >= FEW && run_at_point(Pair { at_point, sums: &mut sums }).is_some()) {
+            let (p, mut own) = (self.in_first_tile(p.coordinates()), None);
+            for (amplitude, layer) in self.octaves(active) {
+                let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));
+                for (sum, sample) in sums.iter_mut().zip(noise.channels(p, layer.seed)) {
+                    layer.accumulate(Scalar, sum, amplitude, sample);
+                }
             }
         }
         sums.map(|(value, gradient)| Sample {
@@ -316,7 +354,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
 
     fn with_layers(noise: K, spectrum: Spectrum, rotation: Rotation) -> Self {
         let (seed, normalisation) = (noise.seed(), Normalisation::Variance);
-        let layers = Layer::all(&spectrum, rotation, seed);
+        let layers = Layers::of(&noise, &Layer::all(&spectrum, rotation, seed));
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
 
@@ -379,6 +417,7 @@ impl<K: Kernel<N>, const N: usize> Octaves<K, N> {
         for layer in &mut layers {
             (layer.seed, layer.offset) = (seed, [0.0; N]);
         }
+        let layers = Layers::of(&noise, &layers);
         let (normalisation, rotation) = (Normalisation::Range, Rotation::Aligned);
         Terms { noise, spectrum, normalisation, rotation, seed, layers, shape: Signed }.all()
     }
@@ -414,12 +453,15 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     pub fn anchored(self, at: impl Into<[f64; N]>) -> Octaves<K::Shifted, N, T> {
         const { assert!(!K::TILED, "the anchor of a sum that repeats is moved by whole periods instead") };
         let at = at.into();
-        let Terms { noise, spectrum, normalisation, rotation, seed, mut layers, shape } = self.terms;
+        let Terms { noise, spectrum, normalisation, rotation, seed, layers, shape } = self.terms;
+        let mut layers = array::from_fn(|i| layers.layer(i));
         for layer in &mut layers {
             (layer.cell, layer.offset) =
                 anchored(&layer.matrix, &at, &layer.offset, K::SIMPLICIAL).unwrap_or(([0; N], [f32::NAN; N]));
         }
-        let terms = Terms { noise: noise.shifted(), spectrum, normalisation, rotation, seed, layers, shape };
+        let noise = noise.shifted();
+        let layers = Layers::of(&noise, &layers);
+        let terms = Terms { noise, spectrum, normalisation, rotation, seed, layers, shape };
         Octaves { terms, active: self.active }
     }
 }
@@ -438,6 +480,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     pub fn with_rotation(self, rotation: Rotation) -> Self {
         const { assert!(!K::TILED, "octaves that repeat are aligned") };
         let layers = Layer::all(&self.terms.spectrum, rotation, self.terms.seed);
+        let layers = Layers::of(&self.terms.noise, &layers);
         Self { terms: Terms { rotation, layers, ..self.terms }, ..self }
     }
 
@@ -445,6 +488,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         let layers = Layer::all(&self.terms.spectrum, self.terms.rotation, seed);
+        let layers = Layers::of(&self.terms.noise, &layers);
         Self { terms: Terms { seed, layers, ..self.terms }, ..self }
     }
 

@@ -9,7 +9,7 @@ use crate::{
     row::cells::POINTS,
     row::points::{Block, Points, Source, Target, by_axes},
     row::row::put,
-    sums::octave::{Layer, Rotation},
+    sums::octave::{Layer, Layers, Rotation},
     sums::shape::Shape,
 };
 
@@ -27,7 +27,7 @@ pub(crate) struct Passes<'a, K, const N: usize, T> {
     /// The periods along all axes, 0 where there is none.
     pub(crate) periods: [f32; N],
     pub(crate) shape: T,
-    pub(crate) layers: &'a [Layer<N>],
+    pub(crate) layers: &'a Layers<N>,
     pub(crate) amplitudes: &'a [f32],
     /// A constant that is added to the sum before it is normalised.
     pub(crate) constant: f32,
@@ -50,7 +50,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                     .for_each(|mut gradients| gradients.as_mut().iter_mut().for_each(|g| g.fill(0.0)));
             }
         } else if !K::TILED
-            && self.layers[0].rotation == Rotation::Aligned
+            && self.layers.rotation == Rotation::Aligned
             && points.len() >= FEW_POINTS
             && matches!(points.0, Source::Window(_))
         {
@@ -65,12 +65,9 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         }
     }
 
-    fn octaves(&self) -> impl Iterator<Item = (usize, f32, &Layer<N>)> {
-        self.amplitudes
-            .iter()
-            .zip(self.layers)
-            .enumerate()
-            .map(|(i, (&amplitude, layer))| (i, amplitude, layer))
+    fn octaves(&self) -> impl Iterator<Item = (usize, f32, Layer<N>)> {
+        let layers = self.layers.iter();
+        self.amplitudes.iter().zip(layers).enumerate().map(|(i, (&amplitude, layer))| (i, amplitude, layer))
     }
 
     /// Rows of a grid of parallel lattices, which share work along them.
@@ -102,7 +99,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
                 };
                 fill.at(instructions);
                 let gradients = gradients.map(by_axes::<V, N>);
-                self.add(instructions, (i, amplitude, layer), octave, &slopes, values, gradients);
+                self.add(instructions, (i, amplitude, &layer), octave, &slopes, values, gradients);
             }
         }
     }
@@ -138,13 +135,13 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Passes<'_, K, N, T> {
         if K::TILED {
             instructions.run(Wrap { periods: &self.periods, points: &mut from, count });
         }
-        for term @ (_, _, layer) in self.octaves() {
-            instructions.run(Move { layer, from: &from, to: &mut to, count });
+        for (i, amplitude, layer) in self.octaves() {
+            instructions.run(Move { layer: &layer, from: &from, to: &mut to, count });
             let gradients = wanted.then(|| slopes.each_mut().map(|slope| &mut slope[..count]));
             let kernel = layer.noise(self.noise, &mut own);
             let (seed, points) = (layer.seed, to.each_ref().map(|x| &x[..count]));
             FillList { kernel, seed, points, values: &mut octave[..count], gradients }.at(instructions);
-            add(term, &mut octave, &slopes);
+            add((i, amplitude, &layer), &mut octave, &slopes);
         }
     }
 

@@ -90,7 +90,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (passes, mut own) = (self.octaves.parts(), None);
         let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = ((0.0, [0.0; N]), (1.0, [0.0; N]));
-        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
+        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
             let noise = layer.noise(passes.noise, &mut own);
             let (n, slopes) = kernel::sample(noise, layer.points(Scalar, p), layer.seed);
             let (value, slope) = (Ridged.value(n), Ridged.slope(n));
@@ -113,7 +113,7 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
         let (passes, mut own) = (self.octaves.parts(), None);
         let p = in_first_tile(Scalar, p.coordinates(), &passes.periods);
         let (mut sum, mut weight) = (0.0, 1.0);
-        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers) {
+        for (amplitude, layer) in passes.amplitudes.iter().zip(passes.layers.iter()) {
             let noise = layer.noise(passes.noise, &mut own);
             let n = kernel::value(noise, layer.points(Scalar, p), layer.seed);
             let ridge = weight * Ridged.value(n);

@@ -3,6 +3,7 @@
 
 #[expect(unreachable_pub, reason = "the package that has every kind exports it")]
 mod compare;
+mod octaves;
 mod shapes;
 
 use asperity_noise::{

@@ -7,6 +7,7 @@ use crate::{
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,
     lanes::lanes::{LaneSample, Lanes, Scalar},
+    lattice::lattice::Lattice,
     row::row::Strip,
 };
 
@@ -49,6 +50,13 @@ fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
 }
 
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
+    const OCTAVES_IN_LANES: usize = match (<K::Lattice as Lattice>::SHARED, K::NORMALISED) {
+        (false, _) => usize::MAX,
+        (true, false) => 3,
+        // Its variates are looked up lane by lane, which unused lanes pay for too.
+        (true, true) => 4,
+    };
+
     type RowScratch = Stretch<N>;
 
     on_lattice!();

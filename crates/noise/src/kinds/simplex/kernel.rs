@@ -60,6 +60,12 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
 
     const TILED: bool = L::TILED;
 
+    const OCTAVES_IN_LANES: usize = if L::SHARED { 2 } else { usize::MAX };
+
+    fn key(&self, seed: u32) -> u32 {
+        self.lattice().key(seed)
+    }
+
     /// Only on the line does the noise repeat with its lattice.
     fn period(&self, axis: usize) -> u32 {
         if N == 1 { Lattice::period(self.lattice(), axis) } else { 0 }

@@ -1,0 +1,86 @@
+//! Octaves of a point in lanes against the same octaves one by one, bit by bit.
+
+use asperity_noise::{
+    Field, Gaussian, IntegerHash, Lattice, Octaves, Perlin2002, Sample, Simplex, Spectrum, Turbulence, Value,
+    glam::{Vec2, Vec3},
+};
+
+/// The default lattice as one that octaves do not share, so that they are not evaluated at once.
+#[derive(Clone, Copy)]
+struct OneByOne;
+
+impl Lattice for OneByOne {
+    const SHARED: bool = false;
+
+    fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        IntegerHash.word(cell, seed)
+    }
+}
+
+const COUNTS: [f32; 10] = [0.0, 0.3, 1.0, 2.0, 3.0, 3.7, 4.0, 8.0, 9.5, 16.0];
+
+/// Points near the origin, points of which fine octaves alone are beyond reach, and points that are none.
+fn space() -> impl Iterator<Item = Vec3> {
+    let near = (0..40_u8).map(|i| Vec3::new(0.37, -1.21, 2.6) * f32::from(i) - 20.0);
+    let far = [Vec3::new(4e3, -3e2, 0.5), Vec3::new(1e9, 0.3, -2e9), Vec3::splat(1e30)];
+    let none = [Vec3::new(f32::NAN, 1.0, 2.0), Vec3::new(f32::INFINITY, 1.0, 2.0), Vec3::splat(-0.0)];
+    near.chain(far).chain(none)
+}
+
+fn spectrum() -> Spectrum {
+    Spectrum::new(2.17, 0.5, 16).expect("a spectrum in range")
+}
+
+fn bits(sample: &Sample<Vec3>) -> [u32; 4] {
+    [sample.value, sample.gradient.x, sample.gradient.y, sample.gradient.z].map(f32::to_bits)
+}
+
+/// A sum's sample and value at a point. No `dyn Field`, which would have its batches compiled.
+type At<'a> = &'a dyn Fn(Vec3) -> (Sample<Vec3>, f32);
+
+fn same(name: &str, in_lanes: At<'_>, one_by_one: At<'_>) {
+    for p in space() {
+        let ((sample, value), (expected, _)) = (in_lanes(p), one_by_one(p));
+        assert_eq!(bits(&sample), bits(&expected), "{name} at {p}");
+        assert_eq!(value.to_bits(), expected.value.to_bits(), "{name}, value at {p}");
+    }
+}
+
+#[test]
+fn octaves_in_lanes_have_the_bits_of_octaves_one_by_one() {
+    macro_rules! kinds {
+        ($($kind:expr),+) => {$(
+            let in_lanes = Octaves::<_, 3>::new($kind, spectrum());
+            let one_by_one = Octaves::<_, 3>::new($kind.with_lattice(OneByOne), spectrum());
+            for count in COUNTS {
+                let name = format!("{count} octaves of {:?}", $kind);
+                let (sum, expected) = (in_lanes.first(count), one_by_one.first(count));
+                same(&name, &|p| (sum.sample(p), sum.value(p)), &|p| (expected.sample(p), expected.value(p)));
+                let sum = in_lanes.with_shape(Turbulence).first(count).clamped(0.01);
+                let expected = one_by_one.with_shape(Turbulence).first(count).clamped(0.01);
+                same(&name, &|p| (sum.sample(p), sum.value(p)), &|p| (expected.sample(p), expected.value(p)));
+            }
+        )+};
+    }
+    kinds!(Gaussian::new(7), Perlin2002::new(8), Value::new(9), Simplex::new(10));
+}
+
+#[test]
+fn channels_in_lanes_have_the_bits_of_octaves_one_by_one() {
+    let in_lanes = Octaves::<_, 3>::new(Gaussian::new(7), spectrum());
+    let one_by_one = Octaves::<_, 3>::new(Gaussian::new(7).with_lattice(OneByOne), spectrum());
+    let flat = Octaves::<_, 2>::new(Gaussian::new(7), spectrum());
+    let flat_one_by_one = Octaves::<_, 2>::new(Gaussian::new(7).with_lattice(OneByOne), spectrum());
+    for count in COUNTS {
+        for p in space() {
+            let (pair, expected) = (in_lanes.detail(count).pair(p), one_by_one.detail(count).pair(p));
+            assert_eq!(pair.each_ref().map(bits), expected.each_ref().map(bits), "{count} octaves at {p}");
+            let q = Vec2::new(p.x, p.z);
+            let (pair, expected) = (flat.detail(count).pair(q), flat_one_by_one.detail(count).pair(q));
+            let bits = |sample: &Sample<Vec2>| {
+                [sample.value, sample.gradient.x, sample.gradient.y].map(f32::to_bits)
+            };
+            assert_eq!(pair.each_ref().map(bits), expected.each_ref().map(bits), "{count} octaves at {q}");
+        }
+    }
+}
