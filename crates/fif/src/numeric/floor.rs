@@ -1,10 +1,11 @@
 //! The whole number below, without a branch.
 
+/// 1.5 · 2⁵²: sums from here on are whole numbers, the nearest ones, and so are the last bits of their mantissas.
+pub(crate) const WHOLE: f64 = 6_755_399_441_055_744.0;
+
 /// Floor as both types; at a whole number that one or the one before. For `0 ≤ x < 2³¹`.
 #[inline(always)]
 pub(crate) fn floor(x: f64) -> (f64, usize) {
-    // 1.5 · 2⁵²: sums from here on are whole numbers, the nearest ones, and so are the last bits of their mantissas.
-    const WHOLE: f64 = 6_755_399_441_055_744.0;
     let sum = (x - 0.5) + WHOLE;
     (sum - WHOLE, sum.to_bits() as u32 as usize)
 }

@@ -3,7 +3,12 @@
 #[cfg(feature = "alloc")]
 use glam::{DVec2, DVec3};
 #[cfg(all(feature = "alloc", feature = "simd"))]
-use {crate::numeric::level::best_level, fearless_simd::dispatch};
+use {
+    crate::numeric::level::best_level,
+    crate::ray::packet::Packet,
+    crate::ray::range_descent::{Division, keeps_sign},
+    fearless_simd::{Simd, dispatch},
+};
 
 use crate::evaluate::batch_error::BatchError;
 #[cfg(feature = "alloc")]
@@ -73,10 +78,8 @@ use crate::surface::normal::upward_normal;
 impl<F: Function, G: Function> Intersect for HeightField<F, G> {
     fn first_hit_within(&self, ray: &Ray, t: Interval, tolerance: f64) -> Option<Hit> {
         #[cfg(feature = "alloc")]
-        if let Some(tracer) = Tracer::new(self, tolerance)
-            && let Some(path) = tracer.path(ray, t)
-        {
-            return self.meet(&path);
+        if let Some(tracer) = Tracer::new(self, tolerance) {
+            return self.first(&tracer, ray, t);
         }
         // Without tables every value is as good as it can be.
         let _ = tolerance;
@@ -93,7 +96,8 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         self.hit_by_boxes(ray, t, Aim::Any).is_some()
     }
 
-    /// All rays share their preparation, which is worth a fifth of the time with tables.
+    /// With tables and the feature `simd` rays are searched in packets of eight, each with the bits of
+    /// [`Intersect::first_hit_within`].
     fn first_hits(
         &self,
         rays: &[Ray],
@@ -105,9 +109,9 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
         #[cfg(feature = "alloc")]
         if let Some(tracer) = Tracer::new(self, tolerance) {
             #[cfg(feature = "simd")]
-            dispatch!(best_level(), _simd => self.trace(&tracer, rays, t, hits));
+            dispatch!(best_level(), simd => self.trace(simd, &tracer, rays, t, hits));
             #[cfg(not(feature = "simd"))]
-            self.trace(&tracer, rays, t, hits);
+            rays.iter().zip(hits).for_each(|(ray, hit)| *hit = self.first(&tracer, ray, t));
             return Ok(());
         }
         let _ = tolerance;
@@ -119,15 +123,51 @@ impl<F: Function, G: Function> Intersect for HeightField<F, G> {
 }
 
 impl<F: Function, G: Function> HeightField<F, G> {
-    /// Compiled for every level of instructions.
-    #[cfg(feature = "alloc")]
+    /// Rays that come nearer to the surface all along are searched together, the others one by one.
+    #[cfg(all(feature = "alloc", feature = "simd"))]
     #[inline(always)]
-    fn trace(&self, tracer: &Tracer<'_, F, G>, rays: &[Ray], t: Interval, hits: &mut [Option<Hit>]) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = match tracer.path(ray, t) {
-                Some(path) => self.meet(&path),
-                None => self.hit_by_boxes(ray, t, Aim::First),
+    fn trace<I: Simd>(
+        &self,
+        simd: I,
+        tracer: &Tracer<'_, F, G>,
+        rays: &[Ray],
+        t: Interval,
+        hits: &mut [Option<Hit>],
+    ) {
+        let one_by_one = |ray: &Ray| self.first(tracer, ray, t);
+        let mut packet = Packet::EMPTY;
+        for (number, ray) in rays.iter().enumerate() {
+            let Some(place) = hits.get_mut(number) else { break };
+            let Some(path) = tracer.path(ray, t) else {
+                *place = self.hit_by_boxes(ray, t, Aim::First);
+                continue;
             };
+            let (span, rate) = path.approach();
+            let mut parts = Division::new(span, rate);
+            *place = match parts.next(&path) {
+                Some((span, rate)) if keeps_sign(rate) => {
+                    packet.push(number, &path, span, rate, parts.is_done());
+                    if packet.is_full() {
+                        tracer.finish(simd, &mut packet, rays, hits, &one_by_one);
+                    }
+                    continue;
+                }
+                Some((span, _)) => {
+                    let root = path.descend(span).or_else(|| path.rest(&mut parts, Aim::First));
+                    root.map(|root| Self::met(&path, root))
+                }
+                None => None,
+            };
+        }
+        tracer.finish(simd, &mut packet, rays, hits, &one_by_one);
+    }
+
+    /// The first hit of one ray with tables.
+    #[cfg(feature = "alloc")]
+    fn first(&self, tracer: &Tracer<'_, F, G>, ray: &Ray, t: Interval) -> Option<Hit> {
+        match tracer.path(ray, t) {
+            Some(path) => path.search(Aim::First).map(|root| Self::met(&path, root)),
+            None => self.hit_by_boxes(ray, t, Aim::First),
         }
     }
 
@@ -138,13 +178,12 @@ impl<F: Function, G: Function> HeightField<F, G> {
         way.hit(root, 0.0)
     }
 
-    /// The first hit by tables.
+    /// The hit at a root, by tables.
     #[cfg(feature = "alloc")]
     #[inline(always)]
-    pub(crate) fn meet(&self, path: &Path<'_, F, G>) -> Option<Hit> {
-        let Root { t, certain } = path.search(Aim::First)?;
+    fn met(path: &Path<'_, F, G>, Root { t, certain }: Root) -> Hit {
         let [f, g] = path.jets(t);
-        let [x, y] = path.place(t);
+        let [x, y] = path.tracer.place(&path.ray, t);
         let gradient = DVec2::new(f[1] * g[0], f[0] * g[1]);
         // One division and one root do, unless squares overflow.
         let square = gradient.x * gradient.x + gradient.y * gradient.y + 1.0;
@@ -154,7 +193,7 @@ impl<F: Function, G: Function> HeightField<F, G> {
         } else {
             upward_normal(gradient)
         };
-        Some(Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal: Some(normal), certain })
+        Hit { t, x, y, height: f[0] * g[0], gradient: Some(gradient), normal: Some(normal), certain }
     }
 }
 

@@ -7,6 +7,8 @@ pub(crate) mod intersect;
 pub(crate) mod interval_newton;
 #[cfg(feature = "alloc")]
 pub(crate) mod newton;
+#[cfg(all(feature = "alloc", feature = "simd"))]
+pub(crate) mod packet;
 pub(crate) mod quadtree;
 #[cfg(feature = "alloc")]
 pub(crate) mod range_descent;

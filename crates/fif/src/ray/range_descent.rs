@@ -14,67 +14,109 @@ const WAITING: usize = 32;
 /// Divisions of stretches before the descent of boxes takes over.
 const DIVISIONS: u32 = 256;
 
+/// The stretches of a ray that are left to be searched, from the first on, divided where the ray may come nearer and go away again.
+pub(crate) struct Division {
+    span: Interval,
+    rate: Interval,
+    waiting: [Interval; WAITING],
+    left: usize,
+    divisions: u32,
+}
+
+impl Division {
+    #[inline(always)]
+    pub(crate) fn new(span: Interval, rate: Interval) -> Self {
+        Self { span, rate, waiting: [Interval::EMPTY; WAITING], left: 0, divisions: 0 }
+    }
+
+    /// Whether no stretch waits behind the last one.
+    #[inline(always)]
+    pub(crate) fn is_done(&self) -> bool {
+        self.left == 0
+    }
+
+    /// The next stretch with its rates; where these are of both signs, tables are at their end.
+    #[inline(always)]
+    pub(crate) fn next<F: Function, G: Function>(
+        &mut self,
+        path: &Path<'_, F, G>,
+    ) -> Option<(Interval, Interval)> {
+        loop {
+            if self.span.lo <= self.span.hi {
+                let (span, rate) = (self.span, self.rate);
+                if keeps_sign(rate) || self.divisions >= DIVISIONS || self.left >= WAITING {
+                    self.span = Interval::EMPTY;
+                    return Some((span, rate));
+                }
+                self.divisions += 1;
+                let middle = 0.5 * span.lo + 0.5 * span.hi;
+                let (_, value, _) = path.above(middle, 1);
+                let free = value.abs() - path.error(1);
+                // No root as near as this before and behind.
+                let (mut before, mut behind) = (0.0, 0.0);
+                if free > 0.0 {
+                    let (rise, fall) = (0.999 * free / rate.hi, 0.999 * free / -rate.lo);
+                    (before, behind) = if value > 0.0 { (rise, fall) } else { (fall, rise) };
+                }
+                let next = Interval::new(middle + behind, span.hi);
+                if next.lo <= next.hi
+                    && let Some(place) = self.waiting.get_mut(self.left)
+                {
+                    *place = next;
+                    self.left += 1;
+                }
+                self.span.hi = middle - before;
+                if self.span.lo <= self.span.hi {
+                    self.rate = path.narrow_well(&mut self.span);
+                    continue;
+                }
+            }
+            self.span = *self.waiting.get(self.left.wrapping_sub(1))?;
+            self.left -= 1;
+            self.rate = path.narrow_well(&mut self.span);
+        }
+    }
+}
+
+/// Whether a ray with these rates comes nearer all along, or goes away.
+#[inline(always)]
+pub(crate) fn keeps_sign(rate: Interval) -> bool {
+    rate.lo > 0.0 || rate.hi < 0.0
+}
+
 impl<F: Function, G: Function> Path<'_, F, G> {
     /// The first hit, or any.
     #[inline(always)]
     pub(crate) fn search(&self, aim: Aim) -> Option<Root> {
-        let mut span = self.span;
-        let ranges = self.ranges(span);
-        let rate = self.narrow(&mut span, ranges);
+        let (span, rate) = self.approach();
         if span.lo > span.hi {
             None
-        } else if rate.lo > 0.0 || rate.hi < 0.0 {
+        } else if keeps_sign(rate) {
             Search::new(span, rate).finish(self, aim)
         } else {
-            self.divide(span, rate, aim)
+            self.rest(&mut Division::new(span, rate), aim)
         }
     }
 
-    /// Division where the ray may come nearer and go away again.
+    /// The stretch over which the ray is as high as the surface may be, and the rates at which it comes nearer there.
     #[inline(always)]
-    fn divide(&self, mut span: Interval, mut rate: Interval, aim: Aim) -> Option<Root> {
-        let mut waiting = [Interval::EMPTY; WAITING];
-        let (mut left, mut divisions) = (0, 0);
-        loop {
-            if span.lo <= span.hi {
-                if rate.lo > 0.0 || rate.hi < 0.0 {
-                    if let Some(root) = Search::new(span, rate).finish(self, aim) {
-                        return Some(root);
-                    }
-                } else if divisions >= DIVISIONS || left >= WAITING {
-                    if let Some(root) = self.descend(span) {
-                        return Some(root);
-                    }
-                } else {
-                    divisions += 1;
-                    let middle = 0.5 * span.lo + 0.5 * span.hi;
-                    let (_, value, _) = self.above(middle, 1);
-                    let free = value.abs() - self.error(1);
-                    // No root as near as this before and behind.
-                    let (mut before, mut behind) = (0.0, 0.0);
-                    if free > 0.0 {
-                        let (rise, fall) = (0.999 * free / rate.hi, 0.999 * free / -rate.lo);
-                        (before, behind) = if value > 0.0 { (rise, fall) } else { (fall, rise) };
-                    }
-                    let next = Interval::new(middle + behind, span.hi);
-                    if next.lo <= next.hi
-                        && let Some(place) = waiting.get_mut(left)
-                    {
-                        *place = next;
-                        left += 1;
-                    }
-                    span.hi = middle - before;
-                    if span.lo <= span.hi {
-                        rate = self.narrow_well(&mut span);
-                        continue;
-                    }
-                }
+    pub(crate) fn approach(&self) -> (Interval, Interval) {
+        let mut span = self.span;
+        let ranges = self.ranges(span);
+        let rate = self.narrow(&mut span, ranges);
+        (span, rate)
+    }
+
+    /// The first hit in what is left, or any.
+    pub(crate) fn rest(&self, parts: &mut Division, aim: Aim) -> Option<Root> {
+        while let Some((span, rate)) = parts.next(self) {
+            let root =
+                if keeps_sign(rate) { Search::new(span, rate).finish(self, aim) } else { self.descend(span) };
+            if root.is_some() {
+                return root;
             }
-            let next = waiting.get(left.wrapping_sub(1))?;
-            span = *next;
-            left -= 1;
-            rate = self.narrow_well(&mut span);
         }
+        None
     }
 
     /// [`Path::narrow`] as well as tables can.
@@ -94,7 +136,7 @@ impl<F: Function, G: Function> Path<'_, F, G> {
 
     /// By boxes, as without tables.
     #[cold]
-    fn descend(&self, span: Interval) -> Option<Root> {
+    pub(crate) fn descend(&self, span: Interval) -> Option<Root> {
         self.way(span)?.boxes(span, Aim::First)
     }
 

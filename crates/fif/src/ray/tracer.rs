@@ -12,8 +12,8 @@ use crate::surface::height_field::height_field::HeightField;
 /// Constants that all rays against a surface share.
 pub(crate) struct Tracer<'a, F: Function, G: Function> {
     pub(crate) surface: &'a HeightField<F, G>,
-    x: &'a AxisTables<F::Rows>,
-    y: &'a AxisTables<G::Rows>,
+    pub(crate) x: &'a AxisTables<F::Rows>,
+    pub(crate) y: &'a AxisTables<G::Rows>,
     tolerance: f64,
     /// The greatest `|∂h/∂x|` and `|∂h/∂y|`.
     falls: [f64; 2],
@@ -25,7 +25,7 @@ pub(crate) struct Tracer<'a, F: Function, G: Function> {
     /// Steps for values to the rounding error.
     finest: usize,
     /// Steps for the slopes of the hit.
-    slope_steps: usize,
+    pub(crate) slope_steps: usize,
 }
 
 /// One ray on its way.
@@ -34,8 +34,8 @@ pub(crate) struct Path<'a, F: Function, G: Function> {
     pub(crate) ray: Ray,
     pub(crate) span: Interval,
     /// Along both axes in parts of the domain: where the ray begins and its direction.
-    from: [f64; 2],
-    way: [f64; 2],
+    pub(crate) from: [f64; 2],
+    pub(crate) way: [f64; 2],
     /// More than the rounding of these.
     late: [f64; 2],
     /// `1/d_z`
@@ -44,7 +44,7 @@ pub(crate) struct Path<'a, F: Function, G: Function> {
     /// More than the rounding of the rate at which the ray comes nearer.
     pub(crate) rate_pad: f64,
     /// More than what the rounding of the coordinates does to the height.
-    blur: f64,
+    pub(crate) blur: f64,
     /// Errors of `t` that are allowed.
     pub(crate) reach: f64,
 }
@@ -127,6 +127,23 @@ impl<'a, F: Function, G: Function> Tracer<'a, F, G> {
         self.finest
     }
 
+    /// Bound of the error of a height but for the ray's own rounding.
+    #[inline]
+    pub(crate) fn error(&self, steps: usize) -> f64 {
+        self.errors.get(steps).copied().unwrap_or(self.best)
+    }
+
+    /// Position of a ray at `t`, clamped to the domain.
+    #[inline(always)]
+    pub(crate) fn place(&self, ray: &Ray, t: f64) -> [f64; 2] {
+        let within = |x: f64, domain: Interval| {
+            let x = if x > domain.lo { x } else { domain.lo };
+            if x < domain.hi { x } else { domain.hi }
+        };
+        let (o, d) = (ray.origin, ray.direction);
+        [within(o.x + t * d.x, self.x.domain), within(o.y + t * d.y, self.y.domain)]
+    }
+
     /// More steps than these, if there are any that gain.
     #[inline]
     pub(crate) fn better(&self, steps: usize) -> usize {
@@ -167,21 +184,10 @@ impl<F: Function, G: Function> Path<'_, F, G> {
         self.above(t, self.tracer.slope_steps).0
     }
 
-    /// Position of the ray at `t`, clamped to the domain.
-    #[inline(always)]
-    pub(crate) fn place(&self, t: f64) -> [f64; 2] {
-        let within = |x: f64, domain: Interval| {
-            let x = if x > domain.lo { x } else { domain.lo };
-            if x < domain.hi { x } else { domain.hi }
-        };
-        let (o, d) = (self.ray.origin, self.ray.direction);
-        [within(o.x + t * d.x, self.tracer.x.domain), within(o.y + t * d.y, self.tracer.y.domain)]
-    }
-
     /// Bound of the error of a height.
     #[inline]
     pub(crate) fn error(&self, steps: usize) -> f64 {
-        self.tracer.errors.get(steps).copied().unwrap_or(self.tracer.best) + self.blur
+        self.tracer.error(steps) + self.blur
     }
 
     /// The jets at `t`, the height of the ray above the surface, and how it changes.

@@ -3,6 +3,11 @@
 use alloc::vec::Vec;
 use core::fmt::Debug;
 
+#[cfg(feature = "simd")]
+use fearless_simd::{Bytes, Select, Simd, SimdBase, f64x8, u32x16};
+
+#[cfg(feature = "simd")]
+use crate::numeric::floor::WHOLE;
 use crate::numeric::floor::floor;
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, substitute};
@@ -10,6 +15,10 @@ use crate::surface::height_field::range_table::RangeTable;
 use crate::system::fif::System;
 use crate::system::map::Piece;
 use crate::table::composite::{Composite, Composites};
+
+/// Lanes of a packet: two registers of AVX2, of which one works while the other waits.
+#[cfg(feature = "simd")]
+pub(crate) const LANES: usize = 8;
 
 /// Steps of one evaluation at most.
 pub(crate) const STEPS: usize = 64;
@@ -19,6 +28,11 @@ pub trait Rows: Sized + Clone + Debug {
     /// `[f(x), f′(x)]` after so many steps, for an `x` within the rounding error of the ray, given as the part of the domain on its left.
     #[doc(hidden)]
     fn jet(table: &JetTable<Self>, part: f64, steps: usize) -> [f64; 2];
+
+    /// [`Rows::jet`] in lanes, after a number of steps in each, `most` at most.
+    #[cfg(feature = "simd")]
+    #[doc(hidden)]
+    fn jets<I: Simd>(table: &JetTable<Self>, part: f64x8<I>, steps: f64x8<I>, most: usize) -> [f64x8<I>; 2];
 
     /// Enclosures of values and slopes from one part of the domain to the next, from ranges over the cells of the whole; `None` for
     /// parts over more than two cells of the first step.
@@ -124,6 +138,12 @@ impl<R: Rows> JetTable<R> {
         R::jet(self, part, steps)
     }
 
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn in_lanes<I: Simd>(&self, part: f64x8<I>, steps: f64x8<I>, most: usize) -> [f64x8<I>; 2] {
+        R::jets(self, part, steps, most)
+    }
+
     pub(crate) fn finer(&self, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
         R::finer(self, ranges, parts)
     }
@@ -191,6 +211,54 @@ impl<const C: usize> Rows for Vec<Composite<C>> {
         [value, slope * table.per_width]
     }
 
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    fn jets<I: Simd>(table: &JetTable<Self>, part: f64x8<I>, steps: f64x8<I>, most: usize) -> [f64x8<I>; 2] {
+        let simd = part.simd;
+        let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+        let t = part.simd_gt(zero).select(part, zero);
+        let t = t.simd_lt(one).select(t, one);
+        let mut rest = t;
+        let [start, rise] = table.chord;
+        let (mut value, mut slope) = (t * rise + start, f64x8::splat(simd, rise));
+        let (mut weight, mut steep) = (one, f64x8::splat(simd, table.radix));
+        for k in 0..most {
+            let place = rest * table.radix;
+            let (whole, numbers) = floors(place);
+            rest = place - whole;
+            let mut rows = [&Composite { a: 0.0, c: [0.0; C] }; LANES];
+            for (row, number) in rows.iter_mut().zip(numbers) {
+                if let Some(entry) = table.entries.get(number) {
+                    *row = entry;
+                }
+            }
+            let [r0, r1, r2, r3, r4, r5, r6, r7] = rows;
+            let (mut p, mut bend) = (zero, zero);
+            for j in (0..C).rev() {
+                let c = [r0.c[j], r1.c[j], r2.c[j], r3.c[j], r4.c[j], r5.c[j], r6.c[j], r7.c[j]];
+                let c = f64x8::from_slice(simd, &c);
+                if j + 2 == C {
+                    bend = p;
+                } else if j + 2 < C {
+                    bend = bend * rest + p;
+                }
+                p = if j + 1 == C { c } else { p * rest + c };
+            }
+            let a = f64x8::from_slice(simd, &[r0.a, r1.a, r2.a, r3.a, r4.a, r5.a, r6.a, r7.a]);
+            let next = (value + weight * p, slope + steep * bend, weight * a, steep * (a * table.radix));
+            if k == 0 {
+                (value, slope, weight, steep) = next;
+            } else {
+                let on = steps.simd_gt(f64x8::splat(simd, k as f64));
+                (value, slope) = (on.select(next.0, value), on.select(next.1, slope));
+                (weight, steep) = (on.select(next.2, weight), on.select(next.3, steep));
+            }
+        }
+        value += weight * table.tail;
+        slope += steep * table.tail_slope;
+        [value, slope * table.per_width]
+    }
+
     fn finer(table: &JetTable<Self>, ranges: &RangeTable, parts: [f64; 2]) -> Option<[Interval; 2]> {
         let places = parts.map(|part| part.clamp(0.0, 1.0) * table.radix);
         let most = table.entries.len().checked_sub(2)?;
@@ -231,6 +299,19 @@ impl<const C: usize> Rows for Vec<Composite<C>> {
     fn bytes(&self) -> usize {
         size_of_val(self.as_slice())
     }
+}
+
+/// [`floor`] in lanes.
+#[cfg(feature = "simd")]
+#[inline(always)]
+fn floors<I: Simd>(x: f64x8<I>) -> (f64x8<I>, [usize; LANES]) {
+    let sum = (x - 0.5) + WHOLE;
+    let bits: u32x16<I> = sum.bitcast();
+    let mut numbers = [0; LANES];
+    for (number, [low, _]) in numbers.iter_mut().zip(bits.as_slice().as_chunks().0) {
+        *number = *low as usize;
+    }
+    (sum - WHOLE, numbers)
 }
 
 #[cfg(test)]
