@@ -164,8 +164,16 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         while maps.saturating_pow(depth + 1) <= CELLS {
             depth += 1;
         }
+        let leaves = if depth > 1 { S::leaves(self.pieces(), depth) } else { None };
         for _ in 0..if depth > 1 { ROUNDS } else { 0 } {
-            let hull = self.hull_of_cells(&Cell::root(), depth).intersection(self.range);
+            let hull = match &leaves {
+                Some(leaves) => leaves
+                    .as_ref()
+                    .iter()
+                    .fold(Interval::EMPTY, |hull, leaf| hull.hull(leaf.range(self.range))),
+                None => self.hull_of_cells(&Cell::root(), depth),
+            };
+            let hull = hull.intersection(self.range);
             let gained = hull.width() < 0.99 * self.range.width();
             self.range = hull;
             if !gained {

@@ -1,5 +1,6 @@
 //! Storage for the maps of a system: an array, or a vector under `alloc`.
 
+use crate::system::cell::Cell;
 use crate::system::map::Piece;
 
 /// Owned storage that a constructor can fill with the pieces of a system.
@@ -9,6 +10,13 @@ pub trait Storage<const C: usize>: AsRef<[Piece<C>]> + AsMut<[Piece<C>]> + Sized
     /// # Errors
     /// The number that the type holds, where that is another one.
     fn with_len(len: usize) -> Result<Self, usize>;
+
+    /// All cells of a level, where there is memory for them.
+    #[doc(hidden)]
+    #[must_use]
+    fn leaves(_: &[Piece<C>], _: u32) -> Option<impl AsRef<[Cell<C>]> + use<Self, C>> {
+        None::<[Cell<C>; 0]>
+    }
 }
 
 impl<const N: usize, const C: usize> Storage<C> for [Piece<C>; N] {
@@ -21,5 +29,13 @@ impl<const N: usize, const C: usize> Storage<C> for [Piece<C>; N] {
 impl<const C: usize> Storage<C> for alloc::vec::Vec<Piece<C>> {
     fn with_len(len: usize) -> Result<Self, usize> {
         Ok(alloc::vec![Piece::EMPTY; len])
+    }
+
+    fn leaves(pieces: &[Piece<C>], depth: u32) -> Option<impl AsRef<[Cell<C>]> + use<C>> {
+        let mut cells = alloc::vec![Cell::root()];
+        for _ in 0..depth {
+            cells = cells.iter().flat_map(|cell| pieces.iter().map(|piece| cell.child(piece))).collect();
+        }
+        Some(cells)
     }
 }

@@ -80,8 +80,8 @@ impl<const C: usize> Composites<C> {
         let errors = errors.map(|error: f64| 1.01 * error);
         let (error, largest) = (first(&errors), first(&largest));
         let roundings = f64::from(digits) + 2.0;
-        let rows = table.iter().map(|row| (row.a, &row.c));
-        let deviation = enclose(system, &rows, error + 8.0 * C as f64 * UNIT * largest, roundings);
+        let rows = table.iter().map(|row| (row.a, row.c));
+        let deviation = enclose(system, rows, error + 8.0 * C as f64 * UNIT * largest, roundings);
         let steepest = steepest * (1.0 + roundings * UNIT);
         Some(Self { table, radix, digits, steepest, largest, error, errors, deviation })
     }
@@ -108,9 +108,9 @@ fn first<const C: usize>(values: &[f64; C]) -> f64 {
 /// An enclosure of the deviation from the chord: the range of `f` less that of the chord, then the hull of its images
 /// under all rows `(a, c)` of a table that covers the domain, while that pays. `slack` bounds the error of their
 /// polynomials, `roundings` those of `a`.
-pub(crate) fn enclose<'a, S: AsRef<[Piece<C>]>, const C: usize>(
+pub(crate) fn enclose<S: AsRef<[Piece<C>]>, const C: usize>(
     system: &System<S, C>,
-    rows: &(impl Iterator<Item = (f64, &'a [f64; C])> + Clone),
+    rows: impl Iterator<Item = (f64, [f64; C])>,
     slack: f64,
     roundings: f64,
 ) -> Interval {
@@ -119,21 +119,20 @@ pub(crate) fn enclose<'a, S: AsRef<[Piece<C>]>, const C: usize>(
     let (start, end) = (chord.start, chord.at(1.0));
     let line = Interval::new(start, start).hull(Interval::new(end, end));
     let bound = Interval::new(range.lo - line.hi, range.hi - line.lo).inflated(8.0 * UNIT * scale);
-    narrow(bound, &rows.clone().map(|(a, c)| (a, *c)), slack, roundings)
+    narrow(bound, rows, slack, roundings)
 }
 
 /// The hull of the images of a bound under all rows `(a, c)` of a table that covers the domain, while that pays.
 pub(crate) fn narrow<const C: usize>(
     mut bound: Interval,
-    rows: &(impl Iterator<Item = (f64, [f64; C])> + Clone),
+    rows: impl Iterator<Item = (f64, [f64; C])>,
     slack: f64,
     roundings: f64,
 ) -> Interval {
     const ROUNDS: usize = 8;
+    let hulls: Vec<(f64, Interval)> = rows.map(|(a, c)| (a, hull(&bernstein(&c)))).collect();
     for _ in 0..ROUNDS {
-        let images = rows
-            .clone()
-            .fold(Interval::EMPTY, |all, (a, c)| all.hull(hull(&bernstein(&c)).sum(bound.scaled(a))));
+        let images = hulls.iter().fold(Interval::EMPTY, |all, (a, own)| all.hull(own.sum(bound.scaled(*a))));
         let margin = slack + UNIT * (roundings + 2.0) * bound.magnitude();
         let next = images.inflated(margin).intersection(bound);
         let gained = next.width() < 0.99 * bound.width();

@@ -54,8 +54,8 @@ impl<const C: usize> Nonuniform<C> {
         let most = |of: fn(&Cell<C>) -> f64| parts.iter().map(of).fold(0.0_f64, f64::max);
         let (largest, roundings) = (most(|part| magnitude(&part.c, 1.0)), most(|part| part.depth) + 2.0);
         let row = 1.01 * most(|part| part.error) + 3.0 * C as f64 * UNIT * largest;
-        let rows = parts.iter().map(|part| (part.a, &part.c));
-        let tail = enclose(system, &rows, row + 4.0 * C as f64 * UNIT * largest, roundings);
+        let rows = parts.iter().map(|part| (part.a, part.c));
+        let tail = enclose(system, rows, row + 4.0 * C as f64 * UNIT * largest, roundings);
         let chord = system.chord();
         let series = Series {
             ratio: most(|part| part.a.abs()) * (1.0 + roundings * UNIT),

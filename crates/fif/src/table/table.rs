@@ -93,7 +93,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let (rows, jets, away) = match Composites::new(self) {
             Some(made) => {
                 let rows = Uniform::new(self, &made, tolerance)?;
-                let (away, jets) = (rows.away, Jets::new(self, made, derivatives.len(), tolerance));
+                let (away, jets) = (rows.away, Jets::new(self, &made, derivatives.len(), tolerance));
                 (Rows::Uniform(rows), jets, away)
             }
             None => {

@@ -64,9 +64,10 @@ impl<const C: usize> Sum<'_, C> {
             if ratio >= 1.0 || ratio.is_nan() {
                 return None;
             }
-            let rows = made.table.iter().map(|row| (row.a * scale, differentiate(&row.c, m, scale)));
+            let factors = core::array::from_fn(|k| scale * falling(k + m, m));
+            let rows = made.table.iter().map(|row| (row.a * scale, differentiate(&row.c, m, &factors)));
             let widest = 1.001 * (largest + row) / (1.0 - ratio);
-            let tail = narrow(Interval::new(-widest, widest), &rows, row + gamma * largest, roundings);
+            let tail = narrow(Interval::new(-widest, widest), rows, row + gamma * largest, roundings);
             // v^(m)(0) = a rᵐ v^(m)(0) + rᵐ P^(m)(0) with the first row.
             let first = made.table.first().map_or(0.0, |row| 1.0 - row.a * scale);
             let p =
@@ -93,11 +94,11 @@ impl<const C: usize> Sum<'_, C> {
     }
 }
 
-/// Coefficients of the `m`-th derivative times `scale`.
-fn differentiate<const C: usize>(c: &[f64; C], m: usize, scale: f64) -> [f64; C] {
+/// Coefficients of the `m`-th derivative with these factors.
+fn differentiate<const C: usize>(c: &[f64; C], m: usize, factors: &[f64; C]) -> [f64; C] {
     let mut out = [0.0; C];
-    for (k, (out, c)) in out.iter_mut().zip(c.iter().skip(m)).enumerate() {
-        *out = scale * falling(k + m, m) * c;
+    for ((out, c), factor) in out.iter_mut().zip(c.iter().skip(m)).zip(factors) {
+        *out = factor * c;
     }
     out
 }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, magnitude, substitute};
+use crate::numeric::polynomial::{UNIT, magnitude};
 use crate::system::chord::Chord;
 use crate::table::composite::{Composite, Composites};
 use crate::table::truncation::Series;
@@ -22,9 +22,10 @@ pub(crate) struct Primitive {
 }
 
 impl Primitive {
-    pub(crate) fn new<const C: usize>(made: &Composites<C>, chord: &Chord) -> Self {
+    /// `centred` has the rows' polynomials in `u − 1/2`.
+    pub(crate) fn new<const C: usize>(made: &Composites<C>, centred: &[Composite<C>], chord: &Chord) -> Self {
         let per_radix = 1.0 / made.radix as f64;
-        let cells: Vec<_> = made.table.iter().map(Cell::new).collect();
+        let cells: Vec<_> = centred.iter().map(Cell::new).collect();
         // I = ∫ v over [0, 1] = (1/r) Σ (∫ P_e + A_e I).
         let (mut integrals, mut rest) = (Exact::default(), Exact::default());
         for cell in &cells {
@@ -95,8 +96,9 @@ struct Cell {
 }
 
 impl Cell {
+    /// Of a row in `u − 1/2`.
     fn new<const C: usize>(row: &Composite<C>) -> Self {
-        let c = substitute(&row.c, 1.0, 0.5);
+        let c = row.c;
         let (mut power, mut left, mut whole) = (0.5, 0.0, 0.0);
         for (k, c) in c.iter().enumerate() {
             let part = c * power / (k + 1) as f64;

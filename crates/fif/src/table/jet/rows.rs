@@ -57,7 +57,7 @@ impl<const C: usize> Jets<C> {
     /// derivatives are continuous.
     pub(crate) fn new<S: AsRef<[Piece<C>]>>(
         system: &System<S, C>,
-        made: Composites<C>,
+        made: &Composites<C>,
         count: usize,
         tolerance: f64,
     ) -> Option<Self> {
@@ -68,11 +68,13 @@ impl<const C: usize> Jets<C> {
         let (width, radix) = (domain.width(), made.radix as f64);
         let largest = largest(&made.table);
         let (mut orders, mut scale, mut unit, mut least) = (Vec::new(), 1.0, 1.0, 1);
-        let primitive = Primitive::new(&made, &chord);
+        let centre = |row: &Composite<C>| Composite { a: row.a, c: substitute(&row.c, 1.0, 0.5) };
+        let table: Vec<_> = made.table.iter().map(centre).collect();
+        let primitive = Primitive::new(made, &table, &chord);
         let integral = primitive.series.depth(tolerance / width).ok()?;
         least = least.max(integral.steps);
         for m in 0..=count {
-            let sum = Sum { made: &made, largest: largest.get(m).copied().unwrap_or(0.0), order: m, scale };
+            let sum = Sum { made, largest: largest.get(m).copied().unwrap_or(0.0), order: m, scale };
             let Some((series, tail)) = sum.series(&chord) else { break };
             // Higher derivatives are as good as 64 steps make them.
             let steps = match series.depth(tolerance * unit) {
@@ -94,15 +96,11 @@ impl<const C: usize> Jets<C> {
             slope: slope.bound,
             integral: 1.001 * width * (integral.bound + 4.0 * UNIT * primitive.series.scale),
         };
-        let mut made = made;
-        for row in &mut made.table {
-            row.c = substitute(&row.c, 1.0, 0.5);
-        }
         let per_width = 1.0 / width;
         // The cast saturates: far from zero every point is near a knot, in units of its last place.
         let near = 8.0 * f64::EPSILON * domain.magnitude() * per_width * radix;
         Some(Self {
-            table: made.table,
+            table,
             primitive,
             radix: made.radix as u64,
             scales: Scales::new(radix),
