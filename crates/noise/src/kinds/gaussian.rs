@@ -5,8 +5,9 @@ use crate::{
     contract::noise::{kind, measured, noise},
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
-    kinds::cell::kernel::parts,
+    kinds::cell::kernel::{by_corners, of_lane, parts},
     lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::level::{Task, run_at_point},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::{Lattice, OnLattice, REACH, is_within, wrapped},
     lattice::variates::{gaussian_variates, gaussian_variates_of_both},
@@ -60,8 +61,11 @@ impl<L: Lattice> Gaussian<L> {
     #[must_use]
     #[inline]
     pub fn pair<V: Point<Coordinates = [f32; N]>, const N: usize>(&self, p: V) -> [Sample<V>; 2] {
-        self.channels(p.coordinates(), self.seed)
-            .map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
+        let (p, mut pair) = (p.coordinates(), [(0.0, [0.0; N]); 2]);
+        if run_at_point(Lone { noise: self, p, pair: &mut pair }).is_none() {
+            pair = self.channels(p, self.seed);
+        }
+        pair.map(|(value, gradient)| Sample { value, gradient: V::from_coordinates(gradient) })
     }
 
     /// n, the noise before normalisation, with its gradient; both 0 where p is not finite.
@@ -92,6 +96,24 @@ impl<L: Lattice> Gaussian<L> {
         if is_within(Scalar, &p, REACH) { self.near_channels(p, seed) } else { self.far_channels(p, seed) }
     }
 
+    /// Both channels at any point, by corners in lanes where four lanes are free for each.
+    #[inline(always)]
+    pub(crate) fn channels_in_lanes<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        p: [f32; N],
+        seed: u32,
+    ) -> [LaneSample<Scalar, N>; 2] {
+        if S::LEN != BOTH || N == 1 {
+            return self.channels(p, seed);
+        }
+        if !is_within(Scalar, &p, REACH) {
+            return self.far_channels(p, seed);
+        }
+        let both = by_corners::<_, S, N, true>(s, &Channels(self), p, seed);
+        [0, BOTH / 2].map(|lane| of_lane::<S, N, true>(s, both, lane))
+    }
+
     /// Both channels where every coordinate has a cell.
     #[inline(always)]
     fn near_channels<const N: usize>(&self, p: [f32; N], seed: u32) -> [LaneSample<Scalar, N>; 2] {
@@ -119,6 +141,23 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         corner::<S, N, 0>(s, word)
+    }
+}
+
+/// As many lanes as both channels of a point fill with corners.
+pub(crate) const BOTH: usize = 8;
+
+/// Both channels of one point.
+struct Lone<'a, L, const N: usize> {
+    noise: &'a Gaussian<L>,
+    p: [f32; N],
+    pair: &'a mut [LaneSample<Scalar, N>; 2],
+}
+
+impl<L: Lattice, const N: usize> Task for Lone<'_, L, N> {
+    #[inline(always)]
+    fn run<S: Lanes>(self, s: S) {
+        *self.pair = self.noise.channels_in_lanes(s, self.p, self.noise.seed);
     }
 }
 

@@ -111,7 +111,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn any(self, mask: Self::M) -> bool;
     /// The lanes that the mask holds in, a bit for each, that of lane 0 the lowest.
     fn lanes(self, mask: Self::M) -> u32;
-    /// The lanes from lane K on, followed by those before it.
+    /// Of every four lanes those from the K-th on, followed by those before it.
     fn turned<const K: usize>(self, x: Self::F) -> Self::F;
 
     /// The first floats of a slice, followed by zeros if it has fewer than `LEN`.

@@ -190,7 +190,7 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
     }
     #[inline(always)]
     fn turned<const K: usize>(self, x: Self::F) -> Self::F {
-        x.slide::<K>(x)
+        x.slide_within_blocks::<K>(x)
     }
 }
 

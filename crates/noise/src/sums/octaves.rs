@@ -122,9 +122,6 @@ struct Active {
     range: [f32; 2],
 }
 
-/// From so many octaves on both channels of a point are evaluated in lanes.
-const FEW: usize = 2;
-
 /// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
 #[inline]
 fn lone_whole(octaves: f32) -> f32 {
@@ -325,7 +322,7 @@ impl<L: Lattice, const N: usize> Terms<Gaussian<L>, N, Signed> {
     fn pair<V: Point<Coordinates = [f32; N]>>(&self, active: &Active, p: V) -> [Sample<V>; 2] {
         let mut sums = [(0.0, [0.0; N]); 2];
         let at_point = self.at_point(active, p.coordinates());
-        if !(L::SHARED && active.count >= FEW && run_at_point(Pair { at_point, sums: &mut sums }).is_some()) {
+        if !(L::SHARED && run_at_point(Pair { at_point, sums: &mut sums }).is_some()) {
             let (p, mut own) = (self.in_first_tile(p.coordinates()), None);
             for (amplitude, layer) in self.octaves(active) {
                 let (p, noise) = (layer.points(Scalar, p), layer.noise(&self.noise, &mut own));

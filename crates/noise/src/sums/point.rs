@@ -6,7 +6,7 @@
 use crate::{
     contract::kernel::{self, Kernel},
     kinds::cell::blend::splat,
-    kinds::gaussian::{Channels, Gaussian},
+    kinds::gaussian::{BOTH, Channels, Gaussian},
     lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
     lanes::level::Task,
     lattice::lattice::Lattice,
@@ -125,9 +125,21 @@ impl<L: Lattice, const N: usize, T> Task for Pair<'_, L, N, T> {
         if half == 0 {
             return;
         }
-        let (channels, p) = (Channels(noise), splat(s, p));
+        let (channels, lanes) = (Channels(noise), splat(s, p));
         let mut sums = *self.sums;
-        for first in (0..count).step_by(half) {
+        // A few octaves are faster one by one, where their corners fill the lanes.
+        let few = if S::LEN == BOTH { 2 } else { 1 };
+        let mut first = 0;
+        while first < count {
+            if count - first <= few {
+                let layer = layers.layer(first);
+                let pair = noise.channels_in_lanes(s, layer.points(Scalar, p), layer.seed);
+                for (sum, sample) in sums.iter_mut().zip(pair) {
+                    layer.accumulate(Scalar, sum, amplitudes[first % amplitudes.len()], sample);
+                }
+                first += 1;
+                continue;
+            }
             let part = first..first + half;
             let floats = |numbers: &[f32; MAX_OCTAVES as usize]| {
                 let numbers = numbers.get(part.clone()).unwrap_or_default();
@@ -139,13 +151,14 @@ impl<L: Lattice, const N: usize, T> Task for Pair<'_, L, N, T> {
             };
             let (map, keys) = layers.in_lanes(s, floats, words);
             let (value, gradient) =
-                kernel::evaluate::<_, S::Keyed, N, true>(&channels, s.keyed(keys), map.points(p), 0);
+                kernel::evaluate::<_, S::Keyed, N, true>(&channels, s.keyed(keys), map.points(lanes), 0);
             let sample = (value, map.pull_back(gradient));
             let terms = Terms::new::<S, true>(s, floats(amplitudes), sample);
             for lane in 0..half.min(count - first) {
                 terms.add::<true>(&mut sums[0], lane);
                 terms.add::<true>(&mut sums[1], half + lane);
             }
+            first += half;
         }
         *self.sums = sums;
     }

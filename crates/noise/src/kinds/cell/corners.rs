@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::blend::{Column, Edge, blend, edge, ends, lerp},
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
-    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
 };
@@ -57,10 +57,10 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         place
     }
 
-    /// The place of one point, its corners at the ends of the first two axes in the lanes: 0 and 0, 0 and 1, 1 and 0, 1 and 1.
+    /// The place of one point, its corners at the ends of the first two axes in every four lanes: 0 and 0, 0 and 1, 1 and 0, 1 and 1.
     #[inline(always)]
     pub(crate) fn at_ends<K: CellNoise<N>>(s: S, noise: &K, p: [f32; N]) -> Self {
-        let mut axes = [0.0; 4];
+        let mut axes = [0.0; LANES];
         axes[..N].copy_from_slice(&p);
         let (cells, places) = cell(s, s.load(&axes));
         let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);

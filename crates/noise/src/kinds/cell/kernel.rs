@@ -26,27 +26,35 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
     place.parts::<K, GRADIENTS>(s, &place.drawn_edges(s, noise, seed))
 }
 
-/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits of [`parts`].
-#[cfg(feature = "simd")]
+/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits that
+/// [`Kernel::evaluate`] gives, in the first of every four lanes.
 #[inline(always)]
-fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
     noise: &K,
     p: [f32; N],
     seed: u32,
-) -> LaneSample<Scalar, N> {
+) -> LaneSample<S, N> {
     let place = Place::at_ends(s, noise, p);
     let terms = [place.terms[0][0], place.terms[1 % N][0]];
     let column = place.drawn_column(s, noise, terms, seed);
     let edge = edge::<K, S, N>(s, &column, &column.turned::<2>(s), place.along[0]);
     let (sample, variance) = place.parts::<K, GRADIENTS>(s, &[edge, edge.turned::<1>(s)]);
-    let (value, gradient) =
-        if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample };
+    if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
+}
+
+/// A lane's value, and its gradient if `GRADIENTS`.
+#[inline(always)]
+pub(crate) fn of_lane<S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    (value, gradient): LaneSample<S, N>,
+    lane: usize,
+) -> LaneSample<Scalar, N> {
     let mut slopes = [0.0; N];
     for axis in 0..if GRADIENTS { N } else { 0 } {
-        slopes[axis] = s.lane(gradient[axis], 0);
+        slopes[axis] = s.lane(gradient[axis], lane);
     }
-    (s.lane(value, 0), slopes)
+    (s.lane(value, lane), slopes)
 }
 
 impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
@@ -73,7 +81,7 @@ impl<K: CellNoise<N>, const N: usize> Kernel<N> for K {
         if N > 1
             && let Some(s) = four()
         {
-            return by_corners::<K, _, N, GRADIENTS>(s, self, p, seed);
+            return of_lane::<_, N, GRADIENTS>(s, by_corners::<K, _, N, GRADIENTS>(s, self, p, seed), 0);
         }
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
