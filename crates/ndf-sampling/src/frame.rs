@@ -80,13 +80,16 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn from_normal_tangent(n: Vec3, t: Vec3) -> Self {
-        let fallback = Self::from_normal(n);
-        let n = fallback.normal;
+        let given = n;
+        let n = normalised(n).unwrap_or(Vec3::Z);
         let across = |t: Vec3| t - n * n.dot(t);
         let steep = normalised(t).map(across).filter(|across| across.length_squared() >= 1e-6);
         // Once more: the first projection leaves a part along n that 1e-3 rad magnifies to 1e-4.
         let tangent = steep.and_then(normalised).map(across).and_then(normalised);
-        tangent.map_or(fallback, |tangent| Self { tangent, bitangent: n.cross(tangent), normal: n })
+        match tangent {
+            Some(tangent) => Self { tangent, bitangent: n.cross(tangent), normal: n },
+            None => Self::from_normal(given),
+        }
     }
 
     /// `v` in this frame: `(v·t, v·b, v·n)`.

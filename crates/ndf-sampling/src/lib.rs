@@ -88,6 +88,7 @@ mod approx;
 mod batch_error;
 #[cfg(feature = "check")]
 pub mod check;
+mod coordinates;
 mod density;
 mod frame;
 pub mod level_of_detail;

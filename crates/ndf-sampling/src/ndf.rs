@@ -2,13 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::GaussianSplit;
 use crate::math;
 use crate::numeric::normal_distribution::inverse_phi;
-
-/// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
-///
-/// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
-pub(crate) const FARTHEST: f32 = 13.0;
 
 /// A normal density function together with a bijection from Gaussian coordinates to its normals.
 ///
@@ -95,6 +91,28 @@ pub trait Ndf {
         // Below the horizon and for NaN the density is 0, and `max` takes the number.
         self.density(m) * m.z.max(0.0)
     }
+
+    /// `p_s(h | z_b)`: what is left of the density where a part of it is resolved, in sr⁻¹; see
+    /// [`conditional_density`](crate::conditional_density).
+    ///
+    /// [`GaussianSplit::weigh`] of `D(h)` and `T⁻¹(h)`, unless the density has a form of its own, which it then documents.
+    #[inline]
+    #[must_use]
+    fn conditional_density(&self, h: Vec3, split: GaussianSplit) -> f32 {
+        let density = self.density(h);
+        if density > 0.0 { split.weigh(density, self.to_gaussian(h)) } else { 0.0 }
+    }
+
+    /// [`conditional_density`](Self::conditional_density) at one point for many half vectors, as under many lights: of as many as
+    /// both slices have, bit for bit.
+    ///
+    /// [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) take them in SIMD lanes.
+    #[inline]
+    fn conditional_densities(&self, h: &[Vec3], split: GaussianSplit, densities: &mut [f32]) {
+        for (density, &h) in densities.iter_mut().zip(h) {
+            *density = self.conditional_density(h, split);
+        }
+    }
 }
 
 /// Methods of a trait by those of another value.
@@ -119,6 +137,18 @@ macro_rules! forward_ndf {
             slope_density(slope: glam::Vec2) -> f32;
             sample(u: glam::Vec2) -> glam::Vec3;
             sample_density(m: glam::Vec3) -> f32;
+            conditional_density(h: glam::Vec3, split: $crate::coordinates::GaussianSplit) -> f32;
+        }
+
+        #[inline]
+        fn conditional_densities(
+            &self,
+            h: &[glam::Vec3],
+            split: $crate::coordinates::GaussianSplit,
+            densities: &mut [f32],
+        ) {
+            let $this = self;
+            $to.conditional_densities(h, split, densities);
         }
     };
 }
@@ -126,18 +156,6 @@ pub(crate) use forward_ndf;
 
 impl<N: Ndf + ?Sized> Ndf for &N {
     forward_ndf!(|ndf| **ndf);
-}
-
-/// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].
-#[inline]
-pub(crate) fn bounded(z: Vec2) -> Vec2 {
-    Vec2::new(bounded_coordinate(z.x), bounded_coordinate(z.y))
-}
-
-/// `z` in ±[`FARTHEST`], NaN read as 0.
-#[inline]
-pub(crate) fn bounded_coordinate(z: f32) -> f32 {
-    if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST, FARTHEST) }
 }
 
 /// `u` with both numbers in `[0, 1 − 2⁻²⁴]`; a NaN is read as 0.
@@ -152,9 +170,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coordinates_are_bounded() {
-        assert_eq!(bounded(Vec2::new(f32::NAN, f32::INFINITY)), Vec2::new(0.0, 13.0));
-        assert_eq!(bounded(Vec2::new(-1e30, 0.5)), Vec2::new(-13.0, 0.5));
+    fn numbers_are_moved_to_the_square() {
         assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));
     }
 }

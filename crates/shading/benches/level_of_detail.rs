@@ -3,10 +3,10 @@
 use std::hint::black_box;
 
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves, shade_facet};
+use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
 use asperity_shading::{
-    Beckmann, Conductor, Dielectric, Frame, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
+    Beckmann, Conductor, Dielectric, Ggx, LevelOfDetail, Ndf, Schlick, far_field, half_vector,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -37,21 +37,13 @@ fn pixels(c: &mut Criterion) {
             .map(|k| half_vector(Vec3::new(0.6 - 0.03 * f32::from(k), 0.3, 0.8).normalize(), wo))
             .collect();
         for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
-            let mut k = 0.0_f32;
+            let (mut k, mut radiances) = (0.0_f32, vec![0.0; halves.len()]);
             c.bench_function(&format!("pixel/{lights}_lights/{rule:?}").to_lowercase(), |b| {
                 b.iter(|| {
                     k = (k + 1.0) % 1024.0;
                     let coordinates = field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), 4.0);
-                    match rule {
-                        LevelOfDetail::Exact => {
-                            halves.iter().map(|&h| rule.radiance(ndf, h, coordinates)).sum::<f32>()
-                        }
-                        // One frame for all lights.
-                        LevelOfDetail::Fractal => {
-                            let facet = Frame::from_normal(rule.normal(ndf, coordinates));
-                            halves.iter().map(|&h| shade_facet(ndf, &facet, h)).sum()
-                        }
-                    }
+                    rule.radiances(ndf, &halves, coordinates, &mut radiances);
+                    radiances.iter().sum::<f32>()
                 });
             });
         }

@@ -80,6 +80,7 @@
 //! | `std` (default) | float functions of the standard library |
 //! | `libm` | float functions of `libm`, without `std`; wins when both are on |
 //! | `alloc` (default) | the owned tables of `asperity-ndf-sampling`, environment maps, normal maps, boxed materials |
+//! | `simd` (default) | many lights, and the noise of a point, in SIMD lanes, the best that the machine has; the same bits without it |
 //! | `check` | property tests for any reflectance, your own included: module [`check`] |
 //! | `proptest` | strategies of `proptest` for footprints, directions, roughness and unit squares, with `std`: module [`strategies`] |
 //! | `serde` | parameters of materials written to files, and forms of reflectances; a file names the parameters that differ from the defaults |

@@ -18,7 +18,7 @@ const SETS: [(&str, &[&str]); 4] = [
     ("asperity-noise", &["std", "std,simd", "libm", "libm,check,simd"]),
     ("asperity-ndf-sampling", &["std,alloc,simd", "libm,check,simd", "libm"]),
     ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
-    ("asperity-shading", &["std,alloc", "libm,check", "libm"]),
+    ("asperity-shading", &["std,alloc,simd", "libm,check", "libm"]),
 ];
 
 /// The least of features with which a crate is linted: one backend, and the traits of `approx` and `serde` without std.

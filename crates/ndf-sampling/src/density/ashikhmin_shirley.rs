@@ -5,13 +5,14 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use glam::{Vec2, Vec3};
 
 use crate::approx::compared;
+use crate::coordinates::bounded;
 use crate::density::blinn_phong::{BlinnPhong, roughness};
 use crate::density::ggx::Ggx;
 use crate::density::roughness::Roughness;
 use crate::density::student_distribution::StudentDistribution;
 use crate::math;
 use crate::microfacet::{Microfacet, above};
-use crate::ndf::{Ndf, bounded, unit_square};
+use crate::ndf::{Ndf, unit_square};
 use crate::numeric::gauss_kronrod::integrate;
 use crate::numeric::hashed::Hashed;
 use crate::radial::Radial;

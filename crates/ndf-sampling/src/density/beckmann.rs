@@ -4,13 +4,14 @@ use core::f32::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::{FARTHEST, GaussianSplit};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::gaussian_lanes;
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::density::visible_slopes::{LEAST_U, excess, visible_slope};
 use crate::math;
 use crate::microfacet::{Microfacet, above};
-use crate::ndf::{FARTHEST, unit_square};
+use crate::ndf::unit_square;
 use crate::numeric::normal_distribution::inverse_phi;
 use crate::radial::Radial;
 use crate::simd::closed_form::ClosedForm;
@@ -73,18 +74,17 @@ impl ClosedForm for Beckmann {
 
     #[inline(always)]
     fn density_in_lanes<S: Lanes>(&self, s: S, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
-        let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
-        let (zero, one) = (s.float(0.0), s.float(1.0));
-        let exponent = -(x * x + y * y);
-        // Far out the peak or z⁴ make up for an exponential that would underflow: D = (exp(−a/2)/z²)² peak.
-        let near = s.less(s.float(-NEAR), exponent);
-        let falloff = exp(s, s.select(near, exponent, exponent * s.float(0.5)));
-        let z2 = z * z;
-        let peak = s.float(1.0 / (PI * self.alpha.x * self.alpha.y));
-        let ratio = falloff * s.select(near, peak, one) / s.select(near, z2 * z2, z2);
-        let density = s.at_most(s.select(near, ratio, ratio * (ratio * peak)), f32::MAX);
-        // Next to the horizon the exponential is 0 long before z⁴ underflows.
-        [s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)]
+        self.lobe(s, Vec2::ZERO, 1.0, [x, y, z])
+    }
+
+    /// A Beckmann density of the roughness `α√(1 − s)` about the slope that is resolved, with one exponential:
+    ///
+    /// ```text
+    /// exp(−((x/αx − μx)² + (y/αy − μy)²)/(1 − s)) / (π αx αy (1 − s) h_z⁴),   (x, y) = (h_x, h_y)/h_z,   μ = √s z_b/√2
+    /// ```
+    #[inline(always)]
+    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
+        self.lobe(s, split.z_b * (split.root * FRAC_1_SQRT_2), split.rest, h)
     }
 
     #[inline(always)]
@@ -110,6 +110,26 @@ impl ClosedForm for Beckmann {
         let x = (along * cos - across * sin) * s.float(self.alpha.x * FRAC_1_SQRT_2);
         let y = (along * sin + across * cos) * s.float(self.alpha.y * FRAC_1_SQRT_2);
         unit(s, [x, y, s.float(1.0)])
+    }
+}
+
+impl Beckmann {
+    /// The density about the slope `mean`, in units of the roughnesses, whose square is `rest` times that of this.
+    #[inline(always)]
+    fn lobe<S: Lanes>(&self, s: S, mean: Vec2, rest: f32, [x, y, z]: [S::F; 3]) -> [S::F; 1] {
+        let (x, y) = (x / s.float(self.alpha.x) / z, y / s.float(self.alpha.y) / z);
+        let (x, y) = (x - s.float(mean.x), y - s.float(mean.y));
+        let (zero, one) = (s.float(0.0), s.float(1.0));
+        let exponent = -(x * x + y * y) / s.float(rest);
+        // Far out the peak or z⁴ make up for an exponential that would underflow: D = (exp(−a/2)/z²)² peak.
+        let near = s.less(s.float(-NEAR), exponent);
+        let falloff = exp(s, s.select(near, exponent, exponent * s.float(0.5)));
+        let z2 = z * z;
+        let peak = s.float(1.0 / (PI * self.alpha.x * self.alpha.y * rest));
+        let ratio = falloff * s.select(near, peak, one) / s.select(near, z2 * z2, z2);
+        let density = s.at_most(s.select(near, ratio, ratio * (ratio * peak)), f32::MAX);
+        // Next to the horizon the exponential is 0 long before z⁴ underflows.
+        [s.select(s.less(zero, z), s.select(s.less(zero, falloff), density, zero), zero)]
     }
 }
 

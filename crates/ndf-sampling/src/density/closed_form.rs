@@ -51,6 +51,21 @@ macro_rules! closed_form {
             fn sample(&self, u: glam::Vec2) -> glam::Vec3 {
                 self.polar(crate::simd::lanes::Scalar, u.to_array()).into()
             }
+
+            #[inline]
+            fn conditional_density(&self, h: glam::Vec3, split: crate::coordinates::GaussianSplit) -> f32 {
+                let [density] = self.conditional(crate::simd::lanes::Scalar, split, h.to_array());
+                density
+            }
+
+            fn conditional_densities(
+                &self,
+                h: &[glam::Vec3],
+                split: crate::coordinates::GaussianSplit,
+                densities: &mut [f32],
+            ) {
+                crate::simd::closed_form::conditional_densities(self, h, split, densities);
+            }
         }
     };
 }

@@ -4,11 +4,11 @@ use core::f32::consts::{PI, SQRT_2};
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::{FARTHEST, GaussianSplit};
 use crate::density::closed_form::{closed_form, probabilities, stretched, unit};
 use crate::density::roughness::{Roughness, roughness_parameters};
 use crate::math;
 use crate::microfacet::{Microfacet, above};
-use crate::ndf::FARTHEST;
 use crate::radial::Radial;
 use crate::simd::closed_form::ClosedForm;
 use crate::simd::elementary::{cos_sin_turns, exp, ln_1p, one_minus_exp_ratio};
@@ -87,6 +87,19 @@ impl ClosedForm for Ggx {
         let density = s.at_most(s.float(1.0) / (peak * t * t), f32::MAX);
         let finite = s.less(t, s.float(f32::INFINITY));
         [s.select(s.less(zero, z), s.select(finite, density, zero), zero)]
+    }
+
+    /// With one logarithm and one exponential: [`GaussianSplit::weigh`] of density and coordinates.
+    #[inline(always)]
+    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1] {
+        let [density] = self.density_in_lanes(s, h);
+        let [x, y] = self.gaussian(s, h);
+        let GaussianSplit { z_b, root, rest } = split;
+        let (x, y) = (x * s.float(root) - s.float(z_b.x), y * s.float(root) - s.float(z_b.y));
+        let near = (x * x + y * y) / s.float(rest);
+        // At most 84: half of the exponent, twice, for the whole would overflow where the density is small.
+        let half = exp(s, (s.float(z_b.x * z_b.x + z_b.y * z_b.y) - near) * s.float(0.25));
+        [s.at_most(density * half * half / s.float(rest), f32::MAX)]
     }
 
     #[inline(always)]

@@ -6,12 +6,13 @@ use core::f64::consts::PI;
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::bounded;
 #[cfg(feature = "alloc")]
 use crate::density::delegate::delegate_ndf;
 use crate::density::isotropic_cell::{Cell, invert};
 use crate::density::mixture::{tilted, untilted};
 use crate::math;
-use crate::ndf::{Ndf, bounded};
+use crate::ndf::Ndf;
 use crate::radial::Radial;
 use crate::range_error::refusals;
 

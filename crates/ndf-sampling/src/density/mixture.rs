@@ -2,10 +2,11 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::bounded;
 use crate::density::blend::Blend;
 use crate::math;
 use crate::microfacet::Microfacet;
-use crate::ndf::{Ndf, bounded, forward};
+use crate::ndf::{Ndf, forward};
 use crate::radial::Radial;
 use crate::range_error::{RangeError, refusals};
 

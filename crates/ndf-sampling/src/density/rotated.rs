@@ -68,7 +68,7 @@ impl<N: Ndf> Ndf for Rotated<N> {
     #[inline]
     fn from_gaussian(&self, z: Vec2) -> Vec3 {
         // Bounded before, for ∞ − ∞ is NaN.
-        let z = crate::ndf::bounded(z);
+        let z = crate::coordinates::bounded(z);
         self.turn3(self.ndf.from_gaussian(self.back(z.x, z.y)))
     }
 

@@ -5,11 +5,12 @@ use core::f64::consts::SQRT_2;
 use glam::{Vec2, Vec3};
 
 use crate::approx::compared;
+use crate::coordinates::bounded;
 use crate::density::roughness::{Roughness, roughness_accessors};
 use crate::density::student_distribution::StudentDistribution;
 use crate::math;
 use crate::microfacet::{Microfacet, above};
-use crate::ndf::{Ndf, bounded, unit_square};
+use crate::ndf::{Ndf, unit_square};
 use crate::radial::Radial;
 use crate::range_error::RangeError;
 use crate::serde::written;

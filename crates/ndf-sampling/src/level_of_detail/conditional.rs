@@ -2,14 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::approx::compared;
-use crate::math;
-use crate::ndf::{Ndf, bounded};
-
-/// The largest share of the variance that counts as resolved: the rest of the lobe is 10⁻³ standard deviations wide.
-///
-/// Nearer to 1 the lobe would be as narrow as the rounding of `T⁻¹(h)` in `f32`.
-pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
+use crate::coordinates::GaussianSplit;
+use crate::ndf::Ndf;
 
 /// The density of facet normals that a pixel sees, given what it resolves of the bump map, in sr⁻¹.
 ///
@@ -28,7 +22,7 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 /// every `s`**; and resolving more octaves keeps the mean of what was seen before (a martingale in `s`), so nothing pops.
 ///
 /// - **Domain:** unit `h` in the frame of the macro surface; 0 for `h.z ≤ 0` and NaN. `s` is clamped to
-///   `0..=`[`MAX_SHARE`], NaN counts as 0. `z_b` beyond ±13 counts as ±13, NaN as 0.
+///   `0..=`[`MAX_SHARE`](crate::level_of_detail::MAX_SHARE), NaN counts as 0. `z_b` beyond ±13 counts as ±13, NaN as 0.
 /// - **Limits:** `s = 0` gives `D(h)` exactly; `s → 1` a lobe around `T(z_b)` of standard deviation `√(1 − s)` in `z`.
 /// - **Accuracy:** 2e-5 relative for `|z|, |z_b| ≤ 4` and `s ≤ 0.9`; the rounding of `h` itself enters as
 ///   `|√s z − z_b|/(1 − s)` times the error of `T⁻¹(h)`.
@@ -53,74 +47,7 @@ pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 #[doc(alias = "filtering")]
 #[doc(alias = "antialiasing")]
 pub fn conditional_density<N: Ndf + ?Sized>(ndf: &N, h: Vec3, z_b: Vec2, s: f32) -> f32 {
-    GaussianSplit::new(z_b, s).density_of(ndf, h)
-}
-
-/// The split of a Gaussian coordinate into its resolved part and the rest, prepared for many half-vectors at one point.
-///
-/// [`conditional_density`] is this, made anew for each call.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GaussianSplit {
-    z_b: Vec2,
-    root: f32,
-    rest: f32,
-}
-
-compared!(GaussianSplit, |split| [split.z_b.x, split.z_b.y, split.share()]);
-
-impl GaussianSplit {
-    /// The resolved coordinates `z_b` with their share `s` of the variance; total, see [`conditional_density`].
-    #[inline]
-    #[must_use]
-    pub fn new(z_b: Vec2, s: f32) -> Self {
-        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, MAX_SHARE) };
-        Self { z_b: bounded(z_b), root: math::sqrt(s), rest: 1.0 - s }
-    }
-
-    /// The share of the variance that is resolved, after clamping.
-    #[inline]
-    #[must_use]
-    pub fn share(self) -> f32 {
-        1.0 - self.rest
-    }
-
-    /// `√s z_b + √(1 − s) ξ`: the coordinates of the whole, with `ξ` for what is not resolved; total.
-    #[inline]
-    #[must_use]
-    pub fn join(self, xi: Vec2) -> Vec2 {
-        self.z_b * self.root + bounded(xi) * math::sqrt(self.rest)
-    }
-
-    /// `(z − √s z_b)/√(1 − s)`: what of the coordinates `z` of the whole is not resolved; total, bounded by ±13 at each axis.
-    #[inline]
-    #[must_use]
-    pub fn rest(self, z: Vec2) -> Vec2 {
-        bounded((bounded(z) - self.z_b * self.root) / math::sqrt(self.rest))
-    }
-
-    /// `p_s(h | z_b)` of a density.
-    #[inline]
-    pub(crate) fn density_of<N: Ndf + ?Sized>(self, ndf: &N, h: Vec3) -> f32 {
-        let density = ndf.density(h);
-        if density > 0.0 { self.weigh(density, ndf.to_gaussian(h)) } else { 0.0 }
-    }
-
-    /// `p_s(h | z_b)` for the density `D(h)` and the coordinates `z = T⁻¹(h)`, in the unit of `density`.
-    ///
-    /// ```text
-    /// density · exp(|z_b|²/2 − |√s z − z_b|² / (2(1 − s))) / (1 − s)
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn weigh(self, density: f32, z: Vec2) -> f32 {
-        let z = bounded(z);
-        let (x, y) = (self.root * z.x - self.z_b.x, self.root * z.y - self.z_b.y);
-        let near = (x * x + y * y) / self.rest;
-        let b = self.z_b.x * self.z_b.x + self.z_b.y * self.z_b.y;
-        // Half of the exponent twice: the whole would overflow where the density is small and the product is not.
-        let half = math::exp(0.25 * (b - near));
-        (density * half * half / self.rest).min(f32::MAX)
-    }
+    ndf.conditional_density(h, GaussianSplit::new(z_b, s))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::level_of_detail::conditional::GaussianSplit;
+use crate::coordinates::GaussianSplit;
 use crate::ndf::Ndf;
 
 /// The density `p_s(h | z_b)` of what a pixel does not resolve, with its own bijection from Gaussian numbers.
@@ -60,7 +60,7 @@ impl<N: Ndf> ConditionalNdf<N> {
 impl<N: Ndf> Ndf for ConditionalNdf<N> {
     #[inline]
     fn density(&self, m: Vec3) -> f32 {
-        self.split.density_of(&self.ndf, m)
+        self.ndf.conditional_density(m, self.split)
     }
 
     #[inline]

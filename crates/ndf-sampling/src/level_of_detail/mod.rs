@@ -7,7 +7,8 @@ pub(crate) mod offset_beckmann;
 pub(crate) mod table;
 pub(crate) mod table_ref;
 
-pub use conditional::{GaussianSplit, MAX_SHARE, conditional_density};
+pub use crate::coordinates::{GaussianSplit, MAX_SHARE};
+pub use conditional::conditional_density;
 pub use conditional_ndf::ConditionalNdf;
 pub use offset_beckmann::{OffsetBeckmann, OffsetBeckmannError};
 #[cfg(feature = "alloc")]

@@ -5,10 +5,10 @@ use core::f32::consts::{FRAC_1_SQRT_2, TAU};
 use glam::{Vec2, Vec3};
 
 use crate::approx::compared;
+use crate::coordinates::{MAX_SHARE, bounded};
 use crate::density::beckmann::Beckmann;
-use crate::level_of_detail::conditional::MAX_SHARE;
 use crate::math;
-use crate::ndf::{Ndf, bounded};
+use crate::ndf::Ndf;
 use crate::range_error::refusals;
 
 /// A Beckmann density around another slope than 0, along any axes: the slopes `s = (m_x, m_y)/m_z` are `N(μ, Σ)`.

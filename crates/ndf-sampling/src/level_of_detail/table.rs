@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use glam::Vec2;
 
 use crate::approx::compared;
-use crate::level_of_detail::conditional::GaussianSplit;
+use crate::coordinates::GaussianSplit;
 use crate::level_of_detail::table_ref::{ConditionalTableRef, entry_half_vector};
 use crate::math;
 use crate::ndf::Ndf;

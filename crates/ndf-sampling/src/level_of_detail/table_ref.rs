@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec3A};
 
-use crate::level_of_detail::conditional::GaussianSplit;
+use crate::coordinates::GaussianSplit;
 use crate::math;
 use crate::normal_table::error::NormalTableError;
 

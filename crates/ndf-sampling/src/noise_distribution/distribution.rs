@@ -1,7 +1,8 @@
 //! The trait of the distribution of a noise: from its values to Gaussian and uniform numbers and back.
 
 use crate::approx::compared;
-use crate::ndf::{bounded_coordinate, forward};
+use crate::coordinates::bounded_coordinate;
+use crate::ndf::forward;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
 use crate::range_error::RangeError;
 

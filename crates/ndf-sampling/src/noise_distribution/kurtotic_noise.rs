@@ -1,8 +1,8 @@
 //! The distribution of a noise by its excess kurtosis.
 
 use crate::approx::compared;
+use crate::coordinates::bounded_coordinate;
 use crate::math::sqrt_f64;
-use crate::ndf::bounded_coordinate;
 use crate::noise_distribution::distribution::{NoiseDistribution, check};
 use crate::range_error::RangeError;
 

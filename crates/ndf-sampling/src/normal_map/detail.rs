@@ -2,8 +2,9 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::coordinates::bounded;
 use crate::math;
-use crate::ndf::{Ndf, bounded};
+use crate::ndf::Ndf;
 use crate::noise_distribution::distribution::NoiseDistribution;
 use crate::numeric::normal_distribution::phi;
 

@@ -1,6 +1,9 @@
 //! Closed forms of densities over arrays, in SIMD lanes.
 
+use glam::Vec3;
+
 use crate::batch_error::BatchError;
+use crate::coordinates::GaussianSplit;
 use crate::ndf::Ndf;
 use crate::simd::dispatch::{Kernel, run};
 use crate::simd::lanes::Lanes;
@@ -30,6 +33,9 @@ pub trait ClosedForm: Ndf + Sized {
     fn gaussian<S: Lanes>(&self, s: S, m: [S::F; 3]) -> [S::F; 2];
     #[doc(hidden)]
     fn density_in_lanes<S: Lanes>(&self, s: S, m: [S::F; 3]) -> [S::F; 1];
+    /// `p_s(h | z_b)`.
+    #[doc(hidden)]
+    fn conditional<S: Lanes>(&self, s: S, split: GaussianSplit, h: [S::F; 3]) -> [S::F; 1];
     #[doc(hidden)]
     fn polar<S: Lanes>(&self, s: S, u: [S::F; 2]) -> [S::F; 3];
     /// For `[v_x, v_y, v_z, u₁, u₂]`.
@@ -110,6 +116,43 @@ kernels! {
     Density<3, 1>: density_in_lanes, long: false;
     Sample<2, 3>: polar, long: false;
     Visible<5, 3>: visible, long: true;
+}
+
+/// The kernel of [`ClosedForm::conditional`].
+struct Conditional<'a, N>(&'a N, GaussianSplit);
+
+impl<N: ClosedForm> Kernel<3, 1> for Conditional<'_, N> {
+    #[cfg(feature = "simd")]
+    const LONG: bool = false;
+
+    #[inline(always)]
+    fn apply<S: Lanes>(&self, s: S, h: [S::F; 3]) -> [S::F; 1] {
+        self.0.conditional(s, self.1, h)
+    }
+}
+
+/// [`Ndf::conditional_densities`] in lanes, as many as both slices have.
+pub(crate) fn conditional_densities<N: ClosedForm>(
+    ndf: &N,
+    h: &[Vec3],
+    split: GaussianSplit,
+    densities: &mut [f32],
+) {
+    /// Half vectors whose components are sorted at a time.
+    const BLOCK: usize = 32;
+    // One alone is not worth the registers.
+    if let ([h], [density]) = (h, &mut *densities) {
+        *density = ndf.conditional_density(*h, split);
+        return;
+    }
+    for (h, densities) in h.chunks(BLOCK).zip(densities.chunks_mut(BLOCK)) {
+        let len = h.len().min(densities.len());
+        let (mut x, mut y, mut z) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        for (((x, y), z), h) in x.iter_mut().zip(&mut y).zip(&mut z).zip(h) {
+            (*x, *y, *z) = (h.x, h.y, h.z);
+        }
+        run(&Conditional(ndf, split), [&x[..len], &y[..len], &z[..len]], [&mut densities[..len]]);
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The two rules by which a bump map takes over from a reflectance as the viewer comes closer.
 
-use asperity_ndf_sampling::{Frame, Ndf, conditional_density};
+use asperity_ndf_sampling::{Frame, GaussianSplit, Ndf, conditional_density};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::gaussian_field::Coordinates;
@@ -116,6 +116,48 @@ impl LevelOfDetail {
         }
     }
 
+    /// The radiances of a pixel under many lights: [`radiance`](Self::radiance) of as many half vectors as both slices have, with the
+    /// same bits.
+    ///
+    /// What the lights have in common is computed once: the split of the Gaussian coordinates, the frame of the facet. `Exact` takes
+    /// half vectors of [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) in SIMD lanes under the feature `simd`.
+    ///
+    /// ```
+    /// use asperity_shading::level_of_detail::Coordinates;
+    /// use asperity_shading::{Ggx, LevelOfDetail, glam::{Vec2, Vec3}};
+    ///
+    /// let ggx = Ggx::new(0.2, 0.4)?;
+    /// let near = Coordinates { z: Vec2::new(0.8, -0.3), share: 0.75, fade: 1.0 };
+    /// let halves = [Vec3::Z, Vec3::new(0.6, 0.0, 0.8), Vec3::NEG_Z];
+    /// let mut radiances = [0.0; 3];
+    /// LevelOfDetail::Exact.radiances(&ggx, &halves, near, &mut radiances);
+    /// assert_eq!(radiances, halves.map(|h| LevelOfDetail::Exact.radiance(&ggx, h, near)));
+    /// # Ok::<(), asperity_shading::ndf_sampling::RangeError>(())
+    /// ```
+    pub fn radiances<N: Ndf + ?Sized>(
+        self,
+        ndf: &N,
+        halves: &[Vec3],
+        coordinates: Coordinates,
+        radiances: &mut [f32],
+    ) {
+        let frame = match self {
+            Self::Exact => {
+                let split = GaussianSplit::new(coordinates.z, coordinates.share);
+                ndf.conditional_densities(halves, split, radiances);
+                None
+            }
+            Self::Fractal => Some(Frame::from_normal(self.normal(ndf, coordinates))),
+        };
+        for (radiance, &h) in radiances.iter_mut().zip(halves) {
+            match &frame {
+                Some(facet) => *radiance = shade_facet(ndf, facet, h),
+                None if h.z > 0.0 && h.is_finite() => {}
+                None => *radiance = 0.0,
+            }
+        }
+    }
+
     /// The normal of the bump map in the frame of the macro surface, for a normal map or a mirror.
     ///
     /// ```text
@@ -223,6 +265,33 @@ mod tests {
         for i in 1..100 {
             let z = Vec2::splat(1.0 / i as f32);
             assert_eq!(facet_coordinates(&Unruly, near(z.x, z.y, 0.5, 1.0)), z, "faded in, the noise itself");
+        }
+    }
+
+    #[test]
+    fn many_lights_have_the_bits_of_each() {
+        let ndfs: [&dyn Ndf; 3] = [&Ggx::new(0.2, 0.4).unwrap(), &Beckmann::isotropic(0.3).unwrap(), &Unruly];
+        let bad =
+            [Vec3::NEG_Z, Vec3::X, Vec3::ZERO, Vec3::NAN, Vec3::new(0.0, f32::NAN, 1.0), Vec3::INFINITY];
+        let halves: [Vec3; 71] = core::array::from_fn(|k| {
+            let turn = 0.7 * k as f32;
+            let odd = bad.get(k / 10).filter(|_| k % 10 == 3);
+            *odd.unwrap_or(&Vec3::new(turn.cos(), turn.sin(), 0.05 * k as f32).normalize())
+        });
+        for (ndf, rule) in
+            ndfs.iter().flat_map(|ndf| [(ndf, LevelOfDetail::Exact), (ndf, LevelOfDetail::Fractal)])
+        {
+            for coordinates in [Coordinates::FAR, near(0.8, -1.1, 0.75, 1.0), near(f32::NAN, -20.0, 1.0, 0.5)]
+            {
+                for count in [0, 1, 5, 32, 71] {
+                    let mut radiances = [-1.0; 71];
+                    rule.radiances(*ndf, &halves, coordinates, &mut radiances[..count]);
+                    for (k, (&got, &h)) in radiances.iter().zip(&halves).enumerate() {
+                        let each = if k < count { rule.radiance(*ndf, h, coordinates) } else { -1.0 };
+                        assert_eq!(got.to_bits(), each.to_bits(), "{rule:?}, {coordinates:?}, {count}, {h}");
+                    }
+                }
+            }
         }
     }
 

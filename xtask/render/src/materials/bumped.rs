@@ -12,6 +12,9 @@ use crate::{light::lamps::Lamp, materials::field::Field};
 /// A normal density function that rows of pixels may share.
 pub type SharedNdf = dyn Ndf + Send + Sync;
 
+/// Lamps that are shaded at once.
+const TOGETHER: usize = 32;
+
 /// Which facets a pixel is shaded with.
 #[derive(Clone, Copy)]
 pub enum Facets<'a> {
@@ -53,23 +56,29 @@ impl Material for Printed<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
         let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
-        let lit = self.lamps.iter().fold(Vec3::ZERO, |sum, lamp| {
-            let wi = frame.to_local(lamp.direction);
-            if wi.z <= 0.0 {
-                return sum;
+        let mut lit = Vec3::ZERO;
+        for lamps in self.lamps.chunks(TOGETHER) {
+            let (mut halves, mut shown) = ([Vec3::ZERO; TOGETHER], [0.0; TOGETHER]);
+            let wi = |lamp: &Lamp| frame.to_local(lamp.direction);
+            for (half, lamp) in halves.iter_mut().zip(lamps) {
+                *half = half_vector(wi(lamp), wo);
             }
-            let h = half_vector(wi, wo);
-            let p = match self.facets {
+            let halves = &halves[..lamps.len()];
+            match self.facets {
                 Facets::Consistent(LevelOfDetail::Exact) => {
-                    LevelOfDetail::Exact.radiance(self.ndf, h, coordinates)
+                    LevelOfDetail::Exact.radiances(self.ndf, halves, coordinates, &mut shown);
                 }
                 // One frame for all lamps.
                 Facets::Consistent(LevelOfDetail::Fractal) | Facets::Table(_) => {
-                    shade_facet(self.ndf, &facet, h)
+                    shown.iter_mut().zip(halves).for_each(|(p, &h)| *p = shade_facet(self.ndf, &facet, h));
                 }
-            };
-            sum + lamp.colour * (p * wi.z)
-        });
+            }
+            lit += lamps
+                .iter()
+                .zip(shown)
+                .map(|(lamp, p)| lamp.colour * (p * wi(lamp).z.max(0.0)))
+                .sum::<Vec3>();
+        }
         Bsdf::new(wo).with_emitted(lit + self.diffuse * sky(frame.to_world(facet.normal)))
     }
 }

@@ -23,7 +23,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "ndf-sampling",
         sources: "crates/ndf-sampling/src",
-        rooms: "math → numeric → range_error batch_error ndf microfacet radial frame approx serde → simd → density → \
+        rooms: "math → numeric → range_error batch_error coordinates ndf microfacet radial frame approx serde → simd → density → \
                 map → map/packed → masked → noise_distribution → normal_table → normal_map → level_of_detail → \
                 check → rand strategies",
         face: Some(65),

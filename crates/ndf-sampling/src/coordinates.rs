@@ -1,0 +1,101 @@
+//! Gaussian coordinates: how far they reach, and their split into what a pixel resolves and the rest.
+
+use glam::Vec2;
+
+use crate::approx::compared;
+use crate::math;
+
+/// The farthest Gaussian coordinate that the maps distinguish, in standard deviations.
+///
+/// A Gaussian exceeds it with probability 10⁻³⁸, and `exp(−ρ²/4)` of the farthest corner is still a normal `f32`.
+pub(crate) const FARTHEST: f32 = 13.0;
+
+/// `z` with NaN read as 0 and both coordinates in ±[`FARTHEST`].
+#[inline]
+pub(crate) fn bounded(z: Vec2) -> Vec2 {
+    Vec2::new(bounded_coordinate(z.x), bounded_coordinate(z.y))
+}
+
+/// `z` in ±[`FARTHEST`], NaN read as 0.
+#[inline]
+pub(crate) fn bounded_coordinate(z: f32) -> f32 {
+    if z.is_nan() { 0.0 } else { z.clamp(-FARTHEST, FARTHEST) }
+}
+
+/// The largest share of the variance that counts as resolved: the rest of the lobe is 10⁻³ standard deviations wide.
+///
+/// Nearer to 1 the lobe would be as narrow as the rounding of `T⁻¹(h)` in `f32`.
+pub const MAX_SHARE: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
+
+/// The split of a Gaussian coordinate into its resolved part and the rest, prepared for many half-vectors at one point.
+///
+/// [`conditional_density`](crate::conditional_density) is this, made anew for each call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussianSplit {
+    pub(crate) z_b: Vec2,
+    /// √s
+    pub(crate) root: f32,
+    /// 1 − s
+    pub(crate) rest: f32,
+}
+
+compared!(GaussianSplit, |split| [split.z_b.x, split.z_b.y, split.share()]);
+
+impl GaussianSplit {
+    /// The resolved coordinates `z_b` with their share `s` of the variance; total, see [`conditional_density`](crate::conditional_density).
+    #[inline]
+    #[must_use]
+    pub fn new(z_b: Vec2, s: f32) -> Self {
+        let s = if s.is_nan() { 0.0 } else { s.clamp(0.0, MAX_SHARE) };
+        Self { z_b: bounded(z_b), root: math::sqrt(s), rest: 1.0 - s }
+    }
+
+    /// The share of the variance that is resolved, after clamping.
+    #[inline]
+    #[must_use]
+    pub fn share(self) -> f32 {
+        1.0 - self.rest
+    }
+
+    /// `√s z_b + √(1 − s) ξ`: the coordinates of the whole, with `ξ` for what is not resolved; total.
+    #[inline]
+    #[must_use]
+    pub fn join(self, xi: Vec2) -> Vec2 {
+        self.z_b * self.root + bounded(xi) * math::sqrt(self.rest)
+    }
+
+    /// `(z − √s z_b)/√(1 − s)`: what of the coordinates `z` of the whole is not resolved; total, bounded by ±13 at each axis.
+    #[inline]
+    #[must_use]
+    pub fn rest(self, z: Vec2) -> Vec2 {
+        bounded((bounded(z) - self.z_b * self.root) / math::sqrt(self.rest))
+    }
+
+    /// `p_s(h | z_b)` for the density `D(h)` and the coordinates `z = T⁻¹(h)`, in the unit of `density`.
+    ///
+    /// ```text
+    /// density · exp(|z_b|²/2 − |√s z − z_b|² / (2(1 − s))) / (1 − s)
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn weigh(self, density: f32, z: Vec2) -> f32 {
+        let z = bounded(z);
+        let (x, y) = (self.root * z.x - self.z_b.x, self.root * z.y - self.z_b.y);
+        let near = (x * x + y * y) / self.rest;
+        let b = self.z_b.x * self.z_b.x + self.z_b.y * self.z_b.y;
+        // Half of the exponent twice: the whole would overflow where the density is small and the product is not.
+        let half = math::exp(0.25 * (b - near));
+        (density * half * half / self.rest).min(f32::MAX)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_are_bounded() {
+        assert_eq!(bounded(Vec2::new(f32::NAN, f32::INFINITY)), Vec2::new(0.0, 13.0));
+        assert_eq!(bounded(Vec2::new(-1e30, 0.5)), Vec2::new(-13.0, 0.5));
+    }
+}
