@@ -1,7 +1,7 @@
 //! Octaves of simplex noise by position, as a pixel sees them.
 
 use asperity_noise::{
-    Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
+    Detail, Field, Noise, Normalisation, Octaves, Sample, Simplex, Spectrum, SpectrumError, removed_share,
     simd::Kernel,
 };
 use glam::Vec3;
@@ -34,9 +34,11 @@ pub(crate) fn spectrum(
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fbm<K = Simplex> {
+    /// As many as there are.
     octaves: Octaves<K, 3>,
-    count: f32,
     frequency: f32,
+    /// The frequency of the last octave over that of the first.
+    highest: f32,
 }
 
 impl Fbm {
@@ -47,12 +49,8 @@ impl Fbm {
 
     /// A single octave.
     pub(crate) fn single(size: f32, seed: u32) -> Self {
-        Self::with_count(Spectrum::CLOUD, 1.0, size, seed)
-    }
-
-    /// The first octaves of a spectrum.
-    pub(crate) fn with_count(spectrum: Spectrum, count: f32, size: f32, seed: u32) -> Self {
-        Self { count, ..Self::new(spectrum, size, seed) }
+        let cloud = Self::new(Spectrum::CLOUD, size, seed);
+        Self { octaves: cloud.octaves.first(1.0), highest: 1.0, ..cloud }
     }
 }
 
@@ -60,18 +58,37 @@ impl<K: Kernel<3>> Fbm<K> {
     /// The octaves of a spectrum of any kind of noise.
     pub(crate) fn of(noise: K, spectrum: Spectrum, size: f32, seed: u32) -> Self {
         let octaves = Octaves::new(noise, spectrum).with_seed(seed).with_normalisation(Normalisation::Range);
-        Self { octaves, count: spectrum.max_octaves() as f32, frequency: 1.0 / size }
+        Self { octaves, frequency: 1.0 / size, highest: spectrum.frequency(spectrum.max_octaves() - 1) }
     }
 
     /// Value, and gradient by p/size, with the octaves that the pixel cannot resolve faded to 0, their mean.
     pub(crate) fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
-        let clamped = self.octaves.detail(self.count).clamped(footprint.width() * self.frequency);
-        clamped.sample(position * self.frequency)
+        let p = position * self.frequency;
+        match self.faded(footprint) {
+            None => self.octaves.sample(p),
+            Some(faded) => faded.sample(p),
+        }
+    }
+
+    /// The value of [`sample`](Self::sample).
+    pub(crate) fn seen(&self, position: Vec3, footprint: Footprint) -> f32 {
+        let p = position * self.frequency;
+        match self.faded(footprint) {
+            None => self.octaves.value(p),
+            Some(faded) => faded.value(p),
+        }
+    }
+
+    /// The octaves of a pixel that does not resolve all of them.
+    fn faded(&self, footprint: Footprint) -> Option<Detail<'_, K, 3>> {
+        let width = footprint.width() * self.frequency;
+        (removed_share(width, self.highest) > 0.0)
+            .then(|| self.octaves.detail(self.octaves.octaves()).clamped(width))
     }
 
     /// The value without any fading.
     pub(crate) fn value(&self, position: Vec3) -> f32 {
-        self.octaves.detail(self.count).value(position * self.frequency)
+        self.octaves.value(position * self.frequency)
     }
 
     /// The share of the first octave that the pixel cannot resolve.
@@ -85,14 +102,17 @@ impl<K: Kernel<3>> Fbm<K> {
     /// Σ (aᵢ fᵢ/Σ a)² (1 − (1 − kᵢ)²) · slope_variance
     /// ```
     pub(crate) fn removed_slope(&self, footprint: Footprint, slope_variance: f32) -> f32 {
-        let spectrum = self.octaves.spectrum();
+        let (spectrum, count) = (self.octaves.spectrum(), self.octaves.octaves());
+        if removed_share(footprint.width() * self.frequency, self.highest) <= 0.0 {
+            return 0.0;
+        }
         let mut sum = 0.0;
         for i in 0..spectrum.max_octaves() {
-            let slope = spectrum.weight(self.count, i) * spectrum.amplitude(i) * spectrum.frequency(i);
+            let slope = spectrum.weight(count, i) * spectrum.amplitude(i) * spectrum.frequency(i);
             let kept = footprint.kept(self.frequency * spectrum.frequency(i));
             sum += slope * slope * (1.0 - kept * kept);
         }
-        let total = spectrum.sum_of_amplitudes(self.count);
+        let total = spectrum.sum_of_amplitudes(count);
         sum * slope_variance / (total * total)
     }
 }

@@ -39,6 +39,8 @@ impl GlossySurface {
             [Vec3::X, Vec3::Y].map(|axis| axis * sqrt(self.slope_variance.max(0.0)))
         };
         let facets = facets_along(Vec3::Z, normal, axes, 0.5);
-        Bsdf::new(wo).with(facets, [base.into(), gloss.into()])
+        let mut bsdf = Bsdf::new(wo);
+        bsdf.add_layer(facets, [base.into(), gloss.into()]);
+        bsdf
     }
 }

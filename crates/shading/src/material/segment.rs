@@ -3,7 +3,7 @@
 use asperity_noise::{IntegerHash, Lattice};
 use glam::{Vec2, Vec3};
 
-use crate::math::{cos, floor, sin};
+use crate::math::{floor, sin};
 
 /// A number in [0, 1) of 24 bits of a hash.
 pub(crate) fn unit(word: u32) -> f32 {
@@ -12,6 +12,55 @@ pub(crate) fn unit(word: u32) -> f32 {
 
 /// The most segments that begin in a cell.
 pub(crate) const MOST: u32 = 8;
+
+/// Segments of a cell that are hashed together.
+const QUARTET: usize = 4;
+/// Segments that are turned together.
+const BATCH: usize = 8;
+
+/// Segments whose midpoints are near, with room for a quartet more than a batch.
+#[derive(Default)]
+struct Batch {
+    /// The point from the midpoint, in cells.
+    x: [f32; BATCH + QUARTET],
+    y: [f32; BATCH + QUARTET],
+    /// A word of its own.
+    own: [u32; BATCH + QUARTET],
+    count: usize,
+}
+
+impl Batch {
+    /// A segment more, if it is there: what is written otherwise is written over by the next one.
+    #[inline(always)]
+    fn push(&mut self, [x, y]: [f32; 2], own: u32, there: bool) {
+        if let (Some(to_x), Some(to_y), Some(word)) =
+            (self.x.get_mut(self.count), self.y.get_mut(self.count), self.own.get_mut(self.count))
+        {
+            (*to_x, *to_y, *word) = (x, y, own);
+            self.count += usize::from(there);
+        }
+    }
+
+    /// Leaves out a whole batch.
+    fn drop_first(&mut self) {
+        self.x.copy_within(BATCH.., 0);
+        self.y.copy_within(BATCH.., 0);
+        self.own.copy_within(BATCH.., 0);
+        self.count -= BATCH;
+    }
+}
+
+/// `(cos t, sin t)` for |t| ≤ π/2: their series to t¹² and t¹¹, to 1e-7.
+#[inline(always)]
+fn cos_sin(t: f32) -> [f32; 2] {
+    /// What each term is to the one before.
+    const COS: [f32; 6] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0];
+    const SIN: [f32; 5] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0];
+    let t2 = t * t;
+    let cos = COS.iter().rev().fold(1.0, |sum, ratio| 1.0 - t2 * ratio * sum);
+    let sin = SIN.iter().rev().fold(1.0, |sum, ratio| 1.0 - t2 * ratio * sum);
+    [cos, t * sin]
+}
 
 /// Segments with their midpoints anywhere in square cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,44 +92,87 @@ pub(crate) struct Near {
 }
 
 impl Segments {
-    /// Visits every segment whose midpoint is within a cell's side of the point; none where cells cannot be told apart.
-    pub(crate) fn visit(&self, at: Vec2, mut f: impl FnMut(Near)) {
+    /// Visits the segments that may reach so far, those whose midpoint is nearer than half their length along and `aside` across, and
+    /// nearer than a cell's side; none where cells cannot be told apart.
+    pub(crate) fn visit(&self, at: Vec2, aside: f32, mut f: impl FnMut(Near)) {
         const FARTHEST: f32 = 8_388_608.0;
         let place = at / self.cell;
         if place.is_nan() || place.abs().max_element() >= FARTHEST {
             return;
         }
         let base = Vec2::new(floor(place.x), floor(place.y));
+        let [along, aside] = [0.5 * self.length, aside].map(|reach| reach / self.cell);
+        // A little more, for rounding.
+        let farthest = ((along * along + aside * aside) * 1.000_1).min(1.0);
+        let within = place - base;
+        let gaps = [within, Vec2::ZERO, Vec2::ONE - within];
+        // Where all are certain none is asked whether it is there.
+        let certain = self.cover == floor(self.cover);
+        let mut batch = Batch::default();
         for i in 0..9_u8 {
-            let corner = base + Vec2::new(f32::from(i % 3) - 1.0, f32::from(i / 3) - 1.0);
+            let (column, row) = (i % 3, i / 3);
+            let gap = Vec2::new(gaps[usize::from(column)].x, gaps[usize::from(row)].y);
+            if gap.length_squared() > farthest {
+                continue;
+            }
+            let corner = base + Vec2::new(f32::from(column) - 1.0, f32::from(row) - 1.0);
             let [x, y] = [corner.x as i32, corner.y as i32];
-            for k in 0..MOST {
-                let word = |j: u32| IntegerHash.word([x, y, (3 * k + j) as i32], self.seed);
+            let from = place - corner;
+            for first in (0..MOST).step_by(QUARTET) {
                 // Segment k is there with probability clamp(cover − k, 0, 1).
-                let left = self.cover - k as f32;
+                let left = self.cover - first as f32;
                 if left <= 0.0 {
                     break;
                 }
-                if left < 1.0 && unit(word(0)) >= left {
-                    continue;
+                // The same for each of four: the compiler takes them together.
+                let words = |j: u32| -> [u32; QUARTET] {
+                    core::array::from_fn(|k| {
+                        IntegerHash.word([x, y, (3 * (first + k as u32) + j) as i32], self.seed)
+                    })
+                };
+                let middles = words(1);
+                let from_x = middles.map(|word| from.x - (word >> 16) as i32 as f32 / 65_536.0);
+                let from_y = middles.map(|word| from.y - (word & 0xffff) as i32 as f32 / 65_536.0);
+                let own = words(2);
+                let square: [f32; QUARTET] =
+                    core::array::from_fn(|k| from_x[k] * from_x[k] + from_y[k] * from_y[k]);
+                let chances = if certain || left >= QUARTET as f32 { [0; QUARTET] } else { words(0) };
+                for k in 0..QUARTET {
+                    let there = square[k] <= farthest && (unit(chances[k]) < left - k as f32);
+                    batch.push([from_x[k], from_y[k]], own[k], there);
                 }
-                let middle = word(1);
-                let midpoint = corner + Vec2::new((middle >> 16) as f32, (middle & 0xffff) as f32) / 65_536.0;
-                let from = place - midpoint;
-                if from.length_squared() > 1.0 {
-                    continue;
+                if batch.count >= BATCH {
+                    self.finish(&batch, BATCH, &mut f);
+                    batch.drop_first();
                 }
-                let own = word(2);
-                let field =
-                    |shift: u32, bits: u32| ((own >> shift) & ((1 << bits) - 1)) as f32 / (1 << bits) as f32;
-                let turn = (2.0 * field(20, 12) - 1.0) * self.spread * core::f32::consts::FRAC_PI_2;
-                let direction = Vec2::new(cos(turn), sin(turn)).rotate(self.direction);
-                let from = from * self.cell;
+            }
+        }
+        self.finish(&batch, batch.count, &mut f);
+    }
+
+    /// Hands over the first segments of a batch.
+    #[inline(always)]
+    fn finish(&self, batch: &Batch, count: usize, f: &mut impl FnMut(Near)) {
+        let turns = 2.0 * self.spread * core::f32::consts::FRAC_PI_2;
+        let (to_along, d) = (self.cell / (0.5 * self.length), self.direction);
+        for first in (0..count.min(BATCH)).step_by(QUARTET) {
+            let mut near = [[0.0; QUARTET]; 4];
+            let [along, across, x, y] = &mut near;
+            for k in 0..QUARTET {
+                let turn = ((batch.own[first + k] >> 20) as i32 as f32 / 4096.0 - 0.5) * turns;
+                let [cos, sin] = cos_sin(turn);
+                (x[k], y[k]) = (d.x * cos - d.y * sin, d.y * cos + d.x * sin);
+                let [from_x, from_y] = [batch.x[first + k], batch.y[first + k]];
+                along[k] = (from_x * x[k] + from_y * y[k]) * to_along;
+                across[k] = (x[k] * from_y - y[k] * from_x) * self.cell;
+            }
+            for k in 0..QUARTET.min(count - first) {
+                let field = |shift: u32| (batch.own[first + k] >> shift & 1023) as i32 as f32 / 1024.0;
                 f(Near {
-                    along: from.dot(direction) / (0.5 * self.length),
-                    across: direction.perp_dot(from),
-                    direction,
-                    random: [field(10, 10), field(0, 10)],
+                    along: along[k],
+                    across: across[k],
+                    direction: Vec2::new(x[k], y[k]),
+                    random: [field(10), field(0)],
                 });
             }
         }

@@ -60,7 +60,7 @@ impl SurfacePoint {
 
     /// Points with round footprints along the pixel's long axis, whose mean is what the pixel sees: [`PixelEllipse::taps`].
     pub fn taps(self, most: u32) -> impl Iterator<Item = Self> {
-        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.gradient(axis));
+        let [u, v] = self.texture().0;
         self.pixel.taps(most).map(move |Tap { offset, footprint }| {
             let moved = Vec2::new(u.dot(offset), v.dot(offset));
             let uv = if moved.is_finite() { self.uv + moved } else { self.uv };
@@ -75,9 +75,9 @@ impl SurfacePoint {
         Frame::from_normal_tangent(self.normal, self.tangents[0])
     }
 
-    /// The gradient along the surface of a function with this slope in texture coordinates.
-    pub(crate) fn gradient(&self, slope: Vec2) -> Vec3 {
-        surface_gradient(self.normal, self.tangents, slope)
+    /// The gradients of the texture coordinates.
+    pub(crate) fn texture(&self) -> TextureGradients {
+        TextureGradients([Vec2::X, Vec2::Y].map(|axis| surface_gradient(self.normal, self.tangents, axis)))
     }
 
     /// By how much a function with this gradient changes across the pixel; ∞ where there is no gradient.
@@ -87,12 +87,30 @@ impl SurfacePoint {
 
     /// The pixel in texture coordinates, as a box along their axes.
     pub(crate) fn uv_pixel(&self) -> PixelEllipse {
-        let [u, v] = [Vec2::X, Vec2::Y].map(|axis| self.change(self.gradient(axis)));
+        self.texture().pixel(&self.pixel)
+    }
+}
+
+/// Gradients of u and v along a surface; zero where the tangents are parallel.
+#[derive(Clone, Copy)]
+pub(crate) struct TextureGradients([Vec3; 2]);
+
+impl TextureGradients {
+    /// The gradient along the surface of a function with this slope in texture coordinates; zero where that is not finite.
+    pub(crate) fn of(&self, slope: Vec2) -> Vec3 {
+        let [u, v] = self.0;
+        let gradient = u * slope.x + v * slope.y;
+        if gradient.is_finite() { gradient } else { Vec3::ZERO }
+    }
+
+    /// A pixel in texture coordinates, as a box along their axes.
+    pub(crate) fn pixel(&self, pixel: &PixelEllipse) -> PixelEllipse {
+        let [u, v] = self.0.map(|gradient| pixel.change(gradient));
         PixelEllipse::aligned(Vec2::new(u, v))
     }
 
-    /// The width of the pixel in texture coordinates: the larger of the changes of u and of v across it.
-    pub(crate) fn uv_width(&self) -> f32 {
-        self.uv_pixel().long().width()
+    /// The width of a pixel in texture coordinates: the larger of the changes of u and of v across it.
+    pub(crate) fn width(&self, pixel: &PixelEllipse) -> f32 {
+        self.pixel(pixel).long().width()
     }
 }

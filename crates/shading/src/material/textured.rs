@@ -72,9 +72,9 @@ impl Material for BrickWall {
 
 /// Visits facets of a height of this depth over texture coordinates, in the frame of the surface.
 fn of_slopes(point: &SurfacePoint, depth: f32, add: &mut dyn FnMut(Facet)) -> impl FnMut(f32, Vec2) {
-    let frame = point.frame();
+    let (frame, texture) = (point.frame(), point.texture());
     move |share, slope| {
-        let normal = bumped_normal(point.normal, point.gradient(depth * slope));
+        let normal = bumped_normal(point.normal, texture.of(depth * slope));
         add(Facet::new(share, frame.to_local(normal)));
     }
 }
@@ -95,7 +95,7 @@ pub struct BevelledTiles {
 impl Material for BevelledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
-        let (at, width) = (point.uv / self.side, point.uv_width() / self.side);
+        let (at, width) = (point.uv / self.side, point.texture().width(&point.pixel) / self.side);
         let far = removed_share(width, 1.0);
         let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
         Bsdf::new(wo).with_visited([lobe], |add| {
@@ -160,12 +160,12 @@ impl Material for PolishedMarble {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let colour = self.tint * self.marble.colour(point.position, point.footprint());
         let stone = EnergyPreservingOrenNayar::clamped(colour, 0.0).into();
-        let bsdf = Bsdf::new(wo).with([Facet::FLAT], [stone]);
+        let mut bsdf = Bsdf::new(wo);
+        bsdf.add_layer([Facet::FLAT], [stone]);
         if self.polish > 0.0 {
-            bsdf.with_coat(Coat::varnish(Dielectric::clamped(1.5)).rough(self.polish))
-        } else {
-            bsdf
+            bsdf.add_coat(Coat::varnish(Dielectric::clamped(1.5)).rough(self.polish));
         }
+        bsdf
     }
 }
 

@@ -59,7 +59,7 @@ const LAYERS: usize = 4;
 pub struct Bsdf<'a> {
     wo: Vec3,
     facets: [(f32, Frame); FACETS],
-    lobes: [Lobe<'a>; LOBES],
+    lobes: [Option<Lobe<'a>>; LOBES],
     layers: [Layer; LAYERS],
     layer_count: usize,
     coat: Option<Coat>,
@@ -67,6 +67,9 @@ pub struct Bsdf<'a> {
     /// Whether any lobe does.
     transmits: bool,
 }
+
+/// All bits are 0.
+const NO_FRAME: Frame = Frame { tangent: Vec3::ZERO, bitangent: Vec3::ZERO, normal: Vec3::ZERO };
 
 /// Lobes about facets, by their places.
 #[derive(Clone, Copy, Default)]
@@ -83,8 +86,9 @@ impl<'a> Bsdf<'a> {
     pub fn new(wo: Vec3) -> Self {
         Self {
             wo,
-            facets: [(0.0, Frame::IDENTITY); FACETS],
-            lobes: [Lobe::default(); LOBES],
+            // What is cheap to write: most places stay empty.
+            facets: [(0.0, NO_FRAME); FACETS],
+            lobes: [const { None }; LOBES],
             layers: [Layer::default(); LAYERS],
             layer_count: 0,
             coat: None,
@@ -94,46 +98,73 @@ impl<'a> Bsdf<'a> {
     }
 
     /// With a layer more: these lobes about each of these facets.
+    #[inline]
     #[must_use]
     pub fn with(
-        self,
+        mut self,
         facets: impl IntoIterator<Item = Facet>,
         lobes: impl IntoIterator<Item = Lobe<'a>>,
     ) -> Self {
-        self.with_visited(lobes, |add| facets.into_iter().for_each(add))
+        self.add_layer(facets, lobes);
+        self
     }
 
     /// With a coat over all layers; a rough one takes a layer of its own.
+    #[inline]
     #[must_use]
-    pub fn with_coat(self, coat: Coat) -> Self {
-        let coated = Self { coat: Some(coat), ..self };
-        match coat.lobe() {
-            Some(lobe) => coated.layered(|add| coat.facets().for_each(add), [lobe], true),
-            None => coated,
-        }
+    pub fn with_coat(mut self, coat: Coat) -> Self {
+        self.add_coat(coat);
+        self
     }
 
     /// With so much more radiance, whatever the light; what is not positive and finite does not count.
+    #[inline]
     #[must_use]
-    pub fn with_emitted(self, radiance: Vec3) -> Self {
-        Self { emitted: self.emitted + Vec3::from_array(radiance.to_array().map(finite)), ..self }
+    pub fn with_emitted(mut self, radiance: Vec3) -> Self {
+        self.add_emitted(radiance);
+        self
+    }
+
+    /// [`with_emitted`](Self::with_emitted) in place.
+    pub(crate) fn add_emitted(&mut self, radiance: Vec3) {
+        self.emitted += Vec3::from_array(radiance.to_array().map(finite));
+    }
+
+    /// [`with`](Self::with) in place: the whole is too large to be handed on from call to call.
+    #[inline]
+    pub(crate) fn add_layer(
+        &mut self,
+        facets: impl IntoIterator<Item = Facet>,
+        lobes: impl IntoIterator<Item = Lobe<'a>>,
+    ) {
+        self.add_visited(lobes, false, |add| facets.into_iter().for_each(add));
     }
 
     /// With a layer of facets that are visited one by one.
+    #[inline]
     pub(crate) fn with_visited(
-        self,
+        mut self,
         lobes: impl IntoIterator<Item = Lobe<'a>>,
         facets: impl FnOnce(&mut dyn FnMut(Facet)),
     ) -> Self {
-        self.layered(facets, lobes, false)
+        self.add_visited(lobes, false, facets);
+        self
     }
 
-    fn layered(
-        mut self,
-        facets: impl FnOnce(&mut dyn FnMut(Facet)),
+    /// [`with_coat`](Self::with_coat) in place.
+    pub(crate) fn add_coat(&mut self, coat: Coat) {
+        self.coat = Some(coat);
+        if let Some(lobe) = coat.lobe() {
+            self.add_visited([lobe], true, |add| coat.facets().for_each(add));
+        }
+    }
+
+    fn add_visited(
+        &mut self,
         lobes: impl IntoIterator<Item = Lobe<'a>>,
         in_coat: bool,
-    ) -> Self {
+        facets: impl FnOnce(&mut dyn FnMut(Facet)),
+    ) {
         let last = self.layers().last().copied().unwrap_or_default();
         let ([_, first], [_, first_lobe]) = (last.facets, last.lobes);
         let (mut end, mut end_lobe) = (first, first_lobe);
@@ -145,7 +176,7 @@ impl<'a> Bsdf<'a> {
         });
         for lobe in lobes {
             if let Some(place) = self.lobes.get_mut(end_lobe) {
-                *place = lobe;
+                *place = Some(lobe);
                 end_lobe += 1;
                 self.transmits |= lobe.transmits();
             }
@@ -154,7 +185,6 @@ impl<'a> Bsdf<'a> {
             *layer = Layer { facets: [first, end], lobes: [first_lobe, end_lobe], in_coat };
             self.layer_count += 1;
         }
-        self
     }
 
     /// Delta lobes of a smooth coat, of reflection and of transmission into `wo`; weights are 0 without a coat.
@@ -197,7 +227,7 @@ impl<'a> Bsdf<'a> {
             for (share, frame) in self.facets_of(layer) {
                 let (i, o) = (frame.to_local(wi), frame.to_local(wo));
                 if on_the_sides_of([i, o], [wi, wo]) {
-                    let lobes = self.lobes_of(layer).iter();
+                    let lobes = self.lobes_of(layer);
                     light += lobes.map(|lobe| lobe.value(i, o)).sum::<Vec3>() * (share * i.z.abs());
                 }
             }
@@ -214,14 +244,14 @@ impl<'a> Bsdf<'a> {
         &self.facets[layer.facets[0]..layer.facets[1]]
     }
 
-    fn lobes_of(&self, layer: &Layer) -> &[Lobe<'a>] {
-        &self.lobes[layer.lobes[0]..layer.lobes[1]]
+    fn lobes_of(&self, layer: &Layer) -> impl Iterator<Item = &Lobe<'a>> {
+        self.lobes[layer.lobes[0]..layer.lobes[1]].iter().flatten()
     }
 
     /// The chance of each lobe about each facet, up to a factor.
     fn chances(&self, wo: Vec3) -> impl Iterator<Item = (f32, &Frame, &Lobe<'a>)> {
         self.layers().iter().flat_map(move |layer| {
-            self.lobes_of(layer).iter().flat_map(move |lobe| {
+            self.lobes_of(layer).flat_map(move |lobe| {
                 let strength = lobe.strength(wo);
                 self.facets_of(layer).iter().map(move |(share, frame)| (strength * share, frame, lobe))
             })
@@ -244,7 +274,9 @@ impl Lobe<'_> {
 /// Puts a facet after the first so many, or merges it with the nearest where there is no place; returns how many it added.
 fn add(facets: &mut [(f32, Frame)], count: usize, share: f32, normal: Vec3) -> usize {
     if let Some(place) = facets.get_mut(count) {
-        *place = (share, Frame::from_normal_tangent(normal, Vec3::X));
+        let flat = normal == Vec3::Z;
+        let frame = if flat { Frame::IDENTITY } else { Frame::from_normal_tangent(normal, Vec3::X) };
+        *place = (share, frame);
         return 1;
     }
     let nearness = |facet: &(f32, Frame)| facet.1.normal.dot(normal);

@@ -152,17 +152,18 @@ impl Carpet {
         let (p, n) = (&self.parameters, point.normal);
         let threads = self.diffuse_threads.sample(point.position, point.footprint());
         let shine = self.specular_threads.value(point.position, point.footprint());
-        let crossing = self.crossover.sample(point.position, point.footprint()).value;
+        let crossing = self.crossover.seen(point.position, point.footprint());
         let disturb = 0.5 * (crossing + 1.0) * p.seam_crossover_strength;
 
+        let texture = point.texture();
         let across = [self.seams.direction(), self.seams.direction().perp()];
-        let gradients = across.map(|a| point.gradient(a * self.seams.frequency()));
+        let gradients = across.map(|a| texture.of(a * self.seams.frequency()));
         let widths = gradients.map(|g| point.change(g));
         let crease = self.seams.crease(point.uv, Vec2::from(widths));
         let amount = self.seams.amount(crease.height);
         let amount = amount + (1.0 - amount) * disturb;
 
-        let (fibre, fibre_gradient, fibre_slope) = self.fibres.surface(point);
+        let (fibre, fibre_gradient, fibre_slope) = self.fibres.surface(point.uv, &texture, &point.pixel);
         let fibre = 1.0 + p.fibre_strength * (fibre.factor - 1.0);
         let dark = self.dark_areas.factor(point.position, point.footprint(), Form::Corrected);
         let lit = |c: Vec3, by: f32| {
@@ -201,8 +202,9 @@ impl Material for Carpet {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let rim = rim_light(point.normal, frame.to_world(wo), p.fake_rim_light_width);
-        let threads = self.surface(point).bsdf(&frame, wo, p.roughness, p.specular_roughness);
-        threads.with_emitted(p.fake_rim_light * rim * p.fake_rim_light_colour)
+        let mut bsdf = self.surface(point).bsdf(&frame, wo, p.roughness, p.specular_roughness);
+        bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_colour);
+        bsdf
     }
 }
 

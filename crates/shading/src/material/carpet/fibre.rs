@@ -3,10 +3,10 @@
 use glam::{Vec2, Vec3};
 
 use crate::material::segment::{MOST, Segments};
-use crate::material::surface_point::SurfacePoint;
+use crate::material::surface_point::TextureGradients;
 use crate::math::floor;
 use crate::parameter::{ParameterError, as_share, as_size, direction_in_plane, parameters, range};
-use crate::pixel::Footprint;
+use crate::pixel::{Footprint, PixelEllipse};
 
 parameters! {
     /// The parameters of [`Fibres`]. Lengths are in texture coordinates.
@@ -121,10 +121,15 @@ impl Fibres {
     /// took.
     ///
     /// The gradient is that of the slope in the texture, whatever the scale of the texture.
-    pub(crate) fn surface(&self, point: &SurfacePoint) -> (Fibre, Vec3, f32) {
-        let footprint = point.uv_pixel().long();
-        let (fibre, kept) = (self.sample(point.uv, footprint), footprint.kept(0.25 / self.half));
-        let gradient = point.gradient(fibre.slope).normalize_or_zero() * fibre.slope.length();
+    pub(crate) fn surface(
+        &self,
+        uv: Vec2,
+        texture: &TextureGradients,
+        pixel: &PixelEllipse,
+    ) -> (Fibre, Vec3, f32) {
+        let footprint = texture.pixel(pixel).long();
+        let (fibre, kept) = (self.sample(uv, footprint), footprint.kept(0.25 / self.half));
+        let gradient = texture.of(fibre.slope).normalize_or_zero() * fibre.slope.length();
         (fibre, gradient, 0.5 * self.mean_square_slope * (1.0 - kept * kept))
     }
 
@@ -135,7 +140,9 @@ impl Fibres {
         let mut top =
             Fibre { factor: brightness(GAP), direction: self.segments.direction, slope: Vec2::ZERO };
         let mut highest = f32::NEG_INFINITY;
-        self.segments.visit(uv, |near| {
+        // Where a bent fibre's side is, at most.
+        let aside = p.fibre_bend * self.segments.length + self.half;
+        self.segments.visit(uv, aside, |near| {
             let [own, bend] = near.random;
             let bend = (2.0 * bend - 1.0) * p.fibre_bend * self.segments.length;
             let t = near.along;

@@ -142,7 +142,8 @@ impl SpecularThreads {
     /// The expectation where the first `known` octaves at `p` are known.
     fn expectation(&self, known: usize, p: Vec3) -> f32 {
         let count = known as f32;
-        let c = 1.0 - self.veins.detail(count).value(p) * count / 3.0;
+        let veins = if known == 3 { self.veins.value(p) } else { self.veins.detail(count).value(p) };
+        let c = 1.0 - veins * count / 3.0;
         self.coefficients.get(known).map_or(0.0, |row| row.iter().fold(0.0, |sum, k| sum * c + k))
     }
 }

@@ -100,8 +100,8 @@ impl<N: Ndf> GlintField<N> {
     /// `None` where cells cannot be told apart or a coordinate is not finite. Centres are within a quarter of a cell of the cell's.
     #[must_use]
     pub fn flake(&self, position: Vec3) -> Option<GlintFlake> {
-        let (cell, centre) = self.nearest(position)?;
-        Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre })
+        let (cell, centre) = nearest(self.place(position)?, self.seed);
+        Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre: centre * self.spacing })
     }
 
     /// Density of the flakes within a pixel, D̂(h), in sr⁻¹: in the place of D(h).
@@ -112,33 +112,35 @@ impl<N: Ndf> GlintField<N> {
             return 0.0;
         }
         let level = log2((footprint.width() / self.spacing).max(1.0));
-        let Some((nearest, _)) = self.nearest(position).filter(|_| level < LEVELS) else {
+        let Some(place) = self.place(position).filter(|_| level < LEVELS) else {
             return density;
         };
         let bins = Bins::new(self.ndf.to_gaussian(h), self.bin);
         let lower = floor(level);
         let upper_share = level - lower;
-        let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest)));
+        let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest(place, self.seed).0)));
+        let base = cell_of(place);
         density
             * bins.sum(|bin, q| {
-                let [fine, coarse] = self.relative_counts(position, bin, q, lower as i32);
-                let fine = single.map_or(fine, |own| if own == bin { 1.0 / q } else { 0.0 });
+                let own = single.map(|own| if own == bin { 1.0 / q } else { 0.0 });
+                if let Some(own) = own.filter(|_| upper_share == 0.0) {
+                    return own;
+                }
+                let [fine, coarse] = self.relative_counts(base, bin, q, lower as i32);
+                let fine = own.unwrap_or(fine);
                 fine + upper_share * (coarse - fine)
             })
     }
 
-    /// count/(N q) of a bin in the cells around a position of this level and of the next.
+    /// count/(N q) of a bin in the cells of this level and of the next around that of a single flake.
     ///
     /// From a level where the number is nearly certain, down from cell to cell.
-    fn relative_counts(&self, position: Vec3, bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
+    fn relative_counts(&self, base: [i32; 3], bin: [i32; 2], q: f32, level: i32) -> [f32; 2] {
         let size = |level: i32| (1_u32 << level) as f32;
         let flakes = |level: i32| size(level) * size(level);
-        let place = position / self.spacing;
         let seed = IntegerHash.word(bin, self.seed);
-        let word = |level: i32| {
-            let cell = (place / size(level)).to_array().map(|x| floor(x) as i32);
-            IntegerHash.word(cell, seed.wrapping_add(level as u32))
-        };
+        // The floor of a half is that of half the floor.
+        let word = |level: i32| IntegerHash.word(base.map(|x| x >> level), seed.wrapping_add(level as u32));
         let drawn = |level: i32| binomial(flakes(level), q, uniform(word(level)));
         // The logarithm of a positive number; its cast is in range.
         let certain = (0.5 * log2(CERTAIN / q) + 1.0) as i32;
@@ -147,9 +149,10 @@ impl<N: Ndf> GlintField<N> {
         let mut coarse = if start == level { drawn(level + 1) / (flakes(level + 1) * q) } else { 0.0 };
         for finer in (level..start).rev() {
             coarse = count / (flakes(finer + 1) * q);
-            if count > 0.0 {
-                count = quarter(count, flakes(finer + 1), word(finer));
+            if count <= 0.0 {
+                break;
             }
+            count = quarter(count, flakes(finer + 1), word(finer));
         }
         [count / (flakes(level) * q), coarse]
     }
@@ -160,29 +163,57 @@ impl<N: Ndf> GlintField<N> {
         Vec2::new(inverse_phi(uniform(0x51ab_0f31)) as f32, inverse_phi(uniform(0xa3c7_59e5)) as f32)
     }
 
-    /// The cell of the nearest centre, and the centre.
-    fn nearest(&self, position: Vec3) -> Option<([i32; 3], Vec3)> {
+    /// The position in cells of single flakes, where they can be told apart.
+    fn place(&self, position: Vec3) -> Option<Vec3> {
         let place = position / self.spacing;
         // Written so that NaN is refused.
-        let near = place.abs().max_element() < FARTHEST && !place.is_nan();
-        let base = place.to_array().map(floor);
-        near.then(|| {
-            let mut best = (f32::INFINITY, [0; 3], Vec3::ZERO);
-            for i in 0..27_u8 {
-                let offset = [i % 3, i / 3 % 3, i / 9].map(|d| f32::from(d) - 1.0);
-                let corner = Vec3::from(base) + Vec3::from(offset);
-                let cell = corner.to_array().map(|x| x as i32);
-                let word = IntegerHash.word(cell, self.seed);
-                let jitter = [word, word >> 10, word >> 20].map(|w| (w & 1023) as f32 / 2048.0 + 0.25);
-                let centre = corner + Vec3::from(jitter);
-                let distance = place.distance_squared(centre);
-                if distance < best.0 {
-                    best = (distance, cell, centre * self.spacing);
+        (place.abs().max_element() < FARTHEST && !place.is_nan()).then_some(place)
+    }
+}
+
+/// The cell that a place is in, which is less than 2²³ cells away.
+fn cell_of(place: Vec3) -> [i32; 3] {
+    place.to_array().map(|x| {
+        let whole = x as i32;
+        whole - i32::from(whole as f32 > x)
+    })
+}
+
+/// The jittered centre of a cell, in cells.
+fn centre(cell: [i32; 3], seed: u32) -> Vec3 {
+    let word = IntegerHash.word(cell, seed);
+    let jitter = [word, word >> 10, word >> 20].map(|w| (w & 1023) as f32 / 2048.0 + 0.25);
+    Vec3::from(cell.map(|x| x as f32)) + Vec3::from(jitter)
+}
+
+/// The cell of the nearest of the jittered centres, and the centre, in cells.
+fn nearest(place: Vec3, seed: u32) -> ([i32; 3], Vec3) {
+    let base = cell_of(place);
+    // No other centre is nearer where all that its cell may have are farther than that of the point's own; far out centres are rounded.
+    let bound = place.distance_squared(centre(base, seed)) * 1.000_1;
+    let slack = place.abs().max_element() * f32::EPSILON + 1e-6;
+    let squares = core::array::from_fn(|axis| {
+        let within = place[axis] - base[axis] as f32;
+        let gaps = [within + 0.25, (0.25 - within).max(within - 0.75), 1.25 - within];
+        gaps.map(|gap| (gap - slack).max(0.0)).map(|gap| gap * gap)
+    });
+    let [across, along, up]: [[f32; 3]; 3] = squares;
+    let mut best = (f32::INFINITY, base, Vec3::ZERO);
+    for (k, up) in (-1..).zip(up) {
+        for (j, along) in (-1..).zip(along) {
+            for (i, across) in (-1..).zip(across) {
+                if across + along + up <= bound {
+                    let cell = [base[0] + i, base[1] + j, base[2] + k];
+                    let centre = centre(cell, seed);
+                    let distance = place.distance_squared(centre);
+                    if distance < best.0 {
+                        best = (distance, cell, centre);
+                    }
                 }
             }
-            (best.1, best.2)
-        })
+        }
     }
+    (best.1, best.2)
 }
 
 impl<N: Ndf> CountedFacets for GlintField<N> {
@@ -207,12 +238,7 @@ impl Bins {
     fn new(z: Vec2, width: f32) -> Self {
         let place = (z / width - 0.5).to_array();
         let low = place.map(floor);
-        let mass = low.map(|k| {
-            // The tail on the far side, so that differences of numbers next to 1 do not lose it.
-            let side = if k < 0.0 { 1.0 } else { -1.0 };
-            let [a, b, c] = [0.0, 1.0, 2.0].map(|i| phi(f64::from(side * (k + i) * width)));
-            [(b - a).abs() as f32, (c - b).abs() as f32]
-        });
+        let mass = low.map(|k| [k, k + 1.0].map(|k| mass(k, width)));
         let upper = [place[0] - low[0], place[1] - low[1]];
         Self { low, upper, mass, width }
     }
@@ -236,6 +262,28 @@ impl Bins {
     fn bin(&self, z: Vec2) -> [i32; 2] {
         (z / self.width).to_array().map(|z| floor(z) as i32)
     }
+}
+
+/// The probability of a standard Gaussian number from `k` to `k + 1` widths.
+///
+/// ```text
+/// w φ(m) Σ_j He_2j(m) (w/2)^2j / (2j + 1)!,   m = (k + ½) w,   He the polynomials of Hermite
+/// ```
+///
+/// up to j = 3 where bins are narrow, to 2·10⁻⁸ and the rounding of m².
+fn mass(k: f32, width: f32) -> f32 {
+    let middle = (k + 0.5) * width;
+    if width * (middle.abs() + 2.0) <= 1.0 {
+        const FRAC_1_SQRT_2PI: f32 = 0.398_942_3;
+        let (m2, w2) = (middle * middle, width * width * 0.25);
+        let terms = [m2 - 1.0, (m2 - 6.0) * m2 + 3.0, ((m2 - 15.0) * m2 + 45.0) * m2 - 15.0];
+        let series = 1.0 + w2 * (terms[0] / 6.0 + w2 * (terms[1] / 120.0 + w2 * (terms[2] / 5040.0)));
+        return width * FRAC_1_SQRT_2PI * exp(-0.5 * m2) * series;
+    }
+    // The tail on the far side, so that differences of numbers next to 1 do not lose it.
+    let side = if k < 0.0 { 1.0 } else { -1.0 };
+    let [a, b] = [0.0, 1.0].map(|i| phi(f64::from(side * (k + i) * width)));
+    (b - a).abs() as f32
 }
 
 /// A number in (0, 1).
@@ -334,9 +382,10 @@ mod tests {
         let mut lit = [0, 0];
         for i in 0..4000_u16 {
             let p = Vec3::new(f32::from(i) * 7.3, f32::from(i % 61) * 11.9, 0.4);
+            let cell = cell_of(p);
             for level in 0..13 {
-                let [fine, coarse] = field.relative_counts(p, [2, -1], 0.002, level);
-                let again = field.relative_counts(p, [2, -1], 0.002, level + 1);
+                let [fine, coarse] = field.relative_counts(cell, [2, -1], 0.002, level);
+                let again = field.relative_counts(cell, [2, -1], 0.002, level + 1);
                 // Nothing leaps where a level ends.
                 assert_eq!(coarse, again[0], "{p}, {level}");
                 lit[0] += u32::from(fine > 0.0);
@@ -361,11 +410,44 @@ mod tests {
     }
 
     #[test]
+    fn the_mass_of_a_bin_is_the_difference_of_its_ends() {
+        for (width, k) in
+            [0.001, 0.03, 0.1, 0.3, 0.49, 1.0].into_iter().flat_map(|w| (-60..60).map(move |k| (w, k as f32)))
+        {
+            let ends = [k, k + 1.0].map(|k| phi(-(f64::from(k) * f64::from(width)).abs()));
+            let exact = if k < 0.0 { ends[1] - ends[0] } else { ends[0] - ends[1] };
+            if exact > 1e-25 {
+                let relative = f64::from(mass(k, width)) / exact.abs() - 1.0;
+                // A rounding of the middle m, by dφ/φ = m² of it, and a few of the result; the difference itself has 1e-15 of its ends.
+                let m2 = f64::from((k + 0.5) * width).powi(2);
+                let bound = 6e-8 * (m2 + 4.0) + 3e-16 * ends[0] / exact.abs();
+                assert!(relative.abs() < bound, "{k}, {width}: {relative:e} of {bound:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_centre_of_the_27_cells_is_nearer() {
+        for i in 0..3000_u16 {
+            // The last are where a rounding of places is an eighth of a cell.
+            let far = if i < 2000 { 1.0 } else { 50_000.0 };
+            let place =
+                Vec3::new(f32::from(i) * 0.173, f32::from(i % 97) * 0.291 - 70.0, f32::from(i % 31) * 0.37)
+                    * far;
+            let base = cell_of(place);
+            let around = (0..27).map(|k| [base[0] + k % 3 - 1, base[1] + k / 3 % 3 - 1, base[2] + k / 9 - 1]);
+            let distances = around.map(|cell| (place.distance_squared(centre(cell, 3)), cell));
+            let best = distances.reduce(|best, next| if next.0 < best.0 { next } else { best }).unwrap();
+            assert_eq!(nearest(place, 3), (best.1, centre(best.1, 3)), "{place}");
+        }
+    }
+
+    #[test]
     fn nearest_centres_are_in_the_neighbouring_cells() {
         let field = GlintField::new(Ggx::new(0.3, 0.3).unwrap(), 1.0, 0.05, 3).unwrap();
         for i in 0..500_u16 {
             let p = Vec3::new(f32::from(i) * 0.173, f32::from(i) * 0.291 - 70.0, f32::from(i) * 0.117);
-            let own = field.nearest(p).unwrap().1;
+            let own = field.flake(p).unwrap().centre;
             // No centre outside of the 27 cells is nearer than 1.25, measured from the point's own cell.
             assert!(p.distance(own) < 1.25, "{p}: {own}");
         }

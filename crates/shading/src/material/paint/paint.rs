@@ -169,7 +169,10 @@ impl Material for MetallicPaint {
         let pigment = EnergyPreservingOrenNayar::clamped(p.pigment.min(Vec3::ONE - specular), 0.2);
         let normal = frame.to_local(self.orange_peel.normal(at, n, footprint));
         let coat = Coat::varnish(self.coat).bumped(normal, self.orange_peel.removed_slope(footprint));
-        Bsdf::new(wo).with([Facet::FLAT], [flakes, pigment.into()]).with_coat(coat.rough(p.coat_roughness))
+        let mut bsdf = Bsdf::new(wo);
+        bsdf.add_layer([Facet::FLAT], [flakes, pigment.into()]);
+        bsdf.add_coat(coat.rough(p.coat_roughness));
+        bsdf
     }
 }
 

@@ -49,7 +49,7 @@ impl PassiveFlakes {
     /// Factor of the specular colour, in [0, 2]; 1 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {
-        (1.0 + self.strength * self.noise.sample(position, footprint).value).max(0.0)
+        (1.0 + self.strength * self.noise.seen(position, footprint)).max(0.0)
     }
 }
 

@@ -103,8 +103,8 @@ impl ScratchedSurface {
     fn facets(&self, n: Vec3) -> impl Iterator<Item = Facet> + use<> {
         let Self { normal, covered, axes, .. } = *self;
         let smooth = (covered < 1.0).then_some(Facet::new(1.0 - covered, normal));
-        let grooves = facets_along(n, normal, axes, FLOOR).map(move |facet| facet.part(covered));
-        smooth.into_iter().chain(grooves)
+        let grooves = (covered > 0.0).then(|| facets_along(n, normal, axes, FLOOR));
+        smooth.into_iter().chain(grooves.into_iter().flatten().map(move |facet| facet.part(covered)))
     }
 }
 
@@ -175,7 +175,9 @@ impl Scratches {
         // Of all squares of slopes across, what a groove so wide does not have; so much as far as this pixel is concerned.
         let strength = self.parameters.scratch_strength;
         let lost = (1.0 - kept * shallow * shallow * shallow) * strength * strength * (128.0 / 105.0);
-        self.segments.visit(uv, |groove| {
+        // More than `wide`, the root of the squares, and as far as its own width overlaps the pixel.
+        let aside = self.half + 0.5 * width;
+        self.segments.visit(uv, aside, |groove| {
             let (s, t) = (groove.across / wide, groove.along);
             let (side, taper) = (1.0 - s * s, 1.0 - t * t);
             if taper > 0.0 {
@@ -210,9 +212,10 @@ impl Scratches {
 
     /// Normal and lost slopes at a pixel; total.
     fn surface(&self, point: &SurfacePoint) -> ScratchedSurface {
-        let Grooves { slope, covered, removed, .. } = self.grooves(point.uv, point.uv_width());
+        let texture = point.texture();
+        let Grooves { slope, covered, removed, .. } = self.grooves(point.uv, texture.width(&point.pixel));
         // A slope in the texture is one on the surface, whatever the texture's scale.
-        let on_surface = |slope: Vec2| point.gradient(slope).normalize_or_zero() * slope.length();
+        let on_surface = |slope: Vec2| texture.of(slope).normalize_or_zero() * slope.length();
         let axes = if covered > 0.0 { principal(removed / covered) } else { [Vec2::ZERO; 2] };
         ScratchedSurface {
             normal: bumped_normal(point.normal, on_surface(slope)),
@@ -228,7 +231,9 @@ impl Material for Scratches {
         let facets = self.surface(point).facets(point.normal);
         let metal = CookTorrance::new(Beckmann::clamped(p.roughness, p.roughness), p.specular);
         let local = facets.map(|facet| Facet { normal: frame.to_local(facet.normal), ..facet });
-        Bsdf::new(wo).with(local, [metal.into()])
+        let mut bsdf = Bsdf::new(wo);
+        bsdf.add_layer(local, [metal.into()]);
+        bsdf
     }
 }
 
@@ -338,7 +343,7 @@ mod tests {
                 squares += share * (slope(m) - slope(surface.normal)).length_squared();
             }
             assert_abs_diff_eq!(shares, 1.0, epsilon = 1e-5, "{x}, {width}");
-            let Grooves { removed, .. } = scratches.grooves(point.uv, point.uv_width());
+            let Grooves { removed, .. } = scratches.grooves(point.uv, width);
             assert_relative_eq!(squares, removed.x + removed.z, epsilon = 1e-5, max_relative = 1e-3);
         }
     }
