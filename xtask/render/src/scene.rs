@@ -11,8 +11,9 @@ use glam::Vec3;
 
 use crate::{
     geometry::{
+        mesh::Probe,
         ray::{Hit, Ray},
-        shape::Shape,
+        shape::{Met, Shape},
     },
     light::{background, lamps::Lamps},
     materials::Shaded,
@@ -96,15 +97,22 @@ impl<'m, 'l> Scene<'m, 'l> {
 
     /// The nearest meeting of a ray with an object.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
-        let hits = self.objects.iter().filter_map(|object| {
-            object.shape.first_hit(origin, direction).map(|hit| Meeting { object, hit })
-        });
-        hits.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t))
+        let probe = Probe::new(origin, direction);
+        let mut nearest: Option<(&Object<'m>, Met)> = None;
+        for object in &self.objects {
+            let farthest = nearest.as_ref().map_or(f32::INFINITY, |(_, met)| met.distance());
+            if let Some(met) = object.shape.meets(&probe, farthest) {
+                nearest = Some((object, met));
+            }
+        }
+        let (object, met) = nearest?;
+        object.shape.hit(&probe, met).map(|hit| Meeting { object, hit })
     }
 
     /// The share of the light from a direction that comes to a point.
     pub fn open(&self, origin: Vec3, direction: Vec3) -> f32 {
-        let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(origin, direction);
+        let probe = Probe::new(origin, direction);
+        let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(&probe);
         self.objects.iter().filter(hides).map(|object| object.passes).product()
     }
 

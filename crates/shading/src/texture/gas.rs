@@ -39,7 +39,7 @@ impl Default for Gas {
         let octaves =
             Octaves::new(Perlin2002::new(0), Spectrum::default()).with_normalisation(Normalisation::Range);
         Self {
-            turbulence: octaves.with_shape(Turbulence),
+            turbulence: octaves.with_shape(Turbulence).first(5.0),
             octaves: 5.0,
             max_density: 2.0,
             exponent: 3.0,
@@ -61,6 +61,7 @@ impl<K: Kernel<3>> Gas<K> {
     ) -> Result<Self, ParameterError> {
         positive("max_density", max_density)?;
         positive("exponent", exponent)?;
+        let turbulence = turbulence.first(octaves);
         Ok(Self { turbulence, octaves, max_density, exponent, veins: false })
     }
 
@@ -73,7 +74,7 @@ impl<K: Kernel<3>> Gas<K> {
     /// The density at a point, at least 0; that of no turbulence where the point is not finite.
     #[must_use]
     pub fn density(&self, p: Vec3) -> f32 {
-        self.of(self.turbulence.detail(self.octaves).value(p))
+        self.of(self.turbulence.value(p))
     }
 
     /// The density as a pixel of this footprint sees it: the mean over what octaves that it does not resolve would add.
@@ -117,7 +118,19 @@ impl<K: Kernel<3>> Gas<K> {
     fn of(&self, turbulence: f32) -> f32 {
         let t = clamp_to(turbulence, 1.0);
         let t = if self.veins { 0.5 + 0.5 * sin(core::f32::consts::PI * t) } else { t };
-        pow(self.max_density * t, self.exponent).min(f32::MAX)
+        let base = self.max_density * t;
+        // A few factors in place of a logarithm and an exponential.
+        let power = match self.exponent {
+            2.0 => base * base,
+            3.0 => base * base * base,
+            4.0 => (base * base) * (base * base),
+            8.0 => {
+                let square = base * base;
+                (square * square) * (square * square)
+            }
+            exponent => pow(base, exponent),
+        };
+        power.min(f32::MAX)
     }
 }
 
@@ -153,6 +166,49 @@ impl Steam {
     /// [`ParameterError`] unless radius and height are finite and positive.
     pub fn new(centre: Vec3, radius: f32, height: f32) -> Result<Self, ParameterError> {
         Ok(Self { centre, radius: positive("radius", radius)?, height: positive("height", height)? })
+    }
+
+    /// The part of a ray inside the room, in units of the direction's length; empty, its ends the other way round, where it passes.
+    ///
+    /// Outside of it [`share`](Self::share) is 0: a [`march`] through it and a step more at both ends adds up what one along the whole
+    /// ray does, bit for bit.
+    ///
+    /// ```
+    /// use asperity_shading::texture::Steam;
+    /// use asperity_shading::glam::Vec3;
+    ///
+    /// let steam = Steam::new(Vec3::ZERO, 0.5, 2.0)?;
+    /// assert_eq!(steam.interval(Vec3::new(-3.0, 0.0, 1.0), Vec3::X), [2.5, 3.5]);
+    /// let [near, far] = steam.interval(Vec3::new(-3.0, 0.0, 2.5), Vec3::X);
+    /// assert!(near > far);
+    /// # Ok::<(), asperity_shading::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn interval(&self, origin: Vec3, direction: Vec3) -> [f32; 2] {
+        const NOWHERE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
+        let from = origin - self.centre;
+        let (p, d) = (from.truncate(), direction.truncate());
+        // |p + t d|² = radius², in halves of its coefficients.
+        let (square, half) = (d.dot(d), p.dot(d));
+        let root = sqrt(half * half - square * (p.dot(p) - self.radius * self.radius));
+        let round = if square > 0.0 {
+            [(-half - root) / square, (-half + root) / square]
+        } else if p.dot(p) < self.radius * self.radius {
+            [f32::NEG_INFINITY, f32::INFINITY]
+        } else {
+            NOWHERE
+        };
+        let [bottom, top] = [0.0, self.height].map(|z| (z - from.z) / direction.z);
+        let upright = if direction.z != 0.0 {
+            [bottom.min(top), bottom.max(top)]
+        } else if (0.0..=self.height).contains(&from.z) {
+            [f32::NEG_INFINITY, f32::INFINITY]
+        } else {
+            NOWHERE
+        };
+        let [near, far] = [round[0].max(upright[0]), round[1].min(upright[1])];
+        // The root of what is negative is NaN, which comparisons find.
+        if near <= far && round[0] <= round[1] { [near, far] } else { NOWHERE }
     }
 
     /// The share of gas that is left at a point, in `[0, 1]`; 0 where the point is not finite.
@@ -283,6 +339,43 @@ mod tests {
         assert_abs_diff_eq!(steam.share(Vec3::new(0.5, 0.0, 1.0)), 0.25, epsilon = 1e-6);
         for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.5)] {
             assert_eq!(steam.share(bad), 0.0);
+        }
+    }
+
+    #[test]
+    fn nothing_is_outside_of_the_rays_part_of_the_room() {
+        let steam = Steam::new(Vec3::new(0.3, -0.2, 0.5), 0.8, 1.9).unwrap();
+        let mut inside = 0;
+        for i in 0..400_u16 {
+            let turn = 0.7 * f32::from(i);
+            let origin = Vec3::new(3.0 * turn.cos(), 3.0 * turn.sin(), 0.02 * f32::from(i % 150) - 0.5);
+            let aim =
+                Vec3::new(0.3 + (2.3 * turn).sin(), -0.2 + (1.7 * turn).cos(), 0.03 * f32::from(i % 97));
+            let axes = [(aim - origin).normalize(), Vec3::X, Vec3::Z, Vec3::new(1.0, 1.0, 0.0)];
+            let direction = axes[usize::from(i % 4)];
+            let origin = if i % 4 == 2 { Vec3::new(aim.x, aim.y, -1.0) } else { origin };
+            let interval = steam.interval(origin, direction);
+            let [near, far] = interval;
+            for k in 0..600_u16 {
+                let t = 0.02 * f32::from(k) - 1.0;
+                let share = steam.share(origin + direction * t);
+                // Roundings of the point.
+                assert!(
+                    share == 0.0 || (near - 1e-5..=far + 1e-5).contains(&t),
+                    "{i}, {t}: {share} {interval:?}"
+                );
+                inside += u16::from(share > 0.0);
+            }
+            let step = 0.06;
+            let sigma = |p: Vec3| 3.0 * steam.share(p);
+            let [whole, part] = [[-1.0, 11.0], [(near - step).max(-1.0), (far + step).min(11.0)]]
+                .map(|interval| march(origin, direction, interval, step, 0.3, sigma, |x| x));
+            assert_eq!(whole, part, "{i}");
+        }
+        assert!(inside > 5000, "{inside}");
+        for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::ZERO] {
+            let [near, far] = steam.interval(bad, bad);
+            assert!(near > far, "{bad}: {near}, {far}");
         }
     }
 

@@ -48,6 +48,30 @@ const COLOURS: [Vec3; 13] =
     [PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE, PALE, DARK, DARK, DARKER, DARKER, PALE, DARKER];
 
 /// The lecture's: Perlin's noise, scale 2.5.
+/// Polynomials of the spline.
+const PIECES: usize = COLOURS.len() - 3;
+
+/// The integral of the spline before each piece, in pieces.
+const BEFORE: [Vec3; PIECES] = {
+    let (mut sums, mut k) = ([Vec3::ZERO; PIECES], 1);
+    while k < PIECES {
+        let [a, b, c, d] = [COLOURS[k - 1], COLOURS[k], COLOURS[k + 1], COLOURS[k + 2]];
+        let Vec3 { x, y, z } = sums[k - 1];
+        sums[k] = Vec3::new(
+            x + mean_of_piece([a.x, b.x, c.x, d.x]),
+            y + mean_of_piece([a.y, b.y, c.y, d.y]),
+            z + mean_of_piece([a.z, b.z, c.z, d.z]),
+        );
+        k += 1;
+    }
+    sums
+};
+
+/// The integral of Catmull and Rom's polynomial between the middle two of four values.
+const fn mean_of_piece([a, b, c, d]: [f32; 4]) -> f32 {
+    (13.0 * (b + c) - (a + d)) / 24.0
+}
+
 impl Default for Marble {
     fn default() -> Self {
         Self { noise: Perlin2002::default(), scale: 2.5, seed: 0 }
@@ -85,29 +109,19 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         if removed == 0.0 {
             // An interval has a twelfth of its square for variance.
             let half = sqrt(3.0 * within);
-            return Self::over(sum - half, sum + half);
+            return End::of(sum - half).mean_until(&End::of(sum + half));
         }
         let deviation = sqrt(removed + within);
         let cdf = self.noise.statistics().cdf;
-        let at = |k: usize| sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0);
-        let (mut mean, mut below) = (Vec3::ZERO, 0.0);
+        let at = |k: usize| End::of(sum + deviation * (8.0 * k as f32 / PARTS as f32 - 4.0));
+        let (mut mean, mut below, mut low) = (Vec3::ZERO, 0.0, at(0));
         for k in 1..=PARTS {
             let above = if k == PARTS { 1.0 } else { cdf.get(k * cdf.len() / PARTS).copied().unwrap_or(1.0) };
-            mean += (above - below) * Self::over(at(k - 1), at(k));
-            below = above;
+            let high = at(k);
+            mean += (above - below) * low.mean_until(&high);
+            (below, low) = (above, high);
         }
         mean
-    }
-
-    /// The mean colour over sums from `low` to `high`.
-    fn over(low: f32, high: f32) -> Vec3 {
-        let (a, b) = (2.0 * low + 0.75, 2.0 * high + 0.75);
-        // Below this the difference of antiderivatives has fewer digits than the polynomial in the middle.
-        if b - a > 0.01 {
-            (Self::antiderivative(b) - Self::antiderivative(a)) / (b - a)
-        } else {
-            Self::spline(0.5 * (a + b))
-        }
     }
 
     /// The colours over `x` in `[0, 1]`, clamped; NaN is 0.
@@ -119,26 +133,19 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
 
     /// `∫₀ˣ spline`.
     fn antiderivative(x: f32) -> Vec3 {
-        let pieces = (COLOURS.len() - 3) as f32;
         if x < 0.0 {
             return Self::spline(0.0) * x;
         }
-        let within = |t: f32, [b, linear, square, cube]: [Vec3; 4]| {
-            t * (b + t * (linear / 2.0 + t * (square / 3.0 + t * cube / 4.0)))
-        };
-        let (index, t, piece) = Self::piece(x);
-        let mut sum = within(t, piece);
-        for k in 0..index {
-            sum += within(1.0, Self::piece((k as f32 + 0.5) / pieces).2);
-        }
-        sum / pieces + Self::spline(1.0) * (x - 1.0).max(0.0)
+        let (index, t, [b, linear, square, cube]) = Self::piece(x);
+        let within = t * (b + t * (linear / 2.0 + t * (square / 3.0 + t * cube / 4.0)));
+        let before = BEFORE.get(index).copied().unwrap_or_default();
+        (before + within) / PIECES as f32 + Self::spline(1.0) * (x - 1.0).max(0.0)
     }
 
     /// The piece of `x`, its place there, and the polynomial.
     fn piece(x: f32) -> (usize, f32, [Vec3; 4]) {
-        let pieces = (COLOURS.len() - 3) as f32;
-        let x = if x > 0.0 { x.min(1.0) * pieces } else { 0.0 };
-        let piece = (x as usize).min(COLOURS.len() - 4);
+        let x = if x > 0.0 { x.min(1.0) * PIECES as f32 } else { 0.0 };
+        let piece = (x as usize).min(PIECES - 1);
         let [a, b, c, d] =
             COLOURS.get(piece..).and_then(|knots| knots.first_chunk()).copied().unwrap_or([DARKER; 4]);
         let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
@@ -168,6 +175,32 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
             frequency *= LACUNARITY;
         }
         resolved
+    }
+}
+
+/// An end of an interval of sums.
+struct End {
+    /// Its place on the spline.
+    x: f32,
+    /// The spline's integral up to it.
+    area: Vec3,
+}
+
+impl End {
+    fn of(sum: f32) -> Self {
+        let x = 2.0 * sum + 0.75;
+        Self { x, area: Marble::<Perlin2002>::antiderivative(x) }
+    }
+
+    /// The mean colour over the sums from here to another end.
+    fn mean_until(&self, end: &Self) -> Vec3 {
+        let width = end.x - self.x;
+        // Below this the difference of antiderivatives has fewer digits than the polynomial in the middle.
+        if width > 0.01 {
+            (end.area - self.area) / width
+        } else {
+            Marble::<Perlin2002>::spline(0.5 * (self.x + end.x))
+        }
     }
 }
 

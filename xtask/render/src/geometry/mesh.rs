@@ -67,10 +67,15 @@ impl Mesh {
     }
 }
 
+/// One coordinate of the three corners after the other; the fourth number is none.
+type Places = [[f32; 4]; 3];
+
 /// A mesh with its bounding volume hierarchy.
 pub struct TracedMesh {
     mesh: Mesh,
     bvh: CwBvh,
+    /// Corners of the triangles in the order of the hierarchy, by their coordinates.
+    places: Vec<Places>,
 }
 
 impl TracedMesh {
@@ -81,26 +86,34 @@ impl TracedMesh {
             .map(|t| Padded(t.map(|i| Vec3A::from(mesh.vertices[i as usize].position))))
             .collect();
         let bvh = build_cwbvh(&boxes, BvhBuildParams::medium_build(), &mut Duration::default());
-        Self { mesh, bvh }
+        let triangles = bvh.primitive_indices.iter().map(|&id| mesh.triangles[id as usize]);
+        let places = triangles.map(|t| by_axis(t.map(|i| mesh.vertices[i as usize].position))).collect();
+        Self { mesh, bvh, places }
     }
 
-    /// The nearest triangle in front of `origin`, with position on the triangle and interpolated frame.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        let shear = Shear::new(origin, direction);
+    /// Whether a triangle is in front of the probe's origin.
+    pub fn hides(&self, probe: &Probe) -> bool {
+        !self.bvh.ray_traverse_miss(probe.ray, |_, id| probe.shear.distance(&self.places[id]))
+    }
+
+    /// Distance and name of the nearest triangle that a probe meets, nearer than `farthest`.
+    pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<(f32, u32)> {
         let mut hit = RayHit::none();
-        let ray = Ray::new_inf(origin.into(), direction.into());
-        let found = self.bvh.ray_traverse(ray, &mut hit, |ray, id| {
-            let corners = self.corners(self.bvh.primitive_indices[id] as usize);
-            match shear.intersect(corners.map(|v| v.position)) {
-                Some((t, _)) if t >= ray.tmin && t <= ray.tmax => t,
-                _ => f32::INFINITY,
-            }
-        });
-        if !found {
-            return None;
-        }
-        let corners = self.corners(self.bvh.primitive_indices[hit.primitive_id as usize] as usize);
-        let (t, weights) = shear.intersect(corners.map(|v| v.position))?;
+        let ray = Ray { tmax: farthest, ..probe.ray };
+        let found = self.bvh.ray_traverse(ray, &mut hit, |_, id| probe.shear.distance(&self.places[id]));
+        found.then_some((hit.t, hit.primitive_id))
+    }
+
+    /// The nearest triangle in front of `origin`.
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        let probe = Probe::new(origin, direction);
+        self.meets(&probe, f32::INFINITY).and_then(|(_, triangle)| self.hit(&probe, triangle))
+    }
+
+    /// The meeting of a probe with a triangle that it [`meets`](Self::meets): position on the triangle and interpolated frame.
+    pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
+        let corners = self.corners(self.bvh.primitive_indices[triangle as usize] as usize);
+        let (t, weights) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
         let blend = |f: fn(&Vertex) -> Vec3| -> Vec3 {
             corners.iter().zip(weights).fold(Vec3::ZERO, |sum, (v, w)| sum + f(v) * w)
         };
@@ -188,14 +201,36 @@ impl Boundable for Padded {
     }
 }
 
+fn by_axis([a, b, c]: [Vec3; 3]) -> Places {
+    [[a.x, b.x, c.x, 0.0], [a.y, b.y, c.y, 0.0], [a.z, b.z, c.z, 0.0]]
+}
+
+/// A ray that is prepared for the triangles of any mesh.
+pub struct Probe {
+    ray: Ray,
+    shear: Shear,
+}
+
+impl Probe {
+    /// The ray from `origin` in a unit direction.
+    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { ray: Ray::new_inf(origin.into(), direction.into()), shear: Shear::new(origin, direction) }
+    }
+
+    /// Its origin and direction.
+    pub fn line(&self) -> [Vec3; 2] {
+        [self.ray.origin.into(), self.ray.direction.into()]
+    }
+}
+
 /// The ray's own coordinates, in which it is the z axis: edges that two triangles share are judged by the same
 /// rounding for both, so that no ray slips between them.
 ///
 /// Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"; in `f64` throughout instead of the paper's
 /// fallback for edge functions that vanish.
 struct Shear {
-    origin: Vec3,
     axes: [usize; 3],
+    origin: [f64; 3],
     scale: [f64; 3],
 }
 
@@ -207,28 +242,37 @@ impl Shear {
             (x, y) = (y, x);
         }
         let d = [x, y, z].map(|k| f64::from(direction[k]));
-        Self { origin, axes: [x, y, z], scale: [d[0] / d[2], d[1] / d[2], 1.0 / d[2]] }
+        let origin = [x, y, z].map(|k| f64::from(origin[k]));
+        Self { axes: [x, y, z], origin, scale: [d[0] / d[2], d[1] / d[2], 1.0 / d[2]] }
+    }
+
+    /// The ray parameter; infinite where the ray passes.
+    fn distance(&self, corners: &Places) -> f32 {
+        self.intersect(corners).map_or(f32::INFINITY, |(t, _)| t)
     }
 
     /// Ray parameter and barycentric weights, whichever side the ray comes from.
-    fn intersect(&self, corners: [Vec3; 3]) -> Option<(f32, [f32; 3])> {
-        let [kx, ky, kz] = self.axes;
-        let [sx, sy, sz] = self.scale;
-        let [a, b, c] = corners.map(|p| {
+    #[inline(always)]
+    fn intersect(&self, corners: &Places) -> Option<(f32, [f32; 3])> {
+        let ([kx, ky, kz], [sx, sy, sz]) = (self.axes, self.scale);
+        let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+        for k in 0..3 {
             // Differences of f32 are exact in f64 here, so both triangles at an edge see the same numbers.
-            let d = [kx, ky, kz].map(|k| f64::from(p[k]) - f64::from(self.origin[k]));
-            [d[0] - sx * d[2], d[1] - sy * d[2], sz * d[2]]
-        });
-        let u = c[0] * b[1] - c[1] * b[0];
-        let v = a[0] * c[1] - a[1] * c[0];
-        let w = b[0] * a[1] - b[1] * a[0];
+            let up = f64::from(corners[kz][k]) - self.origin[2];
+            x[k] = f64::from(corners[kx][k]) - self.origin[0] - sx * up;
+            y[k] = f64::from(corners[ky][k]) - self.origin[1] - sy * up;
+            z[k] = sz * up;
+        }
+        let u = x[2] * y[1] - y[2] * x[1];
+        let v = x[0] * y[2] - y[0] * x[2];
+        let w = x[1] * y[0] - y[1] * x[0];
         let outside = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
         let det = u + v + w;
         if outside || det == 0.0 {
             return None;
         }
-        let t = (u * a[2] + v * b[2] + w * c[2]) / det;
-        (t > 0.0).then(|| (t as f32, [u, v, w].map(|e| (e / det) as f32)))
+        let t = (u * z[0] + v * z[1] + w * z[2]) / det;
+        (t > 0.0).then_some((t as f32, [(u / det) as f32, (v / det) as f32, (w / det) as f32]))
     }
 }
 
@@ -289,7 +333,9 @@ mod tests {
             let direction = (target - eye).normalize();
             let shear = Shear::new(eye, direction);
             let naive = (0..traced.mesh.triangles.len())
-                .filter_map(|k| shear.intersect(traced.corners(k).map(|v| v.position)).map(|hit| hit.0))
+                .filter_map(|k| {
+                    shear.intersect(&by_axis(traced.corners(k).map(|v| v.position))).map(|hit| hit.0)
+                })
                 .fold(f32::INFINITY, f32::min);
             let got = traced.first_hit(eye, direction).map_or(f32::INFINITY, |hit| hit.t);
             assert_eq!(got, naive, "towards {target}");

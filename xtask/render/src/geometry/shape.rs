@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{Mat3, Vec2, Vec3};
 
 use crate::geometry::fractal::Fractal;
-use crate::geometry::mesh::{Mesh, TracedMesh};
+use crate::geometry::mesh::{Mesh, Probe, TracedMesh};
 use crate::geometry::ray::Hit;
 
 /// A shape in its own space, z up.
@@ -31,23 +31,64 @@ impl From<Mesh> for Arc<Shape> {
 impl Shape {
     /// The first meeting in front of `origin`; `direction` is unit.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        match self {
+        let probe = Probe::new(origin, direction);
+        self.meets(&probe, f32::INFINITY).and_then(|met| self.hit(&probe, met))
+    }
+
+    /// The first meeting of a probe, if it is nearer than `farthest`.
+    pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<Met> {
+        let [origin, direction] = probe.line();
+        let hit = match self {
             Self::Sphere => sphere(origin, direction),
             Self::Plane => plane(origin, direction),
-            Self::Mesh(mesh) => mesh.first_hit(origin, direction),
+            Self::Mesh(mesh) => {
+                return mesh.meets(probe, farthest).map(|(t, triangle)| Met::Triangle { t, triangle });
+            }
             Self::MeshOnDisk(mesh) => mesh
                 .first_hit(origin, direction)
                 .filter(|hit| hit.position.z > 0.0)
                 .or_else(|| plane(origin, direction).filter(|hit| hit.position.length_squared() < 1.0)),
             Self::Fractal(fractal) => fractal.first_hit(origin, direction),
+        };
+        hit.filter(|hit| hit.t < farthest).map(Met::Whole)
+    }
+
+    /// The hit of a meeting with this shape.
+    pub fn hit(&self, probe: &Probe, met: Met) -> Option<Hit> {
+        match (self, met) {
+            (Self::Mesh(mesh), Met::Triangle { triangle, .. }) => mesh.hit(probe, triangle),
+            (_, Met::Whole(hit)) => Some(hit),
+            (_, Met::Triangle { .. }) => None,
         }
     }
 
-    /// Any hit in front of `origin`, for shadows.
-    pub fn hides(&self, origin: Vec3, direction: Vec3) -> bool {
+    /// Any hit in front of a probe, for shadows.
+    pub fn hides(&self, probe: &Probe) -> bool {
         match self {
-            Self::Fractal(fractal) => fractal.hides(origin, direction),
-            _ => self.first_hit(origin, direction).is_some(),
+            Self::Mesh(mesh) => mesh.hides(probe),
+            Self::Fractal(fractal) => {
+                let [origin, direction] = probe.line();
+                fractal.hides(origin, direction)
+            }
+            _ => self.meets(probe, f32::INFINITY).is_some(),
+        }
+    }
+}
+
+/// What a ray meets first, of which the rest is computed where nothing else is nearer.
+pub enum Met {
+    /// A triangle.
+    Triangle { t: f32, triangle: u32 },
+    /// Any other shape.
+    Whole(Hit),
+}
+
+impl Met {
+    /// The distance.
+    pub const fn distance(&self) -> f32 {
+        match self {
+            Self::Triangle { t, .. } => *t,
+            Self::Whole(hit) => hit.t,
         }
     }
 }

@@ -254,7 +254,11 @@ impl Spot<'_> {
 /// Point with one of the round footprints that cover the pixel, by a random number: each of the pixel's samples sees another.
 fn tap(hit: &Hit, [dx, dy]: [Vec3; 2], u: f32) -> SurfacePoint {
     let point = hit.point(PixelEllipse::from_derivatives(dx, dy));
-    let count = point.taps(TAPS).count();
+    let count = point.pixel.taps(TAPS).count();
+    if count == 1 {
+        // The pixel itself, as a round one.
+        return SurfacePoint { pixel: point.footprint().into(), ..point };
+    }
     point.taps(TAPS).nth((u * count as f32) as usize).unwrap_or(point)
 }
 

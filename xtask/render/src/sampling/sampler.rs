@@ -22,15 +22,10 @@ impl Sampler {
     pub fn point(&mut self) -> Vec2 {
         self.choices += 1;
         let seed = hash(self.seed ^ hash(self.choices));
-        let index = scrambled(self.index, seed);
-        let second = (0..32).fold((0_u32, 1_u32 << 31), |(sum, direction), bit| {
-            (if index >> bit & 1 == 1 { sum ^ direction } else { sum }, direction ^ (direction >> 1))
-        });
-        let unit = |bits: u32| (bits >> 8) as f32 / 16_777_216.0;
-        Vec2::new(
-            unit(scrambled(index.reverse_bits(), hash(seed ^ 1))),
-            unit(scrambled(second.0, hash(seed ^ 2))),
-        )
+        let index = scrambled(self.index.reverse_bits(), seed).reverse_bits();
+        let unit = |bits: u32| (bits.reverse_bits() >> 8) as f32 / 16_777_216.0;
+        let (first, second) = (hash(seed ^ 1), hash(seed ^ 2));
+        Vec2::new(unit(scrambled(index, first)), unit(scrambled(by_pascal(index), second)))
     }
 }
 
@@ -41,15 +36,24 @@ pub fn hash(mut x: u32) -> u32 {
     x ^ (x >> 16)
 }
 
-/// Owen's scrambling of the binary digits after the point, by a hash in which every bit acts on those below it only.
-fn scrambled(x: u32, seed: u32) -> u32 {
-    let mut x = x.reverse_bits();
+/// Digits after the point of Sobol's second dimension, the first in the lowest bit: digit j is the sum of C(k, j) times bit k of the
+/// index, which is even unless k has every bit of j.
+const fn by_pascal(mut index: u32) -> u32 {
+    index ^= (index >> 1) & 0x5555_5555;
+    index ^= (index >> 2) & 0x3333_3333;
+    index ^= (index >> 4) & 0x0f0f_0f0f;
+    index ^= (index >> 8) & 0x00ff_00ff;
+    index ^ (index >> 16)
+}
+
+/// Owen's scrambling of the binary digits after the point, the first in the lowest bit, by a hash in which every bit acts on those
+/// above it only.
+const fn scrambled(mut x: u32, seed: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(seed);
     x = x.wrapping_mul((seed >> 16) | 1);
     x ^= x.wrapping_mul(0x0552_6c56);
-    x ^= x.wrapping_mul(0x53a2_2864);
-    x.reverse_bits()
+    x ^ x.wrapping_mul(0x53a2_2864)
 }
 
 #[cfg(test)]
@@ -71,6 +75,17 @@ mod tests {
                     assert_eq!(cells, [1; 16], "{seed}, {choice}: {columns} by {rows}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn the_second_dimension_is_that_of_sobol() {
+        for index in (0..2000).chain([0x8000_0000, 0xdead_beef, u32::MAX]) {
+            // Each direction number is the one before times 1 + x⁻¹.
+            let (sum, _) = (0..32).fold((0_u32, 1_u32 << 31), |(sum, direction), bit| {
+                (if index >> bit & 1 == 1 { sum ^ direction } else { sum }, direction ^ (direction >> 1))
+            });
+            assert_eq!(by_pascal(index).reverse_bits(), sum, "{index}");
         }
     }
 

@@ -34,6 +34,9 @@ const SAUCER_PROFILE: [[f32; 2]; 7] =
 
 const TEA: f32 = 0.84;
 
+/// Length of a step through the steam.
+const STEP: f32 = 0.06;
+
 pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
     let sampling = context.sampling([12, 12], 4);
     let studio = Studio::new(1.0);
@@ -86,13 +89,15 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
         let image = render_paths(sampling, context.progress, context.interrupted, |x, y, sampler| {
             let ray = camera.ray(x, y);
             let behind = scene.seen(&ray, [0.0; 2], sampler);
-            let range = [3.0, behind.distance.min(10.0)];
-            let seen = march(ray.origin, ray.direction, range, 0.06, sampler.point().x, extinction, |_| {
+            let [near, far] = steam.interval(ray.origin, ray.direction);
+            // A step more at both ends: nothing changes.
+            let range = [(near - STEP).max(3.0), (far + STEP).min(behind.distance.min(10.0))];
+            let seen = march(ray.origin, ray.direction, range, STEP, sampler.point().x, extinction, |_| {
                 Vec3::new(0.78, 0.8, 0.82)
             });
             seen.light + seen.transmittance * behind.radiance
         })?;
         Ok(image.filmic(1.45))
     })?;
-    Ok(drawn.fact("steps", "0.06").fact("height of the steam", "1.9"))
+    Ok(drawn.fact("steps", STEP).fact("height of the steam", "1.9"))
 }
