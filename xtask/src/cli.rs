@@ -242,8 +242,11 @@ pub(crate) struct Render {
 #[derive(Debug, Args)]
 pub(crate) struct Bench {
     /// Time our noises beside those of other libraries, in one process, all contenders in turn.
-    #[arg(long)]
+    #[arg(long, group = "page")]
     pub(crate) peers: bool,
+    /// Time how cost grows with octaves, samples, texels, lights and tolerance, and draw it.
+    #[arg(long, group = "page")]
+    pub(crate) growth: bool,
     /// Run only the benches or rows whose name contains NAME; may be given again.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
@@ -254,10 +257,10 @@ pub(crate) struct Bench {
     #[arg(long, default_value_t = 0.05, requires = "peers", value_parser = positive)]
     pub(crate) step: f32,
     /// Write the table and the chart also into `docs/bench`, where they are checked in.
-    #[arg(long, requires = "peers", conflicts_with = "only")]
+    #[arg(long, requires = "page", conflicts_with = "only")]
     pub(crate) ship: bool,
     /// Folder of the table, the chart and all times.
-    #[arg(long, value_name = "DIR", default_value = "target/asperity/bench", requires = "peers")]
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/bench", requires = "page")]
     pub(crate) out: PathBuf,
 }
 

@@ -1,91 +1,50 @@
-//! How the cost of a pixel grows with its lights and with its octaves: a table with the slopes of its columns over logarithms.
+//! Cost of a pixel against the number of its lights and of its octaves.
 //!
-//! All columns take turns in one process, so that what else the machine does falls on all of them.
+//! `cargo xtask bench --growth` makes a page of it.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use asperity_shading::glam::Vec3;
 use asperity_shading::level_of_detail::GaussianField;
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{Beckmann, Ggx, LevelOfDetail, Ndf, half_vector};
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
-/// Calls of one measurement.
-const CALLS: u16 = 64;
-
-/// Nanoseconds of a call, the median of rounds in which all cases take turns.
-fn medians(cases: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Vec<f64> {
-    let mut times = vec![Vec::with_capacity(rounds); cases.len()];
-    for _ in 0..rounds {
-        for (case, times) in cases.iter_mut().zip(&mut times) {
-            let start = Instant::now();
-            (0..CALLS).for_each(|_| case());
-            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS));
-        }
-    }
-    let middle = |mut times: Vec<f64>| {
-        times.sort_by(f64::total_cmp);
-        times[times.len() / 2]
-    };
-    times.into_iter().map(middle).collect()
-}
-
-/// Slope of the straight line through logarithms, by least squares.
-fn slope(points: &[(f64, f64)]) -> f64 {
-    let logs: Vec<_> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let count = logs.len() as f64;
-    let (mean_x, mean_y) = logs.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
-    let (xy, xx) = logs.iter().fold((0.0, 0.0), |(xy, xx), (x, y)| {
-        (xy + (x - mean_x) * (y - mean_y), xx + (x - mean_x) * (x - mean_x))
-    });
-    xy / xx
-}
-
-/// Prints a table: a row for each number, a column for each density under each rule.
-fn table(what: &str, numbers: &[u8], rounds: usize, pixel: impl Fn(u8) -> (usize, f32)) {
-    let field =
-        GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::new(2.17, 0.5, 16).expect("a spectrum"));
-    let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
-    let towards = |k: u8| Vec3::new(0.6 - 0.03 * f32::from(k), 0.3, 0.8).normalize();
-    let halves: Vec<Vec3> = (0..64).map(|k| half_vector(towards(k), wo)).collect();
+fn growth(c: &mut Criterion) {
     let ndfs: [(&str, &dyn Ndf); 2] = [
         ("GGX", &Ggx::new(0.2, 0.4).expect("roughness in range")),
         ("Beckmann", &Beckmann::new(0.2, 0.4).expect("roughness in range")),
     ];
-    let rules = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
-    let columns: Vec<_> = ndfs.iter().flat_map(|ndf| rules.map(|rule| (ndf, rule))).collect();
-    let mut cases: Vec<Box<dyn FnMut() + '_>> = Vec::new();
-    for &number in numbers {
-        let (lights, octaves) = pixel(number);
-        for &((_, ndf), rule) in &columns {
-            let (halves, field, mut radiances, mut k) = (&halves[..lights], &field, [0.0; 64], 0.0_f32);
-            cases.push(Box::new(move || {
-                k = (k + 1.0) % 1024.0;
-                let coordinates = field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), octaves);
-                rule.radiances(*ndf, halves, coordinates, &mut radiances);
-                black_box(&radiances);
-            }));
+    let field = GaussianOctaves::<3>::new(Gaussian::new(1), Spectrum::new(1.6, 0.7, 16).expect("in range"));
+    let wo = Vec3::new(-0.1, 0.2, 1.0).normalize();
+    let halves: Vec<Vec3> = (0..64_u8)
+        .map(|k| half_vector(Vec3::new(0.6 - 0.015 * f32::from(k), 0.3, 0.8).normalize(), wo))
+        .collect();
+    let mut radiances = [0.0; 64];
+    let mut k = 0.0;
+    let mut pixel = |octaves: f32, lights: usize, ndf: &dyn Ndf, rule: LevelOfDetail| {
+        k = (k + 1.0) % 1024.0;
+        let coordinates = field.coordinates(black_box(Vec3::new(0.37, 1.21, -0.83) * k), octaves);
+        rule.radiances(ndf, &halves[..lights], coordinates, black_box(&mut radiances));
+    };
+    let mut group = c.benchmark_group("growth/shading/lights");
+    for lights in [1, 2, 4, 8, 16, 32, 64] {
+        for (name, ndf) in ndfs {
+            for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+                let id = BenchmarkId::new(format!("a pixel of 4 octaves, {name}, {rule:?}"), lights);
+                group.bench_function(id, |b| b.iter(|| pixel(4.0, lights, ndf, rule)));
+            }
         }
     }
-    let times = medians(&mut cases, rounds);
-    let header: String =
-        columns.iter().map(|((name, _), rule)| format!(" {name}, `{rule:?}`, ns |")).collect();
-    println!("\n| {what} |{header}\n|---|{}", "---|".repeat(columns.len()));
-    let rows = || numbers.iter().zip(times.chunks(columns.len()));
-    for (number, row) in rows() {
-        let row: String = row.iter().map(|ns| format!(" {ns:.0} |")).collect();
-        println!("| {number} |{row}");
+    group.finish();
+    let mut group = c.benchmark_group("growth/shading/octaves");
+    for octaves in [1_u8, 2, 4, 8, 16] {
+        group.bench_function(BenchmarkId::new("a pixel of 1 light, GGX, Exact", octaves), |b| {
+            b.iter(|| pixel(f32::from(octaves), 1, ndfs[0].1, LevelOfDetail::Exact));
+        });
     }
-    let slopes = (0..columns.len()).map(|column| {
-        let points: Vec<_> = rows().map(|(&number, row)| (f64::from(number), row[column])).collect();
-        format!(" {:.2} |", slope(&points))
-    });
-    println!("| slope |{}", slopes.collect::<String>());
+    group.finish();
 }
 
-fn main() {
-    // As a test, once.
-    let rounds = if std::env::args().any(|arg| arg == "--bench") { 2001 } else { 1 };
-    table("lights, four octaves", &[1, 2, 4, 8, 16, 32, 64], rounds, |lights| (lights.into(), 4.0));
-    table("octaves, one light", &[1, 2, 4, 8, 16], rounds, |octaves| (1, octaves.into()));
-}
+criterion_group!(benches, growth);
+criterion_main!(benches);

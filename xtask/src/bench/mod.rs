@@ -1,6 +1,7 @@
-//! `cargo xtask bench`: the crates' own benches, or our noises beside those of other libraries.
+//! `cargo xtask bench`: the crates' own benches, the growth of their cost, or our noises beside those of other libraries.
 
 mod chart;
+mod growth;
 mod machine;
 mod table;
 mod times;
@@ -27,7 +28,43 @@ const SHIPPED: &str = "docs/bench";
 
 /// Runs what was asked for.
 pub(crate) fn run(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
-    if wanted.peers { peers(wanted, root, interrupted) } else { own(&wanted.only, root, interrupted) }
+    if wanted.peers {
+        peers(wanted, root, interrupted)
+    } else if wanted.growth {
+        growth(wanted, root, interrupted)
+    } else {
+        own(&wanted.only, root, interrupted)
+    }
+}
+
+/// Runs the benches of growth and writes their page.
+fn growth(wanted: &Bench, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let output = Output::new(&wanted.out)?;
+    let folder = root.join("target/criterion");
+    // What an earlier run measured would be taken for this one's.
+    for entry in std::fs::read_dir(&folder).into_iter().flatten().filter_map(Result::ok) {
+        if entry.file_name().to_string_lossy().starts_with(growth::GROUP) {
+            std::fs::remove_dir_all(entry.path())?;
+        }
+    }
+    let mut command = cargo(root, &format!("bench --bench growth --package {}", CRATES.join(" --package ")));
+    command.args(["--", "--noplot", "--warm-up-time", "0.2", "--measurement-time", "0.8"]).args(&wanted.only);
+    // Criterion's folder is wherever cargo's is, if nobody says so.
+    let ran = cargo::run(command.env("CRITERION_HOME", &folder));
+    Interrupted::check(interrupted)?;
+    ran?;
+    let curves = growth::read(&folder)?;
+    let machine = machine::facts(None);
+    let machine = &machine[..machine.len() - 1];
+    let shipped = wanted.ship.then(|| Output::new(root.join(SHIPPED))).transpose()?;
+    for folder in std::iter::once(output).chain(shipped) {
+        for name in growth::crates(&curves) {
+            folder.write(&format!("growth-{name}.svg"), growth::svg(name, &curves)?.as_bytes())?;
+        }
+        folder.write("README.md", growth::markdown(machine, &curves).as_bytes())?;
+        progress::say(&format!("the page: {}", folder.place("README.md")));
+    }
+    Ok(())
 }
 
 /// The criterion benches of the crates.

@@ -71,7 +71,7 @@ pub(super) fn number(value: f64) -> String {
 }
 
 /// Columns of equal width under the first line, the first to the left.
-fn table(lines: &[impl AsRef<[String]>]) -> String {
+pub(super) fn table(lines: &[impl AsRef<[String]>]) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for line in lines {
         let line = line.as_ref();
