@@ -75,8 +75,8 @@ fn packed_maps() {
     let ggx = Ggx::new(0.2, 0.4).unwrap();
     let h = direction();
     for (kind, n, u, density) in [
-        (Reconstruction::Constant, [-0.0815735832, 0.246362448], [0.9321298, 0.153955042], 0.290306956),
-        (Reconstruction::Bilinear, [-0.0821571201, 0.253138751], [0.932005525, 0.158158839], 0.261013001),
+        (Reconstruction::Constant, [-0.08157335, 0.2463624], [0.9321298, 0.15395501], 0.29030696),
+        (Reconstruction::Bilinear, [-0.08215712, 0.25313857], [0.9320055, 0.15815866], 0.261013),
     ] {
         let array = NdfMap::from_ndf(48, 40, kind, &ggx).unwrap().pack();
         let map = PackedMapRef::new(&array).unwrap();

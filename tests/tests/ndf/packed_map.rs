@@ -93,6 +93,27 @@ fn samples_are_those_of_the_map_to_rounding() {
 }
 
 #[test]
+fn samples_follow_their_uniform_numbers_in_order() {
+    for (name, map) in maps() {
+        let array = map.pack();
+        let packed = PackedMapRef::new(&array).expect("packed");
+        let steps: Vec<f32> = (0..1 << 14).map(|k| (k as f32 + 0.5) / 16384.0).collect();
+        for (axis, other) in [0, 1].into_iter().flat_map(|axis| [0.03, 0.4, 0.77].map(|other| (axis, other)))
+        {
+            let fixed = vec![other; steps.len()];
+            let u: [&[f32]; 2] = if axis == 0 { [&steps, &fixed] } else { [&fixed, &steps] };
+            let mut n = [(); 2].map(|()| vec![0.0; steps.len()]);
+            let [x, y] = &mut n;
+            packed.inverses(u, [x, y]).unwrap();
+            for (k, pair) in n[axis].windows(2).enumerate() {
+                // Root and quotient of a row may round against one another.
+                assert!(pair[0] <= pair[1] + 1.2e-7, "{name}, axis {axis}, {other}: {pair:?} at {k}");
+            }
+        }
+    }
+}
+
+#[test]
 fn densities_are_those_of_the_map() {
     for (name, map) in maps() {
         let array = map.pack();
@@ -166,7 +187,7 @@ fn other_arrays_are_refused() {
     assert_eq!(refused(&[]), "array must have 16 numbers, got 0");
     assert_eq!(refused(&[1.0; 100]), "number 0 must be the format of packed maps, got 1");
     assert!(refused(&array[..array.len() - 1]).contains(&(array.len() - 1).to_string()));
-    for index in 1..9 {
+    for index in 1..7 {
         let mut other = array.clone();
         for bits in [0, u32::MAX, 1 << 28, 3] {
             other[index] = f32::from_bits(bits);

@@ -8,9 +8,8 @@ use crate::map::disk::to_normal;
 use crate::map::piece::Piece;
 use crate::map::pieces::pieces;
 use crate::map::prefix_sums::WINDOW;
-use crate::map::quantiles::row_of;
 use crate::map::reconstruction::Reconstruction;
-use crate::map::row_guide::RowGuide;
+use crate::map::row_guide::{RowGuide, row_of};
 use crate::math;
 use crate::numeric::bernstein::cubic;
 use crate::numeric::compensated_sum::CompensatedSums;
@@ -58,11 +57,11 @@ pub struct Cdf {
     pub(crate) scale: f64,
     pub(crate) pieces: Vec<Piece>,
     /// Beginnings of the pieces, and 1.
-    places: Vec<f64>,
+    pub(crate) places: Vec<f64>,
     /// `M` there.
     pub(crate) cumulative: Vec<f64>,
-    by_place: GuideTable,
-    by_weight: GuideTable,
+    pub(crate) by_place: GuideTable,
+    pub(crate) by_weight: GuideTable,
     by_quantile: RowGuide,
 }
 

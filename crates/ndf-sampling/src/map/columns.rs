@@ -39,13 +39,8 @@ impl Columns {
         self.integrals.sums.get(column * lines..(column + 1) * lines).unwrap_or_default()
     }
 
-    /// A column's values with one before and one after.
-    pub(crate) fn padded(&self, column: usize) -> impl Iterator<Item = f32> {
-        let rest = (self.height + 2).saturating_sub(self.stride());
-        self.values(column).iter().copied().chain(core::iter::repeat_n(0.0, rest))
-    }
-
-    fn values(&self, column: usize) -> &[f32] {
+    /// A column's values, one after another.
+    pub(crate) fn values(&self, column: usize) -> &[f32] {
         let stride = self.stride();
         self.integrals.values.get(column * stride..(column + 1) * stride).unwrap_or_default()
     }

@@ -23,8 +23,6 @@ pub(crate) mod piece;
 pub(crate) mod pieces;
 #[cfg(feature = "alloc")]
 pub(crate) mod prefix_sums;
-#[cfg(feature = "alloc")]
-pub(crate) mod quantiles;
 pub(crate) mod reconstruction;
 #[cfg(feature = "alloc")]
 pub(crate) mod row_guide;

@@ -29,6 +29,14 @@ impl Reconstruction {
         }
     }
 
+    /// Columns of values between which a cell lies.
+    pub(crate) const fn sides(self) -> usize {
+        match self {
+            Self::Constant => 1,
+            Self::Bilinear => 2,
+        }
+    }
+
     #[cfg(feature = "alloc")]
     /// Place of line `k` of the grid on a map of `n` texels.
     pub(crate) fn line(self, k: usize, n: usize) -> f64 {

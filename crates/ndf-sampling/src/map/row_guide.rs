@@ -58,6 +58,33 @@ impl RowGuide {
     }
 }
 
+/// The last of the rows from `first` to `last` whose beginning is `below` the target, looked for from `guess` on.
+#[inline]
+pub(crate) fn row_of(below: impl Fn(usize) -> bool, [first, last]: [usize; 2], guess: usize) -> usize {
+    // Row `low` begins below, row `high` does not.
+    let (mut low, mut high, mut row) = (first, last + 1, guess.clamp(first, last));
+    for _ in 0..4 {
+        if row > low && !below(row) {
+            high = row;
+            row -= 1;
+        } else if row + 1 < high && below(row + 1) {
+            low = row + 1;
+            row += 1;
+        } else {
+            return row;
+        }
+    }
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

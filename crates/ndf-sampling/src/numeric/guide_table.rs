@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 /// Chen and Asau 1974, "On Generating Random Variates from an Empirical Distribution".
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct GuideTable {
-    starts: Vec<u32>,
+    pub(crate) starts: Vec<u32>,
 }
 
 impl GuideTable {

@@ -17,6 +17,20 @@ pub(crate) fn best_level() -> fearless_simd::Level {
     return fearless_simd::Level::baseline();
 }
 
+/// Calls `f` with every level that this machine has.
+#[cfg(all(test, feature = "simd"))]
+pub(crate) fn each_level(mut f: impl FnMut(fearless_simd::Level)) {
+    let best = best_level();
+    f(best);
+    f(fearless_simd::Level::baseline());
+    #[cfg(target_arch = "x86_64")]
+    for level in
+        [best.as_avx2().map(fearless_simd::Level::Avx2), best.as_sse4_2().map(fearless_simd::Level::Sse4_2)]
+    {
+        level.into_iter().for_each(&mut f);
+    }
+}
+
 /// Applies a kernel to arrays of one length, in the widest lanes that there are; in one without the feature `simd`.
 pub(crate) fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
     kernel: &K,

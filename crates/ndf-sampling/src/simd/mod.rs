@@ -3,8 +3,8 @@
 pub(crate) mod closed_form;
 pub(crate) mod dispatch;
 pub(crate) mod elementary;
-pub(crate) mod gather;
 pub(crate) mod lanes;
+pub(crate) mod records;
 #[cfg(feature = "simd")]
 pub(crate) mod register_pair;
 #[cfg(feature = "simd")]

@@ -3,16 +3,24 @@
 use glam::{Vec2, Vec3};
 
 use crate::batch_error::BatchError;
-use crate::map::packed::cdf::{Density, Forward};
-use crate::map::packed::fetch::PairKernel;
+use crate::map::packed::block::{Staged, Work};
+use crate::map::packed::cdf::Forward;
+use crate::map::packed::density::Density;
 use crate::map::packed::inverse_cdf::Inverse;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::map::reconstruction::Reconstruction;
 use crate::math;
 use crate::ndf::Ndf;
 use crate::numeric::normal_distribution::{inverse_phi, phi};
-use crate::simd::gather::Gather;
 use crate::simd::lanes::Scalar;
+use crate::simd::records::Records;
+
+/// Lanes of a group: those of the longest register.
+const LANES: usize = 16;
+/// So many are faster one by one.
+const FEW: usize = 4;
+/// Groups of a block: what all stages write and read again fits the first cache beside the tables.
+const GROUPS: usize = 4;
 
 impl PackedMapRef<'_> {
     /// `(M, C)⁻¹(u)`: the first two coordinates of the normal.
@@ -54,21 +62,51 @@ impl PackedMapRef<'_> {
         BatchError::check(&[("n", &n)], ("density", &density)).map(|()| self.many::<Density, 1>(n, density))
     }
 
-    /// A kernel of one pair.
+    /// A function of one pair.
     #[inline(always)]
-    fn one<K: PairKernel<OUT>, const OUT: usize>(&self, pair: Vec2) -> [f32; OUT] {
+    fn one<K: Staged<OUT>, const OUT: usize>(&self, pair: Vec2) -> [f32; OUT] {
+        let mut group = K::Group::<1>::ZERO;
+        *group.input() = pair.to_array().map(|x| [x]);
+        let groups = core::slice::from_mut(&mut group);
         match self.layout.kind {
-            Reconstruction::Constant => K::apply::<_, 1, 1>(self, Scalar, pair.to_array()),
-            Reconstruction::Bilinear => K::apply::<_, 1, 2>(self, Scalar, pair.to_array()),
+            Reconstruction::Constant => K::apply::<_, 1, 1>(self, Scalar, groups),
+            Reconstruction::Bilinear => K::apply::<_, 1, 2>(self, Scalar, groups),
         }
+        let mut results = [0.0; OUT];
+        for (result, [output]) in results.iter_mut().zip(group.output()) {
+            *result = *output;
+        }
+        results
     }
 
-    /// A kernel of arrays of one length.
-    fn many<K: PairKernel<OUT>, const OUT: usize>(&self, inputs: [&[f32]; 2], outputs: [&mut [f32]; OUT]) {
-        match self.layout.kind {
-            Reconstruction::Constant => fill::<K, OUT, 1>(self, inputs, outputs),
-            Reconstruction::Bilinear => fill::<K, OUT, 2>(self, inputs, outputs),
+    /// A function of arrays of one length.
+    fn many<K: Staged<OUT>, const OUT: usize>(&self, inputs: [&[f32]; 2], mut outputs: [&mut [f32]; OUT]) {
+        if inputs[0].len() <= FEW {
+            for (k, (&x, &y)) in inputs[0].iter().zip(inputs[1]).enumerate() {
+                for (output, result) in outputs.iter_mut().zip(self.one::<K, OUT>(Vec2::new(x, y))) {
+                    if let Some(output) = output.get_mut(k) {
+                        *output = result;
+                    }
+                }
+            }
+            return;
         }
+        #[cfg(feature = "simd")]
+        self.at_level::<K, OUT>(crate::simd::dispatch::best_level(), inputs, outputs);
+        #[cfg(not(feature = "simd"))]
+        fill::<_, K, OUT>(Scalar, self, inputs, outputs);
+    }
+
+    #[cfg(feature = "simd")]
+    fn at_level<K: Staged<OUT>, const OUT: usize>(
+        &self,
+        level: fearless_simd::Level,
+        inputs: [&[f32]; 2],
+        outputs: [&mut [f32]; OUT],
+    ) {
+        fearless_simd::dispatch!(level, simd => {
+            fill::<_, K, OUT>(crate::simd::registers::Registers(simd), self, inputs, outputs);
+        });
     }
 }
 
@@ -100,39 +138,110 @@ impl Ndf for PackedMapRef<'_> {
     }
 }
 
-fn fill<K: PairKernel<OUT>, const OUT: usize, const SIDES: usize>(
-    map: &PackedMapRef<'_>,
-    inputs: [&[f32]; 2],
-    outputs: [&mut [f32]; OUT],
-) {
-    #[cfg(feature = "simd")]
-    fearless_simd::dispatch!(crate::simd::dispatch::best_level(), simd => {
-        each::<_, K, 8, OUT, SIDES>(crate::simd::registers::EightLanes(simd), map, inputs, outputs);
-    });
-    #[cfg(not(feature = "simd"))]
-    each::<_, K, 1, OUT, SIDES>(Scalar, map, inputs, outputs);
-}
-
+/// A function of arrays of one length, block by block.
 #[inline(always)]
-fn each<P: Gather<N>, K: PairKernel<OUT>, const N: usize, const OUT: usize, const SIDES: usize>(
+fn fill<P: Records, K: Staged<OUT>, const OUT: usize>(
     p: P,
     map: &PackedMapRef<'_>,
     [x, y]: [&[f32]; 2],
     mut outputs: [&mut [f32]; OUT],
 ) {
-    let ((xs, x_rest), (ys, y_rest)) = (x.as_chunks::<N>(), y.as_chunks::<N>());
-    for (k, (x, y)) in xs.iter().zip(ys).enumerate() {
-        let results = K::apply::<P, N, SIDES>(map, p, [p.of_floats(x), p.of_floats(y)]);
-        for (output, result) in outputs.iter_mut().zip(results) {
-            if let Some(output) = output.get_mut(k * N..(k + 1) * N) {
-                output.copy_from_slice(&p.floats(result));
+    // What is short does not wait for a whole block to be cleared.
+    let (mut one, mut all);
+    let groups: &mut [K::Group<LANES>] = if x.len() <= LANES {
+        one = [K::Group::ZERO];
+        &mut one
+    } else {
+        all = [K::Group::ZERO; GROUPS];
+        &mut all
+    };
+    let mut done = 0;
+    for (x, y) in x.chunks(LANES * GROUPS).zip(y.chunks(LANES * GROUPS)) {
+        let groups = groups.get_mut(..x.len().div_ceil(LANES)).unwrap_or_default();
+        for (axis, input) in [x, y].into_iter().enumerate() {
+            let (whole, rest) = input.as_chunks();
+            for (group, input) in groups.iter_mut().zip(whole) {
+                group.input()[axis] = *input;
+            }
+            if let (Some(group), Some(first)) = (groups.last_mut(), rest.first()) {
+                // Lanes that are not asked for take the way of one that is.
+                group.input()[axis] = [*first; LANES];
+                copy(&mut group.input()[axis], rest);
             }
         }
+        match map.layout.kind {
+            Reconstruction::Constant => K::apply::<P, LANES, 1>(map, p, groups),
+            Reconstruction::Bilinear => K::apply::<P, LANES, 2>(map, p, groups),
+        }
+        for (axis, output) in outputs.iter_mut().enumerate() {
+            let (whole, rest) = output.get_mut(done..done + x.len()).unwrap_or_default().as_chunks_mut();
+            for (group, output) in groups.iter().zip(whole) {
+                *output = group.output()[axis];
+            }
+            if let (Some(group), false) = (groups.last(), rest.is_empty()) {
+                copy(rest, &group.output()[axis]);
+            }
+        }
+        done += x.len();
     }
-    if !x_rest.is_empty() {
-        let results = K::apply::<P, N, SIDES>(map, p, [p.load(x_rest), p.load(y_rest)]);
-        for (output, result) in outputs.iter_mut().zip(results) {
-            p.store(result, output.get_mut(xs.len() * N..).unwrap_or_default());
+}
+
+/// Copies as many numbers as there are in both.
+#[cold]
+fn copy(to: &mut [f32], from: &[f32]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+#[cfg(all(test, feature = "alloc", feature = "simd"))]
+mod tests {
+    use super::*;
+    use crate::NdfMap;
+    use crate::simd::dispatch::each_level;
+    use alloc::vec::Vec;
+
+    /// Numbers all over the square and some that are none, in no order.
+    fn pairs() -> [Vec<f32>; 2] {
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.5, 2.0, 0.0, -0.0, 1.0];
+        let number = |k: u32| match k % 17 {
+            0 => bad[k as usize / 17 % 8],
+            _ => (k.wrapping_mul(0x9E37_79B9) >> 8) as f32 / 8_388_608.0 - 1.0,
+        };
+        [3, 1000].map(|from| (0..1111).map(|k| number(from + 5 * k)).collect())
+    }
+
+    #[test]
+    fn arrays_of_every_length_have_the_bits_of_single_calls_at_every_level() {
+        let [x, y] = pairs();
+        // Smooth; with columns and rows without weight; rough.
+        let images: [fn(Vec3) -> f32; 3] =
+            [|n| n.z, |n| f32::from(n.x > 0.3 && n.y.abs() > 0.5), |n| (1e4 * n.x * n.y).sin().max(0.0)];
+        let kinds = [Reconstruction::Constant, Reconstruction::Bilinear];
+        for (image, kind) in images.into_iter().flat_map(|image| kinds.map(|kind| (image, kind))) {
+            let array = NdfMap::from_fn(40, 33, crate::Measure::Normals, kind, image).unwrap().pack();
+            let map = PackedMapRef::new(&array).unwrap();
+            let single = |k: usize| {
+                let pair = Vec2::new(x[k], y[k]);
+                let ([u, n], density) = ([map.forward(pair), map.inverse(pair)], map.one::<Density, 1>(pair));
+                [n.x, n.y, u.x, u.y, density[0]].map(f32::to_bits)
+            };
+            let expected: Vec<_> = (0..x.len()).map(single).collect();
+            each_level(|level| {
+                for len in (0..70).chain([x.len()]) {
+                    let from = len % 7 * usize::from(len < 70);
+                    let pairs = [&x[from..from + len], &y[from..from + len]];
+                    let mut got = [(); 5].map(|()| alloc::vec![0.0; len]);
+                    let [a, b, c, d, e] = &mut got;
+                    map.at_level::<Inverse, 2>(level, pairs, [a, b]);
+                    map.at_level::<Forward, 2>(level, pairs, [c, d]);
+                    map.at_level::<Density, 1>(level, pairs, [e]);
+                    for k in 0..len {
+                        let got = got.each_ref().map(|results| results[k].to_bits());
+                        assert_eq!(got, expected[from + k], "{level:?} {kind:?} {k} of {len}");
+                    }
+                }
+            });
         }
     }
 }

@@ -1,107 +1,117 @@
-//! The uniform numbers and the densities of normals by a packed map, in lanes.
+//! The uniform numbers of normals by a packed map, in stages.
 
-use crate::map::packed::fetch::{PairKernel, mixed};
+use crate::map::packed::block::{Group, Staged, copy_guide, entries, find_leaves, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
+use crate::map::packed::inverse_cdf::{integrals, marginals, place};
+use crate::map::packed::leaf::BEGIN;
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::map::packed::record::{BEFORE, BEGIN, BELOW, MARGINAL, WEIGHT, WIDE};
-use crate::simd::gather::Gather;
-use crate::simd::lanes::Scalar;
+use crate::simd::records::Records;
 
 /// `(M, C)`.
 pub(crate) struct Forward;
 
-impl PairKernel<2> for Forward {
+impl Staged<2> for Forward {
+    type Group<const L: usize> = Group<L>;
+
     #[inline(always)]
-    fn apply<P: Gather<N>, const N: usize, const SIDES: usize>(
+    fn apply<P: Records, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
-        n: [P::F; 2],
-    ) -> [P::F; 2] {
-        let (zero, one, half) = (p.float(0.0), p.float(1.0), p.float(0.5));
-        let (nx, ny) = (p.bounded(n[0], 1.0), p.bounded(n[1], 1.0));
-        let Grid { density, origin, last, .. } = map.grid;
-        let x = nx * p.float(density[0]);
-        let before = p.float(origin[0]);
-        let (bin, at) = p.below(p.at_most(x + before, last[0]));
-        let within = p.at_most(p.at_least(x - (bin - before), 0.0), 1.0);
-        let at = p.words(at);
-        let mut parts = mixed(p, &map.cubics(&at), within);
-        parts[WEIGHT] = within * parts[WEIGHT];
-        if p.any(p.less(parts[BEFORE], zero)) {
-            let (within, parts_of) = (p.floats(within), parts.map(|part| p.floats(part)));
-            parts = map.in_pieces(&at, &within, parts_of).map(|part| p.of_floats(&part));
+        groups: &mut [Group<L>],
+    ) {
+        for group in groups.iter_mut() {
+            map.place::<P, L, SIDES>(p, group);
         }
-        let [weight, marginal, below, before] = parts;
-        let u1 = p.at_most(before + weight, 1.0);
-
-        let (column, t) = map.column(p, bin, within);
-        let y = ny * p.float(density[1]);
-        let middle = p.float(origin[1]);
-        let (row, rows) = p.below(p.at_most(y + middle, last[1]));
-        let q = p.at_most(p.at_least(y - (row - middle), 0.0), 1.0);
-        let [from, a, _, b] = map.nodes::<P, N, SIDES>(p, column, rows, t);
-        let sum = if SIDES == 1 { from + q * a } else { from + q * (a + half * q * (b - a)) };
-        let conditional = (sum + below) / marginal;
-        let mut u2 = p.at_most(p.at_least(conditional, 0.0), 1.0);
-        if p.any(p.less(marginal, p.float(f32::MIN_POSITIVE))) {
-            // Without weight the conditional is uniform on the chord.
-            let chord = p.sqrt(p.at_least(one - nx * nx, f32::MIN_POSITIVE));
-            let uniform = p.at_most(p.at_least(half * (ny / chord) + half, 0.0), 1.0);
-            u2 = p.select(p.less(zero, marginal), u2, uniform);
+        copy_guide(map.by_place, groups);
+        let leaves = map.leaves;
+        for group in groups.iter_mut() {
+            let values = group.target;
+            find_leaves::<P, L, BEGIN>(p, leaves, group, &values);
         }
-        [u1, u2]
-    }
-}
-
-/// `D`.
-pub(crate) struct Density;
-
-impl PairKernel<1> for Density {
-    #[inline(always)]
-    fn apply<P: Gather<N>, const N: usize, const SIDES: usize>(
-        map: &PackedMapRef<'_>,
-        p: P,
-        [nx, ny]: [P::F; 2],
-    ) -> [P::F; 1] {
-        let Grid { density, origin, last, .. } = map.grid;
-        let per = map.grid.per_split;
-        let x = nx * p.float(density[0] * per) + p.float(origin[0] * per);
-        let y = ny * p.float(density[1]) + p.float(origin[1]);
-        let (column, columns) = p.below(p.at_most(x, (last[0] + 0.5) * per - 0.5));
-        let (row, rows) = p.below(p.at_most(y, last[1]));
-        let [_, a, _, b] = map.nodes::<P, N, SIDES>(p, columns, rows, x - column);
-        let value = if SIDES == 1 { a } else { a + (y - row) * (b - a) };
-        let inside = p.less(nx * nx + ny * ny, p.float(1.0 + 1e-6));
-        [p.at_least(p.select(inside, p.float(0.25) * value, p.float(0.0)), 0.0)]
+        for group in groups.iter_mut() {
+            for k in 0..L {
+                let Some([first, cubics]) = leaves.get(group.at[k] as usize) else { continue };
+                group.other_fours[k] = first.as_chunks().0[0];
+                group.eights[k] = *cubics;
+            }
+        }
+        let [left, right] = sides::<SIDES>(map.nodes, map.grid.stride);
+        for group in groups.iter_mut() {
+            for k in 0..L {
+                let (at, t) = (group.row[k], group.t[k]);
+                if SIDES == 1 {
+                    let Some(nodes) = entries(left, at) else { continue };
+                    group.twos[k] = *nodes;
+                } else {
+                    let (Some(left), Some(right)) = (entries(left, at), entries(right, at)) else { continue };
+                    group.fours[k] = p.blended4([left, right], [1.0 - t, t]);
+                }
+            }
+        }
+        for group in groups.iter_mut() {
+            uniforms::<P, L, SIDES>(p, group);
+        }
     }
 }
 
 impl PackedMapRef<'_> {
-    /// The parts of places in bins, those of bins with several pieces found anew.
-    #[cold]
-    fn in_pieces<const N: usize>(
-        &self,
-        at: &[u32; N],
-        within: &[f32; N],
-        mut parts: [[f32; N]; 4],
-    ) -> [[f32; N]; 4] {
-        for k in 0..N {
-            let (count, Some(bin)) = (-parts[BEFORE][k], self.cubics.get(at[k] as usize)) else { continue };
-            if count > 0.0 {
-                let first = (bin[0][MARGINAL] as usize).saturating_add(bin[0][BELOW] as usize);
-                let pieces = self.cubics.get(first..).and_then(|pieces| pieces.get(..count as usize));
-                let pieces = pieces.unwrap_or_default();
-                let before = pieces.partition_point(|piece| piece[BEGIN][BEFORE] <= within[k]);
-                let Some(piece) = pieces.get(before.saturating_sub(1)) else { continue };
-                let (begin, wide) = (piece[BEGIN][BEFORE], piece[WIDE][BEFORE]);
-                let s = ((within[k] - begin) / wide.max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-                let mixed = mixed(Scalar, &[piece], s);
-                parts[WEIGHT][k] = s * mixed[WEIGHT];
-                parts[MARGINAL][k] = mixed[MARGINAL];
-                parts[BELOW][k] = mixed[BELOW];
-                parts[BEFORE][k] = piece[0][BEFORE];
-            }
+    /// The part of the guide, the column, the row and the places in these.
+    #[inline(always)]
+    fn place<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+        let Grid { density, origin, last, guide, stride, .. } = self.grid;
+        for from in (0..L).step_by(P::LEN) {
+            let x = coordinate(p, p.load(of(p, &group.input[0], from)));
+            let y = coordinate(p, p.load(of(p, &group.input[1], from)));
+            let half = p.float(0.5 * guide);
+            let part = p.truncated(p.min(x * half + half, p.float(guide - 0.5)));
+            let at = x * p.float(density[0]);
+            let (column, t) = self.column(p, at, [origin[0], last[0]]);
+            let (row, q) = self.column(p, y * p.float(density[1]), [origin[1], last[1]]);
+            let node = column * p.word(stride) + row * p.word(SIDES as u32);
+            p.store_words(part, of_mut(p, &mut group.at, from));
+            p.store_words(node, of_mut(p, &mut group.row, from));
+            p.store(at, of_mut(p, &mut group.target, from));
+            p.store(t, of_mut(p, &mut group.t, from));
+            p.store(q, of_mut(p, &mut group.output[1], from));
         }
-        parts
+    }
+}
+
+/// The nearest number from −1 to 1; 0 for NaN.
+#[inline(always)]
+fn coordinate<P: Records>(p: P, n: P::F) -> P::F {
+    let n = p.select(p.at_or_below(n, n), n, p.float(0.0));
+    p.min(p.max(n, p.float(-1.0)), p.float(1.0))
+}
+
+/// `M` and `C`.
+#[inline(always)]
+fn uniforms<P: Records, const L: usize, const SIDES: usize>(p: P, group: &mut Group<L>) {
+    let (zero, half, tiny) = (p.float(0.0), p.float(0.5), p.float(f32::MIN_POSITIVE));
+    for from in (0..L).step_by(P::LEN) {
+        let (at, q) = (p.load(of(p, &group.target, from)), p.load(of(p, &group.output[1], from)));
+        let [weight, per, begin, wide] = p.fields4(of(p, &group.other_fours, from));
+        let cubics = p.fields8(of(p, &group.eights, from));
+        let s = place(p, at, begin, wide);
+        let [integral, total] = integrals(p, &cubics, s);
+        let u1 = weight + integral / p.max(total * per, tiny);
+        let [marginal, below] = marginals(p, &cubics, s);
+        let sum = if SIDES == 1 {
+            let [begin, end] = p.fields2(of(p, &group.twos, from));
+            begin + q * (end - begin)
+        } else {
+            let [begin, a, _, b] = p.fields4(of(p, &group.fours, from));
+            begin + q * (a + half * q * (b - a))
+        };
+        let mut u2 = p.unit((sum + below) / p.max(marginal, tiny));
+        if p.any(p.less(marginal, tiny)) {
+            // Without weight the conditional is uniform on the chord.
+            let x = coordinate(p, p.load(of(p, &group.input[0], from)));
+            let y = coordinate(p, p.load(of(p, &group.input[1], from)));
+            let chord = p.sqrt(p.max(p.float(1.0) - x * x, tiny));
+            u2 = p.select(p.less(zero, marginal), u2, p.unit(half * (y / chord) + half));
+        }
+        p.store(p.min(u1, p.float(1.0)), of_mut(p, &mut group.output[0], from));
+        p.store(u2, of_mut(p, &mut group.output[1], from));
     }
 }

@@ -1,53 +1,55 @@
-//! Grid of a packed map: its bins, columns and rows on the disk.
+//! Grid of a packed map: its columns and rows on the disk.
 
 use crate::map::packed::layout::Layout;
+use crate::map::reconstruction::Reconstruction;
 
 /// Places that a layout states, as floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
-    /// Bins, and rows, per unit of a normal's coordinate, and the reverse.
+    /// Columns, and rows, per unit of a normal's coordinate, and the reverse.
     pub(crate) density: [f32; 2],
     pub(crate) size: [f32; 2],
-    /// The bins before `n_x = 0`, and the rows before `n_y = 0`.
+    /// The columns before `n_x = 0`, and the rows before `n_y = 0`.
     pub(crate) origin: [f32; 2],
-    /// The middles of the last bin and of the last row.
+    /// The middles of the last column and of the last row.
     pub(crate) last: [f32; 2],
-    /// Margin of a sample from the lines between bins and between rows, from which it might round across.
-    pub(crate) margin: [f32; 2],
-    /// Bins of a column, and the reverse.
-    pub(crate) split: f32,
-    pub(crate) per_split: f32,
-    /// The weight of a bin as wide as others is this times its mean marginal.
-    pub(crate) weight_per_marginal: f32,
-    /// Entries of the guide, and of a column's quantiles less one.
+    /// Margin of a sample from the lines between rows, from which it might round across.
+    pub(crate) margin: f32,
+    /// Entries of a guide, and of a column's quantiles less one.
     pub(crate) guide: f32,
     pub(crate) quantiles: f32,
-    /// Numbers of a column of the quantiles, and of the nodes.
+    /// Numbers of a column of the quantiles, of the nodes, and of the texels.
     pub(crate) ranks: u32,
     pub(crate) stride: u32,
+    pub(crate) texel_stride: u32,
     /// The last row.
     pub(crate) last_row: u32,
 }
 
 impl Grid {
     pub(crate) fn new(layout: &Layout) -> Self {
-        let (split, offset) = (layout.split as f32, layout.kind.offset() as f32);
-        let counts = [layout.width as f32 * split, layout.height as f32];
-        let rows = layout.kind.cells(layout.height);
+        let (kind, sizes) = (layout.kind, [layout.width, layout.height]);
+        let counts = sizes.map(|n| n as f32);
         Self {
             density: counts.map(|n| 0.5 * n),
             size: counts.map(|n| 2.0 / n),
-            origin: [0.5 * counts[0] + offset * split, 0.5 * counts[1] + offset],
-            last: [layout.bins() as f32 - 0.5, rows as f32 - 0.5],
-            margin: counts.map(|n| (2.0 * f32::EPSILON * n).min(0.25)),
-            split,
-            per_split: 1.0 / split,
-            weight_per_marginal: 1.0 / (counts[0] * counts[1]),
+            origin: counts.map(|n| 0.5 * n + kind.offset() as f32),
+            last: sizes.map(|n| kind.cells(n) as f32 - 0.5),
+            margin: margin(kind, layout.height),
             guide: layout.guide as f32,
             quantiles: layout.quantiles as f32,
             ranks: layout.quantiles as u32 + 1,
             stride: layout.stride() as u32,
-            last_row: rows as u32 - 1,
+            texel_stride: layout.texel_stride() as u32,
+            last_row: kind.cells(layout.height) as u32 - 1,
         }
+    }
+}
+
+/// Cells of `n` that a sample keeps away from a line across which the density jumps.
+pub(crate) fn margin(kind: Reconstruction, n: usize) -> f32 {
+    match kind {
+        Reconstruction::Constant => (2.0 * f32::EPSILON * n as f32).min(0.25),
+        Reconstruction::Bilinear => 0.0,
     }
 }

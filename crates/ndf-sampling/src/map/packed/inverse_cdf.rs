@@ -1,242 +1,293 @@
-//! Samples of a packed map in lanes.
+//! Samples of a packed map, in stages.
 
-use crate::map::packed::fetch::{PairKernel, mixed, quads, sides};
+use crate::map::packed::block::{Group, Staged, copy_guide, entries, find_leaves, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
-use crate::map::packed::layout::{KEYS, LINES};
+use crate::map::packed::layout::LINES;
+use crate::map::packed::leaf::{C0, MANY_STEPS, WEIGHT, many_steps};
 use crate::map::packed::packed_map::PackedMapRef;
-use crate::map::packed::record::{LEAF, MANY_STEPS, MARGINAL, Rows};
-use crate::math;
-use crate::numeric::bernstein::{inverse_share, kept_away};
-use crate::simd::gather::Gather;
+use crate::simd::records::Records;
 
 /// The largest `f32` below 1.
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
-/// Weight that a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
-const LEAST_MASS: f64 = 1e-7;
-
 /// `(M, C)⁻¹`.
 pub(crate) struct Inverse;
 
-impl PairKernel<2> for Inverse {
+impl Staged<2> for Inverse {
+    type Group<const L: usize> = Group<L>;
+
     #[inline(always)]
-    fn apply<P: Gather<N>, const N: usize, const SIDES: usize>(
+    fn apply<P: Records, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
         p: P,
-        u: [P::F; 2],
-    ) -> [P::F; 2] {
-        let one = p.float(1.0);
-        let u1 = p.at_most(p.at_least(u[0], 0.0), BELOW_ONE);
-        let u2 = p.at_most(p.at_least(u[1], 0.0), BELOW_ONE);
-        let (_, parts) = p.below(u1 * p.float(map.grid.guide));
-        let (parts, weights) = (p.words(parts), p.floats(u1));
-        let leaf = map.leaf(&parts, &weights);
-        let mut leaves = [&[0.0; LEAF]; N];
-        for k in 0..N {
-            leaves[k] = map.leaves.get(leaf[k] as usize).unwrap_or(&[0.0; LEAF]);
+        groups: &mut [Group<L>],
+    ) {
+        for group in groups.iter_mut() {
+            map.guide_by_weight(p, group);
         }
-        let [from, per, c0, c1] = quads(p, &leaves, 0);
-        let [c2, c3, begin, wide] = quads(p, &leaves, 1);
-        let [cubic, bin, steps, _] = quads(p, &leaves, 2);
-        let cubics = map.cubics(&p.words(p.bits(cubic)));
-
-        let share = p.at_most(p.at_least((u1 - from) * per, 0.0), 1.0);
-        let mut s = share + share * (one - share) * (c0 + share * (c1 + share * (c2 + share * c3)));
-        if p.any(p.less(p.float(0.0), steps)) {
-            let [weight, marginal, ..] = mixed(p, &cubics, s);
-            let slope =
-                p.at_least(wide * marginal * p.float(map.grid.weight_per_marginal), f32::MIN_POSITIVE);
-            let nearer = s - (s * weight - (u1 - from)) / slope;
-            let nearer = p.select(p.less(p.float(0.0), steps), nearer, s);
-            s = p.of_floats(&many_steps(&leaves, &cubics, &weights, p.floats(nearer)));
+        copy_guide(map.by_weight, groups);
+        let leaves = map.leaves;
+        for group in groups.iter_mut() {
+            let values = group.input[0];
+            find_leaves::<P, L, WEIGHT>(p, leaves, group, &values);
         }
-        s = p.at_most(p.at_least(s, 0.0), 1.0);
-        let [_, marginal, below, _] = mixed(p, &cubics, s);
-
-        let Grid { size, origin, margin, .. } = map.grid;
-        // Not on a line, from which the normal might round into the next bin.
-        let within = p.at_most(p.at_least(begin + wide * s, margin[0]), 1.0 - margin[0]);
-        let bin = p.float_of_word(p.bits(bin));
-        let x = ((bin - p.float(origin[0])) + within) * p.float(size[0]);
-        let x = p.at_most(p.at_least(x, -1.0), 1.0);
-        let (column, t) = map.column(p, bin, within);
-        let target = u2 * marginal - below;
-
-        let r = one - t;
-        let (row, [from, a, next, b]) = map.rows::<P, N, SIDES>(p, column, u2, [r, t], target);
-        let excess = p.at_least(target - from, 0.0);
-        let q = if SIDES == 1 {
-            excess / p.at_least(next - from, f32::MIN_POSITIVE)
-        } else {
-            let twice = excess + excess;
-            let root = p.sqrt(p.at_least(a * a + (b - a) * twice, 0.0));
-            twice / p.at_least(a + root, f32::MIN_POSITIVE)
-        };
-        let q = p.at_most(p.at_least(q, margin[1]), 1.0 - margin[1]);
-        let y = ((p.float_of_word(row) - p.float(origin[1])) + q) * p.float(size[1]);
-        let outside = p.less(p.float(1.0 - 4.0 * f32::EPSILON), x * x + y * y);
-        if p.any(outside) {
-            let places = [x, y, t].map(|place| p.floats(place));
-            return [x, p.of_floats(&map.inside::<N, SIDES>(p.words(column), places))];
+        for group in groups.iter_mut() {
+            for k in 0..L {
+                let Some([inverse, cubics]) = leaves.get(group.at[k] as usize) else { continue };
+                group.eights[k] = *inverse;
+                group.other_eights[k] = *cubics;
+            }
         }
-        [x, y]
+        for group in groups.iter_mut() {
+            map.x::<P, L, SIDES>(p, group);
+        }
+        let quantiles = map.quantiles;
+        for group in groups.iter_mut() {
+            for k in 0..L {
+                let Some(two) = entries(quantiles, group.at[k]) else { continue };
+                group.twos[k] = *two;
+            }
+        }
+        for group in groups.iter_mut() {
+            map.first_line::<P, L, SIDES>(p, group);
+        }
+        let nodes = sides::<SIDES>(map.nodes, map.grid.stride);
+        for group in groups.iter_mut() {
+            for k in 0..L {
+                fill_window::<P, L, SIDES>(p, nodes, group, k);
+            }
+        }
+        for group in groups.iter_mut() {
+            map.y::<P, L, SIDES>(p, group);
+        }
     }
 }
 
 impl PackedMapRef<'_> {
-    /// The leaves in which the weights `u` are reached, from where the guide says.
+    /// The parts of the guide.
     #[inline(always)]
-    fn leaf<const N: usize>(&self, parts: &[u32; N], u: &[f32; N]) -> [u32; N] {
-        let (mut leaf, mut more) = ([0; N], false);
-        for k in 0..N {
-            let start = self.by_weight.get(parts[k] as usize).map_or(0, |start| start.to_bits());
-            let (&[first, second], _) = sides::<KEYS, 1>(self.weights, start, 0);
-            // Whether the first one is passed is never clear before, the second seldom is.
-            leaf[k] = start.wrapping_add(u32::from(first <= u[k]) + u32::from(second <= u[k]));
-            more |= second <= u[k];
-        }
-        if more {
-            for k in 0..N {
-                let passed = |leaf: u32| self.weights.get(leaf as usize).is_some_and(|&next| next <= u[k]);
-                while passed(leaf[k]) {
-                    leaf[k] += 1;
+    fn guide_by_weight<P: Records, const L: usize>(&self, p: P, group: &mut Group<L>) {
+        for from in (0..L).step_by(P::LEN) {
+            for axis in 0..2 {
+                let u = p.min(p.at_least(p.load(of(p, &group.input[axis], from)), 0.0), p.float(BELOW_ONE));
+                p.store(u, of_mut(p, &mut group.input[axis], from));
+                if axis == 0 {
+                    let part = p.truncated(u * p.float(self.grid.guide));
+                    p.store_words(part, of_mut(p, &mut group.at, from));
                 }
             }
         }
-        leaf
     }
 
-    /// The rows in which conditionals reach their targets.
+    /// `x` by the leaves, and the integral to look for in its column.
     #[inline(always)]
-    fn rows<P: Gather<N>, const N: usize, const SIDES: usize>(
-        &self,
-        p: P,
-        column: P::U,
-        u: P::F,
-        [r, t]: [P::F; 2],
-        target: P::F,
-    ) -> (P::U, [P::F; 4]) {
-        let place = u * p.float(self.grid.quantiles);
-        let (part, parts) = p.below(place);
-        let ranks = p.words(column * p.word(self.grid.ranks) + parts);
-        let mut pairs = [[0.0; 4]; N];
-        for k in 0..N {
-            let ([before, after], _) = sides::<2, 1>(self.quantiles, ranks[k], 0);
-            pairs[k] = [*before, *after, 0.0, 0.0];
+    fn x<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+        let Grid { density, size, origin, last, .. } = self.grid;
+        let (zero, one) = (p.float(0.0), p.float(1.0));
+        for from in (0..L).step_by(P::LEN) {
+            let (u1, u2) = (p.load(of(p, &group.input[0], from)), p.load(of(p, &group.input[1], from)));
+            let [weight, per, begin, wide, c0, c1, c2, c3] = p.fields8(of(p, &group.eights, from));
+            let cubics = p.fields8(of(p, &group.other_eights, from));
+            let r = p.unit((u1 - weight) * per);
+            let bent = (c0 + r * c1) + (r * r) * (c2 + r * c3);
+            let mut s = p.unit(r + r * (one - r) * bent);
+            let flagged = p.less(wide, zero);
+            let is_any_flagged = p.any(flagged);
+            if is_any_flagged {
+                s = p.select(flagged, newton(p, &cubics, r, s), s);
+                if p.any(p.less(p.float(0.5 * MANY_STEPS), c0)) {
+                    let mut places = [0.0; L];
+                    p.store(s, &mut places);
+                    for k in from..from + P::LEN {
+                        let leaf = [group.eights[k], group.other_eights[k]];
+                        if leaf[0][C0] == MANY_STEPS {
+                            places[k - from] = many_steps(leaf, group.input[0][k]);
+                        }
+                    }
+                    s = p.load(&places);
+                }
+            }
+            let wide = p.max(wide, -wide);
+            let x = p.min(p.max((begin + wide * s) * p.float(size[0]), p.float(-1.0)), one);
+            // A piece lies in one column: which one does not wait for the place in it.
+            let origin = p.float(origin[0]);
+            let column = p.truncated(p.min(begin + p.float(0.5) * wide + origin, p.float(last[0])));
+            // The conditional is that of the rounded place, which is what the way back finds.
+            let at = x * p.float(density[0]);
+            let t = p.unit(at - (p.float_of_word(column) - origin));
+            if is_any_flagged {
+                s = p.select(flagged, place(p, at, begin, wide), s);
+            }
+            let [marginal, below] = marginals(p, &cubics, s);
+            p.store(x, of_mut(p, &mut group.output[0], from));
+            p.store(t, of_mut(p, &mut group.t, from));
+            p.store(u2 * marginal - below, of_mut(p, &mut group.target, from));
+            let part = p.truncated(u2 * p.float(self.grid.quantiles));
+            p.store_words(column, of_mut(p, &mut group.column, from));
+            p.store_words(column * p.word(self.grid.ranks) + part, of_mut(p, &mut group.at, from));
         }
-        let [before, after, ..] = p.transposed(&pairs.each_ref());
-        let guess = before + (after - before) * (place - part) - p.float((LINES / 2 - 1) as f32);
-        let (_, first) = p.below(guess);
-        let stride = self.grid.stride;
-        let (first, at) = (p.words(first), p.words(column * p.word(stride) + (first + first)));
-        let (rs, ts, targets) = (p.floats(r), p.floats(t), p.floats(target));
-        let (mut row, mut nodes) = ([0; N], [[0.0; 4]; N]);
-        let mut found = true;
-        for k in 0..N {
-            let (left, right) = sides::<{ 2 * LINES }, SIDES>(self.nodes, at[k], stride);
-            let (reached, four) = p.reached::<SIDES>([left, right], [rs[k], ts[k]], targets[k]);
-            let before = reached.wrapping_sub(1);
-            (row[k], nodes[k]) = (first[k].wrapping_add(before), four);
-            found &= before < LINES as u32 - 1 && row[k] <= self.grid.last_row;
+    }
+
+    /// The line before the row that the quantiles say.
+    #[inline(always)]
+    fn first_line<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+        for from in (0..L).step_by(P::LEN) {
+            let place = p.load(of(p, &group.input[1], from)) * p.float(self.grid.quantiles);
+            let [before, after] = p.fields2(of(p, &group.twos, from));
+            let part = p.float_of_word(p.truncated(place));
+            let guess = before + (after - before) * (place - part) - p.float(1.0);
+            let row = p.truncated(p.min(p.max(guess, p.float(0.0)), p.float(self.grid.last_row as f32)));
+            let column = p.load_words(of(p, &group.column, from));
+            let at = column * p.word(self.grid.stride) + row * p.word(SIDES as u32);
+            p.store_words(row, of_mut(p, &mut group.row, from));
+            p.store_words(at, of_mut(p, &mut group.at, from));
         }
-        if !found {
-            let columns = p.words(column);
-            for k in 0..N {
-                let before = row[k].wrapping_sub(first[k]);
-                if before >= LINES as u32 - 1 || row[k] > self.grid.last_row {
-                    (row[k], nodes[k]) =
-                        self.search::<SIDES>(columns[k] as usize, [rs[k], ts[k]], targets[k]);
+    }
+
+    /// `y` by the three rows between these lines, or, where it is in none of them, by a search.
+    #[inline(always)]
+    fn y<P: Records, const L: usize, const SIDES: usize>(&self, p: P, group: &mut Group<L>) {
+        let Grid { size, origin, margin, .. } = self.grid;
+        let (zero, one) = (p.float(0.0), p.float(1.0));
+        for from in (0..L).step_by(P::LEN) {
+            let mut target = p.load(of(p, &group.target, from));
+            let mut lines = window::<P, L, SIDES>(p, group, from);
+            let missed = p.either(p.less(target, lines[0][0]), p.at_or_below(lines[3][0], target));
+            if p.any(missed) {
+                for k in from..from + P::LEN {
+                    let ends = match SIDES {
+                        1 => [group.fours[k][0], group.fours[k][3]],
+                        _ => [group.eights[k][0], group.eights[k][6]],
+                    };
+                    if group.target[k] < ends[0] || ends[1] <= group.target[k] {
+                        let (row, target) =
+                            self.search::<SIDES>(group.column[k], group.t[k], group.target[k], group.row[k]);
+                        (group.row[k], group.target[k]) = (row, target);
+                        group.at[k] = group.column[k]
+                            .wrapping_mul(self.grid.stride)
+                            .wrapping_add(row.wrapping_mul(SIDES as u32));
+                        let nodes = sides::<SIDES>(self.nodes, self.grid.stride);
+                        fill_window::<P, L, SIDES>(p, nodes, group, k);
+                    }
+                }
+                target = p.load(of(p, &group.target, from));
+                lines = window::<P, L, SIDES>(p, group, from);
+            }
+            let [first, second, third, fourth] = lines;
+            let passed = [p.at_or_below(second[0], target), p.at_or_below(third[0], target)];
+            let begin = chosen(p, passed, [first[0], second[0], third[0]]);
+            let excess = p.max(target - begin, zero);
+            let q = if SIDES == 1 {
+                let end = chosen(p, passed, [second[0], third[0], fourth[0]]);
+                excess / p.max(end - begin, p.float(f32::MIN_POSITIVE))
+            } else {
+                let a = chosen(p, passed, [first[1], second[1], third[1]]);
+                let b = chosen(p, passed, [second[1], third[1], fourth[1]]);
+                let twice = excess + excess;
+                let root = p.sqrt(p.max(a * a + (b - a) * twice, zero));
+                twice / p.max(a + root, p.float(f32::MIN_POSITIVE))
+            };
+            let q = p.min(p.max(q, p.float(margin)), p.float(1.0 - margin));
+            let row = p.float_of_word(p.load_words(of(p, &group.row, from)));
+            let row = row + chosen(p, passed, [zero, one, p.float(2.0)]);
+            let x = p.load(of(p, &group.output[0], from));
+            let y = ((row - p.float(origin[1])) + q) * p.float(size[1]);
+            p.store(y, of_mut(p, &mut group.output[1], from));
+            if p.any(p.less(p.float(1.0 - 4.0 * f32::EPSILON), x * x + y * y)) {
+                for k in from..from + P::LEN {
+                    let at = [group.output[0][k], group.output[1][k]];
+                    group.output[1][k] = self.inside::<SIDES>(group.column[k], group.t[k], at);
                 }
             }
         }
-        (p.of_words(&row), p.transposed(&nodes.each_ref()))
     }
 
-    /// The last row that begins at or below `target` and has weight, by halving, and its nodes.
-    #[cold]
-    fn search<const SIDES: usize>(&self, column: usize, [r, t]: [f32; 2], target: f32) -> (u32, [f32; 4]) {
-        let stride = self.grid.stride as usize;
-        let side = |side: usize| self.nodes.get(side * stride..(side + 1) * stride).unwrap_or_default();
-        let (left, right) = (side(column), side(column + SIDES - 1));
-        let number = |k: usize, none: f32| match (left.get(k), right.get(k)) {
-            (Some(left), Some(_)) if SIDES == 1 => *left,
-            (Some(left), Some(right)) => r * left + t * right,
-            _ => none,
-        };
-        let at = |line: usize| number(2 * line, f32::MAX);
-        let rows = self.grid.last_row as usize + 1;
-        let [bottom, top] = [at(0), at(rows)];
-        let reaches =
-            |line: usize| if target >= top { at(line) >= top } else { at(line) > target.max(bottom) };
-        let (mut low, mut high) = (0, rows);
-        while high - low > 1 {
-            let middle = low.midpoint(high);
-            if reaches(middle) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        (low as u32, [0, 1, 2, 3].map(|k| number(2 * low + k, 0.0)))
-    }
-
-    /// The places `y`, with those beyond the chord moved to its end, or to where there is weight from there on.
-    #[cold]
-    fn inside<const N: usize, const SIDES: usize>(
-        &self,
-        column: [u32; N],
-        places: [[f32; N]; 3],
-    ) -> [f32; N] {
-        let Grid { density, size, origin, last_row, stride, .. } = self.grid;
-        let [x, mut y, t] = places;
-        for k in 0..N {
-            if x[k] * x[k] + y[k] * y[k] <= 1.0 - 4.0 * f32::EPSILON {
-                continue;
-            }
-            let chord = math::sqrt((1.0 - x[k] * x[k]).max(0.0)) * (1.0 - 4.0 * f32::EPSILON);
-            let end = y[k].clamp(-chord, chord);
-            let has_weight = |row: u32| {
-                let at = column[k].wrapping_mul(stride).wrapping_add(2 * row);
-                let (left, right) = sides::<4, SIDES>(self.nodes, at, stride);
-                let [from, to] = [0, 2].map(|of| (1.0 - t[k]) * left[of] + t[k] * right[of]);
-                from < to
-            };
-            let row_at = |y: f32| ((y * density[1] + origin[1]) as u32).min(last_row);
-            let (first, last) = (row_at(-chord), row_at(chord));
-            let nearest = if y[k] < 0.0 {
-                (first..=last).find(|&row| has_weight(row))
-            } else {
-                (first..=last).rev().find(|&row| has_weight(row))
-            };
-            y[k] = match nearest {
-                Some(row) if row != row_at(end) => {
-                    let margin = if y[k] < 0.0 { self.grid.margin[1] } else { 1.0 - self.grid.margin[1] };
-                    ((row as f32 - origin[1] + margin) * size[1]).clamp(-chord, chord)
-                }
-                _ => end,
-            };
-        }
-        y
+    /// The column of a place in columns from the middle, and the place in it.
+    #[inline(always)]
+    pub(crate) fn column<P: Records>(&self, p: P, at: P::F, [origin, last]: [f32; 2]) -> (P::U, P::F) {
+        let origin = p.float(origin);
+        let cell = p.truncated(p.min(at + origin, p.float(last)));
+        // Rounding of the sum may tell the cell beside.
+        (cell, p.unit(at - (p.float_of_word(cell) - origin)))
     }
 }
 
-/// The places `s` in leaves, with those found anew that need many steps.
-#[cold]
-fn many_steps<const N: usize>(
-    leaves: &[&[f32; LEAF]; N],
-    cubics: &[&Rows; N],
-    weights: &[f32; N],
-    mut s: [f32; N],
-) -> [f32; N] {
-    for k in 0..N {
-        let [from, .., steps, to] = *leaves[k];
-        if steps >= MANY_STEPS {
-            let [from, to] = [from, to].map(f64::from);
-            let marginal = [(0, 1.0), (1, 3.0), (2, 3.0), (3, 1.0)];
-            let marginal = marginal.map(|(row, times)| f64::from(cubics[k][row][MARGINAL]) / times);
-            let share = ((f64::from(weights[k]) - from) / (to - from)).clamp(0.0, 1.0);
-            s[k] = inverse_share(marginal, kept_away(marginal, share, LEAST_MASS / (to - from))) as f32;
-        }
+/// Copies the lines at which a lane looks, `t` of the way from the left to the right side.
+#[inline(always)]
+fn fill_window<P: Records, const L: usize, const SIDES: usize>(
+    p: P,
+    [left, right]: [&[f32]; 2],
+    group: &mut Group<L>,
+    k: usize,
+) {
+    let (at, t) = (group.at[k], group.t[k]);
+    if SIDES == 1 {
+        let Some(lines) = entries(left, at) else { return };
+        group.fours[k] = *lines;
+    } else {
+        let (Some(left), Some(right)) = (entries(left, at), entries(right, at)) else { return };
+        group.eights[k] = p.blended8([left, right], [1.0 - t, t]);
     }
-    s
+}
+
+/// The integral, and the value if there are two sides, on each line of a window.
+#[inline(always)]
+fn window<P: Records, const L: usize, const SIDES: usize>(
+    p: P,
+    group: &Group<L>,
+    from: usize,
+) -> [[P::F; 2]; LINES] {
+    if SIDES == 1 {
+        let [a, b, c, d] = p.fields4(of(p, &group.fours, from));
+        [[a, a], [b, b], [c, c], [d, d]]
+    } else {
+        let [a, p0, b, p1, c, p2, d, p3] = p.fields8(of(p, &group.eights, from));
+        [[a, p0], [b, p1], [c, p2], [d, p3]]
+    }
+}
+
+/// The place in a leaf of a place in columns from the middle.
+#[inline(always)]
+pub(crate) fn place<P: Records>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
+    p.unit((at - begin) / p.max(p.max(wide, -wide), p.float(f32::MIN_POSITIVE)))
+}
+
+/// The first number, or the second or third if so many lines are passed.
+#[inline(always)]
+fn chosen<P: Records>(p: P, passed: [P::M; 2], [a, b, c]: [P::F; 3]) -> P::F {
+    p.select(passed[1], c, p.select(passed[0], b, a))
+}
+
+/// The marginal and its part below the middle, by a leaf's second half, at the place `s`.
+#[inline(always)]
+pub(crate) fn marginals<P: Records>(
+    p: P,
+    &[m0, m1, m2, m3, b0, b1, b2, b3]: &[P::F; 8],
+    s: P::F,
+) -> [P::F; 2] {
+    let o = p.float(1.0) - s;
+    let (o2, s2) = (o * o, s * s);
+    let (a, b, c, d) = (o2 * o, o2 * s, o * s2, s2 * s);
+    [(m0 * a + m1 * b) + (m2 * c + m3 * d), (b0 * a + b1 * b) + (b2 * c + b3 * d)]
+}
+
+/// Four times the marginal's integral up to the place `s`, and over the whole leaf.
+#[inline(always)]
+pub(crate) fn integrals<P: Records>(p: P, &[m0, m1, m2, m3, ..]: &[P::F; 8], s: P::F) -> [P::F; 2] {
+    let (four, six, third) = (p.float(4.0), p.float(6.0), p.float(1.0 / 3.0));
+    let o = p.float(1.0) - s;
+    let (o2, s2) = (o * o, s * s);
+    let two = m0 + m1 * third;
+    let three = two + m2 * third;
+    let sum = three + m3;
+    let first = o2 * (four * m0 * o + six * two * s);
+    [s * (first + s2 * (four * three * o + sum * s)), sum]
+}
+
+/// One of Newton's steps towards the share `r`.
+#[inline(always)]
+fn newton<P: Records>(p: P, cubics: &[P::F; 8], r: P::F, s: P::F) -> P::F {
+    let ([integral, sum], [marginal, _]) = (integrals(p, cubics, s), marginals(p, cubics, s));
+    let slope = p.max(p.float(4.0) * marginal, p.float(f32::MIN_POSITIVE));
+    p.unit(s - (integral - r * sum) / slope)
 }

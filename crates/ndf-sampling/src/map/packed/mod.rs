@@ -1,15 +1,17 @@
 //! A map of normals in one borrowed array of `f32`.
 
-#[cfg(feature = "alloc")]
-pub(crate) mod bins;
+pub(crate) mod block;
 pub(crate) mod calls;
 pub(crate) mod cdf;
+pub(crate) mod density;
 pub(crate) mod error;
-pub(crate) mod fetch;
 pub(crate) mod grid;
 pub(crate) mod inverse_cdf;
 pub(crate) mod layout;
+pub(crate) mod leaf;
 #[cfg(feature = "alloc")]
 pub(crate) mod pack;
 pub(crate) mod packed_map;
-pub(crate) mod record;
+#[cfg(feature = "alloc")]
+pub(crate) mod quantiles;
+pub(crate) mod search;

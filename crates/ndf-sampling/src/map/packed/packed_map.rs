@@ -2,8 +2,8 @@
 
 use crate::map::packed::error::PackedMapError;
 use crate::map::packed::grid::Grid;
-use crate::map::packed::layout::Layout;
-use crate::map::packed::record::{HEADER, LEAF, Rows};
+use crate::map::packed::layout::{HEADER, Layout};
+use crate::map::packed::leaf::Leaf;
 use crate::map::reconstruction::Reconstruction;
 
 /// A normal density on the map, sampled and inverted in `f32` from one array that it borrows: from flash, a file or a `Vec`.
@@ -12,8 +12,8 @@ use crate::map::reconstruction::Reconstruction;
 /// distribution functions are rounded to `f32`, so what is not within 10⁻⁷ of the whole is lost.
 ///
 /// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, and what the rounding of the normal's coordinates makes of it: 6e-8
-///   times the marginal, or the conditional density, per `dn`. The rim is the circle; parts of the marginal are cubics that are
-///   within 5e-7 of it.
+///   times the marginal, or the conditional density, per `dn`. The pieces of the marginal are those of the exact map.
+/// - **Order:** a larger `u` never gives a smaller coordinate by more than its last bit.
 /// - **Resolution:** that of `f32`: columns and rows beyond 2²² are not told apart.
 /// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`](crate::ndf::Ndf).
 /// - An array whose header is sound but whose numbers were changed gives other normals, and never panics.
@@ -37,14 +37,15 @@ use crate::map::reconstruction::Reconstruction;
 pub struct PackedMapRef<'a> {
     pub(crate) layout: Layout,
     pub(crate) grid: Grid,
-    pub(crate) by_weight: &'a [f32],
-    /// `M` where the leaves after the first begin.
-    pub(crate) weights: &'a [f32],
-    pub(crate) leaves: &'a [[f32; LEAF]],
-    pub(crate) cubics: &'a [Rows],
-    pub(crate) quantiles: &'a [f32],
-    /// For each line across a column the integral up to it and the value on it.
+    /// The guides to the leaves by `M` and by `n_x`: a leaf, and the keys of the three after it.
+    pub(crate) by_weight: &'a [[f32; 4]],
+    pub(crate) by_place: &'a [[f32; 4]],
+    pub(crate) leaves: &'a [Leaf],
+    /// For each line across a column the integral up to it and, in bilinear maps, the value on it.
     pub(crate) nodes: &'a [f32],
+    /// `D` column by column.
+    pub(crate) texels: &'a [f32],
+    pub(crate) quantiles: &'a [f32],
 }
 
 impl<'a> PackedMapRef<'a> {
@@ -54,20 +55,21 @@ impl<'a> PackedMapRef<'a> {
     /// An array without the header of a packed map, with a size in the header that is none, or of another length than these
     /// sizes need.
     pub fn new(array: &'a [f32]) -> Result<Self, PackedMapError> {
-        let (layout, len) = Layout::read(array)?;
+        let layout = Layout::read(array)?;
         let mut rest = array.get(HEADER..).unwrap_or_default();
         let mut parts = [&array[..0]; 6];
         for (part, length) in parts.iter_mut().zip(layout.parts()) {
             let length = length.and_then(|length| usize::try_from(length).ok());
             let Some((first, others)) = length.and_then(|length| rest.split_at_checked(length)) else {
-                return Err(PackedMapError::Length { expected: u64::MAX, got: len });
+                return Err(PackedMapError::Length { expected: u64::MAX, got: array.len() });
             };
             (*part, rest) = (first, others);
         }
-        let [by_weight, weights, leaves, cubics, quantiles, nodes] = parts;
-        let leaves = leaves.as_chunks().0;
-        let cubics = cubics.as_chunks().0.as_chunks().0;
-        Ok(Self { layout, grid: Grid::new(&layout), by_weight, weights, leaves, cubics, quantiles, nodes })
+        let [by_weight, by_place, leaves, nodes, texels, quantiles] = parts;
+        let [by_weight, by_place] = [by_weight, by_place].map(|guide| guide.as_chunks().0);
+        let leaves = leaves.as_chunks().0.as_chunks().0;
+        let grid = Grid::new(&layout);
+        Ok(Self { layout, grid, by_weight, by_place, leaves, nodes, texels, quantiles })
     }
 
     /// The number of texels along x.
