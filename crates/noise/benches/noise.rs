@@ -77,6 +77,7 @@ fn lines(criterion: &mut Criterion) {
     calls(criterion, "sample/3-d/gaussian-octaves-8", |i| sum.sample(line(i)));
     calls(criterion, "detail/3-d/gaussian-octaves-8", |i| sum.detail(8.0).sample(line(i)));
     calls(criterion, "pair/3-d/gaussian-octaves-8", |i| sum.pair(line(i)));
+    calls(criterion, "pair/3-d/gaussian-octaves-4", |i| sum.detail(4.0).pair(line(i)));
     let table = PermutationTable::new(1);
     let tiled = Tiled::new(IntegerHash, [16; 3]).expect("periods in range");
     let noise = Perlin2002::new(1);

@@ -55,6 +55,8 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn word(self, x: u32) -> Self::U;
     /// The float of each lane.
     fn floats(self, f: impl FnMut(usize) -> f32) -> Self::F;
+    /// Two floats of each lane that lie side by side where they come from.
+    fn pairs(self, f: impl FnMut(usize) -> [f32; 2]) -> [Self::F; 2];
     /// The word of each lane.
     fn words(self, f: impl FnMut(usize) -> u32) -> Self::U;
     /// The number of each lane.
@@ -194,6 +196,10 @@ impl Lanes for Scalar {
     }
     #[inline(always)]
     fn floats(self, mut f: impl FnMut(usize) -> f32) -> f32 {
+        f(0)
+    }
+    #[inline(always)]
+    fn pairs(self, mut f: impl FnMut(usize) -> [f32; 2]) -> [f32; 2] {
         f(0)
     }
     #[inline(always)]

@@ -58,6 +58,17 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
         S::f32s::from_fn(self.0, f)
     }
     #[inline(always)]
+    fn pairs(self, mut f: impl FnMut(usize) -> [f32; 2]) -> [Self::F; 2] {
+        // As one number of 64 bits two neighbours are loaded at once.
+        let mut pair = |lane| {
+            let [first, second] = f(lane).map(|x| u64::from(x.to_bits()));
+            f64::from_bits(first | second << 32)
+        };
+        let low: Self::F = S::f64s::from_fn(self.0, &mut pair).bitcast();
+        let high: Self::F = S::f64s::from_fn(self.0, |lane| pair(Self::LEN / 2 + lane)).bitcast();
+        [low.unzip_low(high), low.unzip_high(high)]
+    }
+    #[inline(always)]
     fn words(self, f: impl FnMut(usize) -> u32) -> Self::U {
         S::u32s::from_fn(self.0, f)
     }

@@ -219,8 +219,10 @@ const TAIL: u32 = 4 << 20;
 /// z = Φ⁻¹(word/2³² + 2⁻¹³): between levels, which are Φ⁻¹ of odd multiples of 2⁻¹³, by their chords, and in the tails by [`tails`].
 #[inline(always)]
 fn quantile<S: Lanes>(s: S, word: S::U) -> S::F {
-    let level = |step| s.floats(|lane| LEVELS[(s.lane_word(word, lane) >> 20) as usize + step]);
-    let (low, high) = (level(0), level(1));
+    let [low, high] = s.pairs(|lane| {
+        let i = (s.lane_word(word, lane) >> 20) as usize;
+        [LEVELS[i], LEVELS[i + 1]]
+    });
     let mut z = low + (high - low) * (s.real(word & s.word(0xf_ffff)) * s.float(1.0 / 1_048_576.0));
     if s.any(s.equal((word + s.word(TAIL)) & s.word(!(2 * TAIL - 1)), s.word(0))) {
         let (mut words, mut values) = ([0.0; LANES], [0.0; LANES]);

@@ -128,7 +128,7 @@ impl<L: Lattice, const N: usize, T> Task for Pair<'_, L, N, T> {
         let (channels, lanes) = (Channels(noise), splat(s, p));
         let mut sums = *self.sums;
         // A few octaves are faster one by one, where their corners fill the lanes.
-        let few = if S::LEN == BOTH { 2 } else { 1 };
+        let few = if S::LEN == BOTH && N > 2 { 2 } else { 1 };
         let mut first = 0;
         while first < count {
             if count - first <= few {
