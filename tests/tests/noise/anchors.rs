@@ -38,7 +38,7 @@ where
         let p: [f32; N] = point(&mut random);
         assert_eq!(origin.sample(at(p)), sum.sample(at(p)), "{name}");
         let q = std::array::from_fn::<f32, N, _>(|axis| p[axis] + near[axis] as f32);
-        // Octave i sees 100 · 2.17ⁱ rounded to 2⁻²⁴ of itself, and has an amplitude of 2⁻ⁱ; slopes are up to 4. Worst seen: LIMIT.
+        // Octave i sees 100 · 2.17ⁱ rounded to 2⁻²⁴ of itself, and has an amplitude of 2⁻ⁱ; slopes are up to 4.
         assert_abs_diff_eq!(beside.value(at(p)), sum.value(at(q)), epsilon = 0.01, "{name}");
         // The finest octave has a frequency of 1060: what `f32` loses of p is a thousandth of its cells.
         let q = std::array::from_fn::<f32, N, _>(|axis| p[axis] + step[axis] as f32);

@@ -126,7 +126,10 @@ pub(crate) trait Task {
 }
 
 /// Runs the work of a single point, for which four or eight lanes are as many as it fills. Nothing where there is one lane only.
-#[inline(always)]
+///
+/// On x86 with AVX2 alone, since each level takes its time to compile for every noise, and processors without it are few. Never
+/// inlined: a program has calls of each sum in many places, and what they run once.
+#[inline(never)]
 pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
     #[cfg(not(feature = "simd"))]
     {
@@ -138,13 +141,8 @@ pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
         use fearless_simd::Simd;
         let level = machine();
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        if let Some(simd) = level.as_avx2() {
-            simd.vectorize(
-                #[inline(always)]
-                || task.run(Wide(simd, Common)),
-            );
-        } else {
-            let simd = level.as_sse2()?;
+        {
+            let simd = level.as_avx2()?;
             simd.vectorize(
                 #[inline(always)]
                 || task.run(Wide(simd, Common)),
