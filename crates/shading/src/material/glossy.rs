@@ -23,8 +23,8 @@ pub(crate) struct GlossySurface {
 }
 
 impl GlossySurface {
-    /// Layer of facets of this roughness under a gloss of the width α, from `wo` in the frame of the surface without bumps.
-    pub(crate) fn bsdf<'a>(&self, frame: &Frame, wo: Vec3, roughness: f32, alpha: f32) -> Bsdf<'a> {
+    /// Adds a layer of facets of this roughness under a gloss of the width α to a BSDF in the frame of the surface without bumps.
+    pub(crate) fn add_to(&self, bsdf: &mut Bsdf<'_>, frame: &Frame, roughness: f32, alpha: f32) {
         // What shines is at the cost of what is scattered.
         let diffuse = self.diffuse.min(Vec3::ONE - self.specular);
         let base = EnergyPreservingOrenNayar::clamped(diffuse, roughness);
@@ -39,8 +39,6 @@ impl GlossySurface {
             [Vec3::X, Vec3::Y].map(|axis| axis * sqrt(self.slope_variance.max(0.0)))
         };
         let facets = facets_along(Vec3::Z, normal, axes, 0.5);
-        let mut bsdf = Bsdf::new(wo);
         bsdf.add_layer(facets, [base.into(), gloss.into()]);
-        bsdf
     }
 }

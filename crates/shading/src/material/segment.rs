@@ -1,7 +1,7 @@
 //! Short oriented segments in the cells of a plane, drawn by hashes: what scratches and fibres lie along.
 
 use asperity_noise::{IntegerHash, Lattice};
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::math::{floor, sin};
 
@@ -24,19 +24,19 @@ struct Batch {
     /// The point from the midpoint, in cells.
     x: [f32; BATCH + QUARTET],
     y: [f32; BATCH + QUARTET],
-    /// A word of its own.
-    own: [u32; BATCH + QUARTET],
+    /// Its cell, and which one of that it is.
+    name: [[i32; 3]; BATCH + QUARTET],
     count: usize,
 }
 
 impl Batch {
     /// A segment more, if it is there: what is written otherwise is written over by the next one.
     #[inline(always)]
-    fn push(&mut self, [x, y]: [f32; 2], own: u32, there: bool) {
-        if let (Some(to_x), Some(to_y), Some(word)) =
-            (self.x.get_mut(self.count), self.y.get_mut(self.count), self.own.get_mut(self.count))
+    fn push(&mut self, [x, y]: [f32; 2], own: [i32; 3], there: bool) {
+        if let (Some(to_x), Some(to_y), Some(name)) =
+            (self.x.get_mut(self.count), self.y.get_mut(self.count), self.name.get_mut(self.count))
         {
-            (*to_x, *to_y, *word) = (x, y, own);
+            (*to_x, *to_y, *name) = (x, y, own);
             self.count += usize::from(there);
         }
     }
@@ -45,20 +45,20 @@ impl Batch {
     fn drop_first(&mut self) {
         self.x.copy_within(BATCH.., 0);
         self.y.copy_within(BATCH.., 0);
-        self.own.copy_within(BATCH.., 0);
+        self.name.copy_within(BATCH.., 0);
         self.count -= BATCH;
     }
 }
 
 /// `(cos t, sin t)` for |t| ≤ π/2: their series to t¹² and t¹¹, to 1e-7.
 #[inline(always)]
-fn cos_sin(t: f32) -> [f32; 2] {
+fn cos_sin(t: Vec4) -> [Vec4; 2] {
     /// What each term is to the one before.
     const COS: [f32; 6] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0];
     const SIN: [f32; 5] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0];
     let t2 = t * t;
-    let cos = COS.iter().rev().fold(1.0, |sum, ratio| 1.0 - t2 * ratio * sum);
-    let sin = SIN.iter().rev().fold(1.0, |sum, ratio| 1.0 - t2 * ratio * sum);
+    let cos = COS.iter().rev().fold(Vec4::ONE, |sum, &ratio| 1.0 - t2 * ratio * sum);
+    let sin = SIN.iter().rev().fold(Vec4::ONE, |sum, &ratio| 1.0 - t2 * ratio * sum);
     [cos, t * sin]
 }
 
@@ -124,22 +124,22 @@ impl Segments {
                 if left <= 0.0 {
                     break;
                 }
-                // The same for each of four: the compiler takes them together.
                 let words = |j: u32| -> [u32; QUARTET] {
                     core::array::from_fn(|k| {
                         IntegerHash.word([x, y, (3 * (first + k as u32) + j) as i32], self.seed)
                     })
                 };
                 let middles = words(1);
-                let from_x = middles.map(|word| from.x - (word >> 16) as i32 as f32 / 65_536.0);
-                let from_y = middles.map(|word| from.y - (word & 0xffff) as i32 as f32 / 65_536.0);
-                let own = words(2);
-                let square: [f32; QUARTET] =
-                    core::array::from_fn(|k| from_x[k] * from_x[k] + from_y[k] * from_y[k]);
+                let from_x =
+                    from.x - Vec4::from(middles.map(|word| (word >> 16) as i32 as f32)) * (1.0 / 65_536.0);
+                let from_y =
+                    from.y - Vec4::from(middles.map(|word| (word & 0xffff) as i32 as f32)) * (1.0 / 65_536.0);
+                let near = (from_x * from_x + from_y * from_y).cmple(Vec4::splat(farthest)).bitmask();
                 let chances = if certain || left >= QUARTET as f32 { [0; QUARTET] } else { words(0) };
+                let [from_x, from_y] = [from_x, from_y].map(|from| from.to_array());
                 for k in 0..QUARTET {
-                    let there = square[k] <= farthest && (unit(chances[k]) < left - k as f32);
-                    batch.push([from_x[k], from_y[k]], own[k], there);
+                    let there = near >> k & 1 == 1 && unit(chances[k]) < left - k as f32;
+                    batch.push([from_x[k], from_y[k]], [x, y, (first + k as u32) as i32], there);
                 }
                 if batch.count >= BATCH {
                     self.finish(&batch, BATCH, &mut f);
@@ -156,18 +156,21 @@ impl Segments {
         let turns = 2.0 * self.spread * core::f32::consts::FRAC_PI_2;
         let (to_along, d) = (self.cell / (0.5 * self.length), self.direction);
         for first in (0..count.min(BATCH)).step_by(QUARTET) {
-            let mut near = [[0.0; QUARTET]; 4];
-            let [along, across, x, y] = &mut near;
-            for k in 0..QUARTET {
-                let turn = ((batch.own[first + k] >> 20) as i32 as f32 / 4096.0 - 0.5) * turns;
-                let [cos, sin] = cos_sin(turn);
-                (x[k], y[k]) = (d.x * cos - d.y * sin, d.y * cos + d.x * sin);
-                let [from_x, from_y] = [batch.x[first + k], batch.y[first + k]];
-                along[k] = (from_x * x[k] + from_y * y[k]) * to_along;
-                across[k] = (x[k] * from_y - y[k] * from_x) * self.cell;
-            }
+            // Only of those that are near: the word of its own.
+            let own: [u32; QUARTET] = core::array::from_fn(|k| {
+                let [x, y, name] = batch.name[first + k];
+                IntegerHash.word([x, y, 3 * name + 2], self.seed)
+            });
+            let turn = (Vec4::from(own.map(|own| (own >> 20) as i32 as f32)) * (1.0 / 4096.0) - 0.5) * turns;
+            let [cos, sin] = cos_sin(turn);
+            let (x, y) = (d.x * cos - d.y * sin, d.y * cos + d.x * sin);
+            let part = |from: &[f32; BATCH + QUARTET]| Vec4::from_slice(&from[first..first + QUARTET]);
+            let (from_x, from_y) = (part(&batch.x), part(&batch.y));
+            let along = ((from_x * x + from_y * y) * to_along).to_array();
+            let across = ((x * from_y - y * from_x) * self.cell).to_array();
+            let [x, y] = [x, y].map(|c| c.to_array());
             for k in 0..QUARTET.min(count - first) {
-                let field = |shift: u32| (batch.own[first + k] >> shift & 1023) as i32 as f32 / 1024.0;
+                let field = |shift: u32| (own[k] >> shift & 1023) as i32 as f32 / 1024.0;
                 f(Near {
                     along: along[k],
                     across: across[k],

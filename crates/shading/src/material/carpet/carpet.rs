@@ -202,7 +202,8 @@ impl Material for Carpet {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame) = (&self.parameters, point.frame());
         let rim = rim_light(point.normal, frame.to_world(wo), p.fake_rim_light_width);
-        let mut bsdf = self.surface(point).bsdf(&frame, wo, p.roughness, p.specular_roughness);
+        let mut bsdf = Bsdf::new(wo);
+        self.surface(point).add_to(&mut bsdf, &frame, p.roughness, p.specular_roughness);
         bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_colour);
         bsdf
     }

@@ -104,7 +104,9 @@ impl Variations {
 impl Material for Variations {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let p = &self.parameters;
-        self.surface(point).bsdf(&point.frame(), wo, p.roughness, p.gloss_roughness)
+        let mut bsdf = Bsdf::new(wo);
+        self.surface(point).add_to(&mut bsdf, &point.frame(), p.roughness, p.gloss_roughness);
+        bsdf
     }
 }
 
