@@ -28,7 +28,7 @@ where
         kind: Kind,
         divisor: f32,
     ) -> [f64; 2] {
-        let words = |cell: [i32; N], seed| lattice.word(cell, seed);
+        let words = |cell: [i32; N], seed| kind.word(lattice, cell, seed);
         let at = |p, seed| at(noise.with_seed(seed).sample(V::from_coordinates(p)));
         errors_on(&words, kind, divisor, &at)
     }
@@ -48,7 +48,7 @@ pub fn errors<V: Point<Coordinates = [f32; N]>, const N: usize>(
     noise: impl Fn(V, u32) -> Sample<V>,
 ) -> [f64; 2] {
     let noise = |p, seed| at(noise(V::from_coordinates(p), seed));
-    errors_on(&|cell, seed| IntegerHash.word(cell, seed), kind, divisor, &noise)
+    errors_on(&|cell, seed| kind.word(&IntegerHash, cell, seed), kind, divisor, &noise)
 }
 
 /// The worst errors on a lattice, by pointers, so that they are compiled once a dimension.

@@ -39,7 +39,16 @@ impl Kind {
     /// The unscaled value at `p`.
     #[must_use]
     pub fn value<const D: usize>(self, p: [f64; D], seed: u32) -> f64 {
-        self.value_on(&|cell, seed| IntegerHash.word(cell, seed), p, seed)
+        self.value_on(&|cell, seed| self.word(&IntegerHash, cell, seed), p, seed)
+    }
+
+    /// The word that the kind draws at a lattice point: the upper one where it reads the upper bits alone.
+    #[must_use]
+    pub fn word<const D: usize>(self, lattice: &impl Lattice, cell: [i32; D], seed: u32) -> u32 {
+        match self {
+            Self::Value | Self::Perlin2002 | Self::Simplex(_) => lattice.upper_word(cell, seed),
+            _ => lattice.word(cell, seed),
+        }
     }
 
     /// The unscaled value at `p` on a lattice.
@@ -61,7 +70,8 @@ impl Kind {
     #[must_use]
     pub fn part<const D: usize>(self, word: u32, w: f64, d: [f64; D]) -> f64 {
         match self {
-            Self::White | Self::Value | Self::CatmullRom => w * uniform(word),
+            Self::Value => w * f64::from(word as i32) / 2_147_483_648.0,
+            Self::White | Self::CatmullRom => w * uniform(word),
             Self::Perlin1985 => w * dot(unit_gradient(word).map(f64::from), d),
             Self::Perlin2002 | Self::Simplex(_) => w * dot(edge_gradient(word).map(f64::from), d),
             Self::ValueGradient(weight) => {
@@ -138,9 +148,9 @@ impl Kind {
             Self::Value | Self::ValueGradient(_) => [1.0; 4],
             Self::CatmullRom => [1, 2, 3, 4].map(|n| 1.25_f64.powi(n)),
             Self::Perlin1985 => [1.0, 2.0, 3.0, 4.0].map(|n| f64::sqrt(n) / 2.0),
-            Self::Perlin2002 => [0.5, 1.0, 1.036_353_8, 1.536_582_3],
-            Self::Simplex(0.5) => [0.009_196_735, 0.014_255_562, 0.013_007_157, 0.015_929_222],
-            Self::Simplex(_) => [0.020_895_276, 0.040_844_663, 0.030_584_887, 0.036_730_024],
+            Self::Perlin2002 => [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3],
+            Self::Simplex(0.5) => [0.009_196_735, 0.014_136_467, 0.013_007_157, 0.015_929_222],
+            Self::Simplex(_) => [0.020_895_276, 0.040_496_275, 0.030_584_887, 0.036_730_024],
         };
         greatest.map(|greatest| (1.0 - 2e-6) / greatest)
     }
@@ -231,7 +241,11 @@ fn best_edge<const D: usize>(d: [f64; D]) -> f64 {
     sizes.sort_by(f64::total_cmp);
     match sizes.as_slice() {
         [size] => *size,
-        [small, large] => (small + large).max(large * std::f64::consts::SQRT_2),
+        // Eight directions of length √2 at odd multiples of 22.5°.
+        [small, large] => {
+            let (sin, cos) = std::f64::consts::FRAC_PI_8.sin_cos();
+            std::f64::consts::SQRT_2 * (large * cos + small * sin)
+        }
         [_, rest @ ..] => rest.iter().sum(),
         [] => 0.0,
     }

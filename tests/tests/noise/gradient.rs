@@ -1,7 +1,7 @@
 //! Values and analytic gradients against a plain `f64` evaluation and its central differences; ranges.
 
 use asperity_noise::{
-    Field, Gaussian, IntegerHash, Lattice, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
+    Field, Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom,
     ValueGradient, White,
     glam::{Vec2, Vec3, Vec4},
 };
@@ -28,7 +28,7 @@ struct Errors {
 
 impl VisitAny for Errors {
     fn visit<const N: usize>(&mut self, name: &str, noise: &dyn AnyNoise<N>) {
-        let words = |cell: [i32; N], seed| IntegerHash.word(cell, seed);
+        let words = |cell: [i32; N], seed| self.kind.word(&IntegerHash, cell, seed);
         let [v, g] = errors_on(&words, self.kind, self.divisor, &|p, seed| noise.sample(p, seed));
         let [value, gradient] = self.tolerances[N - 1];
         assert!(v < value && g < gradient, "{name}: {v:e}, {g:e}");

@@ -15,22 +15,39 @@ use asperity_tests::{
 /// The integer hash of cells modulo a period along each axis.
 struct Wrapped([i32; 4]);
 
+impl Wrapped {
+    fn wrapped<const N: usize>(&self, cell: [i32; N]) -> [i32; N] {
+        std::array::from_fn(|axis| cell[axis].rem_euclid(self.0[axis]))
+    }
+}
+
 impl Lattice for Wrapped {
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        let wrapped = std::array::from_fn::<i32, N, _>(|axis| cell[axis].rem_euclid(self.0[axis]));
-        IntegerHash.word(wrapped, seed)
+        IntegerHash.word(self.wrapped(cell), seed)
+    }
+
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        IntegerHash.upper_word(self.wrapped(cell), seed)
     }
 }
 
 /// The integer hash of the corners of simplices in space, told by six times their coordinates modulo six periods.
 struct WrappedCorners([i32; 3]);
 
+impl WrappedCorners {
+    fn wrapped<const N: usize>(&self, cell: [i32; N]) -> [i32; N] {
+        let sum: i32 = cell.iter().sum();
+        std::array::from_fn(|axis| (6 * cell[axis] - sum).rem_euclid(6 * self.0[axis]))
+    }
+}
+
 impl Lattice for WrappedCorners {
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
-        let sum: i32 = cell.iter().sum();
-        let corner =
-            std::array::from_fn::<i32, N, _>(|axis| (6 * cell[axis] - sum).rem_euclid(6 * self.0[axis]));
-        IntegerHash.word(corner, seed)
+        IntegerHash.word(self.wrapped(cell), seed)
+    }
+
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        IntegerHash.upper_word(self.wrapped(cell), seed)
     }
 }
 
@@ -87,11 +104,11 @@ fn simplex_noise_tiles_on_the_line_and_in_space() {
     for noise in [Simplex::new(0), Simplex::wide(0)] {
         let kind = Kind::Simplex(noise.radius_squared().into());
         let tiled = noise.with_lattice(Tiled::new(IntegerHash, [5]).unwrap());
-        let words = |cell: [i32; 1], seed| Wrapped([5; 4]).word(cell, seed);
+        let words = |cell: [i32; 1], seed| Wrapped([5; 4]).upper_word(cell, seed);
         let line = |[x]: [f32; 1], seed| at(tiled.with_seed(seed).sample(x));
         assert_close("simplex", 1, errors_on(&words, kind, DIVISOR, &line));
         let tiled = TiledSimplex::new(noise, [3, 9, 6]).unwrap();
-        let words = |cell: [i32; 3], seed| WrappedCorners([3, 9, 6]).word(cell, seed);
+        let words = |cell: [i32; 3], seed| WrappedCorners([3, 9, 6]).upper_word(cell, seed);
         let space = |p, seed| at(tiled.with_seed(seed).sample(Vec3::from(p)));
         assert_close("simplex", 3, errors_on(&words, kind, DIVISOR, &space));
     }

@@ -38,18 +38,23 @@ fn lit(name: &str, material: &dyn Material, width: f32, expected: [f64; 3]) {
 #[test]
 fn carpets() {
     let carpet = Carpet::new(CarpetParameters::default()).unwrap();
-    lit("Carpet", &carpet, 1e-3, [0.014537431, 0.014537431, 0.015896257]);
+    lit("Carpet", &carpet, 1e-3, [0.0241969936, 0.0241969936, 0.0259268805]);
     let rim = carpet.bsdf(&point(1e-3), Vec3::new(0.96, 0.0, 0.28)).emitted();
     pinned("Carpet, rim", rim, [0.03240001, 0.03240001, 0.03240001], LOOSE);
     let footprint = Footprint::from_width(1e-3);
     let threads = DiffuseThreads::new(0.01, 1).unwrap().sample(P, footprint);
-    pinned("DiffuseThreads", threads.value, [-0.12571007], LOOSE);
-    pinned("DiffuseThreads, gradient", threads.gradient, [0.0246064272, -0.46553421, 1.4558475], LOOSE);
+    pinned("DiffuseThreads", threads.value, [0.0148842437], LOOSE);
+    pinned("DiffuseThreads, gradient", threads.gradient, [-0.369504988, -0.281605572, -0.694131792], LOOSE);
     let single = SpecularThreads::new(0.01, 1).unwrap();
-    pinned("SpecularThreads", [single.value(P, footprint), single.mean()], [0.252536207, 0.132031083], LOOSE);
+    pinned(
+        "SpecularThreads",
+        [single.value(P, footprint), single.mean()],
+        [0.0992965996, 0.131998524],
+        LOOSE,
+    );
     let dark = DarkAreas::new(0.15, 0.5, 1).unwrap();
     let factors = [Form::Printed, Form::Corrected].map(|form| dark.factor(P, footprint, form));
-    pinned("DarkAreas", factors, [0.0, 1.0], LOOSE);
+    pinned("DarkAreas", factors, [0.609348059, 0.695325971], LOOSE);
     let seams = Seams::new(Vec2::new(0.8, 0.6), SeamPattern::Grid, 0.3, 0.6).unwrap();
     let samples = [
         ("Seams, printed", seams.sample(UV, Form::Printed), [0.635979891, 0.441316992, 0.330987751]),
@@ -80,17 +85,17 @@ fn carpets() {
 #[test]
 fn paints() {
     let paint = MetallicPaint::new(MetallicPaintParameters::default()).unwrap();
-    lit("MetallicPaint", &paint, 1e-3, [0.14667343, 0.20992862, 0.37133306]);
+    lit("MetallicPaint", &paint, 1e-3, [0.147088125, 0.210509986, 0.372331738]);
     let [mirrored, _] = paint.bsdf(&point(1e-3), WO).deltas(WO, Vec2::splat(0.3));
-    pinned("MetallicPaint, coat", mirrored.wi, [0.6111326, -0.05521987, 0.7896002], LOOSE);
+    pinned("MetallicPaint, coat", mirrored.wi, [0.601685822, -0.044651784, 0.797483861], LOOSE);
     let footprint = Footprint::from_width(1e-3);
     let peel = OrangePeel::new(0.01, 0.3, 1).unwrap();
-    pinned("OrangePeel", peel.normal(P, N, footprint), [0.632075727, 0.44061923, 0.637444139], LOOSE);
+    pinned("OrangePeel", peel.normal(P, N, footprint), [0.291437387, 0.950335443, 0.10921064], LOOSE);
     pinned("OrangePeel, variance", peel.removed_slope(Footprint::from_width(1e-2)), [0.277200013], SINGLE);
     pinned(
         "PassiveFlakes",
         PassiveFlakes::new(0.01, 0.4, 3, 0).unwrap().factor(P, footprint),
-        [1.03568506],
+        [1.00800681],
         LOOSE,
     );
     let patch = flake_patch(P, 0.01, Vec3::splat(0.01), 0.5, 1).unwrap();
@@ -124,7 +129,7 @@ fn paints() {
 fn glass_scratches_and_variations() {
     for (name, waves, expected) in [
         ("sine", GlassWaves::Sine, [0.60018295, -0.0016619678, 0.7998609]),
-        ("noise", GlassWaves::Noise, [0.6036442, 0.0012887762, 0.7972531]),
+        ("noise", GlassWaves::Noise, [0.604230583, 0.00498932833, 0.796793997]),
     ] {
         let glass = TemperedGlass::new(TemperedGlassParameters { waves, ..Default::default() }).unwrap();
         let [mirrored, _] = glass.bsdf(&point(1e-3), WO).deltas(WO, Vec2::splat(0.3));
@@ -141,7 +146,7 @@ fn glass_scratches_and_variations() {
     pinned("Scratches, mean", scratches.mean(), [0.0142222224], LOOSE);
     lit("Scratches", &scratches, 0.02, [0.45600876, 0.45600876, 0.45600876]);
     let variations = Variations::new(VariationsParameters::default()).unwrap();
-    lit("Variations", &variations, 1e-3, [0.1845526, 0.18006332, 0.17336123]);
+    lit("Variations", &variations, 1e-3, [0.173824921, 0.169478774, 0.162989706]);
     pinned(
         "varied",
         [Form::Printed, Form::Corrected].map(|form| varied(0.4, 0.7, 0.5, form)),
@@ -153,21 +158,21 @@ fn glass_scratches_and_variations() {
     pinned(
         "Blemishes",
         blemishes.colour(N, 0.5, P, footprint),
-        [0.367582709, 0.486160934, 0.802369595],
+        [0.332260966, 0.443014592, 0.738357663],
         LOOSE,
     );
     pinned(
         "Blemishes, gradient",
         blemishes.gradient(0.5, P, N, footprint),
-        [-0.510073543, 0.0261690691, 0.213831663],
+        [-0.149065018, -1.64259362, 1.05263543],
         LOOSE,
     );
     let dents = Dents::new(0.05, 0.5, 3, 1).unwrap();
-    pinned("Dents", dents.sample(P, footprint).value, [0.388560683], LOOSE);
+    pinned("Dents", dents.sample(P, footprint).value, [0.157136053], LOOSE);
     pinned(
         "Dents, gradient",
         dents.gradient(0.5, P, N, footprint),
-        [-0.336684078, -0.0285361707, 0.168629497],
+        [-0.174804389, -0.40585202, 0.322173178],
         LOOSE,
     );
     pinned(

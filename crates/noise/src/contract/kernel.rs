@@ -325,7 +325,9 @@ impl<K: Kernel<N>, const N: usize> Task for FillList<'_, K, N> {
 }
 
 /// Points of a list that are evaluated without a question in between.
-const BLOCK: usize = 64;
+const BLOCK: usize = 128;
+
+static NOTHING: [f32; BLOCK] = [0.0; BLOCK];
 
 /// A list of points by blocks, and room for their values, and for gradients if `GRADIENTS`.
 struct Blocks<'a, const N: usize, const GRADIENTS: bool> {
@@ -345,21 +347,28 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
         for start in (0..count).step_by(BLOCK) {
             let mut block = self.part(start, count.min(start + BLOCK));
             let (len, whole) = (block.values.len(), block.is_near(s, K::REACH));
-            let mut known = u64::MAX;
+            let mut known = u128::MAX;
             if !whole {
                 known = copies.read(&block.points, K::REACH);
             }
             let direct = if whole { block.reborrow() } else { copies.block() };
+            // Arrays, and an index that is told to leave room for a vector, or every list would be asked every time.
+            let points = direct.points.map(|x| x.first_chunk::<BLOCK>().unwrap_or(&NOTHING));
+            let mut gradients = direct.gradients.map(|g| g.first_chunk_mut::<BLOCK>());
+            let Some(values) = direct.values.first_chunk_mut::<BLOCK>() else { return };
             let mut i = 0;
             while i < len {
+                let at = i & (BLOCK - S::LEN);
                 let mut p = [s.float(0.0); N];
                 for axis in 0..N {
-                    p[axis] = s.load(direct.points[axis].get(i..).unwrap_or_default());
+                    p[axis] = s.load(&points[axis][at..]);
                 }
                 let (value, gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
-                s.store(value, direct.values.get_mut(i..).unwrap_or_default());
+                s.store(value, &mut values[at..]);
                 for axis in 0..if GRADIENTS { N } else { 0 } {
-                    s.store(gradient[axis], direct.gradients[axis].get_mut(i..).unwrap_or_default());
+                    if let Some(g) = &mut gradients[axis] {
+                        s.store(gradient[axis], &mut g[at..]);
+                    }
                 }
                 i += S::LEN;
             }
@@ -397,10 +406,9 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
         }
         let mut sum = s.float(0.0);
         for axis in 0..N {
-            let mut i = 0;
-            while i < BLOCK {
-                sum = sum + s.abs(s.load(self.points[axis].get(i..).unwrap_or_default()));
-                i += S::LEN;
+            let Some(x) = self.points[axis].first_chunk::<BLOCK>() else { return false };
+            for i in (0..BLOCK).step_by(S::LEN) {
+                sum = sum + s.abs(s.load(&x[i..]));
             }
         }
         s.all(s.less(sum, s.float(reach)))
@@ -418,12 +426,12 @@ impl<const N: usize> Copies<N> {
     /// Copies a block, and tells by bits which of its points the noise is other than 0 at.
     #[cold]
     #[inline(never)]
-    fn read(&mut self, points: &[&[f32]; N], reach: f32) -> u64 {
+    fn read(&mut self, points: &[&[f32]; N], reach: f32) -> u128 {
         let mut known = 0;
         for i in 0..BLOCK {
             let p = points.map(|x| x.get(i).copied().unwrap_or(0.0));
             let found = evaluated(p, reach);
-            known |= u64::from(found.is_some()) << i;
+            known |= u128::from(found.is_some()) << i;
             for (axis, x) in found.unwrap_or([0.0; N]).into_iter().enumerate() {
                 self.points[axis][i] = x;
             }
@@ -443,7 +451,7 @@ impl<const N: usize> Copies<N> {
     /// Copies values, and gradients if `GRADIENTS`, to a block.
     #[cold]
     #[inline(never)]
-    fn write<const GRADIENTS: bool>(&self, block: &mut Blocks<'_, N, GRADIENTS>, known: u64) {
+    fn write<const GRADIENTS: bool>(&self, block: &mut Blocks<'_, N, GRADIENTS>, known: u128) {
         let kept = |i: usize, x: f32| if known >> i & 1 == 1 { x } else { 0.0 };
         for (i, (to, from)) in block.values.iter_mut().zip(self.values).enumerate() {
             *to = kept(i, from);

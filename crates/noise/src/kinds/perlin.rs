@@ -2,12 +2,16 @@
 
 use crate::{
     contract::noise::{kind, measured, noise},
+    kinds::cell::blend::Column,
     kinds::cell::corner::{CellNoise, Corner},
+    kinds::cell::corners::Place,
+    kinds::cell::edge_columns::edge_column,
     lanes::lanes::Lanes,
+    lattice::edges::{EDGE_MAXIMUM, edge_direction},
     lattice::fade::Fade,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
-    lattice::variates::{EDGE_MAXIMUM, MARGIN, UNIT_SCALE, edge_direction, unit_direction},
+    lattice::variates::{MARGIN, UNIT_SCALE, unit_direction},
     statistics::tables,
 };
 
@@ -42,8 +46,8 @@ pub struct Perlin1985<L = IntegerHash> {
 #[cfg_attr(doc, doc = include_str!("../../docs/pictures/perlin_2002.md"))]
 ///
 /// The sum of [`Perlin1985`], with w(t) = 6t⁵ − 15t⁴ + 10t³ and one of twelve gradients in space, (±1, ±1, 0)
-/// and its rotations. In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane (±√2, 0), (0, ±√2) and
-/// (±1, ±1), and in 1-D ±⅛ … ±1.
+/// and its rotations. In 4-D they are the 32 of the kind (0, ±1, ±1, ±1), in the plane the eight at odd multiples of 22.5°, of
+/// length √2, and in 1-D ±⅛ … ±1.
 ///
 /// - **Range:** [−1, 1], attained within 2e-6; the scale is the inverse of the searched maximum.
 ///
@@ -86,10 +90,16 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
+    const UPPER_BITS: bool = true;
     const HAS_VALUE: bool = false;
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         Corner { value: s.float(0.0), gradient: edge_direction(s, word, SCALE_2002[N - 1]) }
+    }
+
+    #[inline(always)]
+    fn column<S: Lanes>(&self, s: S, place: &Place<S, N>, words: &[S::U; 4]) -> Column<S, N> {
+        if N > 2 { edge_column(s, place, words, SCALE_2002[N - 1]) } else { place.column(s, self, words) }
     }
 }

@@ -82,11 +82,13 @@ noise!(ValueCatmullRom);
 const SCALE_CATMULL_ROM: [f32; 4] = [MARGIN * 0.8, MARGIN * 0.64, MARGIN * 0.512, MARGIN * 0.4096];
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
+    const UPPER_BITS: bool = true;
     const HAS_GRADIENT: bool = false;
+    const UNIT: f32 = MARGIN / 2_147_483_648.0;
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
-        Corner { value: uniform(s, word) * s.float(MARGIN), gradient: [s.float(0.0); N] }
+        Corner { value: s.real(word), gradient: [s.float(0.0); N] }
     }
 }
 

@@ -101,12 +101,20 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
     /// a < b; false if either is NaN.
     fn less(self, a: Self::F, b: Self::F) -> Self::M;
+    /// a < b as the bits of `i32`s.
+    fn signed_less(self, a: Self::U, b: Self::U) -> Self::M;
     /// a = b.
     fn equal(self, a: Self::U, b: Self::U) -> Self::M;
     /// `yes` where the mask holds, else `no`.
     fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
     /// `yes` where the mask holds, else `no`.
     fn select_word(self, mask: Self::M, yes: Self::U, no: Self::U) -> Self::U;
+    /// x where the mask holds, else 0.
+    fn keep(self, mask: Self::M, x: Self::F) -> Self::F;
+    /// 0 where the mask holds, else x.
+    fn drop(self, mask: Self::M, x: Self::F) -> Self::F;
+    /// Where both masks hold.
+    fn both(self, a: Self::M, b: Self::M) -> Self::M;
     /// Whether the mask holds in every lane.
     fn all(self, mask: Self::M) -> bool;
     /// Whether the mask holds in a lane.
@@ -294,6 +302,10 @@ impl Lanes for Scalar {
         a < b
     }
     #[inline(always)]
+    fn signed_less(self, a: Wrapping<u32>, b: Wrapping<u32>) -> bool {
+        (a.0 as i32) < b.0 as i32
+    }
+    #[inline(always)]
     fn equal(self, a: Wrapping<u32>, b: Wrapping<u32>) -> bool {
         a == b
     }
@@ -304,6 +316,19 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn select_word(self, mask: bool, yes: Wrapping<u32>, no: Wrapping<u32>) -> Wrapping<u32> {
         if mask { yes } else { no }
+    }
+    #[inline(always)]
+    fn keep(self, mask: bool, x: f32) -> f32 {
+        // A choice would be a branch, on what is random.
+        f32::from_bits(x.to_bits() & u32::from(mask).wrapping_neg())
+    }
+    #[inline(always)]
+    fn drop(self, mask: bool, x: f32) -> f32 {
+        self.keep(!mask, x)
+    }
+    #[inline(always)]
+    fn both(self, a: bool, b: bool) -> bool {
+        a & b
     }
     #[inline(always)]
     fn all(self, mask: bool) -> bool {

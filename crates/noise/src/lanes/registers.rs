@@ -176,6 +176,10 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
         a.simd_lt(b)
     }
     #[inline(always)]
+    fn signed_less(self, a: Self::U, b: Self::U) -> Self::M {
+        a.bitcast::<S::i32s>().simd_lt(b.bitcast::<S::i32s>())
+    }
+    #[inline(always)]
     fn equal(self, a: Self::U, b: Self::U) -> Self::M {
         a.simd_eq(b)
     }
@@ -186,6 +190,18 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
     #[inline(always)]
     fn select_word(self, mask: Self::M, yes: Self::U, no: Self::U) -> Self::U {
         mask.select(yes, no)
+    }
+    #[inline(always)]
+    fn keep(self, mask: Self::M, x: Self::F) -> Self::F {
+        mask.select(x, self.float(0.0))
+    }
+    #[inline(always)]
+    fn drop(self, mask: Self::M, x: Self::F) -> Self::F {
+        mask.select(self.float(0.0), x)
+    }
+    #[inline(always)]
+    fn both(self, a: Self::M, b: Self::M) -> Self::M {
+        a & b
     }
     #[inline(always)]
     fn all(self, mask: Self::M) -> bool {

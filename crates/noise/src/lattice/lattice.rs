@@ -29,6 +29,14 @@ pub trait Lattice {
     /// The random word of a lattice point in N dimensions.
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32;
 
+    /// The word of a lattice point for kinds that read its upper bits alone, which may be cheaper than all of them.
+    ///
+    /// Its upper 16 bits are as random as those of [`word`](Self::word), of which they need not be a part; by default it is that.
+    #[inline]
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        self.word(cell, seed)
+    }
+
     /// Whether the lattice repeats.
     #[doc(hidden)]
     const TILED: bool = false;
@@ -87,6 +95,15 @@ pub trait Lattice {
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         let seeds = s.keys(|| seed);
         s.words(|lane| self.word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane)))
+    }
+
+    /// The upper words of the points that terms were made of.
+    #[inline(always)]
+    fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        let seeds = s.keys(|| seed);
+        s.words(|lane| {
+            self.upper_word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane))
+        })
     }
 }
 
@@ -148,14 +165,26 @@ pub(crate) fn wrapped<const N: usize>(p: [f32; N]) -> Option<[f32; N]> {
     })
 }
 
-/// The word of one lattice point from its terms.
+/// The terms of one lattice point.
 #[inline(always)]
-pub(crate) fn word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
+fn terms_of<L: Lattice + ?Sized, const N: usize>(lattice: &L, cell: [i32; N]) -> [<Scalar as Lanes>::U; N] {
     let mut terms = [Scalar.word(0); N];
     for axis in 0..N {
         terms[axis] = lattice.term(Scalar, axis, Scalar.word(cell[axis] as u32));
     }
-    lattice.words(Scalar, terms, seed).0
+    terms
+}
+
+/// The upper word of one lattice point from its terms.
+#[inline(always)]
+pub(crate) fn upper_word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
+    lattice.upper_words(Scalar, terms_of(lattice, cell), seed).0
+}
+
+/// The word of one lattice point from its terms.
+#[inline(always)]
+pub(crate) fn word_by_terms<L: Lattice, const N: usize>(lattice: &L, cell: [i32; N], seed: u32) -> u32 {
+    lattice.words(Scalar, terms_of(lattice, cell), seed).0
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Lattices: where the bits of lattice points come from, and the numbers that kinds make of them.
 
 pub(crate) mod chained_table;
+pub(crate) mod edges;
 pub(crate) mod fade;
 pub(crate) mod gaussian_levels;
 pub(crate) mod integer_hash;
@@ -12,6 +13,7 @@ pub(crate) mod tiled;
 pub(crate) mod variates;
 
 pub use chained_table::ChainedTable;
+pub use edges::edge_gradient;
 pub use perlin_table::PerlinTable;
 pub use permutation_table::{PermutationTable, PermutationTableError};
-pub use variates::{edge_gradient, gaussian_corner, unit_gradient};
+pub use variates::{gaussian_corner, unit_gradient};

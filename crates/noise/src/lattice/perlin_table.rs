@@ -1,6 +1,9 @@
 //! Ken Perlin's own lattice of 2002: his permutation, his order of look-ups and his choice of gradients.
 
-use crate::{lattice::integer_hash::mix, lattice::lattice::Lattice};
+use crate::{
+    lattice::edges::EDGE_MAXIMUM, lattice::integer_hash::mix, lattice::lattice::Lattice,
+    lattice::variates::MARGIN,
+};
 
 /// The lattice of Perlin's reference implementation of 2002: period 256 along each axis, twelve gradients in a table of sixteen.
 ///
@@ -25,7 +28,7 @@ pub struct PerlinTable;
 
 impl PerlinTable {
     /// His noise over [`Perlin2002`](crate::Perlin2002)'s, whose range is [−1, 1].
-    pub const SCALE: f32 = crate::lattice::variates::EDGE_MAXIMUM[2] / crate::lattice::variates::MARGIN;
+    pub const SCALE: f32 = EDGE_MAXIMUM[2] / MARGIN;
 
     /// The byte `p[…p[p[x] + y]…]` of a cell.
     #[must_use]
@@ -48,7 +51,7 @@ impl Lattice for PerlinTable {
 
 /// The word of which [`edge_gradient`](crate::lattice::edge_gradient) makes each gradient of his listing.
 const WORDS: [u32; 16] = {
-    // The axis along which the gradient is 0, and the axes with a minus sign as bits.
+    // The axis along which the gradient is 0, and the axes with a minus sign as bits from the lowest.
     const GRADIENTS: [(u32, u32); 16] = [
         (2, 0b000),
         (2, 0b001),
@@ -71,8 +74,9 @@ const WORDS: [u32; 16] = {
     let mut h = 0;
     while h < 16 {
         let (axis, signs) = GRADIENTS[h];
-        // The middle of the third of 2³² that draws the axis.
-        words[h] = (0x2aaa + 0x5555 * axis) << 16 | signs;
+        // The middle of the third of signed numbers that draws the axis.
+        let third = 0x2aaa_aaaa_u32.wrapping_add(0x5555_5555 * axis) ^ 0x8000_0000;
+        words[h] = third >> 3 | (signs & 1) << 31 | (signs >> 1 & 1) << 30 | (signs >> 2) << 29;
         h += 1;
     }
     words
@@ -97,8 +101,8 @@ const PERMUTATION: [u8; 256] = [
 mod tests {
     use super::*;
     use crate::{
-        contract::field::Field, kinds::perlin::Perlin2002, lattice::permutation_table::PermutationTable,
-        lattice::variates::edge_gradient, row::grid::Grid, transforms::arithmetic::Affine,
+        contract::field::Field, kinds::perlin::Perlin2002, lattice::edges::edge_gradient,
+        lattice::permutation_table::PermutationTable, row::grid::Grid, transforms::arithmetic::Affine,
     };
     use approx::assert_abs_diff_eq;
     use glam::Vec3;

@@ -2,7 +2,7 @@
 
 use crate::{
     lanes::lanes::Lanes,
-    lattice::lattice::{Lattice, word_by_terms},
+    lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
 };
 
 /// A lattice whose cells are counted from another cell: what an anchored sum of octaves draws its words from.
@@ -41,6 +41,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
         word_by_terms(self, cell, seed)
     }
 
+    #[inline]
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        upper_word_by_terms(self, cell, seed)
+    }
+
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
         let shift = self.cell.get(axis).copied().unwrap_or(0);
@@ -55,5 +60,10 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Shifted<L, M> {
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         self.lattice.words(s, terms, seed)
+    }
+
+    #[inline(always)]
+    fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        self.lattice.upper_words(s, terms, seed)
     }
 }

@@ -4,7 +4,7 @@ use core::{error::Error, fmt};
 
 use crate::{
     lanes::lanes::Lanes,
-    lattice::lattice::{Lattice, word_by_terms},
+    lattice::lattice::{Lattice, upper_word_by_terms, word_by_terms},
 };
 
 /// A lattice that repeats along the first N axes with a period of its own along each.
@@ -117,6 +117,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
         word_by_terms(self, cell, seed)
     }
 
+    #[inline]
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        upper_word_by_terms(self, cell, seed)
+    }
+
     #[inline(always)]
     fn term<S: Lanes>(&self, s: S, axis: usize, cell: S::U) -> S::U {
         let cell = match self.periods.get(axis) {
@@ -134,6 +139,11 @@ impl<L: Lattice + Clone, const M: usize> Lattice for Tiled<L, M> {
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
         self.lattice.words(s, terms, seed)
+    }
+
+    #[inline(always)]
+    fn upper_words<S: Lanes, const N: usize>(&self, s: S, terms: [S::U; N], seed: u32) -> S::U {
+        self.lattice.upper_words(s, terms, seed)
     }
 }
 

@@ -12,17 +12,8 @@ pub(crate) const MARGIN: f32 = 1.0 - 2e-6;
 pub(crate) const UNIT_SCALE: [f32; 4] =
     [MARGIN * 2.0, MARGIN * core::f32::consts::SQRT_2, MARGIN * 1.154_700_5, MARGIN];
 
-/// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
-pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 1.0, 1.036_353_8, 1.536_582_3];
-
 /// The top bit of a word, the sign of a float.
 const SIGN: u32 = 0x8000_0000;
-
-/// Bit `31 − N` of a word as a sign.
-#[inline(always)]
-fn sign<S: Lanes, const N: u32>(s: S, word: S::U) -> S::U {
-    s.shl::<N>(word) & s.word(SIGN)
-}
 
 /// cos and sin of an angle uniform on the circle, by the word's upper 2 + `BITS` bits.
 ///
@@ -79,110 +70,6 @@ pub(crate) fn unit_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
             let parts = [c * r, sine * r, d * rest, tine * rest];
             g[..N].copy_from_slice(&parts[..N]);
         }
-    }
-    g
-}
-
-/// A direction to an edge, times `length`: one of 16, 8, 12 or 32 in 1 to 4 dimensions.
-///
-/// ±⅛ … ±1; (±√2, 0), (0, ±√2), (±1, ±1); (±1, ±1, 0) and its rotations; (0, ±1, ±1, ±1) and its rotations. Equally likely,
-/// in space within 2e-5.
-#[inline(always)]
-pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
-    if S::TABLES && N > 1 {
-        return edge_entry(s, word, length);
-    }
-    let (zero, one) = (s.float(0.0), s.float(length));
-    let mut g = [one; N];
-    match N {
-        1 => {
-            let steps = s.real(s.shr::<28>(word) & s.word(7)) + s.float(1.0);
-            g[0] = s.flip(steps * s.float(length * 0.125), word & s.word(SIGN));
-        }
-        2 => {
-            let long = s.float(length * core::f32::consts::SQRT_2);
-            let diagonal = s.equal(word & s.word(SIGN >> 2), s.word(0));
-            let along_x = s.equal(word & s.word(SIGN >> 3), s.word(0));
-            let (x, y) = (s.select(along_x, long, zero), s.select(along_x, zero, long));
-            g[0] = s.flip(s.select(diagonal, one, x), sign::<S, 0>(s, word));
-            g[1] = s.flip(s.select(diagonal, one, y), sign::<S, 1>(s, word));
-        }
-        3 => {
-            let half = s.shr::<16>(word);
-            let axis = s.shr::<16>(half + half + half);
-            let signs = [sign::<S, 31>(s, word), sign::<S, 30>(s, word), sign::<S, 29>(s, word)];
-            for i in 0..N {
-                g[i] = s.select(s.equal(axis, s.word(i as u32)), zero, s.flip(one, signs[i]));
-            }
-        }
-        _ => {
-            let axis = s.shr::<30>(word);
-            let signs = [
-                sign::<S, 31>(s, word),
-                sign::<S, 30>(s, word),
-                sign::<S, 29>(s, word),
-                sign::<S, 28>(s, word),
-            ];
-            for i in 0..N {
-                g[i] = s.select(s.equal(axis, s.word(i as u32)), zero, s.flip(one, signs[i]));
-            }
-        }
-    }
-    g
-}
-
-/// The edge directions by index: the upper four bits in the plane, axis and lower bits in space and in 4-D.
-static EDGES_2: [[f32; 4]; 16] = edges_2();
-static EDGES_3: [[f32; 4]; 32] = edges();
-static EDGES_4: [[f32; 4]; 64] = edges();
-
-const fn edges_2() -> [[f32; 4]; 16] {
-    const LONG: f32 = core::f32::consts::SQRT_2;
-    let mut edges = [[0.0; 4]; 16];
-    let mut i = 0;
-    while i < 16 {
-        let [x, y] = if i & 2 == 0 {
-            [1.0, 1.0]
-        } else if i & 1 == 0 {
-            [LONG, 0.0]
-        } else {
-            [0.0, LONG]
-        };
-        edges[i] = [if i & 8 == 0 { x } else { -x }, if i & 4 == 0 { y } else { -y }, 0.0, 0.0];
-        i += 1;
-    }
-    edges
-}
-
-/// Signs by the lowest bits of the index, and 0 along the axis that the bits above them number.
-const fn edges<const COUNT: usize>() -> [[f32; 4]; COUNT] {
-    let dimensions = if COUNT == 64 { 4 } else { 3 };
-    let mut edges = [[0.0; 4]; COUNT];
-    let mut i = 0;
-    while i < COUNT {
-        let mut axis = 0;
-        while axis < dimensions {
-            let sign = if i >> axis & 1 == 0 { 1.0 } else { -1.0 };
-            edges[i][axis] = if i >> dimensions == axis { 0.0 } else { sign };
-            axis += 1;
-        }
-        i += 1;
-    }
-    edges
-}
-
-/// [`edge_direction`] from a table.
-#[inline(always)]
-fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
-    let word = s.lane_word(word, 0);
-    let entry = match N {
-        2 => EDGES_2[(word >> 28) as usize],
-        3 => EDGES_3[((((word >> 16) * 3) >> 16) << 3 | word & 7) as usize & 31],
-        _ => EDGES_4[((word >> 30) << 4 | word & 15) as usize],
-    };
-    let mut g = [s.float(0.0); N];
-    for axis in 0..N {
-        g[axis] = s.float(entry[axis % 4] * length);
     }
     g
 }
@@ -318,14 +205,6 @@ pub fn unit_gradient<const N: usize>(word: u32) -> [f32; N] {
     unit_direction(Scalar, Scalar.word(word), 1.0)
 }
 
-/// The gradient that [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from a word, before scaling.
-///
-/// One of the 16, 8, 12 or 32 directions that [`Perlin2002`](crate::Perlin2002) lists.
-#[must_use]
-pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
-    edge_direction(Scalar, Scalar.word(word), 1.0)
-}
-
 /// The Gaussian value and gradient that [`Gaussian`](crate::Gaussian) draws from a word, for both of its channels.
 #[must_use]
 pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
@@ -394,13 +273,6 @@ mod tests {
             for square in unit {
                 assert_abs_diff_eq!(square, 1.0, epsilon = 4e-7);
             }
-            assert_abs_diff_eq!(
-                square_of_length(edge_direction::<_, 2>(Scalar, word, 1.0)),
-                2.0,
-                epsilon = 3e-7
-            );
-            assert_eq!(square_of_length(edge_direction::<_, 3>(Scalar, word, 1.0)), 2.0);
-            assert_eq!(square_of_length(edge_direction::<_, 4>(Scalar, word, 1.0)), 3.0);
         }
     }
 
@@ -425,9 +297,6 @@ mod tests {
         moments::<2>(|w| unit_direction(Scalar, w, 1.0), 0.5);
         moments::<3>(|w| unit_direction(Scalar, w, 1.0), 1.0 / 3.0);
         moments::<4>(|w| unit_direction(Scalar, w, 1.0), 0.25);
-        moments::<2>(|w| edge_direction(Scalar, w, 1.0), 1.0);
-        moments::<3>(|w| edge_direction(Scalar, w, 1.0), 2.0 / 3.0);
-        moments::<4>(|w| edge_direction(Scalar, w, 1.0), 0.75);
         moments::<3>(|w| gaussian_variates::<_, 3, 1>(Scalar, w).1, 4.0);
     }
 

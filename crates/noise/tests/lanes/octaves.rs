@@ -15,6 +15,10 @@ impl Lattice for OneByOne {
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
         IntegerHash.word(cell, seed)
     }
+
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        IntegerHash.upper_word(cell, seed)
+    }
 }
 
 const COUNTS: [f32; 10] = [0.0, 0.3, 1.0, 2.0, 3.0, 3.7, 4.0, 8.0, 9.5, 16.0];

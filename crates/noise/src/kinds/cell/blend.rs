@@ -158,6 +158,13 @@ pub(crate) fn edge<K: CellNoise<N>, S: Lanes, const N: usize>(
     let [a, b] = heights::<K, S, N>(s, &low.plane, &high.plane, along.place);
     let rise = along.slope * (b - a);
     edge.derivatives[0].value = rise;
+    if !K::HAS_GRADIENT {
+        let unit = s.float(K::UNIT);
+        edge.line.value = edge.line.value * unit;
+        for axis in 0..N {
+            edge.derivatives[axis].value = edge.derivatives[axis].value * unit;
+        }
+    }
     if K::HAS_GRADIENT {
         let ([a, c], [b, d]) = (low.plane.slopes, high.plane.slopes);
         edge.derivatives[0].value = lerp::<S>(a, b, along.weight) + rise;

@@ -11,6 +11,8 @@
 
 use crate::{
     contract::kernel::Measured,
+    kinds::cell::blend::Column,
+    kinds::cell::corners::Place,
     lanes::lanes::{LaneSample, Lanes},
     lattice::fade::Fade,
     lattice::lattice::OnLattice,
@@ -32,6 +34,10 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
 
 /// A noise by its values and gradients at the corners of cells, and by their blend.
 pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
+    /// Whether the upper bits of a corner's word are all that is read of it.
+    const UPPER_BITS: bool = false;
+    /// What values of corners are multiples of, where they have no gradients.
+    const UNIT: f32 = 1.0;
     /// Whether corners have values other than 0.
     const HAS_VALUE: bool = true;
     /// Whether corners have gradients other than 0.
@@ -42,6 +48,12 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     const NORMALISED: bool = false;
 
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
+
+    /// The blend of the corners at one end of the first two axes, by their words.
+    #[inline(always)]
+    fn column<S: Lanes>(&self, s: S, place: &Place<S, N>, words: &[S::U; 4]) -> Column<S, N> {
+        place.column(s, self, words)
+    }
 }
 
 /// n/√v, and its gradient if `GRADIENTS`.

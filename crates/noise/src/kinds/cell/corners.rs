@@ -98,7 +98,11 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         for axis in 1..N {
             terms[axis] = if axis == 1 { second } else { self.terms[axis][k >> (axis - 2) & 1] };
         }
-        noise.lattice().words(s, terms, seed)
+        if K::UPPER_BITS {
+            noise.lattice().upper_words(s, terms, seed)
+        } else {
+            noise.lattice().words(s, terms, seed)
+        }
     }
 
     /// Numbers drawn from the words at the corners of the cell.
@@ -132,16 +136,31 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         terms: [S::U; 2],
         seed: u32,
     ) -> Column<S, N> {
+        let mut words = [s.word(0); 4];
+        for k in 0..CORNERS[N] {
+            words[k] = self.word(s, noise, terms, k, seed);
+        }
+        noise.column(s, self, &words)
+    }
+
+    /// The blend of the corners at one end of the first two axes, by their words.
+    #[inline(always)]
+    pub(crate) fn column<K: CellNoise<N> + ?Sized>(
+        &self,
+        s: S,
+        noise: &K,
+        words: &[S::U; 4],
+    ) -> Column<S, N> {
         let mut corners = [Corner::nothing(s); 4];
         for k in 0..CORNERS[N] {
-            corners[k] = noise.corner(s, self.word(s, noise, terms, k, seed));
+            corners[k] = noise.corner(s, words[k]);
         }
-        self.column::<K>(s, &corners)
+        self.column_of::<K>(s, &corners)
     }
 
     /// The blend of the corners at one end of the first two axes.
     #[inline(always)]
-    fn column<K: CellNoise<N>>(&self, s: S, corners: &[Corner<S, N>; 4]) -> Column<S, N> {
+    fn column_of<K: CellNoise<N> + ?Sized>(&self, s: S, corners: &[Corner<S, N>; 4]) -> Column<S, N> {
         let mut columns = [Column::empty(s); 4];
         for k in 0..CORNERS[N] {
             columns[k] = self.leaf::<K>(s, &corners[k], k);
@@ -156,7 +175,7 @@ impl<S: Lanes, const N: usize> Place<S, N> {
 
     /// The function of corner `k` over the first two axes.
     #[inline(always)]
-    fn leaf<K: CellNoise<N>>(&self, s: S, corner: &Corner<S, N>, k: usize) -> Column<S, N> {
+    fn leaf<K: CellNoise<N> + ?Sized>(&self, s: S, corner: &Corner<S, N>, k: usize) -> Column<S, N> {
         let mut column = Column::empty(s);
         column.plane.value = corner.value;
         if K::HAS_GRADIENT {
@@ -180,7 +199,12 @@ impl<S: Lanes, const N: usize> Place<S, N> {
 
     /// The blend of two ends along `axis`; those before it have been blended.
     #[inline(always)]
-    fn blend<K: CellNoise<N>>(&self, low: Column<S, N>, high: Column<S, N>, axis: usize) -> Column<S, N> {
+    fn blend<K: CellNoise<N> + ?Sized>(
+        &self,
+        low: Column<S, N>,
+        high: Column<S, N>,
+        axis: usize,
+    ) -> Column<S, N> {
         let Along { weight: w, slope, .. } = self.along[axis];
         let mut blend = low;
         let (from, to) = (low.plane, high.plane);
@@ -233,7 +257,8 @@ impl<S: Lanes, const N: usize> Place<S, N> {
     ) -> (LaneSample<S, N>, LaneSample<S, N>) {
         let mut edges = [Edge::empty(s); 2];
         for j in 0..ends::<N>() {
-            let [low, high] = [self.column::<K>(s, &corners[0][j]), self.column::<K>(s, &corners[1][j])];
+            let [low, high] =
+                [self.column_of::<K>(s, &corners[0][j]), self.column_of::<K>(s, &corners[1][j])];
             edges[j] = edge::<K, S, N>(s, &low, &high, self.along[0]);
         }
         self.parts::<K, true>(s, &edges)

@@ -17,7 +17,7 @@ impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
         let place = Place::<Scalar, N>::new(Scalar, self, &p, 0);
         let corners =
             place.corners(Scalar, self, seed, Corner::nothing(Scalar), |word| self.corner(Scalar, word));
-        let (sample, variance) = place.parts_of::<K>(Scalar, &corners);
+        let (sample, variance) = place.parts::<K, true>(Scalar, &place.drawn_edges(Scalar, self, seed));
 
         let mut hessian = [[0.0; N]; N];
         for c in 0..1 << N {
@@ -45,6 +45,9 @@ impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
                     hessian[i][j] += product(&[i, j]) * f + turn;
                 }
             }
+        }
+        if !K::HAS_GRADIENT {
+            hessian = hessian.map(|row| row.map(|h| h * K::UNIT));
         }
         if K::NORMALISED {
             hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, &place));

@@ -3,6 +3,7 @@
 pub(crate) mod blend;
 pub(crate) mod corner;
 pub(crate) mod corners;
+pub(crate) mod edge_columns;
 pub(crate) mod hessian;
 pub(crate) mod kernel;
 pub(crate) mod row_edges;

@@ -201,7 +201,7 @@ impl<const N: usize> Corners<N> {
                 d[axis] = s.float(row.origin()[axis]) - (skewed - back);
             }
             words[0] = noise.lattice().term(s, 0, s.integer(first));
-            let g: [S::F; N] = noise.direction(s, noise.lattice().words(s, words, seed));
+            let g: [S::F; N] = noise.direction(s, noise.lattice().upper_words(s, words, seed));
             let [rest, side] = beside(s, noise.radius_squared(), &d, &g);
             let x = first - back;
             // A little farther than to the gap, by more than what t is rounded by.

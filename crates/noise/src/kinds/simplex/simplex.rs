@@ -4,9 +4,10 @@ use crate::{
     contract::noise::{kind, measured, noise},
     kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside},
     lanes::lanes::Lanes,
+    lattice::edges::edge_direction,
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
-    lattice::variates::{MARGIN, edge_direction},
+    lattice::variates::MARGIN,
     statistics::tables,
 };
 
@@ -76,7 +77,7 @@ impl<L> Simplex<L> {
 /// The searched max Σ t⁴ max_g g·d in 1 to 4 dimensions, r² = ½ and 0.6.
 const MAXIMA: [[f32; 2]; 4] = [
     [0.009_196_735, 0.020_895_276],
-    [0.014_255_562, 0.040_844_663],
+    [0.014_136_467, 0.040_496_275],
     [0.013_007_157, 0.030_584_887],
     [0.015_929_222, 0.036_730_024],
 ];
@@ -123,7 +124,7 @@ impl<L: Lattice> Simplex<L> {
             }
             d[axis] = if N == 1 { p[axis] - skewed } else { p[axis] - (skewed - back) };
         }
-        let g = self.direction(s, self.lattice.words(s, words, seed));
+        let g = self.direction(s, self.lattice.upper_words(s, words, seed));
         let [t, slope] = along::<S, N>(s, beside(s, self.radius_squared(), &d, &g), d[0], g[0]);
         Term { t, d, g, slope }
     }

@@ -6,7 +6,7 @@ use crate::{
     kinds::simplex::simplex::Simplex,
     lanes::lanes::{LaneSample, Lanes},
     lattice::integer_hash::IntegerHash,
-    lattice::lattice::{Lattice, OnLattice, word_by_terms},
+    lattice::lattice::{Lattice, OnLattice, upper_word_by_terms, word_by_terms},
     lattice::tiled::{Tiled, TiledError, octave_period, remainder},
     statistics::statistics::Statistics,
 };
@@ -98,8 +98,26 @@ impl<L: Lattice + Clone> Lattice for Corners<L> {
         word_by_terms(self, cell, seed)
     }
 
+    #[inline]
+    fn upper_word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {
+        upper_word_by_terms(self, cell, seed)
+    }
+
     #[inline(always)]
     fn words<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N], seed: u32) -> S::U {
+        self.lattice.words(s, self.terms_of(s, cell), seed)
+    }
+
+    #[inline(always)]
+    fn upper_words<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N], seed: u32) -> S::U {
+        self.lattice.upper_words(s, self.terms_of(s, cell), seed)
+    }
+}
+
+impl<L: Lattice> Corners<L> {
+    /// The terms of corners, moved by whole periods to ones of the first tile.
+    #[inline(always)]
+    fn terms_of<S: Lanes, const N: usize>(&self, s: S, cell: [S::U; N]) -> [S::U; N] {
         let mut sum = cell[0];
         for axis in 1..N {
             sum = sum + cell[axis];
@@ -110,7 +128,7 @@ impl<L: Lattice + Clone> Lattice for Corners<L> {
             let corner = remainder(s, corner, 6 * self.periods[axis % 3]);
             terms[axis] = self.lattice.term(s, axis, corner);
         }
-        self.lattice.words(s, terms, seed)
+        terms
     }
 }
 
@@ -195,7 +213,8 @@ mod tests {
                 others +=
                     half.iter().filter(|&&step| noise.with_seed(4).value(p + step) == here.value).count();
             }
-            assert!(others < 20, "{others}");
+            // Of 800; where one corner alone is near, one of twelve gradients is the same by chance.
+            assert!(others < 80, "{others}");
         }
     }
 }

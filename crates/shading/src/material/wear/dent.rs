@@ -17,8 +17,8 @@ struct Turned {
     turn: u32,
 }
 
-/// The signs of the components of an edge direction in space are the three lowest bits of its word.
-const SIGNS: u32 = 7;
+/// The signs of the components of an edge direction in space are the three uppermost bits of its word.
+const SIGNS: u32 = 7 << 29;
 
 impl Lattice for Turned {
     fn word<const N: usize>(&self, cell: [i32; N], seed: u32) -> u32 {

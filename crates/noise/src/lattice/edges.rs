@@ -1,0 +1,220 @@
+//! Directions to the edges of a cube, by the upper bits of a lattice word.
+
+use crate::lanes::lanes::{Lanes, Scalar};
+
+/// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
+pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3];
+
+/// √2 times cos and sin of 22.5°.
+const LONG: f32 = 1.306_563;
+const SHORT: f32 = 0.541_196_1;
+
+/// The top bit of a word, the sign of a float.
+const SIGN: u32 = 0x8000_0000;
+
+/// From here on signed numbers are in their second and in their last third.
+const SECOND_THIRD: i32 = i32::MIN + 1_431_655_766;
+const LAST_THIRD: i32 = SECOND_THIRD + 1_431_655_765;
+
+/// Bit `31 − N` of a word as a sign.
+#[inline(always)]
+fn sign<S: Lanes, const N: u32>(s: S, word: S::U) -> S::U {
+    if N == 0 { word & s.word(SIGN) } else { s.shl::<N>(word) & s.word(SIGN) }
+}
+
+/// The components of an edge direction in space or in 4-D by their signs, but for the one that is 0.
+#[derive(Clone, Copy)]
+pub(crate) struct Edge<S: Lanes, const N: usize> {
+    word: S::U,
+    /// In space, whether it is not the first component, and whether not the third.
+    others: [S::M; 2],
+}
+
+impl<S: Lanes, const N: usize> Edge<S, N> {
+    #[inline(always)]
+    pub(crate) fn new(s: S, word: S::U) -> Self {
+        let third = s.shl::<3>(word);
+        let first = s.signed_less(s.word((SECOND_THIRD - 1) as u32), third);
+        Self { word, others: [first, s.signed_less(third, s.word(LAST_THIRD as u32))] }
+    }
+
+    /// A component times `x`.
+    #[inline(always)]
+    pub(crate) fn times(&self, s: S, axis: usize, x: S::F) -> S::F {
+        let signed = s.flip(
+            x,
+            match axis {
+                0 => sign::<S, 0>(s, self.word),
+                1 => sign::<S, 1>(s, self.word),
+                2 => sign::<S, 2>(s, self.word),
+                _ => sign::<S, 3>(s, self.word),
+            },
+        );
+        let [first, third] = self.others;
+        if N == 4 {
+            let none = s.equal(self.word & s.word(3 << 26), s.word((axis as u32) << 26));
+            return s.drop(none, signed);
+        }
+        match axis {
+            0 => s.keep(first, signed),
+            1 => s.drop(s.both(first, third), signed),
+            _ => s.keep(third, signed),
+        }
+    }
+}
+
+/// A direction to an edge, times `length`: one of 16, 8, 12 or 32 in 1 to 4 dimensions.
+///
+/// ±⅛ … ±1; √2 times those at odd multiples of 22.5°; (±1, ±1, 0) and its rotations; (0, ±1, ±1, ±1) and its rotations. Equally
+/// likely, by the upper four, three, 29 or six bits; in space within 4e-9.
+#[inline(always)]
+pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
+    if S::TABLES && N > 1 {
+        return edge_entry(s, word, length);
+    }
+    let one = s.float(length);
+    let mut g = [one; N];
+    match N {
+        1 => {
+            let steps = s.real(s.shr::<28>(word) & s.word(7)) + s.float(1.0);
+            g[0] = s.flip(steps * s.float(length * 0.125), word & s.word(SIGN));
+        }
+        2 => {
+            let steep = s.signed_less(word, s.word(0));
+            let (long, short) = (s.float(LONG * length), s.float(SHORT * length));
+            g[0] = s.flip(s.select(steep, short, long), sign::<S, 1>(s, word));
+            g[1] = s.flip(s.select(steep, long, short), sign::<S, 2>(s, word));
+        }
+        _ => {
+            let edge = Edge::<S, N>::new(s, word);
+            for axis in 0..N {
+                g[axis] = edge.times(s, axis, one);
+            }
+        }
+    }
+    g
+}
+
+/// The edge directions by index: the upper bits, and in space the third of the rest above those.
+static EDGES_2: [[f32; 4]; 8] = edges_2();
+static EDGES_3: [[f32; 4]; 32] = edges();
+static EDGES_4: [[f32; 4]; 64] = edges();
+
+const fn edges_2() -> [[f32; 4]; 8] {
+    let mut edges = [[0.0; 4]; 8];
+    let mut i = 0;
+    while i < 8 {
+        let [x, y] = if i & 4 == 0 { [LONG, SHORT] } else { [SHORT, LONG] };
+        edges[i] = [if i & 2 == 0 { x } else { -x }, if i & 1 == 0 { y } else { -y }, 0.0, 0.0];
+        i += 1;
+    }
+    edges
+}
+
+/// Signs by the bits of the index from the upper ones down, after the axis in space, before it in 4-D.
+const fn edges<const COUNT: usize>() -> [[f32; 4]; COUNT] {
+    let mut edges = [[0.0; 4]; COUNT];
+    let mut i = 0;
+    while i < COUNT {
+        let (dimensions, none, signs) = if COUNT == 64 { (4, i & 3, i >> 2) } else { (3, i >> 3, i & 7) };
+        let mut axis = 0;
+        while axis < dimensions {
+            let sign = if signs >> (dimensions - 1 - axis) & 1 == 0 { 1.0 } else { -1.0 };
+            edges[i][axis] = if none == axis { 0.0 } else { sign };
+            axis += 1;
+        }
+        i += 1;
+    }
+    edges
+}
+
+/// [`edge_direction`] from a table.
+#[inline(always)]
+fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
+    let word = s.lane_word(word, 0);
+    let third = (u64::from(word << 3 ^ SIGN) * 3) >> 32;
+    let entry = match N {
+        2 => EDGES_2[(word >> 29) as usize],
+        3 => EDGES_3[((third as u32) << 3 | word >> 29) as usize & 31],
+        _ => EDGES_4[(word >> 26) as usize],
+    };
+    let mut g = [s.float(0.0); N];
+    for axis in 0..N {
+        g[axis] = s.float(entry[axis % 4] * length);
+    }
+    g
+}
+
+/// The gradient that [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from an
+/// [upper word](crate::Lattice::upper_word), before scaling.
+///
+/// One of the 16, 8, 12 or 32 directions that [`Perlin2002`](crate::Perlin2002) lists.
+#[must_use]
+pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
+    edge_direction(Scalar, Scalar.word(word), 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lattice::integer_hash::mix;
+    use approx::assert_abs_diff_eq;
+
+    /// Words at both ends of every third, and others.
+    fn words() -> impl Iterator<Item = u32> {
+        let thirds =
+            [0, SECOND_THIRD, LAST_THIRD].into_iter().flat_map(|third| [third - 1, third].map(|x| x as u32));
+        let ends = thirds.flat_map(|third| {
+            (0..8).flat_map(move |signs| [0, 1].map(|k| ((third >> 3) + k) | (signs << 29)))
+        });
+        ends.chain((0..10_000).map(|counter| mix(counter) as u32)).chain([0, u32::MAX])
+    }
+
+    fn scalar_product<const N: usize>(a: [f32; N], b: [f32; N]) -> f64 {
+        a.iter().zip(b).map(|(&a, b)| f64::from(a) * f64::from(b)).sum()
+    }
+
+    #[test]
+    fn directions_have_their_lengths() {
+        for word in words() {
+            let [plane, space, hyperspace] = [
+                scalar_product(edge_gradient::<2>(word), edge_gradient::<2>(word)),
+                scalar_product(edge_gradient::<3>(word), edge_gradient::<3>(word)),
+                scalar_product(edge_gradient::<4>(word), edge_gradient::<4>(word)),
+            ];
+            assert_abs_diff_eq!(plane, 2.0, epsilon = 3e-7);
+            assert_eq!([space, hyperspace], [2.0, 3.0]);
+        }
+    }
+
+    #[test]
+    fn components_are_those_of_the_table() {
+        fn compared<const N: usize>(word: u32) {
+            let edge = Edge::<Scalar, N>::new(Scalar, Scalar.word(word));
+            for (axis, expected) in edge_gradient::<N>(word).into_iter().enumerate() {
+                assert_eq!(edge.times(Scalar, axis, 1.5), 1.5 * expected, "{word:x}, axis {axis}");
+            }
+        }
+        for word in words() {
+            compared::<3>(word);
+            compared::<4>(word);
+        }
+    }
+
+    #[test]
+    fn directions_have_mean_zero_and_no_preferred_axis() {
+        fn moments<const N: usize>(square: f64) {
+            let words = || (0..10_000).map(|counter| mix(counter) as u32);
+            for i in 0..N {
+                let mean = words().map(|w| f64::from(edge_gradient::<N>(w)[i])).sum::<f64>() / 1e4;
+                let second = words().map(|w| f64::from(edge_gradient::<N>(w)[i]).powi(2)).sum::<f64>() / 1e4;
+                // 5 standard errors: of a mean at most √square/100, of a square at most √3 square/100.
+                assert_abs_diff_eq!(mean, 0.0, epsilon = 0.05 * square.sqrt());
+                assert_abs_diff_eq!(second, square, epsilon = 0.09 * square);
+            }
+        }
+        moments::<2>(1.0);
+        moments::<3>(2.0 / 3.0);
+        moments::<4>(0.75);
+    }
+}
