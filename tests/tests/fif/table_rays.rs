@@ -141,6 +141,13 @@ fn rays_that_try_to_slip_through_are_decided_like_without_tables() {
             let near = surface.first_hit_within(ray, ALL, 1e-4);
             assert_eq!(near.is_some(), want.is_some(), "{ray:?}: {near:?}, {want:?}");
         }
+        let mut hits = vec![None; rays.len()];
+        for tolerance in [0.0, 1e-9, 1e-4, 10.0] {
+            surface.first_hits(&rays, ALL, tolerance, &mut hits).unwrap();
+            for (ray, hit) in rays.iter().zip(&hits) {
+                assert_eq!(*hit, surface.first_hit_within(ray, ALL, tolerance), "{ray:?} to {tolerance:e}");
+            }
+        }
         let down = ray([1.0, 0.999, 3.0], [1e-3, 1e-3, -1.0]);
         assert_eq!(surface.first_hit_within(&down, Interval::new(0.0, 1.9), 1e-4), None);
         assert_eq!(surface.first_hit_within(&down, Interval::new(2.5, 9.0), 1e-4), None);
