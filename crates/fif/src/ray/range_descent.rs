@@ -30,6 +30,7 @@ impl Division {
     }
 
     /// Whether no stretch waits behind the last one.
+    #[cfg(feature = "simd")]
     #[inline(always)]
     pub(crate) fn is_done(&self) -> bool {
         self.left == 0
