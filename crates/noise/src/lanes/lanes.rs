@@ -115,6 +115,10 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn drop(self, mask: Self::M, x: Self::F) -> Self::F;
     /// Where both masks hold.
     fn both(self, a: Self::M, b: Self::M) -> Self::M;
+    /// Where one of two masks holds.
+    fn either(self, a: Self::M, b: Self::M) -> Self::M;
+    /// Where the mask does not hold.
+    fn not(self, a: Self::M) -> Self::M;
     /// Whether the mask holds in every lane.
     fn all(self, mask: Self::M) -> bool;
     /// Whether the mask holds in a lane.
@@ -329,6 +333,14 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn both(self, a: bool, b: bool) -> bool {
         a & b
+    }
+    #[inline(always)]
+    fn either(self, a: bool, b: bool) -> bool {
+        a | b
+    }
+    #[inline(always)]
+    fn not(self, a: bool) -> bool {
+        !a
     }
     #[inline(always)]
     fn all(self, mask: bool) -> bool {

@@ -204,6 +204,14 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
         a & b
     }
     #[inline(always)]
+    fn either(self, a: Self::M, b: Self::M) -> Self::M {
+        a | b
+    }
+    #[inline(always)]
+    fn not(self, a: Self::M) -> Self::M {
+        !a
+    }
+    #[inline(always)]
     fn all(self, mask: Self::M) -> bool {
         mask.all_true()
     }

@@ -7,20 +7,17 @@ const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
 /// (1 − 1/√(n + 1))/n, which shears back.
 pub(crate) const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
 
-/// A point's simplex: its first corner in the skewed lattice, and the order of the axes on the way to the last.
+/// The first corner of a point's simplex in the skewed lattice.
 pub(crate) struct Corner<S: Lanes, const N: usize> {
     /// The corner's skewed coordinates, integers.
     pub(crate) skewed: [S::F; N],
     /// Their sum.
     pub(crate) sum: S::F,
-    /// Than how many axes the point is farther along each axis in the skewed cell.
-    pub(crate) rank: [S::F; N],
 }
 
 #[inline(always)]
 pub(crate) fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Corner<S, N> {
-    let (one, zero) = (s.float(1.0), s.float(0.0));
-    let mut corner = Corner { skewed: *p, sum: zero, rank: [zero; N] };
+    let mut corner = Corner { skewed: *p, sum: s.float(0.0) };
     // The first coordinate comes last: along a row of a grid the rest of the sum does not change.
     let mut sum = p[N - 1];
     for axis in (0..N - 1).rev() {
@@ -29,18 +26,64 @@ pub(crate) fn first_corner<S: Lanes, const N: usize>(s: S, p: &[S::F; N]) -> Cor
     let shift = sum * s.float(SKEW[N - 1]);
     for axis in 0..N {
         corner.skewed[axis] = s.floor(if N == 1 { p[axis] } else { p[axis] + shift });
-        corner.sum = corner.sum + corner.skewed[axis];
-    }
-    // Which axis the point is farther along does not depend on what all are shifted by.
-    for axis in 1..N {
-        for before in 0..axis {
-            let low = p[axis] - corner.skewed[axis];
-            let ahead = s.select(s.less(low, p[before] - corner.skewed[before]), one, zero);
-            corner.rank[before] = corner.rank[before] + ahead;
-            corner.rank[axis] = corner.rank[axis] + (one - ahead);
-        }
+        corner.sum = if axis == 0 { corner.skewed[0] } else { corner.sum + corner.skewed[axis] };
     }
     corner
+}
+
+/// The axes that have been stepped along from the first corner to those between it and the last, by the corner's number less one.
+pub(crate) type Steps<S, const N: usize> = [[<S as Lanes>::M; N]; N];
+
+impl<S: Lanes, const N: usize> Corner<S, N> {
+    /// Than how many axes the point is farther along each axis in the skewed cell.
+    #[inline(always)]
+    pub(crate) fn ranks(&self, s: S, p: &[S::F; N]) -> [S::F; N] {
+        let (one, zero) = (s.float(1.0), s.float(0.0));
+        let mut ranks = [zero; N];
+        // Which axis the point is farther along does not depend on what all are shifted by.
+        for axis in 1..N {
+            for before in 0..axis {
+                let low = p[axis] - self.skewed[axis];
+                let ahead = s.select(s.less(low, p[before] - self.skewed[before]), one, zero);
+                ranks[before] = ranks[before] + ahead;
+                ranks[axis] = ranks[axis] + (one - ahead);
+            }
+        }
+        ranks
+    }
+
+    /// From corner to corner one steps along the axes in descending order of the ranks.
+    #[inline(always)]
+    pub(crate) fn steps(&self, s: S, p: &[S::F; N]) -> Steps<S, N> {
+        let none = s.less(s.float(0.0), s.float(0.0));
+        let mut steps = [[none; N]; N];
+        let ahead =
+            |axis: usize, before: usize| s.less(p[axis] - self.skewed[axis], p[before] - self.skewed[before]);
+        match N {
+            1 => {}
+            2 => {
+                let x = ahead(1, 0);
+                (steps[0][0], steps[0][1]) = (x, s.not(x));
+            }
+            // One lane alone has no masks, and comparisons would become branches.
+            3 if S::LEN > 1 => {
+                let (xy, xz, yz) = (ahead(1 % N, 0), ahead(2 % N, 0), ahead(2 % N, 1 % N));
+                let (yx, zx, zy) = (s.not(xy), s.not(xz), s.not(yz));
+                for (axis, [a, b]) in [[xy, xz], [yx, yz], [zx, zy]].into_iter().enumerate() {
+                    (steps[0][axis % N], steps[1 % N][axis % N]) = (s.both(a, b), s.either(a, b));
+                }
+            }
+            _ => {
+                let ranks = self.ranks(s, p);
+                for k in 1..N {
+                    for axis in 0..N {
+                        steps[k - 1][axis] = s.less(s.float((N - k) as f32 - 0.5), ranks[axis]);
+                    }
+                }
+            }
+        }
+        steps
+    }
 }
 
 /// The end of kernels: t is 0 from here down.
@@ -77,8 +120,16 @@ pub(crate) fn beside<S: Lanes, const N: usize>(
 #[inline(always)]
 pub(crate) fn along<S: Lanes, const N: usize>(s: S, [rest, side]: [S::F; 2], d: S::F, g: S::F) -> [S::F; 2] {
     let (t, slope) = (rest - d * d, g * d);
-    let t = s.above(t, GAP);
+    let t = beyond_gap(s, t);
     [t, if N == 1 { slope } else { side + slope }]
+}
+
+/// t where it is above the gap, else 0.
+#[inline(always)]
+fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
+    // Numbers that are not negative are in the order of their bits, and negative ones below, which takes one operation less.
+    let above = s.signed_less(s.word(GAP.to_bits()), s.bits(t));
+    s.select(above, t, s.float(0.0))
 }
 
 /// t⁴.

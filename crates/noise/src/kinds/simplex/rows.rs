@@ -1,10 +1,11 @@
-//! Rows of simplex noise: every corner near the row adds its kernel to all points that it reaches.
+//! Rows of simplex noise: every corner near the row adds its kernel to all points that it reaches, or every point takes the corners of
+//! its simplex where a kernel reaches too few registers of points.
 //!
 //! Corners are taken by the sum of their skewed coordinates. The corners of a simplex have sums that follow one another, in the
 //! order in which a single point adds them up, so that a row's sums have the bits of the points'.
 
 use crate::{
-    contract::kernel::by_lanes,
+    contract::kernel::{Kernel, by_lanes},
     kinds::simplex::geometry::{GAP, UNSKEW, along, beside, kernel, pull},
     kinds::simplex::simplex::Simplex,
     lanes::lanes::{LANES, Lanes},
@@ -20,6 +21,12 @@ const LONG_STEP: f32 = 0.22;
 const REACH: f32 = 1024.0;
 /// √(n + 1), the steps of the sum per unit length.
 const SUMS: [f32; 4] = [core::f32::consts::SQRT_2, 1.732_050_8, 2.0, 2.236_068];
+
+/// Whether a corner's kernel reaches so many registers of points that it is taken to them, not they to their corners.
+#[inline(always)]
+const fn pays<S: Lanes, const N: usize, const GRADIENTS: bool>() -> bool {
+    N > 1 && (S::LEN <= 4 || (S::LEN == 8 && N == 2 && !GRADIENTS))
+}
 
 /// Whether all corners, and all points by their index, are placed well enough.
 #[inline(always)]
@@ -70,17 +77,45 @@ impl<const N: usize> Sums<N> {
         mut strip: Strip<'_, N, GRADIENTS>,
     ) {
         let (row, count) = (&strip.row, strip.values.len());
-        if N == 1 || !noise.is_continuous() || !has_columns(row, count, LONG_STEP) || !is_near(row, count) {
+        let splats = pays::<S, N, GRADIENTS>();
+        if splats && !(noise.is_continuous() && has_columns(row, count, LONG_STEP) && is_near(row, count)) {
             by_lanes(s, noise, strip);
             return;
         }
         for start in (0..count).step_by(POINTS) {
             let part = strip.part(start..count.min(start + POINTS));
             self.place(s, &part.row, part.values.len());
-            splat::<L, S, N, GRADIENTS>(s, noise, &part.row, part.seed, self, part.values.len());
+            if splats {
+                splat::<L, S, N, GRADIENTS>(s, noise, &part.row, part.seed, self, part.values.len());
+            } else {
+                self.by_points::<L, S, GRADIENTS>(s, noise, &part.row, part.seed, part.values.len());
+            }
             copy(&self.values, part.values);
             for axis in 0..if GRADIENTS { N } else { 0 } {
                 copy(&self.gradients[axis], part.gradients[axis]);
+            }
+        }
+    }
+
+    /// Every point from the corners of its simplex, as many points at once as there are lanes.
+    #[inline(always)]
+    fn by_points<L: Lattice, S: Lanes, const GRADIENTS: bool>(
+        &mut self,
+        s: S,
+        noise: &Simplex<L>,
+        row: &Row<N>,
+        seed: u32,
+        count: usize,
+    ) {
+        let mut p = row.points(s, 0);
+        for b in 0..count.div_ceil(LANES).min(POINTS / LANES) {
+            for k in (0..LANES).step_by(S::LEN) {
+                p[0] = s.load(&self.x[b][k..]);
+                let (value, gradient) = noise.evaluate::<S, GRADIENTS>(s, p, seed);
+                s.store(value, &mut self.values[b][k..]);
+                for axis in 0..if GRADIENTS { N } else { 0 } {
+                    s.store(gradient[axis], &mut self.gradients[axis][b][k..]);
+                }
             }
         }
     }

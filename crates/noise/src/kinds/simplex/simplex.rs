@@ -2,7 +2,7 @@
 
 use crate::{
     contract::noise::{kind, measured, noise},
-    kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside},
+    kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside, first_corner},
     lanes::lanes::Lanes,
     lattice::edges::edge_direction,
     lattice::integer_hash::IntegerHash,
@@ -82,6 +82,19 @@ const MAXIMA: [[f32; 2]; 4] = [
     [0.015_929_222, 0.036_730_024],
 ];
 
+/// A block of code once for each of the N + 1 corners.
+macro_rules! for_corners {
+    ($n:ident, |$k:ident| $block:block) => {
+        for_corners!(@ $n, $k, $block, 0 1 2 3 4)
+    };
+    (@ $n:ident, $k:ident, $block:block, $($corner:literal)*) => {
+        $(if $corner < $n + 1 {
+            let $k: usize = $corner;
+            $block
+        })*
+    };
+}
+
 impl<L: Lattice> Simplex<L> {
     /// The terms of the lattice for the first corner and for one step along each axis.
     #[inline(always)]
@@ -93,7 +106,7 @@ impl<L: Lattice> Simplex<L> {
         terms
     }
 
-    /// The term of the corner that is k steps from the first.
+    /// The term of the corner that has the skewed coordinates, whose sum is `sum`, and draws the word.
     ///
     /// A corner's place is computed from its skewed coordinates alone, so that all simplices around it agree on it to the
     /// last bit, and what is rounded far from the origin moves corners but opens no seams.
@@ -102,31 +115,52 @@ impl<L: Lattice> Simplex<L> {
         &self,
         s: S,
         p: &[S::F; N],
-        corner: &Corner<S, N>,
-        terms: &[[S::U; 2]; N],
-        k: usize,
-        seed: u32,
+        skewed: [S::F; N],
+        sum: S::F,
+        word: S::U,
     ) -> Term<S, N> {
-        let (one, zero) = (s.float(1.0), s.float(0.0));
-        let back = (corner.sum + s.float(k as f32)) * s.float(UNSKEW[N - 1]);
-        let (mut words, mut d) = ([terms[0][0]; N], *p);
+        let back = sum * s.float(UNSKEW[N - 1]);
+        let mut d = *p;
         for axis in 0..N {
-            let ([low, high], mut skewed) = (terms[axis], corner.skewed[axis]);
-            words[axis] = low;
-            if k == N {
-                words[axis] = high;
-                skewed = skewed + one;
-            } else if k > 0 {
-                // From corner to corner one steps along the axes in descending order of the ranks.
-                let ahead = s.less(s.float((N - k) as f32 - 0.5), corner.rank[axis]);
-                words[axis] = s.select_word(ahead, high, low);
-                skewed = skewed + s.select(ahead, one, zero);
-            }
-            d[axis] = if N == 1 { p[axis] - skewed } else { p[axis] - (skewed - back) };
+            d[axis] = if N == 1 { p[axis] - skewed[axis] } else { p[axis] - (skewed[axis] - back) };
         }
-        let g = self.direction(s, self.lattice.upper_words(s, words, seed));
+        let g = self.direction(s, word);
         let [t, slope] = along::<S, N>(s, beside(s, self.radius_squared(), &d, &g), d[0], g[0]);
         Term { t, d, g, slope }
+    }
+
+    /// The terms of the corners of a point's simplex, from the first to the last, handed to what adds them up.
+    #[inline(always)]
+    pub(crate) fn terms_at<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        p: &[S::F; N],
+        seed: u32,
+        mut add: impl FnMut(Term<S, N>),
+    ) {
+        let first = first_corner(s, p);
+        let (steps, terms) = (first.steps(s, p), self.terms(s, &first));
+        let mut last = first.skewed;
+        for axis in 0..N {
+            last[axis] = last[axis] + s.float(1.0);
+        }
+        // Written out, because a loop with such a body is not unrolled.
+        for_corners!(N, |k| {
+            let (mut words, mut skewed) = ([terms[0][0]; N], first.skewed);
+            for axis in 0..N {
+                let [low, high] = terms[axis];
+                (words[axis], skewed[axis]) = if k == 0 {
+                    (low, skewed[axis])
+                } else if k == N {
+                    (high, last[axis])
+                } else {
+                    let ahead = steps[(k - 1) % N][axis];
+                    (s.select_word(ahead, high, low), s.select(ahead, last[axis], skewed[axis]))
+                };
+            }
+            let word = self.lattice.upper_words(s, words, seed);
+            add(self.term(s, p, skewed, first.sum + s.float(k as f32), word));
+        });
     }
 
     /// The direction that a word draws, scaled.
