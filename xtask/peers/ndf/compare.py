@@ -8,7 +8,6 @@ Mitsuba runs its LLVM variant, which needs a libLLVM that it finds; everything h
 """
 
 import argparse
-import math
 import os
 import pathlib
 import platform
@@ -33,11 +32,6 @@ ROWS = [
     ("ggx_visible", "GGX: visible normals", "ns", 1.2),
     ("beckmann_visible", "Beckmann: visible normals", "ns", 3.0),
 ]
-
-# Growth of a bilinear map's cost: with the side of the map, and with the samples of a call.
-SIDES = [64, 128, 256, 512, 1024]
-PARTS = [1, 4, 16, 64, 256, 4096]
-
 
 class Asperity:
     """Our program, which times one row after another on demand."""
@@ -124,43 +118,6 @@ def processor():
         return platform.processor() or "unknown processor"
 
 
-def median(ours, row, rounds):
-    ours.time(row)
-    return statistics.median(ours.time(row) for _ in range(rounds))
-
-
-def slope(xs, ys):
-    """The slope of a straight line through logarithms, by least squares."""
-    xs, ys = [math.log(x) for x in xs], [math.log(y) for y in ys]
-    x, y = statistics.mean(xs), statistics.mean(ys)
-    return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / sum((a - x) ** 2 for a in xs)
-
-
-def growth(ours, rounds):
-    """Tables of how the cost of a bilinear map grows, with slopes over logarithms."""
-
-    def line(words, unit, xs, rows):
-        times = [median(ours, row, rounds) for row in rows]
-        return f"| {words} | " + " | ".join(f"{t:.3g} {unit}" for t in times) + f" | {slope(xs, times):.2f} |"
-
-    def head(what, xs):
-        return ["", f"| {what} | " + " | ".join(xs) + " | slope |", "|---|" + "---|" * (len(xs) + 1)]
-
-    def rows(what):
-        return [f"map_{what}_bilinear" if side == SIDE else f"map_{what}_{side}" for side in SIDES]
-
-    texels = [side * side for side in SIDES]
-    lines = ["", "Growth of a bilinear map's cost; the slope is that over the logarithms of both:"]
-    lines += head("texels", [f"{side}²" for side in SIDES])
-    lines.append(line("a sample", "ns", texels, rows("sample")))
-    lines.append(line("its inversion", "ns", texels, rows("forward")))
-    lines.append(line("its density", "ns", texels, rows("density")))
-    lines.append(line("building, ready for arrays", "µs", texels, rows("build")))
-    lines += head("samples of a call, 256²", [str(part) for part in PARTS])
-    lines.append(line("a sample", "ns", PARTS, [f"map_sample_by_{part}" for part in PARTS]))
-    return lines
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--samples", type=int, default=1_000_000, help="samples in one turn")
@@ -191,11 +148,11 @@ def main():
         lines.append(f"| {words} | {mine:.3g} {unit} | {other:.3g} {unit} | {ratio:.2f} | {goal} |")
         print(lines[-1], flush=True)
     lines += ["", "Ours alone:", "", "| | |", "|---|---|"]
-    known = [row for row, *_ in ROWS] + [row for row in ours.rows if row.rsplit("_", 1)[-1].isdigit()]
     for row in ours.rows:
-        if row not in known:
-            lines.append(f"| `{row}` | {median(ours, row, wanted.rounds):.3g} ns |")
-    lines += growth(ours, wanted.rounds)
+        if not any(row == known for known, *_ in ROWS):
+            times = [ours.time(row) for _ in range(wanted.rounds)]
+            lines.append(f"| `{row}` | {statistics.median(times):.3g} ns |")
+    lines += ["", "How the cost of a map grows with its texels and with the samples of a call: `cargo xtask bench --growth`."]
     text = "\n".join(lines) + "\n"
     print("\n" + text)
     if wanted.ship:

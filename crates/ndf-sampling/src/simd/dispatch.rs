@@ -17,6 +17,17 @@ pub(crate) fn best_level() -> fearless_simd::Level {
     return fearless_simd::Level::baseline();
 }
 
+/// The best instructions for so many numbers: what does not fill long registers waits less for shorter ones.
+#[cfg(feature = "simd")]
+pub(crate) fn level_for(count: usize) -> fearless_simd::Level {
+    let best = best_level();
+    #[cfg(target_arch = "x86_64")]
+    if count <= 16 {
+        return best.as_avx2().map_or(best, fearless_simd::Level::Avx2);
+    }
+    best
+}
+
 /// Calls `f` with every level that this machine has.
 #[cfg(all(test, feature = "simd"))]
 pub(crate) fn each_level(mut f: impl FnMut(fearless_simd::Level)) {

@@ -20,7 +20,7 @@ pub(crate) trait Records: Lanes {
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     /// a ≤ b; false if either is NaN.
     fn at_or_below(self, a: Self::F, b: Self::F) -> Self::M;
-    /// Where one mask holds or the other.
+    /// Lanes in which one mask holds or the other.
     fn either(self, a: Self::M, b: Self::M) -> Self::M;
     /// Whether the mask holds in a lane.
     fn any(self, mask: Self::M) -> bool;

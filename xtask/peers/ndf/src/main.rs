@@ -49,7 +49,7 @@ fn uniforms(seed: u64, count: usize) -> Vec<f32> {
 
 /// `rand_distr`'s alias table over the same texels: points uniform in a texel, which it cannot invert.
 fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
-    let table = WeightedAliasIndex::new(texels(SIDE))?;
+    let table = WeightedAliasIndex::new(texels())?;
     let mut random = SmallRng::seed_from_u64(5);
     let mut points = [vec![0.0_f32; samples], vec![0.0; samples]];
     let pass = move || {
@@ -64,16 +64,16 @@ fn alias(samples: usize) -> Result<Row, Box<dyn Error>> {
     Ok(("alias_table".into(), samples, Box::new(pass)))
 }
 
-/// The density on the texels of a map, 0 outside the disk.
-fn texels(side: usize) -> Vec<f32> {
-    let centre = |k: usize| (k as f32 + 0.5) / side as f32 * 2.0 - 1.0;
+/// The density on the map's texels, 0 outside the disk.
+fn texels() -> Vec<f32> {
+    let centre = |k: usize| (k as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
     let texel = |k: usize| {
-        let (x, y) = (centre(k % side), centre(k / side));
+        let (x, y) = (centre(k % SIDE), centre(k / SIDE));
         let cos2 = 1.0 - x * x - y * y;
         let t = (x / ALPHA[0]).powi(2) + (y / ALPHA[1]).powi(2) + cos2;
         if cos2 > 0.0 { 1.0 / (std::f32::consts::PI * ALPHA[0] * ALPHA[1] * t * t) } else { 0.0 }
     };
-    (0..side * side).map(texel).collect()
+    (0..SIDE * SIDE).map(texel).collect()
 }
 
 /// A row from arrays into arrays.
@@ -103,36 +103,6 @@ fn calls(name: &str, points: &[Vec2], mut call: impl FnMut(Vec2) -> Vec3 + 'stat
         black_box(&normals);
     };
     (name.into(), samples, Box::new(run))
-}
-
-/// A map as in flash: for the whole run.
-fn packed(side: usize, kind: Reconstruction) -> Result<PackedMapRef<'static>, Box<dyn Error>> {
-    let map = NdfMap::from_texels(side, side, &texels(side), Measure::Normals, kind)?;
-    Ok(PackedMapRef::new(map.pack().leak())?)
-}
-
-/// The rows of a map: sampling, the way back, the density, and building it for these.
-fn map_rows(
-    rows: &mut Vec<Row>,
-    side: usize,
-    name: &str,
-    kind: Reconstruction,
-    u: [&[f32]; 2],
-) -> Result<PackedMapRef<'static>, Box<dyn Error>> {
-    let packed = packed(side, kind)?;
-    let mut points = [vec![0.0; u[0].len()], vec![0.0; u[0].len()]];
-    packed.inverses(u, points.each_mut().map(Vec::as_mut_slice))?;
-    let points = points.each_ref().map(Vec::as_slice);
-    rows.push(row(format!("map_sample{name}"), u, move |u, n: [_; 2]| packed.inverses(u, n)));
-    rows.push(row(format!("map_forward{name}"), points, move |n, u: [_; 2]| packed.forwards(n, u)));
-    rows.push(row(format!("map_density{name}"), points, move |n, [d]: [_; 1]| packed.densities(n, d)));
-    let values = texels(side);
-    let build = move || {
-        let map = NdfMap::from_texels(side, side, &values, Measure::Normals, kind);
-        black_box(map.map(|map| map.pack()).is_ok());
-    };
-    rows.push((format!("map_build{name}"), 1, Box::new(build)));
-    Ok(packed)
 }
 
 /// Every row that can be asked for.
@@ -168,23 +138,24 @@ fn rows(samples: usize) -> Result<Vec<Row>, Box<dyn Error>> {
         row("beckmann_from_gaussian", gaussian, move |z, m: [_; 3]| beckmann.normals(z, m)),
     ];
     for (kind, name) in [(Reconstruction::Bilinear, "bilinear"), (Reconstruction::Constant, "constant")] {
-        let packed = map_rows(&mut rows, SIDE, &format!("_{name}"), kind, u)?;
+        let values = texels();
+        let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind)?;
+        // As in flash: for the whole run.
+        let packed = PackedMapRef::new(map.pack().leak())?;
+        let mut points = [vec![0.0; samples], vec![0.0; samples]];
+        packed.inverses(u, points.each_mut().map(Vec::as_mut_slice))?;
+        let points = points.each_ref().map(Vec::as_slice);
+        rows.push(row(format!("map_sample_{name}"), u, move |u, n: [_; 2]| packed.inverses(u, n)));
+        rows.push(row(format!("map_forward_{name}"), points, move |n, u: [_; 2]| packed.forwards(n, u)));
+        rows.push(row(format!("map_density_{name}"), points, move |n, [d]: [_; 1]| packed.densities(n, d)));
+        let build = move || {
+            let map = NdfMap::from_texels(SIDE, SIDE, &values, Measure::Normals, kind);
+            black_box(map.map(|map| map.pack()).is_ok());
+        };
+        rows.push((format!("map_build_{name}"), 1, Box::new(build)));
         if kind == Reconstruction::Bilinear {
             rows.push(calls("map_call_bilinear", &uniform, move |u| packed.sample(u)));
         }
-    }
-    // How cost grows with the texels, and with the samples of a call.
-    for side in [64, 128, 512, 1024] {
-        map_rows(&mut rows, side, &format!("_{side}"), Reconstruction::Bilinear, u)?;
-    }
-    let packed = packed(SIDE, Reconstruction::Bilinear)?;
-    for count in [1, 4, 16, 64, 256, 4096] {
-        rows.push(row(format!("map_sample_by_{count}"), u, move |[u1, u2], [x, y]: [_; 2]| {
-            let inputs = u1.chunks(count).zip(u2.chunks(count));
-            let outputs = x.chunks_mut(count).zip(y.chunks_mut(count));
-            let mut parts = inputs.zip(outputs);
-            parts.try_for_each(|((u1, u2), (x, y))| packed.inverses([u1, u2], [x, y]))
-        }));
     }
     rows.extend([
         row("table_nearest", gaussian, move |z, m: [_; 3]| nearest.view().nearest_normals(z, m)),

@@ -10,6 +10,8 @@ use crate::simd::records::Records;
 /// A function of a map and pairs of numbers; `SIDES` tells how many columns of values a cell lies between.
 pub(crate) trait Staged<const OUT: usize> {
     type Group<const L: usize>: Work<L>;
+    /// So many pairs are faster one by one.
+    const FEW: usize;
 
     fn apply<P: Records, const L: usize, const SIDES: usize>(
         map: &PackedMapRef<'_>,
@@ -32,13 +34,13 @@ pub(crate) trait Work<const L: usize>: Copy {
 pub(crate) struct Group<const L: usize> {
     pub(crate) input: [[f32; L]; 2],
     pub(crate) output: [[f32; L]; 2],
-    /// Where to read next.
+    /// Index of what is read next.
     pub(crate) at: [u32; L],
     pub(crate) column: [u32; L],
     pub(crate) row: [u32; L],
     /// The places in the columns.
     pub(crate) t: [f32; L],
-    /// What is looked for.
+    /// Integral or place that is looked for.
     pub(crate) target: [f32; L],
     pub(crate) eights: [[f32; 8]; L],
     pub(crate) other_eights: [[f32; 8]; L],

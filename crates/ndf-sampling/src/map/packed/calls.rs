@@ -17,8 +17,6 @@ use crate::simd::records::Records;
 
 /// Lanes of a group: those of the longest register.
 const LANES: usize = 16;
-/// So many are faster one by one.
-const FEW: usize = 4;
 /// Groups of a block: what all stages write and read again fits the first cache beside the tables.
 const GROUPS: usize = 4;
 
@@ -81,7 +79,7 @@ impl PackedMapRef<'_> {
 
     /// A function of arrays of one length.
     fn many<K: Staged<OUT>, const OUT: usize>(&self, inputs: [&[f32]; 2], mut outputs: [&mut [f32]; OUT]) {
-        if inputs[0].len() <= FEW {
+        if inputs[0].len() <= K::FEW {
             for (k, (&x, &y)) in inputs[0].iter().zip(inputs[1]).enumerate() {
                 for (output, result) in outputs.iter_mut().zip(self.one::<K, OUT>(Vec2::new(x, y))) {
                     if let Some(output) = output.get_mut(k) {
@@ -92,7 +90,7 @@ impl PackedMapRef<'_> {
             return;
         }
         #[cfg(feature = "simd")]
-        self.at_level::<K, OUT>(crate::simd::dispatch::best_level(), inputs, outputs);
+        self.at_level::<K, OUT>(crate::simd::dispatch::level_for(inputs[0].len()), inputs, outputs);
         #[cfg(not(feature = "simd"))]
         fill::<_, K, OUT>(Scalar, self, inputs, outputs);
     }

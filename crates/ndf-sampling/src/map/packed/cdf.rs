@@ -2,7 +2,7 @@
 
 use crate::map::packed::block::{Group, Staged, copy_guide, entries, find_leaves, of, of_mut, sides};
 use crate::map::packed::grid::Grid;
-use crate::map::packed::inverse_cdf::{integrals, marginals, place};
+use crate::map::packed::inverse_cdf::{integrals, marginals};
 use crate::map::packed::leaf::BEGIN;
 use crate::map::packed::packed_map::PackedMapRef;
 use crate::simd::records::Records;
@@ -12,6 +12,7 @@ pub(crate) struct Forward;
 
 impl Staged<2> for Forward {
     type Group<const L: usize> = Group<L>;
+    const FEW: usize = 6;
 
     #[inline(always)]
     fn apply<P: Records, const L: usize, const SIDES: usize>(
@@ -23,15 +24,16 @@ impl Staged<2> for Forward {
             map.place::<P, L, SIDES>(p, group);
         }
         copy_guide(map.by_place, groups);
-        let leaves = map.leaves;
+        let (heads, leaves) = (map.heads, map.leaves);
         for group in groups.iter_mut() {
             let values = group.target;
             find_leaves::<P, L, BEGIN>(p, leaves, group, &values);
         }
         for group in groups.iter_mut() {
             for k in 0..L {
-                let Some([first, cubics]) = leaves.get(group.at[k] as usize) else { continue };
-                group.other_fours[k] = first.as_chunks().0[0];
+                let at = group.at[k] as usize;
+                let (Some(head), Some([_, cubics])) = (heads.get(at), leaves.get(at)) else { continue };
+                group.other_fours[k] = *head;
                 group.eights[k] = *cubics;
             }
         }
@@ -90,11 +92,10 @@ fn uniforms<P: Records, const L: usize, const SIDES: usize>(p: P, group: &mut Gr
     let (zero, half, tiny) = (p.float(0.0), p.float(0.5), p.float(f32::MIN_POSITIVE));
     for from in (0..L).step_by(P::LEN) {
         let (at, q) = (p.load(of(p, &group.target, from)), p.load(of(p, &group.output[1], from)));
-        let [weight, per, begin, wide] = p.fields4(of(p, &group.other_fours, from));
+        let [weight, per_sum, begin, per_wide] = p.fields4(of(p, &group.other_fours, from));
         let cubics = p.fields8(of(p, &group.eights, from));
-        let s = place(p, at, begin, wide);
-        let [integral, total] = integrals(p, &cubics, s);
-        let u1 = weight + integral / p.max(total * per, tiny);
+        let s = p.unit((at - begin) * per_wide);
+        let u1 = weight + integrals(p, &cubics, s)[0] * per_sum;
         let [marginal, below] = marginals(p, &cubics, s);
         let sum = if SIDES == 1 {
             let [begin, end] = p.fields2(of(p, &group.twos, from));

@@ -13,7 +13,7 @@ pub(crate) struct Density;
 pub(crate) struct Corners<const L: usize> {
     input: [[f32; L]; 2],
     output: [[f32; L]; 2],
-    /// Where to read.
+    /// Index of the first texel.
     at: [u32; L],
     /// The places between the texels there and the next.
     between: [[f32; L]; 2],
@@ -41,6 +41,7 @@ impl<const L: usize> Work<L> for Corners<L> {
 
 impl Staged<1> for Density {
     type Group<const L: usize> = Corners<L>;
+    const FEW: usize = 12;
 
     #[inline(always)]
     fn apply<P: Records, const L: usize, const SIDES: usize>(

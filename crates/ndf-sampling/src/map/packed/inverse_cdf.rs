@@ -15,6 +15,7 @@ pub(crate) struct Inverse;
 
 impl Staged<2> for Inverse {
     type Group<const L: usize> = Group<L>;
+    const FEW: usize = 4;
 
     #[inline(always)]
     fn apply<P: Records, const L: usize, const SIDES: usize>(
@@ -248,7 +249,7 @@ fn window<P: Records, const L: usize, const SIDES: usize>(
 
 /// The place in a leaf of a place in columns from the middle.
 #[inline(always)]
-pub(crate) fn place<P: Records>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
+fn place<P: Records>(p: P, at: P::F, begin: P::F, wide: P::F) -> P::F {
     p.unit((at - begin) / p.max(p.max(wide, -wide), p.float(f32::MIN_POSITIVE)))
 }
 

@@ -77,8 +77,9 @@ impl Layout {
         header
     }
 
-    /// Lengths of the parts, in their order: the guides by weight and by place, leaves, nodes, texels, quantiles.
-    pub(crate) fn parts(&self) -> [Option<u64>; 6] {
+    /// Lengths of the parts, in their order: the guides by weight and by place, leaves, their heads, nodes, texels,
+    /// quantiles.
+    pub(crate) fn parts(&self) -> [Option<u64>; 7] {
         let [columns, cells, leaves, guide, quantiles] =
             [self.columns(), self.kind.cells(self.width), self.leaves, self.guide, self.quantiles]
                 .map(|size| size as u64);
@@ -86,6 +87,7 @@ impl Layout {
             guide.checked_mul(4),
             guide.checked_mul(4),
             leaves.checked_mul(16),
+            leaves.checked_mul(4),
             columns.checked_mul(self.stride() as u64),
             columns.checked_mul(self.texel_stride() as u64),
             cells.checked_mul(quantiles + 1),

@@ -25,6 +25,9 @@ pub(crate) const C0: usize = 4;
 /// `c₀` of a leaf that takes many steps.
 pub(crate) const MANY_STEPS: f32 = f32::MAX;
 
+/// Four numbers for the way back: `M₀`, the weight over the sum of the marginal's coefficients, begin, and one over the width.
+pub(crate) type Head = [f32; 4];
+
 /// Weight that a sample leaves on either side of it where the chord shrinks to a point, as the exact map does.
 const LEAST_MASS: f64 = 1e-7;
 
@@ -39,6 +42,14 @@ pub(crate) fn many_steps([[from, per, ..], [m0, m1, m2, m3, ..]]: Leaf, u: f32) 
     let marginal = [f64::from(m0), f64::from(m1) * third, f64::from(m2) * third, f64::from(m3)];
     let share = ((f64::from(u) - f64::from(from)) * f64::from(per)).clamp(0.0, 1.0);
     inverse_share(marginal, kept_away(marginal, share, LEAST_MASS * f64::from(per))) as f32
+}
+
+/// Head of a leaf.
+#[cfg(feature = "alloc")]
+pub(crate) fn head(&[[from, per, begin, wide, ..], [m0, m1, m2, m3, ..]]: &Leaf) -> Head {
+    let sum = f64::from(m0) + (f64::from(m1) + f64::from(m2)) / 3.0 + f64::from(m3);
+    let inverse = |x: f64| if x > 0.0 { (1.0 / x).min(f64::from(f32::MAX)) as f32 } else { 0.0 };
+    [from, inverse(sum * f64::from(per)), begin, inverse(f64::from(wide.abs()))]
 }
 
 /// The leaf of a piece that begins and ends at these weights; at least `margin` columns from the lines of the grid.

@@ -3,7 +3,7 @@
 use crate::map::packed::error::PackedMapError;
 use crate::map::packed::grid::Grid;
 use crate::map::packed::layout::{HEADER, Layout};
-use crate::map::packed::leaf::Leaf;
+use crate::map::packed::leaf::{Head, Leaf};
 use crate::map::reconstruction::Reconstruction;
 
 /// A normal density on the map, sampled and inverted in `f32` from one array that it borrows: from flash, a file or a `Vec`.
@@ -13,7 +13,7 @@ use crate::map::reconstruction::Reconstruction;
 ///
 /// - **Accuracy:** `forward(sample(u)) = u` within 1e-6, and what the rounding of the normal's coordinates makes of it: 6e-8
 ///   times the marginal, or the conditional density, per `dn`. The pieces of the marginal are those of the exact map.
-/// - **Order:** a larger `u` never gives a smaller coordinate by more than its last bit.
+/// - **Order:** `n_x` grows with `u₁` and `n_y` with `u₂`, to 1.2e-7.
 /// - **Resolution:** that of `f32`: columns and rows beyond 2²² are not told apart.
 /// - **Total:** uniform numbers are moved to `[0, 1 − 2⁻²⁴]`, NaN is read as 0; directions as for [`Ndf`](crate::ndf::Ndf).
 /// - An array whose header is sound but whose numbers were changed gives other normals, and never panics.
@@ -41,6 +41,7 @@ pub struct PackedMapRef<'a> {
     pub(crate) by_weight: &'a [[f32; 4]],
     pub(crate) by_place: &'a [[f32; 4]],
     pub(crate) leaves: &'a [Leaf],
+    pub(crate) heads: &'a [Head],
     /// For each line across a column the integral up to it and, in bilinear maps, the value on it.
     pub(crate) nodes: &'a [f32],
     /// `D` column by column.
@@ -57,7 +58,7 @@ impl<'a> PackedMapRef<'a> {
     pub fn new(array: &'a [f32]) -> Result<Self, PackedMapError> {
         let layout = Layout::read(array)?;
         let mut rest = array.get(HEADER..).unwrap_or_default();
-        let mut parts = [&array[..0]; 6];
+        let mut parts = [&array[..0]; 7];
         for (part, length) in parts.iter_mut().zip(layout.parts()) {
             let length = length.and_then(|length| usize::try_from(length).ok());
             let Some((first, others)) = length.and_then(|length| rest.split_at_checked(length)) else {
@@ -65,11 +66,11 @@ impl<'a> PackedMapRef<'a> {
             };
             (*part, rest) = (first, others);
         }
-        let [by_weight, by_place, leaves, nodes, texels, quantiles] = parts;
-        let [by_weight, by_place] = [by_weight, by_place].map(|guide| guide.as_chunks().0);
+        let [by_weight, by_place, leaves, heads, nodes, texels, quantiles] = parts;
+        let [by_weight, by_place, heads] = [by_weight, by_place, heads].map(|part| part.as_chunks().0);
         let leaves = leaves.as_chunks().0.as_chunks().0;
         let grid = Grid::new(&layout);
-        Ok(Self { layout, grid, by_weight, by_place, leaves, nodes, texels, quantiles })
+        Ok(Self { layout, grid, by_weight, by_place, leaves, heads, nodes, texels, quantiles })
     }
 
     /// The number of texels along x.

@@ -48,7 +48,7 @@ pub(crate) fn fill(layout: &Layout, nodes: &[f32], quantiles: &mut [f32]) {
         for (&[first, next], (&place, &step)) in rows {
             let (first, next) = (first as usize, next as usize);
             // Without a question how many there are: those of later rows are written over.
-            if let Some([a, b]) = quantiles.get_mut(first..).and_then(|rest| rest.first_chunk_mut()) {
+            if let Some([a, b]) = quantiles.get_mut(first..first + 2).and_then(|two| two.as_mut_array()) {
                 (*a, *b) = (place, place + step);
             }
             if next > first + 2 {

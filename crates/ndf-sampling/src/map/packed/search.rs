@@ -1,4 +1,4 @@
-//! What is rare in samples of a packed map: rows that their quantiles do not lead to, and places beyond the rim.
+//! Rare cases of samples of a packed map: rows that their quantiles do not lead to, and places beyond the rim.
 
 use crate::map::packed::grid::Grid;
 use crate::map::packed::packed_map::PackedMapRef;
