@@ -141,7 +141,7 @@ pub(crate) fn conditional_densities<N: ClosedForm>(
     /// Half vectors whose components are sorted at a time.
     const BLOCK: usize = 32;
     // One alone is not worth the registers.
-    if let ([h], [density]) = (h, &mut *densities) {
+    if let ([h], [density, ..]) | ([h, ..], [density]) = (h, &mut *densities) {
         *density = ndf.conditional_density(*h, split);
         return;
     }
