@@ -73,7 +73,7 @@ pub trait Kernel<const N: usize>: Measured<N> {
         0
     }
 
-    /// What the lattice's words are made of in place of a seed.
+    /// The key that the lattice makes of a seed, and words of it.
     fn key(&self, seed: u32) -> u32 {
         seed
     }

@@ -144,7 +144,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Gaussian<L> {
     }
 }
 
-/// As many lanes as both channels of a point fill with corners.
+/// Lanes that both channels of a point fill with corners.
 pub(crate) const BOTH: usize = 8;
 
 /// Both channels of one point.

@@ -46,7 +46,7 @@ pub trait Lanes: Copy + sealed::Sealed {
     type U: Words;
     /// One truth value per lane.
     type M: Copy;
-    /// The same lanes, each of which draws words with a key of its own.
+    /// Lanes of this number, each of which draws words with a key of its own.
     type Keyed: Lanes<F = Self::F, U = Self::U, M = Self::M>;
 
     /// One float in every lane.
@@ -113,11 +113,11 @@ pub trait Lanes: Copy + sealed::Sealed {
     fn keep(self, mask: Self::M, x: Self::F) -> Self::F;
     /// 0 where the mask holds, else x.
     fn drop(self, mask: Self::M, x: Self::F) -> Self::F;
-    /// Where both masks hold.
+    /// A mask that holds where both do.
     fn both(self, a: Self::M, b: Self::M) -> Self::M;
-    /// Where one of two masks holds.
+    /// A mask that holds where one of two does.
     fn either(self, a: Self::M, b: Self::M) -> Self::M;
-    /// Where the mask does not hold.
+    /// A mask that holds where another does not.
     fn not(self, a: Self::M) -> Self::M;
     /// Whether the mask holds in every lane.
     fn all(self, mask: Self::M) -> bool;

@@ -63,7 +63,7 @@ pub trait Lattice {
     #[doc(hidden)]
     const SHARED: bool = true;
 
-    /// What words are made of in place of the seed, computed once for all words of a seed.
+    /// The key that words are made of in place of the seed, computed once for all words of a seed.
     #[doc(hidden)]
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {

@@ -178,7 +178,7 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 pub(crate) struct Layers<const N: usize> {
     pub(crate) rotation: Rotation,
     seeds: [u32; OCTAVES],
-    /// What the lattice makes of the seeds.
+    /// The keys that the lattice makes of the seeds.
     keys: [u32; OCTAVES],
     matrix: [[[f32; OCTAVES]; N]; N],
     offset: [[f32; OCTAVES]; N],

@@ -29,7 +29,7 @@ pub(crate) struct AtPoint<'a, K, const N: usize, T> {
 type Sum<const N: usize> = LaneSample<Scalar, N>;
 
 impl<'a, K, const N: usize, T> AtPoint<'a, K, N, T> {
-    /// What adds the octaves to a sum, with their gradients if `GRADIENTS`.
+    /// The task of adding the octaves to a sum, with their gradients if `GRADIENTS`.
     #[inline(always)]
     pub(crate) fn sum<const GRADIENTS: bool>(self, sum: &'a mut Sum<N>) -> Added<'a, K, N, T, GRADIENTS> {
         Added { at_point: self, sum }
