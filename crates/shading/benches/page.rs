@@ -3,6 +3,9 @@
 //!
 //! All numbers of a table take turns in one process, so that what else the machine does falls on all of them.
 
+// Its tables are what it is run for.
+#![allow(clippy::print_stdout)]
+
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -103,6 +106,7 @@ fn on_points<'a>(width: f32, f: impl Fn(&SurfacePoint) -> f32 + 'a) -> Box<dyn F
 /// Prints millions of points per second of each material at three widths of pixels: its BSDF made, and made and asked for a direction.
 fn materials(rounds: usize) {
     const VALID: &str = "parameters in range";
+    const WIDTHS: [f32; 3] = [1e-5, 2e-3, 10.0];
     let glints = GlintField::new(Beckmann::isotropic(0.3).expect(VALID), 1e-3, 0.1, 1).expect(VALID);
     let all: [(&str, Box<dyn Material>); 6] = [
         ("carpet", Box::new(Carpet::new(CarpetParameters::default()).expect(VALID))),
@@ -112,7 +116,6 @@ fn materials(rounds: usize) {
         ("variations", Box::new(Variations::new(VariationsParameters::default()).expect(VALID))),
         ("bricks", Box::new(BrickWall::default())),
     ];
-    const WIDTHS: [f32; 3] = [1e-5, 2e-3, 10.0];
     let (h, wi, wo) =
         (Vec3::new(0.2, 0.1, 0.97).normalize(), Vec3::new(2.0, -3.0, 6.0) / 7.0, Vec3::new(-0.6, 0.0, 0.8));
     let mut cases: Vec<Box<dyn FnMut() + '_>> = Vec::new();

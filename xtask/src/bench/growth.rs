@@ -1,4 +1,4 @@
-//! How cost grows: the crates' benches named `growth`, as a table with slopes and one chart per crate.
+//! Growth of cost: the crates' benches named `growth`, as a table with slopes and one chart per crate.
 
 use std::collections::BTreeMap;
 use std::path::Path;

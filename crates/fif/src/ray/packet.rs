@@ -26,7 +26,7 @@ pub(crate) struct Packet {
     count: usize,
 }
 
-/// Where the rays of a packet are between one evaluation and the next.
+/// State of the rays of a packet between one evaluation and the next.
 struct Search<I: Simd> {
     t: f64x8<I>,
     /// Steps of the next evaluation, and the bound of its error.

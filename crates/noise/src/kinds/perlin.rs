@@ -2,13 +2,12 @@
 
 use crate::{
     contract::noise::{kind, measured, noise},
-    kinds::cell::blend::Column,
+    kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
-    kinds::cell::corners::Place,
     kinds::cell::edge_columns::edge_column,
     lanes::lanes::Lanes,
     lattice::edges::{EDGE_MAXIMUM, edge_direction},
-    lattice::fade::Fade,
+    lattice::fade::{Along, Fade},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::{MARGIN, UNIT_SCALE, unit_direction},
@@ -99,7 +98,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
     }
 
     #[inline(always)]
-    fn column<S: Lanes>(&self, s: S, place: &Place<S, N>, words: &[S::U; 4]) -> Column<S, N> {
-        if N > 2 { edge_column(s, place, words, SCALE_2002[N - 1]) } else { place.column(s, self, words) }
+    fn column<S: Lanes>(&self, s: S, along: &[Along<S>; N], words: &[S::U; 4]) -> Option<Column<S, N>> {
+        if N > 2 { Some(edge_column(s, along, words, SCALE_2002[N - 1])) } else { None }
     }
 }

@@ -119,7 +119,7 @@ impl LevelOfDetail {
     /// The radiances of a pixel under many lights: [`radiance`](Self::radiance) of as many half vectors as both slices have, with the
     /// same bits.
     ///
-    /// What the lights have in common is computed once: the split of the Gaussian coordinates, the frame of the facet. `Exact` takes
+    /// The lights' common part is computed once: the split of the Gaussian coordinates, the frame of the facet. `Exact` takes
     /// half vectors of [`Ggx`](crate::Ggx) and [`Beckmann`](crate::Beckmann) in SIMD lanes under the feature `simd`.
     ///
     /// ```

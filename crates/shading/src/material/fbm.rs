@@ -34,7 +34,7 @@ pub(crate) fn spectrum(
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fbm<K = Simplex> {
-    /// As many as there are.
+    /// The whole sum.
     octaves: Octaves<K, 3>,
     frequency: f32,
     /// The frequency of the last octave over that of the first.

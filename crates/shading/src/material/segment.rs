@@ -53,7 +53,7 @@ impl Batch {
 /// `(cos t, sin t)` for |t| ≤ π/2: their series to t¹² and t¹¹, to 1e-7.
 #[inline(always)]
 fn cos_sin(t: Vec4) -> [Vec4; 2] {
-    /// What each term is to the one before.
+    /// Ratio of each term to the one before.
     const COS: [f32; 6] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0];
     const SIN: [f32; 5] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0];
     let t2 = t * t;

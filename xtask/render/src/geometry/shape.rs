@@ -75,7 +75,7 @@ impl Shape {
     }
 }
 
-/// What a ray meets first, of which the rest is computed where nothing else is nearer.
+/// The first thing that a ray meets, of which the rest is computed where nothing else is nearer.
 pub enum Met {
     /// A triangle.
     Triangle { t: f32, triangle: u32 },

@@ -11,10 +11,9 @@
 
 use crate::{
     contract::kernel::Measured,
-    kinds::cell::blend::Column,
-    kinds::cell::corners::Place,
+    kinds::cell::column::Column,
     lanes::lanes::{LaneSample, Lanes},
-    lattice::fade::Fade,
+    lattice::fade::{Along, Fade},
     lattice::lattice::OnLattice,
 };
 
@@ -36,7 +35,7 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
 pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     /// Whether the upper bits of a corner's word are all that is read of it.
     const UPPER_BITS: bool = false;
-    /// What values of corners are multiples of, where they have no gradients.
+    /// Unit of the values of corners, where they have no gradients.
     const UNIT: f32 = 1.0;
     /// Whether corners have values other than 0.
     const HAS_VALUE: bool = true;
@@ -49,10 +48,11 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
 
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N>;
 
-    /// The blend of the corners at one end of the first two axes, by their words.
+    /// The column of the corners of these words, where the kind has a shorter way to it than by its corners.
     #[inline(always)]
-    fn column<S: Lanes>(&self, s: S, place: &Place<S, N>, words: &[S::U; 4]) -> Column<S, N> {
-        place.column(s, self, words)
+    fn column<S: Lanes>(&self, s: S, along: &[Along<S>; N], words: &[S::U; 4]) -> Option<Column<S, N>> {
+        let _ = (s, along, words);
+        None
     }
 }
 

@@ -3,7 +3,8 @@
 use core::num::Wrapping;
 
 use crate::{
-    kinds::cell::blend::{Column, Edge, blend, edge, ends, lerp},
+    kinds::cell::blend::{Edge, blend, edge, ends, lerp},
+    kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
     lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
@@ -140,7 +141,10 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         for k in 0..CORNERS[N] {
             words[k] = self.word(s, noise, terms, k, seed);
         }
-        noise.column(s, self, &words)
+        match noise.column(s, &self.along, &words) {
+            Some(column) => column,
+            None => self.column(s, noise, &words),
+        }
     }
 
     /// The blend of the corners at one end of the first two axes, by their words.

@@ -1,6 +1,7 @@
 //! Noises that blend the corners of a cubic cell.
 
 pub(crate) mod blend;
+pub(crate) mod column;
 pub(crate) mod corner;
 pub(crate) mod corners;
 pub(crate) mod edge_columns;

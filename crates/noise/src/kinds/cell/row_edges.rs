@@ -1,7 +1,8 @@
 //! The columns and edges that rows share, as they are stored: one number for each column or point.
 
 use crate::{
-    kinds::cell::blend::{Column, Edge, Line, Plane},
+    kinds::cell::blend::{Edge, Line},
+    kinds::cell::column::{Column, Plane},
     kinds::cell::corner::CellNoise,
     lanes::lanes::Lanes,
     row::cells::{COLUMNS, Numbers, ZEROS},
