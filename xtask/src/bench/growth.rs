@@ -92,7 +92,7 @@ pub(crate) fn markdown(machine: &[String], curves: &[Curve]) -> String {
     let mut text = format!(
         "# What things cost\n\n\
          - Beside other libraries: [noise](peers.md), [maps and densities](ndf.md), [rays](rays.md).\n\
-         - Alone: [pixels, materials and textures](shading.md); `cargo bench` in any crate for the rest.\n\
+         - Alone: [pixels, materials and textures](shading.md), [fractal functions](fif.md); `cargo bench` in any crate for the rest.\n\
          - How cost grows: below, by `cargo xtask bench --growth --ship`. Medians by criterion, one thread. The slope is the exponent \
          of the power of the quantity that the cost follows best: 0 where it costs nothing, 1 where twice as much takes twice as long.\n\n\
          {}\n",
