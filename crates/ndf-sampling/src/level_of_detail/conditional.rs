@@ -53,7 +53,7 @@ pub fn conditional_density<N: Ndf + ?Sized>(ndf: &N, h: Vec3, z_b: Vec2, s: f32)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Ggx;
+    use crate::{Beckmann, Ggx};
 
     #[test]
     fn nothing_resolved_is_the_far_field_exactly() {
@@ -63,5 +63,52 @@ mod tests {
             assert_eq!(conditional_density(&ggx, h, z_b, 0.0).to_bits(), ggx.density(h).to_bits());
             assert_eq!(conditional_density(&ggx, h, z_b, f32::NAN).to_bits(), ggx.density(h).to_bits());
         }
+    }
+
+    /// `p_s(h | z_b)` in `f64`, with the bound of what `f32` may make of it, relative.
+    fn reference([alpha_x, alpha_y]: [f64; 2], ggx: bool, h: Vec3, z_b: Vec2, s: f32) -> [f64; 2] {
+        let [x, y, z] = h.to_array().map(f64::from);
+        let (sx, sy, s) = (x / (alpha_x * z), y / (alpha_y * z), f64::from(s));
+        let a = sx * sx + sy * sy;
+        // T⁻¹: P(a' > a) is 1/(1 + a) for GGX and exp(−a) for Beckmann, and exp(−|z|²/2) for the coordinates.
+        let (square, shape) = if ggx { (2.0 * a.ln_1p(), (1.0 + a).powi(-2)) } else { (2.0 * a, (-a).exp()) };
+        let density = shape / (core::f64::consts::PI * alpha_x * alpha_y * z.powi(4));
+        let scale = (square / a).sqrt();
+        let [bx, by] = z_b.to_array().map(f64::from);
+        let b = bx * bx + by * by;
+        let off: f64 = (sx * scale * s.sqrt() - bx).hypot(sy * scale * s.sqrt() - by);
+        let near = off * off / (1.0 - s);
+        let value = density * (0.5 * (b - near)).exp() / (1.0 - s);
+        // Coordinates err by some eight roundings of 6e-8, which the exponent takes times its slope; then it is rounded itself.
+        let coordinates = 5e-7 * (1.0 + square.sqrt()) * off / (1.0 - s);
+        [value, 2e-6 + 2e-7 * (b + near + square) + coordinates]
+    }
+
+    #[test]
+    fn closed_forms_are_the_general_formula_within_rounding() {
+        let ggx = Ggx::new(0.2, 0.4).unwrap();
+        let beckmann = Beckmann::new(0.2, 0.4).unwrap();
+        let ndfs: [(&dyn Ndf, bool); 2] = [(&ggx, true), (&beckmann, false)];
+        let mut compared = 0;
+        for k in 0..4000_u16 {
+            let turn = |step: f32| (f32::from(k + 1) * step).fract();
+            let z = 4.0 * Vec2::new(2.0 * turn(0.754_877_7) - 1.0, 2.0 * turn(0.569_840_3) - 1.0);
+            let z_b = 3.0 * Vec2::new(2.0 * turn(0.819_172_5) - 1.0, 2.0 * turn(0.671_043_6) - 1.0);
+            let s = [0.1, 0.5, 0.75, 0.97][usize::from(k % 4)];
+            for (ndf, ggx) in ndfs {
+                let h = ndf.from_gaussian(z);
+                let [expected, bound] = reference([0.2_f32, 0.4].map(f64::from), ggx, h, z_b, s);
+                let got = f64::from(conditional_density(ndf, h, z_b, s));
+                // Beneath it are densities that no sum of lights feels, and numbers that are not normal.
+                if expected > 1e-20 && bound < 0.01 {
+                    assert!(
+                        (got / expected - 1.0).abs() <= bound,
+                        "{ggx} {h} {z_b} {s}: {got:e}, {expected:e}, {bound:e}"
+                    );
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 5500, "{compared}");
     }
 }
