@@ -133,7 +133,7 @@ pub(crate) trait Task {
 pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
     #[cfg(not(feature = "simd"))]
     {
-        let _ = task;
+        drop(task);
         None
     }
     #[cfg(feature = "simd")]
