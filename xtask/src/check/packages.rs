@@ -29,7 +29,30 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         }
         words += &format!(" --package {name}");
     }
+    forget_unpacked(&metadata)?;
     run(&mut cargo(root, &words))
+}
+
+/// Removes what an earlier run unpacked of the packages.
+///
+/// Cargo hands the packages to one another by a registry in the build folder, and takes the sources that it once
+/// unpacked from there for good: while the version stays, a package would be built against older ones.
+fn forget_unpacked(metadata: &Metadata) -> Result<(), Failure> {
+    let whole = MetadataCommand::new().other_options(vec!["--locked".into()]).exec()?;
+    let foreign = whole.packages.iter().find(|package| package.source.is_some());
+    let Some(sources) = foreign.and_then(|package| package.manifest_path.ancestors().nth(3)) else {
+        return Ok(());
+    };
+    for registry in fs::read_dir(sources)? {
+        for package in published(metadata) {
+            let unpacked = registry.as_ref().map_or_else(|_| sources.as_std_path().into(), fs::DirEntry::path);
+            let unpacked = unpacked.join(format!("{}-{}", package.name, package.version));
+            if unpacked.is_dir() {
+                fs::remove_dir_all(unpacked)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Runs a program that names the oldest `glam` that the crates allow as its own.

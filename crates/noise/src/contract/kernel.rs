@@ -342,16 +342,23 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
     #[inline(always)]
     fn fill<K: Kernel<N>, S: Lanes>(mut self, s: S, kernel: &K, seed: u32) {
         let count = self.values.len();
-        let mut copies =
-            Copies { points: [[0.0; BLOCK]; N], values: [0.0; BLOCK], gradients: [[0.0; BLOCK]; N] };
+        let mut copies = None;
         for start in (0..count).step_by(BLOCK) {
             let mut block = self.part(start, count.min(start + BLOCK));
-            let (len, whole) = (block.values.len(), block.is_near(s, K::REACH));
+            let len = block.values.len();
+            let whole = len == BLOCK && is_near(s, &block.points, len, K::REACH);
             let mut known = u128::MAX;
             if !whole {
-                known = copies.read(&block.points, K::REACH);
+                let copies = copies.get_or_insert_with(Copies::empty);
+                copies.copy(&block.points);
+                if !is_near(s, &copies.points.each_ref().map(|x| &x[..]), len, K::REACH) {
+                    known = copies.read(&block.points, K::REACH);
+                }
             }
-            let direct = if whole { block.reborrow() } else { copies.block() };
+            let direct = match &mut copies {
+                Some(copies) if !whole => copies.block(),
+                _ => block.reborrow(),
+            };
             // Arrays, and an index that is told to leave room for a vector, or every list would be asked every time.
             let points = direct.points.map(|x| x.first_chunk::<BLOCK>().unwrap_or(&NOTHING));
             let mut gradients = direct.gradients.map(|g| g.first_chunk_mut::<BLOCK>());
@@ -372,7 +379,7 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
                 }
                 i += S::LEN;
             }
-            if !whole {
+            if let Some(copies) = copies.as_ref().filter(|_| !whole) {
                 copies.write(&mut block, known);
             }
         }
@@ -397,22 +404,19 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
     fn reborrow(&mut self) -> Blocks<'_, N, GRADIENTS> {
         self.part(0, BLOCK)
     }
+}
 
-    /// Whether this is a whole block of points within reach; it may be one and seem none where points are far from the origin.
-    #[inline(always)]
-    fn is_near<S: Lanes>(&self, s: S, reach: f32) -> bool {
-        if self.values.len() != BLOCK {
-            return false;
+/// Whether the first points of a block, at least `len`, are within reach; they may be and seem not where they are far from the origin.
+#[inline(always)]
+fn is_near<S: Lanes, const N: usize>(s: S, points: &[&[f32]; N], len: usize, reach: f32) -> bool {
+    let mut sum = s.float(0.0);
+    for axis in 0..N {
+        let Some(x) = points[axis].first_chunk::<BLOCK>() else { return false };
+        for i in (0..len).step_by(S::LEN) {
+            sum = sum + s.abs(s.load(&x[i & (BLOCK - S::LEN)..]));
         }
-        let mut sum = s.float(0.0);
-        for axis in 0..N {
-            let Some(x) = self.points[axis].first_chunk::<BLOCK>() else { return false };
-            for i in (0..BLOCK).step_by(S::LEN) {
-                sum = sum + s.abs(s.load(&x[i..]));
-            }
-        }
-        s.all(s.less(sum, s.float(reach)))
     }
+    s.all(s.less(sum, s.float(reach)))
 }
 
 /// A block's points, those beyond reach moved to where they have the same cells, and room for what is found there.
@@ -423,12 +427,26 @@ struct Copies<const N: usize> {
 }
 
 impl<const N: usize> Copies<N> {
-    /// Copies a block, and tells by bits which of its points the noise is other than 0 at.
+    #[inline(always)]
+    fn empty() -> Self {
+        Self { points: [[0.0; BLOCK]; N], values: [0.0; BLOCK], gradients: [[0.0; BLOCK]; N] }
+    }
+
+    #[inline(always)]
+    fn copy(&mut self, points: &[&[f32]; N]) {
+        for (to, from) in self.points.iter_mut().zip(points) {
+            for (to, from) in to.iter_mut().zip(*from) {
+                *to = *from;
+            }
+        }
+    }
+
+    /// Copies a block, points beyond reach moved, and tells by bits at which the noise is other than 0.
     #[cold]
     #[inline(never)]
     fn read(&mut self, points: &[&[f32]; N], reach: f32) -> u128 {
         let mut known = 0;
-        for i in 0..BLOCK {
+        for i in 0..points.first().map_or(0, |x| x.len().min(BLOCK)) {
             let p = points.map(|x| x.get(i).copied().unwrap_or(0.0));
             let found = evaluated(p, reach);
             known |= u128::from(found.is_some()) << i;
