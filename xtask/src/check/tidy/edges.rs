@@ -2,7 +2,7 @@
 
 /// Every edge that the house rules allow out of a published crate, in tests and benches the latter too; nothing else may
 /// be there.
-const EDGES: [(&str, &[&str], &[&str]); 4] = [
+const EDGES: [(&str, &[&str], &[&str]); 5] = [
     ("asperity-noise", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-ndf-sampling",
@@ -15,10 +15,15 @@ const EDGES: [(&str, &[&str], &[&str]); 4] = [
         &["approx", "asperity-ndf-sampling", "asperity-noise", "glam", "libm", "proptest", "serde"],
         &["criterion", "png"],
     ),
+    (
+        "asperity-shaders",
+        &["asperity-fif", "asperity-ndf-sampling", "asperity-noise", "asperity-shading", "glam"],
+        &[],
+    ),
 ];
 
 /// The members that may use everything and that nothing may use.
-const TOPS: [&str; 2] = ["xtask", "asperity-tests"];
+const TOPS: [&str; 3] = ["xtask", "asperity-tests", "asperity-shader-tests"];
 
 /// The member that may use everything and that only the tops may use.
 const RENDER: &str = "asperity-render";

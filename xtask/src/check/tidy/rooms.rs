@@ -43,6 +43,12 @@ pub(super) const HOUSES: &[House] = &[
         face: Some(60),
     },
     House {
+        name: "shaders",
+        sources: "crates/shaders/src",
+        rooms: "part → compose → noise → ndf → shading → fif",
+        face: Some(60),
+    },
+    House {
         name: "render",
         sources: "xtask/render/src",
         rooms: "failure interpolation sampling → image → geometry → light → materials → scene integrator → scenes → \

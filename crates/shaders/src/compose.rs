@@ -1,0 +1,83 @@
+//! Parts joined into modules of WGSL.
+
+use alloc::{format, string::String, vec::Vec};
+use core::fmt::Write;
+
+use crate::part::{Binding, Part};
+
+/// Forms of the resources of a composition, and the group that they are bound in.
+///
+/// Bindings are numbered from 0 in the order of [`ordered`] and of each part's [`bindings`](Part::bindings).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bindings {
+    /// Tables are textures: the form that WebGPU, WebGL 2, GLSL, HLSL and MSL share.
+    Textures {
+        /// The group.
+        group: u32,
+    },
+    /// Tables are read-only storage buffers.
+    Buffers {
+        /// The group.
+        group: u32,
+    },
+}
+
+/// The parts and all that they need, each once, what is needed before what needs it.
+#[must_use]
+pub fn ordered(parts: &[&'static Part]) -> Vec<&'static Part> {
+    fn add(part: &'static Part, found: &mut Vec<&'static Part>) {
+        if found.iter().all(|other| other.name() != part.name()) {
+            part.needs().iter().for_each(|needed| add(needed, found));
+            found.push(part);
+        }
+    }
+    let mut found = Vec::new();
+    parts.iter().for_each(|part| add(part, &mut found));
+    found
+}
+
+/// One WGSL module of parts and all that they need, with their bindings.
+///
+/// A part of a circle of needs is there once, but not after all that it needs; WGSL does not ask for an order.
+#[must_use]
+pub fn compose(parts: &[&'static Part], bindings: Bindings) -> String {
+    let parts = ordered(parts);
+    let mut wgsl = String::new();
+    let resources = parts.iter().flat_map(|part| part.bindings());
+    for (index, resource) in resources.enumerate() {
+        wgsl += &declared(resource, bindings, index);
+    }
+    for part in parts {
+        let _ = write!(wgsl, "\n// {}\n\n{}", part.name(), part.source());
+    }
+    wgsl
+}
+
+fn declared(resource: &Binding, bindings: Bindings, index: usize) -> String {
+    let (group, textures) = match bindings {
+        Bindings::Textures { group } => (group, true),
+        Bindings::Buffers { group } => (group, false),
+    };
+    let at = format!("@group({group}) @binding({index})");
+    match *resource {
+        Binding::Uniform { name, of } => format!("{at} var<uniform> {name}: {of};\n"),
+        Binding::Texture { name } => format!("{at} var {name}: texture_2d<f32>;\n"),
+        Binding::Sampler { name } => format!("{at} var {name}: sampler;\n"),
+        Binding::Table { name, element, width } => {
+            let element = element.wgsl();
+            if textures {
+                let (last, shift) = (width - 1, width.trailing_zeros());
+                format!(
+                    "{at} var {name}_table: texture_2d<{element}>;\n\
+                     fn {name}(i: u32) -> {element} {{\n    \
+                     return textureLoad({name}_table, vec2<i32>(i32(i & {last}u), i32(i >> {shift}u)), 0).x;\n}}\n"
+                )
+            } else {
+                format!(
+                    "{at} var<storage, read> {name}_table: array<{element}>;\n\
+                     fn {name}(i: u32) -> {element} {{\n    return {name}_table[i];\n}}\n"
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! The noises, densities, materials and fractal surfaces of Asperity as WGSL, for every graphics card; and the words that their
+//! uniforms and tables take, from the crates' own values.
+//!
+//! A [`Part`] is one concept: plain WGSL, the parts that it needs, and what it is bound to. [`compose`](fn@compose) joins parts
+//! into a module, without `alloc` the sources are constants to join by hand.
+//!
+//! ```
+//! # #[cfg(feature = "alloc")] {
+//! use asperity_shaders::{Bindings, compose, noise};
+//!
+//! let wgsl = compose(&[&noise::INTEGER_HASH], Bindings::Textures { group: 0 });
+//! assert!(wgsl.contains("fn integer_hash_word(terms: u32, key: u32) -> u32"));
+//! # }
+//! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
+#![no_std]
+#![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
+#[cfg(feature = "alloc")]
+mod compose;
+pub mod noise;
+mod part;
+
+#[cfg(feature = "alloc")]
+pub use compose::{Bindings, compose, ordered};
+pub use part::{Binding, Element, Part};

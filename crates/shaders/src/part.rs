@@ -1,0 +1,140 @@
+//! Parts of shaders: sources with what they need.
+
+/// One concept in WGSL: its source, the parts that it calls, and what it is bound to.
+///
+/// Parts of one's own join those of the crate:
+///
+/// ```
+/// use asperity_shaders::{Part, noise};
+///
+/// static HEIGHT: Part = Part::new(
+///     "height",
+///     "fn height(cell: i32) -> f32 { return f32(integer_hash_term(0u, cell) >> 8u); }\n",
+///     &[&noise::INTEGER_HASH],
+/// );
+/// assert_eq!(HEIGHT.needs()[0].name(), "noise/lattice/integer_hash");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    name: &'static str,
+    source: &'static str,
+    needs: &'static [&'static Self],
+    bindings: &'static [Binding],
+}
+
+impl Part {
+    /// A part that is bound to nothing.
+    ///
+    /// Names are unique: of two parts of one name a composition holds the first.
+    #[must_use]
+    pub const fn new(name: &'static str, source: &'static str, needs: &'static [&'static Self]) -> Self {
+        Self { name, source, needs, bindings: &[] }
+    }
+
+    /// The part, bound to uniforms, tables and textures.
+    #[must_use]
+    pub const fn with_bindings(self, bindings: &'static [Binding]) -> Self {
+        Self { bindings, ..self }
+    }
+
+    /// Path of the concept: crate, room, file; `noise/kinds/gaussian`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// Plain WGSL, without bindings and without the parts that it needs.
+    #[must_use]
+    pub const fn source(&self) -> &'static str {
+        self.source
+    }
+
+    /// Parts whose names the source uses, apart from those that they need themselves.
+    #[must_use]
+    pub const fn needs(&self) -> &'static [&'static Self] {
+        self.needs
+    }
+
+    /// Resources that the source reads.
+    #[must_use]
+    pub const fn bindings(&self) -> &'static [Binding] {
+        self.bindings
+    }
+}
+
+/// A resource that a part reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Binding {
+    /// `var<uniform> name: of;`
+    Uniform {
+        /// Name of the variable.
+        name: &'static str,
+        /// Its WGSL type, a structure of the part.
+        of: &'static str,
+    },
+    /// A list of words, read by a function `fn name(i: u32) -> element`.
+    ///
+    /// As a texture it has `width` texels of one channel, `r32float` or `r32uint`, in a row, and is read without filtering; as a
+    /// buffer it is `array<element>`.
+    Table {
+        /// Name of the function.
+        name: &'static str,
+        /// Type of an element.
+        element: Element,
+        /// Texels in a row, a power of two.
+        width: u32,
+    },
+    /// `var name: texture_2d<f32>;` with levels of detail.
+    Texture {
+        /// Name of the variable.
+        name: &'static str,
+    },
+    /// `var name: sampler;`
+    Sampler {
+        /// Name of the variable.
+        name: &'static str,
+    },
+}
+
+impl Binding {
+    /// Name of the variable, or of the function that reads the table.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Uniform { name, .. }
+            | Self::Table { name, .. }
+            | Self::Texture { name }
+            | Self::Sampler { name } => name,
+        }
+    }
+}
+
+/// Type of a table's elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// `f32`.
+    Float,
+    /// `u32`, also for the bits of floats of which some are whole numbers: hardware may flush those.
+    Word,
+}
+
+impl Element {
+    /// Name of the type in WGSL.
+    #[must_use]
+    pub const fn wgsl(self) -> &'static str {
+        match self {
+            Self::Float => "f32",
+            Self::Word => "u32",
+        }
+    }
+}
+
+/// A part of this crate, from its file under `wgsl/`, and the parts that it needs.
+macro_rules! part {
+    ($name:literal $(, $needs:path)* $(,)?) => {
+        $crate::part::Part::new($name, include_str!(concat!("wgsl/", $name, ".wgsl")), &[$(&$needs),*])
+    };
+}
+
+pub(crate) use part;

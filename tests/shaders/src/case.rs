@@ -1,0 +1,121 @@
+//! WGSL functions beside the crates': inputs, references and bounds, for whatever computes shaders.
+
+use std::ops::Range;
+
+use asperity_shaders::{Bindings, Part, compose};
+
+/// Words that a case takes.
+pub const INPUTS: usize = 16;
+/// Words that a case gives.
+pub const OUTPUTS: usize = 16;
+
+/// One WGSL function, or a few that share their inputs, beside the crates'.
+pub struct Case {
+    /// Concept and dimension: `noise/kinds/value, 3-D`.
+    pub name: String,
+    /// Parts that the body calls.
+    pub parts: Vec<&'static Part>,
+    /// The body of `fn evaluate(a: vec4<f32>, b: vec4<f32>, c: vec4<u32>, d: vec4<u32>) -> Outcome`, see [`Case::wgsl`].
+    pub body: String,
+    /// Words of uniforms and tables, by the names of the parts' bindings.
+    pub resources: Vec<(&'static str, Vec<u32>)>,
+    /// The i-th input: the words of a, b, c and d. Those of every case are at least [`Case::COUNT`], the first few of them bad ones.
+    pub input: Box<dyn Fn(u32) -> [u32; INPUTS] + Sync>,
+    /// Outputs that the crates give.
+    pub reference: Box<dyn Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Sync>,
+    /// What the output words are, and how near they must be.
+    pub outputs: Vec<Output>,
+}
+
+/// Some words of an outcome.
+pub struct Output {
+    /// The quantity: `value`, `gradient`.
+    pub name: &'static str,
+    /// Its words.
+    pub words: Range<usize>,
+    /// Where every operation is computed as it is written.
+    pub written: Bound,
+    /// On any adapter: products and sums may be fused, division and roots be off by a few units of the last place.
+    pub adapter: Bound,
+}
+
+/// How near floats must be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// The same bits; −0 is 0.
+    Equal,
+    /// |got − expected| at most this.
+    Absolute(f32),
+    /// |got − expected| at most this times |expected|.
+    Relative(f32),
+}
+
+impl Case {
+    /// Inputs that are tried.
+    pub const COUNT: u32 = 10_000;
+
+    /// The module with `evaluate`.
+    #[must_use]
+    pub fn wgsl(&self) -> String {
+        format!(
+            "{}\n\
+             struct Outcome {{ a: vec4<u32>, b: vec4<u32>, c: vec4<u32>, d: vec4<u32> }}\n\
+             fn bits(x: vec4<f32>) -> vec4<u32> {{ return bitcast<vec4<u32>>(x); }}\n\
+             fn evaluate(a: vec4<f32>, b: vec4<f32>, c: vec4<u32>, d: vec4<u32>) -> Outcome {{\n\
+             \x20   var outcome: Outcome;\n{}\n    return outcome;\n}}\n",
+            compose(&self.parts, Bindings::Textures { group: 0 }),
+            self.body
+        )
+    }
+}
+
+impl Bound {
+    /// The error by the bound's measure: 0 for equal bits, NaN against a number is ∞.
+    #[must_use]
+    pub fn error(self, got: u32, expected: u32) -> f32 {
+        let [g, e] = [got, expected].map(f32::from_bits);
+        if got == expected || g == e {
+            return 0.0;
+        }
+        let error = match self {
+            Self::Relative(_) => (g - e).abs() / e.abs(),
+            Self::Equal | Self::Absolute(_) => (g - e).abs(),
+        };
+        if error.is_nan() { f32::INFINITY } else { error }
+    }
+
+    /// The greatest error allowed.
+    #[must_use]
+    pub fn limit(self) -> f32 {
+        match self {
+            Self::Equal => 0.0,
+            Self::Absolute(limit) | Self::Relative(limit) => limit,
+        }
+    }
+}
+
+/// Seed of the i-th input's k-th number.
+fn word(i: u32, k: u32) -> u32 {
+    let mut h = i.wrapping_mul(0x9e37_79b9) ^ k.wrapping_mul(0x85eb_ca6b).wrapping_add(0x1234_5678);
+    for _ in 0..2 {
+        h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
+        h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
+    }
+    h ^ h >> 16
+}
+
+/// Whole words, the k-th number of the i-th input.
+#[must_use]
+pub fn any(i: u32, k: u32) -> u32 {
+    word(i, k)
+}
+
+/// Numbers uniform in [low, high), the k-th of the i-th input.
+#[must_use]
+pub fn between(i: u32, k: u32, low: f32, high: f32) -> f32 {
+    low + (high - low) * (word(i, k) >> 8) as f32 * (1.0 / 16_777_216.0)
+}
+
+/// Coordinates that no function may stumble over.
+pub const BAD: [f32; 10] =
+    [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 3e9, -3e9, -0.0, 1e-40, 2_147_483_648.0];
