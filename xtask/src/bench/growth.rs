@@ -162,7 +162,7 @@ pub(crate) fn svg(name: &str, curves: &[Curve]) -> Result<String, Failure> {
     let y = Axis::log2("nanoseconds per call", y_range).with_ticks(&within(y_range));
     let mut plot = Plot::new([900.0, 480.0], x, y, Names::Above);
     for (series, curve) in (1..).zip(&curves) {
-        let stroke = if series > 6 { Stroke::dashed(series - 6) } else { Stroke::solid(series) };
+        let stroke = if series > 4 { Stroke::dashed(series - 4) } else { Stroke::solid(series) };
         let of = if quantities.len() > 1 { format!(", by {}", curve.quantity) } else { String::new() };
         plot = plot.curve(format!("{}{of}: {:.2}", curve.name, curve.slope()), curve.points.clone(), stroke);
     }
