@@ -53,7 +53,8 @@ pub fn compose(parts: &[&'static Part], bindings: Bindings) -> String {
     wgsl
 }
 
-fn declared(resource: &Binding, bindings: Bindings, index: usize) -> String {
+/// A resource as a variable, with the function that reads it where it is a table.
+pub(crate) fn declared(resource: &Binding, bindings: Bindings, index: usize) -> String {
     let (group, textures) = match bindings {
         Bindings::Textures { group } => (group, true),
         Bindings::Buffers { group } => (group, false),
@@ -79,5 +80,42 @@ fn declared(resource: &Binding, bindings: Bindings, index: usize) -> String {
                 )
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::Element;
+
+    static BASE: Part = Part::new("base", "fn base() {}\n", &[]).with_bindings(&[Binding::Table {
+        name: "level",
+        element: Element::Word,
+        width: 64,
+    }]);
+    static LEFT: Part = Part::new("left", "fn left() {}\n", &[&BASE])
+        .with_bindings(&[Binding::Uniform { name: "sum", of: "Sum" }]);
+    static RIGHT: Part = Part::new("right", "fn right() {}\n", &[&BASE, &LEFT]);
+
+    #[test]
+    fn parts_stand_once_and_after_what_they_need() {
+        let names =
+            |parts: &[&'static Part]| ordered(parts).iter().map(|part| part.name()).collect::<Vec<_>>();
+        assert_eq!(names(&[&RIGHT]), ["base", "left", "right"]);
+        assert_eq!(names(&[&LEFT, &RIGHT, &BASE]), ["base", "left", "right"]);
+    }
+
+    #[test]
+    fn bindings_are_numbered_and_tables_are_read_by_functions() {
+        let wgsl = compose(&[&RIGHT], Bindings::Textures { group: 1 });
+        assert!(wgsl.starts_with(
+            "@group(1) @binding(0) var level_table: texture_2d<u32>;\n\
+             fn level(i: u32) -> u32 {\n    \
+             return textureLoad(level_table, vec2<i32>(i32(i & 63u), i32(i >> 6u)), 0).x;\n}\n\
+             @group(1) @binding(1) var<uniform> sum: Sum;\n"
+        ));
+        let wgsl = compose(&[&BASE], Bindings::Buffers { group: 0 });
+        assert!(wgsl.contains("var<storage, read> level_table: array<u32>;\n"));
+        assert!(wgsl.contains("return level_table[i];"));
     }
 }

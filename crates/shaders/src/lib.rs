@@ -25,9 +25,13 @@ extern crate alloc;
 
 #[cfg(feature = "alloc")]
 mod compose;
+#[cfg(feature = "alloc")]
+mod imports;
 pub mod noise;
 mod part;
 
 #[cfg(feature = "alloc")]
 pub use compose::{Bindings, compose, ordered};
+#[cfg(feature = "alloc")]
+pub use imports::{Imports, module};
 pub use part::{Binding, Element, Part};

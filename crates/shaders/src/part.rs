@@ -55,6 +55,15 @@ impl Part {
         self.needs
     }
 
+    /// Names that the source defines: functions, structures, constants, in the order of the file.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.source.lines().filter_map(|line| {
+            let rest =
+                ["fn ", "struct ", "const ", "alias "].iter().find_map(|word| line.strip_prefix(word))?;
+            rest.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next()
+        })
+    }
+
     /// Resources that the source reads.
     #[must_use]
     pub const fn bindings(&self) -> &'static [Binding] {

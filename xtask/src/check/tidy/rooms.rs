@@ -45,7 +45,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "shaders",
         sources: "crates/shaders/src",
-        rooms: "part → compose → noise → ndf → shading → fif",
+        rooms: "part → compose → imports → noise → ndf → shading → fif",
         face: Some(60),
     },
     House {
