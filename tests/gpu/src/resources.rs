@@ -1,0 +1,79 @@
+//! Words of uniforms and tables as what parts of shaders are bound to.
+
+use asperity_shaders::{Binding, Element, Part, ordered};
+use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
+use wgpu::{
+    BufferUsages, Extent3d, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
+};
+
+use crate::device::Gpu;
+
+/// What a binding is bound to.
+pub(crate) enum Resource {
+    Buffer(wgpu::Buffer),
+    View(TextureView),
+}
+
+impl Resource {
+    pub(crate) fn binding(&self) -> wgpu::BindingResource<'_> {
+        match self {
+            Self::Buffer(buffer) => buffer.as_entire_binding(),
+            Self::View(view) => wgpu::BindingResource::TextureView(view),
+        }
+    }
+}
+
+/// The resources of a composition in the order of its bindings, of words by names.
+pub(crate) fn bound(
+    gpu: &Gpu,
+    parts: &[&'static Part],
+    words: &[(&'static str, Vec<u32>)],
+) -> Result<Vec<Resource>, String> {
+    let parts = ordered(parts);
+    let bindings = parts.iter().flat_map(|part| part.bindings());
+    bindings
+        .map(|binding| {
+            let name = binding.name();
+            let words = words.iter().find(|(of, _)| *of == name).map(|(_, words)| words.as_slice());
+            resource(gpu, binding, words.ok_or_else(|| format!("nothing is bound to `{name}`"))?)
+        })
+        .collect()
+}
+
+fn resource(gpu: &Gpu, binding: &Binding, words: &[u32]) -> Result<Resource, String> {
+    match *binding {
+        Binding::Uniform { .. } => Ok(Resource::Buffer(buffer(gpu, words, BufferUsages::UNIFORM))),
+        Binding::Table { element, width, .. } => {
+            let format = match element {
+                Element::Float => TextureFormat::R32Float,
+                Element::Word => TextureFormat::R32Uint,
+            };
+            let height = (words.len() as u32).div_ceil(width).max(1);
+            let mut texels = words.to_vec();
+            texels.resize((width * height) as usize, 0);
+            let texture = gpu.device.create_texture_with_data(
+                &gpu.queue,
+                &TextureDescriptor {
+                    label: None,
+                    size: Extent3d { width, height, depth_or_array_layers: 1 },
+                    mip_level_count: 1,
+                    sample_count: 1,
+                    dimension: TextureDimension::D2,
+                    format,
+                    usage: TextureUsages::TEXTURE_BINDING,
+                    view_formats: &[],
+                },
+                TextureDataOrder::LayerMajor,
+                bytemuck::cast_slice(&texels),
+            );
+            Ok(Resource::View(texture.create_view(&wgpu::TextureViewDescriptor::default())))
+        }
+        _ => Err(format!("`{}` is of a kind that no case has", binding.name())),
+    }
+}
+
+/// A buffer of words.
+pub(crate) fn buffer(gpu: &Gpu, words: &[u32], usage: BufferUsages) -> wgpu::Buffer {
+    let contents = bytemuck::cast_slice(words);
+    gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+}
