@@ -17,7 +17,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 /// 0 if every crate's call gives what it must, else the number of the first that does not.
 #[must_use]
 pub fn run() -> i32 {
-    let wrong = [noise, ndf_sampling, fif, shading].iter().position(|agrees| !agrees());
+    let wrong = [noise, ndf_sampling, fif, shading, shaders].iter().position(|agrees| !agrees());
     wrong.map_or(0, |index| index as i32 + 1)
 }
 
@@ -56,4 +56,10 @@ fn shading() -> bool {
     let far = far_field(&ggx, h);
     let rules = [LevelOfDetail::Exact, LevelOfDetail::Fractal];
     far > 0.0 && rules.into_iter().all(|rule| rule.radiance(&ggx, h, Coordinates::FAR) == far)
+}
+
+/// Sources are constants: a part names what it needs, and defines what it is named for.
+fn shaders() -> bool {
+    let part = asperity_shaders::noise::INTEGER_HASH;
+    part.needs().is_empty() && part.names().any(|name| name == "integer_hash_word")
 }

@@ -9,16 +9,18 @@ use super::{bare_metal, no_std, packages, tidy, wasm};
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, tables};
 
+/// The crates that compute.
 pub(crate) const CRATES: [&str; 4] =
     ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
 
 /// The feature sets that `cargo test --workspace` does not have: there every feature of a crate is on, and `libm` wins.
-const SETS: [(&str, &[&str]); 4] = [
+const SETS: [(&str, &[&str]); 5] = [
     // The noise's bits must not depend on lanes either; the other crates own tables where they may allocate.
     ("asperity-noise", &["std", "std,simd", "libm", "libm,check,simd"]),
     ("asperity-ndf-sampling", &["std,alloc,simd", "libm,check,simd", "libm"]),
     ("asperity-fif", &["std,alloc,simd", "libm,alloc,simd", "libm"]),
     ("asperity-shading", &["std,alloc,simd", "libm,check", "libm"]),
+    ("asperity-shaders", &["std", "libm"]),
 ];
 
 /// The least of features with which a crate is linted: one backend, and the traits of `approx` and `serde` without std.
@@ -68,7 +70,8 @@ fn clippy(root: &Path) -> Result<(), Failure> {
     lint("--workspace --all-targets")?;
     CRATES.iter().flat_map(|name| LEAST.map(|features| (name, features))).try_for_each(|(name, features)| {
         lint(&format!("--package {name} --no-default-features --features {features}"))
-    })
+    })?;
+    lint("--package asperity-shaders --no-default-features --features libm")
 }
 
 fn neither_backend(root: &Path) -> Result<(), Failure> {

@@ -25,7 +25,7 @@ pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
     let program = folder.join("target/release/probe");
     match Command::new(&program).status()?.code() {
         Some(0) => Ok(format!(
-            "the no_std probe links without std or allocator, and its calls into all four crates agree ({} bytes)",
+            "the no_std probe links without std or allocator, and its calls into all five crates agree ({} bytes)",
             std::fs::metadata(&program)?.len()
         )),
         code => {
