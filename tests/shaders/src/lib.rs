@@ -1,4 +1,6 @@
-//! The functions of the shaders beside those of the crates: cases for an interpreter, and for drivers.
+//! The functions of the shaders beside those of the crates: an interpreter that needs no driver, and cases for it and for
+//! drivers.
 
 pub mod case;
 pub mod cases;
+pub mod interpreter;

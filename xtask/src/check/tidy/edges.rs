@@ -62,6 +62,8 @@ mod tests {
         }
         for (from, to, development, allowed) in [
             ("asperity-tests", "xtask", false, false),
+            ("asperity-noise", "asperity-shader-tests", true, false),
+            ("asperity-shader-tests", "asperity-noise", true, true),
             ("asperity-noise", "asperity-render", true, false),
             ("asperity-noise", "rand", false, false),
             ("asperity-noise", "criterion", false, false),

@@ -56,6 +56,13 @@ pub(super) const HOUSES: &[House] = &[
         face: None,
     },
     House {
+        name: "shader-tests",
+        sources: "tests/shaders/src",
+        rooms: "interpreter/value interpreter/arithmetic interpreter/operators → interpreter/program → interpreter/layout → \
+                interpreter/binding → interpreter/compile → interpreter/run → interpreter → case → cases",
+        face: None,
+    },
+    House {
         name: "xtask",
         sources: "xtask/src",
         rooms: "failure cli progress output → input → render gallery → gallery/figures → tables → check bench",

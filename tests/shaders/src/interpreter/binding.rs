@@ -1,0 +1,140 @@
+//! What the names of a module are bound to.
+
+use naga::proc::Layouter;
+use naga::{
+    AddressSpace, ArraySize, GlobalVariable, Handle, ImageClass, ImageDimension, Module, StorageAccess,
+    TypeInner,
+};
+
+use super::layout;
+
+/// A texture of one component.
+#[derive(Debug)]
+pub(super) struct Texture {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) words: Vec<u32>,
+}
+
+/// Everything that is bound, by the index of naga.
+#[derive(Debug)]
+pub(super) struct Bindings {
+    names: Vec<String>,
+    buffers: Vec<Option<Vec<u32>>>,
+    textures: Vec<Option<Texture>>,
+}
+
+impl Bindings {
+    /// Nothing yet.
+    pub(super) fn new(module: &Module) -> Self {
+        let names: Vec<String> = module
+            .global_variables
+            .iter()
+            .map(|(_, global)| global.name.clone().unwrap_or_default())
+            .collect();
+        let buffers = names.iter().map(|_| None).collect();
+        let textures = names.iter().map(|_| None).collect();
+        Self { names, buffers, textures }
+    }
+
+    /// Binds a texture by its rows.
+    pub(super) fn texture(
+        &mut self,
+        module: &Module,
+        name: &str,
+        width: u32,
+        words: Vec<u32>,
+    ) -> Result<(), String> {
+        let (handle, global) = named(module, name)?;
+        let is_table = matches!(
+            module.types[global.ty].inner,
+            TypeInner::Image {
+                dim: ImageDimension::D2,
+                arrayed: false,
+                class: ImageClass::Sampled { multi: false, .. }
+            }
+        );
+        if !is_table {
+            return Err(format!("`{name}` is no texture_2d"));
+        }
+        let length = words.len() as u32;
+        if width == 0 || length == 0 || !length.is_multiple_of(width) {
+            return Err(format!("`{name}`: {length} words do not make up rows of {width}"));
+        }
+        self.textures[handle.index()] = Some(Texture { width, height: length / width, words });
+        Ok(())
+    }
+
+    /// Binds a uniform or a storage buffer by its words with padding.
+    pub(super) fn buffer(
+        &mut self,
+        module: &Module,
+        name: &str,
+        words: &[u32],
+        sort: &str,
+    ) -> Result<(), String> {
+        let (handle, global) = named(module, name)?;
+        let own = match global.space {
+            AddressSpace::Uniform => "uniform",
+            AddressSpace::Storage { access } if !access.contains(StorageAccess::STORE) => "storage buffer",
+            _ => "something else",
+        };
+        if own != sort {
+            return Err(format!("`{name}` is no {sort} to be read but {own}"));
+        }
+        let mut layouter = Layouter::default();
+        layouter.update(module.to_ctx()).map_err(|error| error.to_string())?;
+        let bytes = words.len() as u32 * 4;
+        if let Some(stride) = runtime_stride(module, global) {
+            if !bytes.is_multiple_of(stride) {
+                return Err(format!("`{name}` has elements of {} words, got {}", stride / 4, words.len()));
+            }
+        } else {
+            let size = layouter[global.ty].size;
+            if bytes != size {
+                return Err(format!("`{name}` has {} words, got {}", size / 4, words.len()));
+            }
+        }
+        let mut unpadded = Vec::new();
+        layout::unpad(module, global.ty, words, 0, &mut unpadded)
+            .map_err(|error| format!("`{name}`: {error}"))?;
+        self.buffers[handle.index()] = Some(unpadded);
+        Ok(())
+    }
+
+    /// The words of a buffer without padding.
+    pub(super) fn buffer_words(&self, index: u32) -> Result<&[u32], String> {
+        self.buffers[index as usize].as_deref().ok_or_else(|| self.unbound(index))
+    }
+
+    /// A texture.
+    pub(super) fn texture_at(&self, index: u32) -> Result<&Texture, String> {
+        let texture = self.textures.get(index as usize).ok_or("no such texture")?;
+        texture.as_ref().ok_or_else(|| self.unbound(index))
+    }
+
+    /// The name of a global variable.
+    pub(super) fn name(&self, index: u32) -> &str {
+        self.names.get(index as usize).map_or("", String::as_str)
+    }
+
+    fn unbound(&self, index: u32) -> String {
+        format!("nothing is bound to `{}`", self.name(index))
+    }
+}
+
+/// Bytes from element to element where the global variable is an array without an end.
+fn runtime_stride(module: &Module, global: &GlobalVariable) -> Option<u32> {
+    match module.types[global.ty].inner {
+        TypeInner::Array { size: ArraySize::Dynamic, stride, .. } => Some(stride),
+        _ => None,
+    }
+}
+
+/// The global variable of a name.
+fn named<'m>(module: &'m Module, name: &str) -> Result<(Handle<GlobalVariable>, &'m GlobalVariable), String> {
+    let mut globals = module.global_variables.iter();
+    globals
+        .find(|(_, global)| global.name.as_deref() == Some(name))
+        .ok_or_else(|| format!("no global variable is called `{name}`"))
+}

@@ -1,0 +1,76 @@
+//! What the interpreter refuses, and in which words.
+
+use asperity_shader_tests::interpreter::Interpreter;
+
+use crate::interpreter;
+
+#[test]
+fn modules_that_naga_refuses_show_their_line() {
+    for (wgsl, expected) in [
+        ("fn f() -> f32 { return ; }", "return ;"),
+        ("fn f() -> f32 { return nowhere(); }", "return nowhere();"),
+        ("fn f(x: f32) -> u32 { return x; }", "return x;"),
+    ] {
+        let error = Interpreter::new(wgsl).unwrap_err();
+        assert!(error.contains("error:") && error.contains(expected), "{error}");
+    }
+}
+
+#[test]
+fn names_and_arguments_that_are_not_there() {
+    let wgsl = "
+        @group(0) @binding(0) var<uniform> scale: vec2<f32>;
+        @group(0) @binding(1) var table: texture_2d<f32>;
+        fn f(x: f32, y: vec2<f32>) -> f32 { return x + y.x * scale.x; }";
+    let mut shader = interpreter(wgsl);
+    let arguments = [1.0.into(), [1.0, 2.0].into()];
+    assert_eq!(shader.call("g", &[]).unwrap_err(), "no function is called `g`");
+    assert_eq!(shader.call("f", &arguments).unwrap_err(), "nothing is bound to `scale`, in `f`");
+    assert!(shader.call("f", &arguments[1..]).unwrap_err().contains("arguments of [1, 2] words, got [2]"));
+    assert!(shader.call_many("f", &[[0, 0]]).unwrap_err().contains("arguments of 3 words, got 2"));
+    assert_eq!(shader.uniform("size", &[0, 0]).unwrap_err(), "no global variable is called `size`");
+    assert!(shader.uniform("table", &[0, 0]).is_err());
+    assert!(shader.storage("scale", vec![0, 0]).is_err());
+    assert!(shader.texture("scale", 1, vec![0, 0]).is_err());
+    shader.uniform("scale", &[2.0_f32.to_bits(), 0]).unwrap();
+    assert_eq!(shader.call("f", &arguments), Ok(3.0.into()));
+}
+
+#[test]
+fn only_functions_with_something_unknown_fail() {
+    let wgsl = "
+        @group(0) @binding(0) var picture: texture_2d<f32>;
+        @group(0) @binding(1) var linear: sampler;
+        @group(0) @binding(2) var<storage, read_write> sums: array<f32>;
+        var<workgroup> shared_sum: f32;
+        fn good() -> f32 { return 1.0; }
+        fn slope(x: f32) -> f32 { return dpdx(x); }
+        fn calls(x: f32) -> f32 { return slope(x); }
+        fn sampled(p: vec2<f32>) -> vec4<f32> { return textureSampleLevel(picture, linear, p, 0.0); }
+        fn written(x: f32) -> f32 { sums[0] = x; return x; }
+        fn common_sum() -> f32 { return shared_sum; }";
+    let shader = interpreter(wgsl);
+    assert_eq!(shader.call("good", &[]), Ok(1.0.into()));
+    let refused = |name: &str| shader.call(name, &[]).unwrap_err();
+    assert_eq!(refused("slope"), "expressions of kind `Derivative` are not known, in `slope`");
+    assert_eq!(refused("calls"), "expressions of kind `Derivative` are not known, in `slope`, in `calls`");
+    assert_eq!(refused("sampled"), "expressions of kind `ImageSample` are not known, in `sampled`");
+    assert!(refused("written").contains("`sums` lies in the space"));
+    assert!(refused("common_sum").contains("`shared_sum` lies in the space WorkGroup"));
+}
+
+#[test]
+fn indices_outside() {
+    let wgsl = "
+        fn value(i: i32) -> f32 { let v = array(1.0, 2.0, 3.0); return v[i]; }
+        fn variable(i: u32) -> f32 { var v = array(1.0, 2.0, 3.0); return v[i]; }";
+    let shader = interpreter(wgsl);
+    assert_eq!(
+        shader.call("value", &[(-1).into()]).unwrap_err(),
+        "index -1 is outside 3 elements, in `value`"
+    );
+    assert_eq!(
+        shader.call("variable", &[3_u32.into()]).unwrap_err(),
+        "index 3 is outside 3 elements, in `variable`"
+    );
+}
