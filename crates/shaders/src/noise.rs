@@ -1,6 +1,21 @@
 //! Noise: the hash of lattice points, kinds with analytic gradients, sums of octaves.
+//!
+//! Every kind has a function of any point, `value_noise_3d(p, key) -> Sample3d` and its like, and one of a cell and the place in it,
+//! `value_in_cell_3d(cell, t, key)`, for points that are anchored. Both give the bits of the crate where every operation is
+//! rounded as it is written. Seeds come as keys, [`Lattice::key`](asperity_noise::Lattice::key) of the seed.
+//!
+//! ```
+//! # #[cfg(feature = "alloc")] {
+//! use asperity_shaders::{Bindings, compose, noise};
+//!
+//! let wgsl = compose(&[&noise::PERLIN_2002], Bindings::Textures { group: 0 });
+//! assert!(wgsl.contains("fn perlin_2002_noise_3d(p: vec3<f32>, key: u32) -> Sample3d"));
+//! # }
+//! ```
 
-use crate::part::{Part, part};
+use asperity_noise::lattice;
+
+use crate::part::{Binding, Element, Part, part};
 
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
@@ -9,3 +24,71 @@ pub static SAMPLE: Part = part!("noise/sample");
 ///
 /// Seeds come as keys: [`Lattice::key`](asperity_noise::Lattice::key) of the seed, which takes 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
+
+/// Cell of a point and the place in it, as [`Field`](asperity_noise::Field) has them for every point.
+pub static CELL: Part = part!("noise/lattice/cell");
+
+/// Weights along the axes of a cell, and their derivatives.
+pub static FADE: Part = part!("noise/lattice/fade");
+
+/// Directions to the edges of a cube, [`edge_gradient`](asperity_noise::lattice::edge_gradient).
+pub static EDGES: Part = part!("noise/lattice/edges");
+
+/// Uniform numbers and directions, [`unit_gradient`](asperity_noise::lattice::unit_gradient).
+pub static VARIATES: Part = part!("noise/lattice/variates");
+
+/// Blend of the corners of a cell at the ends of the first two axes.
+pub static COLUMNS: Part = part!("noise/kinds/cell/columns", SAMPLE);
+
+/// Blend of the corners of a cell in space.
+pub static CORNERS: Part = part!("noise/kinds/cell/corners", COLUMNS);
+
+/// White noise, [`White`](asperity_noise::White), in two and three dimensions.
+pub static WHITE: Part = part!("noise/kinds/white", SAMPLE, INTEGER_HASH, CELL, VARIATES);
+
+/// Value noise, [`Value`](asperity_noise::Value), in two to four dimensions.
+pub static VALUE: Part = part!("noise/kinds/value", SAMPLE, INTEGER_HASH, CELL, FADE);
+
+/// Perlin's noise of 1985, [`Perlin1985`](asperity_noise::Perlin1985), in two and three dimensions.
+pub static PERLIN_1985: Part = part!("noise/kinds/perlin_1985", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
+
+/// Perlin's noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002), in two to four dimensions.
+pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CELL, FADE, EDGES, COLUMNS);
+
+/// Value-gradient noise, [`ValueGradient`](asperity_noise::ValueGradient), in two and three dimensions.
+pub static VALUE_GRADIENT: Part =
+    part!("noise/kinds/value_gradient", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
+
+/// Gaussian variates of lattice points, [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), by the table
+/// of [`gaussian_levels`].
+pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)
+    .with_bindings(&[Binding::Table {
+        name: "gaussian_level",
+        element: Element::Float,
+        width: GAUSSIAN_LEVELS_WIDTH,
+    }]);
+
+/// Exactly Gaussian noise, [`Gaussian`](asperity_noise::Gaussian), in two and three dimensions: one channel, or
+/// [two](asperity_noise::Gaussian::pair).
+pub static GAUSSIAN: Part =
+    part!("noise/kinds/gaussian", INTEGER_HASH, CELL, FADE, CORNERS, GAUSSIAN_VARIATES);
+
+/// Texels in a row of the table of [`gaussian_levels`].
+pub const GAUSSIAN_LEVELS_WIDTH: u32 = 64;
+
+/// The table `gaussian_level` of [`GAUSSIAN_VARIATES`]: levels, lines of the tails, and zeros to the end of the last of 88 rows.
+///
+/// Dimensionless, in units of the standard deviation.
+///
+/// ```
+/// use asperity_shaders::noise::{GAUSSIAN_LEVELS_WIDTH, gaussian_levels};
+///
+/// assert_eq!(gaussian_levels().count(), 88 * GAUSSIAN_LEVELS_WIDTH as usize);
+/// assert!(gaussian_levels().take(4096).is_sorted());
+/// ```
+pub fn gaussian_levels() -> impl Iterator<Item = f32> {
+    const COUNT: usize = 88 * GAUSSIAN_LEVELS_WIDTH as usize;
+    let levels = lattice::gaussian_levels().iter().copied();
+    let lines = lattice::gaussian_tail_lines().iter().copied().flatten();
+    levels.chain(lines).chain(core::iter::repeat(0.0)).take(COUNT)
+}

@@ -213,6 +213,38 @@ pub fn gaussian_corner<const N: usize>(word: u32) -> [(f32, [f32; N]); 2] {
         .map(|(value, twice)| (value, twice.map(|g| 0.5 * g)))
 }
 
+/// The levels that [`gaussian_corner`] draws from: 4096 in ascending order, and the last once more.
+///
+/// Gradients are levels by twelve bits; values lie on the chords between them, and in the tails on
+/// [`gaussian_tail_lines`]. For evaluation elsewhere, on a graphics card for instance.
+///
+/// ```
+/// use asperity_noise::lattice::gaussian_levels;
+///
+/// let levels = gaussian_levels();
+/// assert!(levels[0] == -levels[4095] && levels[2047] == -levels[2048] && levels[4096] == levels[4095]);
+/// ```
+#[must_use]
+pub fn gaussian_levels() -> &'static [f32; 4097] {
+    &LEVELS
+}
+
+/// The lines that values in the tails lie on, each of two numbers a, b with |z| = a + b m: m in [1, 2) is the mantissa of
+/// x = word + 2¹⁹ as a signed number, made odd, and there are 32 lines for each exponent from 0 to 22.
+///
+/// ```
+/// use asperity_noise::lattice::{gaussian_corner, gaussian_tail_lines};
+///
+/// // x = 1 is the rarest word but its mirror image's: m = 1 on the first line.
+/// let [a, b] = gaussian_tail_lines()[0];
+/// let [(value, _), _] = gaussian_corner::<1>(0_u32.wrapping_sub(1 << 19));
+/// assert_eq!(value, -(a + b));
+/// ```
+#[must_use]
+pub fn gaussian_tail_lines() -> &'static [[f32; 2]; 736] {
+    &TAIL_LINES
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,4 +1,4 @@
-//! Noise: hash, kinds, sums.
+//! The hash of lattice points.
 
 use asperity_noise::{IntegerHash, Lattice};
 use asperity_shaders::noise;
