@@ -68,9 +68,9 @@ pub(crate) fn gates(only: &[String], root: &Path, interrupted: &AtomicBool) -> R
 fn clippy(root: &Path) -> Result<(), Failure> {
     let lint = |of: &str| run(&mut cargo(root, &format!("clippy {of} --quiet -- -D warnings")));
     lint("--workspace --all-targets")?;
-    CRATES.iter().flat_map(|name| LEAST.map(|features| (name, features))).try_for_each(|(name, features)| {
-        lint(&format!("--package {name} --no-default-features --features {features}"))
-    })?;
+    CRATES.iter().flat_map(|name| LEAST.map(|features| (name, features))).try_for_each(
+        |(name, features)| lint(&format!("--package {name} --no-default-features --features {features}")),
+    )?;
     lint("--package asperity-shaders --no-default-features --features libm")
 }
 
