@@ -47,6 +47,7 @@
 //! | [`Spectrum`], [`Octaves`], [`Rotation`], [`Normalisation`] | lacunarity, gain and a real number of octaves; sums of any kind |
 //! | [`Turbulence`], [`Plasma`], [`Billow`], [`Ridged`], [`RidgedMultifractal`] | creased sums |
 //! | [`Octaves::tiled`] | sums that repeat, each octave with periods of its own |
+//! | [`Octave`] | what an octave is evaluated by: its map, cell and key |
 //! | [`Octaves::anchored`] | sums far from the origin, told to a thousandth of a cell at 10¹² |
 //! | [`Octaves::clamped`], [`removed_share`], [`pixel_footprint`] | frequency clamping to a pixel |
 //! | [`GaussianOctaves`] | sums that are N(0, 1) at every point |
@@ -160,7 +161,7 @@ pub use row::grid::Grid;
 pub use sample::{Sample, SecondOrder};
 pub use statistics::statistics::Statistics;
 pub use sums::frequency_clamp::{pixel_footprint, removed_share};
-pub use sums::octave::Rotation;
+pub use sums::octave::{Octave, Rotation};
 pub use sums::octaves::{Detail, GaussianOctaves, Normalisation, Octaves};
 pub use sums::ridged_multifractal::{FeedbackError, RidgedMultifractal};
 pub use sums::shape::{Shape, Signed};

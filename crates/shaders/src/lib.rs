@@ -16,6 +16,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
+//! | [`shading`] | what a pixel resolves |
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -29,6 +30,7 @@ mod compose;
 mod imports;
 pub mod noise;
 mod part;
+pub mod shading;
 
 #[cfg(feature = "alloc")]
 pub use compose::{Bindings, compose, ordered};

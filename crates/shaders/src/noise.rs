@@ -17,6 +17,9 @@ use asperity_noise::lattice;
 
 use crate::part::{Binding, Element, Part, part};
 
+pub mod sums;
+pub mod transforms;
+
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
 

@@ -172,6 +172,41 @@ impl<S: Lanes, const N: usize> Map<S, N> {
     }
 }
 
+/// An octave of a sum as it is evaluated: the map into the cells of its lattice, and the key that its words are drawn by.
+///
+/// ```text
+/// nᵢ(p) = n(M p + o),   its words those of the lattice at cell + ⌊M p + o⌋ mod 2³²
+/// ```
+///
+/// For evaluation elsewhere, on a graphics card for instance. Of a noise that repeats each octave has periods of its own besides, which
+/// are not told here.
+///
+/// ```
+/// use asperity_noise::{Octaves, Perlin2002, Spectrum, glam::DVec2};
+///
+/// let sum = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(1.0);
+/// let octave = sum.octave(0);
+/// // The first is turned and not stretched: it keeps lengths.
+/// let [x, y] = octave.matrix.map(|[x, y]| 3.0 * x - 4.0 * y);
+/// assert!((x.hypot(y) - 5.0).abs() < 1e-5 && octave.cell == [0, 0]);
+///
+/// // Seen from an anchor it has the cell there.
+/// let far = sum.anchored(DVec2::new(1e9, 0.0)).octave(0);
+/// assert!(far.key == octave.key && far.cell != [0, 0] && far.matrix == octave.matrix);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Octave<const N: usize> {
+    /// M, rotation times frequency, by rows: cells of the octave per unit of the sum's coordinates.
+    pub matrix: [[f32; N]; N],
+    /// o in cells; NaN where an anchor is too far away, and the octave 0.
+    pub offset: [f32; N],
+    /// The cell that cells are counted from: 0, or that of the anchor modulo 2³².
+    pub cell: [i32; N],
+    /// What the lattice makes of the octave's seed.
+    pub key: u32,
+}
+
 /// The layers of all octaves of a sum, each number of all octaves side by side; those beyond the spectrum's maximum are there and
 /// unused.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -218,6 +253,12 @@ impl<const N: usize> Layers<N> {
             }
         }
         layer
+    }
+
+    /// An octave by its number; beyond the last numbers repeat.
+    pub(crate) fn octave(&self, i: usize) -> Octave<N> {
+        let Layer { matrix, offset, cell, .. } = self.layer(i);
+        Octave { matrix, offset, cell, key: self.keys[i % OCTAVES] }
     }
 
     /// All layers, one after the other.

@@ -17,7 +17,7 @@ use crate::{
     sample::{Sample, SecondOrder},
     sums::anchor::anchored,
     sums::frequency_clamp::removed_share,
-    sums::octave::{Layer, Layers, Rotation},
+    sums::octave::{Layer, Layers, Octave, Rotation},
     sums::pass::Passes,
     sums::point::{AtPoint, Pair},
     sums::shape::{Shape, Signed},
@@ -551,6 +551,19 @@ macro_rules! sum {
             #[must_use]
             pub const fn normalisation(&self) -> Normalisation {
                 self.terms.normalisation
+            }
+
+            /// Octave i of the spectrum, whether it takes part or not; beyond [`Spectrum::MAX_OCTAVES`] numbers repeat.
+            #[must_use]
+            pub fn octave(&self, i: u32) -> Octave<N> {
+                self.terms.layers.octave(i as usize)
+            }
+
+            /// Mean and standard deviation of one octave of amplitude 1, after its shape.
+            #[doc(hidden)]
+            #[must_use]
+            pub fn octave_moments(&self) -> [f32; 2] {
+                self.terms.moments()
             }
 
             /// The number of octaves, 0 or more; a lone octave is whole however small its part.

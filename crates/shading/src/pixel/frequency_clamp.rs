@@ -70,6 +70,13 @@ impl FrequencyClamp {
         self.max_octaves
     }
 
+    /// The base-2 logarithm of the lacunarity, above 0.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn log2_lacunarity(&self) -> f32 {
+        self.log2_lacunarity
+    }
+
     /// The real number of octaves that a pixel of this footprint resolves, in `[0, max_octaves]`.
     #[must_use]
     pub fn octaves(&self, footprint: Footprint) -> f32 {

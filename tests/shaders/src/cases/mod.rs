@@ -3,9 +3,10 @@
 use crate::case::Case;
 
 mod noise;
+mod sums;
 
 /// All cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    noise::cases()
+    [noise::cases(), sums::cases()].into_iter().flatten().collect()
 }

@@ -1,0 +1,139 @@
+//! Words of a sum of octaves.
+
+use asperity_noise::{
+    Billow, Normalisation, Octave, Octaves, Plasma, Ridged, Shape, Signed, Spectrum, Turbulence, simd::Kernel,
+};
+
+/// A shape that shaders know: those of the crate. Sealed.
+pub trait ShaderShape: Shape + numbered::Numbered {}
+
+impl<T: Shape + numbered::Numbered> ShaderShape for T {}
+
+mod numbered {
+    pub trait Numbered {
+        /// The number of the shape in `octaves_shape_value`.
+        const NUMBER: u32;
+    }
+}
+
+macro_rules! shapes {
+    ($($shape:ty: $number:literal),*) => {
+        $(impl numbered::Numbered for $shape {
+            const NUMBER: u32 = $number;
+        })*
+    };
+}
+
+shapes!(Signed: 0, Turbulence: 1, Plasma: 2, Billow: 3, Ridged: 4);
+
+const OCTAVES: usize = Spectrum::MAX_OCTAVES as usize;
+/// Words of a spectrum.
+const SPECTRUM: usize = 8;
+
+/// A sum of octaves as the words of `OctavesUniform3d` or `OctavesUniform2d`, one element of their uniform's array.
+///
+/// All octaves of the spectrum are there; how many take part, and the footprint that they are clamped to, are arguments of the shader's
+/// functions. An anchored sum has the cells of its anchor, and the shader takes differences to it: make the words anew when the anchor
+/// moves.
+///
+/// | words | 3-D | 2-D |
+/// |---|---|---|
+/// | 0–7 | lacunarity, gain, octaves at most, share, mean, deviation, normalisation, shape | the same |
+/// | then for each of 16 octaves | rows of the matrix, cells per unit, each with its offset in cells; anchor's cell, key | two rows, offset, anchor's cell, key, 3 words of padding |
+///
+/// ```
+/// use asperity_noise::{Gaussian, GaussianOctaves, Spectrum, glam::DVec3};
+/// use asperity_shaders::noise::sums::OctavesUniform;
+///
+/// let sum = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
+/// let words = OctavesUniform::new(&sum).words();
+/// assert_eq!(words.len(), 264);
+/// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [2.17, 0.5, 10.0]);
+/// assert_eq!(words[8], sum.octave(0).matrix[0][0].to_bits());
+///
+/// // From an anchor only offsets and cells differ.
+/// let far = OctavesUniform::new(&sum.anchored(DVec3::new(1e6, -3.0, 0.25))).words();
+/// let differing = (8..264).filter(|i| far[*i] != words[*i]);
+/// assert!(differing.into_iter().all(|i| [3, 7, 11, 12, 13, 14].contains(&((i - 8) % 16))));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OctavesUniform<const N: usize> {
+    spectrum: [u32; SPECTRUM],
+    octaves: [Octave<N>; OCTAVES],
+}
+
+impl<const N: usize> OctavesUniform<N> {
+    /// The words of a sum of the octaves that its spectrum has.
+    #[must_use]
+    pub fn new<K: Kernel<N>, T: ShaderShape>(sum: &Octaves<K, N, T>) -> Self {
+        let spectrum = sum.spectrum();
+        let [mean, deviation] = sum.octave_moments();
+        let gain = spectrum.gain();
+        let share = if gain < 1.0 {
+            1.0 - gain * gain
+        } else {
+            (0..spectrum.max_octaves())
+                .fold(0.0, |sum, i| sum + spectrum.amplitude(i) * spectrum.amplitude(i))
+        };
+        let floats = [spectrum.lacunarity(), gain, spectrum.max_octaves() as f32, share, mean, deviation];
+        let mut words = [0; SPECTRUM];
+        for (word, x) in words.iter_mut().zip(floats) {
+            *word = x.to_bits();
+        }
+        words[6] = u32::from(sum.normalisation() == Normalisation::Variance);
+        words[7] = T::NUMBER;
+        let mut i = 0;
+        let octaves = [(); OCTAVES].map(|()| {
+            i += 1;
+            sum.octave(i - 1)
+        });
+        Self { spectrum: words, octaves }
+    }
+
+    /// Fills words with the spectrum and, octave by octave, with those that `layer` makes.
+    fn fill<const WIDTH: usize>(&self, words: &mut [u32], layer: impl Fn(&Octave<N>) -> [u32; WIDTH]) {
+        words[..SPECTRUM].copy_from_slice(&self.spectrum);
+        for (words, octave) in words[SPECTRUM..].chunks_exact_mut(WIDTH).zip(&self.octaves) {
+            words.copy_from_slice(&layer(octave));
+        }
+    }
+}
+
+impl OctavesUniform<3> {
+    /// Words of a sum in space.
+    pub const WORDS: usize = SPECTRUM + 16 * OCTAVES;
+
+    /// The words, in the layout of `OctavesUniform3d`.
+    #[must_use]
+    pub fn words(&self) -> [u32; Self::WORDS] {
+        let mut words = [0; Self::WORDS];
+        self.fill(&mut words, |octave| {
+            let mut words = [octave.key; 16];
+            for (row, words) in words.chunks_exact_mut(4).take(3).enumerate() {
+                let [x, y, z] = octave.matrix[row];
+                words.copy_from_slice(&[x, y, z, octave.offset[row]].map(f32::to_bits));
+            }
+            words[12..15].copy_from_slice(&octave.cell.map(i32::cast_unsigned));
+            words
+        });
+        words
+    }
+}
+
+impl OctavesUniform<2> {
+    /// Words of a sum in the plane.
+    pub const WORDS: usize = SPECTRUM + 12 * OCTAVES;
+
+    /// The words, in the layout of `OctavesUniform2d`.
+    #[must_use]
+    pub fn words(&self) -> [u32; Self::WORDS] {
+        let mut words = [0; Self::WORDS];
+        self.fill(&mut words, |octave| {
+            let ([x, y], [a, b]) = (octave.matrix, octave.offset);
+            let [k, l, m, n, o, p] = [x[0], x[1], y[0], y[1], a, b].map(f32::to_bits);
+            let [i, j] = octave.cell.map(i32::cast_unsigned);
+            [k, l, m, n, o, p, i, j, octave.key, 0, 0, 0]
+        });
+        words
+    }
+}

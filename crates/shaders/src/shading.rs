@@ -1,0 +1,24 @@
+//! Shading: what a pixel resolves.
+
+use asperity_shading::pixel::FrequencyClamp;
+
+use crate::part::{Part, part};
+
+/// Octaves that a pixel resolves, [`FrequencyClamp`].
+pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp");
+
+/// The words of a `FrequencyClamp` in a shader: the first octave's frequency in cells per unit of length, the logarithm of the
+/// lacunarity, the most octaves.
+///
+/// ```
+/// use asperity_shaders::shading::frequency_clamp_words;
+/// use asperity_shading::pixel::FrequencyClamp;
+///
+/// let words = frequency_clamp_words(&FrequencyClamp::new(10.0, 2.0, 8.0)?);
+/// assert_eq!(words.map(f32::from_bits), [10.0, 1.0, 8.0]);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[must_use]
+pub fn frequency_clamp_words(clamp: &FrequencyClamp) -> [u32; 3] {
+    [clamp.frequency(), clamp.log2_lacunarity(), clamp.max_octaves()].map(f32::to_bits)
+}

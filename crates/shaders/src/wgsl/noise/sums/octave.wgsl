@@ -1,0 +1,44 @@
+// One octave: the map into the cells of its lattice, and the key that its words are drawn by. asperity_noise::Octave.
+
+// Rows of a matrix, rotation times frequency, each with its offset; the cell that cells are counted from, and the key as its bits.
+struct OctavesLayer3d {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    cell_and_key: vec4<i32>,
+}
+
+// Both rows, the offset, the cell that cells are counted from, and the key.
+struct OctavesLayer2d {
+    rows: vec4<f32>,
+    offset: vec2<f32>,
+    cell: vec2<i32>,
+    key: u32,
+}
+
+// M p + o: the octave's own coordinates of a point.
+fn octaves_point_3d(layer: OctavesLayer3d, p: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(
+        layer.row_x.x * p.x + layer.row_x.y * p.y + layer.row_x.z * p.z + layer.row_x.w,
+        layer.row_y.x * p.x + layer.row_y.y * p.y + layer.row_y.z * p.z + layer.row_y.w,
+        layer.row_z.x * p.x + layer.row_z.y * p.y + layer.row_z.z * p.z + layer.row_z.w,
+    );
+}
+
+// M p + o in the plane.
+fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(
+        layer.rows.x * p.x + layer.rows.y * p.y + layer.offset.x,
+        layer.rows.z * p.x + layer.rows.w * p.y + layer.offset.y,
+    );
+}
+
+// The transpose of M times g: a gradient turned back to the coordinates of the sum.
+fn octaves_pull_back_3d(layer: OctavesLayer3d, g: vec3<f32>) -> vec3<f32> {
+    return layer.row_x.xyz * g.x + layer.row_y.xyz * g.y + layer.row_z.xyz * g.z;
+}
+
+// The transpose of M times g in the plane.
+fn octaves_pull_back_2d(layer: OctavesLayer2d, g: vec2<f32>) -> vec2<f32> {
+    return layer.rows.xy * g.x + layer.rows.zw * g.y;
+}

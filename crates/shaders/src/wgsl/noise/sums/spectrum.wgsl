@@ -1,0 +1,97 @@
+// Spectra of sums of octaves: asperity_noise::Spectrum, with what a sum is divided by. The number of octaves is real; what is negative
+// or no number is 0, and what is above the maximum is the maximum.
+
+struct OctavesSpectrum {
+    // Ratio of the frequencies of successive octaves, and of their amplitudes.
+    lacunarity: f32,
+    gain: f32,
+    // At most 16.
+    max_octaves: f32,
+    // 1 - gain^2 for a gain below 1, else the squares of all amplitudes together.
+    share: f32,
+    // Mean and standard deviation of one octave of amplitude 1.
+    mean: f32,
+    deviation: f32,
+    // 0 for Normalisation::Range, 1 for Normalisation::Variance.
+    normalisation: u32,
+    // One of the shapes of octaves.
+    shape: u32,
+}
+
+// What a sum starts from and is multiplied by in the end; the sum of the squares of its amplitudes, unclamped.
+struct OctavesDivisor {
+    constant: f32,
+    factor: f32,
+    squares: f32,
+}
+
+// The number of octaves in [0, max_octaves].
+fn octaves_within(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
+    return select(0.0, min(octaves, spectrum.max_octaves), octaves > 0.0);
+}
+
+// The number of octaves with a lone one made whole: its weight cancels against the divisor.
+fn octaves_lone_whole(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
+    return select(0.0, min(max(octaves, 1.0), spectrum.max_octaves), octaves > 0.0);
+}
+
+// Constant and divisor of a sum, `Octaves::first(octaves).clamped(footprint)`.
+fn octaves_divisor(octaves: f32, footprint: f32, spectrum: OctavesSpectrum) -> OctavesDivisor {
+    let whole = octaves_lone_whole(octaves, spectrum);
+    var constant = 0.0;
+    var sum = 0.0;
+    var squares = 0.0;
+    var amplitude = 1.0;
+    for (var i = 0u; i < 16u; i++) {
+        let weight = min(whole - f32(i), 1.0);
+        if !(weight > 0.0) {
+            break;
+        }
+        let weighted = weight * amplitude;
+        amplitude *= spectrum.gain;
+        constant -= spectrum.mean * weighted;
+        sum += weighted;
+        squares += weighted * weighted;
+    }
+    var norm = spectrum.deviation * sqrt(squares);
+    if spectrum.normalisation == 0u {
+        constant = 0.0;
+        norm = sum;
+    }
+    var factor = 0.0;
+    if norm > 0.0 {
+        factor = 1.0 / norm;
+    }
+    // What the footprint removes gives way to its mean.
+    if spectrum.mean != 0.0 && footprint > 0.0 {
+        amplitude = 1.0;
+        var frequency = 1.0;
+        for (var i = 0u; i < 16u; i++) {
+            let weight = min(whole - f32(i), 1.0);
+            if !(weight > 0.0) {
+                break;
+            }
+            let removed = frequency_clamp_removed_share(footprint, frequency);
+            constant += weight * amplitude * removed * spectrum.mean;
+            amplitude *= spectrum.gain;
+            frequency *= spectrum.lacunarity;
+        }
+    }
+    return OctavesDivisor(constant, factor, squares);
+}
+
+// The share in [0, 1) of the whole spectrum's variance, from the sum of the squares that `octaves_divisor` gives: `Spectrum::share`.
+fn octaves_share(octaves: f32, squares: f32, spectrum: OctavesSpectrum) -> f32 {
+    let within = octaves_within(octaves, spectrum);
+    // A lone octave counts by its weight here.
+    let resolved = select(squares, within * within, within < 1.0);
+    if spectrum.gain < 1.0 {
+        return min(resolved * spectrum.share, 0.99999994);
+    }
+    return min(resolved / spectrum.share, 0.99999994);
+}
+
+// The weight of the first octave in [0, 1]: how far the sum has faded in, `Spectrum::weight`.
+fn octaves_fade(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
+    return min(octaves_within(octaves, spectrum), 1.0);
+}

@@ -1,0 +1,17 @@
+// Sums of octaves in the plane, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or read them
+// from elsewhere: other sums need these two functions alone.
+
+struct OctavesUniform2d {
+    spectrum: OctavesSpectrum,
+    layers: array<OctavesLayer2d, 16>,
+}
+
+// The spectrum of a sum.
+fn octaves_spectrum_2d(sum: u32) -> OctavesSpectrum {
+    return octaves_uniform_2d[sum].spectrum;
+}
+
+// Octave i of a sum.
+fn octaves_layer_2d(sum: u32, i: u32) -> OctavesLayer2d {
+    return octaves_uniform_2d[sum].layers[i];
+}

@@ -1,0 +1,17 @@
+// Sums of octaves in space, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or read them from
+// elsewhere: other sums need these two functions alone.
+
+struct OctavesUniform3d {
+    spectrum: OctavesSpectrum,
+    layers: array<OctavesLayer3d, 16>,
+}
+
+// The spectrum of a sum.
+fn octaves_spectrum_3d(sum: u32) -> OctavesSpectrum {
+    return octaves_uniform_3d[sum].spectrum;
+}
+
+// Octave i of a sum.
+fn octaves_layer_3d(sum: u32, i: u32) -> OctavesLayer3d {
+    return octaves_uniform_3d[sum].layers[i];
+}

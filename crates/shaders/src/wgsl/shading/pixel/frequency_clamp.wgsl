@@ -1,0 +1,23 @@
+// The real number of octaves that a pixel resolves: asperity_shading::pixel::FrequencyClamp.
+
+struct FrequencyClamp {
+    // Cells of the first octave per unit of length.
+    frequency: f32,
+    // Base-2 logarithm of the ratio of each octave's frequency to the last one's, above 0.
+    log_lacunarity: f32,
+    max_octaves: f32,
+}
+
+// Octaves of a footprint by its width, in [0, max_octaves]: `FrequencyClamp::octaves`. Widths that are negative count by their
+// magnitude, those that are no number as infinite; from 2^-126 of a cell downward as 0.
+fn frequency_clamp_octaves(width: f32, limits: FrequencyClamp) -> f32 {
+    let cells = 2.0 * abs(width) * limits.frequency;
+    if !(cells < 1.0) {
+        return 0.0;
+    }
+    if cells < 1.1754944e-38 {
+        return limits.max_octaves;
+    }
+    // The built-in logarithm is a unit of the last place off, a millionth of an octave.
+    return clamp(-log2(cells) / limits.log_lacunarity, 0.0, limits.max_octaves);
+}

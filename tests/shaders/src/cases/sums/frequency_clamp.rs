@@ -1,0 +1,45 @@
+//! Octaves of a footprint.
+
+use asperity_noise::removed_share;
+use asperity_shaders::{noise::sums, shading};
+use asperity_shading::{Footprint, pixel::FrequencyClamp};
+
+use super::{float, put};
+use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![octaves()]
+}
+
+fn octaves() -> Case {
+    let clamp = FrequencyClamp::new(20.0, 2.17, 14.0).expect("a clamp");
+    Case {
+        name: "shading/pixel/frequency_clamp".into(),
+        parts: vec![&sums::FREQUENCY_CLAMP, &shading::FREQUENCY_CLAMP],
+        body: "\
+    let limits = FrequencyClamp(a.z, a.w, b.x);
+    outcome.a = bits(vec4<f32>(frequency_clamp_octaves(a.x, limits), frequency_clamp_removed_share(a.x, a.y), 0.0, 0.0));"
+            .into(),
+        resources: vec![],
+        input: Box::new(move |i| {
+            // Widths from 2⁻³⁰ to 2: a mantissa times a power of 2.
+            let power = f32::from_bits((127 - 30 + i % 31) << 23);
+            let width = BAD.get(i as usize).copied().unwrap_or(between(i, 0, 1.0, 2.0) * power);
+            let mut words = [0; INPUTS];
+            put(&mut words, [width, 2.0 * f32::from((i % 7) as u8)]);
+            words[2..5].copy_from_slice(&shading::frequency_clamp_words(&clamp));
+            words
+        }),
+        reference: Box::new(move |words| {
+            let (width, mut outputs) = (float(&words, 0), [0; OUTPUTS]);
+            let octaves = clamp.octaves(Footprint::from_width(width));
+            put(&mut outputs, [octaves, removed_share(width, float(&words, 1))]);
+            outputs
+        }),
+        outputs: vec![
+            // The built-in logarithm and the crate's are each a unit of the last place off, 2e-6 where it is 16 and above.
+            Output { name: "octaves", words: 0..1, written: Bound::Absolute(4e-6), adapter: Bound::Absolute(6e-6) },
+            Output { name: "removed share", words: 1..2, written: Bound::Equal, adapter: Bound::Absolute(1e-6) },
+        ],
+    }
+}

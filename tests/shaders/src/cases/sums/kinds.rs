@@ -1,0 +1,181 @@
+//! Octaves of every kind, all shapes, and ridges that bear ridges.
+
+use asperity_noise::{
+    Billow, Field, Gaussian, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point, Ridged,
+    RidgedMultifractal, Rotation, Sample, Spectrum, Turbulence, Value, ValueGradient,
+    glam::{DVec2, DVec3},
+    simd::{Anchor, Kernel},
+};
+use asperity_shaders::{
+    Part,
+    noise::sums::{self, OctavesUniform},
+};
+
+use super::{
+    EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space, uniform,
+};
+use crate::case::{Case, INPUTS, OUTPUTS};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![
+        of("perlin_2002", Perlin2002::new(3), &sums::OF_PERLIN_2002),
+        of("value", Value::new(4), &sums::OF_VALUE),
+        of("perlin_1985", Perlin1985::new(5), &sums::OF_PERLIN_1985),
+        of("value_gradient", ValueGradient::new(6), &sums::OF_VALUE_GRADIENT),
+        of("gaussian", Gaussian::new(7), &sums::OF_GAUSSIAN),
+        shapes(),
+    ]
+}
+
+const BODY: &str = "\
+    let u = octaves_sum_3d(a.xyz, a.w, b.x, c.x);
+    outcome.a = bits(vec4<f32>(u.value, u.gradient));
+    let v = octaves_sum_2d(a.xy, a.w, b.x, c.x);
+    outcome.b = bits(vec4<f32>(v.value, v.gradient, 0.0));";
+
+/// Sums of one kind, clamped to footprints: two from anchors, and one of parallel octaves.
+fn of<K>(name: &str, noise: K, octave: &'static Part) -> Case
+where
+    K: Anchor<3> + Anchor<2> + Copy,
+    <K as Anchor<3>>::Shifted: Copy + Send + Sync + 'static,
+    <K as Anchor<2>>::Shifted: Copy + Send + Sync + 'static,
+{
+    let in_3d = |spectrum| Octaves::<K, 3>::new(noise, spectrum);
+    let in_2d = |spectrum| Octaves::<K, 2>::new(noise, spectrum);
+    let exact_3d = in_3d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
+    let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
+    let there_3d = in_3d(Spectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
+    let there_2d = in_2d(Spectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
+    let [exact, there] = [&exact_3d, &there_3d].map(|sum| OctavesUniform::new(sum).words());
+    let space_words = uniform([there, there, there, exact]);
+    let [exact, there] = [&exact_2d, &there_2d].map(|sum| OctavesUniform::new(sum).words());
+    let plane_words = uniform([there, there, there, exact]);
+    Case {
+        name: format!("noise/sums/octaves of {name}, 3-D and 2-D"),
+        parts: vec![&sums::OCTAVES_3D, &sums::OCTAVES_2D, octave],
+        body: BODY.into(),
+        resources: if name == "gaussian" {
+            vec![
+                ("gaussian_level", levels()),
+                ("octaves_uniform_3d", space_words),
+                ("octaves_uniform_2d", plane_words),
+            ]
+        } else {
+            vec![("octaves_uniform_3d", space_words), ("octaves_uniform_2d", plane_words)]
+        },
+        input: Box::new(|i| input(i, 20.0, 4.0)),
+        reference: Box::new(move |words| {
+            let [octaves, footprint] = [3, 4].map(|k| float(&words, k));
+            let exact = words[8] == EXACT;
+            let mut outputs = [0; OUTPUTS];
+            let (in_3d, in_2d) = if exact { (&exact_3d, &exact_2d) } else { (&there_3d, &there_2d) };
+            put(&mut outputs, in_space(in_3d.detail(octaves).clamped(footprint).sample(space(&words))));
+            put(&mut outputs[4..], in_plane(in_2d.detail(octaves).clamped(footprint).sample(plane(&words))));
+            outputs
+        }),
+        outputs: vec![
+            output("value, 3-D", 0..1, 2e-4),
+            output("gradient, 3-D", 1..4, 2e-3),
+            output("value, 2-D", 4..5, 2e-4),
+            output("gradient, 2-D", 5..7, 2e-3),
+        ],
+    }
+}
+
+/// Sums of the shapes that are not the noise itself.
+struct Shapes<K, const N: usize> {
+    turbulence: Octaves<K, N, Turbulence>,
+    plasma: Octaves<K, N, Plasma>,
+    billow: Octaves<K, N, Billow>,
+    ridged: Octaves<K, N, Ridged>,
+    multifractals: [Octaves<K, N>; 2],
+}
+
+impl<K: Kernel<N> + Copy, const N: usize> Shapes<K, N> {
+    fn of(turned: Octaves<K, N>, exact: Octaves<K, N>) -> Self {
+        Self {
+            turbulence: turned.with_shape(Turbulence),
+            plasma: turned.with_shape(Plasma).with_normalisation(Normalisation::Range),
+            billow: turned.with_shape(Billow),
+            ridged: exact.with_shape(Ridged),
+            multifractals: [turned, exact],
+        }
+    }
+
+    /// The sum of a number, and the multifractal of its octaves.
+    fn samples<V: Point<Coordinates = [f32; N]>>(&self, words: &[u32; INPUTS], p: V) -> [Sample<V>; 2] {
+        let [octaves, footprint, feedback] = [3, 4, 5].map(|k| float(words, k));
+        let of = |field: &dyn Field<V>| field.sample(p);
+        let sum = match words[8] {
+            0 => of(&self.turbulence.detail(octaves).clamped(footprint)),
+            1 => of(&self.plasma.detail(octaves).clamped(footprint)),
+            EXACT => of(&self.ridged.detail(octaves).clamped(footprint)),
+            _ => of(&self.billow.detail(octaves).clamped(footprint)),
+        };
+        let octaves_of = self.multifractals[usize::from(words[8] == EXACT)];
+        let multifractal = RidgedMultifractal::of(octaves_of, feedback).expect("a feedback");
+        [sum, of(&multifractal.first(octaves))]
+    }
+}
+
+fn shapes() -> Case {
+    // From anchors, which are compiled without lanes.
+    let turned = Octaves::<_, 3>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 3]);
+    let exact = Octaves::<_, 3>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let solid = Shapes::of(turned, exact.anchored([0.0; 3]));
+    let turned = Octaves::<_, 2>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 2]);
+    let exact = Octaves::<_, 2>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
+    let flat = Shapes::of(turned, exact.anchored([0.0; 2]));
+    let in_3d = uniform([
+        OctavesUniform::new(&solid.turbulence).words(),
+        OctavesUniform::new(&solid.plasma).words(),
+        OctavesUniform::new(&solid.billow).words(),
+        OctavesUniform::new(&solid.ridged).words(),
+    ]);
+    let in_2d = uniform([
+        OctavesUniform::new(&flat.turbulence).words(),
+        OctavesUniform::new(&flat.plasma).words(),
+        OctavesUniform::new(&flat.billow).words(),
+        OctavesUniform::new(&flat.ridged).words(),
+    ]);
+    Case {
+        name: "noise/sums/shapes and ridged_multifractal, 3-D and 2-D".into(),
+        parts: vec![
+            &sums::OCTAVES_3D,
+            &sums::OCTAVES_2D,
+            &sums::RIDGED_MULTIFRACTAL_3D,
+            &sums::RIDGED_MULTIFRACTAL_2D,
+            &sums::OF_PERLIN_2002,
+        ],
+        body: "\
+    let u = octaves_sum_3d(a.xyz, a.w, b.x, c.x);
+    outcome.a = bits(vec4<f32>(u.value, u.gradient));
+    let v = ridged_multifractal_3d(a.xyz, a.w, b.y, c.x);
+    outcome.b = bits(vec4<f32>(v.value, v.gradient));
+    let s = octaves_sum_2d(a.xy, a.w, b.x, c.x);
+    let t = ridged_multifractal_2d(a.xy, a.w, b.y, c.x);
+    outcome.c = bits(vec4<f32>(s.value, s.gradient, t.value));
+    outcome.d = bits(vec4<f32>(t.gradient, 0.0, 0.0));"
+            .into(),
+        resources: vec![("octaves_uniform_3d", in_3d), ("octaves_uniform_2d", in_2d)],
+        input: Box::new(|i| input(i, 20.0, 4.0)),
+        reference: Box::new(move |words| {
+            let mut outputs = [0; OUTPUTS];
+            let in_3d = solid.samples(&words, space(&words)).map(in_space);
+            put(&mut outputs, in_3d.into_iter().flatten());
+            let in_2d = flat.samples(&words, plane(&words)).map(in_plane);
+            put(&mut outputs[8..], in_2d.into_iter().flatten());
+            outputs
+        }),
+        outputs: vec![
+            output("value, 3-D", 0..1, 2e-4),
+            output("gradient, 3-D", 1..4, 2e-3),
+            output("multifractal, 3-D", 4..5, 2e-4),
+            output("its gradient, 3-D", 5..8, 2e-3),
+            output("value, 2-D", 8..9, 2e-4),
+            output("gradient, 2-D", 9..11, 2e-3),
+            output("multifractal, 2-D", 11..12, 2e-4),
+            output("its gradient, 2-D", 12..14, 2e-3),
+        ],
+    }
+}

@@ -1,0 +1,119 @@
+//! Warps and flows of sums of octaves: several sums in one module.
+
+use asperity_noise::{
+    Field, Octaves, Perlin2002, Spectrum, Warp,
+    curl::{Curl2, Curl3, CurlPotential},
+    simd::Anchor,
+};
+use asperity_shaders::noise::{
+    sums::{self, OctavesUniform},
+    transforms,
+};
+
+use super::{float, in_plane, in_space, input, output, plane, put, space, uniform};
+use crate::case::{Case, INPUTS, OUTPUTS, between};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![in_3d(), in_2d()]
+}
+
+/// Octaves of the sums here: few, as a warp multiplies what rounding does to gradients.
+const OCTAVES: f32 = 1.5;
+
+/// Four sums, from an anchor at the origin, which are compiled without lanes.
+fn four<const N: usize>() -> [Octaves<<Perlin2002 as Anchor<N>>::Shifted, N>; 4]
+where
+    Perlin2002: Anchor<N>,
+{
+    [1, 2, 3, 4].map(|seed| {
+        Octaves::<_, N>::new(Perlin2002::new(seed), Spectrum::default()).first(OCTAVES).anchored([0.0; N])
+    })
+}
+
+fn in_3d() -> Case {
+    let fields = four::<3>();
+    let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
+    Case {
+        name: "noise/transforms/warp and curl, 3-D".into(),
+        parts: vec![&sums::OCTAVES_3D, &sums::OF_PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        body: "\
+    let s = octaves_sum_3d(a.xyz, 1.5, 0.0, 0u);
+    let x = octaves_sum_3d(a.xyz, 1.5, 0.0, 1u);
+    let y = octaves_sum_3d(a.xyz, 1.5, 0.0, 2u);
+    let z = octaves_sum_3d(a.xyz, 1.5, 0.0, 3u);
+    let moved = warp_displacement_3d(a.xyz, b.z, x, y, z);
+    let warped = warp_sample_3d(moved, octaves_sum_3d(moved.point, 1.5, 0.0, 0u));
+    outcome.a = bits(vec4<f32>(warped.value, warped.gradient));
+    outcome.b = bits(vec4<f32>(moved.point, 0.0));
+    outcome.c = bits(vec4<f32>(curl_velocity_3d(s.gradient, x.gradient), 0.0));
+    outcome.d = bits(vec4<f32>(curl_potential_velocity(x.gradient, y.gradient, z.gradient), 0.0));"
+            .into(),
+        resources: vec![("octaves_uniform_3d", words)],
+        input: Box::new(strongly),
+        reference: Box::new(move |words| {
+            let [s, by @ ..] = fields;
+            let (p, mut outputs) = (space(&words), [0; OUTPUTS]);
+            let warp = Warp::new(s, by, float(&words, 6)).expect("a strength");
+            put(&mut outputs, in_space(warp.sample(p)));
+            put(&mut outputs[4..], warp.displacement(p).point.to_array());
+            put(&mut outputs[8..], Curl3(s, by[0]).velocity(p).to_array());
+            put(&mut outputs[12..], CurlPotential(by).velocity(p).to_array());
+            outputs
+        }),
+        outputs: vec![
+            output("warped value", 0..1, 2e-4),
+            output("its gradient", 1..4, 2e-3),
+            output("displaced point", 4..7, 2e-4),
+            output("flow between level surfaces", 8..11, 2e-3),
+            output("curl of a potential", 12..15, 2e-3),
+        ],
+    }
+}
+
+fn in_2d() -> Case {
+    let fields = four::<2>();
+    let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
+    Case {
+        name: "noise/transforms/warp and curl, 2-D".into(),
+        parts: vec![&sums::OCTAVES_2D, &sums::OF_PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        body: "\
+    let x = octaves_sum_2d(a.xy, 1.5, 0.0, 1u);
+    let y = octaves_sum_2d(a.xy, 1.5, 0.0, 2u);
+    let moved = warp_displacement_2d(a.xy, b.z, x, y);
+    let warped = warp_sample_2d(moved, octaves_sum_2d(moved.point, 1.5, 0.0, 0u));
+    outcome.a = bits(vec4<f32>(warped.value, warped.gradient, 0.0));
+    outcome.b = bits(vec4<f32>(moved.point, curl_velocity_2d(x.gradient)));"
+            .into(),
+        resources: vec![("octaves_uniform_2d", words)],
+        input: Box::new(strongly),
+        reference: Box::new(move |words| {
+            let [s, x, y, _] = fields;
+            let (p, mut outputs) = (plane(&words), [0; OUTPUTS]);
+            let warp = Warp::new(s, [x, y], float(&words, 6)).expect("a strength");
+            put(&mut outputs, in_plane(warp.sample(p)));
+            put(&mut outputs[4..], warp.displacement(p).point.to_array());
+            put(&mut outputs[6..], Curl2(x).velocity(p).to_array());
+            outputs
+        }),
+        outputs: vec![
+            output("warped value", 0..1, 2e-4),
+            output("its gradient", 1..3, 2e-3),
+            output("displaced point", 4..6, 2e-4),
+            output("flow", 6..8, 2e-3),
+        ],
+    }
+}
+
+/// A point, and a strength in word 6. Huge coordinates, where octaves that are turned have another cell by each rounding, are
+/// left to the sums.
+fn strongly(i: u32) -> [u32; INPUTS] {
+    let mut words = input(i, 10.0, 4.0);
+    for word in &mut words[..3] {
+        let x = f32::from_bits(*word);
+        if x.is_finite() && x.abs() > 10.0 {
+            *word = 0;
+        }
+    }
+    words[6] = between(i, 7, -0.5, 0.5).to_bits();
+    words
+}

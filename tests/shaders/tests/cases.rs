@@ -1,0 +1,111 @@
+//! The functions of the shaders in the interpreter beside those of the crates.
+
+use asperity_shader_tests::{
+    case::{Bound, Case, INPUTS, OUTPUTS, Output},
+    cases,
+    interpreter::{Arithmetic, Interpreter},
+};
+use asperity_shaders::{Binding, ordered};
+
+/// What the names of cases begin with.
+const ROOMS: [&str; 7] =
+    ["noise/lattice", "noise/kinds", "noise/sums", "noise/transforms", "ndf/", "shading/", "fif/"];
+
+/// The module of a case with its resources.
+fn shader(case: &Case) -> Result<Interpreter, String> {
+    let mut shader = Interpreter::new(&case.wgsl())?;
+    for binding in ordered(&case.parts).iter().flat_map(|part| part.bindings()) {
+        let name = binding.name();
+        let words = case.resources.iter().find(|(resource, _)| *resource == name);
+        let (_, words) = words.ok_or_else(|| format!("no words for `{name}`"))?;
+        match *binding {
+            Binding::Uniform { .. } => shader.uniform(name, words)?,
+            Binding::Table { width, .. } => shader.texture(&format!("{name}_table"), width, words.clone())?,
+            _ => return Err(format!("`{name}` is neither uniform nor table")),
+        }
+    }
+    Ok(shader)
+}
+
+/// The first input of a case at which an output is beyond its bound.
+fn broken(case: &Case, arithmetic: Arithmetic, bound: fn(&Output) -> Bound) -> Result<(), String> {
+    let shader = shader(case)?.arithmetic(arithmetic);
+    let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
+    let outcomes = shader.call_many("evaluate", &inputs)?;
+    for (i, (input, outcome)) in inputs.iter().zip(&outcomes).enumerate() {
+        let expected: [u32; OUTPUTS] = (case.reference)(*input);
+        for output in &case.outputs {
+            for k in output.words.clone() {
+                let (got, expected, bound) = (outcome.words()[k], expected[k], bound(output));
+                let error = bound.error(got, expected);
+                if error > bound.limit() {
+                    let [got, expected] = [got, expected].map(|word| (word, f32::from_bits(word)));
+                    let name = output.name;
+                    return Err(format!("input {i}, {name}, word {k}: {got:?}, not {expected:?}, {error:e}"));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// All cases of a room, as written and fused.
+fn hold(room: &str) {
+    let failures: Vec<String> = cases::all()
+        .iter()
+        .filter(|case| case.name.starts_with(room))
+        .flat_map(|case| {
+            let written = broken(case, Arithmetic::Written, |output| output.written)
+                .map_err(|e| format!("written, {e}"));
+            let fused =
+                broken(case, Arithmetic::Fused, |output| output.adapter).map_err(|e| format!("fused, {e}"));
+            [written, fused]
+                .into_iter()
+                .filter_map(Result::err)
+                .map(|error| format!("{}: {error}", case.name))
+        })
+        .collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn lattices() {
+    hold(ROOMS[0]);
+}
+
+#[test]
+fn kinds_of_noise() {
+    hold(ROOMS[1]);
+}
+
+#[test]
+fn sums_of_octaves() {
+    hold(ROOMS[2]);
+}
+
+#[test]
+fn transforms_of_fields() {
+    hold(ROOMS[3]);
+}
+
+#[test]
+fn densities_of_normals() {
+    hold(ROOMS[4]);
+}
+
+#[test]
+fn shading() {
+    hold(ROOMS[5]);
+}
+
+#[test]
+fn fractal_interpolation() {
+    hold(ROOMS[6]);
+}
+
+#[test]
+fn every_case_is_in_a_room() {
+    for case in cases::all() {
+        assert_eq!(ROOMS.iter().filter(|room| case.name.starts_with(**room)).count(), 1, "{}", case.name);
+    }
+}
