@@ -43,6 +43,9 @@ impl<F: GaussianField> BumpField<F> {
     /// Continuous in `p` and in the footprint, and [`Coordinates::FAR`] as soon as the pixel is wider than half a
     /// cell of the first octave.
     ///
+    /// Of an [anchored](asperity_noise::Octaves::anchored) field `p` is the difference from the anchor: near it the field is exact at any
+    /// zoom. The anchor is told in cells of the first octave, so it is the surface's point times the frequency.
+    ///
     /// That is as many octaves as show no alias. The mean over a pixel still shows a bit of the next one: half of a pixel's
     /// width for its footprint gives the least error against it.
     #[must_use]
@@ -66,5 +69,18 @@ mod tests {
         assert_abs_diff_eq!(bumps.clamp().octaves(pixel), 2.0, epsilon = 1e-6);
         assert_eq!(bumps.coordinates(p, pixel), field.coordinates(8.0 * p, bumps.clamp().octaves(pixel)));
         assert_eq!(bumps.clamp().octaves(Footprint::from_width(0.0)), 5.0);
+    }
+
+    #[test]
+    fn anchored_field_is_the_field_seen_from_its_anchor() {
+        let field = GaussianOctaves::new(Gaussian::new(4), Spectrum::default());
+        let anchor = Vec3::new(0.625, -1.5, 0.25);
+        let bumps = BumpField::new(field, 4.0).unwrap();
+        let near =
+            BumpField::new(field.anchored(anchor.to_array().map(|x| 4.0 * f64::from(x))), 4.0).unwrap();
+        let (p, pixel) = (Vec3::new(0.0625, 0.03125, -0.015625), Footprint::from_width(1e-3));
+        let [whole, part] = [bumps.coordinates(p + anchor, pixel), near.coordinates(p, pixel)];
+        assert_abs_diff_eq!(whole.z, part.z, epsilon = 1e-4);
+        assert_eq!((whole.share, whole.fade), (part.share, part.fade));
     }
 }

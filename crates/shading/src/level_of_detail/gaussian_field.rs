@@ -1,6 +1,6 @@
 //! Two Gaussian coordinates at every point of space: what a bump map is made of.
 
-use asperity_noise::GaussianOctaves;
+use asperity_noise::{Gaussian, Lattice, Octaves};
 use glam::{Vec2, Vec3};
 
 /// The resolved part of a bump map at one point, as both rules of level of detail take it.
@@ -59,7 +59,8 @@ pub trait GaussianField {
 /// assert_eq!(field.coordinates(p, 1.0).share, 0.75);
 /// assert_eq!(field.coordinates(p, 0.5).fade, 0.5);
 /// ```
-impl GaussianField for GaussianOctaves<3> {
+/// On any lattice: an [anchored](Octaves::anchored) sum is one, of differences to its anchor.
+impl<L: Lattice> GaussianField for Octaves<Gaussian<L>, 3> {
     fn coordinates(&self, p: Vec3, octaves: f32) -> Coordinates {
         let [x, y] = self.detail(octaves).pair(p);
         Coordinates {
