@@ -41,35 +41,36 @@ pub(crate) fn one_minus_exp_ratio<S: Lanes>(s: S, t: S::F, root: S::F) -> S::F {
 
 /// `ln(1 + x)` for `x > −1`, the larger `x` finite; NaN for NaN is not kept.
 ///
-/// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh((m − 1)/(m + 1))` by its series to the ninth power, 5e-9 relative;
-/// what the sum `1 + x` lost is put back. Accuracy: 3e-7 relative.
+/// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series to the ninth power, 5e-9 relative.
+/// Where k is 0, f is x itself: nothing rests on what the sum `1 + x` has lost. Accuracy: 3e-7 relative.
 #[inline(always)]
 pub(crate) fn ln_1p<S: Lanes>(s: S, x: S::F) -> S::F {
     let one = s.float(1.0);
-    let sum = one + x;
-    // Exact: the part of x, or of 1 where x is the larger one, that is not in the sum.
-    let lost = s.select(s.less(one, x), one - (sum - x), x - (sum - one));
-    ln_of_sum(s, sum, lost)
+    let [k, m] = parts(s, one + x);
+    ln_of_parts(s, k, s.select(s.less(k * k, one), x, m - one))
 }
 
 /// `ln x` for normal, positive, finite `x`. Accuracy: 3e-7 relative, away from 1 as near it.
 #[inline(always)]
 pub(crate) fn ln<S: Lanes>(s: S, x: S::F) -> S::F {
-    ln_of_sum(s, x, s.float(0.0))
+    let [k, m] = parts(s, x);
+    ln_of_parts(s, k, m - s.float(1.0))
 }
 
-/// `ln(sum + lost)` with `lost` below the rounding of `sum`.
+/// `k` and `m` of `x = 2ᵏ m` with m in √½ … √2.
 #[inline(always)]
-fn ln_of_sum<S: Lanes>(s: S, sum: S::F, lost: S::F) -> S::F {
+fn parts<S: Lanes>(s: S, x: S::F) -> [S::F; 2] {
     const SQRT_HALF: u32 = core::f32::consts::FRAC_1_SQRT_2.to_bits();
-    let one = s.float(1.0);
-    let shifted = s.bits(sum) + s.word(1.0_f32.to_bits() - SQRT_HALF);
-    let exponent = s.shr::<23>(shifted);
+    let shifted = s.bits(x) + s.word(1.0_f32.to_bits() - SQRT_HALF);
     // The biased exponent as a float: in the lowest bits of 2²³.
-    let k = s.float_of_bits(exponent | s.word(8_388_608.0_f32.to_bits())) - s.float(8_388_608.0 + 127.0);
-    let power = s.float_of_bits(s.shl::<23>(s.word(254) - exponent));
+    let exponent = s.float_of_bits(s.shr::<23>(shifted) | s.word(8_388_608.0_f32.to_bits()));
     let m = s.float_of_bits((shifted & s.word(0x007F_FFFF)) + s.word(SQRT_HALF));
-    let f = (m - one) + lost * power;
+    [exponent - s.float(8_388_608.0 + 127.0), m]
+}
+
+/// `k ln 2 + ln(1 + f)` for `1 + f` in √½ … √2.
+#[inline(always)]
+fn ln_of_parts<S: Lanes>(s: S, k: S::F, f: S::F) -> S::F {
     let q = f / (s.float(2.0) + f);
     let q2 = q * q;
     let q4 = q2 * q2;
