@@ -16,6 +16,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
+//! | [`ndf`] | densities of normals, their maps and tables, exact level of detail |
 //! | [`shading`] | what a pixel resolves |
 #![no_std]
 #![forbid(unsafe_code)]
@@ -28,6 +29,7 @@ extern crate alloc;
 mod compose;
 #[cfg(feature = "alloc")]
 mod imports;
+pub mod ndf;
 pub mod noise;
 mod part;
 pub mod shading;

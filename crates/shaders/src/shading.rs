@@ -1,8 +1,14 @@
-//! Shading: what a pixel resolves.
+//! Shading: what a pixel resolves, level of detail.
 
 use asperity_shading::pixel::FrequencyClamp;
 
+use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX};
 use crate::part::{Part, part};
+
+/// Exact and fractal rule of level of detail, whole for GGX and Beckmann, in pieces for any density:
+/// [`LevelOfDetail`](asperity_shading::LevelOfDetail).
+pub static LEVEL_OF_DETAIL: Part =
+    part!("shading/level_of_detail/rule", ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX, BECKMANN);
 
 /// Octaves that a pixel resolves, [`FrequencyClamp`].
 pub static FREQUENCY_CLAMP: Part = part!("shading/pixel/frequency_clamp");

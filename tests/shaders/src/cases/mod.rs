@@ -2,11 +2,12 @@
 
 use crate::case::Case;
 
+mod ndf;
 mod noise;
 mod sums;
 
 /// All cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [noise::cases(), sums::cases()].into_iter().flatten().collect()
+    [noise::cases(), ndf::cases(), sums::cases()].into_iter().flatten().collect()
 }

@@ -93,4 +93,25 @@ impl<'a> PackedMapRef<'a> {
     pub const fn reconstruction(&self) -> Reconstruction {
         self.layout.kind
     }
+
+    /// Numbers of the grid, and where the parts of the array begin, for shaders.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn grid_and_parts(&self) -> ([f32; 11], [u32; 13]) {
+        let Grid { density, size, origin, last, margin, guide, quantiles, .. } = self.grid;
+        let Grid { ranks, stride, texel_stride, last_row, .. } = self.grid;
+        let mut words =
+            [last_row, self.layout.kind.sides() as u32, ranks, stride, texel_stride, 0, 0, 0, 0, 0, 0, 0, 0];
+        let mut at = HEADER as u32;
+        for (begin, length) in words[5..].iter_mut().zip(self.layout.parts()) {
+            *begin = at;
+            at = at.saturating_add(length.unwrap_or(0) as u32);
+        }
+        words[12] = self.layout.leaves as u32;
+        let floats = [
+            density[0], density[1], size[0], size[1], origin[0], origin[1], last[0], last[1], margin, guide,
+            quantiles,
+        ];
+        (floats, words)
+    }
 }

@@ -1,0 +1,66 @@
+//! Packed maps: the part, its uniform and its table.
+
+use asperity_ndf_sampling::PackedMapRef;
+
+use crate::ndf::{ELEMENTARY, GAUSSIAN_SPLIT, NORMAL_DISTRIBUTION};
+use crate::part::{Binding, Element, Part, part};
+
+/// A density painted or computed on the map of normals, from one array: density, samples, distribution functions, bijection and
+/// inverse, conditional density; [`PackedMapRef`].
+///
+/// Bound to [`PackedMapUniform`] as `packed_map_grid`, and to the bits of the array as the table `packed_map_word`.
+pub static PACKED_MAP: Part = part!("ndf/map/packed_map", ELEMENTARY, NORMAL_DISTRIBUTION, GAUSSIAN_SPLIT)
+    .with_bindings(&[
+        Binding::Uniform { name: "packed_map_grid", of: "PackedMapGrid" },
+        Binding::Table { name: "packed_map_word", element: Element::Word, width: PackedMapUniform::WIDTH },
+    ]);
+
+/// Uniform of a packed map: its grid, and where the parts of its array begin.
+///
+/// ```
+/// use asperity_shaders::ndf::PackedMapUniform;
+/// # #[cfg(feature = "alloc")] {
+/// use asperity_ndf_sampling::{Ggx, NdfMap, PackedMapRef, Reconstruction};
+///
+/// let map = NdfMap::from_ndf(64, 32, Reconstruction::Bilinear, &Ggx::new(0.3, 0.5)?)?;
+/// let array = map.pack();
+/// let words = PackedMapUniform::new(&PackedMapRef::new(&array)?).words();
+/// // 64 columns over the disk's diameter of 2, 32 rows.
+/// assert_eq!([words[0], words[1]].map(f32::from_bits), [32.0, 16.0]);
+/// // The table is the array's bits, filled up to whole rows of texels.
+/// let table: Vec<u32> = array.iter().map(|x| x.to_bits()).collect();
+/// let rows = table.len().div_ceil(PackedMapUniform::WIDTH as usize);
+/// assert!(rows < 2048);
+/// # }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedMapUniform([u32; 24]);
+
+impl PackedMapUniform {
+    /// Texels in a row of the table.
+    pub const WIDTH: u32 = 1024;
+
+    /// The uniform of a map.
+    #[must_use]
+    pub fn new(map: &PackedMapRef<'_>) -> Self {
+        let (floats, words) = map.grid_and_parts();
+        let mut uniform = [0; 24];
+        let floats = floats.iter().map(|x| x.to_bits());
+        for (word, from) in uniform.iter_mut().zip(floats.chain(words)) {
+            *word = from;
+        }
+        Self(uniform)
+    }
+
+    /// The 96 bytes of the structure `PackedMapGrid` in words.
+    ///
+    /// ```text
+    /// density.xy  size.xy  origin.xy  last.xy  margin  guide  quantiles                        floats
+    /// last_row  sides  ranks  stride  texel_stride  by_weight  by_place  leaves  heads  nodes  texels  quantiles  number of leaves
+    /// ```
+    #[must_use]
+    pub const fn words(&self) -> [u32; 24] {
+        self.0
+    }
+}

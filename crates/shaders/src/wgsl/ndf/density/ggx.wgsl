@@ -1,0 +1,104 @@
+// The GGX normal density of the roughnesses alpha along x and y, which are valid: `asperity_ndf_sampling::Ggx`.
+
+// D(m) in 1/sr, for unit m; 0 for m.z <= 0 and what is no number.
+fn ggx_density(alpha: vec2<f32>, m: vec3<f32>) -> f32 {
+    let x = m.x / alpha.x;
+    let y = m.y / alpha.y;
+    let t = (x * x + y * y) + m.z * m.z;
+    let peak = 3.1415927 * alpha.x * alpha.y;
+    let inverse = peak * t * t;
+    let density = select(ELEMENTARY_LARGEST, min(1.0 / inverse, ELEMENTARY_LARGEST), inverse > 0.0);
+    return select(0.0, density, m.z > 0.0 && t <= ELEMENTARY_LARGEST);
+}
+
+// T(z): the normal of Gaussian coordinates, which count standard deviations; beyond 13 that bound, 0 for what is no number.
+fn ggx_from_gaussian(alpha: vec2<f32>, z: vec2<f32>) -> vec3<f32> {
+    let x = elementary_bounded(z.x, 13.0);
+    let y = elementary_bounded(z.y, 13.0);
+    let half_square = (x * x + y * y) * 0.5;
+    let up = elementary_exp(half_square * -0.5);
+    let scale = sqrt(elementary_one_minus_exp_ratio(half_square, up) * 0.5);
+    return roughness_unit(vec3<f32>(x * scale * alpha.x, y * scale * alpha.y, up));
+}
+
+// The inverse of T: the Gaussian coordinates of the normal m, of which only the slope counts; finite for every m.
+fn ggx_to_gaussian(alpha: vec2<f32>, m: vec3<f32>) -> vec2<f32> {
+    let up = select(ELEMENTARY_LEAST_NORMAL, m.z, m.z > ELEMENTARY_LEAST_NORMAL);
+    let x = m.x / alpha.x;
+    let y = m.y / alpha.y;
+    let lateral = sqrt(x * x + y * y);
+    if !(lateral > 0.0 && lateral <= ELEMENTARY_LARGEST) {
+        return vec2<f32>(0.0, 0.0);
+    }
+    // Beyond 1e19 the square would overflow, below 1e-5 it may underflow and the logarithm is t^2 to the last bit.
+    let t = min(lateral / up, 1e19);
+    let rho = select(sqrt(elementary_ln_1p(t * t) * 2.0), t * 1.4142135, t < 1e-5);
+    let per_lateral = rho / lateral;
+    return clamp(vec2<f32>(x * per_lateral, y * per_lateral), vec2<f32>(-13.0), vec2<f32>(13.0));
+}
+
+// A normal with the density D over the macro surface, for uniform u in the unit square: `Ggx::sample`.
+fn ggx_from_uniform(alpha: vec2<f32>, u: vec2<f32>) -> vec3<f32> {
+    let bounded = elementary_probabilities(u);
+    let slope = sqrt(bounded.x);
+    let turn = elementary_cos_sin_turns(bounded.y);
+    let x = slope * turn.x * alpha.x;
+    let y = slope * turn.y * alpha.y;
+    return roughness_unit(vec3<f32>(x, y, sqrt(1.0 - bounded.x)));
+}
+
+// p_s(h | z_b) in 1/sr: what is left of the density where a part of it is resolved.
+fn ggx_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianSplit) -> f32 {
+    return gaussian_split_weigh(split, ggx_density(alpha, h), ggx_to_gaussian(alpha, h));
+}
+
+// Smith's Lambda(v); the largest float where it is infinite, at and below the horizon.
+fn ggx_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
+    let up = select(1.0, v.z, v.z > 0.0);
+    let x = alpha.x * v.x / up;
+    let y = alpha.y * v.y / up;
+    let t = x * x + y * y;
+    let lambda = 0.5 * t / (1.0 + sqrt(1.0 + t));
+    return select(ELEMENTARY_LARGEST, lambda, v.z > 0.0 && t <= ELEMENTARY_LARGEST);
+}
+
+// Masking G1(v): the visible share of the facets that face v.
+fn ggx_masking(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
+    return microfacet_masking(ggx_lambda(alpha, v));
+}
+
+// Height-correlated masking and shadowing G2(v, w).
+fn ggx_masking_shadowing(alpha: vec2<f32>, v: vec3<f32>, w: vec3<f32>) -> f32 {
+    return microfacet_masking_shadowing(ggx_lambda(alpha, v), ggx_lambda(alpha, w));
+}
+
+// sigma(v): the projected area of the facets that v sees, per area of the macro surface.
+fn ggx_projected_area(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
+    let w = microfacet_above(v) * vec3<f32>(alpha, 1.0);
+    return 0.5 * (w.z + sqrt(w.x * w.x + w.y * w.y + w.z * w.z));
+}
+
+// The density of visible normals D_v(m), in 1/sr.
+fn ggx_visible_density(alpha: vec2<f32>, v: vec3<f32>, m: vec3<f32>) -> f32 {
+    return microfacet_visible_density(ggx_density(alpha, m), microfacet_above(v), m, ggx_projected_area(alpha, v));
+}
+
+// A normal with the density D_v over solid angle, for uniform u: the cap of directions c with c.z >= -z, in forms that keep sin.
+fn ggx_sample_visible(alpha: vec2<f32>, v: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
+    let bounded = elementary_probabilities(u);
+    let stretched = roughness_stretched(alpha, v);
+    let square = (stretched.x * stretched.x + stretched.y * stretched.y) + stretched.z * stretched.z;
+    // What has no direction is read as the zenith.
+    var w = vec3<f32>(0.0, 0.0, 1.0);
+    if square > 1e-37 {
+        let scale = 1.0 / sqrt(square);
+        w = vec3<f32>(stretched.x * scale, stretched.y * scale, stretched.z * scale);
+    }
+    let below = bounded.y * (1.0 + w.z);
+    let above = (1.0 - bounded.y) * (1.0 + w.z);
+    let sin_theta = sqrt(below * (above + (w.x * w.x + w.y * w.y) / (1.0 + w.z)));
+    let turn = elementary_cos_sin_turns(bounded.x);
+    let x = (sin_theta * turn.x + w.x) * alpha.x;
+    let y = (sin_theta * turn.y + w.y) * alpha.y;
+    return roughness_unit(vec3<f32>(x, y, above));
+}

@@ -1,0 +1,230 @@
+//! GGX and Beckmann with both rules of level of detail.
+
+use asperity_ndf_sampling::{
+    Beckmann, ClosedForm, GaussianSplit, Ggx, Microfacet,
+    glam::{Vec2, Vec3},
+};
+use asperity_shaders::{
+    Part,
+    ndf::{BECKMANN, GGX},
+    shading::LEVEL_OF_DETAIL,
+};
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::{LevelOfDetail, far_field};
+
+use super::{floats, gaussian, number, words};
+use crate::case::{Bound, Case, INPUTS, Output, between};
+
+pub(super) fn cases() -> Vec<Case> {
+    // Beckmann's masking is in f64 in the crate: Λ, σ and D_v to 32 bits. Its exponential takes the rounding of the exponent.
+    let ggx =
+        Density { name: "ggx", part: &GGX, of: Ggx::clamped, density: 1e-6, masking: [Bound::Equal; 2] };
+    let beckmann = Density {
+        name: "beckmann",
+        part: &BECKMANN,
+        of: Beckmann::clamped,
+        density: 2e-5,
+        masking: [Bound::Relative(2e-5), Bound::Absolute(4e-7)],
+    };
+    vec![ggx.normals(), ggx.visible_normals(), beckmann.normals(), beckmann.visible_normals()]
+}
+
+/// A density with its parts, and bounds of its density on adapters and of its masking as written.
+#[derive(Clone, Copy)]
+struct Density<N> {
+    name: &'static str,
+    part: &'static Part,
+    of: fn(f32, f32) -> N,
+    density: f32,
+    masking: [Bound; 2],
+}
+
+/// Densities beneath it are compared as it: drivers may flush what is not normal, and no sum of lights feels them.
+const FAINT: f32 = 1e-34;
+
+impl<N: ClosedForm + Microfacet + 'static> Density<N> {
+    fn normals(self) -> Case {
+        Case {
+            name: format!("ndf/density/{}, level of detail", self.name),
+            parts: vec![self.part, &LEVEL_OF_DETAIL],
+            body: "\
+    let alpha = roughness_clamped(a.xy);
+    let u = bitcast<vec2<f32>>(c.xy);
+    let fade = bitcast<f32>(c.z);
+    outcome.a = bits(vec4<f32>(x_from_gaussian(alpha, a.zw), max(x_density(alpha, b.xyz), 1e-34)));
+    let centre = x_from_gaussian(alpha, level_of_detail_exact_coordinates(a.zw, b.w));
+    let sample = x_from_uniform(alpha, u);
+    let split = gaussian_split(a.zw, b.w);
+    outcome.b = bits(vec4<f32>(x_to_gaussian(alpha, b.xyz), centre.xy));
+    outcome.c = bits(vec4<f32>(
+        centre.z,
+        sample.xy,
+        select(sample.z, max(level_of_detail_far_x(alpha, b.xyz), 1e-34), d.x == 1u),
+    ));
+    outcome.d = bits(vec4<f32>(
+        max(level_of_detail_exact_x(alpha, b.xyz, a.zw, b.w), 1e-34),
+        max(level_of_detail_fractal_x(alpha, b.xyz, a.zw, fade), 1e-34),
+        select(gaussian_split_join(split, u), gaussian_split_rest(split, u), d.x == 1u),
+    ));"
+            .replace("x_", &format!("{}_", self.name))
+            .replace("_x(", &format!("_{}(", self.name)),
+            resources: vec![],
+            input: Box::new(move |i| {
+                let alpha = [0, 1].map(|k| number(i, k, 10.0_f32.powf(between(i, k, -3.0, 0.0))));
+                let z = Vec2::new(gaussian(i, 2), gaussian(i, 3));
+                let s = number(i, 7, if i % 8 == 0 { 0.0 } else { between(i, 7, 0.0, 0.999) });
+                // Where the density is not faint, with and without regard to what is resolved.
+                let xi = Vec2::new(gaussian(i, 4), gaussian(i, 5));
+                let rest = if i % 3 == 0 { xi } else { z * s.sqrt() + xi * (1.0 - s).sqrt() };
+                let h = (self.of)(alpha[0], alpha[1]).from_gaussian(rest);
+                let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
+                let fade = if i % 2 == 0 { 1.0 } else { between(i, 10, 0.0, 1.2) };
+                let good = [alpha[0], alpha[1], z.x, z.y, h.x, h.y, h.z, s, u[0], u[1], fade];
+                let mut inputs = [0; INPUTS];
+                for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
+                    *input = number(i, k, good).to_bits();
+                }
+                // A share that drivers flush, times coordinates that are none.
+                if f32::from_bits(inputs[7]) == 1e-40 {
+                    inputs[7] = 0;
+                }
+                // Every other point gives other functions.
+                inputs[12] = i % 2;
+                inputs
+            }),
+            reference: Box::new(move |inputs| {
+                let [alpha_x, alpha_y, z1, z2, x, y, up, share, u1, u2, fade] = floats(inputs, 0);
+                let is_other = inputs[12] == 1;
+                let (ndf, z, h) = ((self.of)(alpha_x, alpha_y), Vec2::new(z1, z2), Vec3::new(x, y, up));
+                let (coordinates, u) = (Coordinates { z, share, fade }, Vec2::new(u1, u2));
+                let (m, sample) = (ndf.from_gaussian(z), ndf.sample(u));
+                let back = ndf.to_gaussian(h);
+                let centre = LevelOfDetail::Exact.normal(&ndf, coordinates);
+                let split = GaussianSplit::new(z, share);
+                let joined = if is_other { split.rest(u) } else { split.join(u) };
+                words(&[
+                    m.x,
+                    m.y,
+                    m.z,
+                    ndf.density(h).max(FAINT),
+                    back.x,
+                    back.y,
+                    centre.x,
+                    centre.y,
+                    centre.z,
+                    sample.x,
+                    sample.y,
+                    if is_other { far_field(&ndf, h).max(FAINT) } else { sample.z },
+                    LevelOfDetail::Exact.radiance(&ndf, h, coordinates).max(FAINT),
+                    LevelOfDetail::Fractal.radiance(&ndf, h, coordinates).max(FAINT),
+                    joined.x,
+                    joined.y,
+                ])
+            }),
+            outputs: vec![
+                equal("T", 0..3, Bound::Absolute(4e-7)),
+                equal("D", 3..4, Bound::Relative(self.density)),
+                equal("T⁻¹", 4..6, Bound::Absolute(4e-6)),
+                equal("normal of the exact rule", 6..9, Bound::Absolute(4e-7)),
+                equal("sample", 9..11, Bound::Absolute(4e-7)),
+                equal("sample, far field", 11..12, Bound::Relative(self.density)),
+                equal("exact rule", 12..13, Bound::Relative(5e-4)),
+                equal("fractal rule", 13..14, Bound::Relative(5e-4)),
+                // At share 1 the rest is what is left over 10⁻³.
+                equal("join and rest", 14..16, Bound::Absolute(2e-3)),
+            ],
+        }
+    }
+
+    fn visible_normals(self) -> Case {
+        Case {
+            name: format!("ndf/density/{}, visible normals", self.name),
+            parts: vec![self.part],
+            body: "\
+    let alpha = roughness_clamped(a.xy);
+    let v = vec3<f32>(a.zw, b.x);
+    let m = b.yzw;
+    let w = bitcast<vec3<f32>>(c.xyz);
+    let u = vec2<f32>(bitcast<f32>(c.w), bitcast<f32>(d.x));
+    outcome.a = bits(vec4<f32>(
+        max(min(x_lambda(alpha, v), 1e30), 1e-30), x_masking(alpha, v), x_masking_shadowing(alpha, v, w), x_projected_area(alpha, v),
+    ));
+    outcome.b = bits(vec4<f32>(x_sample_visible(alpha, v, u), max(x_visible_density(alpha, v, m) * f32(d.y), 1e-34)));
+    outcome.c = bits(vec4<f32>(microfacet_above(v), 0.0));"
+                .replace("x_", &format!("{}_", self.name)),
+            resources: vec![],
+            input: Box::new(move |i| {
+                let alpha = [0, 1].map(|k| number(i, k, 10.0_f32.powf(between(i, k, -3.0, 0.0))));
+                let direction = |k| {
+                    let (up, turn) = (between(i, k, 0.0, 1.0), between(i, k + 1, 0.0, std::f32::consts::TAU));
+                    let across = (1.0 - up * up).sqrt();
+                    Vec3::new(across * turn.cos(), across * turn.sin(), up)
+                };
+                let (v, w) = (direction(2), direction(4));
+                let m = (self.of)(alpha[0], alpha[1]).from_gaussian(Vec2::new(gaussian(i, 6), gaussian(i, 7)));
+                let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
+                let good =
+                    [alpha[0], alpha[1], v.x, v.y, v.z, m.x, m.y, m.z, w.x, w.y, w.z, u[0], u[1]];
+                let mut inputs = [0; INPUTS];
+                for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
+                    *input = number(i, k, good).to_bits();
+                }
+                // Not where v is at a right angle with m: their product cancels.
+                inputs[13] = u32::from(v.dot(m) > 0.05);
+                inputs
+            }),
+            reference: Box::new(move |inputs| {
+                let is_seen = inputs[13] as f32;
+                let [alpha_x, alpha_y, vx, vy, vz, mx, my, mz, wx, wy, wz, u1, u2] = floats(inputs, 0);
+                let ndf = (self.of)(alpha_x, alpha_y);
+                let [v, m, w] = [[vx, vy, vz], [mx, my, mz], [wx, wy, wz]].map(Vec3::from);
+                // Plural calls: Beckmann's single ones are in f64.
+                let ([mut x], [mut y], [mut z]) = ([0.0; 1], [0.0; 1], [0.0; 1]);
+                let arrays = [&mut x, &mut y, &mut z].map(core::slice::from_mut);
+                let (view, u) = ([&[vx][..], &[vy], &[vz]], [&[u1][..], &[u2]]);
+                ndf.visible_samples(view, u, arrays).expect("arrays of one number");
+                let above = above(v);
+                words(&[
+                    ndf.lambda(v).clamp(1e-30, 1e30),
+                    ndf.g1(v),
+                    ndf.g2(v, w),
+                    ndf.projected_area(v),
+                    x,
+                    y,
+                    z,
+                    (ndf.visible_density(v, m) * is_seen).max(FAINT),
+                    above.x,
+                    above.y,
+                    above.z,
+                ])
+            }),
+            outputs: vec![
+                Output { name: "Λ", words: 0..1, written: self.masking[0], adapter: Bound::Relative(2e-5) },
+                Output { name: "G₁ and G₂", words: 1..3, written: self.masking[1], adapter: Bound::Absolute(1e-6) },
+                Output { name: "σ", words: 3..4, written: self.masking[0], adapter: Bound::Relative(2e-6) },
+                equal("visible normal", 4..7, Bound::Absolute(1e-4)),
+                Output {
+                    name: "D_v",
+                    words: 7..8,
+                    written: self.masking[0],
+                    adapter: Bound::Relative(2.0 * self.density),
+                },
+                equal("view from above", 8..11, Bound::Absolute(4e-7)),
+            ],
+        }
+    }
+}
+
+/// Equal bits as written.
+fn equal(name: &'static str, words: std::ops::Range<usize>, adapter: Bound) -> Output {
+    Output { name, words, written: Bound::Equal, adapter }
+}
+
+/// A view above the horizon, as [`Microfacet`] documents it.
+fn above(v: Vec3) -> Vec3 {
+    if v.z > 0.0 && (0.25..=4.0).contains(&v.length_squared()) {
+        return v;
+    }
+    let number = |c: f32| if c.is_nan() { 0.0 } else { c };
+    Vec3::new(number(v.x), number(v.y), v.z.max(0.0)).try_normalize().unwrap_or(Vec3::Z)
+}
