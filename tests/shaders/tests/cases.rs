@@ -20,7 +20,11 @@ fn shader(case: &Case) -> Result<Interpreter, String> {
         let (_, words) = words.ok_or_else(|| format!("no words for `{name}`"))?;
         match *binding {
             Binding::Uniform { .. } => shader.uniform(name, words)?,
-            Binding::Table { width, .. } => shader.texture(&format!("{name}_table"), width, words.clone())?,
+            Binding::Table { width, .. } => {
+                let mut words = words.clone();
+                words.resize(words.len().next_multiple_of(width as usize), 0);
+                shader.texture(&format!("{name}_table"), width, words)?;
+            }
             _ => return Err(format!("`{name}` is neither uniform nor table")),
         }
     }

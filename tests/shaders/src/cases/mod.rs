@@ -2,6 +2,7 @@
 
 use crate::case::Case;
 
+mod fif;
 mod ndf;
 mod noise;
 mod sums;
@@ -9,5 +10,5 @@ mod sums;
 /// All cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [noise::cases(), ndf::cases(), sums::cases()].into_iter().flatten().collect()
+    [noise::cases(), ndf::cases(), sums::cases(), fif::cases()].into_iter().flatten().collect()
 }
