@@ -107,6 +107,18 @@ fn fractal_interpolation() {
     hold(ROOMS[6]);
 }
 
+/// Coordinates from the middle of a sphere of 40 cells lose what its finer octaves need where products and sums are fused; differences
+/// to an anchor do not, as one of the cases shows.
+#[test]
+fn absolute_coordinates_fail_where_anchors_hold() {
+    for zoom in [100.0, 1e4] {
+        let case = cases::sums::anchors::absolute(zoom);
+        assert_eq!(broken(&case, Arithmetic::Written, |output| output.written), Ok(()));
+        let fused = broken(&case, Arithmetic::Fused, |output| output.adapter);
+        assert!(fused.is_err_and(|error| error.contains("gradient")), "zoom {zoom}");
+    }
+}
+
 #[test]
 fn every_case_is_in_a_room() {
     for case in cases::all() {

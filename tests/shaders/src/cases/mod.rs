@@ -5,7 +5,7 @@ use crate::case::Case;
 mod fif;
 mod ndf;
 mod noise;
-mod sums;
+pub mod sums;
 
 /// All cases.
 #[must_use]
