@@ -2,11 +2,10 @@
 
 use asperity_shader_tests::case::{Case, INPUTS, OUTPUTS};
 use asperity_shader_tests::cases;
-use wgpu::{BufferUsages, ShaderSource};
 
 use crate::{
+    compute::Kernel,
     device::{self, Gpu},
-    resources::{bound, buffer},
 };
 
 const ENTRY: &str = "
@@ -61,55 +60,15 @@ pub(crate) fn run(adapter: Option<&str>, only: Option<&str>) -> Result<(), Strin
 
 /// What an adapter computes of a case.
 fn outcomes(gpu: &Gpu, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
-    let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-    let source = ShaderSource::Wgsl((case.wgsl() + ENTRY).into());
-    let module =
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(&case.name), source });
-    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some(&case.name),
-        layout: None,
-        module: &module,
-        entry_point: Some("run_case"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    });
-    let resources = bound(gpu, &case.parts, &case.resources)?;
-    let words: Vec<u32> = inputs.iter().flatten().copied().collect();
-    let size = (inputs.len() * OUTPUTS * 4) as u64;
-    let input = buffer(gpu, &words, BufferUsages::STORAGE);
-    let make = |usage| {
-        let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
-        gpu.device.create_buffer(&descriptor)
-    };
-    let output = make(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-    let back = make(BufferUsages::MAP_READ | BufferUsages::COPY_DST);
-    let group = |index, resources: &[wgpu::BindingResource<'_>]| {
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
-            .collect();
-        let layout = &pipeline.get_bind_group_layout(index);
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
-    };
-    let tables: Vec<_> = resources.iter().map(|resource| resource.binding()).collect();
-    let groups = [group(0, &tables), group(1, &[input.as_entire_binding(), output.as_entire_binding()])];
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        pass.set_pipeline(&pipeline);
-        for (index, group) in (0..).zip(&groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
-    }
-    encoder.copy_buffer_to_buffer(&output, 0, &back, 0, size);
-    gpu.queue.submit([encoder.finish()]);
-    if let Some(error) = pollster::block_on(scope.pop()) {
-        return Err(format!("{}: {error}", case.name));
-    }
-    back.slice(..).map_async(wgpu::MapMode::Read, |_| ());
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
-    let bytes = back.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
-    let words: &[u32] = bytemuck::cast_slice(&bytes);
+    let kernel = Kernel::new(gpu, &case.name, &(case.wgsl() + ENTRY), "run_case")?;
+    let groups = [(inputs.len() as u32).div_ceil(64), 1];
+    let words = kernel.run(
+        gpu,
+        &case.parts,
+        &case.resources,
+        inputs.as_flattened(),
+        inputs.len() * OUTPUTS,
+        groups,
+    )?;
     Ok(words.chunks_exact(OUTPUTS).map(|words| std::array::from_fn(|k| words[k])).collect())
 }

@@ -23,6 +23,13 @@ impl Resource {
     }
 }
 
+/// Words of a uniform with room for eight sums of octaves, of which one is there.
+pub(crate) fn one_sum(words: &[u32]) -> Vec<u32> {
+    let mut all = words.to_vec();
+    all.resize(8 * words.len(), 0);
+    all
+}
+
 /// The resources of a composition in the order of its bindings, of words by names.
 pub(crate) fn bound(
     gpu: &Gpu,

@@ -1,0 +1,87 @@
+//! Compute shaders: resources and words in, words out.
+
+use asperity_shaders::Part;
+use wgpu::{BufferUsages, ShaderSource};
+
+use crate::{
+    device::Gpu,
+    resources::{bound, buffer},
+};
+
+/// An entry of a module: its tables in group 0; in group 1 its input, if it has one, and its output.
+pub(crate) struct Kernel {
+    name: String,
+    pipeline: wgpu::ComputePipeline,
+}
+
+impl Kernel {
+    pub(crate) fn new(gpu: &Gpu, name: &str, wgsl: &str, entry: &str) -> Result<Self, String> {
+        let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let source = ShaderSource::Wgsl(wgsl.into());
+        let module =
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        match pollster::block_on(scope.pop()) {
+            Some(error) => Err(format!("{name}: {error}")),
+            None => Ok(Self { name: name.into(), pipeline }),
+        }
+    }
+
+    /// The words that `groups` of work write.
+    pub(crate) fn run(
+        &self,
+        gpu: &Gpu,
+        parts: &[&'static Part],
+        resources: &[(&'static str, Vec<u32>)],
+        input: &[u32],
+        output: usize,
+        groups: [u32; 2],
+    ) -> Result<Vec<u32>, String> {
+        let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let resources = bound(gpu, parts, resources)?;
+        let size = output as u64 * 4;
+        let make = |usage| {
+            let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
+            gpu.device.create_buffer(&descriptor)
+        };
+        let input = (!input.is_empty()).then(|| buffer(gpu, input, BufferUsages::STORAGE));
+        let output = make(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let back = make(BufferUsages::MAP_READ | BufferUsages::COPY_DST);
+        let tables = resources.iter().map(|resource| resource.binding()).collect();
+        let own = input.iter().chain([&output]).map(|buffer| buffer.as_entire_binding()).collect();
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&self.pipeline);
+            for (index, resources) in (0..).zip([tables, own]) {
+                pass.set_bind_group(index, &self.group(gpu, index, resources), &[]);
+            }
+            pass.dispatch_workgroups(groups[0], groups[1], 1);
+        }
+        encoder.copy_buffer_to_buffer(&output, 0, &back, 0, size);
+        gpu.queue.submit([encoder.finish()]);
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            return Err(format!("{}: {error}", self.name));
+        }
+        back.slice(..).map_async(wgpu::MapMode::Read, |_| ());
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
+        let bytes = back.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
+        Ok(bytemuck::cast_slice(&bytes).to_vec())
+    }
+
+    fn group(&self, gpu: &Gpu, index: u32, resources: Vec<wgpu::BindingResource<'_>>) -> wgpu::BindGroup {
+        let entries: Vec<_> = (0..)
+            .zip(resources)
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+            .collect();
+        let layout = &self.pipeline.get_bind_group_layout(index);
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+}

@@ -1,0 +1,69 @@
+//! The mean radiance over a surface, by the exact rule on an adapter, beside the density.
+
+use asperity_shaders::noise::sums::OctavesUniform;
+use asperity_shaders::{Binding, Bindings, Part, compose, noise, shading};
+use asperity_shading::ndf_sampling::{Ggx, Ndf};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use glam::Vec3;
+
+use crate::compute::Kernel;
+use crate::device::{self, Gpu};
+use crate::resources::one_sum;
+
+static MEANS: Part = Part::new(
+    "means",
+    include_str!("means.wgsl"),
+    &[&noise::sums::GAUSSIAN_OCTAVES_3D, &shading::LEVEL_OF_DETAIL],
+)
+.with_bindings(&[Binding::Uniform { name: "means_job", of: "MeansJob" }]);
+
+const POINTS: u32 = 1 << 21;
+const OCTAVES: [f32; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
+const ALPHA: [f32; 2] = [0.2, 0.4];
+
+/// Prints means over the density for five zooms and half vectors, and fails where one is off by more than 1 % and four standard errors.
+pub(crate) fn run(adapter: Option<&str>) -> Result<(), String> {
+    let ggx = Ggx::new(ALPHA[0], ALPHA[1]).map_err(|error| error.to_string())?;
+    let halves = [[0.0, 0.0], [0.1, 0.0], [0.0, 0.2], [0.15, 0.25], [-0.2, 0.1]]
+        .map(|[x, y]: [f32; 2]| Vec3::new(x, y, 1.0).normalize());
+    let mut off = 0;
+    for gpu in device::open(adapter)? {
+        println!(
+            "\n{}\n\n| octaves | mean over density, at five half vectors | standard error at most |\n|---|---|---|",
+            gpu.name
+        );
+        for octaves in OCTAVES {
+            let radiances = radiances(&gpu, &halves, octaves)?;
+            let mut row = String::new();
+            let mut greatest = 0.0_f64;
+            for (k, &h) in halves.iter().enumerate() {
+                let of = || radiances.iter().skip(k).step_by(halves.len()).map(|&x| f64::from(x));
+                let (count, density) = (f64::from(POINTS), f64::from(ggx.density(h)));
+                let mean = of().sum::<f64>() / count;
+                let variance = of().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
+                let (ratio, error) = (mean / density, (variance / count).sqrt() / density);
+                greatest = greatest.max(error);
+                off += usize::from((ratio - 1.0).abs() > 0.01_f64.max(4.0 * error));
+                row += &format!(" {ratio:.4}");
+            }
+            println!("| {octaves} |{row} | {greatest:.4} |");
+        }
+    }
+    if off == 0 { Ok(()) } else { Err(format!("{off} means are off by more than 1 %")) }
+}
+
+fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, String> {
+    let spectrum = Spectrum::new(2.17, 0.5, 10).map_err(|error| error.to_string())?;
+    let sum = GaussianOctaves::<3>::new(Gaussian::new(7), spectrum);
+    let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
+    let words = [
+        ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),
+        ("octaves_uniform_3d", one_sum(&OctavesUniform::new(&sum).words())),
+        ("means_job", job.map(f32::to_bits).collect()),
+    ];
+    let wgsl = compose(&[&MEANS], Bindings::Textures { group: 0 });
+    let kernel = Kernel::new(gpu, "means", &wgsl, "means_point")?;
+    let count = POINTS as usize * halves.len();
+    let words = kernel.run(gpu, &[&MEANS], &words, &[], count, [65536 / 64, POINTS / 65536])?;
+    Ok(words.into_iter().map(f32::from_bits).collect())
+}

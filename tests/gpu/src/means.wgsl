@@ -1,0 +1,28 @@
+// Radiance of the exact rule at points of a plane under five half vectors.
+
+struct MeansJob {
+    halves: array<vec4<f32>, 5>,
+    alpha: vec2<f32>,
+    octaves: f32,
+    // Side of the plane in cells of the first octave.
+    side: f32,
+}
+
+fn means_uniform(word: u32) -> f32 {
+    return f32(word >> 8u) * (1.0 / 16777216.0);
+}
+
+@group(1) @binding(0) var<storage, read_write> means_radiances: array<f32>;
+
+@compute @workgroup_size(64)
+fn means_point(@builtin(global_invocation_id) id: vec3<u32>) {
+    let i = id.y * 65536u + id.x;
+    let word = integer_hash_word(integer_hash_term(0u, i32(i)), 1u);
+    let further = integer_hash_further(word, 1u);
+    let p = vec3<f32>(means_uniform(word), means_uniform(further), 0.3) * vec3<f32>(means_job.side, means_job.side, 1.0);
+    let seen = gaussian_octaves_3d(p, means_job.octaves, 0u);
+    for (var k = 0u; k < 5u; k++) {
+        let h = means_job.halves[k].xyz;
+        means_radiances[i * 5u + k] = level_of_detail_exact_ggx(means_job.alpha, h, seen.pair.value, seen.share);
+    }
+}

@@ -1,0 +1,97 @@
+//! What is drawn: triangles about a focus, and a camera that comes near it.
+
+use asperity_render::geometry::{mesh::TracedMesh, teapot::teapot};
+use glam::{DVec3, Vec3};
+
+/// A corner of a triangle, its position from the focus on.
+#[derive(Clone, Copy)]
+pub(crate) struct Corner {
+    pub(crate) position: DVec3,
+    pub(crate) normal: DVec3,
+    pub(crate) tangent: DVec3,
+}
+
+/// A pinhole camera and a light, seen from the focus.
+pub(crate) struct View {
+    pub(crate) eye: DVec3,
+    /// Half the picture's width and height at distance 1, along its sides.
+    pub(crate) right: DVec3,
+    pub(crate) up: DVec3,
+    pub(crate) forward: DVec3,
+    /// Angle of a pixel in the middle, in radians.
+    pub(crate) pixel_angle: f64,
+    /// The direction to the light.
+    pub(crate) light: DVec3,
+}
+
+/// Triangles, a camera, and where in the world their origin is.
+pub(crate) struct Scene {
+    pub(crate) triangles: Vec<[Corner; 3]>,
+    pub(crate) view: View,
+    /// The point that the camera looks at, in the world.
+    pub(crate) focus: DVec3,
+}
+
+impl View {
+    fn new(eye: DVec3, forward: DVec3, field: f64, size: u32, light: DVec3) -> Self {
+        let forward = forward.normalize();
+        let right = forward.cross(DVec3::Z).normalize();
+        let half = (0.5 * field).tan();
+        let pixel_angle = 2.0 * half / f64::from(size);
+        let up = right.cross(forward) * half;
+        Self { eye, right: right * half, up, forward, pixel_angle, light: light.normalize() }
+    }
+
+    /// Coordinates of a point across, up and along the axis, the first two in halves of the picture.
+    pub(crate) fn project(&self, p: DVec3) -> DVec3 {
+        let v = p - self.eye;
+        DVec3::new(
+            v.dot(self.right) / self.right.length_squared(),
+            v.dot(self.up) / self.up.length_squared(),
+            v.dot(self.forward),
+        )
+    }
+}
+
+/// The teapot, from so many times nearer to the point of its body that the picture's middle shows.
+pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
+    let mesh = teapot();
+    let (eye, target) = (DVec3::new(2.2, -6.4, 3.6), DVec3::new(-0.55, 0.0, 1.35));
+    let hit = TracedMesh::new(teapot()).first_hit(eye.as_vec3(), (target - eye).as_vec3().normalize());
+    let focus = hit.ok_or("the teapot is not in the middle of its picture")?.position.as_dvec3();
+    let triangles = mesh.triangles.iter().map(|corners| {
+        corners.map(|i| {
+            let vertex = mesh.vertices[i as usize];
+            let [position, normal, tangent] =
+                [vertex.position, vertex.normal, vertex.tangent].map(Vec3::as_dvec3);
+            Corner { position: position - focus, normal, tangent }
+        })
+    });
+    let from = (eye - focus) / zoom;
+    let view = View::new(from, -from, 0.62, size, DVec3::new(-0.55, -0.6, 0.75));
+    Ok(Scene { triangles: triangles.collect(), view, focus })
+}
+
+/// A plane to the horizon, from so many times lower above it.
+///
+/// Its lines are at distances that double, or a triangle's corners would be too far from the eye for the digits of `f32`.
+pub(crate) fn plane_scene(zoom: f64, size: u32) -> Scene {
+    const FARTHEST: f64 = 1e4;
+    let focus = DVec3::new(0.3, 0.7, 0.0);
+    let half: Vec<f64> =
+        std::iter::successors(Some(0.25 / zoom), |x| Some(2.0 * x)).take_while(|&x| x < FARTHEST).collect();
+    let lines: Vec<f64> = half.iter().rev().map(|x| -x).chain([0.0]).chain(half.iter().copied()).collect();
+    let corner =
+        |x: f64, y: f64| Corner { position: DVec3::new(x, y, 0.0), normal: DVec3::Z, tangent: DVec3::X };
+    let triangles = lines.windows(2).flat_map(|xs| {
+        lines.windows(2).flat_map(move |ys| {
+            let [a, b] = [corner(xs[0], ys[0]), corner(xs[1], ys[0])];
+            let [c, d] = [corner(xs[0], ys[1]), corner(xs[1], ys[1])];
+            [[a, b, d], [a, d, c]]
+        })
+    });
+    let down = DVec3::new(0.0, 0.93, -0.36).normalize();
+    let eye = -down * (1.0 / zoom);
+    let view = View::new(eye, down, 0.9, size, DVec3::new(0.1, 0.9, 0.35));
+    Scene { triangles: triangles.collect(), view, focus }
+}
