@@ -1,9 +1,23 @@
-//! Shading: what a pixel resolves, level of detail.
+//! Shading: pixels, level of detail, bump mapping, reflectances, textures, materials.
+//!
+//! Directions are unit vectors that point away from the surface, in its frame where z is the normal. Reflectances are in sr⁻¹ as those of
+//! the crate, without the cosine of the light. Evaluation is total: what is no number, and directions below the horizon, are dark.
 
 use asperity_shading::pixel::FrequencyClamp;
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX};
 use crate::part::{Part, part};
+
+pub mod bump;
+pub mod pixel;
+pub mod reflectance;
+pub mod texture;
+
+/// Clamps that drop what is no number, and angles of vectors.
+pub static MATH: Part = part!("shading/math");
+
+/// Unit vectors, [half vectors](fn@asperity_shading::half_vector), [mirrored directions](fn@asperity_shading::reflect).
+pub static DIRECTION: Part = part!("shading/direction", MATH);
 
 /// Exact and fractal rule of level of detail, whole for GGX and Beckmann, in pieces for any density:
 /// [`LevelOfDetail`](asperity_shading::LevelOfDetail).

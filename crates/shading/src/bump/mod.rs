@@ -5,6 +5,8 @@ pub(crate) mod slope_facets;
 mod surface_gradient;
 
 pub use displacement::{Displaced, displace};
+#[doc(hidden)]
+pub use slope_facets::facets_along;
 pub use slope_facets::{Facet, slope_facets};
 pub use surface_gradient::{
     bumped_normal, differences, facing, gradient_of_normal, lecture_normal, surface_gradient, tangential,

@@ -74,7 +74,8 @@ pub fn slope_facets(n: Vec3, bumped: Vec3, variance: f32) -> impl Iterator<Item 
 /// ```
 ///
 /// Exact up to the fifth degree for a middle of one half (Stroud 1971, E₂^{r²} 5-1).
-pub(crate) fn facets_along(
+#[doc(hidden)]
+pub fn facets_along(
     n: Vec3,
     bumped: Vec3,
     axes: [Vec3; 2],

@@ -99,7 +99,9 @@ impl PixelEllipse {
     }
 
     /// By how much a function with this gradient changes across the pixel, at most; ∞ where there is no gradient.
-    pub(crate) fn change(&self, gradient: Vec3) -> f32 {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn change(&self, gradient: Vec3) -> f32 {
         let round = self.major == Vec3::ZERO;
         let change = if round {
             gradient.length() * self.widths[0].width()
@@ -110,7 +112,9 @@ impl PixelEllipse {
     }
 
     /// The sides of the box about a pixel in the plane of texture coordinates.
-    pub(crate) fn sides(&self) -> Vec2 {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sides(&self) -> Vec2 {
         if self.major == Vec3::ZERO {
             Vec2::splat(self.widths[0].width())
         } else {

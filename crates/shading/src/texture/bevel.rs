@@ -56,6 +56,30 @@ impl Bevel {
         Ok(Self { plateau, flank: ridge - plateau, top, bottom })
     }
 
+    /// Width of the plateau.
+    #[must_use]
+    pub const fn plateau(&self) -> f32 {
+        self.plateau
+    }
+
+    /// Width of the flank.
+    #[must_use]
+    pub const fn flank(&self) -> f32 {
+        self.flank
+    }
+
+    /// Slope where the flank begins, falling positive.
+    #[must_use]
+    pub const fn top(&self) -> f32 {
+        self.top
+    }
+
+    /// Slope where the flank ends, falling positive.
+    #[must_use]
+    pub const fn bottom(&self) -> f32 {
+        self.bottom
+    }
+
     /// Height and its derivative by the distance, at a distance from the edge; flat at a distance that is no number.
     #[must_use]
     pub fn profile(&self, distance: f32) -> [f32; 2] {

@@ -132,12 +132,16 @@ impl Brick {
     }
 
     /// Width and height of a brick with its mortar.
-    pub(crate) const fn cell(&self) -> Vec2 {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn cell(&self) -> Vec2 {
         self.cell
     }
 
     /// Half the mortar as a share of the cell.
-    pub(super) const fn margin(&self) -> Vec2 {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn margin(&self) -> Vec2 {
         self.margin
     }
 

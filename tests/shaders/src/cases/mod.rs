@@ -2,13 +2,13 @@
 
 use crate::case::Case;
 
-mod fif;
 mod ndf;
 mod noise;
-pub mod sums;
+mod shading;
+mod sums;
 
 /// All cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [noise::cases(), ndf::cases(), sums::cases(), fif::cases()].into_iter().flatten().collect()
+    [noise::cases(), ndf::cases(), shading::cases(), sums::cases()].into_iter().flatten().collect()
 }

@@ -40,6 +40,12 @@ impl SchlickF82 {
         Ok(Self { f0, dip: dip as f32 })
     }
 
+    /// The weight `a` of `cos θ (1 − cos θ)⁶`, dimensionless.
+    #[must_use]
+    pub const fn dip(&self) -> f32 {
+        self.dip
+    }
+
     /// The share of light that is reflected.
     ///
     /// ```text

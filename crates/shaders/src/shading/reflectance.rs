@@ -1,0 +1,48 @@
+//! Reflectances: Fresnel terms, diffuse and glossy models.
+
+use crate::ndf::{BECKMANN, ELEMENTARY, GGX};
+use crate::part::{Part, part};
+use crate::shading::{DIRECTION, MATH};
+
+/// Reflectances that are finite and not negative.
+pub static BRDF: Part = part!("shading/reflectance/brdf", MATH);
+
+/// Schlick's approximation, plain and with a tint at 82°: [`Schlick`](asperity_shading::Schlick),
+/// [`SchlickF82`](asperity_shading::reflectance::SchlickF82).
+pub static SCHLICK: Part = part!("shading/reflectance/fresnel/schlick", MATH);
+
+/// Fresnel's reflectance of a dielectric, [`Dielectric`](asperity_shading::Dielectric).
+pub static DIELECTRIC: Part = part!("shading/reflectance/fresnel/dielectric", MATH);
+
+/// Fresnel's reflectance of a metal, [`Conductor`](asperity_shading::Conductor).
+pub static CONDUCTOR: Part = part!("shading/reflectance/fresnel/conductor", MATH);
+
+/// Lambert's diffuse reflectance, [`Lambert`](asperity_shading::Lambert).
+pub static LAMBERT: Part = part!("shading/reflectance/diffuse/lambert", DIRECTION);
+
+/// Geometry that rough diffuse reflectances share.
+pub static ROUGH: Part = part!("shading/reflectance/diffuse/rough", MATH);
+
+/// Oren and Nayar's rough diffuse reflectance in three forms, [`OrenNayar`](asperity_shading::reflectance::OrenNayar).
+pub static OREN_NAYAR: Part = part!("shading/reflectance/diffuse/oren_nayar", BRDF, DIRECTION, ROUGH);
+
+/// Rough diffuse reflectance that keeps all energy, [`EnergyPreservingOrenNayar`](asperity_shading::EnergyPreservingOrenNayar).
+pub static ENERGY_PRESERVING: Part =
+    part!("shading/reflectance/diffuse/energy_preserving", BRDF, DIRECTION, ROUGH);
+
+/// Microfacets of Beckmann's density with Smith's masking, [`CookTorrance`](asperity_shading::CookTorrance).
+pub static COOK_TORRANCE_BECKMANN: Part =
+    part!("shading/reflectance/cook_torrance_beckmann", BRDF, DIRECTION, BECKMANN);
+
+/// Microfacets of GGX with Smith's masking, [`CookTorrance`](asperity_shading::CookTorrance).
+pub static COOK_TORRANCE_GGX: Part = part!("shading/reflectance/cook_torrance_ggx", BRDF, DIRECTION, GGX);
+
+/// Microfacets of any density over grooves, [`TorranceSparrow`](asperity_shading::TorranceSparrow).
+pub static TORRANCE_SPARROW: Part = part!("shading/reflectance/torrance_sparrow", BRDF, DIRECTION);
+
+/// Lobes of powers of cosines, [`Phong`](asperity_shading::Phong) and
+/// [`BlinnPhongLobe`](asperity_shading::reflectance::BlinnPhongLobe).
+pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELEMENTARY);
+
+/// Ward's anisotropic reflectance in three forms, [`WardReflection`](asperity_shading::reflectance::WardReflection).
+pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);

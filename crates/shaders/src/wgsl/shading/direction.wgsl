@@ -1,0 +1,55 @@
+// Directions of reflection: `direction.rs` of asperity-shading. Directions are unit vectors that point away from the surface.
+
+// Whether all components are finite. By the bits: compilers may take every float for finite.
+fn direction_is_finite(v: vec3<f32>) -> bool {
+    let bits = bitcast<vec3<u32>>(v) & vec3<u32>(0x7fffffffu);
+    return max(max(bits.x, bits.y), bits.z) < 0x7f800000u;
+}
+
+// v over its length; zero where v has no direction.
+fn direction_unit_or_zero(v: vec3<f32>) -> vec3<f32> {
+    let square = dot(v, v);
+    if !(square > 0.0 && square <= MATH_LARGEST) {
+        return vec3<f32>(0.0);
+    }
+    return v * (1.0 / sqrt(square));
+}
+
+// v over its length in the plane; `otherwise` where v has no direction.
+fn direction_unit_or_2d(v: vec2<f32>, otherwise: vec2<f32>) -> vec2<f32> {
+    let square = dot(v, v);
+    if !(square > 0.0 && square <= MATH_LARGEST) {
+        return otherwise;
+    }
+    return v * (1.0 / sqrt(square));
+}
+
+// v turned by a quarter to the left.
+fn direction_left_2d(v: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(-v.y, v.x);
+}
+
+// The half vector of two directions; zero where there is none: `half_vector`.
+fn direction_half(wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let sum = wi + wo;
+    // Opposite directions leave only rounding errors, whose direction means nothing.
+    if !(dot(sum, sum) > 1e-12) {
+        return vec3<f32>(0.0);
+    }
+    return direction_unit_or_zero(sum);
+}
+
+// The direction into which a mirror with the unit normal m sends light from w: `reflect`.
+fn direction_reflect(w: vec3<f32>, m: vec3<f32>) -> vec3<f32> {
+    return 2.0 * dot(w, m) * m - w;
+}
+
+// Whether both directions are above the horizon, and finite.
+fn direction_are_above(wi: vec3<f32>, wo: vec3<f32>) -> bool {
+    return wi.z > 0.0 && wo.z > 0.0 && direction_is_finite(wi) && direction_is_finite(wo);
+}
+
+// Whether neither direction is on the horizon, and both are finite.
+fn direction_have_sides(wi: vec3<f32>, wo: vec3<f32>) -> bool {
+    return wi.z != 0.0 && wo.z != 0.0 && direction_is_finite(wi) && direction_is_finite(wo);
+}

@@ -1,0 +1,11 @@
+// The microfacet model of Cook and Torrance over Beckmann's density: `asperity_shading::CookTorrance<Beckmann, _>`.
+
+// D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, where Fresnel's reflectance is to be taken.
+fn cook_torrance_beckmann(alpha: vec2<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec2<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec2<f32>(0.0);
+    }
+    let h = direction_half(wi, wo);
+    let masking = beckmann_masking_shadowing(alpha, wi, wo);
+    return vec2<f32>(brdf_finite(beckmann_density(alpha, h) * masking / (4.0 * wi.z * wo.z)), dot(wo, h));
+}

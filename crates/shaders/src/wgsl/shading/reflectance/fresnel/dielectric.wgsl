@@ -1,0 +1,26 @@
+// Fresnel's reflectance of a dielectric for unpolarised light: `asperity_shading::Dielectric`.
+
+// The share of light that is reflected, for the relative index `eta` > 0 of the transmitted side to the incident one.
+fn dielectric_reflectance(eta: f32, cos_theta: f32) -> f32 {
+    if eta == 1.0 {
+        return 0.0;
+    }
+    let c = math_clamped(cos_theta, 1.0);
+    let excess = (eta - 1.0) * (eta + 1.0);
+    let g_squared = excess + c * c;
+    if g_squared < 0.0 {
+        return 1.0;
+    }
+    let sum = sqrt(g_squared) + c;
+    let difference = excess / sum;
+    let r_s = difference / sum;
+    let r_p = r_s * (c * sum - 1.0) / (c * difference + 1.0);
+    let f = 0.5 * (r_s * r_s + r_p * r_p);
+    // What overflowed is the limit of a perfect mirror.
+    return select(1.0, min(f, 1.0), f >= 0.0);
+}
+
+// The index seen from the other side: `Dielectric::reversed`.
+fn dielectric_reversed(eta: f32) -> f32 {
+    return clamp(1.0 / eta, 1.1754944e-38, MATH_LARGEST);
+}

@@ -1,0 +1,95 @@
+//! Shading: pixels, bump mapping, reflectances, textures, materials.
+
+use asperity_shading::glam::{Vec2, Vec3};
+
+use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
+
+mod bump;
+mod diffuse;
+mod fresnel;
+mod glossy;
+mod pixel;
+mod texture;
+
+pub(super) fn cases() -> Vec<Case> {
+    [bump::cases(), diffuse::cases(), fresnel::cases(), glossy::cases(), pixel::cases(), texture::cases()]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// The words of the i-th input: these numbers, and bad ones for the first inputs, one at a time and then all.
+fn inputs(i: u32, good: &[f32]) -> [u32; INPUTS] {
+    std::array::from_fn(|k| {
+        let k32 = k as u32;
+        let number = good.get(k).copied().unwrap_or(0.0);
+        let is_bad = i < 24 && (i % 12 == k32 % 12 || i >= 18);
+        if is_bad { BAD[(i as usize + 3 * k) % BAD.len()] } else { number }.to_bits()
+    })
+}
+
+/// The words, with what is not normal a little larger: drivers may flush it, which leaps count where a function has them at 0.
+fn normal(words: [u32; INPUTS]) -> [u32; INPUTS] {
+    words.map(|word| if f32::from_bits(word).is_subnormal() { 1e-30_f32.to_bits() } else { word })
+}
+
+/// A number, the k-th of the i-th input.
+fn number(i: u32, k: u32, [low, high]: [f32; 2]) -> f32 {
+    between(i, k, low, high)
+}
+
+/// A share, the k-th of the i-th input: now and then 0 and 1.
+fn share(i: u32, k: u32) -> f32 {
+    match (i + k) % 16 {
+        0 => 0.0,
+        1 => 1.0,
+        _ => between(i, k, 0.0, 1.0),
+    }
+}
+
+/// A unit direction above the horizon from the k-th number of the i-th input and the next; now and then straight up or grazing.
+fn direction(i: u32, k: u32) -> Vec3 {
+    let (up, turn) = (between(i, k, 0.0, 1.0), between(i, k + 1, 0.0, std::f32::consts::TAU));
+    let up = match (i + k) % 32 {
+        0 => return Vec3::Z,
+        1 => 0.01 * up,
+        _ => up,
+    };
+    let across = (1.0 - up * up).sqrt();
+    Vec3::new(across * turn.cos(), across * turn.sin(), up)
+}
+
+/// A vector with components up to a bound, from three numbers of the i-th input.
+fn vector(i: u32, k: u32, most: f32) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|axis| between(i, k + axis, -most, most)))
+}
+
+/// The floats of an input from one on.
+fn floats<const N: usize>(words: [u32; INPUTS], from: usize) -> [f32; N] {
+    std::array::from_fn(|k| f32::from_bits(words[from + k]))
+}
+
+/// The vector of an input from one number on.
+fn vec3(words: [u32; INPUTS], from: usize) -> Vec3 {
+    Vec3::from(floats::<3>(words, from))
+}
+
+/// The vector in the plane of an input from one number on.
+fn vec2(words: [u32; INPUTS], from: usize) -> Vec2 {
+    Vec2::from(floats::<2>(words, from))
+}
+
+/// Words of so many floats and zeros after them.
+fn words(floats: &[f32]) -> [u32; OUTPUTS] {
+    std::array::from_fn(|k| floats.get(k).map_or(0, |x| x.to_bits()))
+}
+
+/// An output of equal bits as written.
+fn equal(name: &'static str, words: std::ops::Range<usize>, adapter: Bound) -> Output {
+    Output { name, words, written: Bound::Equal, adapter }
+}
+
+/// An output of this relative error as written, since the crate calls a library's function, and of this on adapters.
+fn near(name: &'static str, words: std::ops::Range<usize>, written: Bound, adapter: Bound) -> Output {
+    Output { name, words, written, adapter }
+}
