@@ -5,8 +5,10 @@
 
 use crate::part::{Part, part};
 
+mod normal_table;
 mod packed_map;
 
+pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_LAYOUT, NormalTableUniform};
 pub use packed_map::{PACKED_MAP, PackedMapUniform};
 
 /// Exponential, logarithm, sine and cosine that no compiler takes apart: those of
@@ -47,3 +49,16 @@ pub static BECKMANN: Part = part!(
     GAUSSIAN_SPLIT,
     VISIBLE_SLOPES,
 );
+
+/// Student's t: density, bijection and inverse, samples, masking, to 32 bits; [`StudentT`](asperity_ndf_sampling::StudentT).
+pub static STUDENT_T: Part = part!("ndf/density/student_t", ELEMENTARY, ROUGHNESS, MICROFACET);
+
+/// Blinn–Phong, by Student's t; [`BlinnPhong`](asperity_ndf_sampling::BlinnPhong).
+pub static BLINN_PHONG: Part = part!("ndf/density/blinn_phong", ELEMENTARY, ROUGHNESS, STUDENT_T);
+
+/// Ward's lobe; everything else of [`Ward`](asperity_ndf_sampling::Ward) is [`BECKMANN`].
+pub static WARD: Part = part!("ndf/density/ward", ELEMENTARY);
+
+/// Ashikhmin–Shirley: density, bijection and inverse, samples, to 32 bits;
+/// [`AshikhminShirley`](asperity_ndf_sampling::AshikhminShirley).
+pub static ASHIKHMIN_SHIRLEY: Part = part!("ndf/density/ashikhmin_shirley", ELEMENTARY);

@@ -4,14 +4,23 @@ use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 mod closed_form;
 mod elementary;
+mod facets;
 mod frame;
+mod normal_table;
 mod packed_map;
 
 pub(super) fn cases() -> Vec<Case> {
-    [elementary::cases(), closed_form::cases(), frame::cases(), packed_map::cases()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        elementary::cases(),
+        closed_form::cases(),
+        facets::cases(),
+        frame::cases(),
+        normal_table::cases(),
+        packed_map::cases(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Numbers that no function may stumble over, as many as the first inputs.

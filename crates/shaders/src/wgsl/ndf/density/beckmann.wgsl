@@ -56,16 +56,9 @@ fn beckmann_conditional_density(alpha: vec2<f32>, h: vec3<f32>, split: GaussianS
     return beckmann_lobe(alpha, split.z_b * (split.root * 0.70710677), split.rest, h);
 }
 
-// The standard deviation of the slopes along v, times the length of v in the plane.
-fn beckmann_spread(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
-    let x = alpha.x * v.x;
-    let y = alpha.y * v.y;
-    return sqrt(0.5 * (x * x + y * y));
-}
-
 // Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the horizon.
 fn beckmann_lambda(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
-    let spread = beckmann_spread(alpha, v);
+    let spread = roughness_spread(alpha, v);
     if !(v.z > 0.0 && spread <= ELEMENTARY_LARGEST) {
         return ELEMENTARY_LARGEST;
     }
@@ -89,7 +82,7 @@ fn beckmann_masking_shadowing(alpha: vec2<f32>, v: vec3<f32>, w: vec3<f32>) -> f
 // sigma(v): the projected area of the facets that v sees, per area of the macro surface.
 fn beckmann_projected_area(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
     let above = microfacet_above(v);
-    let spread = beckmann_spread(alpha, above);
+    let spread = roughness_spread(alpha, above);
     if !(spread > 0.0) {
         return above.z;
     }

@@ -27,3 +27,10 @@ fn roughness_unit(v: vec3<f32>) -> vec3<f32> {
     let scale = 1.0 / sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
     return vec3<f32>(v.x * scale, v.y * scale, v.z * scale);
 }
+
+// The standard deviation of Beckmann's slopes along v, times the length of v in the plane.
+fn roughness_spread(alpha: vec2<f32>, v: vec3<f32>) -> f32 {
+    let x = alpha.x * v.x;
+    let y = alpha.y * v.y;
+    return sqrt(0.5 * (x * x + y * y));
+}

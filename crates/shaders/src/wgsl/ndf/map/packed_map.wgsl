@@ -365,9 +365,8 @@ fn packed_map_from_uniform(u: vec2<f32>) -> vec3<f32> {
 
 // T(z): the normal of Gaussian coordinates; the distribution function in 32 bits, in the crate in 64.
 fn packed_map_from_gaussian(z: vec2<f32>) -> vec3<f32> {
-    let bits = bitcast<vec2<u32>>(z) & vec2<u32>(0x7fffffffu);
-    let x = select(normal_distribution_phi(z.x), 0.5, bits.x > 0x7f800000u);
-    let y = select(normal_distribution_phi(z.y), 0.5, bits.y > 0x7f800000u);
+    let x = normal_distribution_phi(elementary_number(z.x));
+    let y = normal_distribution_phi(elementary_number(z.y));
     return packed_map_from_uniform(vec2<f32>(x, y));
 }
 

@@ -20,7 +20,8 @@ fn normal_distribution_mills_ratio(x: f32) -> f32 {
 // The probability that a standard Gaussian is at most x. 2.5e-7 absolute, for x < 0 also 5e-7 + 6e-8 x^2 relative.
 fn normal_distribution_phi(x: f32) -> f32 {
     let tail = normal_distribution_density(x) * normal_distribution_mills_ratio(min(abs(x), 40.0));
-    return select(tail, 1.0 - tail, x > 0.0);
+    // At 0 a half, not its neighbour.
+    return select(select(tail, 1.0 - tail, x > 0.0), 0.5, abs(x) < 1e-7);
 }
 
 // The quantile of a standard Gaussian, for u in [2^-32, 1 - 2^-24]. 1e-6 relative to 1 + |quantile|.

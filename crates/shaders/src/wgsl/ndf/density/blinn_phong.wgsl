@@ -1,0 +1,32 @@
+// The Blinn-Phong normal density of an exponent n: `asperity_ndf_sampling::BlinnPhong`, Student's t with gamma = n/2 + 2 and the
+// roughness sqrt(2/(n + 2)), by whose functions everything else is computed.
+
+// An exponent moved to the nearest valid one, 0 to 2e12; what is no number becomes 0.
+fn blinn_phong_clamped(exponent: f32) -> f32 {
+    return clamp(elementary_number(exponent), 0.0, 2e12);
+}
+
+// The roughness of an exponent, along both axes.
+fn blinn_phong_roughness(exponent: f32) -> vec2<f32> {
+    return vec2<f32>(max(sqrt(2.0 / (exponent + 2.0)), ROUGHNESS_LEAST));
+}
+
+// D(m) = (n + 2)/(2 pi) cos^n theta, in 1/sr.
+fn blinn_phong_density(exponent: f32, m: vec3<f32>) -> f32 {
+    return student_t_density(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
+}
+
+// T(z): the normal of Gaussian coordinates.
+fn blinn_phong_from_gaussian(exponent: f32, z: vec2<f32>) -> vec3<f32> {
+    return student_t_from_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, z);
+}
+
+// The inverse of T.
+fn blinn_phong_to_gaussian(exponent: f32, m: vec3<f32>) -> vec2<f32> {
+    return student_t_to_gaussian(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, m);
+}
+
+// A normal with the density D over the macro surface, for uniform u in the unit square.
+fn blinn_phong_from_uniform(exponent: f32, u: vec2<f32>) -> vec3<f32> {
+    return student_t_from_uniform(blinn_phong_roughness(exponent), 0.5 * exponent + 2.0, u);
+}

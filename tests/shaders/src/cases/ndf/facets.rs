@@ -1,0 +1,190 @@
+//! Densities of facets of older models: Student's t, Blinn–Phong, Ward, Ashikhmin–Shirley, in 64 bits in the crate.
+
+use asperity_ndf_sampling::glam::{Vec2, Vec3};
+use asperity_ndf_sampling::{AshikhminShirley, BlinnPhong, Microfacet, Ndf, StudentT, Ward};
+use asperity_shaders::{
+    Part,
+    ndf::{ASHIKHMIN_SHIRLEY, BLINN_PHONG, ROUGHNESS, STUDENT_T, WARD},
+};
+
+use super::{floats, gaussian, number, words};
+use crate::case::{Bound, Case, INPUTS, Output, between};
+
+pub(super) fn cases() -> Vec<Case> {
+    let student = Facets {
+        name: "student_t",
+        part: &STUDENT_T,
+        parameters: "let p = roughness_clamped(a.xy); let q = student_t_clamped_gamma(a.z);",
+        first: "p, q",
+        input: |i| [log(i, 0, -3.0, 0.0), log(i, 1, -3.0, 0.0), 1.0 + log(i, 2, -0.2, 3.0)],
+        of: |[x, y, gamma]| Box::new(StudentT::clamped(x, y, gamma)),
+    };
+    let blinn_phong = Facets {
+        name: "blinn_phong",
+        part: &BLINN_PHONG,
+        parameters: "let p = blinn_phong_clamped(a.x);",
+        first: "p",
+        input: |i| [if i % 9 == 0 { 0.0 } else { log(i, 0, -1.0, 5.0) }, 0.0, 0.0],
+        of: |[n, ..]| Box::new(BlinnPhong::clamped(n)),
+    };
+    let ashikhmin_shirley = Facets {
+        name: "ashikhmin_shirley",
+        part: &ASHIKHMIN_SHIRLEY,
+        parameters: "let p = ashikhmin_shirley_clamped(a.xy);",
+        first: "p",
+        input: |i| [log(i, 0, -1.0, 5.0), log(i, 1, -1.0, 5.0), 0.0],
+        of: |[n_u, n_v, _]| Box::new(AshikhminShirley::clamped(n_u, n_v)),
+    };
+    vec![student.case(), blinn_phong.case(), ashikhmin_shirley.case(), masking(), ward()]
+}
+
+fn log(i: u32, k: u32, low: f32, high: f32) -> f32 {
+    10.0_f32.powf(between(i, k, low, high))
+}
+
+/// Densities beneath it are compared as it.
+const FAINT: f32 = 1e-30;
+
+/// A density with the WGSL of its parameters, and the first arguments of its functions.
+struct Facets {
+    name: &'static str,
+    part: &'static Part,
+    parameters: &'static str,
+    first: &'static str,
+    input: fn(u32) -> [f32; 3],
+    of: fn([f32; 3]) -> Box<dyn Ndf>,
+}
+
+impl Facets {
+    fn case(self) -> Case {
+        let Self { name, first, of, .. } = self;
+        let x = |function: &str| format!("{name}_{function}({first}, ");
+        let (density, from, to, sample) =
+            (x("density"), x("from_gaussian"), x("to_gaussian"), x("from_uniform"));
+        Case {
+            name: format!("ndf/density/{name}"),
+            parts: vec![self.part, &ROUGHNESS],
+            body: format!(
+                "    {}\n    let u = bitcast<vec2<f32>>(c.xy);\n    \
+                 outcome.a = bits(vec4<f32>({from}vec2<f32>(a.w, b.x)), max({density}b.yzw), 1e-30)));\n    \
+                 outcome.b = bits(vec4<f32>({to}b.yzw), 0.0, 0.0));\n    \
+                 outcome.c = bits(vec4<f32>({sample}u), 0.0));",
+                self.parameters
+            ),
+            resources: vec![],
+            input: Box::new(move |i| {
+                let [p, q, r] = (self.input)(i);
+                let parameters = [number(i, 0, p), number(i, 1, q), number(i, 2, r)];
+                let h = of(parameters).from_gaussian(Vec2::new(gaussian(i, 5), gaussian(i, 6)));
+                let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
+                let good = [p, q, r, gaussian(i, 3), gaussian(i, 4), h.x, h.y, h.z, u[0], u[1]];
+                let mut inputs = [0; INPUTS];
+                for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
+                    *input = number(i, k, good).to_bits();
+                }
+                inputs
+            }),
+            reference: Box::new(move |inputs| {
+                let [p, q, r, z1, z2, x, y, up, u1, u2] = floats(inputs, 0);
+                let (ndf, h) = (of([p, q, r]), Vec3::new(x, y, up));
+                let (m, back) = (ndf.from_gaussian(Vec2::new(z1, z2)), ndf.to_gaussian(h));
+                let sample = ndf.sample(Vec2::new(u1, u2));
+                let density = ndf.density(h).max(FAINT);
+                words(&[m.x, m.y, m.z, density, back.x, back.y, 0.0, 0.0, sample.x, sample.y, sample.z])
+            }),
+            outputs: vec![
+                near("T", 0..3, Bound::Absolute(4e-7)),
+                near("D", 3..4, Bound::Relative(2e-5)),
+                near("T⁻¹", 4..6, Bound::Absolute(4e-6)),
+                near("sample", 8..11, Bound::Absolute(4e-7)),
+            ],
+        }
+    }
+}
+
+/// Bounds of a written quantity, twice as wide where quotients and roots are off.
+fn near(name: &'static str, words: std::ops::Range<usize>, bound: Bound) -> Output {
+    let adapter = match bound {
+        Bound::Absolute(limit) => Bound::Absolute(2.0 * limit),
+        Bound::Relative(limit) => Bound::Relative(2.0 * limit),
+        Bound::Equal => bound,
+    };
+    Output { name, words, written: bound, adapter }
+}
+
+fn masking() -> Case {
+    Case {
+        name: "ndf/density/student_t, masking".into(),
+        parts: vec![&STUDENT_T],
+        body: "\
+    let alpha = roughness_clamped(a.xy);
+    let gamma = student_t_clamped_gamma(a.z);
+    let w = vec3<f32>(a.w, b.xy);
+    let v = vec3<f32>(b.zw, bitcast<f32>(c.x));
+    let m = bitcast<vec3<f32>>(c.yzw);
+    outcome.a = bits(vec4<f32>(
+        clamp(student_t_lambda(alpha, gamma, v), 1e-10, 1e30), student_t_projected_area(alpha, gamma, v),
+        student_t_masking(alpha, gamma, v), student_t_masking_shadowing(alpha, gamma, v, w),
+    ));
+    outcome.b = bits(vec4<f32>(max(student_t_visible_density(alpha, gamma, v, m) * f32(d.x), 1e-30), 0.0, 0.0, 0.0));"
+            .into(),
+        resources: vec![],
+        input: Box::new(|i| {
+            let direction = |k| {
+                let (up, turn) = (between(i, k, 0.001, 1.0), between(i, k + 1, 0.0, std::f32::consts::TAU));
+                let across = (1.0 - up * up).sqrt();
+                Vec3::new(across * turn.cos(), across * turn.sin(), up)
+            };
+            let (w, v) = (direction(3), direction(5));
+            let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
+            let gamma = number(i, 2, 1.0 + log(i, 2, -0.2, 3.0));
+            let m = StudentT::clamped(alpha[0], alpha[1], gamma).from_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
+            let good = [alpha[0], alpha[1], gamma, w.x, w.y, w.z, v.x, v.y, v.z, m.x, m.y, m.z];
+            let mut inputs = [0; INPUTS];
+            for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
+                *input = number(i, k, good).to_bits();
+            }
+            // Not where v is at a right angle with m: their product cancels.
+            inputs[12] = u32::from(v.dot(m) > 0.05);
+            inputs
+        }),
+        reference: Box::new(|inputs| {
+            let [x, y, gamma, wx, wy, wz, vx, vy, vz, mx, my, mz] = floats(inputs, 0);
+            let ndf = StudentT::clamped(x, y, gamma);
+            let [v, w, m] = [[vx, vy, vz], [wx, wy, wz], [mx, my, mz]].map(Vec3::from);
+            let visible = ndf.visible_density(v, m) * inputs[12] as f32;
+            let lambda = ndf.lambda(v).clamp(1e-10, 1e30);
+            words(&[lambda, ndf.projected_area(v), ndf.g1(v), ndf.g2(v, w), visible.max(FAINT)])
+        }),
+        outputs: vec![
+            near("Λ", 0..1, Bound::Relative(2e-5)),
+            near("σ", 1..2, Bound::Relative(2e-6)),
+            near("G₁ and G₂", 2..4, Bound::Absolute(2e-6)),
+            near("D_v", 4..5, Bound::Relative(4e-5)),
+        ],
+    }
+}
+
+fn ward() -> Case {
+    Case {
+        name: "ndf/density/ward".into(),
+        parts: vec![&WARD, &ROUGHNESS],
+        body: "    outcome.a.x = bitcast<u32>(max(ward_lobe(roughness_clamped(a.xy), vec3<f32>(a.zw, b.x)), 1e-30));"
+            .into(),
+        resources: vec![],
+        input: Box::new(|i| {
+            let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
+            let h = Ward::clamped(alpha[0], alpha[1]).from_gaussian(Vec2::new(gaussian(i, 3), gaussian(i, 4)));
+            let mut inputs = [0; INPUTS];
+            for ((input, good), k) in inputs.iter_mut().zip([alpha[0], alpha[1], h.x, h.y, h.z]).zip(0..) {
+                *input = number(i, k, good).to_bits();
+            }
+            inputs
+        }),
+        reference: Box::new(|inputs| {
+            let [alpha_x, alpha_y, x, y, z] = floats(inputs, 0);
+            words(&[Ward::clamped(alpha_x, alpha_y).lobe(Vec3::new(x, y, z)).max(FAINT)])
+        }),
+        outputs: vec![near("lobe", 0..1, Bound::Relative(2e-5))],
+    }
+}
