@@ -28,6 +28,8 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     }
     let entries: &'static [[f32; 2]] = entries.leak();
     let table = NormalTableRef::new(size, layout, entries).expect("as many entries");
+    let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
+    numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
     // Φ is in f64 in the crate: a place may round to the entry beside.
     let (written, adapter) = match spacing {
         Spacing::Quantiles => (Bound::Absolute(2e-5), 1e-4),
@@ -45,7 +47,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
             .into(),
         resources: vec![
             ("normal_table_grid", NormalTableUniform::new(&table).words().to_vec()),
-            ("normal_table_number", entries.as_flattened().iter().map(|x| x.to_bits()).collect()),
+            ("normal_table_number", numbers),
         ],
         input: Box::new(move |i| {
             let mut inputs = [0; INPUTS];
