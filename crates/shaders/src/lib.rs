@@ -18,6 +18,7 @@
 //! | [`noise`] | hash, kinds of noise with analytic gradients, sums of octaves |
 //! | [`ndf`] | densities of normals, their maps and tables, exact level of detail |
 //! | [`shading`] | pixels, bump mapping, reflectances, textures, materials |
+//! | [`fif`] | fractal interpolation: table functions, height fields, first hits of rays |
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -27,6 +28,7 @@ extern crate alloc;
 
 #[cfg(feature = "alloc")]
 mod compose;
+pub mod fif;
 #[cfg(feature = "alloc")]
 mod imports;
 pub mod ndf;

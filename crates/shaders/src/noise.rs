@@ -62,6 +62,19 @@ pub static PERLIN_2002: Part = part!("noise/kinds/perlin_2002", INTEGER_HASH, CE
 pub static VALUE_GRADIENT: Part =
     part!("noise/kinds/value_gradient", INTEGER_HASH, CELL, FADE, VARIATES, CORNERS);
 
+/// Value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom), in two and three dimensions.
+pub static VALUE_CATMULL_ROM: Part =
+    part!("noise/kinds/value_catmull_rom", SAMPLE, INTEGER_HASH, CELL, VARIATES);
+
+/// Sparse convolution noise, [`Sparse`](asperity_noise::Sparse), in two and three dimensions.
+pub static SPARSE: Part = part!("noise/kinds/sparse_convolution", SAMPLE, INTEGER_HASH, CELL, VARIATES);
+
+/// Simplex noise, [`Simplex`](asperity_noise::Simplex) of either radius, in two to four dimensions.
+pub static SIMPLEX: Part = part!("noise/kinds/simplex/simplex", SAMPLE, INTEGER_HASH, CELL, EDGES);
+
+/// Cellular noise, [`Cellular`](asperity_noise::Cellular) of all bases and metrics, in two and three dimensions.
+pub static CELLULAR: Part = part!("noise/kinds/cellular/cellular", SAMPLE, INTEGER_HASH, CELL, VARIATES);
+
 /// Gaussian variates of lattice points, [`gaussian_corner`](asperity_noise::lattice::gaussian_corner), by the table
 /// of [`gaussian_levels`].
 pub static GAUSSIAN_VARIATES: Part = part!("noise/lattice/gaussian_variates", INTEGER_HASH, CORNERS)

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::evaluate::batch_error::BatchError;
-use crate::numeric::interval::Bounded;
+use crate::numeric::interval::{Bounded, Interval};
 use crate::system::fif::Fif;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -270,6 +270,13 @@ impl<const C: usize> Table<C> {
     #[must_use]
     pub fn system(&self) -> &Fif<C> {
         &self.system
+    }
+
+    /// An enclosure of the slopes of a smooth function.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn slopes(&self) -> Option<Interval> {
+        self.derivatives.first().map(System::range)
     }
 
     /// Out of line: knots, and hardly any other point.

@@ -2,13 +2,17 @@
 
 use crate::case::Case;
 
+mod fif;
 mod ndf;
 mod noise;
 mod shading;
-mod sums;
+pub mod sums;
 
 /// All cases.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [noise::cases(), ndf::cases(), shading::cases(), sums::cases()].into_iter().flatten().collect()
+    [noise::cases(), ndf::cases(), shading::cases(), sums::cases(), fif::cases()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -200,21 +200,34 @@ fn float3(f: impl Fn(f32, f32, f32) -> f32) -> impl Fn(u32, u32, u32) -> u32 {
     move |a, b, c| f(f32::from_bits(a), f32::from_bits(b), f32::from_bits(c)).to_bits()
 }
 
-// The loops below are over all lanes of one operator, so that the compiler has nothing to decide within them.
+// Loops over all lanes of one operator, so that nothing is decided within them. With `array::from_fn` or iterators the compiler does not
+// see that lanes are of a constant number, or that they do not overlap.
 
 #[inline(always)]
 fn map1<const N: usize>([a]: [&[u32; N]; 1], f: impl Fn(u32) -> u32) -> [u32; N] {
-    std::array::from_fn(|lane| f(a[lane]))
+    let mut result = [0; N];
+    for lane in 0..N {
+        result[lane] = f(a[lane]);
+    }
+    result
 }
 
 #[inline(always)]
 fn map2<const N: usize>([a, b]: [&[u32; N]; 2], f: impl Fn(u32, u32) -> u32) -> [u32; N] {
-    std::array::from_fn(|lane| f(a[lane], b[lane]))
+    let mut result = [0; N];
+    for lane in 0..N {
+        result[lane] = f(a[lane], b[lane]);
+    }
+    result
 }
 
 #[inline(always)]
 fn map3<const N: usize>([a, b, c]: [&[u32; N]; 3], f: impl Fn(u32, u32, u32) -> u32) -> [u32; N] {
-    std::array::from_fn(|lane| f(a[lane], b[lane], c[lane]))
+    let mut result = [0; N];
+    for lane in 0..N {
+        result[lane] = f(a[lane], b[lane], c[lane]);
+    }
+    result
 }
 
 /// Denormals as zero of the same sign.
@@ -265,6 +278,7 @@ fn extract_signed(word: u32, offset: u32, count: u32) -> u32 {
 
 impl Unary {
     /// The operation on all lanes.
+    #[inline]
     pub(super) fn lanes<const N: usize>(self, a: [&[u32; N]; 1]) -> [u32; N] {
         match self {
             Self::Copy => *a[0],
@@ -323,6 +337,7 @@ impl Unary {
 
 impl Binary {
     /// The operation on all lanes.
+    #[inline]
     pub(super) fn lanes<const N: usize>(self, ab: [&[u32; N]; 2]) -> [u32; N] {
         match self {
             Self::Add => map2(ab, float2(|a, b| a + b)),
@@ -370,6 +385,7 @@ impl Binary {
 
 impl Ternary {
     /// The operation on all lanes.
+    #[inline]
     pub(super) fn lanes<const N: usize>(self, abc: [&[u32; N]; 3]) -> [u32; N] {
         match self {
             Self::MultiplyAdd => map3(abc, float3(f32::mul_add)),

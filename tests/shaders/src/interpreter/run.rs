@@ -30,7 +30,11 @@ impl Mask {
     }
 
     fn zip(self, other: Lanes, f: impl Fn(u32, u32) -> u32) -> Self {
-        Self(std::array::from_fn(|lane| f(self.0[lane], other[lane])))
+        let mut mask = self;
+        for (word, other) in mask.0.iter_mut().zip(other) {
+            *word = f(*word, other);
+        }
+        mask
     }
 
     /// Those where a truth is 1.

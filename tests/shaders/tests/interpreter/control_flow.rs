@@ -39,7 +39,7 @@ fn loops_with_breaks_and_continues() {
         fn f(x: i32) -> i32 {
             var sum = 0;
             for (var i = 0; i < x; i++) {
-                if i % 4 == 1 { continue; }
+                if (i + x) % 4 == 1 { continue; }
                 var j = i;
                 while j > 0 {
                     if j == 13 { break; }
@@ -54,7 +54,7 @@ fn loops_with_breaks_and_continues() {
     agree(wgsl, |x| {
         let mut sum = 0;
         for i in 0..x {
-            if i % 4 == 1 {
+            if (i + x) % 4 == 1 {
                 continue;
             }
             let mut j = i;

@@ -7,6 +7,8 @@ use crate::numeric::interval::{Bounded, Interval};
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::axis_tables::AxisTables;
 use crate::surface::height_field::function::Function;
+#[cfg(feature = "alloc")]
+use crate::surface::height_field::range_table::RangeTable;
 
 /// A function along an axis of a [`HeightField`](crate::HeightField) with its derivative, where that is continuous, and
 /// with tables, where it was [`tabulated`](crate::HeightField::tabulated).
@@ -109,6 +111,15 @@ impl<F: Function> Curve<F> {
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.levels.as_ref().map_or(0, Levels::bytes)
+    }
+
+    /// Ranges over runs of cells, for other machines; where the function is smooth, its knots equally spaced and the field
+    /// [`tabulated`](crate::HeightField::tabulated).
+    #[cfg(feature = "alloc")]
+    #[doc(hidden)]
+    #[must_use]
+    pub fn ranges(&self) -> Option<&RangeTable> {
+        self.top().map(|top| &top.ranges)
     }
 
     /// The tables of values and slopes, where there are any.

@@ -56,6 +56,19 @@ impl RangeTable {
         self.over(cell(parts[0] - LITTLE), cell(parts[1] + LITTLE))
     }
 
+    /// Row after row of runs of 1, 2, 4, … cells, one entry to every cell that a run begins at: the greatest of −value, value,
+    /// −slope and slope.
+    #[must_use]
+    pub fn runs(&self) -> &[[f32; 4]] {
+        &self.runs
+    }
+
+    /// Number of the finest cells.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
     /// Memory.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(self.runs.as_slice())

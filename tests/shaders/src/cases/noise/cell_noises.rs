@@ -1,6 +1,6 @@
 //! Noises on the cells of the integer lattice.
 
-use asperity_noise::{Perlin1985, Perlin2002, Value, ValueGradient, White};
+use asperity_noise::{Perlin1985, Perlin2002, Value, ValueCatmullRom, ValueGradient, White};
 use asperity_shaders::noise;
 
 use super::{body, case, number, outputs, outputs_of, sample, seed};
@@ -28,6 +28,9 @@ pub(super) fn cases() -> Vec<Case> {
         case(&noise::VALUE_GRADIENT, body("value_gradient", "b.x, ", false), BOUNDS, |words| {
             let noise = ValueGradient::new(seed(words));
             outputs_of(&noise.with_weight(number(words, 4)).unwrap_or(noise), words)
+        }),
+        case(&noise::VALUE_CATMULL_ROM, body("value_catmull_rom", "", false), BOUNDS, |words| {
+            outputs_of(&ValueCatmullRom::new(seed(words)), words)
         }),
     ]
 }

@@ -9,23 +9,43 @@ use asperity_shaders::Part;
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 
 mod cell_noises;
+mod cellular;
 mod gaussian;
 mod hash;
+mod simplex;
+mod sparse;
 
 pub(super) fn cases() -> Vec<Case> {
-    [hash::cases(), cell_noises::cases(), gaussian::cases()].into_iter().flatten().collect()
+    [
+        hash::cases(),
+        cell_noises::cases(),
+        gaussian::cases(),
+        simplex::cases(),
+        sparse::cases(),
+        cellular::cases(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
-/// A point in four dimensions in `a`, numbers in [0, 1) in `b`, key and seed in `d`: the first points are bad, then some are next to
-/// lattice points and some far out, where every coordinate is still told to a sixteenth of a cell.
+/// A point in four dimensions in `a`, numbers in [0, 1) in `b`, key and seed in `d`: the first points are bad or huge, then some are
+/// next to lattice points and some far out, where every coordinate is still told to a sixteenth of a cell.
 fn input(i: u32) -> [u32; INPUTS] {
+    input_within(1e6, i)
+}
+
+/// The same, but for how far out is far.
+fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
     let mut words = [0; INPUTS];
     for k in 0..4 {
         let x = match (i, i % 8) {
             (0..40, _) if i % 4 == k => BAD[(i / 4) as usize],
             (40..60, _) => BAD[(i + 3 * k) as usize % BAD.len()],
+            // Where cells leave the integers of 32 bits, and where none are left.
+            (60..200, _) if i % 4 == k => f32::from_bits(any(i, k) & 0x807f_ffff | (149 + i / 4 % 36) << 23),
             (_, 0) => between(i, k, -9.0, 9.0).round() + between(i, 4 + k, -1e-3, 1e-3),
-            (_, 1) => between(i, k, -1e6, 1e6),
+            (_, 1) => between(i, k, -far, far),
             _ => between(i, k, -100.0, 100.0),
         };
         words[k as usize] = x.to_bits();

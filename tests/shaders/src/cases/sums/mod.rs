@@ -1,5 +1,6 @@
 //! Sums of octaves: Gaussian pairs, octaves of every kind, and what transforms make of them.
 
+pub mod anchors;
 mod frequency_clamp;
 mod gaussian;
 mod kinds;
@@ -16,7 +17,7 @@ use asperity_shaders::noise::{self, sums};
 use crate::case::{BAD, Bound, Case, INPUTS, Output, any, between};
 
 pub(super) fn cases() -> Vec<Case> {
-    [gaussian::cases(), kinds::cases(), transforms::cases(), frequency_clamp::cases()]
+    [anchors::cases(), gaussian::cases(), kinds::cases(), transforms::cases(), frequency_clamp::cases()]
         .into_iter()
         .flatten()
         .collect()

@@ -1,6 +1,8 @@
 //! A function while it is compiled. A value is the list of its words' places, so that whatever only takes values apart
 //! or puts them together costs nothing when it runs.
 
+use std::collections::HashMap;
+
 use naga::valid::FunctionInfo;
 use naga::{Expression, Handle, LocalVariable, Module, TypeInner};
 
@@ -33,6 +35,8 @@ pub(super) struct Body<'a> {
     locals: Vec<Slot>,
     compiled: Function,
     pub(super) steps: Vec<Step>,
+    /// The value of words of variables, as far as the statements of this block tell it: what is read again costs nothing.
+    pub(super) known: HashMap<Slot, Slot>,
 }
 
 impl<'a> Body<'a> {
@@ -77,7 +81,7 @@ impl<'a> Body<'a> {
             steps: Vec::new(),
         };
         let values = vec![None; function.expressions.len()];
-        let steps = Vec::new();
+        let (steps, known) = (Vec::new(), HashMap::new());
         Ok(Self {
             module,
             info,
@@ -90,6 +94,7 @@ impl<'a> Body<'a> {
             locals,
             compiled,
             steps,
+            known,
         })
     }
 
@@ -102,7 +107,7 @@ impl<'a> Body<'a> {
             };
             for (to, word) in (self.local(handle)..).zip(words) {
                 let from = self.memory.constant(word);
-                self.emit(Operation::Store { to, from });
+                self.set(to, from);
             }
         }
         let function = self.function;
@@ -234,17 +239,33 @@ impl<'a> Body<'a> {
         (0..count).map(|at| self.binary(binary, spread(a, at), spread(b, at))).collect()
     }
 
+    /// Writes a word of a variable.
+    pub(super) fn set(&mut self, to: Slot, from: Slot) {
+        self.emit(Operation::Store { to, from });
+        self.known.insert(to, from);
+    }
+
     /// Reads so many words into places of their own.
     pub(super) fn load(&mut self, place: Place, count: u32) -> Vec<Slot> {
-        let first = self.memory.fresh(count);
-        for (to, offset) in (first..first + count).zip(place.offset..) {
+        let mut words = Vec::new();
+        for offset in place.offset..place.offset + count {
+            let is_variable = place.base == Base::Memory && place.address.is_none();
+            if let Some(known) = self.known.get(&offset).filter(|_| is_variable) {
+                words.push(*known);
+                continue;
+            }
+            let to = self.memory.fresh(1);
+            words.push(to);
             self.emit(match (place.base, place.address) {
                 (Base::Memory, None) => Operation::Unary(Unary::Copy, to, [offset]),
                 (Base::Memory, Some(address)) => Operation::Load { to, address, offset },
                 (Base::Buffer(buffer), address) => Operation::LoadBuffer { to, buffer, address, offset },
             });
+            if is_variable {
+                self.known.insert(offset, to);
+            }
         }
-        (first..first + count).collect()
+        words
     }
 }
 

@@ -166,7 +166,7 @@ impl Body<'_> {
         }
         let first = self.memory.fresh(words.len() as u32);
         for (to, from) in (first..).zip(words) {
-            self.emit(Operation::Unary(Unary::Copy, to, [*from]));
+            self.emit(Operation::Store { to, from: *from });
         }
         self.load(Place { address: Some(address), ..Place::memory(first) }, count)
     }

@@ -2,6 +2,7 @@
 
 mod body;
 mod contraction;
+mod dead_code;
 mod expression;
 mod math;
 mod matrix;
@@ -47,6 +48,7 @@ fn compile(
     rounding: Rounding,
 ) -> Result<Function, String> {
     let mut compiled = Body::new(module, info, function, globals, callees, memory)?.compile()?;
+    dead_code::remove(&mut compiled.steps);
     if rounding.arithmetic == Arithmetic::Fused {
         contraction::fuse(&mut compiled.steps);
     }

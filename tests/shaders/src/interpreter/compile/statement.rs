@@ -2,7 +2,7 @@
 
 use naga::{Block, Expression, Function, Handle, Statement, SwitchValue};
 
-use super::super::operators::{Binary, Unary};
+use super::super::operators::Binary;
 use super::super::program::{Case, Operation, Slot, Step};
 use super::body::{Body, Compiled};
 use super::place::{Base, Place};
@@ -16,7 +16,9 @@ impl Body<'_> {
     /// The statements of a block that only some come to.
     fn inner_block(&mut self, block: &Block) -> Result<Vec<Step>, String> {
         let outer = std::mem::take(&mut self.steps);
+        self.known.clear();
         let result = self.block(block);
+        self.known.clear();
         let steps = std::mem::replace(&mut self.steps, outer);
         result.map(|()| steps)
     }
@@ -84,11 +86,12 @@ impl Body<'_> {
     /// Writes a variable of memory.
     fn store(&mut self, place: Place, words: &[Slot]) {
         for (offset, from) in (place.offset..).zip(words) {
-            let from = *from;
-            self.emit(match place.address {
-                None => Operation::Store { to: offset, from },
-                Some(address) => Operation::StoreAt { address, offset, from },
-            });
+            if let Some(address) = place.address {
+                self.emit(Operation::StoreAt { address, offset, from: *from });
+                self.known.clear();
+            } else {
+                self.set(offset, *from);
+            }
         }
     }
 
@@ -110,9 +113,11 @@ impl Body<'_> {
             }
         }
         for (to, from) in (callee.first_argument..).zip(words) {
-            self.emit(Operation::Unary(Unary::Copy, to, [from]));
+            self.emit(Operation::Store { to, from });
         }
         self.steps.push(Step::Call(function.index()));
+        // It may have written to what a pointer points to, and to private variables.
+        self.known.clear();
         if let Some(result) = result {
             // The next call overwrites what this one left.
             let words = self.load(Place::memory(callee.result), callee.result_words);

@@ -1,0 +1,200 @@
+//! Fractal interpolation functions: values and slopes by tables, height fields with normals, first hits of rays.
+//!
+//! Rows of all functions lie in one table, ranges of all axes in another; a uniform says where its own begin.
+
+#[cfg(feature = "alloc")]
+use asperity_fif::{Table32, surface::Curve, surface::Function};
+
+use crate::part::{Binding, Element, Part, part};
+
+/// Numbers in a row of the textures of rows and of ranges.
+pub const WIDTH: u32 = 1024;
+
+/// Values of a function by its table: `fif_table_value`, the bits of [`Table32::value`](asperity_fif::Table32::value).
+///
+/// Bound to the table `fif_rows` of [`table_rows`]; functions are told apart by their [`TableUniform`].
+pub static TABLE: Part = part!("fif/table/uniform").with_bindings(&[Binding::Table {
+    name: "fif_rows",
+    element: Element::Float,
+    width: WIDTH,
+}]);
+
+/// Values and slopes of a smooth function by its table: `fif_table_jet`, as [`Table::jet`](asperity_fif::Table::jet).
+pub static JET: Part = part!("fif/table/jet", TABLE);
+
+/// Height, gradient and normal of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
+pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", JET);
+
+/// First hits of rays with a height field: `height_field_first_hit`, as
+/// [`Intersect::first_hit_within`](asperity_fif::Intersect::first_hit_within).
+///
+/// Bound to the table `fif_ranges` of [`ranges`]; axes are told apart by their [`RangesUniform`].
+pub static FIRST_HIT: Part = part!("fif/ray/first_hit", HEIGHT_FIELD).with_bindings(&[Binding::Table {
+    name: "fif_ranges",
+    element: Element::Float,
+    width: WIDTH,
+}]);
+
+/// Words of the structure `FifTable`: constants of a function, and where its rows begin.
+///
+/// | words | hold |
+/// |---|---|
+/// | 0–3 | number of the first word of its rows in `fif_rows`, number of rows, composites of a value, of a slope |
+/// | 4, 5 | left end of the domain, reciprocal of its width |
+/// | 6–8 | value at the left end, rise to the right one, value at the right end |
+/// | 9, 10 | middle of the deviation from the chord, and of its slopes over a row |
+/// | 11 | bound of the error of a value |
+///
+/// The first four are whole numbers, the others `f32`; lengths are in the domain's unit. A height field is two of them, x's and y's.
+///
+/// ```
+/// use asperity_fif::paper;
+/// use asperity_shaders::fif::{TableUniform, table_rows};
+///
+/// let f = paper::f_hat()?.table(1e-7)?.to_f32();
+/// let uniform = TableUniform::new(&f, 0).unwrap();
+/// let rows: Vec<f32> = table_rows(&f).collect();
+/// assert_eq!((uniform.words()[1], rows.len()), (1024, 4096));
+/// assert_eq!(uniform.words()[8], 2.0_f32.to_bits()); // the value at the right end
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TableUniform {
+    words: [u32; Self::WORDS],
+}
+
+#[cfg(feature = "alloc")]
+impl TableUniform {
+    /// Number of the words.
+    pub const WORDS: usize = 12;
+
+    /// From a table whose rows begin at the number `first` of `fif_rows`.
+    ///
+    /// `None` for functions on unequal knots, of more than three coefficients or of 2¹⁶ maps, and for factors too near to one.
+    #[must_use]
+    pub fn new<const C: usize>(table: &Table32<C>, first: u32) -> Option<Self> {
+        let rows = table.rows().filter(|rows| rows.radix < 1 << 16)?;
+        let system = table.table().system();
+        let (domain, radix) = (system.domain(), rows.radix as f64);
+        let last = system.evaluate(domain.hi, 0.0).value as f32;
+        let (mut slope_steps, mut slope_middle) = (0, 0.0);
+        if let Some(slopes) = table.table().slopes() {
+            let rise = f64::from(rows.chord[1]);
+            slope_middle = (slopes.middle() * domain.width() - rise) / radix;
+            // What the digits that are left out do to the slope is less than its rounding; 64 bits hold so many digits.
+            let steepest = rows.table.iter().fold(0.0, |most: f64, row| most.max(f64::from(row[0].abs())));
+            let (mut left, enough) = (0.5 * slopes.width(), slopes.magnitude() / 33_554_432.0);
+            let mut place = 1.0;
+            while slope_steps == 0 || (left > enough && place < 18_446_744_073_709_551_616.0) {
+                (left, place) = (left * steepest * radix, place * radix);
+                slope_steps += 1;
+            }
+        }
+        let floats = [
+            rows.origin,
+            rows.per_width,
+            rows.chord[0],
+            rows.chord[1],
+            last,
+            rows.middle,
+            slope_middle as f32,
+            table.bound(),
+        ];
+        let mut words = [first, rows.radix as u32, rows.steps, slope_steps, 0, 0, 0, 0, 0, 0, 0, 0];
+        for (word, float) in words.iter_mut().skip(4).zip(floats) {
+            *word = float.to_bits();
+        }
+        Some(Self { words })
+    }
+
+    /// The words, in the layout of `FifTable`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.words
+    }
+}
+
+/// Rows of a table for `fif_rows`: the factor and the coefficients of every composite, four numbers each.
+#[cfg(feature = "alloc")]
+pub fn table_rows<const C: usize>(table: &Table32<C>) -> impl Iterator<Item = f32> {
+    table.rows().into_iter().flat_map(|rows| rows.table.iter().copied().flatten())
+}
+
+/// Words of the structure `FifRanges`: an axis of a height field, as rays need it, and where its ranges begin.
+///
+/// | words | hold |
+/// |---|---|
+/// | 0, 1 | number of the first word of its ranges in `fif_ranges`, number of cells of the domain |
+/// | 2, 3 | the ends of the domain |
+/// | 4, 5 | the greatest size of values, and of slopes |
+/// | 6, 7 | the greatest size of a coordinate, and the bound of the error of a value |
+///
+/// The first two are whole numbers, the others `f32`. `HeightFieldRanges` is two of them, x's and y's.
+///
+/// ```
+/// use asperity_fif::{HeightField, paper};
+/// use asperity_shaders::fif::{RangesUniform, ranges};
+///
+/// let surface = HeightField::new(paper::f_hat()?, paper::f_hat()?).tabulated_with(64);
+/// let f = surface.x.function().table(1e-7)?.to_f32();
+/// let uniform = RangesUniform::new(&surface.x, &f, 0).unwrap();
+/// assert_eq!((uniform.words()[1], ranges(&surface.x).count()), (64, 4 * 7 * 64));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RangesUniform {
+    words: [u32; Self::WORDS],
+}
+
+#[cfg(feature = "alloc")]
+impl RangesUniform {
+    /// Number of the words.
+    pub const WORDS: usize = 8;
+
+    /// From an axis of a field and the table of its function, whose ranges begin at the number `first` of `fif_ranges`.
+    ///
+    /// `None` unless the field is [`tabulated`](asperity_fif::HeightField::tabulated) and the axis is smooth, on equally
+    /// spaced knots.
+    #[must_use]
+    pub fn new<F: Function, const C: usize>(
+        curve: &Curve<F>,
+        table: &Table32<C>,
+        first: u32,
+    ) -> Option<Self> {
+        let ranges = curve.ranges()?;
+        let most = |k: usize| {
+            let ends = ranges.runs().iter().take(ranges.cells()).map(|run| run[k].max(run[k + 1]));
+            ends.fold(0.0, f32::max)
+        };
+        let domain = curve.domain();
+        // The sum of the table is rounded too, and so is the place it is taken at; outward.
+        let floats = [
+            domain.lo as f32,
+            domain.hi as f32,
+            most(0),
+            most(2),
+            (domain.magnitude() as f32).next_up(),
+            table.bound(),
+        ];
+        let mut words = [first, ranges.cells() as u32, 0, 0, 0, 0, 0, 0];
+        for (word, float) in words.iter_mut().skip(2).zip(floats) {
+            *word = float.to_bits();
+        }
+        Some(Self { words })
+    }
+
+    /// The words, in the layout of `FifRanges`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.words
+    }
+}
+
+/// Ranges of an axis for `fif_ranges`: over runs of 1, 2, 4, … cells from every cell on, the greatest of −value, value, −slope
+/// and slope.
+#[cfg(feature = "alloc")]
+pub fn ranges<F: Function>(curve: &Curve<F>) -> impl Iterator<Item = f32> {
+    curve.ranges().into_iter().flat_map(|ranges| ranges.runs().iter().copied().flatten())
+}

@@ -1,0 +1,36 @@
+//! Simplex noise of both radii.
+
+use asperity_noise::Simplex;
+use asperity_shaders::noise;
+
+use super::{body, case, input_within, outputs, sample, seed};
+use crate::case::{Bound, Case};
+
+/// Within 100 cells. Were the skew's product with a sum of 350 fused, corners would be 8e-6 off; the gradient is up to 7, its own up
+/// to 100.
+const NEAR: [Bound; 2] = [Bound::Absolute(1e-4), Bound::Absolute(1e-3)];
+/// Up to 10⁶ cells away corners are as far off as f32 tells points, and values are in range.
+const FAR: [Bound; 2] = [Bound::Absolute(4.0), Bound::Absolute(32.0)];
+
+pub(super) fn cases() -> Vec<Case> {
+    let within = |far, name: &str, case: Case| Case {
+        name: format!("{}{name}", case.name),
+        input: Box::new(move |i| input_within(far, i)),
+        ..case
+    };
+    vec![within(100.0, "", narrow(NEAR)), within(4e6, ", far", narrow(FAR)), within(100.0, ", wide", wide())]
+}
+
+fn narrow(bounds: [Bound; 2]) -> Case {
+    case(&noise::SIMPLEX, body("simplex", "", true), bounds, |words| {
+        let simplex = Simplex::new(seed(words));
+        outputs(sample(&simplex, words), sample(&simplex, words), sample(&simplex, words))
+    })
+}
+
+fn wide() -> Case {
+    case(&noise::SIMPLEX, body("simplex_wide", "", true), NEAR, |words| {
+        let simplex = Simplex::wide(seed(words));
+        outputs(sample(&simplex, words), sample(&simplex, words), sample(&simplex, words))
+    })
+}

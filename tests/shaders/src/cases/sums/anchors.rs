@@ -1,0 +1,88 @@
+//! A sphere of 40 cells from far and near, by its sum's octaves at a focus and by absolute coordinates.
+
+use asperity_noise::{
+    Gaussian, GaussianOctaves, Sample, Spectrum,
+    glam::{DVec3, Vec3},
+};
+use asperity_shaders::noise::sums::{self, OctavesUniform};
+
+use super::{float, levels, output, put, space, uniform};
+use crate::case::{Case, INPUTS, OUTPUTS, between};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![anchored()]
+}
+
+/// Cells of the first octave from the middle of the sphere to its surface.
+const RADIUS: f64 = 40.0;
+
+/// The point of the sphere that is looked at.
+fn focus() -> DVec3 {
+    DVec3::new(0.36, -0.48, 0.8) * RADIUS
+}
+
+/// A view of 512 pixels on the sphere: all of it at zoom 1, and so many times nearer.
+fn seen(i: u32, zoom: f64) -> (DVec3, f32) {
+    let [u, v] = [0, 1].map(|k| f64::from(between(i, k, -0.7, 0.7)) * RADIUS / zoom);
+    let towards = focus() / RADIUS;
+    let (right, up) = towards.any_orthonormal_pair();
+    let depth = RADIUS - (RADIUS * RADIUS - u * u - v * v).sqrt();
+    // As many octaves as a pixel resolves.
+    let octaves = (zoom * 512.0 / (4.0 * RADIUS)).ln() / f64::from(sum().spectrum().lacunarity()).ln();
+    (right * u + up * v - towards * depth, octaves as f32)
+}
+
+fn sum() -> GaussianOctaves<3> {
+    GaussianOctaves::new(Gaussian::new(12), Spectrum::new(2.17, 0.5, 16).expect("a spectrum"))
+}
+
+/// The sphere at zoom 1, 100 and 10⁴, points as differences to the focus.
+fn anchored() -> Case {
+    let sum = sum().anchored(focus());
+    let uniform = OctavesUniform::new(&sum);
+    let name = "noise/sums/gaussian_octaves from an anchor, zoom 1, 100 and 10⁴";
+    view(name, vec![1.0, 100.0, 1e4], DVec3::ZERO, &uniform, move |p, octaves| sum.detail(octaves).pair(p))
+}
+
+/// The sphere at one zoom, points as coordinates from its middle: what anchors are for, and none of the cases that hold.
+#[must_use]
+pub fn absolute(zoom: f64) -> Case {
+    let sum = sum();
+    let uniform = OctavesUniform::new(&sum);
+    let name = "noise/sums/gaussian_octaves by absolute coordinates";
+    view(name, vec![zoom], focus(), &uniform, move |p, octaves| sum.detail(octaves).pair(p))
+}
+
+fn view(
+    name: &str,
+    zooms: Vec<f64>,
+    origin: DVec3,
+    sum: &OctavesUniform<3>,
+    pair: impl Fn(Vec3, f32) -> [Sample<Vec3>; 2] + Sync + 'static,
+) -> Case {
+    let words = uniform([sum.words(); 4]);
+    Case {
+        name: name.into(),
+        parts: vec![&sums::GAUSSIAN_OCTAVES_3D],
+        body: "\
+    let pair = gaussian_octaves_3d(a.xyz, a.w, 0u).pair;
+    outcome.a = bits(vec4<f32>(pair.value, pair.dx));
+    outcome.b = bits(vec4<f32>(pair.dy, pair.dz));"
+            .into(),
+        resources: vec![("gaussian_level", levels()), ("octaves_uniform_3d", words)],
+        input: Box::new(move |i| {
+            let (offset, octaves) = seen(i, zooms[i as usize % zooms.len()]);
+            let mut words = [0; INPUTS];
+            put(&mut words, (origin + offset).as_vec3().to_array().into_iter().chain([octaves]));
+            words
+        }),
+        reference: Box::new(move |words| {
+            let ([first, second], mut outputs) = (pair(space(&words), float(&words, 3)), [0; OUTPUTS]);
+            put(&mut outputs, [first.value, second.value]);
+            let gradients = first.gradient.to_array().into_iter().zip(second.gradient.to_array());
+            put(&mut outputs[2..], gradients.flat_map(|(first, second)| [first, second]));
+            outputs
+        }),
+        outputs: vec![output("value", 0..2, 2e-4), output("gradient", 2..8, 2e-3)],
+    }
+}
