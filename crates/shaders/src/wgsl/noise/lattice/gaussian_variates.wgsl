@@ -18,7 +18,14 @@ fn gaussian_quantiles(words: vec4<u32>) -> vec4<f32> {
     let x = vec4<f32>(bitcast<vec4<i32>>((words + vec4<u32>(0x80000u)) | vec4<u32>(1u)));
     let bits = bitcast<vec4<u32>>(x) & vec4<u32>(0x7fffffffu);
     let line = GAUSSIAN_LINES + 2u * ((bits >> vec4<u32>(18u)) - vec4<u32>(4064u));
-    let i = select(words >> vec4<u32>(20u), line, is_tail);
+    let slice = words >> vec4<u32>(20u);
+    // One by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
+    let i = vec4<u32>(
+        select(slice.x, line.x, is_tail.x),
+        select(slice.y, line.y, is_tail.y),
+        select(slice.z, line.z, is_tail.z),
+        select(slice.w, line.w, is_tail.w),
+    );
     let j = i + vec4<u32>(1u);
     let a = vec4<f32>(gaussian_level(i.x), gaussian_level(i.y), gaussian_level(i.z), gaussian_level(i.w));
     let b = vec4<f32>(gaussian_level(j.x), gaussian_level(j.y), gaussian_level(j.z), gaussian_level(j.w));

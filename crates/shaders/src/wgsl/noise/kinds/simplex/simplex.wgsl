@@ -43,9 +43,11 @@ fn simplex_corners(first: f32, ahead: vec4<bool>) -> vec4<f32> {
     return select(vec4<f32>(first), vec4<f32>(first + 1.0), ahead);
 }
 
-// The terms of the corners along an axis.
+// The terms of the corners along an axis, one by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
 fn simplex_terms(low: u32, high: u32, ahead: vec4<bool>) -> vec4<u32> {
-    return select(vec4<u32>(low), vec4<u32>(high), ahead);
+    return vec4<u32>(
+        select(low, high, ahead.x), select(low, high, ahead.y), select(low, high, ahead.z), select(low, high, ahead.w),
+    );
 }
 
 // The sum at p, with cells of the skewed lattice counted from `cell`.
