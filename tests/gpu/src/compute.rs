@@ -1,28 +1,49 @@
 //! Compute shaders: resources and words in, words out.
 
 use asperity_shaders::Part;
-use wgpu::{BufferUsages, ShaderSource};
+use wgpu::{BufferUsages, ShaderSource, ShaderStages};
 
 use crate::{
     device::Gpu,
-    resources::{bound, buffer},
+    resources::{bound, buffer, layout, stored},
 };
 
-/// An entry of a module: its tables in group 0; in group 1 its input, if it has one, and its output.
+/// An entry of a module of parts: their resources in group 0; in group 1 its input, and its output.
 pub(crate) struct Kernel {
     name: String,
+    parts: Vec<&'static Part>,
+    layouts: [wgpu::BindGroupLayout; 2],
     pipeline: wgpu::ComputePipeline,
 }
 
 impl Kernel {
-    pub(crate) fn new(gpu: &Gpu, name: &str, wgsl: &str, entry: &str) -> Result<Self, String> {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        name: &str,
+        parts: &[&'static Part],
+        wgsl: &str,
+        entry: &str,
+    ) -> Result<Self, String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let source = ShaderSource::Wgsl(wgsl.into());
         let module =
             gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
+        let own = |binding, read_only| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: ShaderStages::COMPUTE,
+            ty: stored(wgpu::BufferBindingType::Storage { read_only }),
+            count: None,
+        };
+        let own = wgpu::BindGroupLayoutDescriptor { label: None, entries: &[own(0, true), own(1, false)] };
+        let layouts = [layout(gpu, parts, ShaderStages::COMPUTE), gpu.device.create_bind_group_layout(&own)];
+        let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[Some(&layouts[0]), Some(&layouts[1])],
+            ..Default::default()
+        });
         let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(name),
-            layout: None,
+            layout: Some(&layout),
             module: &module,
             entry_point: Some(entry),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
@@ -30,7 +51,7 @@ impl Kernel {
         });
         match pollster::block_on(scope.pop()) {
             Some(error) => Err(format!("{name}: {error}")),
-            None => Ok(Self { name: name.into(), pipeline }),
+            None => Ok(Self { name: name.into(), parts: parts.to_vec(), layouts, pipeline }),
         }
     }
 
@@ -38,24 +59,23 @@ impl Kernel {
     pub(crate) fn run(
         &self,
         gpu: &Gpu,
-        parts: &[&'static Part],
         resources: &[(&'static str, Vec<u32>)],
         input: &[u32],
         output: usize,
         groups: [u32; 2],
     ) -> Result<Vec<u32>, String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let resources = bound(gpu, parts, resources)?;
+        let resources = bound(gpu, &self.parts, resources)?;
         let size = output as u64 * 4;
         let make = |usage| {
             let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
             gpu.device.create_buffer(&descriptor)
         };
-        let input = (!input.is_empty()).then(|| buffer(gpu, input, BufferUsages::STORAGE));
+        let input = buffer(gpu, input, BufferUsages::STORAGE);
         let output = make(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let back = make(BufferUsages::MAP_READ | BufferUsages::COPY_DST);
         let tables = resources.iter().map(|resource| resource.binding()).collect();
-        let own = input.iter().chain([&output]).map(|buffer| buffer.as_entire_binding()).collect();
+        let own = vec![input.as_entire_binding(), output.as_entire_binding()];
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -81,7 +101,7 @@ impl Kernel {
             .zip(resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
-        let layout = &self.pipeline.get_bind_group_layout(index);
+        let layout = &self.layouts[index as usize];
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
     }
 }

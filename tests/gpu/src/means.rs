@@ -62,8 +62,8 @@ fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, Strin
         ("means_job", job.map(f32::to_bits).collect()),
     ];
     let wgsl = compose(&[&MEANS], Bindings::Textures { group: 0 });
-    let kernel = Kernel::new(gpu, "means", &wgsl, "means_point")?;
+    let kernel = Kernel::new(gpu, "means", &[&MEANS], &wgsl, "means_point")?;
     let count = POINTS as usize * halves.len();
-    let words = kernel.run(gpu, &[&MEANS], &words, &[], count, [65536 / 64, POINTS / 65536])?;
+    let words = kernel.run(gpu, &words, &[POINTS], count, [65536 / 64, POINTS / 65536])?;
     Ok(words.into_iter().map(f32::from_bits).collect())
 }

@@ -12,11 +12,15 @@ fn means_uniform(word: u32) -> f32 {
     return f32(word >> 8u) * (1.0 / 16777216.0);
 }
 
-@group(1) @binding(0) var<storage, read_write> means_radiances: array<f32>;
+@group(1) @binding(0) var<storage, read> means_count: array<u32>;
+@group(1) @binding(1) var<storage, read_write> means_radiances: array<f32>;
 
 @compute @workgroup_size(64)
 fn means_point(@builtin(global_invocation_id) id: vec3<u32>) {
     let i = id.y * 65536u + id.x;
+    if i >= means_count[0] {
+        return;
+    }
     let word = integer_hash_word(integer_hash_term(0u, i32(i)), 1u);
     let further = integer_hash_further(word, 1u);
     let p = vec3<f32>(means_uniform(word), means_uniform(further), 0.3) * vec3<f32>(means_job.side, means_job.side, 1.0);

@@ -3,7 +3,9 @@
 use asperity_shaders::{Binding, Element, Part, ordered};
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use wgpu::{
-    BufferUsages, Extent3d, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType,
+    BufferUsages, Extent3d, ShaderStages, TextureDescriptor, TextureDimension, TextureFormat,
+    TextureSampleType, TextureUsages, TextureView, TextureViewDimension,
 };
 
 use crate::device::Gpu;
@@ -45,6 +47,36 @@ pub(crate) fn bound(
             resource(gpu, binding, words.ok_or_else(|| format!("nothing is bound to `{name}`"))?)
         })
         .collect()
+}
+
+/// The layout of a composition's bindings: an adapter would leave out those that an entry does not read.
+pub(crate) fn layout(gpu: &Gpu, parts: &[&'static Part], visibility: ShaderStages) -> BindGroupLayout {
+    let parts = ordered(parts);
+    let bindings = (0..).zip(parts.iter().flat_map(|part| part.bindings()));
+    let entries: Vec<_> = bindings
+        .map(|(binding, of)| BindGroupLayoutEntry { binding, visibility, ty: kind(of), count: None })
+        .collect();
+    gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: None, entries: &entries })
+}
+
+fn kind(binding: &Binding) -> BindingType {
+    let texture = |sample_type| BindingType::Texture {
+        sample_type,
+        view_dimension: TextureViewDimension::D2,
+        multisampled: false,
+    };
+    match binding {
+        Binding::Table { element: Element::Word, .. } => texture(TextureSampleType::Uint),
+        Binding::Table { .. } => texture(TextureSampleType::Float { filterable: false }),
+        Binding::Texture { .. } => texture(TextureSampleType::Float { filterable: true }),
+        Binding::Sampler { .. } => BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        _ => stored(BufferBindingType::Uniform),
+    }
+}
+
+/// A whole buffer.
+pub(crate) fn stored(ty: BufferBindingType) -> BindingType {
+    BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None }
 }
 
 fn resource(gpu: &Gpu, binding: &Binding, words: &[u32]) -> Result<Resource, String> {

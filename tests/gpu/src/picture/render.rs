@@ -14,7 +14,7 @@ use crate::{
         reference::BACKGROUND,
         scene::{Corner, Scene},
     },
-    resources::{bound, buffer, one_sum},
+    resources::{bound, buffer, layout, one_sum},
 };
 
 static SURFACE: Part = Part::new(
@@ -33,6 +33,7 @@ const FLOATS: u64 = 13;
 /// The pipeline, and what it draws into.
 pub(crate) struct Renderer {
     pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
     colour: wgpu::Texture,
     depth: wgpu::Texture,
     size: u32,
@@ -46,9 +47,15 @@ impl Renderer {
         let options = wgpu::PipelineCompilationOptions::default;
         let attributes =
             wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];
+        let layout = layout(gpu, &[&SURFACE], wgpu::ShaderStages::VERTEX_FRAGMENT);
+        let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[Some(&layout)],
+            ..Default::default()
+        });
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: None,
-            layout: None,
+            layout: Some(&pipeline_layout),
             vertex: wgpu::VertexState {
                 module: &module,
                 entry_point: Some("surface_corner"),
@@ -93,7 +100,7 @@ impl Renderer {
         let depth = texture(DEPTH, TextureUsages::RENDER_ATTACHMENT);
         match pollster::block_on(scope.pop()) {
             Some(error) => Err(error.to_string()),
-            None => Ok(Self { pipeline, colour, depth, size }),
+            None => Ok(Self { pipeline, layout, colour, depth, size }),
         }
     }
 
@@ -118,7 +125,7 @@ impl Renderer {
             .zip(&resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.binding() })
             .collect();
-        let layout = &self.pipeline.get_bind_group_layout(0);
+        let layout = &self.layout;
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout,
