@@ -18,7 +18,10 @@ mod uniform;
 
 pub use uniform::{OctavesUniform, ShaderShape};
 
-use super::{CELL, GAUSSIAN, PERLIN_1985, PERLIN_2002, SAMPLE, VALUE, VALUE_GRADIENT};
+use super::{
+    CELL, GAUSSIAN, PERLIN_1985, PERLIN_2002, SAMPLE, SIMPLEX, SPARSE, VALUE, VALUE_CATMULL_ROM,
+    VALUE_GRADIENT,
+};
 use crate::part::{Binding, Part, part};
 
 /// Sums of octaves that a uniform holds, numbered from 0. Those that a module does not use may hold anything.
@@ -33,7 +36,7 @@ pub static FREQUENCY_CLAMP: Part = part!("noise/sums/frequency_clamp");
 /// Weights of a real number of octaves, [`Spectrum`](asperity_noise::Spectrum), and what a sum is divided by.
 pub static SPECTRUM: Part = part!("noise/sums/spectrum", FREQUENCY_CLAMP);
 
-/// One octave, [`Octave`](asperity_noise::Octave): its map in space and in the plane.
+/// One octave, [`Octave`](asperity_noise::Octave): its map in two, three and four dimensions.
 pub static OCTAVE: Part = part!("noise/sums/octave");
 
 /// Uniform of sums of octaves in space.
@@ -43,6 +46,10 @@ pub static UNIFORM_3D: Part = part!("noise/sums/uniform_3d", SPECTRUM, OCTAVE)
 /// Uniform of sums of octaves in the plane.
 pub static UNIFORM_2D: Part = part!("noise/sums/uniform_2d", SPECTRUM, OCTAVE)
     .with_bindings(&[Binding::Uniform { name: "octaves_uniform_2d", of: "array<OctavesUniform2d, 8>" }]);
+
+/// Uniform of sums of octaves in four dimensions.
+pub static UNIFORM_4D: Part = part!("noise/sums/uniform_4d", SPECTRUM, OCTAVE)
+    .with_bindings(&[Binding::Uniform { name: "octaves_uniform_4d", of: "array<OctavesUniform4d, 8>" }]);
 
 /// Sums of octaves of Gaussian noise in space, two channels, [`GaussianOctaves`](asperity_noise::GaussianOctaves).
 pub static GAUSSIAN_OCTAVES_3D: Part =
@@ -60,6 +67,10 @@ pub static OCTAVES_3D: Part =
 pub static OCTAVES_2D: Part =
     part!("noise/sums/octaves_2d", SAMPLE, SHAPE, FREQUENCY_CLAMP, SPECTRUM, OCTAVE, UNIFORM_2D);
 
+/// Sums of octaves in four dimensions, [`Octaves`](asperity_noise::Octaves), for what moves in space; with a part that says which kind.
+pub static OCTAVES_4D: Part =
+    part!("noise/sums/octaves_4d", SAMPLE, SHAPE, FREQUENCY_CLAMP, SPECTRUM, OCTAVE, UNIFORM_4D);
+
 /// Ridges that bear ridges in space, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal); with a part that says which kind.
 pub static RIDGED_MULTIFRACTAL_3D: Part =
     part!("noise/sums/ridged_multifractal_3d", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_3D);
@@ -68,13 +79,18 @@ pub static RIDGED_MULTIFRACTAL_3D: Part =
 pub static RIDGED_MULTIFRACTAL_2D: Part =
     part!("noise/sums/ridged_multifractal_2d", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_2D);
 
-/// Octaves of value noise, [`Value`](asperity_noise::Value).
+/// Ridges that bear ridges in four dimensions, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal); with a part that says which
+/// kind.
+pub static RIDGED_MULTIFRACTAL_4D: Part =
+    part!("noise/sums/ridged_multifractal_4d", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_4D);
+
+/// Octaves of value noise, [`Value`](asperity_noise::Value), in two to four dimensions.
 pub static OF_VALUE: Part = part!("noise/sums/octaves_of/value", SAMPLE, CELL, VALUE);
 
 /// Octaves of Perlin's noise of 1985, [`Perlin1985`](asperity_noise::Perlin1985).
 pub static OF_PERLIN_1985: Part = part!("noise/sums/octaves_of/perlin_1985", SAMPLE, CELL, PERLIN_1985);
 
-/// Octaves of Perlin's noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002).
+/// Octaves of Perlin's noise of 2002, [`Perlin2002`](asperity_noise::Perlin2002), in two to four dimensions.
 pub static OF_PERLIN_2002: Part = part!("noise/sums/octaves_of/perlin_2002", SAMPLE, CELL, PERLIN_2002);
 
 /// Octaves of value-gradient noise with equal weights, [`ValueGradient`](asperity_noise::ValueGradient).
@@ -83,3 +99,16 @@ pub static OF_VALUE_GRADIENT: Part =
 
 /// Octaves of Gaussian noise, one channel, [`Gaussian`](asperity_noise::Gaussian).
 pub static OF_GAUSSIAN: Part = part!("noise/sums/octaves_of/gaussian", SAMPLE, CELL, GAUSSIAN);
+
+/// Octaves of value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom).
+pub static OF_VALUE_CATMULL_ROM: Part =
+    part!("noise/sums/octaves_of/value_catmull_rom", SAMPLE, CELL, VALUE_CATMULL_ROM);
+
+/// Octaves of simplex noise with the continuous kernel, [`Simplex`](asperity_noise::Simplex), in two to four dimensions.
+pub static OF_SIMPLEX: Part = part!("noise/sums/octaves_of/simplex", SAMPLE, SIMPLEX);
+
+/// Octaves of simplex noise with the customary wider kernel, [`Simplex`](asperity_noise::Simplex), in two to four dimensions.
+pub static OF_SIMPLEX_WIDE: Part = part!("noise/sums/octaves_of/simplex_wide", SAMPLE, SIMPLEX);
+
+/// Octaves of sparse convolution noise of one impulse per cell, [`Sparse`](asperity_noise::Sparse).
+pub static OF_SPARSE: Part = part!("noise/sums/octaves_of/sparse_convolution", SAMPLE, CELL, SPARSE);

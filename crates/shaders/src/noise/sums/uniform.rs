@@ -30,16 +30,20 @@ const OCTAVES: usize = Spectrum::MAX_OCTAVES as usize;
 /// Words of a spectrum.
 const SPECTRUM: usize = 8;
 
-/// A sum of octaves as the words of `OctavesUniform3d` or `OctavesUniform2d`, one element of their uniform's array.
+/// A sum of octaves as the words of `OctavesUniform3d` and its like in two and four dimensions, one element of their uniform's array.
 ///
 /// All octaves of the spectrum are there; how many take part, and the footprint that they are clamped to, are arguments of the shader's
 /// functions. An anchored sum has the cells of its anchor, and the shader takes differences to it: make the words anew when the anchor
 /// moves.
 ///
-/// | words | 3-D | 2-D |
-/// |---|---|---|
-/// | 0–7 | lacunarity, gain, octaves at most, share, mean, deviation, normalisation, shape | the same |
-/// | then for each of 16 octaves | rows of the matrix, cells per unit, each with its offset in cells; anchor's cell, key | two rows, offset, anchor's cell, key, 3 words of padding |
+/// Words 0 to 7 are the spectrum: lacunarity, gain, octaves at most, share, mean and deviation of an octave, normalisation and shape. Then
+/// there are for each of 16 octaves, with matrices in cells per unit and offsets in cells:
+///
+/// | dimension | words |
+/// |---|---|
+/// | 2 | two rows, offset, anchor's cell, key, 3 of padding |
+/// | 3 | three rows, each with its offset; anchor's cell, key |
+/// | 4 | four rows, offset, anchor's cell, key, 3 of padding |
 ///
 /// ```
 /// use asperity_noise::{Gaussian, GaussianOctaves, Spectrum, glam::DVec3};
@@ -133,6 +137,28 @@ impl OctavesUniform<2> {
             let [k, l, m, n, o, p] = [x[0], x[1], y[0], y[1], a, b].map(f32::to_bits);
             let [i, j] = octave.cell.map(i32::cast_unsigned);
             [k, l, m, n, o, p, i, j, octave.key, 0, 0, 0]
+        });
+        words
+    }
+}
+
+impl OctavesUniform<4> {
+    /// Words of a sum in four dimensions.
+    pub const WORDS: usize = SPECTRUM + 28 * OCTAVES;
+
+    /// The words, in the layout of `OctavesUniform4d`.
+    #[must_use]
+    pub fn words(&self) -> [u32; Self::WORDS] {
+        let mut words = [0; Self::WORDS];
+        self.fill(&mut words, |octave| {
+            let mut words = [0; 28];
+            let rows = octave.matrix.iter().chain([&octave.offset]);
+            for (words, row) in words.chunks_exact_mut(4).zip(rows) {
+                words.copy_from_slice(&row.map(f32::to_bits));
+            }
+            words[20..24].copy_from_slice(&octave.cell.map(i32::cast_unsigned));
+            words[24] = octave.key;
+            words
         });
         words
     }

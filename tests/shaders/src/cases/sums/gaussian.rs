@@ -67,7 +67,7 @@ fn in_space() -> Case {
         outputs: vec![
             output("value", 0..2, 2e-4),
             output("gradient", 2..8, 2e-3),
-            output("share and fade", 8..10, 2e-7),
+            output("share and fade", 8..10, 4e-7),
         ],
     }
 }
@@ -114,7 +114,7 @@ fn in_plane() -> Case {
         outputs: vec![
             output("value", 0..2, 2e-4),
             output("gradient", 2..6, 2e-3),
-            output("share and fade", 6..8, 2e-7),
+            output("share and fade", 6..8, 4e-7),
         ],
     }
 }

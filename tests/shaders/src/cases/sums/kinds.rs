@@ -2,7 +2,8 @@
 
 use asperity_noise::{
     Billow, Field, Gaussian, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point, Ridged,
-    RidgedMultifractal, Rotation, Sample, Spectrum, Turbulence, Value, ValueGradient,
+    RidgedMultifractal, Rotation, Sample, Simplex, Sparse, Spectrum, Turbulence, Value, ValueCatmullRom,
+    ValueGradient,
     glam::{DVec2, DVec3},
     simd::{Anchor, Kernel},
 };
@@ -14,18 +15,33 @@ use asperity_shaders::{
 use super::{
     EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space, uniform,
 };
-use crate::case::{Case, INPUTS, OUTPUTS};
+use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
-        of("perlin_2002", Perlin2002::new(3), &sums::OF_PERLIN_2002),
-        of("value", Value::new(4), &sums::OF_VALUE),
-        of("perlin_1985", Perlin1985::new(5), &sums::OF_PERLIN_1985),
-        of("value_gradient", ValueGradient::new(6), &sums::OF_VALUE_GRADIENT),
-        of("gaussian", Gaussian::new(7), &sums::OF_GAUSSIAN),
+        of("value", Value::new(4), &sums::OF_VALUE, NEAR),
+        of("value_catmull_rom", ValueCatmullRom::new(4), &sums::OF_VALUE_CATMULL_ROM, NEAR),
+        of("perlin_1985", Perlin1985::new(5), &sums::OF_PERLIN_1985, NEAR),
+        of("perlin_2002", Perlin2002::new(3), &sums::OF_PERLIN_2002, NEAR),
+        of("value_gradient", ValueGradient::new(6), &sums::OF_VALUE_GRADIENT, NEAR),
+        of("simplex", Simplex::new(8), &sums::OF_SIMPLEX, NEAR),
+        of("simplex_wide", Simplex::wide(8), &sums::OF_SIMPLEX_WIDE, NEAR),
+        of("sparse_convolution", Sparse::new(9), &sums::OF_SPARSE, NEAR),
+        of("gaussian", Gaussian::new(7), &sums::OF_GAUSSIAN, NEAR),
+        in_4d("value", Value::new(4), &sums::OF_VALUE),
+        in_4d("perlin_2002", Perlin2002::new(3), &sums::OF_PERLIN_2002),
+        in_4d("simplex", Simplex::new(8), &sums::OF_SIMPLEX),
+        in_4d("simplex_wide", Simplex::wide(8), &sums::OF_SIMPLEX_WIDE),
         shapes(),
     ]
 }
+
+/// How near values and gradients are on an adapter.
+const NEAR: [f32; 2] = [2e-4, 2e-3];
+
+/// How near a multifractal's gradient is: it leaps where the weight of an octave is cut off at 1, and rounding decides on the side. The
+/// largest leap seen where products and sums are fused is 0.064.
+const CUT_OFF: f32 = 0.13;
 
 const BODY: &str = "\
     let u = octaves_sum_3d(a.xyz, a.w, b.x, c.x);
@@ -34,7 +50,7 @@ const BODY: &str = "\
     outcome.b = bits(vec4<f32>(v.value, v.gradient, 0.0));";
 
 /// Sums of one kind, clamped to footprints: two from anchors, and one of parallel octaves.
-fn of<K>(name: &str, noise: K, octave: &'static Part) -> Case
+fn of<K>(name: &str, noise: K, octave: &'static Part, [value, gradient]: [f32; 2]) -> Case
 where
     K: Anchor<3> + Anchor<2> + Copy,
     <K as Anchor<3>>::Shifted: Copy + Send + Sync + 'static,
@@ -74,10 +90,57 @@ where
             outputs
         }),
         outputs: vec![
-            output("value, 3-D", 0..1, 2e-4),
-            output("gradient, 3-D", 1..4, 2e-3),
-            output("value, 2-D", 4..5, 2e-4),
-            output("gradient, 2-D", 5..7, 2e-3),
+            output("value, 3-D", 0..1, value),
+            output("gradient, 3-D", 1..4, gradient),
+            output("value, 2-D", 4..5, value),
+            output("gradient, 2-D", 5..7, gradient),
+        ],
+    }
+}
+
+/// Sums and multifractals of one kind in four dimensions, the fourth coordinate in word 6.
+fn in_4d<K>(name: &str, noise: K, octave: &'static Part) -> Case
+where
+    K: Anchor<4> + Copy,
+    K::Shifted: Copy + Send + Sync + 'static,
+{
+    let there = Octaves::<K, 4>::new(noise, Spectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
+    let exact =
+        Octaves::<K, 4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
+    let [words, exact_words] = [&there, &exact].map(|sum| OctavesUniform::new(sum).words());
+    let words = uniform([words, words, words, exact_words]);
+    Case {
+        name: format!("noise/sums/octaves and ridged_multifractal of {name}, 4-D"),
+        parts: vec![&sums::OCTAVES_4D, &sums::RIDGED_MULTIFRACTAL_4D, octave],
+        body: "\
+    let p = vec4<f32>(a.xyz, b.z);
+    let s = octaves_sum_4d(p, a.w, b.x, c.x);
+    outcome.a = bits(s.gradient);
+    let t = ridged_multifractal_4d(p, a.w, b.y, c.x);
+    outcome.b = bits(t.gradient);
+    outcome.c = bits(vec4<f32>(s.value, t.value, 0.0, 0.0));"
+            .into(),
+        resources: vec![("octaves_uniform_4d", words)],
+        input: Box::new(|i| {
+            let mut words = input(i, 10.0, 3.0);
+            words[6] = between(i, 7, -10.0, 10.0).to_bits();
+            words
+        }),
+        reference: Box::new(move |words| {
+            let [octaves, footprint, feedback, w] = [3, 4, 5, 6].map(|k| float(&words, k));
+            let (p, mut outputs) = (space(&words).extend(w), [0; OUTPUTS]);
+            let sum = if words[8] == EXACT { exact } else { there };
+            let sample = sum.detail(octaves).clamped(footprint).sample(p);
+            let multifractal =
+                RidgedMultifractal::of(sum, feedback).expect("a feedback").first(octaves).sample(p);
+            put(&mut outputs, sample.gradient.to_array().into_iter().chain(multifractal.gradient.to_array()));
+            put(&mut outputs[8..], [sample.value, multifractal.value]);
+            outputs
+        }),
+        outputs: vec![
+            output("gradient", 0..4, 2e-3),
+            output("gradient of the multifractal", 4..8, CUT_OFF),
+            output("values", 8..10, 2e-4),
         ],
     }
 }
@@ -171,11 +234,11 @@ fn shapes() -> Case {
             output("value, 3-D", 0..1, 2e-4),
             output("gradient, 3-D", 1..4, 2e-3),
             output("multifractal, 3-D", 4..5, 2e-4),
-            output("its gradient, 3-D", 5..8, 2e-3),
+            output("its gradient, 3-D", 5..8, CUT_OFF),
             output("value, 2-D", 8..9, 2e-4),
             output("gradient, 2-D", 9..11, 2e-3),
             output("multifractal, 2-D", 11..12, 2e-4),
-            output("its gradient, 2-D", 12..14, 2e-3),
+            output("its gradient, 2-D", 12..14, CUT_OFF),
         ],
     }
 }

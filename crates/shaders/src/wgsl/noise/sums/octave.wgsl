@@ -16,6 +16,17 @@ struct OctavesLayer2d {
     key: u32,
 }
 
+// Rows of the matrix, the offset, the cell that cells are counted from, and the key.
+struct OctavesLayer4d {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
+    offset: vec4<f32>,
+    cell: vec4<i32>,
+    key: u32,
+}
+
 // M p + o: the octave's own coordinates of a point.
 fn octaves_point_3d(layer: OctavesLayer3d, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(
@@ -33,6 +44,16 @@ fn octaves_point_2d(layer: OctavesLayer2d, p: vec2<f32>) -> vec2<f32> {
     );
 }
 
+// M p + o in four dimensions.
+fn octaves_point_4d(layer: OctavesLayer4d, p: vec4<f32>) -> vec4<f32> {
+    let x = layer.row_x * p;
+    let y = layer.row_y * p;
+    let z = layer.row_z * p;
+    let w = layer.row_w * p;
+    return vec4<f32>(x.x, y.x, z.x, w.x) + vec4<f32>(x.y, y.y, z.y, w.y) + vec4<f32>(x.z, y.z, z.z, w.z)
+        + vec4<f32>(x.w, y.w, z.w, w.w) + layer.offset;
+}
+
 // The transpose of M times g: a gradient turned back to the coordinates of the sum.
 fn octaves_pull_back_3d(layer: OctavesLayer3d, g: vec3<f32>) -> vec3<f32> {
     return layer.row_x.xyz * g.x + layer.row_y.xyz * g.y + layer.row_z.xyz * g.z;
@@ -41,4 +62,9 @@ fn octaves_pull_back_3d(layer: OctavesLayer3d, g: vec3<f32>) -> vec3<f32> {
 // The transpose of M times g in the plane.
 fn octaves_pull_back_2d(layer: OctavesLayer2d, g: vec2<f32>) -> vec2<f32> {
     return layer.rows.xy * g.x + layer.rows.zw * g.y;
+}
+
+// The transpose of M times g in four dimensions.
+fn octaves_pull_back_4d(layer: OctavesLayer4d, g: vec4<f32>) -> vec4<f32> {
+    return layer.row_x * g.x + layer.row_y * g.y + layer.row_z * g.z + layer.row_w * g.w;
 }

@@ -1,5 +1,5 @@
-// Sums of octaves in space, of the kind that `octaves_noise_3d` is: asperity_noise::Octaves. The weights go by the number of octaves,
-// the footprint and the spectrum; the shape is the spectrum's.
+// Sums of octaves in space, of the kind that `octaves_noise_3d` is: asperity_noise::Octaves.
+// The weights go by the number of octaves, the footprint and the spectrum; the shape is the spectrum's.
 
 // Value and gradient of the first octaves of a sum, clamped to a footprint: `Octaves::first(octaves).clamped(footprint)`. A footprint
 // of 0 clamps nothing. Of an anchored sum `p` is the difference to the anchor.

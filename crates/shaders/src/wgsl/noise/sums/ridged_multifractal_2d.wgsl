@@ -1,5 +1,5 @@
-// Ridged octaves weighted by the octave before in the plane, of the kind that `octaves_noise_2d` is: asperity_noise::RidgedMultifractal.
-// Shape and normalisation of the spectrum are left out of account.
+// Ridged octaves in the plane, each weighted by the octave before, of the kind that `octaves_noise_2d` is:
+// asperity_noise::RidgedMultifractal. Shape and normalisation of the spectrum are left out of account.
 
 // Value and gradient of the first octaves of a sum; `feedback` is from 0 on.
 fn ridged_multifractal_2d(p: vec2<f32>, octaves: f32, feedback: f32, sum: u32) -> Sample2d {

@@ -1,5 +1,5 @@
-// Ridged octaves weighted by the octave before in space, of the kind that `octaves_noise_3d` is: asperity_noise::RidgedMultifractal.
-// Shape and normalisation of the spectrum are left out of account.
+// Ridged octaves in space, each weighted by the octave before, of the kind that `octaves_noise_3d` is:
+// asperity_noise::RidgedMultifractal. Shape and normalisation of the spectrum are left out of account.
 
 // Value and gradient of the first octaves of a sum; `feedback` is from 0 on.
 fn ridged_multifractal_3d(p: vec3<f32>, octaves: f32, feedback: f32, sum: u32) -> Sample3d {

@@ -25,14 +25,20 @@ struct OctavesDivisor {
     squares: f32,
 }
 
+// Whether there is any octave, however small its part: by bits, as compilers may take it that no number is NaN, and hardware may take
+// small ones for 0.
+fn octaves_any(octaves: f32) -> bool {
+    return bitcast<u32>(octaves) - 1u < 0x7f800000u;
+}
+
 // The number of octaves in [0, max_octaves].
 fn octaves_within(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
-    return select(0.0, min(octaves, spectrum.max_octaves), octaves > 0.0);
+    return select(0.0, min(octaves, spectrum.max_octaves), octaves_any(octaves));
 }
 
 // The number of octaves with a lone one made whole: its weight cancels against the divisor.
 fn octaves_lone_whole(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
-    return select(0.0, min(max(octaves, 1.0), spectrum.max_octaves), octaves > 0.0);
+    return select(0.0, min(max(octaves, 1.0), spectrum.max_octaves), octaves_any(octaves));
 }
 
 // Constant and divisor of a sum, `Octaves::first(octaves).clamped(footprint)`.

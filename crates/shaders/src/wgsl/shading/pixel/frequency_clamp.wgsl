@@ -12,7 +12,8 @@ struct FrequencyClamp {
 // magnitude, those that are no number as infinite; from 2^-126 of a cell downward as 0.
 fn frequency_clamp_octaves(width: f32, limits: FrequencyClamp) -> f32 {
     let cells = 2.0 * abs(width) * limits.frequency;
-    if !(cells < 1.0) {
+    // Bits of 1 and above, infinity and NaN.
+    if (bitcast<u32>(cells) & 0x7fffffffu) >= 0x3f800000u {
         return 0.0;
     }
     if cells < 1.1754944e-38 {

@@ -11,3 +11,9 @@ fn octaves_noise_2d(cell: vec2<i32>, q: vec2<f32>, key: u32) -> Sample2d {
     let at = cell_place_2d(q);
     return sample_known_2d(value_in_cell_2d(cell + at.cell, at.place, key), at.known);
 }
+
+// One octave in four dimensions.
+fn octaves_noise_4d(cell: vec4<i32>, q: vec4<f32>, key: u32) -> Sample4d {
+    let at = cell_place_4d(q);
+    return sample_known_4d(value_in_cell_4d(cell + at.cell, at.place, key), at.known);
+}

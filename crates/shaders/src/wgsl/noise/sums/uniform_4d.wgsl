@@ -1,0 +1,17 @@
+// Sums of octaves in four dimensions, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or read them from
+// elsewhere: other sums need these two functions alone.
+
+struct OctavesUniform4d {
+    spectrum: OctavesSpectrum,
+    layers: array<OctavesLayer4d, 16>,
+}
+
+// The spectrum of a sum.
+fn octaves_spectrum_4d(sum: u32) -> OctavesSpectrum {
+    return octaves_uniform_4d[sum].spectrum;
+}
+
+// Octave i of a sum.
+fn octaves_layer_4d(sum: u32, i: u32) -> OctavesLayer4d {
+    return octaves_uniform_4d[sum].layers[i];
+}
