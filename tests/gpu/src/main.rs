@@ -29,6 +29,9 @@ enum Command {
         /// Functions whose names contain this; all without it.
         #[arg(long)]
         only: Option<String>,
+        /// File for the table.
+        #[arg(long)]
+        out: Option<PathBuf>,
     },
     /// The mean radiance over a surface by the exact rule, at five zooms and half vectors, over the density.
     Means {
@@ -52,7 +55,9 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
-        Command::Parity { adapter, only } => parity::run(adapter.as_deref(), only.as_deref()),
+        Command::Parity { adapter, only, out } => {
+            parity::run(adapter.as_deref(), only.as_deref(), out.as_deref())
+        }
         Command::Means { adapter } => means::run(adapter.as_deref()),
         Command::Pictures { adapter, size, out } => picture::run(adapter.as_deref(), size, &out),
     };

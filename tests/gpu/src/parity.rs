@@ -1,7 +1,9 @@
 //! Cases as compute shaders, and the table of their errors.
 
-use asperity_shader_tests::case::{Case, INPUTS, OUTPUTS};
-use asperity_shader_tests::cases;
+use std::path::Path;
+
+use asperity_shader_tests::case::{Bound, Case, INPUTS, OUTPUTS, Output};
+use asperity_shader_tests::{cases, interpreter::Arithmetic};
 
 use crate::{
     compute::Kernel,
@@ -24,46 +26,135 @@ fn run_case(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 ";
 
-/// Prints the table of functions and adapters, and fails where a bound is broken.
-pub(crate) fn run(adapter: Option<&str>, only: Option<&str>) -> Result<(), String> {
-    let gpus = device::open(adapter)?;
-    let mut broken = 0;
-    for gpu in &gpus {
-        println!(
-            "\n{}\n\n| function | quantity | equal | largest error | bound |\n|---|---|---|---|---|",
-            gpu.name
-        );
-        for case in cases::all().iter().filter(|case| only.is_none_or(|part| case.name.contains(part))) {
-            let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
-            let got = outcomes(gpu, case, &inputs)?;
-            let whole = |input: &[u32; INPUTS]| !input[..8].iter().any(|x| f32::from_bits(*x).is_subnormal());
-            for output in &case.outputs {
-                let (mut equal, mut largest, mut worst) = (0_u32, 0.0_f32, 0);
-                // A card may take denormal numbers for 0, which for some is another branch.
-                for (i, (input, got)) in
-                    inputs.iter().zip(&got).enumerate().filter(|(_, (input, _))| whole(input))
-                {
-                    let expected = (case.reference)(*input);
-                    let errors = output.words.clone().map(|k| output.adapter.error(got[k], expected[k]));
-                    let error = errors.fold(0.0, f32::max);
-                    equal += u32::from(error == 0.0);
-                    if error > largest {
-                        (largest, worst) = (error, i);
-                    }
-                }
-                let broken_at =
-                    format!(" **broken** by input {worst}: {:?}", inputs[worst].map(f32::from_bits));
-                let verdict = if largest <= output.adapter.limit() { "" } else { &broken_at };
-                broken += usize::from(!verdict.is_empty());
-                let equal = f64::from(equal) / f64::from(Case::COUNT) * 100.0;
-                println!(
-                    "| {} | {} | {equal:.2} % | {largest:.1e} | {:?}{verdict} |",
-                    case.name, output.name, output.adapter
-                );
-            }
+/// What computed the cases: the interpreter with one arithmetic or the other, or an adapter.
+enum Column {
+    Interpreter(Arithmetic),
+    Adapter(Gpu),
+}
+
+impl Column {
+    fn name(&self) -> &str {
+        match self {
+            Self::Interpreter(Arithmetic::Fused) => "no driver, fused",
+            Self::Interpreter(_) => "no driver",
+            Self::Adapter(gpu) => &gpu.name,
         }
     }
-    if broken == 0 { Ok(()) } else { Err(format!("{broken} bounds are broken")) }
+
+    fn outcomes(&self, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
+        match self {
+            Self::Interpreter(arithmetic) => {
+                let shader = case.interpreter()?.arithmetic(*arithmetic);
+                let outcomes = shader.call_many("evaluate", inputs)?;
+                Ok(outcomes.iter().map(|outcome| std::array::from_fn(|k| outcome.words()[k])).collect())
+            }
+            Self::Adapter(gpu) => outcomes(gpu, case, inputs),
+        }
+    }
+}
+
+/// Prints the table of functions and adapters, writes it where that is asked for, and fails where a bound is broken.
+pub(crate) fn run(adapter: Option<&str>, only: Option<&str>, out: Option<&Path>) -> Result<(), String> {
+    let mut columns = vec![Column::Interpreter(Arithmetic::Written), Column::Interpreter(Arithmetic::Fused)];
+    columns.extend(device::open(adapter)?.into_iter().map(Column::Adapter));
+    let names: Vec<_> = columns.iter().map(Column::name).collect();
+    let mut table = format!("| function | quantity | bound | {} |\n|---|---|---|", names.join(" | "));
+    table += &"---|".repeat(columns.len());
+    table += "\n";
+    let mut broken = Vec::new();
+    for case in cases::all().iter().filter(|case| only.is_none_or(|part| case.name.contains(part))) {
+        let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
+        let expected: Vec<_> = inputs.iter().map(|input| (case.reference)(*input)).collect();
+        let outcomes = columns.iter().map(|column| column.outcomes(case, &inputs));
+        let outcomes: Vec<_> = outcomes.collect::<Result<_, _>>()?;
+        for output in &case.outputs {
+            let mut row = format!("| {} | {} | {} |", case.name, output.name, bound(output.adapter));
+            for (column, got) in columns.iter().zip(&outcomes) {
+                let limit = match column {
+                    Column::Interpreter(Arithmetic::Written) => output.written,
+                    _ => output.adapter,
+                };
+                let found = Found::new(column, output, limit, &inputs, got, &expected);
+                row += &format!(" {} |", found.cell());
+                if found.largest > limit.limit() {
+                    let input = inputs[found.worst].map(f32::from_bits);
+                    let (name, error) = (column.name(), found.largest);
+                    broken.push(format!("{}, {}, {name}: {error:.1e} at {input:?}", case.name, output.name));
+                }
+            }
+            println!("{row}");
+            table += &format!("{row}\n");
+        }
+    }
+    if let Some(path) = out {
+        let text = format!("{HEAD}{table}");
+        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        println!("the table: {}", path.display());
+    }
+    if broken.is_empty() { Ok(()) } else { Err(format!("bounds are broken:\n{}", broken.join("\n"))) }
+}
+
+const HEAD: &str = "\
+# The shaders beside the crates
+
+Every function on ten thousand inputs, bad ones among them: \"=\" where all bits are equal; else the share of equal ones and the largest
+error, absolute or relative as the bound. Without a driver an interpreter computes each operation as it is written, or every product that
+is added fused with the sum. `cargo run -- parity --out ../../docs/shaders/parity.md` in `tests/gpu` makes this page.
+
+";
+
+/// A bound in few letters.
+fn bound(bound: Bound) -> String {
+    match bound {
+        Bound::Equal => "=".into(),
+        Bound::Absolute(limit) => format!("{limit:.0e}"),
+        Bound::Relative(limit) => format!("{limit:.0e} relative"),
+    }
+}
+
+/// How near an output is.
+struct Found {
+    equal: f64,
+    largest: f32,
+    /// The input at which it is farthest.
+    worst: usize,
+}
+
+impl Found {
+    fn new(
+        column: &Column,
+        output: &Output,
+        limit: Bound,
+        inputs: &[[u32; INPUTS]],
+        got: &[[u32; OUTPUTS]],
+        expected: &[[u32; OUTPUTS]],
+    ) -> Self {
+        let mut found = Self { equal: 0.0, largest: 0.0, worst: 0 };
+        let mut count = 0.0;
+        for (i, (got, expected)) in got.iter().zip(expected).enumerate() {
+            // A card may take denormal numbers for 0, which for some is another branch.
+            let denormal = inputs[i][..8].iter().any(|x| f32::from_bits(*x).is_subnormal());
+            if denormal && matches!(column, Column::Adapter(_)) {
+                continue;
+            }
+            let errors = output.words.clone().map(|k| limit.error(got[k], expected[k]));
+            let error = errors.fold(0.0, f32::max);
+            count += 1.0;
+            found.equal += f64::from(u8::from(error == 0.0));
+            if error > found.largest {
+                (found.largest, found.worst) = (error, i);
+            }
+        }
+        found.equal /= count;
+        found
+    }
+
+    fn cell(&self) -> String {
+        if self.largest == 0.0 {
+            return "=".into();
+        }
+        format!("{:.1} %, {:.0e}", 100.0 * self.equal, self.largest)
+    }
 }
 
 /// What an adapter computes of a case.

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use asperity_shaders::{Bindings, Part, compose};
+use asperity_shaders::{Binding, Bindings, Part, compose, ordered};
+
+use crate::interpreter::Interpreter;
 
 /// Words that a case takes.
 pub const INPUTS: usize = 16;
@@ -66,6 +68,32 @@ impl Case {
             compose(&self.parts, Bindings::Textures { group: 0 }),
             self.body
         )
+    }
+}
+
+impl Case {
+    /// The module with its resources, without a driver.
+    ///
+    /// # Errors
+    ///
+    /// If the module is not valid, or the words of a resource are missing or of another number.
+    pub fn interpreter(&self) -> Result<Interpreter, String> {
+        let mut shader = Interpreter::new(&self.wgsl())?;
+        for binding in ordered(&self.parts).iter().flat_map(|part| part.bindings()) {
+            let name = binding.name();
+            let words = self.resources.iter().find(|(resource, _)| *resource == name);
+            let (_, words) = words.ok_or_else(|| format!("no words for `{name}`"))?;
+            match *binding {
+                Binding::Uniform { .. } => shader.uniform(name, words)?,
+                Binding::Table { width, .. } => {
+                    let mut words = words.clone();
+                    words.resize(words.len().next_multiple_of(width as usize), 0);
+                    shader.texture(&format!("{name}_table"), width, words)?;
+                }
+                _ => return Err(format!("`{name}` is neither uniform nor table")),
+            }
+        }
+        Ok(shader)
     }
 }
 

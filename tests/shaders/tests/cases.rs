@@ -3,37 +3,16 @@
 use asperity_shader_tests::{
     case::{Bound, Case, INPUTS, OUTPUTS, Output},
     cases,
-    interpreter::{Arithmetic, Interpreter},
+    interpreter::Arithmetic,
 };
-use asperity_shaders::{Binding, ordered};
 
 /// What the names of cases begin with.
 const ROOMS: [&str; 7] =
     ["noise/lattice", "noise/kinds", "noise/sums", "noise/transforms", "ndf/", "shading/", "fif/"];
 
-/// The module of a case with its resources.
-fn shader(case: &Case) -> Result<Interpreter, String> {
-    let mut shader = Interpreter::new(&case.wgsl())?;
-    for binding in ordered(&case.parts).iter().flat_map(|part| part.bindings()) {
-        let name = binding.name();
-        let words = case.resources.iter().find(|(resource, _)| *resource == name);
-        let (_, words) = words.ok_or_else(|| format!("no words for `{name}`"))?;
-        match *binding {
-            Binding::Uniform { .. } => shader.uniform(name, words)?,
-            Binding::Table { width, .. } => {
-                let mut words = words.clone();
-                words.resize(words.len().next_multiple_of(width as usize), 0);
-                shader.texture(&format!("{name}_table"), width, words)?;
-            }
-            _ => return Err(format!("`{name}` is neither uniform nor table")),
-        }
-    }
-    Ok(shader)
-}
-
 /// The first input of a case at which an output is beyond its bound.
 fn broken(case: &Case, arithmetic: Arithmetic, bound: fn(&Output) -> Bound) -> Result<(), String> {
-    let shader = shader(case)?.arithmetic(arithmetic);
+    let shader = case.interpreter()?.arithmetic(arithmetic);
     let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
     let outcomes = shader.call_many("evaluate", &inputs)?;
     for (i, (input, outcome)) in inputs.iter().zip(&outcomes).enumerate() {
