@@ -2,7 +2,20 @@
 //!
 //! Every kind has a function of any point, `value_noise_3d(p, key) -> Sample3d` and its like, and one of a cell and the place in it,
 //! `value_in_cell_3d(cell, t, key)`, for points that are anchored. Both give the bits of the crate where every operation is
-//! rounded as it is written. Seeds come as keys, [`Lattice::key`](asperity_noise::Lattice::key) of the seed.
+//! rounded as it is written. Seeds come as keys, [`key`] of the seed.
+//!
+//! | part | functions at points p | dimensions |
+//! |---|---|---|
+//! | [`WHITE`] | `white_noise_*(p, key)` | 2, 3 |
+//! | [`VALUE`] | `value_noise_*(p, key)` | 2, 3, 4 |
+//! | [`VALUE_CATMULL_ROM`] | `value_catmull_rom_noise_*(p, key)` | 2, 3 |
+//! | [`PERLIN_1985`] | `perlin_1985_noise_*(p, key)` | 2, 3 |
+//! | [`PERLIN_2002`] | `perlin_2002_noise_*(p, key)` | 2, 3, 4 |
+//! | [`VALUE_GRADIENT`] | `value_gradient_noise_*(p, weight, key)` | 2, 3 |
+//! | [`GAUSSIAN`] | `gaussian_noise_*(p, key)`, `gaussian_pair_*(p, key)` | 2, 3 |
+//! | [`SIMPLEX`] | `simplex_noise_*(p, key)`, `simplex_wide_noise_*(p, key)` | 2, 3, 4 |
+//! | [`SPARSE`] | `sparse_noise_*(p, impulses, key)` | 2, 3 |
+//! | [`CELLULAR`] | `cellular_noise_*(p, basis, metric, jitter, key)` | 2, 3 |
 //!
 //! ```
 //! # #[cfg(feature = "alloc")] {
@@ -13,19 +26,31 @@
 //! # }
 //! ```
 
-use asperity_noise::lattice;
+use asperity_noise::{IntegerHash, Lattice, lattice};
 
 use crate::part::{Binding, Element, Part, part};
 
 pub mod sums;
 pub mod transforms;
 
+/// The key of a seed, which every function takes in its place.
+///
+/// ```
+/// use asperity_shaders::noise::key;
+///
+/// assert_ne!(key(1), key(2));
+/// ```
+#[must_use]
+pub fn key(seed: u32) -> u32 {
+    IntegerHash.key(seed)
+}
+
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
 
 /// Hash of lattice points, the bits of [`IntegerHash`](asperity_noise::IntegerHash).
 ///
-/// Seeds come as keys: [`Lattice::key`](asperity_noise::Lattice::key) of the seed, which takes 64 bits.
+/// Seeds come as keys, [`key`] of the seed, which takes 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");
 
 /// Cell of a point and the place in it, as [`Field`](asperity_noise::Field) has them for every point.

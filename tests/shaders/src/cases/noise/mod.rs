@@ -1,10 +1,10 @@
 //! Noise: hash, kinds.
 
 use asperity_noise::{
-    Field, IntegerHash, Lattice, Point, Sample,
+    Field, Point, Sample,
     glam::{Vec2, Vec3, Vec4},
 };
-use asperity_shaders::Part;
+use asperity_shaders::{Part, noise};
 
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 
@@ -52,7 +52,7 @@ fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
         words[4 + k as usize] = between(i, 8 + k, 0.0, 1.0).to_bits();
     }
     words[13] = any(i, 12);
-    words[12] = IntegerHash.key(words[13]);
+    words[12] = noise::key(words[13]);
     words
 }
 
