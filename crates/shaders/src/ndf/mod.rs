@@ -50,8 +50,14 @@ pub static BECKMANN: Part = part!(
     VISIBLE_SLOPES,
 );
 
-/// Student's t: density, bijection and inverse, samples, masking, to 32 bits; [`StudentT`](asperity_ndf_sampling::StudentT).
-pub static STUDENT_T: Part = part!("ndf/density/student_t", ELEMENTARY, ROUGHNESS, MICROFACET);
+/// Student's t in one dimension, for masking and visible normals of [`STUDENT_T`].
+pub static STUDENT_DISTRIBUTION: Part =
+    part!("ndf/density/student_distribution", ELEMENTARY, NORMAL_DISTRIBUTION);
+
+/// Student's t: density, bijection and inverse, samples, visible normals, masking, to 32 bits;
+/// [`StudentT`](asperity_ndf_sampling::StudentT).
+pub static STUDENT_T: Part =
+    part!("ndf/density/student_t", ELEMENTARY, ROUGHNESS, MICROFACET, STUDENT_DISTRIBUTION);
 
 /// Blinn–Phong, by Student's t; [`BlinnPhong`](asperity_ndf_sampling::BlinnPhong).
 pub static BLINN_PHONG: Part = part!("ndf/density/blinn_phong", ELEMENTARY, ROUGHNESS, STUDENT_T);

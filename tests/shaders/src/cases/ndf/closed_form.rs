@@ -76,6 +76,8 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 // Where the density is not faint, with and without regard to what is resolved.
                 let xi = Vec2::new(gaussian(i, 4), gaussian(i, 5));
                 let rest = if i % 3 == 0 { xi } else { z * s.sqrt() + xi * (1.0 - s).sqrt() };
+                // Some next to the pole.
+                let rest = if i % 64 == 0 { rest * between(i, 11, -20.0, 0.0).exp2() } else { rest };
                 let h = (self.of)(alpha[0], alpha[1]).from_gaussian(rest);
                 let u = [8, 9].map(|k| between(i, k, 0.0, 1.0));
                 let fade = if i % 2 == 0 { 1.0 } else { between(i, 10, 0.0, 1.2) };
@@ -168,6 +170,11 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 let mut inputs = [0; INPUTS];
                 for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
                     *input = number(i, k, good).to_bits();
+                }
+                // Views without a direction, and below.
+                if let 40..44 = i {
+                    inputs[2..5].fill(0);
+                    inputs[2 + i as usize % 4] = [-1.0_f32, f32::NAN][i as usize % 2].to_bits();
                 }
                 // Not where v is at a right angle with m: their product cancels.
                 inputs[13] = u32::from(v.dot(m) > 0.05);

@@ -126,7 +126,10 @@ fn masking() -> Case {
         clamp(student_t_lambda(alpha, gamma, v), 1e-10, 1e30), student_t_projected_area(alpha, gamma, v),
         student_t_masking(alpha, gamma, v), student_t_masking_shadowing(alpha, gamma, v, w),
     ));
-    outcome.b = bits(vec4<f32>(max(student_t_visible_density(alpha, gamma, v, m) * f32(d.x), 1e-30), 0.0, 0.0, 0.0));"
+    let sample = student_t_sample_visible(alpha, gamma, v, bitcast<vec2<f32>>(d.yz));
+    let is_inside = f32(d.w);
+    outcome.b = bits(vec4<f32>(max(student_t_visible_density(alpha, gamma, v, m) * f32(d.x), 1e-30), sample));
+    outcome.c = bits(vec4<f32>(sample * is_inside, 0.0));"
             .into(),
         resources: vec![],
         input: Box::new(|i| {
@@ -138,7 +141,8 @@ fn masking() -> Case {
             let (w, v) = (direction(3), direction(5));
             let alpha = [0, 1].map(|k| number(i, k, log(i, k, -3.0, 0.0)));
             let gamma = number(i, 2, 1.0 + log(i, 2, -0.2, 3.0));
-            let m = StudentT::clamped(alpha[0], alpha[1], gamma).from_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
+            let m = StudentT::clamped(alpha[0], alpha[1], gamma)
+                .from_gaussian(Vec2::new(gaussian(i, 7), gaussian(i, 8)));
             let good = [alpha[0], alpha[1], gamma, w.x, w.y, w.z, v.x, v.y, v.z, m.x, m.y, m.z];
             let mut inputs = [0; INPUTS];
             for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
@@ -146,6 +150,9 @@ fn masking() -> Case {
             }
             // Not where v is at a right angle with m: their product cancels.
             inputs[12] = u32::from(v.dot(m) > 0.05);
+            inputs[13..15]
+                .copy_from_slice(&[13, 14].map(|k| number(i, k, between(i, k, 0.001, 0.999)).to_bits()));
+            inputs[15] = u32::from(i >= 40);
             inputs
         }),
         reference: Box::new(|inputs| {
@@ -154,13 +161,32 @@ fn masking() -> Case {
             let [v, w, m] = [[vx, vy, vz], [wx, wy, wz], [mx, my, mz]].map(Vec3::from);
             let visible = ndf.visible_density(v, m) * inputs[12] as f32;
             let lambda = ndf.lambda(v).clamp(1e-10, 1e30);
-            words(&[lambda, ndf.projected_area(v), ndf.g1(v), ndf.g2(v, w), visible.max(FAINT)])
+            let u = Vec2::from(floats::<2>(inputs, 13));
+            let sample = ndf.sample_visible(v, u);
+            let [area, masking, both] = [ndf.projected_area(v), ndf.g1(v), ndf.g2(v, w)];
+            let inside = sample * inputs[15] as f32;
+            words(&[
+                lambda,
+                area,
+                masking,
+                both,
+                visible.max(FAINT),
+                sample.x,
+                sample.y,
+                sample.z,
+                inside.x,
+                inside.y,
+                inside.z,
+            ])
         }),
         outputs: vec![
             near("Λ", 0..1, Bound::Relative(2e-5)),
             near("σ", 1..2, Bound::Relative(2e-6)),
             near("G₁ and G₂", 2..4, Bound::Absolute(2e-6)),
             near("D_v", 4..5, Bound::Relative(4e-5)),
+            // At the ends of the square, where u itself is rounded.
+            near("visible normal", 5..8, Bound::Absolute(3e-3)),
+            near("visible normal within", 8..11, Bound::Absolute(2e-6)),
         ],
     }
 }

@@ -40,7 +40,7 @@ fn packed(
         // In f64 in the crate. A rounding of M is much of a coordinate far out: 0.13 at 5.4, where u ends.
         output("T⁻¹", 3..5, Bound::Absolute(3e-6), 0.15),
         output("T⁻¹ within 3", 12..14, Bound::Absolute(2e-6), 2e-4),
-        output("sample", 5..7, Bound::Equal, 1e-5),
+        output("sample", 5..7, Bound::Equal, 1e-4),
         // √(1 − x² − y²) at the rim.
         output("sample, upwards", 7..8, Bound::Equal, 5e-3),
     ];
@@ -65,7 +65,12 @@ fn packed(
             let from = |k| gaussian(i, k).clamp(-3.0, 3.0);
             let m = packed.from_gaussian(Vec2::new(from(0), from(1)));
             let s = between(i, 5, 0.0, 0.9);
-            let u = [6, 7].map(|k| between(i, k, 0.0, 1.0));
+            // Some at the ends of the square, whose normals are at the rim.
+            let u = [6, 7].map(|k| match (i + 5 * k) % 16 {
+                0 => between(i, k, -24.0, -1.0).exp2(),
+                1 => 1.0 - between(i, k, -24.0, -1.0).exp2(),
+                _ => between(i, k, 0.0, 1.0),
+            });
             let good = [m.x, m.y, m.z, gaussian(i, 3), gaussian(i, 4), s, u[0], u[1]];
             let mut inputs = [0; INPUTS];
             for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {

@@ -72,71 +72,6 @@ fn student_t_from_uniform(alpha: vec2<f32>, gamma: f32, u: vec2<f32>) -> vec3<f3
     return student_t_tilted(alpha, gamma, elementary_cos_sin_turns(bounded.y) * rho);
 }
 
-// Gamma(x + 1/2)/Gamma(x) for x > 0, by Tricomi and Erdelyi's series beyond x = 5.
-fn student_t_gamma_ratio(x: f32) -> f32 {
-    var above = 1.0;
-    var below = 1.0;
-    var y = x;
-    for (var k = 0; k < 5; k++) {
-        if y >= 5.0 {
-            break;
-        }
-        above *= y;
-        below *= y + 0.5;
-        y += 1.0;
-    }
-    let t = 1.0 / (8.0 * y);
-    let series = 1.0 - t * (1.0 - 0.5 * t * (1.0 + 5.0 * t * (1.0 - 1.05 * t * (1.0 + 19.0 * t))));
-    return above / below * sqrt(y) * series;
-}
-
-// The mean excess E[max(0, X - z)] of Student's t with nu > 1 degrees of freedom, for z >= 0.
-//
-// Below the seam the mean beyond z less z times the tail by the series at 0, above it by Gauss's continued fraction without that
-// difference. Either takes some fifteen terms at the seam.
-fn student_t_excess(nu: f32, z: f32) -> f32 {
-    if !(z < 1e18) {
-        return 0.0;
-    }
-    let square = z * z;
-    let peak = student_t_gamma_ratio(0.5 * nu) / sqrt(3.1415927 * nu);
-    let density = peak * elementary_exp(-0.5 * (nu + 1.0) * elementary_ln_1p(square / nu));
-    // nu + z^2 over nu - 1, times the density.
-    let beyond = (nu + square) / (nu - 1.0) * density;
-    if square < 2.0 * nu / (nu + 2.0) {
-        let y = square / (nu + square);
-        var term = 1.0;
-        var sum = 1.0;
-        for (var k = 0; k < 40; k++) {
-            term *= (0.5 * (nu + 1.0) + f32(k)) / (1.5 + f32(k)) * y;
-            sum += term;
-            if term < 3e-8 * sum {
-                break;
-            }
-        }
-        return beyond - z * (0.5 - z * density * sum);
-    }
-    let c = 0.5 * nu;
-    let ratio = nu / square;
-    var d = 1.0;
-    var change = ratio * 0.5 * c / (c * (c + 1.0));
-    var k_sum = change;
-    for (var n = 2; n < 80; n++) {
-        let k = f32(n / 2);
-        let is_odd = (n & 1) == 1;
-        let m = select(k, 0.5 + k, is_odd);
-        let above = select(c - 0.5 + k, c + k, is_odd);
-        let a = ratio * m / (c + f32(n) - 1.0) * (above / (c + f32(n)));
-        d = 1.0 / (1.0 + a * d);
-        change *= d - 1.0;
-        k_sum += change;
-        if abs(change) < 3e-8 * k_sum {
-            break;
-        }
-    }
-    return beyond * (1.0 + (nu - 1.0) * k_sum / (1.0 + k_sum)) / nu;
-}
-
 // Smith's Lambda(v), for |v| < 1e12; the largest float where it is infinite, at and below the horizon.
 fn student_t_lambda(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
     let spread = roughness_spread(alpha, v);
@@ -147,7 +82,7 @@ fn student_t_lambda(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
         return 0.0;
     }
     let z = v.z / spread;
-    return min(student_t_excess(2.0 * gamma - 2.0, z) / max(z, 1e-37), ELEMENTARY_LARGEST);
+    return min(student_distribution_excess(student_distribution(2.0 * gamma - 2.0), z) / max(z, 1e-37), ELEMENTARY_LARGEST);
 }
 
 // Masking G1(v): the visible share of the facets that face v.
@@ -167,11 +102,39 @@ fn student_t_projected_area(alpha: vec2<f32>, gamma: f32, v: vec3<f32>) -> f32 {
     if !(spread > 0.0) {
         return above.z;
     }
-    return above.z + spread * student_t_excess(2.0 * gamma - 2.0, above.z / spread);
+    let along = student_distribution(2.0 * gamma - 2.0);
+    return above.z + spread * student_distribution_excess(along, above.z / spread);
 }
 
 // The density of visible normals D_v(m), in 1/sr.
 fn student_t_visible_density(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, m: vec3<f32>) -> f32 {
     let area = student_t_projected_area(alpha, gamma, v);
     return microfacet_visible_density(student_t_density(alpha, gamma, m), microfacet_above(v), m, area);
+}
+
+// A normal with the density D_v over solid angle, for uniform u: the slope along the view by inversion of its distribution, that
+// across by the quantile of Student's t, to which it is distributed given the first.
+fn student_t_sample_visible(alpha: vec2<f32>, gamma: f32, v: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
+    let bounded = elementary_probabilities(u);
+    let w = microfacet_above(v) * vec3<f32>(alpha, 1.0);
+    let lateral = sqrt(w.x * w.x + w.y * w.y);
+    // Along x if the view has no azimuth.
+    var cosine = 1.0;
+    var sine = 0.0;
+    var view = 1e6;
+    if lateral > 0.0 {
+        cosine = w.x / lateral;
+        sine = w.y / lateral;
+        view = min(1.4142135 * w.z / lateral, 1e6);
+    }
+    let freedom = 2.0 * gamma - 2.0;
+    let along = student_distribution_solve(student_distribution(freedom), true, view, bounded.x);
+    let spread = sqrt((freedom + along * along) / (freedom + 1.0));
+    let across = student_distribution_solve(student_distribution(freedom + 1.0), false, 0.0, bounded.y) * spread;
+    let x = (along * cosine - across * sine) * alpha.x;
+    let y = (along * sine + across * cosine) * alpha.y;
+    // The slope is (x, y)/sqrt(2), whose square may overflow.
+    let per_largest = 1.0 / max(max(abs(x), abs(y)), 1.0);
+    let m = roughness_unit(vec3<f32>(x * per_largest, y * per_largest, 1.4142135 * per_largest));
+    return vec3<f32>(m.x, m.y, max(m.z, ELEMENTARY_LEAST_NORMAL));
 }
