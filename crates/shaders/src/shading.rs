@@ -9,6 +9,7 @@ use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GAUSSIAN_SPLIT, GGX};
 use crate::part::{Part, part};
 
 pub mod bump;
+pub mod material;
 pub mod pixel;
 pub mod reflectance;
 pub mod texture;

@@ -1,7 +1,8 @@
 //! Reflectances: Fresnel terms, diffuse and glossy models.
 
-use crate::ndf::{BECKMANN, ELEMENTARY, GGX};
+use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
 use crate::part::{Part, part};
+use crate::shading::bump::SURFACE_GRADIENT;
 use crate::shading::{DIRECTION, MATH};
 
 /// Reflectances that are finite and not negative.
@@ -46,3 +47,6 @@ pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELE
 
 /// Ward's anisotropic reflectance in three forms, [`WardReflection`](asperity_shading::reflectance::WardReflection).
 pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
+
+/// Light by way of a facet of a surface, as [`Bsdf`](asperity_shading::Bsdf) adds it up.
+pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME);

@@ -33,7 +33,8 @@ pub(crate) fn spectrum(
 
 /// A sum of octaves Σ aᵢ N(fᵢ p/size)/Σ aᵢ of continuous simplex noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fbm<K = Simplex> {
+#[doc(hidden)]
+pub struct Fbm<K = Simplex> {
     /// The whole sum.
     octaves: Octaves<K, 3>,
     frequency: f32,
@@ -55,6 +56,18 @@ impl Fbm {
 }
 
 impl<K: Kernel<3>> Fbm<K> {
+    /// The sum of octaves.
+    #[must_use]
+    pub const fn octaves(&self) -> &Octaves<K, 3> {
+        &self.octaves
+    }
+
+    /// Cells of the first octave per unit of length, and the frequency of the last octave over that of the first.
+    #[must_use]
+    pub const fn frequencies(&self) -> [f32; 2] {
+        [self.frequency, self.highest]
+    }
+
     /// The octaves of a spectrum of any kind of noise.
     pub(crate) fn of(noise: K, spectrum: Spectrum, size: f32, seed: u32) -> Self {
         let octaves = Octaves::new(noise, spectrum).with_seed(seed).with_normalisation(Normalisation::Range);
@@ -118,7 +131,9 @@ impl<K: Kernel<3>> Fbm<K> {
 }
 
 /// E max(N, 0) = E|N|/2 of continuous simplex noise.
-pub(crate) fn half_mean() -> f32 {
+#[doc(hidden)]
+#[must_use]
+pub fn half_mean() -> f32 {
     0.5 * Noise::<Vec3>::absolute_moments(&Simplex::new(0))[0]
 }
 

@@ -20,6 +20,8 @@ pub use carpet::{
     Carpet, CarpetParameters, DarkAreas, DiffuseThreads, Fibre, Fibres, FibresParameters, Seam, SeamPattern,
     Seams, SpecularThreads, linear_seam, rim_light,
 };
+#[doc(hidden)]
+pub use fbm::{Fbm, half_mean};
 pub use form::Form;
 pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
 pub use interface::Material;
@@ -29,6 +31,8 @@ pub use paint::{
     PaintFlakes, PassiveFlakes, Sparkle, Sparkles, boosted, brighter_normal, brighter_reflection,
     flake_patch, flake_patch_printed, flake_tilt_printed, sparkle_width,
 };
+#[doc(hidden)]
+pub use segment::Segments;
 pub use surface_point::SurfacePoint;
 pub use textured::{BevelledTiles, BrickWall, Perturbed, PolishedMarble, Wallpaper};
 pub use wear::{Blemishes, Dents, Scratches, ScratchesParameters, Variations, VariationsParameters, varied};

@@ -64,18 +64,20 @@ fn cos_sin(t: Vec4) -> [Vec4; 2] {
 
 /// Segments with their midpoints anywhere in square cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Segments {
+#[doc(hidden)]
+pub struct Segments {
     /// The side of a cell.
-    pub(crate) cell: f32,
+    pub cell: f32,
     /// The length of a segment, at most the side of a cell.
-    pub(crate) length: f32,
+    pub length: f32,
     /// The mean number of segments of a cell, at most [`MOST`].
-    pub(crate) cover: f32,
+    pub cover: f32,
     /// The unit direction that they are spread about.
-    pub(crate) direction: Vec2,
+    pub direction: Vec2,
     /// Spread of directions: 1 is a quarter of a turn to either side, all directions.
-    pub(crate) spread: f32,
-    pub(crate) seed: u32,
+    pub spread: f32,
+    /// The seed of the lattice.
+    pub seed: u32,
 }
 
 /// A segment near a point.

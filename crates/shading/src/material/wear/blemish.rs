@@ -62,6 +62,13 @@ impl Blemishes {
         Ok(Self { noise: Fbm::single(as_size("small_blemish_size", size)?, seed) })
     }
 
+    /// The noise of blemishes.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm {
+        &self.noise
+    }
+
     /// A colour with blemishes of this strength; the colour itself where a coordinate is not finite.
     #[must_use]
     pub fn colour(&self, colour: Vec3, strength: f32, position: Vec3, footprint: Footprint) -> Vec3 {

@@ -9,8 +9,9 @@ use crate::parameter::{ParameterError, as_share, as_size};
 use crate::pixel::Footprint;
 
 /// A lattice some of whose gradients are turned around.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Turned {
+pub struct Turned {
     /// Words below this are dropped ones.
     dropped: u32,
     /// The bits of a word that turn its gradient around, or none.
@@ -55,6 +56,7 @@ pub struct Dents {
     kept: Fbm<Simplex<Turned>>,
     turned: Fbm<Simplex<Turned>>,
     cover: f32,
+    dropped: u32,
 }
 
 impl Dents {
@@ -71,7 +73,21 @@ impl Dents {
         let dropped = ((1.0 - cover) * 4_294_967_296.0) as u32;
         let noise =
             |turn| Fbm::of(Simplex::new(0).with_lattice(Turned { dropped, turn }), spectrum, size, seed);
-        Ok(Self { kept: noise(0), turned: noise(SIGNS), cover })
+        Ok(Self { kept: noise(0), turned: noise(SIGNS), cover, dropped })
+    }
+
+    /// The noise whose dropped gradients are as the others.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm<Simplex<Turned>> {
+        &self.kept
+    }
+
+    /// Words of the lattice below this are dropped gradients.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn dropped(&self) -> u32 {
+        self.dropped
     }
 
     /// Value, and gradient by p/size; both 0 where a coordinate is not finite.

@@ -148,6 +148,30 @@ impl Scratches {
         self.segments.density() * (16.0 / 15.0) * self.half * (2.0 / 3.0) * self.segments.length
     }
 
+    /// The share that scratches cover from afar, and the mean squares of their slopes across: along u, along both, along v.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn far(&self) -> (f32, Vec3) {
+        (
+            -exp_m1(-self.segments.density() * 2.0 * self.half * self.segments.length),
+            self.mean_square_slope(self.half) * self.segments.mean_square_across(),
+        )
+    }
+
+    /// The lines that scratches lie along.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn segments(&self) -> &Segments {
+        &self.segments
+    }
+
+    /// Half the width of a scratch, in texture coordinates.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn half_width(&self) -> f32 {
+        self.half
+    }
+
     /// The mean square slope of grooves that are so wide: density · strength² w⁴/W³ · 256/105 · 8/15 length.
     fn mean_square_slope(&self, wide: f32) -> f32 {
         let (strength, ratio) = (self.parameters.scratch_strength, self.half / wide);
@@ -160,12 +184,8 @@ impl Scratches {
     /// Mean and no slope where a coordinate is not finite or 2²³ cells away.
     fn grooves(&self, uv: Vec2, width: f32) -> Grooves {
         let kept = 1.0 - removed_share(width, 1.0 / self.segments.cell);
-        let far = Grooves {
-            amount: self.mean(),
-            slope: Vec2::ZERO,
-            covered: -exp_m1(-self.segments.density() * 2.0 * self.half * self.segments.length),
-            removed: self.mean_square_slope(self.half) * self.segments.mean_square_across(),
-        };
+        let (covered, removed) = self.far();
+        let far = Grooves { amount: self.mean(), slope: Vec2::ZERO, covered, removed };
         if kept <= 0.0 || !uv.is_finite() {
             return far;
         }

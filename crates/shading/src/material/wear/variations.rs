@@ -82,6 +82,13 @@ impl Variations {
         })
     }
 
+    /// Blemishes and dents.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&Blemishes, &Dents) {
+        (&self.blemishes, &self.dents)
+    }
+
     /// Colours, normal and lost slopes at a pixel; total: even and flat where the position is not finite.
     fn surface(&self, point: &SurfacePoint) -> GlossySurface {
         let (p, n) = (&self.parameters, point.normal);

@@ -8,14 +8,23 @@ mod bump;
 mod diffuse;
 mod fresnel;
 mod glossy;
+mod material;
 mod pixel;
 mod texture;
 
 pub(super) fn cases() -> Vec<Case> {
-    [bump::cases(), diffuse::cases(), fresnel::cases(), glossy::cases(), pixel::cases(), texture::cases()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        bump::cases(),
+        diffuse::cases(),
+        fresnel::cases(),
+        glossy::cases(),
+        material::cases(),
+        pixel::cases(),
+        texture::cases(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The words of the i-th input: these numbers, and bad ones for the first inputs, one at a time and then all.

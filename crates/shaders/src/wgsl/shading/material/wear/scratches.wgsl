@@ -1,0 +1,136 @@
+// Scratches of wear and tear on metal: `asperity_shading::Scratches`.
+
+struct Scratches {
+    segments: Segments,
+    // The specular colour of the metal, and half the width of a scratch in texture coordinates.
+    specular: vec3<f32>,
+    half_width: f32,
+    // The mean squares of slopes across from afar: along u, along both, along v; the share that scratches cover there.
+    removed_far: vec3<f32>,
+    covered_far: f32,
+    // The depth of a scratch over half its width; Beckmann's alpha of the metal.
+    strength: f32,
+    roughness: f32,
+    reserved: vec2<u32>,
+}
+
+// What a pixel sees of scratches: mean slope, the share that they cover, the mean squares of the slopes that are not resolved.
+struct ScratchesGrooves {
+    slope: vec2<f32>,
+    covered: f32,
+    removed: vec3<f32>,
+}
+
+// The share of a pixel that a groove at this distance covers.
+fn scratches_overlap(d: f32, half_width: f32, width: f32) -> f32 {
+    if width > 0.0001 * half_width {
+        let low = max(d - 0.5 * width, -half_width);
+        let high = min(d + 0.5 * width, half_width);
+        return math_clamped((high - low) / width, 1.0);
+    }
+    return select(0.0, 1.0, abs(d) < half_width);
+}
+
+// The grooves that a pixel of this width in texture coordinates sees.
+fn scratches_grooves(scratches: Scratches, uv: vec2<f32>, width: f32) -> ScratchesGrooves {
+    let kept = 1.0 - frequency_clamp_removed_share(width, 1.0 / scratches.segments.cell);
+    let far = ScratchesGrooves(vec2<f32>(0.0), scratches.covered_far, scratches.removed_far);
+    if kept <= 0.0 || !direction_is_finite(vec3<f32>(uv, 0.0)) {
+        return far;
+    }
+    let half_width = scratches.half_width;
+    let wide = sqrt(half_width * half_width + 0.25 * width * width);
+    let shallow = half_width / wide;
+    let strength = scratches.strength;
+    let lost = (1.0 - kept * shallow * shallow * shallow) * strength * strength * 1.2190477;
+    var bare = 1.0;
+    var slope = vec2<f32>(0.0);
+    var removed = vec3<f32>(0.0);
+    // As far as a groove's own width overlaps the pixel.
+    let place = segments_place(scratches.segments, uv, half_width + 0.5 * width);
+    for (var i = 0u; i < 9u; i++) {
+        if !segments_reaches(place, i) {
+            continue;
+        }
+        for (var k = 0u; k < 4u; k++) {
+            let groove = segments_near(scratches.segments, place, i, k);
+            let s = groove.across / wide;
+            let t = groove.along;
+            let side = 1.0 - s * s;
+            let taper = 1.0 - t * t;
+            if groove.there && taper > 0.0 {
+                bare *= 1.0 - scratches_overlap(groove.across, half_width, width);
+                if side > 0.0 {
+                    let across = direction_left_2d(groove.direction);
+                    let by_across = -4.0 * s * side * taper / wide;
+                    let by_along = side * side * -2.0 * t / (0.5 * scratches.segments.length);
+                    slope += (across * by_across + groove.direction * by_along) * shallow;
+                    let spread = side * side * shallow * 1.875;
+                    removed += vec3<f32>(across.x * across.x, across.x * across.y, across.y * across.y)
+                        * (lost * spread * taper * taper);
+                }
+            }
+        }
+    }
+    let depth = strength * half_width;
+    return ScratchesGrooves(
+        slope * (-depth * kept),
+        far.covered + kept * ((1.0 - bare) - far.covered),
+        far.removed + kept * (removed - far.removed),
+    );
+}
+
+// The first of the principal axes of a matrix of second moments, of the length of its deviation; that to its left is
+// `scratches_minor_axis`.
+fn scratches_axes(moments: vec3<f32>) -> vec4<f32> {
+    let middle = 0.5 * (moments.x + moments.z);
+    let half_difference = 0.5 * (moments.x - moments.z);
+    let apart = sqrt(half_difference * half_difference + moments.y * moments.y);
+    // The eigenvector by its larger component.
+    var first = vec2<f32>(moments.y, apart - half_difference);
+    if half_difference > 0.0 {
+        first = vec2<f32>(half_difference + apart, moments.y);
+    }
+    let unit = direction_unit_or_2d(first, vec2<f32>(1.0, 0.0));
+    return vec4<f32>(unit * sqrt(middle + apart), direction_left_2d(unit) * sqrt(max(middle - apart, 0.0)));
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec3<f32>(0.0);
+    }
+    let frame = surface_point_frame(point);
+    let grooves = scratches_grooves(scratches, point.uv, surface_point_uv_pixel(point).widths.x);
+    let normal = surface_gradient_normal(point.normal, surface_point_slope(point, grooves.slope));
+    var axes = vec4<f32>(0.0);
+    if grooves.covered > 0.0 {
+        axes = scratches_axes(grooves.removed / grooves.covered);
+    }
+    let facets = slope_facets(
+        point.normal, normal, surface_point_slope(point, axes.xy), surface_point_slope(point, axes.zw),
+    );
+    let alpha = vec2<f32>(scratches.roughness);
+    var sum = 0.0;
+    var colour = vec3<f32>(0.0);
+    // The smooth metal, then the facets of the grooves.
+    for (var k = 0u; k < 8u; k++) {
+        var share = 1.0 - grooves.covered;
+        var m = normal;
+        if k > 0u {
+            let facet = slope_facets_along(facets, 0.2, k - 1u);
+            share = facet.share * grooves.covered;
+            m = facet.normal;
+        }
+        let light = facet_light(share, frame_to_local(frame, m), wi, wo);
+        if light.factor > 0.0 {
+            sum += cook_torrance_beckmann(alpha, light.wi, light.wo).x * light.factor;
+        }
+    }
+    return brdf_finite_channels(math_shares(scratches.specular) * sum);
+}
+
+// Of the material in the uniform.
+fn scratches(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return scratches_scattered(scratches_uniform, point, wo, wi);
+}

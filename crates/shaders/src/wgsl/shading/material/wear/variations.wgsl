@@ -1,0 +1,54 @@
+// A material of any kind with small variations, blemishes and dents: `asperity_shading::Variations`.
+
+struct Variations {
+    blemishes: Fbm,
+    dents: Fbm,
+    diffuse: vec3<f32>,
+    // The roughness of the facets, and Beckmann's alpha of the gloss.
+    roughness: f32,
+    specular: vec3<f32>,
+    gloss_roughness: f32,
+    // Tilt by blemishes, their variation of the colour, tilt by dents, the share of their gradients that is kept.
+    blemish_bump: f32,
+    blemish_colour: f32,
+    dent_strength: f32,
+    dent_cover: f32,
+    // Words below this are dropped gradients of dents.
+    dropped: u32,
+    // Half the mean of the noise's magnitude.
+    half_mean: f32,
+    reserved: vec2<u32>,
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let at = point.position;
+    let n = point.normal;
+    let footprint = point.pixel.widths.x;
+    let bump = variations.blemish_bump;
+    let dent = variations.dent_strength;
+    let blemish_slope = fbm_sample(variations.blemishes, at, footprint).gradient;
+    let dent_slope = dents_sample(variations.dents, variations.dropped, at, footprint).gradient;
+    let gradient = surface_gradient_tangential(n, blemish_slope) * bump
+        + surface_gradient_tangential(n, dent_slope) * dent;
+    let specular = blemishes_colour(
+        variations.blemishes, variations.half_mean, variations.specular, variations.blemish_colour, at, footprint,
+    );
+    let variance = bump * bump * fbm_removed_slope(variations.blemishes, footprint, FBM_SLOPE_VARIANCE)
+        + dent * dent * fbm_removed_slope(variations.dents, footprint, FBM_SLOPE_VARIANCE * variations.dent_cover);
+    let surface = Glossy(
+        variations.diffuse,
+        clamp(specular, vec3<f32>(0.0), vec3<f32>(1.0)),
+        surface_gradient_normal(n, gradient),
+        variance,
+        vec3<f32>(0.0),
+    );
+    return glossy_scattered(
+        surface, surface_point_frame(point), variations.roughness, variations.gloss_roughness, wo, wi,
+    );
+}
+
+// Of the material in the uniform.
+fn variations(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return variations_scattered(variations_uniform, point, wo, wi);
+}

@@ -1,0 +1,24 @@
+// Light by way of a facet of a surface, as `asperity_shading::Bsdf` adds it up.
+
+// Both directions in the frame of a facet, and the factor of the facet's reflectance: its share times the cosine of the light; 0 where
+// either direction is on the other side of the facet than of the surface.
+struct FacetLight {
+    wi: vec3<f32>,
+    wo: vec3<f32>,
+    factor: f32,
+}
+
+// The light of a facet of this share and unit normal, turned so that the view sees its mirrored direction. All in the frame of the
+// surface.
+fn facet_light(share: f32, normal: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> FacetLight {
+    let m = surface_gradient_facing(vec3<f32>(0.0, 0.0, 1.0), normal, wo);
+    var i = wi;
+    var o = wo;
+    if !(m.x == 0.0 && m.y == 0.0 && m.z == 1.0) {
+        let frame = frame_from_normal_tangent(m, vec3<f32>(1.0, 0.0, 0.0));
+        i = frame_to_local(frame, wi);
+        o = frame_to_local(frame, wo);
+    }
+    let lit = share > 0.0 && share <= MATH_LARGEST && i.z * wi.z > 0.0 && o.z * wo.z > 0.0;
+    return FacetLight(i, o, select(0.0, share * abs(i.z), lit));
+}
