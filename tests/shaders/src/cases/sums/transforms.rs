@@ -6,7 +6,7 @@ use asperity_noise::{
     simd::Anchor,
 };
 use asperity_shaders::noise::{
-    sums::{self, OctavesUniform},
+    sums::{OctavesUniform, octaves_2d, octaves_3d},
     transforms,
 };
 
@@ -35,14 +35,14 @@ fn in_3d() -> Case {
     let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
     Case {
         name: "noise/transforms/warp and curl, 3-D".into(),
-        parts: vec![&sums::OCTAVES_3D, &sums::OF_PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        parts: vec![&octaves_3d::PERLIN_2002, &transforms::WARP, &transforms::CURL],
         body: "\
-    let s = octaves_sum_3d(a.xyz, 1.5, 0.0, 0u);
-    let x = octaves_sum_3d(a.xyz, 1.5, 0.0, 1u);
-    let y = octaves_sum_3d(a.xyz, 1.5, 0.0, 2u);
-    let z = octaves_sum_3d(a.xyz, 1.5, 0.0, 3u);
+    let s = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 0u);
+    let x = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 1u);
+    let y = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 2u);
+    let z = perlin_2002_octaves_3d(a.xyz, 1.5, 0.0, 3u);
     let moved = warp_displacement_3d(a.xyz, b.z, x, y, z);
-    let warped = warp_sample_3d(moved, octaves_sum_3d(moved.point, 1.5, 0.0, 0u));
+    let warped = warp_sample_3d(moved, perlin_2002_octaves_3d(moved.point, 1.5, 0.0, 0u));
     outcome.a = bits(vec4<f32>(warped.value, warped.gradient));
     outcome.b = bits(vec4<f32>(moved.point, 0.0));
     outcome.c = bits(vec4<f32>(curl_velocity_3d(s.gradient, x.gradient), 0.0));
@@ -75,12 +75,12 @@ fn in_2d() -> Case {
     let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
     Case {
         name: "noise/transforms/warp and curl, 2-D".into(),
-        parts: vec![&sums::OCTAVES_2D, &sums::OF_PERLIN_2002, &transforms::WARP, &transforms::CURL],
+        parts: vec![&octaves_2d::PERLIN_2002, &transforms::WARP, &transforms::CURL],
         body: "\
-    let x = octaves_sum_2d(a.xy, 1.5, 0.0, 1u);
-    let y = octaves_sum_2d(a.xy, 1.5, 0.0, 2u);
+    let x = perlin_2002_octaves_2d(a.xy, 1.5, 0.0, 1u);
+    let y = perlin_2002_octaves_2d(a.xy, 1.5, 0.0, 2u);
     let moved = warp_displacement_2d(a.xy, b.z, x, y);
-    let warped = warp_sample_2d(moved, octaves_sum_2d(moved.point, 1.5, 0.0, 0u));
+    let warped = warp_sample_2d(moved, perlin_2002_octaves_2d(moved.point, 1.5, 0.0, 0u));
     outcome.a = bits(vec4<f32>(warped.value, warped.gradient, 0.0));
     outcome.b = bits(vec4<f32>(moved.point, curl_velocity_2d(x.gradient)));"
             .into(),

@@ -101,3 +101,48 @@ fn octaves_share(octaves: f32, squares: f32, spectrum: OctavesSpectrum) -> f32 {
 fn octaves_fade(octaves: f32, spectrum: OctavesSpectrum) -> f32 {
     return min(octaves_within(octaves, spectrum), 1.0);
 }
+
+// The octaves that take part, one after the other.
+struct OctavesWalk {
+    spectrum: OctavesSpectrum,
+    // The number of octaves with a lone one made whole, and the footprint that they are clamped to.
+    whole: f32,
+    footprint: f32,
+    // The number of the next octave, its amplitude and frequency whole, and its amplitude as it takes part; 0 where there is none.
+    octave: u32,
+    amplitude: f32,
+    frequency: f32,
+    weight: f32,
+}
+
+// The first octave.
+fn octaves_walk(octaves: f32, footprint: f32, spectrum: OctavesSpectrum) -> OctavesWalk {
+    let whole = octaves_lone_whole(octaves, spectrum);
+    return octaves_weighted(OctavesWalk(spectrum, whole, footprint, 0u, 1.0, 1.0, 0.0));
+}
+
+// The octave behind one.
+fn octaves_next(walk: OctavesWalk) -> OctavesWalk {
+    let amplitude = walk.amplitude * walk.spectrum.gain;
+    let frequency = walk.frequency * walk.spectrum.lacunarity;
+    let octave = walk.octave + 1u;
+    return octaves_weighted(
+        OctavesWalk(walk.spectrum, walk.whole, walk.footprint, octave, amplitude, frequency, 0.0),
+    );
+}
+
+// An octave with its amplitude as it takes part.
+fn octaves_weighted(walk: OctavesWalk) -> OctavesWalk {
+    let weight = min(walk.whole - f32(walk.octave), 1.0);
+    var weighted = walk;
+    if weight > 0.0 {
+        let removed = frequency_clamp_removed_share(walk.footprint, walk.frequency);
+        weighted.weight = weight * walk.amplitude * (1.0 - removed);
+    }
+    return weighted;
+}
+
+// Whether there is an octave.
+fn octaves_goes_on(walk: OctavesWalk) -> bool {
+    return walk.octave < 16u && walk.weight > 0.0;
+}
