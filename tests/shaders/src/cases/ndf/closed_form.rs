@@ -18,25 +18,25 @@ use crate::case::{Bound, Case, INPUTS, Output, between};
 pub(super) fn cases() -> Vec<Case> {
     // Beckmann's masking is in f64 in the crate: Λ, σ and D_v to 32 bits. Its exponential takes the rounding of the exponent.
     let ggx =
-        Density { name: "ggx", part: &GGX, of: Ggx::clamped, density: 1e-6, masking: [Bound::Equal; 2] };
+        Density { name: "ggx", part: &GGX, of: Ggx::clamped, density: 1e-6, masking: [Bound::Equal; 4] };
     let beckmann = Density {
         name: "beckmann",
         part: &BECKMANN,
         of: Beckmann::clamped,
         density: 2e-5,
-        masking: [Bound::Relative(2e-5), Bound::Absolute(4e-7)],
+        masking: [Bound::Relative(2e-5), Bound::Absolute(4e-7), Bound::Relative(1e-6), Bound::Relative(1e-6)],
     };
     vec![ggx.normals(), ggx.visible_normals(), beckmann.normals(), beckmann.visible_normals()]
 }
 
-/// A density with its parts, and bounds of its density on adapters and of its masking as written.
+/// A density with its parts, and bounds of its density on adapters and, as written, of Λ, of G₁ and G₂, of σ, of D_v.
 #[derive(Clone, Copy)]
 struct Density<N> {
     name: &'static str,
     part: &'static Part,
     of: fn(f32, f32) -> N,
     density: f32,
-    masking: [Bound; 2],
+    masking: [Bound; 4],
 }
 
 /// Densities beneath it are compared as it: drivers may flush what is not normal, and no sum of lights feels them.
@@ -59,7 +59,7 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
     outcome.c = bits(vec4<f32>(
         centre.z,
         sample.xy,
-        select(sample.z, max(level_of_detail_far_x(alpha, b.xyz), 1e-34), d.x == 1u),
+        select(sample.z, max(x_density(alpha, b.xyz), 1e-34), d.x == 1u),
     ));
     outcome.d = bits(vec4<f32>(
         max(level_of_detail_exact_x(alpha, b.xyz, a.zw, b.w), 1e-34),
@@ -208,12 +208,12 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
             outputs: vec![
                 Output { name: "Λ", words: 0..1, written: self.masking[0], adapter: Bound::Relative(2e-5) },
                 Output { name: "G₁ and G₂", words: 1..3, written: self.masking[1], adapter: Bound::Absolute(1e-6) },
-                Output { name: "σ", words: 3..4, written: self.masking[0], adapter: Bound::Relative(2e-6) },
+                Output { name: "σ", words: 3..4, written: self.masking[2], adapter: Bound::Relative(2e-6) },
                 equal("visible normal", 4..7, Bound::Absolute(1e-4)),
                 Output {
                     name: "D_v",
                     words: 7..8,
-                    written: self.masking[0],
+                    written: self.masking[3],
                     adapter: Bound::Relative(2.0 * self.density),
                 },
                 equal("view from above", 8..11, Bound::Absolute(4e-7)),

@@ -31,7 +31,11 @@ fn frames() -> Case {
             for (k, input) in (0..6).zip(&mut inputs) {
                 *input = number(i, k, between(i, k, -1.0, 1.0)).to_bits();
             }
-            // Near the poles.
+            // At the pole and near both.
+            if let 40..44 = i {
+                inputs[..2].fill(0);
+                inputs[2] = [-1.0_f32, -3.0, 1.0, 1e-12][i as usize % 4].to_bits();
+            }
             if i % 5 == 0 && i >= 40 {
                 for input in &mut inputs[..2] {
                     *input = (f32::from_bits(*input) * 1e-3_f32.powi((i % 25 / 5) as i32)).to_bits();

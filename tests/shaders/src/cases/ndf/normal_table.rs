@@ -32,7 +32,7 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
     numbers.resize(numbers.len().next_multiple_of(NormalTableUniform::WIDTH as usize), 0);
     // Φ is in f64 in the crate: a place may round to the entry beside.
     let (written, adapter) = match spacing {
-        Spacing::Quantiles => (Bound::Absolute(2e-5), 1e-4),
+        Spacing::Quantiles => (Bound::Absolute(8e-7), 1e-4),
         _ => (Bound::Equal, 1e-5),
     };
     Case {

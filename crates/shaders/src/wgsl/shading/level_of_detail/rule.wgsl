@@ -1,10 +1,6 @@
 // The two rules by which a bump map takes over from a reflectance: `asperity_shading::LevelOfDetail`, without Fresnel term and
-// shadowing, in 1/sr. z, share and fade are those of the resolved octaves, `asperity_shading::level_of_detail::Coordinates`.
-
-// Whether h is a half vector above the horizon: finite, with h.z > 0.
-fn level_of_detail_sees(h: vec3<f32>) -> bool {
-    return h.z > 0.0 && h.z <= ELEMENTARY_LARGEST && abs(h.x) <= ELEMENTARY_LARGEST && abs(h.y) <= ELEMENTARY_LARGEST;
-}
+// shadowing, in 1/sr; the far field is the density itself. z, share and fade are those of the resolved octaves,
+// `asperity_shading::level_of_detail::Coordinates`.
 
 // Gaussian coordinates of the centre of the normals below a pixel by the exact rule, whose normal is T of them.
 fn level_of_detail_exact_coordinates(z: vec2<f32>, share: f32) -> vec2<f32> {
@@ -21,64 +17,41 @@ fn level_of_detail_fractal_coordinates(z: vec2<f32>, fade: f32, z_flat: vec2<f32
     return z_flat + (z - z_flat) * clamp(elementary_number(fade), 0.0, 1.0);
 }
 
-// The half vector h in the frame of a facet's normal: the fractal rule's light is the density of it, 0 where `level_of_detail_sees`
-// is false of either.
+// The half vector h in the frame of a facet's normal: the fractal rule's light is the density of it, 0 for h.z <= 0.
 fn level_of_detail_fractal_half_vector(normal: vec3<f32>, h: vec3<f32>) -> vec3<f32> {
     return frame_to_local(frame_from_normal(normal), h);
 }
 
-// The far field of GGX, the density of facets that mirror the light into the eye.
-fn level_of_detail_far_ggx(alpha: vec2<f32>, h: vec3<f32>) -> f32 {
-    if !level_of_detail_sees(h) {
-        return 0.0;
-    }
-    return ggx_density(alpha, h);
-}
-
 // The exact rule of GGX: the density of normals given what is resolved, whose mean over the surface is the far field at every zoom.
 fn level_of_detail_exact_ggx(alpha: vec2<f32>, h: vec3<f32>, z: vec2<f32>, share: f32) -> f32 {
-    if !level_of_detail_sees(h) {
-        return 0.0;
-    }
     return ggx_conditional_density(alpha, h, gaussian_split(z, share));
 }
 
 // The fractal rule of GGX: the whole density in the frame of the facet.
 fn level_of_detail_fractal_ggx(alpha: vec2<f32>, h: vec3<f32>, z: vec2<f32>, fade: f32) -> f32 {
+    if !(h.z > 0.0) {
+        return 0.0;
+    }
     var normal = vec3<f32>(0.0, 0.0, 1.0);
     if fade > 0.0 {
         normal = ggx_from_gaussian(alpha, level_of_detail_fractal_coordinates(z, fade, vec2<f32>(0.0, 0.0)));
     }
-    if !(h.z > 0.0) {
-        return 0.0;
-    }
-    return level_of_detail_far_ggx(alpha, level_of_detail_fractal_half_vector(normal, h));
-}
-
-// The far field of Beckmann.
-fn level_of_detail_far_beckmann(alpha: vec2<f32>, h: vec3<f32>) -> f32 {
-    if !level_of_detail_sees(h) {
-        return 0.0;
-    }
-    return beckmann_density(alpha, h);
+    return ggx_density(alpha, level_of_detail_fractal_half_vector(normal, h));
 }
 
 // The exact rule of Beckmann.
 fn level_of_detail_exact_beckmann(alpha: vec2<f32>, h: vec3<f32>, z: vec2<f32>, share: f32) -> f32 {
-    if !level_of_detail_sees(h) {
-        return 0.0;
-    }
     return beckmann_conditional_density(alpha, h, gaussian_split(z, share));
 }
 
 // The fractal rule of Beckmann.
 fn level_of_detail_fractal_beckmann(alpha: vec2<f32>, h: vec3<f32>, z: vec2<f32>, fade: f32) -> f32 {
+    if !(h.z > 0.0) {
+        return 0.0;
+    }
     var normal = vec3<f32>(0.0, 0.0, 1.0);
     if fade > 0.0 {
         normal = beckmann_from_gaussian(alpha, level_of_detail_fractal_coordinates(z, fade, vec2<f32>(0.0, 0.0)));
     }
-    if !(h.z > 0.0) {
-        return 0.0;
-    }
-    return level_of_detail_far_beckmann(alpha, level_of_detail_fractal_half_vector(normal, h));
+    return beckmann_density(alpha, level_of_detail_fractal_half_vector(normal, h));
 }
