@@ -32,7 +32,9 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
         Imports::NagaOil => format!("#define_import_path asperity::{}\n", path(part)),
         Imports::Wesl => String::new(),
     };
-    for needed in part.needs() {
+    let mut needs = Vec::new();
+    all_needs(part, &mut needs);
+    for needed in needs {
         let used: Vec<&str> = needed.names().filter(|name| mentions(part.source(), name)).collect();
         let used = used.join(", ");
         if !used.is_empty() {
@@ -46,6 +48,16 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
         wgsl += &declared(resource, bindings, index);
     }
     format!("{wgsl}\n{}", part.source())
+}
+
+/// The parts that a part needs, and those that they need, each once.
+fn all_needs(part: &Part, found: &mut Vec<&'static Part>) {
+    for &needed in part.needs() {
+        if found.iter().all(|other| other.name() != needed.name()) {
+            all_needs(needed, found);
+            found.push(needed);
+        }
+    }
 }
 
 /// Whether a source has a word.
@@ -73,6 +85,16 @@ mod tests {
         &[&LOW, &OTHER],
     )
     .with_bindings(&[Binding::Table { name: "words", element: Element::Float, width: 64 }]);
+
+    /// What a need needs is imported as well.
+    static TOP: Part = Part::new("c/top", "fn top() -> f32 {\n    return high(lower());\n}\n", &[&HIGH]);
+
+    #[test]
+    fn modules_import_from_what_their_needs_need() {
+        let oil = module(&TOP, Imports::NagaOil, Bindings::Textures { group: 0 });
+        let imports = "#import asperity::a::low::{lower}\n#import asperity::b::high::{high}\n";
+        assert!(oil.starts_with(&format!("#define_import_path asperity::c::top\n{imports}")), "{oil}");
+    }
 
     #[test]
     fn modules_import_the_names_that_they_use() {

@@ -1,10 +1,13 @@
 //! The functions of the shaders in the interpreter beside those of the crates.
 
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+
 use asperity_shader_tests::{
     case::{Bound, Case, INPUTS, OUTPUTS, Output},
     cases,
     interpreter::Arithmetic,
 };
+use asperity_shaders::{Binding, Bindings, Imports, Part, module, ordered};
 
 /// What the names of cases begin with.
 const ROOMS: [&str; 7] =
@@ -95,6 +98,50 @@ fn absolute_coordinates_fail_where_anchors_hold() {
         let fused = broken(&case, Arithmetic::Fused, |output| output.adapter);
         assert!(fused.is_err_and(|error| error.contains("gradient")), "zoom {zoom}");
     }
+}
+
+/// Words of a source, without its comments.
+fn words(source: &str) -> HashSet<&str> {
+    let code = source.lines().map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))).collect()
+}
+
+/// Parts of all cases that are the crate's, by what they define.
+fn homes(parts: &[&'static Part]) -> BTreeMap<&'static str, BTreeSet<&'static str>> {
+    let mut homes = BTreeMap::<_, BTreeSet<_>>::new();
+    for part in parts {
+        let bindings = part.bindings().iter().map(Binding::name);
+        for name in part.names().chain(bindings) {
+            homes.entry(name).or_default().insert(part.name());
+        }
+    }
+    homes
+}
+
+/// Any parts may be in one module, and those who import a part get all that it names.
+#[test]
+fn names_have_one_home_that_is_imported() {
+    let parts: Vec<_> = cases::all().iter().flat_map(|case| ordered(&case.parts)).collect();
+    let parts: Vec<_> = parts.into_iter().filter(|part| !part.name().starts_with("case/")).collect();
+    let homes = homes(&parts);
+    let mut wrong: BTreeSet<_> = homes
+        .iter()
+        .filter(|(_, homes)| homes.len() > 1)
+        .map(|(name, homes)| format!("`{name}` is of {homes:?}"))
+        .collect();
+    for part in &parts {
+        let module = module(part, Imports::Wesl, Bindings::Textures { group: 0 });
+        let used = words(part.source());
+        for (name, home) in homes.iter().filter(|(name, _)| used.contains(**name)) {
+            let home = home.iter().next().expect("a home");
+            let import = format!("import package::asperity::{}::", home.replace('/', "::"));
+            let imported = module.lines().any(|line| line.starts_with(&import) && words(line).contains(name));
+            if *home != part.name() && !imported {
+                wrong.insert(format!("{} names `{name}` of {home}", part.name()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]

@@ -113,7 +113,7 @@ pub static SPARSE: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of Gaussian noise, one channel, [`Gaussian`](asperity_noise::Gaussian): their sums and their ridged multifractal.
+/// Octaves of Gaussian noise, one channel, [`Gaussian`](asperity_noise::Gaussian): their sums and their ridged multifractal, `gaussian_channel_octaves_3d` and its like.
 pub static GAUSSIAN: Part = part!(
     "noise/sums/octaves_3d/gaussian",
     SAMPLE,

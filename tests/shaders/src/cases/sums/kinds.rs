@@ -35,7 +35,7 @@ pub(super) fn cases() -> Vec<Case> {
         of("simplex", Simplex::new(8), [&octaves_3d::SIMPLEX, &octaves_2d::SIMPLEX]),
         of("simplex_wide", Simplex::wide(8), [&octaves_3d::SIMPLEX_WIDE, &octaves_2d::SIMPLEX_WIDE]),
         of("sparse", Sparse::new(9), [&octaves_3d::SPARSE, &octaves_2d::SPARSE]),
-        of("gaussian", Gaussian::new(7), [&octaves_3d::GAUSSIAN, &octaves_2d::GAUSSIAN]),
+        of("gaussian_channel", Gaussian::new(7), [&octaves_3d::GAUSSIAN, &octaves_2d::GAUSSIAN]),
         in_4d("value", Value::new(4), &octaves_4d::VALUE),
         in_4d("perlin_2002", Perlin2002::new(3), &octaves_4d::PERLIN_2002),
         in_4d("simplex", Simplex::new(8), &octaves_4d::SIMPLEX),
@@ -75,7 +75,7 @@ where
     let v = {name}_octaves_2d(a.xy, a.w, b.x, c.x);
     outcome.b = bits(vec4<f32>(v.value, v.gradient, 0.0));"
         ),
-        resources: if name == "gaussian" {
+        resources: if name == "gaussian_channel" {
             vec![
                 ("gaussian_level", levels()),
                 ("octaves_uniform_3d", space_words),
