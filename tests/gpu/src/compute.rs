@@ -65,7 +65,7 @@ impl Kernel {
         groups: [u32; 2],
     ) -> Result<Vec<u32>, String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let resources = bound(gpu, &self.parts, resources)?;
+        let resources = bound(gpu, &self.parts, resources, &[])?;
         let size = output as u64 * 4;
         let make = |usage| {
             let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };

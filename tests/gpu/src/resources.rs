@@ -11,9 +11,11 @@ use wgpu::{
 use crate::device::Gpu;
 
 /// What a binding is bound to.
+#[derive(Clone)]
 pub(crate) enum Resource {
     Buffer(wgpu::Buffer),
     View(TextureView),
+    Sampler(wgpu::Sampler),
 }
 
 impl Resource {
@@ -21,6 +23,7 @@ impl Resource {
         match self {
             Self::Buffer(buffer) => buffer.as_entire_binding(),
             Self::View(view) => wgpu::BindingResource::TextureView(view),
+            Self::Sampler(sampler) => wgpu::BindingResource::Sampler(sampler),
         }
     }
 }
@@ -32,17 +35,59 @@ pub(crate) fn one_sum(words: &[u32]) -> Vec<u32> {
     all
 }
 
-/// The resources of a composition in the order of its bindings, of words by names.
+/// A texture of two channels that hardware filters: `texel` of every level, column and row.
+pub(crate) fn filtered(gpu: &Gpu, sizes: &[u32], texel: impl Fn(u32, u32, u32) -> [f32; 2]) -> Resource {
+    let texels = (0..).zip(sizes).flat_map(|(level, &size)| {
+        let texel = &texel;
+        (0..size).flat_map(move |y| (0..size).flat_map(move |x| texel(level, x, y)))
+    });
+    let texels: Vec<half::f16> = texels.map(half::f16::from_f32).collect();
+    let side = sizes.first().copied().unwrap_or(1);
+    let texture = gpu.device.create_texture_with_data(
+        &gpu.queue,
+        &TextureDescriptor {
+            label: None,
+            size: Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+            mip_level_count: sizes.len() as u32,
+            sample_count: 1,
+            dimension: TextureDimension::D2,
+            format: TextureFormat::Rg16Float,
+            usage: TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        },
+        TextureDataOrder::LayerMajor,
+        bytemuck::cast_slice(&texels),
+    );
+    Resource::View(texture.create_view(&wgpu::TextureViewDescriptor::default()))
+}
+
+/// A sampler that is linear between texels and levels.
+pub(crate) fn linear(gpu: &Gpu, at_ends: wgpu::AddressMode) -> Resource {
+    Resource::Sampler(gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        address_mode_u: at_ends,
+        address_mode_v: at_ends,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        ..Default::default()
+    }))
+}
+
+/// The resources of a composition in the order of its bindings: those that are made already, and others of words.
 pub(crate) fn bound(
     gpu: &Gpu,
     parts: &[&'static Part],
     words: &[(&'static str, Vec<u32>)],
+    made: &[(&'static str, Resource)],
 ) -> Result<Vec<Resource>, String> {
     let parts = ordered(parts);
     let bindings = parts.iter().flat_map(|part| part.bindings());
     bindings
         .map(|binding| {
             let name = binding.name();
+            if let Some((_, resource)) = made.iter().find(|(of, _)| *of == name) {
+                return Ok(resource.clone());
+            }
             let words = words.iter().find(|(of, _)| *of == name).map(|(_, words)| words.as_slice());
             resource(gpu, binding, words.ok_or_else(|| format!("nothing is bound to `{name}`"))?)
         })

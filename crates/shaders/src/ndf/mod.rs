@@ -8,7 +8,7 @@ use crate::part::{Part, part};
 mod normal_table;
 mod packed_map;
 
-pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_LAYOUT, NormalTableUniform};
+pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_FILTERED, NORMAL_TABLE_LAYOUT, NormalTableUniform};
 pub use packed_map::{PACKED_MAP, PackedMapUniform};
 
 /// Exponential, logarithm, sine and cosine that no compiler takes apart: those of

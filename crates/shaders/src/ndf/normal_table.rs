@@ -20,6 +20,15 @@ pub static NORMAL_TABLE: Part = part!("ndf/normal_table/table", NORMAL_TABLE_LAY
     Binding::Table { name: "normal_table_number", element: Element::Float, width: NormalTableUniform::WIDTH },
 ]);
 
+/// Table L in a texture that hardware filters, [`NormalTableRef::bilinear_normal`] with the filter's precision.
+///
+/// Bound to the texture `normal_table_texture`, whose two channels are an entry's, and to a sampler that is linear and does not repeat.
+pub static NORMAL_TABLE_FILTERED: Part = part!("ndf/normal_table/filtered", NORMAL_TABLE_LAYOUT)
+    .with_bindings(&[
+        Binding::Texture { name: "normal_table_texture" },
+        Binding::Sampler { name: "normal_table_sampler" },
+    ]);
+
 /// Uniform of a table of normals: its size and layout.
 ///
 /// ```

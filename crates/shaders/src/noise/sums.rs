@@ -17,8 +17,10 @@
 pub mod octaves_2d;
 pub mod octaves_3d;
 pub mod octaves_4d;
+
 mod uniform;
 
+pub use mip_mapped::{MipMapped, MipMappedError};
 pub use uniform::{OctavesUniform, ShaderShape};
 
 use super::{CELL, GAUSSIAN};
@@ -58,3 +60,11 @@ pub static GAUSSIAN_OCTAVES_3D: Part =
 /// Sums of octaves of Gaussian noise in the plane, two channels, [`GaussianOctaves`](asperity_noise::GaussianOctaves).
 pub static GAUSSIAN_OCTAVES_2D: Part =
     part!("noise/sums/gaussian_octaves_2d", SPECTRUM, OCTAVE, UNIFORM_2D, CELL, GAUSSIAN);
+
+/// Octaves of Gaussian noise in the plane from a mip-mapped texture, [`MipMapped`], the path of Kautz, Heidrich, Seidel 2001, §5.2.2.
+///
+/// Bound to the texture `mip_mapped_noise` of two channels, and to a sampler that is linear between texels and levels and repeats.
+pub static MIP_MAPPED: Part = part!("noise/sums/mip_mapped", SPECTRUM, UNIFORM_2D).with_bindings(&[
+    Binding::Texture { name: "mip_mapped_noise" },
+    Binding::Sampler { name: "mip_mapped_sampler" },
+]);

@@ -5,13 +5,23 @@ pub(crate) mod reference;
 pub(crate) mod render;
 pub(crate) mod scene;
 
-use std::path::Path;
+use std::{path::Path, time::Duration};
 
-use asperity_shaders::noise::sums::OctavesUniform;
+use asperity_shaders::noise::sums::{MipMapped, OctavesUniform};
+use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::ndf_sampling::{Ggx, NormalTable};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::{BumpField, pixel::FrequencyClamp};
 use glam::Vec2;
 
-use crate::{device, picture::render::Renderer};
+use crate::{
+    device::{self, Gpu},
+    picture::{
+        render::Renderer,
+        scene::{Corner, Scene},
+    },
+    resources::{filtered, linear},
+};
 
 /// What the surface is like.
 pub(crate) struct Look {
@@ -25,45 +35,103 @@ pub(crate) struct Look {
 
 const ZOOMS: [f64; 4] = [1.0, 10.0, 100.0, 10_000.0];
 
-/// Draws the teapot and the plane at four zooms on each adapter and by the crates, and fails where they differ.
+/// Draws the teapot and the plane at four zooms on each adapter and by the crates, and fails where they differ; then twice more with
+/// bumps from a texture, which may.
 pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), String> {
     std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
     let look = Look { alpha: Vec2::new(0.2, 0.4), frequency: 3.0, share: 0.97, exposure: 1.4 };
-    let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
-    let octaves = GaussianOctaves::new(Gaussian::new(7), spectrum);
     let mut worst = 0.0_f64;
     for gpu in device::open(adapter)? {
+        println!("\n{}\n", gpu.name);
         println!(
-            "\n{}\n\n| picture | pixels that differ by more than 2 of 255 | largest difference | ms |\n|---|---|---|---|",
-            gpu.name
+            "| picture | pixels that differ by more than 2 of 255 | mean difference | ms |\n|---|---|---|---|"
         );
-        let renderer = Renderer::new(&gpu, size)?;
-        for zoom in ZOOMS {
-            let scenes =
-                [("teapot", scene::teapot_scene(zoom, size)?), ("plane", scene::plane_scene(zoom, size))];
-            for (name, scene) in scenes {
-                let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
-                let anchored = octaves.anchored(at);
-                let (ours, time) =
-                    renderer.draw(&gpu, &scene, &look, &spectrum, &OctavesUniform::new(&anchored).words())?;
-                let theirs = reference::picture(&scene, &look, anchored, size)?;
-                let differences: Vec<u8> =
-                    ours.iter().zip(&theirs).map(|(a, b)| difference(*a, *b)).collect();
-                let share = differences.iter().filter(|&&d| d > 2).count() as f64 / differences.len() as f64;
-                worst = worst.max(share);
-                let largest = differences.iter().max().copied().unwrap_or(0);
-                println!(
-                    "| {name}, zoom {zoom} | {:.3} % | {largest} | {:.0} |",
-                    100.0 * share,
-                    time.as_secs_f64() * 1e3
-                );
-                let path = out.join(format!("gpu-{name}-{zoom}.png"));
-                png(&path, size, &[&ours, &theirs])?;
-            }
+        for share in procedural(&gpu, &look, size, out)? {
+            worst = worst.max(share);
         }
+        textured(&gpu, &look, size, out)?;
     }
     println!("\npictures, by the shader left and by the crates right: {}", out.display());
     if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
+}
+
+/// The scenes of a zoom.
+fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
+    Ok([("teapot", scene::teapot_scene(zoom, size)?), ("plane", scene::plane_scene(zoom, size))])
+}
+
+/// Bumps by noise in space, anchored at the focus: the share of pixels that differ in each picture.
+fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>, String> {
+    let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
+    let octaves = GaussianOctaves::new(Gaussian::new(7), spectrum);
+    let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
+    let mut shares = Vec::new();
+    for zoom in ZOOMS {
+        for (name, scene) in scenes(zoom, size)? {
+            let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
+            let anchored = octaves.anchored(at);
+            let words = ("octaves_uniform_3d", OctavesUniform::new(&anchored).words().to_vec());
+            let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
+            let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
+            let seen = |corner: &Corner, pixel| bumps.coordinates(corner.position.as_vec3(), pixel);
+            let theirs = reference::picture(&scene, look, seen, size)?;
+            shares.push(report(&format!("{name}-{zoom}"), &ours, &theirs, time, size, out)?);
+        }
+    }
+    Ok(shares)
+}
+
+/// Bumps by a mip-mapped texture of noise and table L, beside the noise that the texture is made of.
+fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String> {
+    const PERIOD: u16 = 8;
+    let texture = MipMapped::new(7, PERIOD.into(), 6, 0.8).map_err(|error| error.to_string())?;
+    let spectrum = *texture.sum().spectrum();
+    let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
+    let table = NormalTable::new(&ggx, 256).map_err(|error| error.to_string())?;
+    let entries = table.view().entries();
+    let sizes: Vec<u32> = (0..texture.levels()).map(|level| texture.size(level)).collect();
+    let made = [
+        ("mip_mapped_noise", filtered(gpu, &sizes, |level, x, y| texture.texel(level, x, y))),
+        ("mip_mapped_sampler", linear(gpu, wgpu::AddressMode::Repeat)),
+        ("normal_table_texture", filtered(gpu, &[256], |_, x, y| entries[(y * 256 + x) as usize])),
+        ("normal_table_sampler", linear(gpu, wgpu::AddressMode::ClampToEdge)),
+    ];
+    let words = ("octaves_uniform_2d", OctavesUniform::new(texture.sum()).words().to_vec());
+    let renderer = Renderer::new(gpu, &render::TEXTURED, size)?;
+    let clamp = FrequencyClamp::new(look.frequency, spectrum.lacunarity(), spectrum.max_octaves() as f32)
+        .map_err(|error| error.to_string())?;
+    for zoom in &ZOOMS[..2] {
+        for (name, scene) in scenes(*zoom, size)? {
+            let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &made)?;
+            let seen = |corner: &Corner, pixel| {
+                let octaves = clamp.octaves(pixel);
+                let [x, y] = texture.sum().detail(octaves).pair(corner.uv.as_vec2() * f32::from(PERIOD));
+                let (share, fade) = (spectrum.share(octaves), spectrum.weight(octaves, 0));
+                Coordinates { z: Vec2::new(x.value, y.value), share, fade }
+            };
+            let theirs = reference::picture(&scene, look, seen, size)?;
+            report(&format!("textured-{name}-{zoom}"), &ours, &theirs, time, size, out)?;
+        }
+    }
+    Ok(())
+}
+
+/// Prints how a picture differs from the crates', writes both, and tells the share of pixels that differ by more than 2.
+fn report(
+    name: &str,
+    ours: &[[u8; 3]],
+    theirs: &[[u8; 3]],
+    time: Duration,
+    size: u32,
+    out: &Path,
+) -> Result<f64, String> {
+    let differences: Vec<u8> = ours.iter().zip(theirs).map(|(a, b)| difference(*a, *b)).collect();
+    let count = differences.len() as f64;
+    let share = differences.iter().filter(|&&d| d > 2).count() as f64 / count;
+    let mean = differences.iter().map(|&d| f64::from(d)).sum::<f64>() / count;
+    println!("| {name} | {:.3} % | {mean:.2} | {:.0} |", 100.0 * share, time.as_secs_f64() * 1e3);
+    png(&out.join(format!("gpu-{name}.png")), size, &[ours, theirs])?;
+    Ok(share)
 }
 
 fn difference(a: [u8; 3], b: [u8; 3]) -> u8 {

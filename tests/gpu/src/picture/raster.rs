@@ -19,7 +19,8 @@ impl Seen {
         let sum = |of: fn(&Corner) -> DVec3| {
             corners.iter().zip(self.weights.to_array()).map(|(corner, w)| w * of(corner)).sum()
         };
-        Corner { position: sum(|c| c.position), normal: sum(|c| c.normal), tangent: sum(|c| c.tangent) }
+        let uv = corners.iter().zip(self.weights.to_array()).map(|(corner, w)| w * corner.uv).sum();
+        Corner { position: sum(|c| c.position), normal: sum(|c| c.normal), tangent: sum(|c| c.tangent), uv }
     }
 }
 

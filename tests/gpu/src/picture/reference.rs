@@ -1,20 +1,24 @@
 //! The same picture by the crates.
 
 use asperity_shading::ndf_sampling::{Frame, Ggx};
-use asperity_shading::{BumpField, Footprint, LevelOfDetail, half_vector, level_of_detail::GaussianField};
+use asperity_shading::{Footprint, LevelOfDetail, half_vector, level_of_detail::Coordinates};
 use glam::Vec3;
 
-use crate::picture::{Look, raster, scene::Scene};
+use crate::picture::{
+    Look, raster,
+    scene::{Corner, Scene},
+};
 
 /// 8-bit sRGB of every pixel.
-pub(crate) fn picture<F: GaussianField>(
+///
+/// `bumps` is what a pixel resolves at a corner of the surface.
+pub(crate) fn picture(
     scene: &Scene,
     look: &Look,
-    field: F,
+    bumps: impl Fn(&Corner, Footprint) -> Coordinates,
     size: u32,
 ) -> Result<Vec<[u8; 3]>, String> {
     let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
-    let bumps = BumpField::new(field, look.frequency).map_err(|error| error.to_string())?;
     let light = scene.view.light.as_vec3();
     let pixels = raster::seen(scene, size).into_iter();
     Ok(pixels
@@ -30,7 +34,7 @@ pub(crate) fn picture<F: GaussianField>(
             }
             let pixel =
                 Footprint::from_distance(from_eye.length() as f32, scene.view.pixel_angle as f32, cos_eye);
-            let mut coordinates = bumps.coordinates(corner.position.as_vec3(), pixel);
+            let mut coordinates = bumps(&corner, pixel);
             coordinates.share = coordinates.share.min(look.share);
             let h = frame.to_local(half_vector(light, wo));
             let lamp = LevelOfDetail::Exact.radiance(&ggx, h, coordinates) * cos_light.max(0.0);

@@ -14,24 +14,33 @@ use crate::{
         reference::BACKGROUND,
         scene::{Corner, Scene},
     },
-    resources::{bound, buffer, layout, one_sum},
+    resources::{Resource, bound, buffer, layout, one_sum},
 };
 
-static SURFACE: Part = Part::new(
-    "surface",
-    include_str!("surface.wgsl"),
-    &[&noise::sums::GAUSSIAN_OCTAVES_3D, &ndf::FRAME, &shading::LEVEL_OF_DETAIL],
-)
-.with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
+/// Bumps by noise, the words of whose sum the renderer is given.
+pub(crate) static PROCEDURAL: Part =
+    Part::new("procedural", include_str!("procedural.wgsl"), &[&noise::sums::GAUSSIAN_OCTAVES_3D, &SURFACE]);
+
+/// Bumps by a texture of noise and one of normals.
+pub(crate) static TEXTURED: Part = Part::new(
+    "textured",
+    include_str!("textured.wgsl"),
+    &[&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED, &SURFACE],
+);
+
+static SURFACE: Part =
+    Part::new("surface", include_str!("surface.wgsl"), &[&ndf::FRAME, &ndf::GGX, &shading::LEVEL_OF_DETAIL])
+        .with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
 
 const COLOUR: TextureFormat = TextureFormat::Rgba8Unorm;
 const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
-/// Floats of a corner: position, normal, tangent, and the plane of its triangle.
-const FLOATS: u64 = 13;
+/// Floats of a corner: position, normal, tangent, the plane of its triangle, texture coordinates.
+const FLOATS: u64 = 15;
 
 /// The pipeline, and what it draws into.
 pub(crate) struct Renderer {
+    bumps: &'static Part,
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
     colour: wgpu::Texture,
@@ -40,14 +49,13 @@ pub(crate) struct Renderer {
 }
 
 impl Renderer {
-    pub(crate) fn new(gpu: &Gpu, size: u32) -> Result<Self, String> {
+    pub(crate) fn new(gpu: &Gpu, bumps: &'static Part, size: u32) -> Result<Self, String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let source = wgpu::ShaderSource::Wgsl(compose(&[&SURFACE], Bindings::Textures { group: 0 }).into());
+        let source = wgpu::ShaderSource::Wgsl(compose(&[bumps], Bindings::Textures { group: 0 }).into());
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source });
         let options = wgpu::PipelineCompilationOptions::default;
-        let attributes =
-            wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];
-        let layout = layout(gpu, &[&SURFACE], wgpu::ShaderStages::VERTEX_FRAGMENT);
+        let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4, 4 => Float32x2];
+        let layout = layout(gpu, &[bumps], wgpu::ShaderStages::VERTEX_FRAGMENT);
         let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
             bind_group_layouts: &[Some(&layout)],
@@ -100,7 +108,7 @@ impl Renderer {
         let depth = texture(DEPTH, TextureUsages::RENDER_ATTACHMENT);
         match pollster::block_on(scope.pop()) {
             Some(error) => Err(error.to_string()),
-            None => Ok(Self { pipeline, layout, colour, depth, size }),
+            None => Ok(Self { bumps, pipeline, layout, colour, depth, size }),
         }
     }
 
@@ -111,16 +119,17 @@ impl Renderer {
         scene: &Scene,
         look: &Look,
         spectrum: &Spectrum,
-        octaves: &[u32],
+        octaves: &(&'static str, Vec<u32>),
+        made: &[(&'static str, Resource)],
     ) -> Result<(Vec<[u8; 3]>, Duration), String> {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let levels = noise::gaussian_levels().map(f32::to_bits).collect();
         let words = [
             ("gaussian_level", levels),
-            ("octaves_uniform_3d", one_sum(octaves)),
+            (octaves.0, one_sum(&octaves.1)),
             ("surface_view", view_words(scene, look, spectrum, self.size)),
         ];
-        let resources = bound(gpu, &[&SURFACE], &words)?;
+        let resources = bound(gpu, &[self.bumps], &words, made)?;
         let entries: Vec<_> = (0..)
             .zip(&resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.binding() })
@@ -225,7 +234,7 @@ fn corner_words(corners: &[Corner; 3]) -> Vec<u32> {
     let plane = [vector(normal), [normal.dot(a) as f32, 0.0, 0.0]].concat();
     let floats = corners.iter().flat_map(|corner| {
         let own = [corner.position, corner.normal, corner.tangent].map(vector).concat();
-        own.into_iter().chain(plane[..4].to_vec())
+        own.into_iter().chain(plane[..4].to_vec()).chain(corner.uv.as_vec2().to_array())
     });
     floats.map(f32::to_bits).collect()
 }

@@ -1,7 +1,7 @@
 //! What is drawn: triangles about a focus, and a camera that comes near it.
 
 use asperity_render::geometry::{mesh::TracedMesh, teapot::teapot};
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// A corner of a triangle, its position from the focus on.
 #[derive(Clone, Copy)]
@@ -9,6 +9,8 @@ pub(crate) struct Corner {
     pub(crate) position: DVec3,
     pub(crate) normal: DVec3,
     pub(crate) tangent: DVec3,
+    /// Texture coordinates, which repeat from 1 on.
+    pub(crate) uv: DVec2,
 }
 
 /// A pinhole camera and a light, seen from the focus.
@@ -64,13 +66,16 @@ pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
             let vertex = mesh.vertices[i as usize];
             let [position, normal, tangent] =
                 [vertex.position, vertex.normal, vertex.tangent].map(Vec3::as_dvec3);
-            Corner { position: position - focus, normal, tangent }
+            Corner { position: position - focus, normal, tangent, uv: vertex.uv.as_dvec2() }
         })
     });
     let from = (eye - focus) / zoom;
     let view = View::new(from, -from, 0.62, size, DVec3::new(-0.55, -0.6, 0.75));
     Ok(Scene { triangles: triangles.collect(), view, focus })
 }
+
+/// Repetitions of the plane's texture along a unit: 8 cells of its first octave are one.
+const PER_UNIT: f64 = 0.375;
 
 /// A plane to the horizon, from so many times lower above it.
 ///
@@ -81,8 +86,10 @@ pub(crate) fn plane_scene(zoom: f64, size: u32) -> Scene {
     let half: Vec<f64> =
         std::iter::successors(Some(0.25 / zoom), |x| Some(2.0 * x)).take_while(|&x| x < FARTHEST).collect();
     let lines: Vec<f64> = half.iter().rev().map(|x| -x).chain([0.0]).chain(half.iter().copied()).collect();
-    let corner =
-        |x: f64, y: f64| Corner { position: DVec3::new(x, y, 0.0), normal: DVec3::Z, tangent: DVec3::X };
+    let corner = |x: f64, y: f64| {
+        let (position, uv) = (DVec3::new(x, y, 0.0), DVec2::new(x, y) * PER_UNIT);
+        Corner { position, normal: DVec3::Z, tangent: DVec3::X, uv }
+    };
     let triangles = lines.windows(2).flat_map(|xs| {
         lines.windows(2).flat_map(move |ys| {
             let [a, b] = [corner(xs[0], ys[0]), corner(xs[1], ys[0])];

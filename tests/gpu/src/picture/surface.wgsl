@@ -25,6 +25,7 @@ struct SurfaceCorner {
     @location(0) normal: vec3<f32>,
     @location(1) tangent: vec3<f32>,
     @location(2) @interpolate(flat) plane: vec4<f32>,
+    @location(3) uv: vec2<f32>,
 }
 
 @vertex
@@ -33,12 +34,13 @@ fn surface_corner(
     @location(1) normal: vec3<f32>,
     @location(2) tangent: vec3<f32>,
     @location(3) plane: vec4<f32>,
+    @location(4) uv: vec2<f32>,
 ) -> SurfaceCorner {
     let v = p - surface_view.eye;
     let x = dot(v, surface_view.right) / dot(surface_view.right, surface_view.right);
     let y = dot(v, surface_view.up) / dot(surface_view.up, surface_view.up);
     // Depth runs from 1 at the eye to 0 at infinity.
-    return SurfaceCorner(vec4<f32>(x, y, 1e-9, dot(v, surface_view.forward)), normal, tangent, plane);
+    return SurfaceCorner(vec4<f32>(x, y, 1e-9, dot(v, surface_view.forward)), normal, tangent, plane, uv);
 }
 
 // A sky by the height of a direction, with a broad glow about the light.
@@ -49,7 +51,7 @@ fn surface_sky(direction: vec3<f32>) -> f32 {
 }
 
 // Light that is seen of a surface: the lamp's by the exact rule, the sky's in the facet in the middle of what is not resolved.
-fn surface_light(p: vec3<f32>, frame: Frame, wo: vec3<f32>, distance: f32) -> f32 {
+fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, distance: f32) -> f32 {
     let cos_eye = frame_product(wo, frame.normal);
     let cos_light = frame_product(surface_view.light, frame.normal);
     if !(cos_eye > 0.0) {
@@ -57,12 +59,12 @@ fn surface_light(p: vec3<f32>, frame: Frame, wo: vec3<f32>, distance: f32) -> f3
     }
     let footprint = distance * surface_view.pixel_angle / cos_eye;
     let octaves = -log2(2.0 * footprint * surface_view.frequency) * surface_view.per_octave;
-    let seen = gaussian_octaves_3d(p * surface_view.frequency, clamp(octaves, 0.0, surface_view.max_octaves), 0u);
+    let seen = surface_bumps(p * surface_view.frequency, uv, clamp(octaves, 0.0, surface_view.max_octaves));
     let h = frame_to_local(frame, frame_direction(surface_view.light + wo));
-    let z = seen.pair.value;
-    let share = min(seen.share, surface_view.share);
+    let z = seen.xy;
+    let share = min(seen.z, surface_view.share);
     let lamp = level_of_detail_exact_ggx(surface_view.alpha, h, z, share) * max(cos_light, 0.0);
-    let facet = ggx_from_gaussian(surface_view.alpha, level_of_detail_exact_coordinates(z, share));
+    let facet = surface_facet(level_of_detail_exact_coordinates(z, share));
     let m = frame_to_world(frame, facet);
     return lamp + surface_sky(m * (2.0 * frame_product(m, wo)) - wo);
 }
@@ -87,6 +89,6 @@ fn surface_pixel(corner: SurfaceCorner) -> @location(0) vec4<f32> {
     let toward = -direction;
     let distance = t * sqrt(dot(direction, direction));
     let frame = frame_from_normal_tangent(corner.normal, corner.tangent);
-    let light = surface_light(p, frame, frame_direction(toward), distance);
+    let light = surface_light(p, corner.uv, frame, frame_direction(toward), distance);
     return vec4<f32>(surface_tone(light * surface_view.exposure), 1.0);
 }

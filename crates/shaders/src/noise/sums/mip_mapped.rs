@@ -1,0 +1,104 @@
+//! Texels of octaves of noise, for a mip-mapped texture.
+
+use core::{error::Error, fmt};
+
+use asperity_noise::{
+    Gaussian, IntegerHash, Octaves, Spectrum, SpectrumError, Tiled, TiledError, glam::Vec2,
+};
+
+/// A texture of two channels of a sum of octaves that tiles; level l holds all octaves but the finest l.
+///
+/// ```text
+/// texel = Σ_{i < k} aᵢ nᵢ(p),   k = max_octaves − level,   p = period · (x + ½, y + ½)/size
+/// ```
+///
+/// Sizes halve from level to level, and so does the frequency of the finest octave: each level has as many texels per cell of it. Where
+/// a sampler blends two levels the result is the sum with a part of one octave, so that `mip_mapped_octaves` of the shader need only
+/// divide it. Kautz, Heidrich, Seidel 2001, "Real-Time Bump Map Synthesis", §5.2.2, with Gaussian noise for turbulence and N(0, 1) for
+/// the numbers that index L; there filtering narrows their distribution, here only between texels.
+///
+/// ```
+/// use asperity_shaders::noise::sums::MipMapped;
+///
+/// let texture = MipMapped::new(7, 8, 5, 0.5)?;
+/// assert_eq!([texture.size(0), texture.size(5)], [8 * 16 * 4, 16]);
+/// assert_eq!(texture.texel(5, 3, 2), [0.0; 2]);
+/// assert_ne!(texture.texel(0, 3, 2), texture.texel(1, 1, 1));
+/// # Ok::<(), asperity_shaders::noise::sums::MipMappedError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MipMapped {
+    sum: Octaves<Gaussian<Tiled<IntegerHash, 2>>, 2>,
+    period: u32,
+}
+
+impl MipMapped {
+    /// Texels along a cell of the finest octave of each level.
+    pub const TEXELS_PER_CELL: u32 = 4;
+
+    /// The texture of a seed, of `period` cells of the first octave along each side, `octaves` of lacunarity 2 and a gain.
+    ///
+    /// `period` should be a power of two, or levels have sizes that hardware rounds.
+    ///
+    /// # Errors
+    ///
+    /// If [`Spectrum::new`] refuses gain or octaves, or [`Octaves::tiled`] the period.
+    pub fn new(seed: u32, period: u32, octaves: u32, gain: f32) -> Result<Self, MipMappedError> {
+        let spectrum = Spectrum::new(2.0, gain, octaves).map_err(MipMappedError::Spectrum)?;
+        let tiled = Tiled::new(IntegerHash, [period; 2]).map_err(MipMappedError::Period)?;
+        let noise = Gaussian::new(seed).with_lattice(tiled);
+        Ok(Self { sum: Octaves::tiled(noise, spectrum).map_err(MipMappedError::Period)?, period })
+    }
+
+    /// The sum whose octaves the texture holds, for [`OctavesUniform`](super::OctavesUniform).
+    #[must_use]
+    pub const fn sum(&self) -> &Octaves<Gaussian<Tiled<IntegerHash, 2>>, 2> {
+        &self.sum
+    }
+
+    /// Levels of the texture, the last without any octave.
+    #[must_use]
+    pub fn levels(&self) -> u32 {
+        self.sum.spectrum().max_octaves() + 1
+    }
+
+    /// Texels along a side of a level.
+    #[must_use]
+    pub fn size(&self, level: u32) -> u32 {
+        let octaves = self.sum.spectrum().max_octaves();
+        let finest = self.period.saturating_mul(Self::TEXELS_PER_CELL).saturating_mul(1 << (octaves - 1));
+        finest >> level.min(31)
+    }
+
+    /// Both channels of a texel, column `x` of row `y`.
+    #[must_use]
+    pub fn texel(&self, level: u32, x: u32, y: u32) -> [f32; 2] {
+        let spectrum = self.sum.spectrum();
+        let octaves = spectrum.max_octaves().saturating_sub(level) as f32;
+        let per_texel = self.period as f32 / self.size(level).max(1) as f32;
+        let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) * per_texel;
+        let scale = spectrum.root_sum_of_squares(octaves);
+        self.sum.detail(octaves).pair(p).map(|channel| scale * channel.value)
+    }
+}
+
+/// Why there is no such texture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MipMappedError {
+    /// Gain or number of octaves.
+    Spectrum(SpectrumError),
+    /// The period, of the first octave or of a finer one.
+    Period(TiledError),
+}
+
+impl fmt::Display for MipMappedError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Spectrum(error) => error.fmt(f),
+            Self::Period(error) => error.fmt(f),
+        }
+    }
+}
+
+impl Error for MipMappedError {}
