@@ -18,6 +18,7 @@ pub mod octaves_2d;
 pub mod octaves_3d;
 pub mod octaves_4d;
 
+mod mip_mapped;
 mod uniform;
 
 pub use mip_mapped::{MipMapped, MipMappedError};
