@@ -84,6 +84,29 @@ fn shading() {
     hold(ROOMS[5]);
 }
 
+/// Light of materials differs by less than a hundredth in the mean over points, pixels and directions, fused or not.
+#[test]
+fn materials_are_right_in_the_mean() {
+    for case in cases::all().iter().filter(|case| case.name.starts_with("shading/material")) {
+        let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
+        for arithmetic in [Arithmetic::Written, Arithmetic::Fused] {
+            let shader = case.interpreter().expect(&case.name).arithmetic(arithmetic);
+            let outcomes = shader.call_many("evaluate", &inputs).expect(&case.name);
+            let (mut apart, mut light) = (0.0, 0.0);
+            for (input, outcome) in inputs.iter().zip(&outcomes) {
+                let expected = (case.reference)(*input);
+                for k in 0..3 {
+                    let [got, expected] =
+                        [outcome.words()[k], expected[k]].map(f32::from_bits).map(f64::from);
+                    apart += (got - expected).abs();
+                    light += expected.abs();
+                }
+            }
+            assert!(apart <= 0.01 * light, "{}, {arithmetic:?}: {}", case.name, apart / light);
+        }
+    }
+}
+
 #[test]
 fn fractal_interpolation() {
     hold(ROOMS[6]);

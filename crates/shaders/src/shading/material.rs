@@ -8,16 +8,20 @@ use asperity_noise::simd::Kernel;
 use asperity_shading::material::Fbm;
 
 use crate::ndf::FRAME;
-use crate::noise::sums::{OctavesUniform, SHAPE, UNIFORM_3D};
-use crate::noise::{INTEGER_HASH, SIMPLEX};
+use crate::noise::INTEGER_HASH;
+use crate::noise::sums::{OctavesUniform, octaves_3d};
 use crate::part::{Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::pixel::{FOOTPRINT, PIXEL_ELLIPSE};
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, ENERGY_PRESERVING, FACET};
 
+mod glass;
+mod paint;
 mod wear;
 
+pub use glass::{TEMPERED_GLASS, TemperedGlassUniform};
+pub use paint::{FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
 pub use wear::{BLEMISHES, DENTS, SCRATCHES, ScratchesUniform, VARIATIONS, VariationsUniform};
 
 /// Point of a surface with the pixel about it, [`SurfacePoint`](asperity_shading::SurfacePoint).
@@ -31,7 +35,7 @@ pub static SEGMENTS: Part = part!("shading/material/segments", INTEGER_HASH, DIR
 pub static LATTICE_KEY: Part = part!("shading/material/lattice_key");
 
 /// Octaves of simplex noise by position, as a pixel sees them; their sums are in the uniform of sums of octaves in space.
-pub static FBM: Part = part!("shading/material/fbm", SIMPLEX, SHAPE, UNIFORM_3D, FOOTPRINT);
+pub static FBM: Part = part!("shading/material/fbm", octaves_3d::SIMPLEX, FOOTPRINT);
 
 /// Rough diffuse surface with gloss, as a pixel sees it.
 pub static GLOSSY: Part =

@@ -2,7 +2,7 @@
 
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
 use crate::part::{Part, part};
-use crate::shading::bump::SURFACE_GRADIENT;
+use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::{DIRECTION, MATH};
 
 /// Reflectances that are finite and not negative.
@@ -50,3 +50,11 @@ pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEME
 
 /// Light by way of a facet of a surface, as [`Bsdf`](asperity_shading::Bsdf) adds it up.
 pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME);
+
+/// Smooth and rough coats over the layers of a surface, [`Coat`](asperity_shading::reflectance::Coat).
+pub static COAT: Part =
+    part!("shading/reflectance/coat", SLOPE_FACETS, FACET, COOK_TORRANCE_BECKMANN, DIELECTRIC, ELEMENTARY);
+
+/// Frosted glass, walls and bodies, [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
+pub static ROUGH_DIELECTRIC: Part =
+    part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);

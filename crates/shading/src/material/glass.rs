@@ -143,6 +143,13 @@ impl TemperedGlass {
         Ok(Self { parameters, direction, noise: Fbm::single(1.0 / p.wave_frequency, p.seed) })
     }
 
+    /// The unit direction in which waves travel, and the noise of those that are noise.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (Vec3, &Fbm) {
+        (self.direction, &self.noise)
+    }
+
     /// Unit normal of the glass at a pixel, and the slopes that the footprint took; total: flat where the position is not finite.
     fn surface(&self, point: &SurfacePoint) -> (Vec3, Slopes) {
         let p = &self.parameters;

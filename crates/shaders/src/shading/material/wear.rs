@@ -5,7 +5,8 @@ use asperity_shading::material::{Segments, half_mean};
 use asperity_shading::{Scratches, Variations};
 
 use super::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
-use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform};
+use crate::noise::SIMPLEX;
+use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
 use crate::part::{Binding, Part, part};
 use crate::shading::bump::SLOPE_FACETS;
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, FACET};
@@ -97,7 +98,7 @@ impl ScratchesUniform {
 pub static BLEMISHES: Part = part!("shading/material/wear/blemishes", FBM);
 
 /// Noise some of whose gradients are dropped, [`Dents`](asperity_shading::material::Dents).
-pub static DENTS: Part = part!("shading/material/wear/dents", FBM, LATTICE_KEY);
+pub static DENTS: Part = part!("shading/material/wear/dents", FBM, LATTICE_KEY, SIMPLEX, octaves_3d::TOTAL);
 
 /// A material of any kind with blemishes and dents, [`Variations`].
 pub static VARIATIONS: Part =

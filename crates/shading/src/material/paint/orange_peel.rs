@@ -44,6 +44,13 @@ impl OrangePeel {
         Ok(Self { noise, strength: as_share("orange_peel_strength", strength)? })
     }
 
+    /// The noise.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm {
+        &self.noise
+    }
+
     /// The gradient of the height along the surface of unit normal `n`.
     #[must_use]
     pub fn gradient(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {

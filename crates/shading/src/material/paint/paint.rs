@@ -144,6 +144,13 @@ impl MetallicPaint {
         })
     }
 
+    /// Orange peel, sparkles, passive flakes.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&OrangePeel, &Sparkles, &PassiveFlakes) {
+        (&self.orange_peel, &self.sparkles, &self.passive)
+    }
+
     /// The specular colour of the base layer at a pixel, with passive flakes; in [0, 1]³.
     fn specular(&self, point: &SurfacePoint) -> Vec3 {
         let factor = self.passive.factor(point.position, point.footprint());

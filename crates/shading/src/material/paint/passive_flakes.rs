@@ -46,6 +46,13 @@ impl PassiveFlakes {
         Ok(Self { noise: Fbm::new(spectrum, size, seed), strength })
     }
 
+    /// The noise.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm {
+        &self.noise
+    }
+
     /// Factor of the specular colour, in [0, 2]; 1 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint) -> f32 {

@@ -115,6 +115,13 @@ impl Sparkles {
         })
     }
 
+    /// The seed of the lattice.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn seed(&self) -> u32 {
+        self.seed
+    }
+
     /// The share of flakes that are left out at this footprint.
     #[must_use]
     pub fn elimination(&self, footprint: Footprint) -> f32 {

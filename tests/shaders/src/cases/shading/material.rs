@@ -2,17 +2,42 @@
 
 use asperity_shaders::Part;
 use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
-use asperity_shaders::shading::material::{SCRATCHES, ScratchesUniform, VARIATIONS, VariationsUniform};
+use asperity_shaders::shading::material::{
+    METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS, TemperedGlassUniform,
+    VARIATIONS, VariationsUniform,
+};
 use asperity_shading::glam::Vec2;
+use asperity_shading::material::{GlassBody, GlassWaves};
 use asperity_shading::{
-    Material, PixelEllipse, Scratches, ScratchesParameters, SurfacePoint, Variations, VariationsParameters,
+    Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches, ScratchesParameters,
+    SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
 
 use super::{direction, floats, inputs, near, normal, number, vec3, words};
-use crate::case::{Bound, Case};
+use crate::case::{Bound, Case, INPUTS};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![scratches(), variations()]
+    vec![
+        scratches(),
+        variations(),
+        paint("sparkling", paint_parameters()),
+        paint("rough coat", rough_paint()),
+        glass("pane", pane()),
+        glass("body", body()),
+        delta("pane", smooth(pane())),
+        delta("body", smooth(body())),
+    ]
+}
+
+/// Words whose directions, at 4 to 6 and 8 to 10, are no numbers or infinite, but not just long.
+fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
+    for word in [4, 5, 6, 8, 9, 10] {
+        let x = f32::from_bits(words[word]);
+        if x.is_finite() && x.abs() > 1.0 {
+            words[word] = (0.5 * x.signum()).to_bits();
+        }
+    }
+    words
 }
 
 /// A material in a uniform beside the crate's, at points of texture coordinates and positions within `extent`, seen by pixels from
@@ -26,6 +51,7 @@ fn material(
     of: impl Material + Sync + 'static,
 ) -> Case {
     let [written, adapter] = bounds;
+    let name_of_glass = name.contains("glass");
     Case {
         name: format!("shading/material/{name}"),
         parts: vec![part],
@@ -35,7 +61,7 @@ fn material(
     let pixel = pixel_ellipse_from_derivatives(vec3<f32>(a.w, 0.0, 0.0), vec3<f32>(0.0, a.w * bitcast<f32>(d.z), 0.0));
     let point = SurfacePoint(a.xyz, normal, bitcast<vec2<f32>>(d.xy), vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.25), pixel);
     outcome.a = bits(vec4<f32>(MATERIAL(point, b.xyz, bitcast<vec3<f32>>(c.xyz)), 0.0));"
-            .replace("MATERIAL", name.rsplit('/').next().unwrap_or(name)),
+            .replace("MATERIAL", name.rsplit('/').next().unwrap_or(name).split(',').next().unwrap_or(name)),
         resources,
         input: Box::new(move |i| {
             let (wi, wo) = (direction(i, 0), direction(i, 2));
@@ -47,13 +73,27 @@ fn material(
             let (lean, ratio) = (number(i, 10, [-0.7, 0.7]), number(i, 11, [0.2, 1.0]));
             let mut all =
                 [p[0], p[1], p[2], width, wo.x, wo.y, wo.z, lean, wi.x, wi.y, wi.z, 0.0, p[3], p[4], ratio];
+            if name_of_glass && i % 2 == 1 {
+                // Light from behind.
+                all[10] = -all[10];
+            }
+            if name_of_glass && i % 8 == 2 {
+                all[6] = -all[6];
+            }
             if i % 4 == 1 {
                 // A flat surface.
                 all[7] = 0.0;
             }
             let mut words = normal(inputs(i, &all));
+            if name_of_glass {
+                // Waves far out have no phase.
+                for word in &mut words[..3] {
+                    let x = f32::from_bits(*word);
+                    *word = if x.is_finite() { x.clamp(-2.0, 2.0) } else { x }.to_bits();
+                }
+            }
             words[7] = all[7].to_bits();
-            words
+            units(words)
         }),
         reference: Box::new(move |inputs| {
             let [lean] = floats(inputs, 7);
@@ -88,7 +128,7 @@ fn scratches() -> Case {
         &SCRATCHES,
         vec![("scratches_uniform", uniform)],
         [0.5, 1e-5, 0.3],
-        [Bound::Absolute(1e-4), Bound::Absolute(1e-3)],
+        [Bound::Absolute(4e-6), Bound::Absolute(4e-3)],
         scratches,
     )
 }
@@ -108,7 +148,121 @@ fn variations() -> Case {
         &VARIATIONS,
         vec![("variations_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
         [0.5, 1e-5, 1.0],
-        [Bound::Absolute(1e-4), Bound::Absolute(1e-3)],
+        [Bound::Absolute(1e-6), Bound::Absolute(1e-3)],
         variations,
     )
+}
+
+fn paint_parameters() -> MetallicPaintParameters {
+    MetallicPaintParameters::default()
+}
+
+/// Paint with a coat that is not a mirror, and more orange peel.
+fn rough_paint() -> MetallicPaintParameters {
+    MetallicPaintParameters { coat_roughness: 0.1, orange_peel_strength: 0.05, ..Default::default() }
+}
+
+fn paint(name: &str, parameters: MetallicPaintParameters) -> Case {
+    let paint = MetallicPaint::new(parameters).expect("valid parameters");
+    let uniform = MetallicPaintUniform::new(&paint, 0);
+    material(
+        &format!("paint/metallic_paint, {name}"),
+        &METALLIC_PAINT,
+        vec![("metallic_paint_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        [0.1, 1e-6, 0.02],
+        [Bound::Relative(4e-6), Bound::Relative(1e-2)],
+        paint,
+    )
+}
+
+/// A frosted pane with waves of a sine.
+fn pane() -> TemperedGlassParameters {
+    let tint = [0.5, 0.8, 0.9].into();
+    TemperedGlassParameters { roughness: 0.2, wave_amplitude: 0.01, tint, ..Default::default() }
+}
+
+/// A frosted body with waves of noise.
+fn body() -> TemperedGlassParameters {
+    let (waves, body) = (GlassWaves::Noise, GlassBody::Solid);
+    TemperedGlassParameters { roughness: 0.15, wave_amplitude: 0.005, waves, body, ..Default::default() }
+}
+
+fn glass(name: &str, parameters: TemperedGlassParameters) -> Case {
+    let glass = TemperedGlass::new(parameters).expect("valid parameters");
+    let uniform = TemperedGlassUniform::new(&glass, 0);
+    material(
+        &format!("tempered_glass, {name}"),
+        &TEMPERED_GLASS,
+        vec![("tempered_glass_uniform", uniform.words().to_vec()), sums(&[uniform.sum()])],
+        [1.0, 1e-3, 1.0],
+        [Bound::Absolute(5e-6), Bound::Absolute(1e-3)],
+        glass,
+    )
+}
+
+/// The same glass without roughness.
+fn smooth(parameters: TemperedGlassParameters) -> TemperedGlassParameters {
+    TemperedGlassParameters { roughness: 0.0, ..parameters }
+}
+
+/// What smooth glass, and the clear coat of paint, send from single directions.
+fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
+    let glass = TemperedGlass::new(parameters).expect("valid parameters");
+    let paint = MetallicPaint::new(paint_parameters()).expect("valid parameters");
+    let (glass_words, paint_words) =
+        (TemperedGlassUniform::new(&glass, 0), MetallicPaintUniform::new(&paint, 1));
+    let [peel, passive] = paint_words.sums();
+    Case {
+        name: format!("shading/material/tempered_glass and metallic_paint, deltas, {name}"),
+        parts: vec![&TEMPERED_GLASS, &METALLIC_PAINT],
+        body: "\
+    let pixel = pixel_ellipse_from_derivatives(vec3<f32>(a.w, 0.0, 0.0), vec3<f32>(0.0, a.w, 0.0));
+    let x = vec3<f32>(1.0, 0.0, 0.0);
+    let y = vec3<f32>(0.0, 1.0, 0.0);
+    let point = SurfacePoint(a.xyz, vec3<f32>(0.0, 0.0, 1.0), vec2<f32>(0.0), x, y, pixel);
+    let u = bitcast<vec2<f32>>(c.xy);
+    let deltas = tempered_glass_deltas(tempered_glass_uniform, point, b.xyz, u);
+    let coat = metallic_paint_mirrored(metallic_paint_uniform, point, b.xyz, u);
+    outcome.a = bits(vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x));
+    outcome.b = bits(vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y));
+    outcome.c = bits(vec4<f32>(coat.wi, coat.weight.x));"
+            .into(),
+        resources: vec![
+            ("tempered_glass_uniform", glass_words.words().to_vec()),
+            ("metallic_paint_uniform", paint_words.words().to_vec()),
+            sums(&[glass_words.sum(), peel, passive]),
+        ],
+        input: Box::new(|i| {
+            let wo = direction(i, 0);
+            let wo = if i % 4 == 2 { -wo } else { wo };
+            let p = [4, 5, 6].map(|k| number(i, k, [-1.0, 1.0]));
+            let width = if i % 8 == 0 { 0.0 } else { number(i, 9, [-8.0, 0.0]).exp() };
+            let u = [7, 8].map(|k| number(i, k, [0.0, 1.0]));
+            // Bad numbers stand alone: directions are checked, what waves there are far out is not.
+            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, wo.x, wo.y, wo.z, 0.0, u[0], u[1]]));
+            words[..3].copy_from_slice(&p.map(f32::to_bits));
+            units(words)
+        }),
+        reference: Box::new(move |inputs| {
+            let ([width], [u, v]) = (floats(inputs, 3), floats(inputs, 8));
+            let pixel = PixelEllipse::from_derivatives([width, 0.0, 0.0].into(), [0.0, width, 0.0].into());
+            let point = SurfacePoint {
+                position: vec3(inputs, 0),
+                normal: [0.0, 0.0, 1.0].into(),
+                uv: Vec2::ZERO,
+                tangents: [[1.0, 0.0, 0.0].into(), [0.0, 1.0, 0.0].into()],
+                pixel,
+            };
+            let (wo, u) = (vec3(inputs, 4), Vec2::new(u, v));
+            let [mirrored, transmitted] = glass.bsdf(&point, wo).deltas(wo, u);
+            let [coat, _] = paint.bsdf(&point, wo).deltas(wo, u);
+            let [mirrored, coat] = [mirrored, coat].map(|delta| delta.wi.extend(delta.weight.x).to_array());
+            words(&[mirrored, transmitted.wi.extend(transmitted.weight.y).to_array(), coat].concat())
+        }),
+        outputs: vec![
+            near("mirrored by glass", 0..4, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+            near("transmitted", 4..8, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+            near("mirrored by paint", 8..12, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+        ],
+    }
 }

@@ -47,24 +47,11 @@ fn dents_octave(q: vec3<f32>, seed: u32, dropped: u32) -> Sample3d {
 // The value, and the gradient by cells of the first octave, with the octaves that the pixel cannot resolve faded to 0: `Dents::sample`.
 fn dents_sample(fbm: Fbm, dropped: u32, position: vec3<f32>, footprint: f32) -> Sample3d {
     let p = position * fbm.frequency;
-    let width = fbm_footprint(fbm, footprint);
-    let spectrum = octaves_spectrum_3d(fbm.sum);
-    let divisor = octaves_divisor(fbm.octaves, width, spectrum);
-    var value = 0.0;
-    var gradient = vec3<f32>(0.0);
-    var amplitude = 1.0;
-    var frequency = 1.0;
-    for (var i = 0u; i < 8u; i++) {
-        let weighted = min(fbm.octaves - f32(i), 1.0) * amplitude * (1.0 - frequency_clamp_removed_share(width, frequency));
-        if !(weighted > 0.0) {
-            break;
-        }
-        let layer = octaves_layer_3d(fbm.sum, i);
+    var total = octaves_total_3d(fbm.octaves, fbm_footprint(fbm, footprint), fbm.sum);
+    while octaves_goes_on(total.walk) {
+        let layer = octaves_layer_3d(fbm.sum, total.walk.octave);
         let octave = dents_octave(octaves_point_3d(layer, p), bitcast<u32>(layer.cell_and_key.w), dropped);
-        value += weighted * octave.value;
-        gradient += weighted * octaves_pull_back_3d(layer, octave.gradient);
-        amplitude *= spectrum.gain;
-        frequency *= spectrum.lacunarity;
+        total = octaves_added_3d(total, layer, octave);
     }
-    return Sample3d(value * divisor.factor, gradient * divisor.factor);
+    return octaves_divided_3d(total);
 }

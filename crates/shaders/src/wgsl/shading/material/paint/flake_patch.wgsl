@@ -1,0 +1,52 @@
+// Patches of space, one to a flake: `asperity_shading::material::flake_patch`.
+
+struct FlakePatch {
+    // Whether there is a flake at the point.
+    there: bool,
+    // A random number in [0, 1), the same at all points of the flake.
+    value: f32,
+    // Tilt, to be added to a unit normal: uniform in the unit ball.
+    tilt: vec3<f32>,
+}
+
+// A number in [0, 1) of 24 bits of the hash of a cell.
+fn flake_patch_random(terms: u32, key: u32) -> f32 {
+    return f32(integer_hash_word(terms, key) >> 8u) / 16777216.0;
+}
+
+// The flake that a point lies in; keys are those of seed ^ k * 0x9e3779b9, for k = 0 to 3 and 4 to 6.
+fn flake_patch(
+    position: vec3<f32>,
+    cell: f32,
+    width: vec3<f32>,
+    scatter: f32,
+    keys: vec4<u32>,
+    more_keys: vec4<u32>,
+) -> FlakePatch {
+    let none = FlakePatch(false, 0.0, vec3<f32>(0.0));
+    let place = position / cell;
+    if !direction_is_finite(place) || !(max(abs(place.x), max(abs(place.y), abs(place.z))) < 8388608.0) {
+        return none;
+    }
+    let corner = floor(place);
+    let cells = vec3<i32>(corner);
+    let terms = integer_hash_term(0u, cells.x) ^ integer_hash_term(1u, cells.y) ^ integer_hash_term(2u, cells.z);
+    let room = clamp(vec3<f32>(1.0) - width / cell, vec3<f32>(0.0), vec3<f32>(1.0)) * math_clamped(scatter, 1.0);
+    let random = vec3<f32>(
+        flake_patch_random(terms, more_keys.x), flake_patch_random(terms, more_keys.y), flake_patch_random(terms, more_keys.z),
+    );
+    let middle = vec3<f32>(0.5) + (random - 0.5) * room;
+    let off = abs((place - corner) - middle) * cell;
+    if !all(off <= 0.5 * width) {
+        return none;
+    }
+    let z = 1.0 - 2.0 * flake_patch_random(terms, keys.y);
+    let across = sqrt(max(1.0 - z * z, 0.0));
+    let turn = elementary_cos_sin_turns(flake_patch_random(terms, keys.z));
+    let w = flake_patch_random(terms, keys.w);
+    var radius = 0.0;
+    if w > 0.0 {
+        radius = elementary_exp(elementary_ln(w) * 0.33333334);
+    }
+    return FlakePatch(true, flake_patch_random(terms, keys.x), vec3<f32>(across * turn.x, across * turn.y, z) * radius);
+}
