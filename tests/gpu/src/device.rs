@@ -9,16 +9,34 @@ pub(crate) struct Gpu {
     pub(crate) queue: wgpu::Queue,
 }
 
-/// Every adapter whose name contains a text, opened; the error says that there is none.
+/// Every adapter of the primary APIs whose name contains a text, opened; the error says that there is none.
 pub(crate) fn open(named: Option<&str>) -> Result<Vec<Gpu>, String> {
+    let gpus = find(named, Backends::PRIMARY);
+    if gpus.is_empty() { Err(none(named)) } else { Ok(gpus) }
+}
+
+/// The sentence that there is no adapter, or none of a name.
+pub(crate) fn none(named: Option<&str>) -> String {
+    let named = named.map_or(String::new(), |name| format!(" whose name contains `{name}`"));
+    format!(
+        "no adapter{named} was found; on Debian `apt-get install mesa-vulkan-drivers libvulkan1` brings one in software"
+    )
+}
+
+/// Every adapter whose name contains a text, opened.
+pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle();
-    descriptor.backends = Backends::PRIMARY;
-    let adapters = pollster::block_on(Instance::new(descriptor).enumerate_adapters(Backends::PRIMARY));
+    descriptor.backends = backends;
+    let adapters = pollster::block_on(Instance::new(descriptor).enumerate_adapters(backends));
     let named = |adapter: &Adapter| {
         named.is_none_or(|text| name(adapter).to_lowercase().contains(&text.to_lowercase()))
     };
     let mut gpus = Vec::new();
     for adapter in adapters.iter().filter(|adapter| named(adapter)) {
+        // Two layers of a loader may find one device.
+        if gpus.iter().any(|gpu: &Gpu| gpu.name == name(adapter)) {
+            continue;
+        }
         match pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
             ..Default::default()
@@ -27,14 +45,7 @@ pub(crate) fn open(named: Option<&str>) -> Result<Vec<Gpu>, String> {
             Err(error) => println!("{} is left out: {error}", name(adapter)),
         }
     }
-    if gpus.is_empty() {
-        return Err(
-            "no adapter was found; on Debian `apt-get install mesa-vulkan-drivers libvulkan1` brings one \
-                    in software"
-                .into(),
-        );
-    }
-    Ok(gpus)
+    gpus
 }
 
 fn name(adapter: &Adapter) -> String {

@@ -2,14 +2,21 @@
 
 use std::{path::PathBuf, process::ExitCode};
 
+use asperity_shader_tests::{case::Case, cases};
 use clap::{Parser, Subcommand};
 
 mod compute;
 mod device;
+mod dialect;
+mod entry;
+mod export;
 mod means;
+mod no_contraction;
 mod parity;
 mod picture;
 mod resources;
+
+use dialect::Dialect;
 
 /// The shaders of Asperity on drivers.
 #[derive(Parser)]
@@ -21,17 +28,29 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Every function beside the crate's on each adapter: equal bits, or the largest error beside its bound.
+    /// Every function beside the crate's, interpreted and on each adapter: equal bits, or the largest error beside its bound.
     Parity {
         /// Adapters whose names contain this; all without it.
         #[arg(long)]
         adapter: Option<String>,
-        /// Functions whose names contain this; all without it.
-        #[arg(long)]
+        /// Functions whose names, or those of the parts they need, contain this; all without it.
+        #[arg(long, visible_alias = "part")]
         only: Option<String>,
         /// File for the table.
         #[arg(long)]
         out: Option<PathBuf>,
+    },
+    /// Every function with an entry point in every shading language, read by the validators that are installed.
+    Export {
+        /// Functions whose names, or those of the parts they need, contain this; all without it.
+        #[arg(long, visible_alias = "part")]
+        only: Option<String>,
+        /// Languages; all without it.
+        #[arg(long, value_enum)]
+        dialect: Vec<Dialect>,
+        /// Folder for the shaders.
+        #[arg(long, default_value = "target/shaders")]
+        out: PathBuf,
     },
     /// The mean radiance over a surface by the exact rule, at five zooms and half vectors, over the density.
     Means {
@@ -56,7 +75,10 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Parity { adapter, only, out } => {
-            parity::run(adapter.as_deref(), only.as_deref(), out.as_deref())
+            chosen(only).and_then(|cases| parity::run(&cases, adapter.as_deref(), out.as_deref()))
+        }
+        Command::Export { only, dialect, out } => {
+            chosen(only).and_then(|cases| export::run(&cases, &dialect, &out))
         }
         Command::Means { adapter } => means::run(adapter.as_deref()),
         Command::Pictures { adapter, size, out } => picture::run(adapter.as_deref(), size, &out),
@@ -68,4 +90,15 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Cases whose names, or those of the parts they need, contain a text; all without it.
+fn chosen(only: Option<String>) -> Result<Vec<Case>, String> {
+    let mut cases = cases::all();
+    let Some(text) = only else { return Ok(cases) };
+    cases.retain(|case| {
+        let parts = asperity_shaders::ordered(&case.parts);
+        case.name.contains(&text) || parts.iter().any(|part| part.name().contains(&text))
+    });
+    if cases.is_empty() { Err(format!("no function has or needs `{text}`")) } else { Ok(cases) }
 }

@@ -3,28 +3,14 @@
 use std::path::Path;
 
 use asperity_shader_tests::case::{Bound, Case, INPUTS, OUTPUTS, Output};
-use asperity_shader_tests::{cases, interpreter::Arithmetic};
+use asperity_shader_tests::interpreter::Arithmetic;
+use wgpu::Backends;
 
 use crate::{
     compute::Kernel,
     device::{self, Gpu},
+    entry,
 };
-
-const ENTRY: &str = "
-@group(1) @binding(0) var<storage, read> case_inputs: array<vec4<u32>>;
-@group(1) @binding(1) var<storage, read_write> case_outcomes: array<Outcome>;
-
-@compute @workgroup_size(64)
-fn run_case(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= arrayLength(&case_outcomes) {
-        return;
-    }
-    let at = id.x * 4u;
-    let a = bitcast<vec4<f32>>(case_inputs[at]);
-    let b = bitcast<vec4<f32>>(case_inputs[at + 1u]);
-    case_outcomes[id.x] = evaluate(a, b, case_inputs[at + 2u], case_inputs[at + 3u]);
-}
-";
 
 /// What computed the cases: the interpreter with one arithmetic or the other, or an adapter.
 enum Column {
@@ -54,15 +40,24 @@ impl Column {
 }
 
 /// Prints the table of functions and adapters, writes it where that is asked for, and fails where a bound is broken.
-pub(crate) fn run(adapter: Option<&str>, only: Option<&str>, out: Option<&Path>) -> Result<(), String> {
+///
+/// Without any adapter that is said in a line, and the interpreter is tried alone.
+pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> Result<(), String> {
     let mut columns = vec![Column::Interpreter(Arithmetic::Written), Column::Interpreter(Arithmetic::Fused)];
-    columns.extend(device::open(adapter)?.into_iter().map(Column::Adapter));
+    let gpus = device::find(adapter, Backends::all());
+    if gpus.is_empty() {
+        match adapter {
+            Some(_) => return Err(device::none(adapter)),
+            None => println!("no driver is tried: {}", device::none(None)),
+        }
+    }
+    columns.extend(gpus.into_iter().map(Column::Adapter));
     let names: Vec<_> = columns.iter().map(Column::name).collect();
     let mut table = format!("| function | quantity | bound | {} |\n|---|---|---|", names.join(" | "));
     table += &"---|".repeat(columns.len());
     table += "\n";
     let mut broken = Vec::new();
-    for case in cases::all().iter().filter(|case| only.is_none_or(|part| case.name.contains(part))) {
+    for case in cases {
         let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();
         let expected: Vec<_> = inputs.iter().map(|input| (case.reference)(*input)).collect();
         let outcomes = columns.iter().map(|column| column.outcomes(case, &inputs));
@@ -159,7 +154,7 @@ impl Found {
 
 /// What an adapter computes of a case.
 fn outcomes(gpu: &Gpu, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
-    let kernel = Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + ENTRY), "run_case")?;
+    let kernel = Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + entry::COMPUTE), "run_case")?;
     let groups = [(inputs.len() as u32).div_ceil(64), 1];
     let words = kernel.run(gpu, &case.resources, inputs.as_flattened(), inputs.len() * OUTPUTS, groups)?;
     Ok(words.chunks_exact(OUTPUTS).map(|words| std::array::from_fn(|k| words[k])).collect())

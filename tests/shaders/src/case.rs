@@ -98,11 +98,11 @@ impl Case {
 }
 
 impl Bound {
-    /// The error by the bound's measure: 0 for equal bits, NaN against a number is ∞.
+    /// The error by the bound's measure: 0 for equal bits, and for two NaN unless bits must be equal; NaN against a number is ∞.
     #[must_use]
     pub fn error(self, got: u32, expected: u32) -> f32 {
         let [g, e] = [got, expected].map(f32::from_bits);
-        if got == expected || g == e {
+        if got == expected || g == e || (self != Self::Equal && g.is_nan() && e.is_nan()) {
             return 0.0;
         }
         let error = match self {

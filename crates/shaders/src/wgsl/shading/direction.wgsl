@@ -6,10 +6,15 @@ fn direction_is_finite(v: vec3<f32>) -> bool {
     return max(max(bits.x, bits.y), bits.z) < 0x7f800000u;
 }
 
+// Whether the square of a length is above 0 and finite, by the bits too.
+fn direction_is_length(square: f32) -> bool {
+    return bitcast<u32>(square) - 1u < 0x7f7fffffu;
+}
+
 // v over its length; zero where v has no direction.
 fn direction_unit_or_zero(v: vec3<f32>) -> vec3<f32> {
     let square = dot(v, v);
-    if !(square > 0.0 && square <= MATH_LARGEST) {
+    if !direction_is_length(square) {
         return vec3<f32>(0.0);
     }
     return v * (1.0 / sqrt(square));
@@ -18,7 +23,7 @@ fn direction_unit_or_zero(v: vec3<f32>) -> vec3<f32> {
 // v over its length in the plane; `otherwise` where v has no direction.
 fn direction_unit_or_2d(v: vec2<f32>, otherwise: vec2<f32>) -> vec2<f32> {
     let square = dot(v, v);
-    if !(square > 0.0 && square <= MATH_LARGEST) {
+    if !direction_is_length(square) {
         return otherwise;
     }
     return v * (1.0 / sqrt(square));

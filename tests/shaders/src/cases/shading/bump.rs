@@ -25,7 +25,8 @@ fn directions() -> Case {
     let wi = a.xyz;
     let wo = b.xyz;
     let left = direction_unit_or_2d(direction_left_2d(wo.xy), vec2<f32>(0.0, 1.0));
-    let moderate = dot(wi, wi) < 16.0 && dot(wo, wo) < 16.0;
+    let finite = direction_is_finite(wi) && direction_is_finite(wo);
+    let moderate = finite && dot(wi, wi) < 16.0 && dot(wo, wo) < 16.0;
     outcome.a = bits(vec4<f32>(direction_half(wi, wo), left.x));
     outcome.b = bits(vec4<f32>(select(vec3<f32>(0.0), direction_reflect(wi, wo), moderate), left.y));
     outcome.c = bits(vec4<f32>(direction_unit_or_zero(wi), 0.0));

@@ -70,7 +70,8 @@ fn fif_ranges_over(ranges: FifRanges, a: f32, b: f32) -> vec4<f32> {
     let most = cells - 1.0;
     let first = u32(clamp(floor((a - ranges.low) * per_width), 0.0, most));
     let last = max(first, u32(clamp(floor((b - ranges.low) * per_width), 0.0, most)));
-    let row = firstLeadingBit(last - first + 1u);
+    // The number of the run's leading bit is its exponent; GLSL ES 3.00 has no function for it.
+    let row = (bitcast<u32>(f32(last - first + 1u)) >> 23u) - 127u;
     let start = row * ranges.cells;
     let i = ranges.first + 4u * (start + first);
     let j = ranges.first + 4u * (start + last + 1u - (1u << row));

@@ -50,7 +50,9 @@ fn surface_gradient_facing(n: vec3<f32>, bumped: vec3<f32>, wo: vec3<f32>) -> ve
         return n;
     }
     let mirrored = direction_reflect(wo, bumped);
-    if !(dot(wo, n) > 0.0 && dot(mirrored, n) < 0.0) {
+    // By the bits, because either may be no number: above 0, and below.
+    let sides = vec2<u32>(bitcast<u32>(dot(wo, n)) - 1u, bitcast<u32>(dot(mirrored, n)) - 0x80000001u);
+    if max(sides.x, sides.y) >= 0x7f800000u {
         return bumped;
     }
     let level = surface_gradient_tangential(n, mirrored);

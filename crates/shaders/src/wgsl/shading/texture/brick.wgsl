@@ -47,7 +47,11 @@ fn brick_shift(row: i32) -> f32 {
 // Whole coordinates as whole numbers, the nearest there are.
 fn brick_saturated(x: vec2<f32>) -> vec2<i32> {
     let within = vec2<i32>(clamp(x, vec2<f32>(-2147483648.0), vec2<f32>(2147483520.0)));
-    return select(within, vec2<i32>(2147483647), x >= vec2<f32>(2147483648.0));
+    // One by one: GLSL ES 3.00 chooses between no vectors of whole numbers.
+    return vec2<i32>(
+        select(within.x, 2147483647, x.x >= 2147483648.0),
+        select(within.y, 2147483647, x.y >= 2147483648.0),
+    );
 }
 
 // The brick of a place in a row, counted so that it is the next one beyond the shift.

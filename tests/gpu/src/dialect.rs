@@ -1,0 +1,122 @@
+//! Shading languages, written by naga.
+
+use clap::ValueEnum;
+use naga::back::{self, glsl};
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{Module, ShaderStage};
+
+use crate::no_contraction::without_contraction;
+
+/// A language that entries are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Dialect {
+    /// WGSL, as it is composed
+    Wgsl,
+    /// GLSL 4.50: OpenGL, Vulkan through glslang
+    #[value(name = "glsl-450")]
+    Glsl450,
+    /// GLSL ES 3.00: WebGL 2
+    #[value(name = "glsl-es-300")]
+    GlslEs300,
+    /// GLSL ES 3.10
+    #[value(name = "glsl-es-310")]
+    GlslEs310,
+    /// HLSL, shader model 6.0
+    Hlsl,
+    /// Metal's language, 2.4
+    Msl,
+    /// SPIR-V
+    Spirv,
+    /// SPIR-V whose sums and products must not be fused: equal bits
+    SpirvNoContraction,
+}
+
+/// A module that was accepted.
+pub(crate) struct Checked<'a> {
+    wgsl: &'a str,
+    module: Module,
+    info: ModuleInfo,
+}
+
+impl<'a> Checked<'a> {
+    /// Parses and validates WGSL with an entry `show_case`.
+    pub(crate) fn new(wgsl: &'a str) -> Result<Self, String> {
+        let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        let info = validator.validate(&module).map_err(|error| error.emit_to_string(wgsl))?;
+        Ok(Self { wgsl, module, info })
+    }
+}
+
+impl Dialect {
+    /// The file of an entry.
+    pub(crate) const fn file(self) -> &'static str {
+        match self {
+            Self::Wgsl => "shader.wgsl",
+            Self::Glsl450 => "shader-450.frag",
+            Self::GlslEs300 => "shader-es-300.frag",
+            Self::GlslEs310 => "shader-es-310.frag",
+            Self::Hlsl => "shader.hlsl",
+            Self::Msl => "shader.metal",
+            Self::Spirv => "shader.spv",
+            Self::SpirvNoContraction => "shader-no-contraction.spv",
+        }
+    }
+
+    /// The module in this language.
+    pub(crate) fn write(self, checked: &Checked<'_>) -> Result<Vec<u8>, String> {
+        let words = |words: Vec<u32>| words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        match self {
+            Self::Wgsl => Ok(checked.wgsl.into()),
+            Self::Glsl450 => glsl(checked, glsl::Version::Desktop(450)),
+            Self::GlslEs300 => glsl(checked, glsl::Version::Embedded { version: 300, is_webgl: true }),
+            Self::GlslEs310 => glsl(checked, glsl::Version::Embedded { version: 310, is_webgl: false }),
+            Self::Hlsl => hlsl(checked),
+            Self::Msl => msl(checked),
+            Self::Spirv => spirv(checked).map(words),
+            Self::SpirvNoContraction => spirv(checked).map(|module| words(without_contraction(&module))),
+        }
+    }
+}
+
+fn glsl(Checked { module, info, .. }: &Checked<'_>, version: glsl::Version) -> Result<Vec<u8>, String> {
+    let options = glsl::Options { version, writer_flags: glsl::WriterFlags::empty(), ..Default::default() };
+    let entry = glsl::PipelineOptions {
+        entry_point: "show_case".into(),
+        shader_stage: ShaderStage::Fragment,
+        multiview: None,
+    };
+    let mut text = String::new();
+    glsl::Writer::new(&mut text, module, info, &options, &entry, BoundsCheckPolicies::default())
+        .and_then(|mut writer| writer.write())
+        .map_err(|error| error.to_string())?;
+    Ok(text.into())
+}
+
+fn hlsl(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
+    let options = back::hlsl::Options {
+        shader_model: back::hlsl::ShaderModel::V6_0,
+        fake_missing_bindings: true,
+        ..Default::default()
+    };
+    let mut text = String::new();
+    back::hlsl::Writer::new(&mut text, &options, &Default::default())
+        .write(&checked.module, &checked.info, None)
+        .map_err(|error| error.to_string())?;
+    Ok(text.into())
+}
+
+fn msl(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
+    let options =
+        back::msl::Options { fake_missing_bindings: true, lang_version: (2, 4), ..Default::default() };
+    back::msl::write_string(&checked.module, &checked.info, &options, &Default::default())
+        .map(|(text, _)| text.into())
+        .map_err(|error| error.to_string())
+}
+
+fn spirv(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
+    let mut options = back::spv::Options { lang_version: (1, 3), ..Default::default() };
+    options.flags |= back::spv::WriterFlags::DEBUG;
+    back::spv::write_vec(&checked.module, &checked.info, &options, None).map_err(|error| error.to_string())
+}
