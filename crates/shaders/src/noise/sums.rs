@@ -13,6 +13,31 @@
 //! assert!(wgsl.contains("var<uniform> octaves_uniform_3d: array<OctavesUniform3d, 8>;"));
 //! # }
 //! ```
+//!
+//! ```
+//! # #[cfg(feature = "alloc")] {
+//! use asperity_shaders::{Bindings, Part, compose, noise::{self, sums::octaves_3d}};
+//!
+//! // A kind of one's own: value-gradient noise that is mostly gradients.
+//! static STEEP: Part = Part::new(
+//!     "steep",
+//!     "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
+//!     var total = octaves_total_3d(octaves, 0.0, sum);
+//!     while octaves_goes_on(total.walk) {
+//!         let layer = octaves_layer_3d(sum, total.walk.octave);
+//!         let at = cell_place_3d(octaves_point_3d(layer, p));
+//!         let key = bitcast<u32>(layer.cell_and_key.w);
+//!         let octave = value_gradient_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, 0.9, key);
+//!         total = octaves_added_3d(total, layer, sample_known_3d(octave, at.known));
+//!     }
+//!     return octaves_divided_3d(total);
+//! }
+//! ",
+//!     &[&octaves_3d::TOTAL, &noise::VALUE_GRADIENT],
+//! );
+//! assert!(compose(&[&STEEP], Bindings::Textures { group: 0 }).contains("fn steep"));
+//! # }
+//! ```
 
 pub mod octaves_2d;
 pub mod octaves_3d;

@@ -8,6 +8,8 @@ use crate::part::{Part, part};
 pub static TOTAL: Part = part!("noise/sums/octaves_2d/total", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_2D);
 
 /// Ridges that bear ridges under way, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal).
+///
+/// Its octaves are those of a uniform's sum, of whatever shape and normalisation.
 pub static RIDGED_MULTIFRACTAL: Part =
     part!("noise/sums/octaves_2d/ridged_multifractal", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_2D);
 
@@ -24,7 +26,8 @@ pub static VALUE: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom): their sums and their ridged multifractal.
+/// Octaves of value noise by splines, [`ValueCatmullRom`](asperity_noise::ValueCatmullRom): their sums and their ridged
+/// multifractal.
 pub static VALUE_CATMULL_ROM: Part = part!(
     "noise/sums/octaves_2d/value_catmull_rom",
     SAMPLE,
@@ -63,7 +66,8 @@ pub static PERLIN_2002: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of value-gradient noise with equal weights, [`ValueGradient`](asperity_noise::ValueGradient): their sums and their ridged multifractal.
+/// Octaves of value-gradient noise with equal weights, [`ValueGradient`](asperity_noise::ValueGradient): their sums and their
+/// ridged multifractal.
 pub static VALUE_GRADIENT: Part = part!(
     "noise/sums/octaves_2d/value_gradient",
     SAMPLE,
@@ -76,7 +80,8 @@ pub static VALUE_GRADIENT: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of simplex noise with the continuous kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged multifractal.
+/// Octaves of simplex noise with the continuous kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged
+/// multifractal.
 pub static SIMPLEX: Part = part!(
     "noise/sums/octaves_2d/simplex",
     SAMPLE,
@@ -88,7 +93,8 @@ pub static SIMPLEX: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of simplex noise with the customary wider kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged multifractal.
+/// Octaves of simplex noise with the customary wider kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged
+/// multifractal.
 pub static SIMPLEX_WIDE: Part = part!(
     "noise/sums/octaves_2d/simplex_wide",
     SAMPLE,
@@ -100,7 +106,8 @@ pub static SIMPLEX_WIDE: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of sparse convolution noise of one impulse per cell, [`Sparse`](asperity_noise::Sparse): their sums and their ridged multifractal.
+/// Octaves of sparse convolution noise of one impulse per cell, [`Sparse`](asperity_noise::Sparse): their sums and their
+/// ridged multifractal.
 pub static SPARSE: Part = part!(
     "noise/sums/octaves_2d/sparse_convolution",
     SAMPLE,
@@ -113,7 +120,8 @@ pub static SPARSE: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of Gaussian noise, one channel, [`Gaussian`](asperity_noise::Gaussian): their sums and their ridged multifractal, `gaussian_channel_octaves_2d` and its like.
+/// Octaves of Gaussian noise, one channel, [`Gaussian`](asperity_noise::Gaussian): their sums and their ridged multifractal,
+/// `gaussian_channel_octaves_2d` and its like.
 pub static GAUSSIAN: Part = part!(
     "noise/sums/octaves_2d/gaussian",
     SAMPLE,

@@ -8,6 +8,8 @@ use crate::part::{Part, part};
 pub static TOTAL: Part = part!("noise/sums/octaves_4d/total", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_4D);
 
 /// Ridges that bear ridges under way, [`RidgedMultifractal`](asperity_noise::RidgedMultifractal).
+///
+/// Its octaves are those of a uniform's sum, of whatever shape and normalisation.
 pub static RIDGED_MULTIFRACTAL: Part =
     part!("noise/sums/octaves_4d/ridged_multifractal", SAMPLE, SHAPE, SPECTRUM, OCTAVE, UNIFORM_4D);
 
@@ -37,7 +39,8 @@ pub static PERLIN_2002: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of simplex noise with the continuous kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged multifractal.
+/// Octaves of simplex noise with the continuous kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged
+/// multifractal.
 pub static SIMPLEX: Part = part!(
     "noise/sums/octaves_4d/simplex",
     SAMPLE,
@@ -49,7 +52,8 @@ pub static SIMPLEX: Part = part!(
     RIDGED_MULTIFRACTAL
 );
 
-/// Octaves of simplex noise with the customary wider kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged multifractal.
+/// Octaves of simplex noise with the customary wider kernel, [`Simplex`](asperity_noise::Simplex): their sums and their ridged
+/// multifractal.
 pub static SIMPLEX_WIDE: Part = part!(
     "noise/sums/octaves_4d/simplex_wide",
     SAMPLE,

@@ -4,6 +4,8 @@ use asperity_noise::{
     Billow, Normalisation, Octave, Octaves, Plasma, Ridged, Shape, Signed, Spectrum, Turbulence, simd::Kernel,
 };
 
+use super::SUMS;
+
 /// A shape that shaders know: those of the crate. Sealed.
 pub trait ShaderShape: Shape + numbered::Numbered {}
 
@@ -55,6 +57,10 @@ const SPECTRUM: usize = 8;
 /// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [2.17, 0.5, 10.0]);
 /// assert_eq!(words[8], sum.octave(0).matrix[0][0].to_bits());
 ///
+/// // A second sum of the uniform, number 1 in the shader.
+/// let uniform = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum.with_seed(1)), OctavesUniform::new(&sum)]);
+/// assert_eq!(uniform[264..528], words);
+///
 /// // From an anchor only offsets and cells differ.
 /// let far = OctavesUniform::new(&sum.anchored(DVec3::new(1e6, -3.0, 0.25))).words();
 /// let differing = (8..264).filter(|i| far[*i] != words[*i]);
@@ -67,9 +73,13 @@ pub struct OctavesUniform<const N: usize> {
 }
 
 impl<const N: usize> OctavesUniform<N> {
-    /// The words of a sum of the octaves that its spectrum has.
+    /// The words of a sum of the octaves that its spectrum has; of the kind that the shader sums, on the
+    /// [`IntegerHash`](asperity_noise::IntegerHash).
+    ///
+    /// A sum that repeats is not compiled here: its octaves have periods, which shaders do not know.
     #[must_use]
     pub fn new<K: Kernel<N>, T: ShaderShape>(sum: &Octaves<K, N, T>) -> Self {
+        const { assert!(!K::TILED, "shaders do not know lattices that repeat") };
         let spectrum = sum.spectrum();
         let [mean, deviation] = sum.octave_moments();
         let gain = spectrum.gain();
@@ -107,6 +117,16 @@ impl OctavesUniform<3> {
     /// Words of a sum in space.
     pub const WORDS: usize = SPECTRUM + 16 * OCTAVES;
 
+    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    #[must_use]
+    pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
+        let mut words = [0; SUMS * Self::WORDS];
+        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
+            words.copy_from_slice(&sum.words());
+        }
+        words
+    }
+
     /// The words, in the layout of `OctavesUniform3d`.
     #[must_use]
     pub fn words(&self) -> [u32; Self::WORDS] {
@@ -128,6 +148,16 @@ impl OctavesUniform<2> {
     /// Words of a sum in the plane.
     pub const WORDS: usize = SPECTRUM + 12 * OCTAVES;
 
+    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    #[must_use]
+    pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
+        let mut words = [0; SUMS * Self::WORDS];
+        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
+            words.copy_from_slice(&sum.words());
+        }
+        words
+    }
+
     /// The words, in the layout of `OctavesUniform2d`.
     #[must_use]
     pub fn words(&self) -> [u32; Self::WORDS] {
@@ -145,6 +175,16 @@ impl OctavesUniform<2> {
 impl OctavesUniform<4> {
     /// Words of a sum in four dimensions.
     pub const WORDS: usize = SPECTRUM + 28 * OCTAVES;
+
+    /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
+    #[must_use]
+    pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
+        let mut words = [0; SUMS * Self::WORDS];
+        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
+            words.copy_from_slice(&sum.words());
+        }
+        words
+    }
 
     /// The words, in the layout of `OctavesUniform4d`.
     #[must_use]

@@ -6,7 +6,7 @@ use asperity_noise::{
 };
 use asperity_shaders::noise::sums::{self, OctavesUniform};
 
-use super::{float, levels, output, put, space, uniform};
+use super::{float, levels, output, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -60,7 +60,6 @@ fn view(
     sum: &OctavesUniform<3>,
     pair: impl Fn(Vec3, f32) -> [Sample<Vec3>; 2] + Sync + 'static,
 ) -> Case {
-    let words = uniform([sum.words(); 4]);
     Case {
         name: name.into(),
         parts: vec![&sums::GAUSSIAN_OCTAVES_3D],
@@ -69,7 +68,10 @@ fn view(
     outcome.a = bits(vec4<f32>(pair.value, pair.dx));
     outcome.b = bits(vec4<f32>(pair.dy, pair.dz));"
             .into(),
-        resources: vec![("gaussian_level", levels()), ("octaves_uniform_3d", words)],
+        resources: vec![
+            ("gaussian_level", levels()),
+            ("octaves_uniform_3d", OctavesUniform::<3>::uniform(&[*sum]).to_vec()),
+        ],
         input: Box::new(move |i| {
             let (offset, octaves) = seen(i, zooms[i as usize % zooms.len()]);
             let mut words = [0; INPUTS];

@@ -6,7 +6,7 @@ use asperity_noise::{
 };
 use asperity_shaders::noise::sums::{self, OctavesUniform};
 
-use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space, uniform};
+use super::{EXACT, exact_spectrum, float, input, levels, output, plane, put, space};
 use crate::case::{Case, OUTPUTS};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -32,12 +32,13 @@ fn in_space() -> Case {
     let parallel =
         GaussianOctaves::<3>::new(Gaussian::new(10), exact_spectrum()).with_rotation(Rotation::Aligned);
     let parallel = parallel.with_normalisation(Normalisation::Range);
-    let words = uniform([
-        OctavesUniform::new(&plain).words(),
-        OctavesUniform::new(&anchored).words(),
-        OctavesUniform::new(&rising).words(),
-        OctavesUniform::new(&parallel).words(),
-    ]);
+    let words = OctavesUniform::<3>::uniform(&[
+        OctavesUniform::new(&plain),
+        OctavesUniform::new(&anchored),
+        OctavesUniform::new(&rising),
+        OctavesUniform::new(&parallel),
+    ])
+    .to_vec();
     Case {
         name: "noise/sums/gaussian_octaves, 3-D".into(),
         parts: vec![&sums::GAUSSIAN_OCTAVES_3D],
@@ -80,12 +81,13 @@ fn in_plane() -> Case {
     let parallel =
         GaussianOctaves::<2>::new(Gaussian::new(10), exact_spectrum()).with_rotation(Rotation::Aligned);
     let parallel = parallel.with_normalisation(Normalisation::Range);
-    let words = uniform([
-        OctavesUniform::new(&plain).words(),
-        OctavesUniform::new(&anchored).words(),
-        OctavesUniform::new(&rising).words(),
-        OctavesUniform::new(&parallel).words(),
-    ]);
+    let words = OctavesUniform::<2>::uniform(&[
+        OctavesUniform::new(&plain),
+        OctavesUniform::new(&anchored),
+        OctavesUniform::new(&rising),
+        OctavesUniform::new(&parallel),
+    ])
+    .to_vec();
     Case {
         name: "noise/sums/gaussian_octaves, 2-D".into(),
         parts: vec![&sums::GAUSSIAN_OCTAVES_2D],

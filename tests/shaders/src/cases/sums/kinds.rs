@@ -9,12 +9,13 @@ use asperity_noise::{
 };
 use asperity_shaders::{
     Part,
-    noise::sums::{OctavesUniform, octaves_2d, octaves_3d, octaves_4d},
+    noise::{
+        self,
+        sums::{OctavesUniform, octaves_2d, octaves_3d, octaves_4d},
+    },
 };
 
-use super::{
-    EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space, uniform,
-};
+use super::{EXACT, exact_spectrum, float, in_plane, in_space, input, levels, output, plane, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -40,6 +41,7 @@ pub(super) fn cases() -> Vec<Case> {
         in_4d("perlin_2002", Perlin2002::new(3), &octaves_4d::PERLIN_2002),
         in_4d("simplex", Simplex::new(8), &octaves_4d::SIMPLEX),
         in_4d("simplex_wide", Simplex::wide(8), &octaves_4d::SIMPLEX_WIDE),
+        own(),
         shapes(),
     ]
 }
@@ -61,10 +63,10 @@ where
     let exact_2d = in_2d(exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 2]);
     let there_3d = in_3d(Spectrum::default()).anchored(DVec3::new(1e6, -4.5e5, 7e5));
     let there_2d = in_2d(Spectrum::default()).anchored(DVec2::new(1e6, -4.5e5));
-    let [exact, there] = [&exact_3d, &there_3d].map(|sum| OctavesUniform::new(sum).words());
-    let space_words = uniform([there, there, there, exact]);
-    let [exact, there] = [&exact_2d, &there_2d].map(|sum| OctavesUniform::new(sum).words());
-    let plane_words = uniform([there, there, there, exact]);
+    let [exact, there] = [&exact_3d, &there_3d].map(OctavesUniform::new);
+    let space_words = OctavesUniform::<3>::uniform(&[there, there, there, exact]).to_vec();
+    let [exact, there] = [&exact_2d, &there_2d].map(OctavesUniform::new);
+    let plane_words = OctavesUniform::<2>::uniform(&[there, there, there, exact]).to_vec();
     Case {
         name: format!("noise/sums/octaves of {name}, 3-D and 2-D"),
         parts: parts.to_vec(),
@@ -103,6 +105,48 @@ where
     }
 }
 
+/// The kind of one's own that the module's documentation sums.
+static STEEP: Part = Part::new(
+    "case/steep",
+    "fn steep(p: vec3<f32>, octaves: f32, sum: u32) -> Sample3d {
+    var total = octaves_total_3d(octaves, 0.0, sum);
+    while octaves_goes_on(total.walk) {
+        let layer = octaves_layer_3d(sum, total.walk.octave);
+        let at = cell_place_3d(octaves_point_3d(layer, p));
+        let key = bitcast<u32>(layer.cell_and_key.w);
+        let octave = value_gradient_in_cell_3d(layer.cell_and_key.xyz + at.cell, at.place, 0.9, key);
+        total = octaves_added_3d(total, layer, sample_known_3d(octave, at.known));
+    }
+    return octaves_divided_3d(total);
+}
+",
+    &[&octaves_3d::TOTAL, &noise::VALUE_GRADIENT],
+);
+
+fn own() -> Case {
+    let kind = ValueGradient::new(6).with_weight(0.9).expect("a weight");
+    let there = Octaves::<_, 3>::new(kind, Spectrum::default()).anchored([0.0; 3]);
+    let exact =
+        Octaves::<_, 3>::new(kind, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 3]);
+    let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
+    Case {
+        name: "noise/sums/octaves of a kind of one's own, 3-D".into(),
+        parts: vec![&STEEP],
+        body: "\
+    let sum = steep(a.xyz, a.w, c.x);
+    outcome.a = bits(vec4<f32>(sum.value, sum.gradient));"
+            .into(),
+        resources: vec![("octaves_uniform_3d", OctavesUniform::<3>::uniform(&sums).to_vec())],
+        input: Box::new(|i| input(i, 20.0, 4.0)),
+        reference: Box::new(move |words| {
+            let (sum, mut outputs) = (if words[8] == EXACT { exact } else { there }, [0; OUTPUTS]);
+            put(&mut outputs, in_space(sum.detail(float(&words, 3)).sample(space(&words))));
+            outputs
+        }),
+        outputs: vec![output("value", 0..1, 2e-4), output("gradient", 1..4, 2e-3)],
+    }
+}
+
 /// Sums and multifractals of one kind in four dimensions, the fourth coordinate in word 6.
 fn in_4d<K>(name: &str, noise: K, part: &'static Part) -> Case
 where
@@ -112,8 +156,8 @@ where
     let there = Octaves::<K, 4>::new(noise, Spectrum::default()).anchored([1e6, -4.5e5, 7e5, 2e5]);
     let exact =
         Octaves::<K, 4>::new(noise, exact_spectrum()).with_rotation(Rotation::Aligned).anchored([0.0; 4]);
-    let [words, exact_words] = [&there, &exact].map(|sum| OctavesUniform::new(sum).words());
-    let words = uniform([words, words, words, exact_words]);
+    let sums = [&there, &there, &there, &exact].map(OctavesUniform::new);
+    let words = OctavesUniform::<4>::uniform(&sums).to_vec();
     Case {
         name: format!("noise/sums/octaves and ridged_multifractal of {name}, 4-D"),
         parts: vec![part],
@@ -195,18 +239,20 @@ fn shapes() -> Case {
     let turned = Octaves::<_, 2>::new(Perlin2002::new(6), Spectrum::default()).anchored([0.0; 2]);
     let exact = Octaves::<_, 2>::new(Perlin2002::new(7), exact_spectrum()).with_rotation(Rotation::Aligned);
     let flat = Shapes::of(turned, exact.anchored([0.0; 2]));
-    let in_3d = uniform([
-        OctavesUniform::new(&solid.turbulence).words(),
-        OctavesUniform::new(&solid.plasma).words(),
-        OctavesUniform::new(&solid.billow).words(),
-        OctavesUniform::new(&solid.ridged).words(),
-    ]);
-    let in_2d = uniform([
-        OctavesUniform::new(&flat.turbulence).words(),
-        OctavesUniform::new(&flat.plasma).words(),
-        OctavesUniform::new(&flat.billow).words(),
-        OctavesUniform::new(&flat.ridged).words(),
-    ]);
+    let in_3d = OctavesUniform::<3>::uniform(&[
+        OctavesUniform::new(&solid.turbulence),
+        OctavesUniform::new(&solid.plasma),
+        OctavesUniform::new(&solid.billow),
+        OctavesUniform::new(&solid.ridged),
+    ])
+    .to_vec();
+    let in_2d = OctavesUniform::<2>::uniform(&[
+        OctavesUniform::new(&flat.turbulence),
+        OctavesUniform::new(&flat.plasma),
+        OctavesUniform::new(&flat.billow),
+        OctavesUniform::new(&flat.ridged),
+    ])
+    .to_vec();
     Case {
         name: "noise/sums/shapes and ridged_multifractal, 3-D and 2-D".into(),
         parts: vec![&octaves_3d::PERLIN_2002, &octaves_2d::PERLIN_2002],

@@ -12,7 +12,7 @@ use asperity_noise::{
     Sample, Spectrum,
     glam::{Vec2, Vec3},
 };
-use asperity_shaders::noise::{self, sums};
+use asperity_shaders::noise;
 
 use crate::case::{BAD, Bound, Case, INPUTS, Output, any, between};
 
@@ -75,13 +75,6 @@ fn in_space(sample: Sample<Vec3>) -> [f32; 4] {
 
 fn in_plane(sample: Sample<Vec2>) -> [f32; 3] {
     [sample.value, sample.gradient.x, sample.gradient.y]
-}
-
-/// The words of four sums, and of those that are not used.
-fn uniform<const WIDTH: usize>(used: [[u32; WIDTH]; 4]) -> Vec<u32> {
-    let mut words = used.concat();
-    words.resize(sums::SUMS * WIDTH, 0);
-    words
 }
 
 /// The table of Gaussian levels.

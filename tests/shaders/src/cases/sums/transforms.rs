@@ -10,7 +10,7 @@ use asperity_shaders::noise::{
     transforms,
 };
 
-use super::{float, in_plane, in_space, input, output, plane, put, space, uniform};
+use super::{float, in_plane, in_space, input, output, plane, put, space};
 use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -32,7 +32,7 @@ where
 
 fn in_3d() -> Case {
     let fields = four::<3>();
-    let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
+    let words = OctavesUniform::<3>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
     Case {
         name: "noise/transforms/warp and curl, 3-D".into(),
         parts: vec![&octaves_3d::PERLIN_2002, &transforms::WARP, &transforms::CURL],
@@ -72,7 +72,7 @@ fn in_3d() -> Case {
 
 fn in_2d() -> Case {
     let fields = four::<2>();
-    let words = uniform(fields.map(|sum| OctavesUniform::new(&sum).words()));
+    let words = OctavesUniform::<2>::uniform(&fields.map(|sum| OctavesUniform::new(&sum))).to_vec();
     Case {
         name: "noise/transforms/warp and curl, 2-D".into(),
         parts: vec![&octaves_2d::PERLIN_2002, &transforms::WARP, &transforms::CURL],

@@ -1,5 +1,5 @@
-// Sums of octaves in space, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or read them from
-// elsewhere: other sums need these two functions alone.
+// Sums of octaves in space, in a uniform: what `OctavesUniform` writes. A module of one's own may have more of them, or
+// read them from elsewhere: all that is here is these two functions.
 
 struct OctavesUniform3d {
     spectrum: OctavesSpectrum,
