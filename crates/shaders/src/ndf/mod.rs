@@ -5,9 +5,11 @@
 
 use crate::part::{Part, part};
 
+mod conditional_table;
 mod normal_table;
 mod packed_map;
 
+pub use conditional_table::{CONDITIONAL_TABLE, ConditionalTableUniform};
 pub use normal_table::{NORMAL_TABLE, NORMAL_TABLE_FILTERED, NORMAL_TABLE_LAYOUT, NormalTableUniform};
 pub use packed_map::{PACKED_MAP, PackedMapUniform};
 

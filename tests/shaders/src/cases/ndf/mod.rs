@@ -3,6 +3,7 @@
 use crate::case::{Case, INPUTS, OUTPUTS, between};
 
 mod closed_form;
+mod conditional_table;
 mod elementary;
 mod facets;
 mod frame;
@@ -13,6 +14,7 @@ pub(super) fn cases() -> Vec<Case> {
     [
         elementary::cases(),
         closed_form::cases(),
+        conditional_table::cases(),
         facets::cases(),
         frame::cases(),
         normal_table::cases(),
