@@ -16,10 +16,12 @@ use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
 use crate::shading::pixel::{FOOTPRINT, PIXEL_ELLIPSE};
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, ENERGY_PRESERVING, FACET};
 
+mod carpet;
 mod glass;
 mod paint;
 mod wear;
 
+pub use carpet::{CARPET, CarpetUniform, FIBRES, SEAMS};
 pub use glass::{TEMPERED_GLASS, TemperedGlassUniform};
 pub use paint::{FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
 pub use wear::{BLEMISHES, DENTS, SCRATCHES, ScratchesUniform, VARIATIONS, VariationsUniform};

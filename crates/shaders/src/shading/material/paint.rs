@@ -1,13 +1,12 @@
 //! Metallic paint.
 
-use asperity_noise::{IntegerHash, Lattice};
 use asperity_shading::MetallicPaint;
 use asperity_shading::material::Elimination;
 
 use super::{FBM, SURFACE_POINT, fbm_words, octaves_of};
 use crate::ndf::ELEMENTARY;
-use crate::noise::INTEGER_HASH;
 use crate::noise::sums::OctavesUniform;
+use crate::noise::{INTEGER_HASH, key};
 use crate::part::{Binding, Part, part};
 use crate::shading::DIRECTION;
 use crate::shading::reflectance::{COAT, ENERGY_PRESERVING};
@@ -75,7 +74,7 @@ impl MetallicPaintUniform {
         words[..4].copy_from_slice(&fbm_words(peel.noise(), first));
         words[4..8].copy_from_slice(&fbm_words(passive.noise(), first.wrapping_add(1)));
         for (word, k) in words[8..15].iter_mut().zip(0_u32..) {
-            *word = IntegerHash.key(sparkles.seed() ^ k.wrapping_mul(0x9e37_79b9));
+            *word = key(sparkles.seed() ^ k.wrapping_mul(0x9e37_79b9));
         }
         words[16..28].copy_from_slice(&colours.map(f32::to_bits));
         words[28..].copy_from_slice(&sparkling.map(f32::to_bits));

@@ -1,12 +1,11 @@
 //! Wear of surfaces.
 
-use asperity_noise::{IntegerHash, Lattice};
 use asperity_shading::material::{Segments, half_mean};
 use asperity_shading::{Scratches, Variations};
 
 use super::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
-use crate::noise::SIMPLEX;
 use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
+use crate::noise::{SIMPLEX, key};
 use crate::part::{Binding, Part, part};
 use crate::shading::bump::SLOPE_FACETS;
 use crate::shading::reflectance::{COOK_TORRANCE_BECKMANN, FACET};
@@ -34,7 +33,7 @@ pub(super) fn segment_words(segments: &Segments) -> [u32; 8] {
         segments.spread,
     ];
     let [x, y, cell, length, cover, spread] = floats.map(f32::to_bits);
-    [x, y, cell, length, cover, spread, IntegerHash.key(segments.seed), 0]
+    [x, y, cell, length, cover, spread, key(segments.seed), 0]
 }
 
 /// Scratches as the words of the structure `Scratches`.

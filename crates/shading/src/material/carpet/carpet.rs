@@ -144,6 +144,14 @@ impl Carpet {
         })
     }
 
+    /// Threads, threads that shine, dark areas, seams, what leans over them, fibres.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&DiffuseThreads, &SpecularThreads, &DarkAreas, &Seams, &Fbm, &Fibres) {
+        let Self { diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres, .. } = self;
+        (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres)
+    }
+
     /// Colours, normal and lost slopes at a pixel.
     ///
     /// Total: noises are 0 where a coordinate of the position is not finite, there are no seams where a texture coordinate is

@@ -45,6 +45,13 @@ impl DarkAreas {
         Ok(Self { noise, strength: as_share("dark_area_strength", strength)? })
     }
 
+    /// The noise.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm {
+        &self.noise
+    }
+
     /// Factor of colours at a point; that of N = 0 where a coordinate is not finite.
     #[must_use]
     pub fn factor(&self, position: Vec3, footprint: Footprint, form: Form) -> f32 {

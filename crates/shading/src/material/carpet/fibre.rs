@@ -103,6 +103,13 @@ impl Fibres {
         Ok(fibres)
     }
 
+    /// The lines that fibres lie along, half the width of one, and the mean brightness and mean square of slopes of all.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&Segments, [f32; 3]) {
+        (&self.segments, [self.half, self.mean, self.mean_square_slope])
+    }
+
     /// The fibre at a point of the texture, over a pixel of the plane of texture coordinates.
     ///
     /// The factor is 1 where a coordinate is not finite or 2²³ cells away.

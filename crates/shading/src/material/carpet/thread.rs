@@ -45,6 +45,13 @@ impl DiffuseThreads {
         Ok(Self(Fbm::new(Spectrum::THREADS, as_size("diffuse_thread_size", size)?, seed)))
     }
 
+    /// The noise.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn noise(&self) -> &Fbm {
+        &self.0
+    }
+
     /// The value at a point, and its gradient by p/size; both 0 where a coordinate is not finite.
     #[must_use]
     pub fn sample(&self, position: Vec3, footprint: Footprint) -> Sample<Vec3> {
@@ -112,6 +119,13 @@ impl SpecularThreads {
             .with_normalisation(Normalisation::Range)
             .with_shape(Turbulence);
         Ok(Self { veins, frequency: 1.0 / size, coefficients: coefficients() })
+    }
+
+    /// The veins, cells of their first octave per unit of length, and the coefficients of the mean where 0 to 3 octaves are known.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&Octaves<Simplex, 3, Turbulence>, f32, &[[f32; 8]; 4]) {
+        (&self.veins, self.frequency, &self.coefficients)
     }
 
     /// The mean over the surface, at every distance.

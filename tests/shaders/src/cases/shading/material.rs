@@ -3,14 +3,15 @@
 use asperity_shaders::Part;
 use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
 use asperity_shaders::shading::material::{
-    METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS, TemperedGlassUniform,
-    VARIATIONS, VariationsUniform,
+    CARPET, CarpetUniform, METALLIC_PAINT, MetallicPaintUniform, SCRATCHES, ScratchesUniform, TEMPERED_GLASS,
+    TemperedGlassUniform, VARIATIONS, VariationsUniform,
 };
 use asperity_shading::glam::Vec2;
-use asperity_shading::material::{GlassBody, GlassWaves};
+use asperity_shading::material::{GlassBody, GlassWaves, SeamPattern};
 use asperity_shading::{
-    Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches, ScratchesParameters,
-    SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
+    Carpet, CarpetParameters, Material, MetallicPaint, MetallicPaintParameters, PixelEllipse, Scratches,
+    ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
 };
 
 use super::{direction, floats, inputs, near, normal, number, vec3, words};
@@ -18,6 +19,9 @@ use crate::case::{Bound, Case, INPUTS};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
+        carpet("lines", SeamPattern::Lines),
+        carpet("grid", SeamPattern::Grid),
+        rim(),
         scratches(),
         variations(),
         paint("sparkling", paint_parameters()),
@@ -264,5 +268,46 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
             near("transmitted", 4..8, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
             near("mirrored by paint", 8..12, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
         ],
+    }
+}
+
+fn carpet(name: &str, seams_pattern: SeamPattern) -> Case {
+    let carpet = Carpet::new(CarpetParameters { seams_pattern, ..Default::default() }).expect("defaults");
+    let uniform = CarpetUniform::new(&carpet, 0);
+    material(
+        &format!("carpet/carpet, {name}"),
+        &CARPET,
+        vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        [0.5, 1e-6, 1.0],
+        // At the border of a fibre a rounding more or less is the one beneath.
+        [Bound::Absolute(3e-7), Bound::Absolute(1e-1)],
+        carpet,
+    )
+}
+
+/// The light along the rim of a carpet.
+fn rim() -> Case {
+    let carpet = Carpet::new(CarpetParameters::default()).expect("defaults");
+    let uniform = CarpetUniform::new(&carpet, 0);
+    Case {
+        name: "shading/material/carpet/carpet, rim".into(),
+        parts: vec![&CARPET],
+        body: "\
+    let x = vec3<f32>(1.0, 0.0, 0.0);
+    let y = vec3<f32>(0.0, 1.0, 0.0);
+    let point = SurfacePoint(x, vec3<f32>(0.0, 0.0, 1.0), vec2<f32>(0.0), x, y, pixel_ellipse_round(0.1));
+    outcome.a = bits(vec4<f32>(carpet_emitted(carpet_uniform, point, a.xyz), 0.0));"
+            .into(),
+        resources: vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
+        input: Box::new(|i| {
+            let wo = direction(i, 0);
+            normal(inputs(i, &wo.to_array()))
+        }),
+        reference: Box::new(move |inputs| {
+            let pixel = PixelEllipse::from(asperity_shading::Footprint::from_width(0.1));
+            let point = SurfacePoint::new([1.0, 0.0, 0.0].into(), [0.0, 0.0, 1.0].into(), pixel);
+            words(&carpet.bsdf(&point, vec3(inputs, 0)).emitted().to_array())
+        }),
+        outputs: vec![near("light", 0..3, Bound::Equal, Bound::Absolute(1e-6))],
     }
 }

@@ -1,0 +1,172 @@
+// The carpet of a car, threads, fibres, seams, dark areas: `asperity_shading::Carpet`.
+
+struct Carpet {
+    threads: Fbm,
+    // Threads that shine, by turbulence, and the areas that look darker, and where threads lean over the seams.
+    shine: Fbm,
+    dark: Fbm,
+    crossover: Fbm,
+    fibres: Fibres,
+    // Mean square of the slope of fibres; share of the colours that is theirs; tilt by them.
+    fibre_square_slope: f32,
+    fibre_strength: f32,
+    fibre_bump: f32,
+    seams_pattern: u32,
+    // The direction across the seams in texture coordinates, their frequency in rad, the darkening and the slope at a seam.
+    seams_direction: vec2<f32>,
+    seams_frequency: f32,
+    seams_amplitude: f32,
+    seams_bump: f32,
+    crossover_strength: f32,
+    thread_strength: f32,
+    thread_bump: f32,
+    shine_strength: f32,
+    dark_strength: f32,
+    // Half the mean of the noise's magnitude.
+    half_mean: f32,
+    roughness: f32,
+    diffuse: vec3<f32>,
+    specular_roughness: f32,
+    specular: vec3<f32>,
+    rim_width: f32,
+    rim: vec3<f32>,
+    reserved: f32,
+    // Of the mean of shining threads, where so many octaves are known: two of each.
+    coefficients: array<vec4<f32>, 8>,
+}
+
+// A polynomial of the seventh degree, coefficients of the highest power first.
+fn carpet_polynomial(high: vec4<f32>, low: vec4<f32>, c: f32) -> f32 {
+    let cubic = ((high.x * c + high.y) * c + high.z) * c + high.w;
+    return (((cubic * c + low.x) * c + low.y) * c + low.z) * c + low.w;
+}
+
+// The mean of shining threads where so many octaves are known.
+fn carpet_expected_shine(carpet: Carpet, known: u32, p: vec3<f32>) -> f32 {
+    let count = f32(known);
+    var veins = 0.0;
+    if known > 0u {
+        veins = simplex_octaves_3d(p, count, 0.0, carpet.shine.sum).value;
+    }
+    let c = 1.0 - veins * count / 3.0;
+    if known == 0u {
+        return carpet_polynomial(carpet.coefficients[0], carpet.coefficients[1], c);
+    }
+    if known == 1u {
+        return carpet_polynomial(carpet.coefficients[2], carpet.coefficients[3], c);
+    }
+    if known == 2u {
+        return carpet_polynomial(carpet.coefficients[4], carpet.coefficients[5], c);
+    }
+    return carpet_polynomial(carpet.coefficients[6], carpet.coefficients[7], c);
+}
+
+// The shine of threads as a pixel sees it: `SpecularThreads::value`.
+fn carpet_shine(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
+    let p = position * carpet.shine.frequency;
+    let width = footprint * carpet.shine.frequency;
+    var value = 0.0;
+    var before = 1.0;
+    for (var j = 0u; j < 4u; j++) {
+        var kept = 0.0;
+        if j < 3u {
+            kept = 1.0 - frequency_clamp_removed_share(width, f32(1u << j));
+        }
+        // Only those levels are evaluated that have a weight.
+        let weight = before - kept;
+        if weight > 0.0 {
+            value += weight * carpet_expected_shine(carpet, j, p);
+        }
+        before = kept;
+    }
+    return value;
+}
+
+// The factor of dark areas: `DarkAreas::factor`.
+fn carpet_dark(carpet: Carpet, position: vec3<f32>, footprint: f32) -> f32 {
+    let removed = frequency_clamp_removed_share(footprint, carpet.dark.frequency);
+    var near = 0.0;
+    if removed < 1.0 {
+        near = max(fbm_value(carpet.dark, position), 0.0);
+    }
+    return 1.0 - carpet.dark_strength * (near + removed * (carpet.half_mean - near));
+}
+
+// A colour with threads, in [0, 1].
+fn carpet_lit(colour: vec3<f32>, by: f32, factor: f32) -> vec3<f32> {
+    let threads = clamp(colour + vec3<f32>(by), vec3<f32>(0.0), vec3<f32>(1.0));
+    return min(threads * factor, vec3<f32>(1.0));
+}
+
+// What a pixel sees of the carpet.
+fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
+    let n = point.normal;
+    let at = point.position;
+    let footprint = point.pixel.widths.x;
+    let threads = fbm_sample(carpet.threads, at, footprint);
+    let shine = carpet_shine(carpet, at, footprint);
+    let crossing = fbm_sample(carpet.crossover, at, footprint).value;
+    let disturb = 0.5 * (crossing + 1.0) * carpet.crossover_strength;
+
+    let along_gradient = surface_point_gradient(point, carpet.seams_direction * carpet.seams_frequency);
+    let other_gradient = surface_point_gradient(point, direction_left_2d(carpet.seams_direction) * carpet.seams_frequency);
+    let widths = min(
+        vec2<f32>(pixel_ellipse_change(point.pixel, along_gradient), pixel_ellipse_change(point.pixel, other_gradient)),
+        vec2<f32>(1e10),
+    );
+    let crease = seams_crease(carpet.seams_pattern, carpet.seams_direction, point.uv * carpet.seams_frequency, widths);
+    let seam = 1.0 - carpet.seams_amplitude * (1.0 - crease.x);
+    let amount = seam + (1.0 - seam) * disturb;
+
+    let texture_width = surface_point_uv_pixel(point).widths.x;
+    let fibre = fibres_sample(carpet.fibres, point.uv, texture_width);
+    let fibre_kept = fibres_kept(carpet.fibres, texture_width);
+    let fibre_slope = 0.5 * carpet.fibre_square_slope * (1.0 - fibre_kept * fibre_kept);
+    let factor = amount * carpet_dark(carpet, at, footprint) * (1.0 + carpet.fibre_strength * (fibre.factor - 1.0));
+
+    let along = direction_unit_or_zero(along_gradient);
+    let other = direction_unit_or_zero(other_gradient);
+    let seam_bump = (along * crease.y + other * crease.z) * (carpet.seams_bump * (1.0 - disturb));
+    let thread_bump = surface_gradient_tangential(n, threads.gradient) * carpet.thread_bump;
+    let fibre_bump = surface_point_slope(point, fibre.slope) * carpet.fibre_bump;
+    // Slopes of |sin| have mean square 1/2; so much as the pixel takes across.
+    let removed = frequency_clamp_removed_share(max(widths.x, widths.y), 0.31830987);
+    let lost = 0.5 * carpet.seams_bump * carpet.seams_bump * removed * (1.0 - disturb) * (1.0 - disturb);
+    // Of a grid half of it is along either axis.
+    let ridges = select(vec3<f32>(0.0), along * sqrt(lost), carpet.seams_pattern == SEAMS_LINES);
+    let even = select(0.0, 0.5 * lost, carpet.seams_pattern == SEAMS_GRID);
+    let variance = carpet.thread_bump * carpet.thread_bump * fbm_removed_slope(carpet.threads, footprint, FBM_SLOPE_VARIANCE)
+        + even
+        + carpet.fibre_bump * carpet.fibre_bump * fibre_slope;
+    return Glossy(
+        carpet_lit(carpet.diffuse, carpet.thread_strength * threads.value, factor),
+        carpet_lit(carpet.specular, carpet.shine_strength * shine, factor),
+        surface_gradient_normal(n, thread_bump + seam_bump + fibre_bump),
+        variance,
+        ridges,
+    );
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let surface = carpet_surface(carpet, point);
+    return glossy_scattered(surface, surface_point_frame(point), carpet.roughness, carpet.specular_roughness, wo, wi);
+}
+
+// The light along the rim, which is there whatever the lamps: `Bsdf::emitted`.
+fn carpet_emitted(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>) -> vec3<f32> {
+    let view = frame_to_world(surface_point_frame(point), wo);
+    let x = 1.0 - abs(dot(point.normal, view));
+    let low = 1.0 - carpet.rim_width;
+    var share = select(0.0, 1.0, x >= 1.0);
+    if x > low && x < 1.0 {
+        let t = (x - low) / (1.0 - low);
+        share = t * t * (3.0 - 2.0 * t);
+    }
+    return brdf_finite_channels(share * carpet.rim);
+}
+
+// Of the material in the uniform.
+fn carpet(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return carpet_scattered(carpet_uniform, point, wo, wi);
+}
