@@ -76,10 +76,9 @@ impl<const N: usize> OctavesUniform<N> {
     /// The words of a sum of the octaves that its spectrum has; of the kind that the shader sums, on the
     /// [`IntegerHash`](asperity_noise::IntegerHash).
     ///
-    /// A sum that repeats is not compiled here: its octaves have periods, which shaders do not know.
+    /// Of a sum that repeats shaders have the spectrum alone, for the weights of its octaves in a texture: they know no periods.
     #[must_use]
     pub fn new<K: Kernel<N>, T: ShaderShape>(sum: &Octaves<K, N, T>) -> Self {
-        const { assert!(!K::TILED, "shaders do not know lattices that repeat") };
         let spectrum = sum.spectrum();
         let [mean, deviation] = sum.octave_moments();
         let gain = spectrum.gain();

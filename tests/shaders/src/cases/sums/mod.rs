@@ -36,7 +36,7 @@ fn exact_spectrum() -> Spectrum {
 fn input(i: u32, reach: f32, octaves: f32) -> [u32; INPUTS] {
     let mut words = [0; INPUTS];
     let p = array::from_fn::<f32, 3, _>(|k| between(i, k as u32, -reach, reach));
-    let footprint = if any(i, 5) % 2 == 0 { 0.0 } else { between(i, 4, 0.0, 0.5) };
+    let footprint = if any(i, 5).is_multiple_of(2) { 0.0 } else { between(i, 4, 0.0, 0.5) };
     let numbers = [p[0], p[1], p[2], between(i, 3, 0.0, octaves), footprint, between(i, 6, 0.0, 3.0)];
     words[..6].copy_from_slice(&numbers.map(f32::to_bits));
     words[8] = i % 4;
