@@ -1,16 +1,36 @@
-//! Procedural textures: brick, bevel.
+//! Procedural textures: brick, bevel, stars, marble, gas, perturbed coordinates.
 
-use asperity_shading::Brick;
-use asperity_shading::texture::Bevel;
+use asperity_noise::{Noise, Perlin2002};
+use asperity_shading::glam::Vec3;
+use asperity_shading::texture::{Bevel, Gas, PerturbedTexture, StarWallpaper};
+use asperity_shading::{Brick, Marble};
 
+use crate::ndf::ELEMENTARY;
+use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
+use crate::noise::{PERLIN_2002, WHITE, key};
 use crate::part::{Part, part};
-use crate::shading::DIRECTION;
+use crate::shading::pixel::FOOTPRINT;
+use crate::shading::{DIRECTION, MATH};
 
 /// Bricks with grooves of mortar, at points and over boxes, [`Brick`].
 pub static BRICK: Part = part!("shading/texture/brick", DIRECTION);
 
 /// Ridges along the edges of a tile, at points and as facets, [`Bevel`].
 pub static BEVEL: Part = part!("shading/texture/bevel", DIRECTION);
+
+/// Stars in some of the cells of a grid, as a pixel sees them: [`StarWallpaper`].
+pub static STAR_WALLPAPER: Part =
+    part!("shading/texture/star_wallpaper", MATH, DIRECTION, ELEMENTARY, FREQUENCY_CLAMP, WHITE);
+
+/// Blue marble by position, as a pixel sees it: [`Marble`].
+pub static MARBLE: Part = part!("shading/texture/marble", MATH, FREQUENCY_CLAMP, PERLIN_2002);
+
+/// Density of gas in space, as a pixel sees it, and its share in a column of steam: [`Gas`],
+/// [`Steam`](asperity_shading::texture::Steam).
+pub static GAS: Part = part!("shading/texture/gas", ELEMENTARY, FOOTPRINT, octaves_3d::PERLIN_2002);
+
+/// Texture coordinates moved by noise, [`PerturbedTexture`].
+pub static PERTURBED: Part = part!("shading/texture/perturbed", FOOTPRINT, PERLIN_2002);
 
 /// A wall of bricks as the words of the structure `Brick`.
 ///
@@ -71,6 +91,168 @@ impl BevelUniform {
     }
 
     /// The words, in the layout of `Bevel`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.0
+    }
+}
+
+/// Wallpaper as the words of the structure `StarWallpaper`.
+///
+/// | words | |
+/// |---|---|
+/// | 0–3 | points of a star; radii of its notches and points in texture coordinates; cells per unit |
+/// | 4–8 | chance of a star; share of stars from afar; cosine and sine of half the angle between points; that angle in radians |
+/// | 9–11 | keys of the lattices that say whether there is a star, and where |
+///
+/// ```
+/// use asperity_shaders::shading::texture::StarWallpaperUniform;
+/// use asperity_shading::texture::StarWallpaper;
+///
+/// let words = StarWallpaperUniform::new(&StarWallpaper::default()).words();
+/// assert_eq!([words[0], words[3]].map(f32::from_bits), [5.0, 10.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StarWallpaperUniform([u32; Self::WORDS]);
+
+impl StarWallpaperUniform {
+    /// Words of the structure.
+    pub const WORDS: usize = 12;
+
+    /// The words of wallpaper.
+    #[must_use]
+    pub fn new(wallpaper: &StarWallpaper) -> Self {
+        let (floats, seeds) = wallpaper.parts();
+        let mut words = [0; Self::WORDS];
+        words[..9].copy_from_slice(&floats.map(f32::to_bits));
+        words[9..].copy_from_slice(&seeds.map(key));
+        Self(words)
+    }
+
+    /// The words, in the layout of `StarWallpaper`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.0
+    }
+}
+
+/// Marble as the words of the structure `Marble`.
+///
+/// | words | |
+/// |---|---|
+/// | 0–3 | cells of the first octave per unit of length; deviation of one octave; 0, 0 |
+/// | 4–7 | keys of its octaves |
+/// | 8–23 | distribution function of an octave at −3.5, −3, … 4 deviations |
+///
+/// ```
+/// use asperity_shaders::shading::texture::MarbleUniform;
+/// use asperity_shading::Marble;
+///
+/// let words = MarbleUniform::new(&Marble::default()).words();
+/// assert_eq!([words[0], words[15], words[23]].map(f32::from_bits), [2.5, 0.5, 1.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MarbleUniform([u32; Self::WORDS]);
+
+impl MarbleUniform {
+    /// Words of the structure.
+    pub const WORDS: usize = 24;
+
+    /// The words of marble.
+    #[must_use]
+    pub fn new(marble: &Marble) -> Self {
+        let ((scale, seed), statistics) = (marble.parts(), Noise::<Vec3>::statistics(&Perlin2002::default()));
+        let mut words = [0; Self::WORDS];
+        words[..2].copy_from_slice(&[scale, statistics.standard_deviation].map(f32::to_bits));
+        words[4..8].copy_from_slice(&[0, 1, 2, 3].map(|i| key(seed.wrapping_add(i))));
+        let parts = words[8..].len();
+        for (word, k) in words[8..].iter_mut().zip(1..) {
+            let at = statistics.cdf.get(k * statistics.cdf.len() / parts).filter(|_| k < parts);
+            *word = at.copied().unwrap_or(1.0).to_bits();
+        }
+        Self(words)
+    }
+
+    /// The words, in the layout of `Marble`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.0
+    }
+}
+
+/// Gas as the words of the structure `Gas`, and its sum of octaves.
+///
+/// Octaves, greatest density, exponent, variance of the magnitude of an octave; number of the sum, 1 for veins, 0, 0.
+///
+/// ```
+/// use asperity_shaders::shading::texture::GasUniform;
+/// use asperity_shading::texture::Gas;
+///
+/// let words = GasUniform::new(&Gas::default(), 2).words();
+/// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [5.0, 2.0, 3.0]);
+/// assert_eq!(words[4..], [2, 0, 0, 0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GasUniform {
+    words: [u32; Self::WORDS],
+    sum: OctavesUniform<3>,
+}
+
+impl GasUniform {
+    /// Words of the structure.
+    pub const WORDS: usize = 8;
+
+    /// The words of gas whose sum of octaves has this number in the uniform of sums.
+    #[must_use]
+    pub fn new(gas: &Gas, sum: u32) -> Self {
+        let (turbulence, [octaves, density, exponent], veins) = gas.parts();
+        let [first, second, ..] = Noise::<Vec3>::absolute_moments(turbulence.noise());
+        let floats = [octaves, density, exponent, second - first * first];
+        let [a, b, c, d] = floats.map(f32::to_bits);
+        Self { words: [a, b, c, d, sum, u32::from(veins), 0, 0], sum: OctavesUniform::new(turbulence) }
+    }
+
+    /// The words, in the layout of `Gas`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.words
+    }
+
+    /// The sum of octaves, for the uniform of sums.
+    #[must_use]
+    pub const fn sum(&self) -> OctavesUniform<3> {
+        self.sum
+    }
+}
+
+/// Coordinates that noise moves as the words of the structure `PerturbedTexture`.
+///
+/// Strengths in texture coordinates, cells of noise per unit of length, its standard deviation; two keys, 0, 0.
+///
+/// ```
+/// use asperity_shaders::shading::texture::PerturbedUniform;
+/// use asperity_shading::texture::PerturbedTexture;
+///
+/// let words = PerturbedUniform::new(&PerturbedTexture::default()).words();
+/// assert_eq!([words[0], words[1], words[2]].map(f32::from_bits), [0.1, 0.05, 0.2]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PerturbedUniform([u32; Self::WORDS]);
+
+impl PerturbedUniform {
+    /// Words of the structure.
+    pub const WORDS: usize = 8;
+
+    /// The words of a texture.
+    #[must_use]
+    pub fn new(texture: &PerturbedTexture) -> Self {
+        let deviation = Noise::<Vec3>::statistics(&texture.noise).standard_deviation;
+        let floats = [texture.strength.x, texture.strength.y, texture.scale, deviation];
+        let [a, b, c, d] = floats.map(f32::to_bits);
+        Self([a, b, c, d, key(texture.seed), key(texture.seed.wrapping_add(1)), 0, 0])
+    }
+
+    /// The words, in the layout of `PerturbedTexture`.
     #[must_use]
     pub const fn words(&self) -> [u32; Self::WORDS] {
         self.0

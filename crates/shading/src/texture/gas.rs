@@ -71,6 +71,13 @@ impl<K: Kernel<3>> Gas<K> {
         Self { veins: true, ..self }
     }
 
+    /// The turbulence; octaves, greatest density, exponent; whether there are veins.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (&Octaves<K, 3, Turbulence>, [f32; 3], bool) {
+        (&self.turbulence, [self.octaves, self.max_density, self.exponent], self.veins)
+    }
+
     /// The density at a point, at least 0; that of no turbulence where the point is not finite.
     #[must_use]
     pub fn density(&self, p: Vec3) -> f32 {

@@ -87,6 +87,13 @@ impl<N: Noise<Vec3> + Clone> Marble<N> {
         Ok(Self { noise, scale: positive("scale", scale)?, seed })
     }
 
+    /// Cells of the first octave per unit of length, and the seed.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> (f32, u32) {
+        (self.scale, self.seed)
+    }
+
     /// The sum of noise `m(p)`; 0 for coordinates that are not finite.
     #[must_use]
     pub fn sum(&self, p: Vec3) -> f32 {

@@ -89,6 +89,17 @@ impl StarWallpaper {
         (self.chance * self.cells * self.cells * n * self.r_min * self.r_max * sin(PI / n)).min(1.0)
     }
 
+    /// Points, radii, cells, chance, mean, the direction of half the angle between two points, that angle; the seeds of the lattices.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn parts(&self) -> ([f32; 9], [u32; 3]) {
+        let angle = TAU / self.points as f32;
+        let [x, y] = [cos(0.5 * angle), sin(0.5 * angle)];
+        let Self { r_min, r_max, cells, chance, .. } = *self;
+        let seeds = [0, 1, 2].map(|k| self.seed.wrapping_mul(3).wrapping_add(k));
+        ([self.points as f32, r_min, r_max, cells, chance, self.mean(), x, y, angle], seeds)
+    }
+
     /// The share of a pixel that stars cover, at a point of the texture seen through this footprint.
     ///
     /// The edge of a star is a ramp, half as wide as the footprint in each of its quarters; where the footprint nears the size of a star, the wall turns into its

@@ -138,7 +138,7 @@ fn scratches() -> Case {
 }
 
 /// The words of the uniform of sums.
-fn sums(sums: &[OctavesUniform<3>]) -> (&'static str, Vec<u32>) {
+pub(super) fn sums(sums: &[OctavesUniform<3>]) -> (&'static str, Vec<u32>) {
     let mut words: Vec<u32> = sums.iter().flat_map(|sum| sum.words()).collect();
     words.resize(SUMS * OctavesUniform::<3>::WORDS, 0);
     ("octaves_uniform_3d", words)

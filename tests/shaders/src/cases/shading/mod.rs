@@ -9,6 +9,7 @@ mod diffuse;
 mod fresnel;
 mod glossy;
 mod material;
+mod noisy_texture;
 mod pixel;
 mod texture;
 
@@ -20,6 +21,7 @@ pub(super) fn cases() -> Vec<Case> {
         glossy::cases(),
         material::cases(),
         pixel::cases(),
+        noisy_texture::cases(),
         texture::cases(),
     ]
     .into_iter()

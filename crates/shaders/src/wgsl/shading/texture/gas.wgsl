@@ -1,0 +1,83 @@
+// Gas as a density in space, shaped into steam: `asperity_shading::texture::Gas`, `Steam`.
+
+struct Gas {
+    octaves: f32,
+    max_density: f32,
+    exponent: f32,
+    // The variance of the magnitude of one octave.
+    variance: f32,
+    // The number of the sum in the uniform of sums; 1 for veins.
+    sum: u32,
+    has_veins: u32,
+    reserved: vec2<u32>,
+}
+
+// The density of a turbulence.
+fn gas_of(gas: Gas, turbulence: f32) -> f32 {
+    var t = math_clamped(turbulence, 1.0);
+    if gas.has_veins != 0u {
+        t = 0.5 + 0.5 * elementary_cos_sin_turns(0.5 * t).y;
+    }
+    let base = gas.max_density * t;
+    let square = base * base;
+    var power = 0.0;
+    if gas.exponent == 2.0 {
+        power = square;
+    } else if gas.exponent == 3.0 {
+        power = square * base;
+    } else if gas.exponent == 4.0 {
+        power = square * square;
+    } else if gas.exponent == 8.0 {
+        power = (square * square) * (square * square);
+    } else if base > 0.0 {
+        power = elementary_exp(gas.exponent * elementary_ln(base));
+    }
+    return min(power, MATH_LARGEST);
+}
+
+// The variance of the turbulence that a footprint removes.
+fn gas_removed(gas: Gas, footprint: f32) -> f32 {
+    let spectrum = octaves_spectrum_3d(gas.sum);
+    var removed = 0.0;
+    var total = 0.0;
+    var amplitude = 1.0;
+    var frequency = 1.0;
+    for (var i = 0u; i < 16u; i++) {
+        let weight = min(min(gas.octaves, spectrum.max_octaves) - f32(i), 1.0);
+        if !(weight > 0.0) {
+            break;
+        }
+        let kept = footprint_kept(footprint, frequency);
+        let weighted = weight * amplitude;
+        removed += weighted * weighted * (1.0 - kept * kept);
+        total += weighted;
+        amplitude *= spectrum.gain;
+        frequency *= spectrum.lacunarity;
+    }
+    if !(total > 0.0) {
+        return 0.0;
+    }
+    return removed * gas.variance / (total * total);
+}
+
+// The density at a point, as a pixel of this width sees it; at the point itself for a width of 0. `Gas::clamped_density`.
+fn gas_density(gas: Gas, p: vec3<f32>, footprint: f32) -> f32 {
+    let mean = perlin_2002_octaves_3d(p, gas.octaves, footprint, gas.sum).value;
+    let apart = sqrt(3.0 * gas_removed(gas, footprint));
+    if !(apart > 0.0) {
+        return gas_of(gas, mean);
+    }
+    let sides = gas_of(gas, max(mean - apart, 0.0)) + gas_of(gas, mean + apart);
+    return 0.6666667 * gas_of(gas, mean) + sides / 6.0;
+}
+
+// The share of the density that a column of steam has at a point: full above the middle of its ground, thinner up and aside.
+fn gas_steam_share(centre: vec3<f32>, radius: f32, height: f32, p: vec3<f32>) -> f32 {
+    let from_centre = p - centre;
+    let d = sqrt(from_centre.x * from_centre.x + from_centre.y * from_centre.y) / radius;
+    let z = from_centre.z / height;
+    if !(d < 1.0 && z >= 0.0 && z <= 1.0) {
+        return 0.0;
+    }
+    return (1.0 - d * d * (3.0 - 2.0 * d)) * (1.0 - z);
+}

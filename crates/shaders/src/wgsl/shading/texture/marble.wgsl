@@ -1,0 +1,159 @@
+// Blue marble: a spline of colours over a sum of noise: `asperity_shading::Marble`.
+
+struct Marble {
+    // Cells of the first octave per unit of length.
+    scale: f32,
+    // The standard deviation of one octave.
+    deviation: f32,
+    reserved: vec2<f32>,
+    // The keys of four octaves.
+    keys: vec4<u32>,
+    // The distribution function of an octave at 1/2, 1, ... deviations from -4 on, without the first, at which it is 0.
+    cdf: array<vec4<f32>, 4>,
+}
+
+// The sum as far as a pixel resolves it, the variance of what it does not, and that of the sum within the pixel.
+struct MarbleSum {
+    sum: f32,
+    removed: f32,
+    within: f32,
+}
+
+// Coefficients of a piece of the spline, its number, and the place in it.
+struct MarblePiece {
+    constant: vec3<f32>,
+    linear: vec3<f32>,
+    square: vec3<f32>,
+    cube: vec3<f32>,
+    index: u32,
+    place: f32,
+}
+
+// Colours, of which a piece has four, and integrals of the pieces before each.
+const MARBLE_COLOURS: array<vec3<f32>, 13> = array<vec3<f32>, 13>(
+    vec3<f32>(0.25, 0.25, 0.35),
+    vec3<f32>(0.25, 0.25, 0.35),
+    vec3<f32>(0.1, 0.1, 0.3),
+    vec3<f32>(0.1, 0.1, 0.3),
+    vec3<f32>(0.1, 0.1, 0.3),
+    vec3<f32>(0.25, 0.25, 0.35),
+    vec3<f32>(0.25, 0.25, 0.35),
+    vec3<f32>(0.05, 0.05, 0.26),
+    vec3<f32>(0.05, 0.05, 0.26),
+    vec3<f32>(0.03, 0.03, 0.2),
+    vec3<f32>(0.03, 0.03, 0.2),
+    vec3<f32>(0.25, 0.25, 0.35),
+    vec3<f32>(0.03, 0.03, 0.2),
+);
+const MARBLE_BEFORE: array<vec3<f32>, 10> = array<vec3<f32>, 10>(
+    vec3<f32>(0.0, 0.0, 0.0),
+    vec3<f32>(0.175, 0.175, 0.325),
+    vec3<f32>(0.26875, 0.26875, 0.6229167),
+    vec3<f32>(0.3625, 0.3625, 0.92083335),
+    vec3<f32>(0.5375, 0.5375, 1.2458334),
+    vec3<f32>(0.8020834, 0.8020834, 1.6016667),
+    vec3<f32>(0.95208335, 0.95208335, 1.9066668),
+    vec3<f32>(0.99458337, 0.99458337, 2.1654167),
+    vec3<f32>(1.0345833, 1.0345833, 2.3954167),
+    vec3<f32>(1.0545833, 1.0545833, 2.5866668),
+);
+
+fn marble_piece(x: f32) -> MarblePiece {
+    let along = math_clamped(x, 1.0) * 10.0;
+    let index = min(u32(along), 9u);
+    var colours = MARBLE_COLOURS;
+    let a = colours[index];
+    let b = colours[index + 1u];
+    let c = colours[index + 2u];
+    let d = colours[index + 3u];
+    let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
+    return MarblePiece(b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a), index, along - f32(index));
+}
+
+// The spline at x in [0, 1], beyond it that of its ends.
+fn marble_spline(x: f32) -> vec3<f32> {
+    let piece = marble_piece(x);
+    let t = piece.place;
+    return piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
+}
+
+// The integral of the spline from 0 to x.
+fn marble_area(x: f32) -> vec3<f32> {
+    if x < 0.0 {
+        return marble_spline(0.0) * x;
+    }
+    let piece = marble_piece(x);
+    let t = piece.place;
+    let within = t * (piece.constant + t * (piece.linear / 2.0 + t * (piece.square / 3.0 + t * piece.cube / 4.0)));
+    var before = MARBLE_BEFORE;
+    return (before[piece.index] + within) / 10.0 + marble_spline(1.0) * max(x - 1.0, 0.0);
+}
+
+// The mean of the spline between two places.
+fn marble_mean(from_x: f32, to_x: f32) -> vec3<f32> {
+    let width = to_x - from_x;
+    // Below this the difference of areas has fewer digits than the polynomial in the middle.
+    if width > 0.01 {
+        return (marble_area(to_x) - marble_area(from_x)) / width;
+    }
+    return marble_spline(0.5 * (from_x + to_x));
+}
+
+// The sum of octaves of noise, as a pixel of this width resolves it; of a width of 0 all of it.
+fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
+    var resolved = MarbleSum(0.0, 0.0, 0.0);
+    var frequency = 1.0;
+    for (var i = 0u; i < 4u; i++) {
+        let kept = 1.0 - frequency_clamp_removed_share(0.5 * width, marble.scale * frequency);
+        let whole = (marble.deviation / frequency) * (marble.deviation / frequency);
+        if kept > 0.0 {
+            let key = select(
+                select(marble.keys.x, marble.keys.y, i == 1u), select(marble.keys.z, marble.keys.w, i == 3u), i >= 2u,
+            );
+            let octave = perlin_2002_noise_3d(p * (marble.scale * frequency), key);
+            resolved.sum += kept / frequency * octave.value;
+            // A surface cuts two of three directions of space. A line varies without end, noise by its variance.
+            let rate = min(kept * marble.scale * width, 1e15);
+            let line = dot(octave.gradient, octave.gradient) * rate * rate / 18.0;
+            if line > 0.0 {
+                resolved.within += line * whole / (line + whole);
+            }
+        }
+        resolved.removed += (1.0 - kept * kept) * whole;
+        frequency *= 2.17;
+    }
+    return resolved;
+}
+
+// The distribution function at part k of sixteen, from 1.
+fn marble_cdf(marble: Marble, k: u32) -> f32 {
+    var rows = marble.cdf;
+    let row = rows[(k - 1u) >> 2u];
+    let column = (k - 1u) & 3u;
+    return select(select(row.x, row.y, column == 1u), select(row.z, row.w, column == 3u), column >= 2u);
+}
+
+// The colour that a pixel of this width sees: `Marble::colour`.
+fn marble_colour(marble: Marble, p: vec3<f32>, footprint: f32) -> vec3<f32> {
+    let resolved = marble_sum(marble, p, footprint);
+    if footprint == 0.0 {
+        return marble_spline(2.0 * resolved.sum + 0.75);
+    }
+    if resolved.removed == 0.0 {
+        // An interval has a twelfth of its square for variance.
+        let half_width = sqrt(3.0 * resolved.within);
+        return marble_mean(2.0 * (resolved.sum - half_width) + 0.75, 2.0 * (resolved.sum + half_width) + 0.75);
+    }
+    let deviation = sqrt(resolved.removed + resolved.within);
+    var mean = vec3<f32>(0.0);
+    var below = 0.0;
+    var low = 2.0 * (resolved.sum + deviation * -4.0) + 0.75;
+    for (var k = 1u; k <= 16u; k++) {
+        let above = marble_cdf(marble, k);
+        let high = 2.0 * (resolved.sum + deviation * (8.0 * f32(k) / 16.0 - 4.0)) + 0.75;
+        mean += (above - below) * marble_mean(low, high);
+        below = above;
+        low = high;
+    }
+    return mean;
+}

@@ -1,0 +1,38 @@
+// Texture coordinates moved by noise: `asperity_shading::texture::PerturbedTexture`.
+
+struct PerturbedTexture {
+    strength: vec2<f32>,
+    // Cells of the noise per unit of length, and its standard deviation.
+    scale: f32,
+    deviation: f32,
+    keys: vec2<u32>,
+    reserved: vec2<u32>,
+}
+
+// Where a pixel of this width looks an image up, and by how much what it does not resolve blurs it.
+struct PerturbedLookUp {
+    uv: vec2<f32>,
+    spread: vec2<f32>,
+}
+
+// The coordinates at a point: `PerturbedTexture::coordinates`.
+fn perturbed_coordinates(texture: PerturbedTexture, p: vec3<f32>, uv: vec2<f32>) -> vec2<f32> {
+    let q = p * texture.scale;
+    let first = perlin_2002_noise_3d(q, texture.keys.x).value;
+    let second = perlin_2002_noise_3d(q + vec3<f32>(1.5, 6.7, 3.4), texture.keys.y).value;
+    return uv + texture.strength * vec2<f32>(first, second);
+}
+
+// The coordinates as a pixel resolves them: `PerturbedTexture::filtered`.
+fn perturbed_look_up(texture: PerturbedTexture, p: vec3<f32>, uv: vec2<f32>, footprint: f32) -> PerturbedLookUp {
+    let kept = footprint_kept(footprint, texture.scale);
+    if kept >= 1.0 {
+        return PerturbedLookUp(perturbed_coordinates(texture, p, uv), vec2<f32>(0.0));
+    }
+    var moved = uv;
+    if kept > 0.0 {
+        moved = uv + kept * (perturbed_coordinates(texture, p, uv) - uv);
+    }
+    let deviation = texture.deviation * sqrt(1.0 - kept * kept);
+    return PerturbedLookUp(moved, abs(texture.strength) * deviation);
+}

@@ -1,0 +1,76 @@
+// Wallpaper with a star in some of its cells: `asperity_shading::texture::StarWallpaper`.
+
+struct StarWallpaper {
+    // Points of a star, from 2 to 1000.
+    points: f32,
+    // Radii of its notches and its points, in texture coordinates.
+    r_min: f32,
+    r_max: f32,
+    // Cells per unit of texture coordinates, and the chance that one has a star.
+    cells: f32,
+    chance: f32,
+    // The share of stars from afar: `StarWallpaper::mean`.
+    mean: f32,
+    // cos and sin of half the angle between two points, and a turn over their number.
+    half_angle: vec2<f32>,
+    angle: f32,
+    // Keys of the three lattices: whether there is a star, and where.
+    presence: u32,
+    across: u32,
+    along: u32,
+}
+
+// How far inside the star about the origin a point is; the distance to its nearest edge near by.
+fn star_wallpaper_inside(wallpaper: StarWallpaper, p: vec2<f32>) -> f32 {
+    let turn = (math_angle(p.x, p.y) + 3.1415927) / wallpaper.angle;
+    let fraction = turn - floor(turn);
+    let around = elementary_cos_sin_turns(min(fraction, 1.0 - fraction) / wallpaper.points);
+    let tip = vec2<f32>(wallpaper.r_max, 0.0);
+    let edge = wallpaper.r_min * wallpaper.half_angle - tip;
+    let apart = sqrt(dot(p, p)) * around - tip;
+    return (edge.x * apart.y - edge.y * apart.x) / sqrt(dot(edge, edge));
+}
+
+// The share of a box of this width that the star covers.
+fn star_wallpaper_ramped(wallpaper: StarWallpaper, p: vec2<f32>, footprint: f32) -> f32 {
+    let quarter = 0.25 * footprint;
+    if quarter == 0.0 {
+        return select(0.0, 1.0, star_wallpaper_inside(wallpaper, p) >= 0.0);
+    }
+    var sum = 0.0;
+    for (var k = 0u; k < 4u; k++) {
+        let offset = vec2<f32>(select(quarter, -quarter, k < 2u), select(quarter, -quarter, (k & 1u) == 0u));
+        sum += clamp(0.5 + star_wallpaper_inside(wallpaper, p + offset) / (2.0 * quarter), 0.0, 1.0);
+    }
+    return 0.25 * sum;
+}
+
+// The share of stars that a pixel of this width sees, in [0, 1]: `StarWallpaper::coverage`.
+fn star_wallpaper_coverage(wallpaper: StarWallpaper, uv: vec2<f32>, footprint: f32) -> f32 {
+    if !direction_is_finite(vec3<f32>(uv, 0.0)) {
+        return 0.0;
+    }
+    let far = frequency_clamp_removed_share(footprint, 0.75 / wallpaper.r_max);
+    if far >= 1.0 {
+        return wallpaper.mean;
+    }
+    let corner = floor(uv * wallpaper.cells);
+    var bare = 1.0;
+    for (var k = 0u; k < 9u; k++) {
+        // Rows of the same column one after the other.
+        let cell = corner + vec2<f32>(f32(k / 3u) - 0.5, f32(k % 3u) - 0.5);
+        if 0.5 + 0.5 * white_noise_2d(cell, wallpaper.presence).value < wallpaper.chance {
+            let offset = 0.6 * vec2<f32>(
+                white_noise_2d(cell, wallpaper.across).value, white_noise_2d(cell, wallpaper.along).value,
+            );
+            let p = uv - (cell + offset) / wallpaper.cells;
+            // Out of reach of every ramp.
+            let reach = wallpaper.r_max + footprint;
+            if dot(p, p) < reach * reach {
+                bare *= 1.0 - star_wallpaper_ramped(wallpaper, p, footprint);
+            }
+        }
+    }
+    let near = 1.0 - bare;
+    return near + far * (wallpaper.mean - near);
+}

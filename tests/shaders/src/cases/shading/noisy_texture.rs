@@ -1,0 +1,170 @@
+//! Textures of noise and of hashes.
+
+use asperity_shaders::Part;
+use asperity_shaders::shading::texture::{
+    GAS, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER, StarWallpaperUniform,
+};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam};
+use asperity_shading::{Footprint, Marble};
+
+use super::material::sums;
+use super::{floats, inputs, near, normal, number, vec3, words};
+use crate::case::{Bound, Case, OUTPUTS, Output};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![stars(), marble(), gas(false), gas(true), perturbed()]
+}
+
+/// A texture whose words the body makes a structure of, at points within `extent` seen by pixels up to `widest` wide: p, the width, u and
+/// v are `a.xyz`, `a.w` and `b.xy`.
+fn texture(
+    name: String,
+    part: &'static Part,
+    resources: Vec<(&'static str, Vec<u32>)>,
+    body: String,
+    [extent, widest]: [f32; 2],
+    reference: impl Fn(Vec3, f32, Vec2) -> [u32; OUTPUTS] + Sync + 'static,
+    outputs: Vec<Output>,
+) -> Case {
+    Case {
+        name,
+        parts: vec![part],
+        body,
+        resources,
+        input: Box::new(move |i| {
+            let p = [0, 1, 2, 3, 4].map(|k| number(i, k, [-extent, extent]));
+            let width = if i % 4 == 0 { 0.0 } else { widest * number(i, 5, [-9.0, 0.0]).exp() };
+            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, p[3], p[4]]));
+            // Far out a rounding more or less is another cell.
+            for word in &mut words[4..6] {
+                let x = f32::from_bits(*word);
+                *word = if x.is_finite() { x.clamp(-20.0, 20.0) } else { x }.to_bits();
+            }
+            // Widths are footprints.
+            words[3] = Footprint::from_width(f32::from_bits(words[3])).width().min(f32::MAX).to_bits();
+            words
+        }),
+        reference: Box::new(move |inputs| {
+            let ([width], [u, v]) = (floats(inputs, 3), floats(inputs, 4));
+            reference(vec3(inputs, 0), width, Vec2::new(u, v))
+        }),
+        outputs,
+    }
+}
+
+/// Words as WGSL writes them, in a list.
+fn written(words: &[u32]) -> String {
+    words.iter().map(|word| format!("{word}u")).collect::<Vec<_>>().join(", ")
+}
+
+fn stars() -> Case {
+    let stars = StarWallpaper::default();
+    let words_of = StarWallpaperUniform::new(&stars).words();
+    let [a, b, c] = [0, 4, 8].map(|at| written(&words_of[at..at + 4]));
+    texture(
+        "shading/texture/star_wallpaper".into(),
+        &STAR_WALLPAPER,
+        vec![],
+        format!(
+            "\
+    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
+    let g = bitcast<vec4<f32>>(vec4<u32>({b}));
+    let h = vec4<u32>({c});
+    let stars = StarWallpaper(f.x, f.y, f.z, f.w, g.x, g.y, g.zw, bitcast<f32>(h.x), h.y, h.z, h.w);
+    outcome.a = bits(vec4<f32>(star_wallpaper_coverage(stars, b.xy, a.w), 0.0, 0.0, 0.0));"
+        ),
+        [2.0, 0.1],
+        move |_, width, uv| words(&[stars.coverage(uv, Footprint::from_width(width))]),
+        // Angles are the library's in the crate.
+        vec![near("coverage", 0..1, Bound::Absolute(1.4e-5), Bound::Absolute(2e-3))],
+    )
+}
+
+fn marble() -> Case {
+    let marble = Marble::default();
+    let words_of = MarbleUniform::new(&marble).words();
+    let [head, keys] = [&words_of[..4], &words_of[4..8]].map(written);
+    let rows: Vec<String> = words_of[8..]
+        .chunks(4)
+        .map(|row| format!("bitcast<vec4<f32>>(vec4<u32>({}))", written(row)))
+        .collect();
+    texture(
+        "shading/texture/marble".into(),
+        &MARBLE,
+        vec![],
+        format!(
+            "\
+    let f = bitcast<vec4<f32>>(vec4<u32>({head}));
+    let cdf = array<vec4<f32>, 4>({});
+    let marble = Marble(f.x, f.y, f.zw, vec4<u32>({keys}), cdf);
+    outcome.a = bits(vec4<f32>(marble_colour(marble, a.xyz, a.w), marble_sum(marble, a.xyz, 0.0).sum));",
+            rows.join(", ")
+        ),
+        [4.0, 2.0],
+        move |p, width, _| {
+            let colour = marble.colour(p, Footprint::from_width(width));
+            words(&colour.extend(marble.sum(p)).to_array())
+        },
+        vec![near("colour and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],
+    )
+}
+
+fn gas(has_veins: bool) -> Case {
+    let gas = if has_veins { Gas::default().with_veins() } else { Gas::default() };
+    let steam = Steam::new(Vec3::new(0.5, -0.5, 0.0), 1.5, 2.0).expect("positive");
+    let uniform = GasUniform::new(&gas, 0);
+    let [a, b] = [&uniform.words()[..4], &uniform.words()[4..]].map(written);
+    // The sine of veins is the library's in the crate.
+    let bound = if has_veins { Bound::Absolute(5e-6) } else { Bound::Equal };
+    texture(
+        format!("shading/texture/gas{}", if has_veins { " with veins" } else { "" }),
+        &GAS,
+        vec![sums(&[uniform.sum()])],
+        format!(
+            "\
+    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
+    let g = vec4<u32>({b});
+    let gas = Gas(f.x, f.y, f.z, f.w, g.x, g.y, g.zw);
+    let share = gas_steam_share(vec3<f32>(0.5, -0.5, 0.0), 1.5, 2.0, a.xyz);
+    outcome.a = bits(vec4<f32>(gas_density(gas, a.xyz, a.w), gas_density(gas, a.xyz, 0.0), share, 0.0));"
+        ),
+        [3.0, 2.0],
+        move |p, width, _| {
+            words(&[gas.clamped_density(p, Footprint::from_width(width)), gas.density(p), steam.share(p)])
+        },
+        vec![
+            near("density", 0..2, bound, Bound::Absolute(1e-3)),
+            near("share of steam", 2..3, Bound::Equal, Bound::Absolute(1e-5)),
+        ],
+    )
+}
+
+fn perturbed() -> Case {
+    let running = PerturbedTexture::default();
+    let words_of = PerturbedUniform::new(&running).words();
+    let [a, b] = [&words_of[..4], &words_of[4..]].map(written);
+    texture(
+        "shading/texture/perturbed".into(),
+        &PERTURBED,
+        vec![],
+        format!(
+            "\
+    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
+    let g = vec4<u32>({b});
+    let seen = perturbed_look_up(PerturbedTexture(f.xy, f.z, f.w, g.xy, g.zw), a.xyz, b.xy, a.w);
+    let finite = direction_is_finite(vec3<f32>(seen.uv, 0.0));
+    outcome.a = bits(vec4<f32>(select(vec2<f32>(0.0), seen.uv, finite), seen.spread));"
+        ),
+        [20.0, 20.0],
+        move |p, width, uv| {
+            let seen = running.filtered(p, uv, Footprint::from_width(width));
+            let uv = if seen.uv.is_finite() { seen.uv } else { Vec2::ZERO };
+            words(&[uv.x, uv.y, seen.spread.x, seen.spread.y])
+        },
+        vec![
+            near("coordinates", 0..2, Bound::Equal, Bound::Relative(1e-3)),
+            near("spread", 2..4, Bound::Equal, Bound::Absolute(1e-5)),
+        ],
+    )
+}
