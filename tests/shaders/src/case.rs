@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use asperity_shaders::{Binding, Bindings, Part, compose, ordered};
 
-use crate::interpreter::Interpreter;
+use asperity_wgsl::Interpreter;
 
 /// Words that a case takes.
 pub const INPUTS: usize = 16;

@@ -3,4 +3,5 @@
 
 pub mod case;
 pub mod cases;
-pub mod interpreter;
+
+pub use asperity_wgsl as interpreter;

@@ -1,8 +1,8 @@
 //! Who may know whom: every edge between crates that the house rules allow.
 
-/// Every edge that the house rules allow out of a published crate, in tests and benches the latter too; nothing else may
+/// Every edge that the house rules allow out of a published crate and the interpreter of shaders, in tests and benches the latter too; nothing else may
 /// be there.
-const EDGES: [(&str, &[&str], &[&str]); 5] = [
+const EDGES: [(&str, &[&str], &[&str]); 6] = [
     ("asperity-noise", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-ndf-sampling",
@@ -20,6 +20,7 @@ const EDGES: [(&str, &[&str], &[&str]); 5] = [
         &["asperity-fif", "asperity-ndf-sampling", "asperity-noise", "asperity-shading", "glam"],
         &[],
     ),
+    ("asperity-wgsl", &["naga", "rayon"], &["asperity-noise"]),
 ];
 
 /// The members that may use everything and that nothing may use.

@@ -56,12 +56,12 @@ pub(super) const HOUSES: &[House] = &[
         face: None,
     },
     House {
-        name: "shader-tests",
-        sources: "tests/shaders/src",
-        rooms: "interpreter/value interpreter/arithmetic interpreter/operators → interpreter/program → interpreter/layout → \
-                interpreter/binding → interpreter/compile → interpreter/run → interpreter → case → cases",
+        name: "wgsl",
+        sources: "tests/wgsl/src",
+        rooms: "value arithmetic operators → program → layout → binding → compile → run",
         face: None,
     },
+    House { name: "shader-tests", sources: "tests/shaders/src", rooms: "case → cases", face: None },
     House {
         name: "xtask",
         sources: "xtask/src",

@@ -1,6 +1,6 @@
 //! Parts of values and of variables.
 
-use asperity_shader_tests::interpreter::Value;
+use asperity_wgsl::Value;
 
 use crate::{interpreter, value};
 

@@ -1,6 +1,6 @@
 //! Uniforms, storage buffers and textures.
 
-use asperity_shader_tests::interpreter::Value;
+use asperity_wgsl::Value;
 
 use crate::interpreter;
 

@@ -1,6 +1,6 @@
 //! Builtin functions against those of Rust, or against their formulas.
 
-use asperity_shader_tests::interpreter::Value;
+use asperity_wgsl::Value;
 
 use crate::{bits, interpreter, value};
 

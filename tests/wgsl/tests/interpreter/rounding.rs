@@ -1,6 +1,6 @@
 //! Implementations that round otherwise.
 
-use asperity_shader_tests::interpreter::{Arithmetic, Value};
+use asperity_wgsl::{Arithmetic, Value};
 
 use crate::{bits, interpreter};
 

@@ -9,7 +9,7 @@ mod operators;
 mod refused;
 mod rounding;
 
-use asperity_shader_tests::interpreter::{Interpreter, Value};
+use asperity_wgsl::{Interpreter, Value};
 
 /// The module, or a panic that shows what is wrong with it.
 #[track_caller]

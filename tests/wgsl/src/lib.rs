@@ -22,7 +22,7 @@ pub use self::value::Value;
 /// A validated module of WGSL, what its names are bound to, and how its sums and quotients are rounded.
 ///
 /// ```
-/// use asperity_shader_tests::interpreter::Interpreter;
+/// use asperity_wgsl::Interpreter;
 ///
 /// let shader = Interpreter::new("fn square(x: f32) -> f32 { return x * x; }")?;
 /// assert_eq!(shader.call("square", &[1.5.into()])?, 2.25.into());

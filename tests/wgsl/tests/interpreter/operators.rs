@@ -1,6 +1,6 @@
 //! Every operator on scalars, on all pairs of hard operands.
 
-use asperity_shader_tests::interpreter::Value;
+use asperity_wgsl::Value;
 
 use crate::{bits, interpreter, value};
 

@@ -1,6 +1,6 @@
 //! What the interpreter refuses, and in which words.
 
-use asperity_shader_tests::interpreter::Interpreter;
+use asperity_wgsl::Interpreter;
 
 use crate::interpreter;
 
