@@ -64,6 +64,16 @@ The benches of noise have every kind at every SIMD level and take a quarter of a
 example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names
 the folder of its static library; xtask/peers/README.md says how to build it.")]
     Bench(Bench),
+    /// Write the functions of the shaders in every shading language, or compare them with the crates on adapters.
+    #[command(after_help = "Examples:
+  cargo xtask shaders
+  cargo xtask shaders --part noise/kinds/gaussian --dialect glsl-es-300 --out my-shaders
+  cargo xtask shaders --check
+  cargo xtask shaders --adapter llvmpipe --part ndf/density
+
+Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
+spirv-tools and glslang-tools. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
+    Shaders(Shaders),
     /// Check a density's normalisation, samples, map and inverse map, and print a report.
     #[command(after_help = "Examples:
   cargo xtask check --ndf ggx:0.1,0.5
@@ -261,6 +271,29 @@ pub(crate) struct Bench {
     pub(crate) ship: bool,
     /// Folder of the table, the chart and all times.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/bench", requires = "page")]
+    pub(crate) out: PathBuf,
+}
+
+/// Languages that shaders are written in.
+const DIALECTS: [&str; 8] =
+    ["wgsl", "glsl-450", "glsl-es-300", "glsl-es-310", "hlsl", "msl", "spirv", "spirv-no-contraction"];
+
+#[derive(Debug, Args)]
+pub(crate) struct Shaders {
+    /// Only functions whose names, or those of the parts they need, contain NAME.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) part: Option<String>,
+    /// Write this language only; may be given again.
+    #[arg(long, value_parser = PossibleValuesParser::new(DIALECTS), conflicts_with_all = ["check", "adapter"])]
+    pub(crate) dialect: Vec<String>,
+    /// Compare every function with the crate's, interpreted and on each adapter, in place of writing it.
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Compare on adapters whose name contains NAME.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) adapter: Option<String>,
+    /// Folder of the shaders.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/shaders")]
     pub(crate) out: PathBuf,
 }
 

@@ -9,6 +9,7 @@ mod input;
 mod output;
 mod progress;
 mod render;
+mod shaders;
 mod tables;
 
 use std::io::Write;
@@ -73,6 +74,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
         }
         Command::Render(wanted) => render::render(&wanted, interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
+        Command::Shaders(wanted) => shaders::run(&wanted, root, interrupted),
         Command::Check(wanted) => check::density::check(&wanted),
         Command::Tidy => {
             let report = tidy::report()?;
@@ -97,9 +99,19 @@ mod tests {
     #[test]
     fn every_command_explains_itself() {
         let said = Cli::command().render_help().to_string();
-        for command in
-            ["gallery", "tables", "render", "bench", "check", "tidy", "ci", "no-std", "bare-metal", "wasm"]
-        {
+        for command in [
+            "gallery",
+            "tables",
+            "render",
+            "bench",
+            "shaders",
+            "check",
+            "tidy",
+            "ci",
+            "no-std",
+            "bare-metal",
+            "wasm",
+        ] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }
         Cli::command().debug_assert();
@@ -140,6 +152,7 @@ mod tests {
             ("tables --fif nowhere.json", "system `nowhere.json`: "),
             ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
             ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("shaders --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
             ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: the name of a mesh file ends in "),
             ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
             ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),

@@ -56,6 +56,7 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
     let mut table = format!("| function | quantity | bound | {} |\n|---|---|---|", names.join(" | "));
     table += &"---|".repeat(columns.len());
     table += "\n";
+    print!("{table}");
     let mut broken = Vec::new();
     for case in cases {
         let inputs: Vec<[u32; INPUTS]> = (0..Case::COUNT).map(|i| (case.input)(i)).collect();

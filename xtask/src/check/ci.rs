@@ -7,7 +7,7 @@ use cargo_metadata::MetadataCommand;
 use super::cargo::{cargo, run};
 use super::{bare_metal, no_std, packages, tidy, wasm};
 use crate::failure::{Failure, Interrupted};
-use crate::{progress, tables};
+use crate::{progress, shaders, tables};
 
 /// The crates that compute.
 pub(crate) const CRATES: [&str; 4] =
@@ -28,7 +28,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 13] = [
+const GATES: [Gate; 14] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("generated tables", tables::check),
@@ -44,6 +44,7 @@ const GATES: [Gate; 13] = [
     ("oldest glam", packages::oldest_glam),
     ("packages", packages::packages),
     ("wasm probe", |root| wasm::probe(root).map(|line| progress::say(&format!("  {line}")))),
+    ("shaders on drivers", shaders::on_drivers),
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 

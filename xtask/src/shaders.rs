@@ -1,0 +1,97 @@
+//! `cargo xtask shaders`: every function of the shaders in every language, and beside the crates on the adapters that there are.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::atomic::AtomicBool;
+
+use crate::check::cargo::{self, cargo};
+use crate::cli::Shaders;
+use crate::failure::{Failure, Interrupted};
+use crate::output::Output;
+use crate::progress;
+
+/// Folder of the program that has wgpu and naga.
+const PROGRAM: &str = "tests/gpu";
+
+/// The variable that names manifests of further Vulkan drivers, and that of Chromium's driver in software on Debian.
+const DRIVERS: &str = "VK_ADD_DRIVER_FILES";
+const SWIFTSHADER: &str = "/usr/lib/chromium/vk_swiftshader_icd.json";
+
+/// Variable of a folder whose lack Mesa complains of.
+const RUNTIME: &str = "XDG_RUNTIME_DIR";
+
+/// Runs what was asked for.
+pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let only: Vec<&str> = wanted.part.iter().flat_map(|part| ["--only", part]).collect();
+    if wanted.check || wanted.adapter.is_some() {
+        let mut parity = program(root, "parity");
+        parity.args(&only).args(wanted.adapter.iter().flat_map(|name| ["--adapter", name]));
+        let ran = cargo::run(&mut parity);
+        Interrupted::check(interrupted)?;
+        return ran;
+    }
+    let mut export = program(root, "export");
+    // The program runs in a folder of its own.
+    export.args(&only).arg("--out").arg(folder(&wanted.out)?);
+    export.args(wanted.dialect.iter().flat_map(|name| ["--dialect", name]));
+    let ran = cargo::run(&mut export);
+    Interrupted::check(interrupted)?;
+    ran
+}
+
+/// The gate: every bound on every adapter, and every file read by the validators; one line each of what there is, or lacks.
+pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
+    let mut export = program(root, "export");
+    export.arg("--out").arg(folder(&root.join("target/asperity/shaders"))?);
+    for (mut command, is_line) in
+        [(program(root, "parity"), is_machine as fn(&str) -> bool), (export, |line| !line.is_empty())]
+    {
+        let output = command.stderr(Stdio::inherit()).output()?;
+        let said = String::from_utf8_lossy(&output.stdout);
+        if !output.status.success() {
+            return Err(format!("the shaders are not what they should be:\n{said}").into());
+        }
+        said.lines().filter(|line| is_line(line)).for_each(|line| progress::say(&format!("  {line}")));
+    }
+    Ok(())
+}
+
+/// Whether a line of the table of parity is its head, which names the adapters, or says that there is none.
+fn is_machine(line: &str) -> bool {
+    line.starts_with("| function |") || !line.starts_with('|') && !line.is_empty()
+}
+
+fn folder(path: &Path) -> Result<PathBuf, Failure> {
+    Output::new(path)?;
+    Ok(std::path::absolute(path)?)
+}
+
+/// The program in `tests/gpu` with a command, and with the drivers in software that are installed.
+fn program(root: &Path, command: &str) -> Command {
+    let mut run = cargo(&root.join(PROGRAM), "run --quiet --release --locked --");
+    run.arg(command);
+    if std::env::var_os(DRIVERS).is_none() && Path::new(SWIFTSHADER).is_file() {
+        run.env(DRIVERS, SWIFTSHADER);
+    }
+    if std::env::var_os(RUNTIME).is_none() {
+        run.env(RUNTIME, std::env::temp_dir());
+    }
+    run
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_the_table_its_head_is_told_and_that_there_is_no_driver() {
+        let said = [
+            "no driver is tried: no adapter was found",
+            "| function | quantity |",
+            "|---|---|",
+            "| a | b |",
+            "",
+        ];
+        assert_eq!(said.map(is_machine), [true, true, false, false, false]);
+    }
+}
