@@ -127,8 +127,15 @@ fn marble_sum(marble: Marble, p: vec3<f32>, width: f32) -> MarbleSum {
 
 // The distribution function at part k of sixteen, from 1.
 fn marble_cdf(marble: Marble, k: u32) -> f32 {
-    var rows = marble.cdf;
-    let row = rows[(k - 1u) >> 2u];
+    let index = (k - 1u) >> 2u;
+    var row = marble.cdf[0];
+    if index == 1u {
+        row = marble.cdf[1];
+    } else if index == 2u {
+        row = marble.cdf[2];
+    } else if index == 3u {
+        row = marble.cdf[3];
+    }
     let column = (k - 1u) & 3u;
     return select(select(row.x, row.y, column == 1u), select(row.z, row.w, column == 3u), column >= 2u);
 }

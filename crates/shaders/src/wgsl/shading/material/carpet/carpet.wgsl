@@ -155,6 +155,9 @@ fn carpet_scattered(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>, wi: vec3
 
 // The light along the rim, which is there whatever the lamps: `Bsdf::emitted`.
 fn carpet_emitted(carpet: Carpet, point: SurfacePoint, wo: vec3<f32>) -> vec3<f32> {
+    if !direction_is_finite(wo) {
+        return vec3<f32>(0.0);
+    }
     let view = frame_to_world(surface_point_frame(point), wo);
     let x = 1.0 - abs(dot(point.normal, view));
     let low = 1.0 - carpet.rim_width;
