@@ -20,6 +20,10 @@ pub struct System;
 #[doc = include_str!("../../crates/shading/README.md")]
 pub struct Shading;
 
+/// The page of `asperity-shaders`.
+#[doc = include_str!("../../crates/shaders/README.md")]
+pub struct Shaders;
+
 /// The guide for those who come from another noise library.
 #[doc = include_str!("../../docs/guide/coming-from-noise.md")]
 pub struct ComingFromNoise;

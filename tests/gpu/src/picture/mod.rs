@@ -66,8 +66,10 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
     let octaves = GaussianOctaves::new(Gaussian::new(7), spectrum);
     let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
     let mut shares = Vec::new();
+    // A strip for each scene: the zooms from left to right, by the shader above and by the crates below.
+    let mut strips: [(&str, [Vec<Vec<[u8; 3]>>; 2]); 2] = Default::default();
     for zoom in ZOOMS {
-        for (name, scene) in scenes(zoom, size)? {
+        for ((name, scene), strip) in scenes(zoom, size)?.into_iter().zip(&mut strips) {
             let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
             let anchored = octaves.anchored(at);
             let words = ("octaves_uniform_3d", OctavesUniform::new(&anchored).words().to_vec());
@@ -76,7 +78,14 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
             let seen = |corner: &Corner, pixel| bumps.coordinates(corner.position.as_vec3(), pixel);
             let theirs = reference::picture(&scene, look, seen, size)?;
             shares.push(report(&format!("{name}-{zoom}"), &ours, &theirs, time, size, out)?);
+            strip.0 = name;
+            strip.1[0].push(ours);
+            strip.1[1].push(theirs);
         }
+    }
+    for (name, rows) in strips {
+        let rows: Vec<Vec<_>> = rows.iter().map(|row| row.iter().map(Vec::as_slice).collect()).collect();
+        png(&out.join(format!("gpu-{name}.png")), size, &rows)?;
     }
     Ok(shares)
 }
@@ -130,7 +139,7 @@ fn report(
     let share = differences.iter().filter(|&&d| d > 2).count() as f64 / count;
     let mean = differences.iter().map(|&d| f64::from(d)).sum::<f64>() / count;
     println!("| {name} | {:.3} % | {mean:.2} | {:.0} |", 100.0 * share, time.as_secs_f64() * 1e3);
-    png(&out.join(format!("gpu-{name}.png")), size, &[ours, theirs])?;
+    png(&out.join(format!("gpu-{name}.png")), size, &[vec![ours, theirs]])?;
     Ok(share)
 }
 
@@ -138,16 +147,18 @@ fn difference(a: [u8; 3], b: [u8; 3]) -> u8 {
     a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// Writes pictures beside each other.
-fn png(path: &Path, size: u32, pictures: &[&[[u8; 3]]]) -> Result<(), String> {
+/// Writes pictures beside each other, row below row.
+fn png(path: &Path, size: u32, rows: &[Vec<&[[u8; 3]]>]) -> Result<(), String> {
     let stride = size as usize;
-    let rows =
-        (0..stride).flat_map(|y| pictures.iter().flat_map(move |picture| &picture[y * stride..][..stride]));
-    let bytes: Vec<u8> = rows.flatten().copied().collect();
+    let lines = rows.iter().flat_map(|row| {
+        (0..stride).flat_map(move |y| row.iter().flat_map(move |picture| &picture[y * stride..][..stride]))
+    });
+    let bytes: Vec<u8> = lines.flatten().copied().collect();
+    let [columns, rows] = [rows.first().map_or(0, Vec::len), rows.len()].map(|count| count as u32);
     let write = || -> Result<(), Box<dyn std::error::Error>> {
         let partial = path.with_extension("png.partial");
         let file = std::io::BufWriter::new(std::fs::File::create(&partial)?);
-        let mut encoder = png::Encoder::new(file, size * pictures.len() as u32, size);
+        let mut encoder = png::Encoder::new(file, size * columns, size * rows);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.write_header()?.write_image_data(&bytes)?;
