@@ -29,43 +29,48 @@ struct MarblePiece {
     place: f32,
 }
 
-// Colours, of which a piece has four, and integrals of the pieces before each.
-const MARBLE_COLOURS: array<vec3<f32>, 13> = array<vec3<f32>, 13>(
-    vec3<f32>(0.25, 0.25, 0.35),
-    vec3<f32>(0.25, 0.25, 0.35),
-    vec3<f32>(0.1, 0.1, 0.3),
-    vec3<f32>(0.1, 0.1, 0.3),
-    vec3<f32>(0.1, 0.1, 0.3),
-    vec3<f32>(0.25, 0.25, 0.35),
-    vec3<f32>(0.25, 0.25, 0.35),
-    vec3<f32>(0.05, 0.05, 0.26),
-    vec3<f32>(0.05, 0.05, 0.26),
-    vec3<f32>(0.03, 0.03, 0.2),
-    vec3<f32>(0.03, 0.03, 0.2),
-    vec3<f32>(0.25, 0.25, 0.35),
-    vec3<f32>(0.03, 0.03, 0.2),
-);
-const MARBLE_BEFORE: array<vec3<f32>, 10> = array<vec3<f32>, 10>(
-    vec3<f32>(0.0, 0.0, 0.0),
-    vec3<f32>(0.175, 0.175, 0.325),
-    vec3<f32>(0.26875, 0.26875, 0.6229167),
-    vec3<f32>(0.3625, 0.3625, 0.92083335),
-    vec3<f32>(0.5375, 0.5375, 1.2458334),
-    vec3<f32>(0.8020834, 0.8020834, 1.6016667),
-    vec3<f32>(0.95208335, 0.95208335, 1.9066668),
-    vec3<f32>(0.99458337, 0.99458337, 2.1654167),
-    vec3<f32>(1.0345833, 1.0345833, 2.3954167),
-    vec3<f32>(1.0545833, 1.0545833, 2.5866668),
-);
+// Colours, of which a piece has four. One by one: compilers of HLSL refuse a list that is made.
+fn marble_knot(i: u32) -> vec3<f32> {
+    switch i {
+        case 0u: { return vec3<f32>(0.25, 0.25, 0.35); }
+        case 1u: { return vec3<f32>(0.25, 0.25, 0.35); }
+        case 2u: { return vec3<f32>(0.1, 0.1, 0.3); }
+        case 3u: { return vec3<f32>(0.1, 0.1, 0.3); }
+        case 4u: { return vec3<f32>(0.1, 0.1, 0.3); }
+        case 5u: { return vec3<f32>(0.25, 0.25, 0.35); }
+        case 6u: { return vec3<f32>(0.25, 0.25, 0.35); }
+        case 7u: { return vec3<f32>(0.05, 0.05, 0.26); }
+        case 8u: { return vec3<f32>(0.05, 0.05, 0.26); }
+        case 9u: { return vec3<f32>(0.03, 0.03, 0.2); }
+        case 10u: { return vec3<f32>(0.03, 0.03, 0.2); }
+        case 11u: { return vec3<f32>(0.25, 0.25, 0.35); }
+        default: { return vec3<f32>(0.03, 0.03, 0.2); }
+    }
+}
+
+// Integrals of the pieces before each.
+fn marble_before(i: u32) -> vec3<f32> {
+    switch i {
+        case 0u: { return vec3<f32>(0.0, 0.0, 0.0); }
+        case 1u: { return vec3<f32>(0.175, 0.175, 0.325); }
+        case 2u: { return vec3<f32>(0.26875, 0.26875, 0.6229167); }
+        case 3u: { return vec3<f32>(0.3625, 0.3625, 0.92083335); }
+        case 4u: { return vec3<f32>(0.5375, 0.5375, 1.2458334); }
+        case 5u: { return vec3<f32>(0.8020834, 0.8020834, 1.6016667); }
+        case 6u: { return vec3<f32>(0.95208335, 0.95208335, 1.9066668); }
+        case 7u: { return vec3<f32>(0.99458337, 0.99458337, 2.1654167); }
+        case 8u: { return vec3<f32>(1.0345833, 1.0345833, 2.3954167); }
+        default: { return vec3<f32>(1.0545833, 1.0545833, 2.5866668); }
+    }
+}
 
 fn marble_piece(x: f32) -> MarblePiece {
     let along = math_clamped(x, 1.0) * 10.0;
     let index = min(u32(along), 9u);
-    var colours = MARBLE_COLOURS;
-    let a = colours[index];
-    let b = colours[index + 1u];
-    let c = colours[index + 2u];
-    let d = colours[index + 3u];
+    let a = marble_knot(index);
+    let b = marble_knot(index + 1u);
+    let c = marble_knot(index + 2u);
+    let d = marble_knot(index + 3u);
     let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
     return MarblePiece(b, 0.5 * (c - a), square, 1.5 * (b - c) + 0.5 * (d - a), index, along - f32(index));
 }
@@ -85,8 +90,7 @@ fn marble_area(x: f32) -> vec3<f32> {
     let piece = marble_piece(x);
     let t = piece.place;
     let within = t * (piece.constant + t * (piece.linear / 2.0 + t * (piece.square / 3.0 + t * piece.cube / 4.0)));
-    var before = MARBLE_BEFORE;
-    return (before[piece.index] + within) / 10.0 + marble_spline(1.0) * max(x - 1.0, 0.0);
+    return (marble_before(piece.index) + within) / 10.0 + marble_spline(1.0) * max(x - 1.0, 0.0);
 }
 
 // The mean of the spline between two places.
