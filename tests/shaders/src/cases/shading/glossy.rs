@@ -24,7 +24,7 @@ const FAINT: f32 = 1e-30;
 fn directions(i: u32, good: [f32; 8]) -> [u32; INPUTS] {
     let (wi, wo) = (direction(i, 8), direction(i, 10));
     let mirrored = Vec3::new(-wo.x, -wo.y, wo.z) + 0.1 * (wi - Vec3::Z);
-    let wi = if i % 2 == 0 && mirrored.z > 0.0 { mirrored.normalize() } else { wi };
+    let wi = if i.is_multiple_of(2) && mirrored.z > 0.0 { mirrored.normalize() } else { wi };
     let mut all = [0.0; 14];
     all[8..].copy_from_slice(&[wi.x, wi.y, wi.z, wo.x, wo.y, wo.z]);
     let mut words = normal(inputs(i, &all));

@@ -139,7 +139,7 @@ fn scratches() -> Case {
 
 /// The words of the uniform of sums.
 pub(super) fn sums(sums: &[OctavesUniform<3>]) -> (&'static str, Vec<u32>) {
-    let mut words: Vec<u32> = sums.iter().flat_map(|sum| sum.words()).collect();
+    let mut words: Vec<u32> = sums.iter().flat_map(OctavesUniform::<3>::words).collect();
     words.resize(SUMS * OctavesUniform::<3>::WORDS, 0);
     ("octaves_uniform_3d", words)
 }

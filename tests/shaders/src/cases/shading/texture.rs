@@ -131,7 +131,7 @@ fn bevel() -> Case {
 
 /// The ridge of the i-th input.
 fn ridge(i: u32) -> Bevel {
-    let plateau = if i % 4 == 0 { 0.0 } else { number(i, 4, [0.0, 0.1]) };
+    let plateau = if i.is_multiple_of(4) { 0.0 } else { number(i, 4, [0.0, 0.1]) };
     let slopes = [6, 7].map(|k| number(i, k, [-2.0, 2.0]));
     Bevel::new(plateau, plateau + number(i, 5, [0.02, 0.3]), slopes[0], slopes[1]).expect("a ridge")
 }
