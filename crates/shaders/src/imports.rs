@@ -86,7 +86,7 @@ mod tests {
     )
     .with_bindings(&[Binding::Table { name: "words", element: Element::Float, width: 64 }]);
 
-    /// What a need needs is imported as well.
+    /// Needs of needs are imported as well.
     static TOP: Part = Part::new("c/top", "fn top() -> f32 {\n    return high(lower());\n}\n", &[&HIGH]);
 
     #[test]

@@ -48,7 +48,7 @@ pub fn key(seed: u32) -> u32 {
 /// Structures of value and gradient in two, three and four dimensions.
 pub static SAMPLE: Part = part!("noise/sample");
 
-/// Hash of lattice points, the bits of [`IntegerHash`](asperity_noise::IntegerHash).
+/// Hash of lattice points, the bits of [`IntegerHash`].
 ///
 /// Seeds come as keys, [`key`] of the seed, which takes 64 bits.
 pub static INTEGER_HASH: Part = part!("noise/lattice/integer_hash");

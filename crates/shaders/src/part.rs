@@ -84,7 +84,7 @@ pub enum Binding {
     },
     /// A list of words, read by a function `fn name(i: u32) -> element`.
     ///
-    /// As a texture it has `width` texels of one channel, `r32float` or `r32uint`, in a row, and is read without filtering; as a
+    /// A texture of it has `width` texels of one channel, `r32float` or `r32uint`, in a row, and is read without filtering; as a
     /// buffer it is `array<element>`.
     Table {
         /// Name of the function.

@@ -107,7 +107,7 @@ impl Tool {
         Command::new(self.program).arg("--version").output().is_ok()
     }
 
-    /// What it says of files that it does not accept; nothing where it is not installed.
+    /// Complaints about files that it does not accept; none where it is not installed.
     fn refusals(&self, folder: &Path, dialects: &[Dialect]) -> Vec<String> {
         let mut refusals = vec![];
         for (dialect, options) in self.reads.iter().filter(|(dialect, _)| dialects.contains(dialect)) {

@@ -12,7 +12,7 @@ use crate::{
     entry,
 };
 
-/// What computed the cases: the interpreter with one arithmetic or the other, or an adapter.
+/// Source of a column's outcomes: the interpreter with one arithmetic or the other, or an adapter.
 enum Column {
     Interpreter(Arithmetic),
     Adapter(Gpu),
@@ -108,7 +108,7 @@ fn bound(bound: Bound) -> String {
     }
 }
 
-/// How near an output is.
+/// Nearness of an output.
 struct Found {
     equal: f64,
     largest: f32,
@@ -153,7 +153,7 @@ impl Found {
     }
 }
 
-/// What an adapter computes of a case.
+/// Outcomes of a case on an adapter.
 fn outcomes(gpu: &Gpu, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
     let kernel = Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + entry::COMPUTE), "run_case")?;
     let groups = [(inputs.len() as u32).div_ceil(64), 1];

@@ -10,7 +10,7 @@ use wgpu::{
 
 use crate::device::Gpu;
 
-/// What a binding is bound to.
+/// Resource of a binding.
 #[derive(Clone)]
 pub(crate) enum Resource {
     Buffer(wgpu::Buffer),

@@ -25,7 +25,7 @@ pub struct Case {
     pub input: Box<dyn Fn(u32) -> [u32; INPUTS] + Sync>,
     /// Outputs that the crates give.
     pub reference: Box<dyn Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Sync>,
-    /// What the output words are, and how near they must be.
+    /// Names of the output words, and how near they must be.
     pub outputs: Vec<Output>,
 }
 
@@ -35,16 +35,16 @@ pub struct Output {
     pub name: &'static str,
     /// Its words.
     pub words: Range<usize>,
-    /// Where every operation is computed as it is written.
+    /// Bound where every operation is computed as it is written.
     pub written: Bound,
     /// On any adapter: products and sums may be fused, division and roots be off by a few units of the last place.
     pub adapter: Bound,
 }
 
-/// How near floats must be.
+/// Nearness that is asked of floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// The same bits; −0 is 0.
+    /// Equal bits; −0 is 0.
     Equal,
     /// |got − expected| at most this.
     Absolute(f32),

@@ -9,7 +9,7 @@ use asperity_shader_tests::{
 };
 use asperity_shaders::{Binding, Bindings, Imports, Part, module, ordered};
 
-/// What the names of cases begin with.
+/// Beginnings of the names of cases.
 const ROOMS: [&str; 7] =
     ["noise/lattice", "noise/kinds", "noise/sums", "noise/transforms", "ndf/", "shading/", "fif/"];
 

@@ -1,6 +1,6 @@
-//! How an implementation of WGSL may round.
+//! Rounding that WGSL leaves to an implementation.
 
-/// What becomes of a sum of products.
+/// Rounding of a sum of products.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Every operation is rounded, in the order that is written.

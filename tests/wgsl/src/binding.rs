@@ -1,4 +1,4 @@
-//! What the names of a module are bound to.
+//! Resources that the names of a module are bound to.
 
 use naga::proc::Layouter;
 use naga::{

@@ -41,7 +41,7 @@ impl Interpreter {
     /// Parses, validates and compiles.
     ///
     /// # Errors
-    /// What naga prints, with the line of the source.
+    /// Error as naga prints it, with the line of the source.
     pub fn new(wgsl: &str) -> Result<Self, String> {
         let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
         let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
@@ -126,7 +126,7 @@ impl Interpreter {
     /// Calls a function at many points, over all cores; an input is the words of all arguments, one after the other.
     ///
     /// # Errors
-    /// As of [`Self::call`].
+    /// If [`Self::call`] fails for one of the inputs.
     pub fn call_many<W: AsRef<[u32]> + Sync>(
         &self,
         function: &str,

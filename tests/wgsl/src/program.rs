@@ -1,4 +1,4 @@
-//! What functions are compiled to: operations on words of one memory, in which every variable and every intermediate
+//! Compiled functions: operations on words of one memory, in which every variable and every intermediate
 //! result has a place of its own, as nothing in WGSL calls itself.
 
 use super::operators::{Binary, Ternary, Unary};

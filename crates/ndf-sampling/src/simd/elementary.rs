@@ -42,7 +42,7 @@ pub(crate) fn one_minus_exp_ratio<S: Lanes>(s: S, t: S::F, root: S::F) -> S::F {
 /// `ln(1 + x)` for `x > −1`, the larger `x` finite; NaN for NaN is not kept.
 ///
 /// `1 + x = 2ᵏ m` with m in √½ … √2, and `ln m = 2 artanh(f/(2 + f))`, `f = m − 1`, by its series to the ninth power, 5e-9 relative.
-/// Where k is 0, f is x itself: nothing rests on what the sum `1 + x` has lost. Accuracy: 3e-7 relative.
+/// For k = 0 f is x itself: nothing rests on what the sum `1 + x` has lost. Accuracy: 3e-7 relative.
 #[inline(always)]
 pub(crate) fn ln_1p<S: Lanes>(s: S, x: S::F) -> S::F {
     let one = s.float(1.0);

@@ -203,7 +203,7 @@ pub struct Octave<const N: usize> {
     pub offset: [f32; N],
     /// The cell that cells are counted from: 0, or that of the anchor modulo 2³².
     pub cell: [i32; N],
-    /// What the lattice makes of the octave's seed.
+    /// Key that the lattice makes of the octave's seed.
     pub key: u32,
 }
 

@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::ConditionalTableRef;
 
-use crate::ndf::{ELEMENTARY, GAUSSIAN_SPLIT};
+use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT};
 use crate::part::{Binding, Element, Part, part};
 
 /// Exact level of detail of any density by one look-up; [`ConditionalTableRef`].

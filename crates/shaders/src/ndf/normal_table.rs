@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::NormalTableRef;
 use asperity_ndf_sampling::normal_table::{Chart, Spacing, TableLayout};
 
-use crate::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
+use crate::ndf::density::{ELEMENTARY, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
 
 /// Places of Gaussian coordinates and normals of a chart's points, for tables of normals in textures that hardware interpolates;

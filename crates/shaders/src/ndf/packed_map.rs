@@ -2,7 +2,7 @@
 
 use asperity_ndf_sampling::PackedMapRef;
 
-use crate::ndf::{ELEMENTARY, GAUSSIAN_SPLIT, NORMAL_DISTRIBUTION};
+use crate::ndf::density::{ELEMENTARY, GAUSSIAN_SPLIT, NORMAL_DISTRIBUTION};
 use crate::part::{Binding, Element, Part, part};
 
 /// A density painted or computed on the map of normals, from one array: density, samples, distribution functions, bijection and

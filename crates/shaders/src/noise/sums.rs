@@ -47,13 +47,10 @@ mod mip_mapped;
 mod uniform;
 
 pub use mip_mapped::{MipMapped, MipMappedError};
-pub use uniform::{OctavesUniform, ShaderShape};
+pub use uniform::{OctavesUniform, SUMS, ShaderShape};
 
 use super::{CELL, GAUSSIAN};
 use crate::part::{Binding, Part, part};
-
-/// Sums of octaves that a uniform holds, numbered from 0. Those that a module does not use may hold anything.
-pub const SUMS: usize = 8;
 
 /// Shapes of octaves, [`Turbulence`](asperity_noise::Turbulence) and its like.
 pub static SHAPE: Part = part!("noise/sums/shape");

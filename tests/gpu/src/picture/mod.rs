@@ -23,7 +23,7 @@ use crate::{
     resources::{filtered, linear},
 };
 
-/// What the surface is like.
+/// Look of the surface.
 pub(crate) struct Look {
     pub(crate) alpha: Vec2,
     /// Cells of the first octave per unit.

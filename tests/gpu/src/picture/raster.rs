@@ -4,7 +4,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use crate::picture::scene::{Corner, Scene};
 
-/// What a pixel shows: the triangle and the weights of its corners.
+/// View of a pixel: the triangle and the weights of its corners.
 #[derive(Clone, Copy)]
 pub(crate) struct Seen {
     pub(crate) triangle: usize,
@@ -30,7 +30,7 @@ pub(crate) fn middle(x: u32, y: u32, size: u32) -> DVec2 {
     DVec2::new(at(x), -at(y))
 }
 
-/// What every pixel's middle shows, row by row.
+/// Triangles that the middles of pixels show, row by row.
 ///
 /// Edge functions are rows of the inverse of the corners' homogeneous coordinates, so nothing is clipped: Olano, Greer 1997.
 pub(crate) fn seen(scene: &Scene, size: u32) -> Vec<Option<Seen>> {

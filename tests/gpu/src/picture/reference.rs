@@ -1,4 +1,4 @@
-//! The same picture by the crates.
+//! Pictures by the crates.
 
 use asperity_shading::ndf_sampling::{Frame, Ggx};
 use asperity_shading::{Footprint, LevelOfDetail, half_vector, level_of_detail::Coordinates};
@@ -50,7 +50,7 @@ fn sky(direction: Vec3, light: Vec3) -> f32 {
     0.05 + 0.1 * direction.z.max(0.0) + 0.5 * square * square * square
 }
 
-/// Where there is no surface.
+/// Colour beside the surface.
 pub(crate) const BACKGROUND: [u8; 3] = [236, 234, 228];
 
 /// sRGB of light, compressed into [0, 1), as the shader has it.

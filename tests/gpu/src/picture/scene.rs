@@ -1,4 +1,4 @@
-//! What is drawn: triangles about a focus, and a camera that comes near it.
+//! Scenes: triangles about a focus, and a camera that comes near it.
 
 use asperity_render::geometry::{mesh::TracedMesh, teapot::teapot};
 use glam::{DVec2, DVec3, Vec3};

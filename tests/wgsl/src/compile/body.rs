@@ -12,12 +12,12 @@ use super::super::program::{Function, Operation, Slot, Step};
 use super::memory::{self, Memory};
 use super::place::{Base, Place};
 
-/// What an expression was compiled to.
+/// Result of compiling an expression.
 #[derive(Clone, Debug)]
 pub(super) enum Compiled {
     Words(Vec<Slot>),
     Place(Place),
-    /// Where its index of naga is.
+    /// Place of its index of naga.
     Texture(Slot),
 }
 
@@ -115,12 +115,12 @@ impl<'a> Body<'a> {
         Ok(Function { steps: self.steps, ..self.compiled })
     }
 
-    /// Where a variable begins.
+    /// Beginning of a variable.
     pub(super) fn local(&self, handle: Handle<LocalVariable>) -> Slot {
         self.locals[handle.index()]
     }
 
-    /// Where the result begins.
+    /// Beginning of the result.
     pub(super) const fn result(&self) -> Slot {
         self.compiled.result
     }
@@ -162,7 +162,7 @@ impl<'a> Body<'a> {
         words.first().copied().ok_or_else(|| "no words where a scalar is wanted".into())
     }
 
-    /// Where an expression points to.
+    /// Target of an expression that is a pointer.
     pub(super) fn place(&mut self, handle: Handle<Expression>) -> Result<Place, String> {
         match self.compiled(handle)? {
             Compiled::Place(place) => Ok(place),
@@ -170,7 +170,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Where the index of a texture is.
+    /// Place of a texture's index.
     pub(super) fn texture(&mut self, handle: Handle<Expression>) -> Result<Slot, String> {
         match self.compiled(handle)? {
             Compiled::Texture(slot) => Ok(slot),
@@ -178,7 +178,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// What an expression was compiled to; what naga never emits is compiled where it is used first.
+    /// Result of compiling an expression; what naga never emits is compiled where it is used first.
     pub(super) fn compiled(&mut self, handle: Handle<Expression>) -> Result<Compiled, String> {
         if let Some(compiled) = &self.values[handle.index()] {
             return Ok(compiled.clone());
@@ -197,12 +197,12 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Where a constant is.
+    /// Place of a constant.
     pub(super) fn constant(&mut self, word: u32) -> Slot {
         self.memory.constant(word)
     }
 
-    /// Where a constant float is.
+    /// Place of a constant float.
     pub(super) fn float(&mut self, value: f32) -> Slot {
         self.memory.constant(value.to_bits())
     }

@@ -10,7 +10,7 @@ use super::super::program::{Function, Program, Slot};
 /// Constants lie together, so that a machine touches few pages of memory before it runs.
 const BLOCK: u32 = 64;
 
-/// What is handed out, and what is in it from the beginning.
+/// Memory that is handed out, and what is in it from the beginning.
 #[derive(Default)]
 pub(super) struct Memory {
     next: Slot,
@@ -30,7 +30,7 @@ impl Memory {
         first
     }
 
-    /// Where a constant is.
+    /// Place of a constant.
     pub(super) fn constant(&mut self, word: u32) -> Slot {
         if let Some(slot) = self.slots.get(&word) {
             return *slot;
@@ -54,7 +54,7 @@ impl Memory {
         self.words.get(&slot).copied()
     }
 
-    /// Where a private variable begins, which starts with these words.
+    /// Beginning of a private variable that starts with these words.
     pub(super) fn variable(&mut self, words: &[u32]) -> Slot {
         let first = self.fresh(words.len() as u32);
         self.variables.extend((first..).zip(words.iter().copied()));

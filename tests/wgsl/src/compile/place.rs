@@ -1,8 +1,8 @@
-//! Where a pointer points to.
+//! Targets of pointers.
 
 use super::super::program::Slot;
 
-/// What the addresses of a place count in.
+/// Unit of the addresses of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Base {
     Memory,
@@ -14,7 +14,7 @@ pub(super) enum Base {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) base: Base,
-    /// Where the part of the address is that only running finds.
+    /// Place of the part of the address that only running finds.
     pub(super) address: Option<Slot>,
     pub(super) offset: u32,
 }
@@ -25,7 +25,7 @@ impl Place {
         Self { base: Base::Memory, address: None, offset }
     }
 
-    /// What a pointer points to that is an argument.
+    /// Target of a pointer that is an argument.
     pub(super) const fn pointed(address: Slot) -> Self {
         Self { base: Base::Memory, address: Some(address), offset: 0 }
     }

@@ -1,4 +1,4 @@
-//! What the interpreter refuses, and in which words.
+//! Refusals of the interpreter, and their words.
 
 use asperity_wgsl::Interpreter;
 

@@ -4,7 +4,7 @@ use asperity_wgsl::{Arithmetic, Value};
 
 use crate::{bits, interpreter};
 
-/// What a function of three floats is when its sums are fused.
+/// Value of a function of three floats when its sums are fused.
 fn fused(expression: &str, [a, b, c]: [f32; 3]) -> f32 {
     let wgsl = format!("fn f(a: f32, b: f32, c: f32) -> f32 {{ {expression} }}");
     let shader = interpreter(&wgsl).arithmetic(Arithmetic::Fused);

@@ -61,7 +61,6 @@ pub(super) const HOUSES: &[House] = &[
         rooms: "value arithmetic operators → program → layout → binding → compile → run",
         face: None,
     },
-    House { name: "shader-tests", sources: "tests/shaders/src", rooms: "case → cases", face: None },
     House {
         name: "xtask",
         sources: "xtask/src",

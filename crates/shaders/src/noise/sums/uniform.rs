@@ -4,8 +4,6 @@ use asperity_noise::{
     Billow, Normalisation, Octave, Octaves, Plasma, Ridged, Shape, Signed, Spectrum, Turbulence, simd::Kernel,
 };
 
-use super::SUMS;
-
 /// A shape that shaders know: those of the crate. Sealed.
 pub trait ShaderShape: Shape + numbered::Numbered {}
 
@@ -27,6 +25,9 @@ macro_rules! shapes {
 }
 
 shapes!(Signed: 0, Turbulence: 1, Plasma: 2, Billow: 3, Ridged: 4);
+
+/// Sums of octaves that a uniform holds, numbered from 0. Those that a module does not use may hold anything.
+pub const SUMS: usize = 8;
 
 const OCTAVES: usize = Spectrum::MAX_OCTAVES as usize;
 /// Words of a spectrum.

@@ -3,8 +3,8 @@
 use asperity_shading::Carpet;
 use asperity_shading::material::{SeamPattern, half_mean};
 
+use super::surface::{FBM, GLOSSY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
 use super::wear::segment_words;
-use super::{FBM, GLOSSY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
 use crate::ndf::ELEMENTARY;
 use crate::noise::sums::OctavesUniform;
 use crate::part::{Binding, Part, part};

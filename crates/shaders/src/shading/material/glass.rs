@@ -3,7 +3,7 @@
 use asperity_shading::TemperedGlass;
 use asperity_shading::material::{GlassBody, GlassWaves};
 
-use super::{FBM, SURFACE_POINT, fbm_words, octaves_of};
+use super::surface::{FBM, SURFACE_POINT, fbm_words, octaves_of};
 use crate::noise::sums::OctavesUniform;
 use crate::part::{Binding, Part, part};
 use crate::shading::reflectance::{COAT, ROUGH_DIELECTRIC};

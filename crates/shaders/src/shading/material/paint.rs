@@ -3,7 +3,7 @@
 use asperity_shading::MetallicPaint;
 use asperity_shading::material::Elimination;
 
-use super::{FBM, SURFACE_POINT, fbm_words, octaves_of};
+use super::surface::{FBM, SURFACE_POINT, fbm_words, octaves_of};
 use crate::ndf::ELEMENTARY;
 use crate::noise::sums::OctavesUniform;
 use crate::noise::{INTEGER_HASH, key};

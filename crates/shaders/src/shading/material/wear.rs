@@ -3,7 +3,7 @@
 use asperity_shading::material::{Segments, half_mean};
 use asperity_shading::{Scratches, Variations};
 
-use super::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
+use super::surface::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT, fbm_words, octaves_of};
 use crate::noise::sums::{FREQUENCY_CLAMP, OctavesUniform, octaves_3d};
 use crate::noise::{SIMPLEX, key};
 use crate::part::{Binding, Part, part};

@@ -35,7 +35,7 @@ fn input(i: u32) -> [u32; INPUTS] {
     input_within(1e6, i)
 }
 
-/// The same, but for how far out is far.
+/// Simplex noise by another radius, but for how far out is far.
 fn input_within(far: f32, i: u32) -> [u32; INPUTS] {
     let mut words = [0; INPUTS];
     for k in 0..4 {

@@ -204,12 +204,12 @@ fn glass(name: &str, parameters: TemperedGlassParameters) -> Case {
     )
 }
 
-/// The same glass without roughness.
+/// Glass without roughness.
 fn smooth(parameters: TemperedGlassParameters) -> TemperedGlassParameters {
     TemperedGlassParameters { roughness: 0.0, ..parameters }
 }
 
-/// What smooth glass, and the clear coat of paint, send from single directions.
+/// Light that smooth glass, and the clear coat of paint, send from single directions.
 fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
     let glass = TemperedGlass::new(parameters).expect("valid parameters");
     let paint = MetallicPaint::new(paint_parameters()).expect("valid parameters");

@@ -46,7 +46,7 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// How near a multifractal's gradient is: it leaps where the weight of an octave is cut off at 1, and rounding decides on the side. The
+/// Bound of a multifractal's gradient: it leaps where the weight of an octave is cut off at 1, and rounding decides on the side. The
 /// largest leap seen where products and sums are fused is 0.064.
 const CUT_OFF: f32 = 0.13;
 
