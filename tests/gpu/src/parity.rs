@@ -75,7 +75,14 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
                 if found.largest > limit.limit() {
                     let input = inputs[found.worst].map(f32::from_bits);
                     let (name, error) = (column.name(), found.largest);
-                    broken.push(format!("{}, {}, {name}: {error:.1e} at {input:?}", case.name, output.name));
+                    let words = |words: &[u32; OUTPUTS]| words[output.words.clone()].to_vec();
+                    let [got, expected] = [&got[found.worst], &expected[found.worst]].map(|w| words(w));
+                    let [got, expected] =
+                        [got, expected].map(|w| w.into_iter().map(f32::from_bits).collect::<Vec<_>>());
+                    broken.push(format!(
+                        "{}, {}, {name}: {error:.1e} at {input:?}: {got:?} for {expected:?}",
+                        case.name, output.name
+                    ));
                 }
             }
             println!("{row}");
