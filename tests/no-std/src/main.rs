@@ -54,6 +54,9 @@ bytes! {
         }
         to
     }
+    bcmp(a: *const u8, b: *const u8, n: usize) -> i32 {
+        memcmp(a, b, n)
+    }
     memcmp(a: *const u8, b: *const u8, n: usize) -> i32 {
         let mut i = 0;
         while i < n {
