@@ -141,7 +141,7 @@ impl Element {
 
 /// A part of this crate, from its file under `wgsl/`, and the parts that it needs.
 macro_rules! part {
-    ($name:literal $(, $needs:path)* $(,)?) => {
+    ($name:expr $(, $needs:path)* $(,)?) => {
         $crate::part::Part::new(
             $name,
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/", $name, ".wgsl")),

@@ -5,7 +5,7 @@ use wgpu::{BufferUsages, ShaderSource, ShaderStages};
 
 use crate::{
     device::Gpu,
-    resources::{bound, buffer, layout, stored},
+    resources::{bound, buffer, bytes, group, layout, stored},
 };
 
 /// An entry of a module of parts: their resources in group 0; in group 1 its input, and its output.
@@ -74,14 +74,14 @@ impl Kernel {
         let input = buffer(gpu, input, BufferUsages::STORAGE);
         let output = make(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let back = make(BufferUsages::MAP_READ | BufferUsages::COPY_DST);
-        let tables = resources.iter().map(|resource| resource.binding()).collect();
+        let tables: Vec<_> = resources.iter().map(|resource| resource.binding()).collect();
         let own = vec![input.as_entire_binding(), output.as_entire_binding()];
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
-            for (index, resources) in (0..).zip([tables, own]) {
-                pass.set_bind_group(index, &self.group(gpu, index, resources), &[]);
+            for (index, (layout, resources)) in (0..).zip(self.layouts.iter().zip([tables, own])) {
+                pass.set_bind_group(index, &group(gpu, layout, &resources), &[]);
             }
             pass.dispatch_workgroups(groups[0], groups[1], 1);
         }
@@ -90,18 +90,6 @@ impl Kernel {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(format!("{}: {error}", self.name));
         }
-        back.slice(..).map_async(wgpu::MapMode::Read, |_| ());
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
-        let bytes = back.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
-        Ok(bytemuck::cast_slice(&bytes).to_vec())
-    }
-
-    fn group(&self, gpu: &Gpu, index: u32, resources: Vec<wgpu::BindingResource<'_>>) -> wgpu::BindGroup {
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-            .collect();
-        let layout = &self.layouts[index as usize];
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+        Ok(bytemuck::pod_collect_to_vec(&bytes(gpu, &back)?))
     }
 }

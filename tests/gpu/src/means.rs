@@ -8,7 +8,6 @@ use glam::Vec3;
 
 use crate::compute::Kernel;
 use crate::device::{self, Gpu};
-use crate::resources::one_sum;
 
 static MEANS: Part = Part::new(
     "means",
@@ -58,7 +57,7 @@ fn radiances(gpu: &Gpu, halves: &[Vec3], octaves: f32) -> Result<Vec<f32>, Strin
     let job = halves.iter().flat_map(|h| [h.x, h.y, h.z, 0.0]).chain(ALPHA).chain([octaves, 4096.0]);
     let words = [
         ("gaussian_level", noise::gaussian_levels().map(f32::to_bits).collect()),
-        ("octaves_uniform_3d", one_sum(&OctavesUniform::new(&sum).words())),
+        ("octaves_uniform_3d", OctavesUniform::<3>::uniform(&[OctavesUniform::new(&sum)]).to_vec()),
         ("means_job", job.map(f32::to_bits).collect()),
     ];
     let wgsl = compose(&[&MEANS], Bindings::Textures { group: 0 });

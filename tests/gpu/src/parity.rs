@@ -76,7 +76,7 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
                     let input = inputs[found.worst].map(f32::from_bits);
                     let (name, error) = (column.name(), found.largest);
                     let words = |words: &[u32; OUTPUTS]| words[output.words.clone()].to_vec();
-                    let [got, expected] = [&got[found.worst], &expected[found.worst]].map(|w| words(w));
+                    let [got, expected] = [&got[found.worst], &expected[found.worst]].map(words);
                     let [got, expected] =
                         [got, expected].map(|w| w.into_iter().map(f32::from_bits).collect::<Vec<_>>());
                     broken.push(format!(

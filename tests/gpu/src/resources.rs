@@ -28,13 +28,6 @@ impl Resource {
     }
 }
 
-/// Words of a uniform with room for eight sums of octaves, of which one is there.
-pub(crate) fn one_sum(words: &[u32]) -> Vec<u32> {
-    let mut all = words.to_vec();
-    all.resize(8 * words.len(), 0);
-    all
-}
-
 /// A texture of two channels that hardware filters: `texel` of every level, column and row.
 pub(crate) fn filtered(gpu: &Gpu, sizes: &[u32], texel: impl Fn(u32, u32, u32) -> [f32; 2]) -> Resource {
     let texels = (0..).zip(sizes).flat_map(|(level, &size)| {
@@ -160,4 +153,25 @@ fn resource(gpu: &Gpu, binding: &Binding, words: &[u32]) -> Result<Resource, Str
 pub(crate) fn buffer(gpu: &Gpu, words: &[u32], usage: BufferUsages) -> wgpu::Buffer {
     let contents = bytemuck::cast_slice(words);
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+}
+
+/// Resources bound in their order.
+pub(crate) fn group(
+    gpu: &Gpu,
+    layout: &BindGroupLayout,
+    resources: &[wgpu::BindingResource<'_>],
+) -> wgpu::BindGroup {
+    let entries: Vec<_> = (0..)
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}
+
+/// The bytes of a buffer that can be mapped, once the work that writes it is done.
+pub(crate) fn bytes(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, String> {
+    buffer.slice(..).map_async(wgpu::MapMode::Read, |_| ());
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
+    let bytes = buffer.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
+    Ok(bytes.to_vec())
 }

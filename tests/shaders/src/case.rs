@@ -52,6 +52,14 @@ pub enum Bound {
     Relative(f32),
 }
 
+impl Output {
+    /// Some words with their bounds.
+    #[must_use]
+    pub const fn new(name: &'static str, words: Range<usize>, written: Bound, adapter: Bound) -> Self {
+        Self { name, words, written, adapter }
+    }
+}
+
 impl Case {
     /// Inputs that are tried.
     pub const COUNT: u32 = 10_000;
@@ -128,8 +136,9 @@ impl Bound {
     }
 }
 
-/// Seed of the i-th input's k-th number.
-fn word(i: u32, k: u32) -> u32 {
+/// Whole words, the k-th number of the i-th input.
+#[must_use]
+pub fn any(i: u32, k: u32) -> u32 {
     let mut h = i.wrapping_mul(0x9e37_79b9) ^ k.wrapping_mul(0x85eb_ca6b).wrapping_add(0x1234_5678);
     for _ in 0..2 {
         h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
@@ -138,16 +147,10 @@ fn word(i: u32, k: u32) -> u32 {
     h ^ h >> 16
 }
 
-/// Whole words, the k-th number of the i-th input.
-#[must_use]
-pub fn any(i: u32, k: u32) -> u32 {
-    word(i, k)
-}
-
 /// Numbers uniform in [low, high), the k-th of the i-th input.
 #[must_use]
 pub fn between(i: u32, k: u32, low: f32, high: f32) -> f32 {
-    low + (high - low) * (word(i, k) >> 8) as f32 * (1.0 / 16_777_216.0)
+    low + (high - low) * (any(i, k) >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
 /// Coordinates that no function may stumble over.

@@ -44,10 +44,9 @@ fn forget_unpacked(metadata: &Metadata) -> Result<(), Failure> {
         return Ok(());
     };
     for registry in fs::read_dir(sources)? {
+        let registry = registry?.path();
         for package in published(metadata) {
-            let unpacked =
-                registry.as_ref().map_or_else(|_| sources.as_std_path().into(), fs::DirEntry::path);
-            let unpacked = unpacked.join(format!("{}-{}", package.name, package.version));
+            let unpacked = registry.join(format!("{}-{}", package.name, package.version));
             if unpacked.is_dir() {
                 fs::remove_dir_all(unpacked)?;
             }

@@ -44,6 +44,7 @@ pub mod octaves_3d;
 pub mod octaves_4d;
 
 mod mip_mapped;
+mod octaves;
 mod uniform;
 
 pub use mip_mapped::{MipMapped, MipMappedError};

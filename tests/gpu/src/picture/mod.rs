@@ -55,6 +55,9 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), St
     if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
 }
 
+/// The pictures of a scene, by the shader and by the crates, a zoom after the other.
+type Strip = [Vec<Vec<[u8; 3]>>; 2];
+
 /// The scenes of a zoom.
 fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
     Ok([("teapot", scene::teapot_scene(zoom, size)?), ("plane", scene::plane_scene(zoom, size))])
@@ -67,12 +70,13 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
     let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
     let mut shares = Vec::new();
     // A strip for each scene: the zooms from left to right, by the shader above and by the crates below.
-    let mut strips: [(&str, [Vec<Vec<[u8; 3]>>; 2]); 2] = Default::default();
+    let mut strips: [(&str, Strip); 2] = Default::default();
     for zoom in ZOOMS {
         for ((name, scene), strip) in scenes(zoom, size)?.into_iter().zip(&mut strips) {
             let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
             let anchored = octaves.anchored(at);
-            let words = ("octaves_uniform_3d", OctavesUniform::new(&anchored).words().to_vec());
+            let sums = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&anchored)]);
+            let words = ("octaves_uniform_3d", sums.to_vec());
             let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
             let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
             let seen = |corner: &Corner, pixel| bumps.coordinates(corner.position.as_vec3(), pixel);
@@ -105,7 +109,8 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
         ("normal_table_texture", filtered(gpu, &[256], |_, x, y| entries[(y * 256 + x) as usize])),
         ("normal_table_sampler", linear(gpu, wgpu::AddressMode::ClampToEdge)),
     ];
-    let words = ("octaves_uniform_2d", OctavesUniform::new(texture.sum()).words().to_vec());
+    let sums = OctavesUniform::<2>::uniform(&[OctavesUniform::new(texture.sum())]);
+    let words = ("octaves_uniform_2d", sums.to_vec());
     let renderer = Renderer::new(gpu, &render::TEXTURED, size)?;
     let clamp = FrequencyClamp::new(look.frequency, spectrum.lacunarity(), spectrum.max_octaves() as f32)
         .map_err(|error| error.to_string())?;

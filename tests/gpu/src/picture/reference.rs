@@ -29,7 +29,7 @@ pub(crate) fn picture(
             let from_eye = corner.position - scene.view.eye;
             let wo = -from_eye.normalize().as_vec3();
             let [cos_eye, cos_light] = [wo, light].map(|w| w.dot(frame.normal));
-            if !(cos_eye > 0.0) {
+            if cos_eye.is_nan() || cos_eye <= 0.0 {
                 return tone(0.0);
             }
             let pixel =

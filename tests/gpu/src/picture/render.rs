@@ -14,7 +14,7 @@ use crate::{
         reference::BACKGROUND,
         scene::{Corner, Scene},
     },
-    resources::{Resource, bound, buffer, layout, one_sum},
+    resources::{Resource, bound, buffer, bytes, group, layout},
 };
 
 /// Bumps by noise, the words of whose sum the renderer is given.
@@ -28,9 +28,12 @@ pub(crate) static TEXTURED: Part = Part::new(
     &[&noise::sums::MIP_MAPPED, &ndf::NORMAL_TABLE_FILTERED, &SURFACE],
 );
 
-static SURFACE: Part =
-    Part::new("surface", include_str!("surface.wgsl"), &[&ndf::FRAME, &ndf::GGX, &shading::LEVEL_OF_DETAIL])
-        .with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
+static SURFACE: Part = Part::new(
+    "surface",
+    include_str!("surface.wgsl"),
+    &[&ndf::FRAME, &ndf::GGX, &shading::FREQUENCY_CLAMP, &shading::LEVEL_OF_DETAIL],
+)
+.with_bindings(&[Binding::Uniform { name: "surface_view", of: "SurfaceView" }]);
 
 const COLOUR: TextureFormat = TextureFormat::Rgba8Unorm;
 const DEPTH: TextureFormat = TextureFormat::Depth32Float;
@@ -126,20 +129,12 @@ impl Renderer {
         let levels = noise::gaussian_levels().map(f32::to_bits).collect();
         let words = [
             ("gaussian_level", levels),
-            (octaves.0, one_sum(&octaves.1)),
+            octaves.clone(),
             ("surface_view", view_words(scene, look, spectrum, self.size)),
         ];
         let resources = bound(gpu, &[self.bumps], &words, made)?;
-        let entries: Vec<_> = (0..)
-            .zip(&resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.binding() })
-            .collect();
-        let layout = &self.layout;
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout,
-            entries: &entries,
-        });
+        let resources: Vec<_> = resources.iter().map(|resource| resource.binding()).collect();
+        let group = group(gpu, &self.layout, &resources);
         let corners: Vec<u32> = scene.triangles.iter().flat_map(corner_words).collect();
         let corners = buffer(gpu, &corners, BufferUsages::VERTEX);
         let row = (self.size * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -199,10 +194,8 @@ impl Renderer {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(error.to_string());
         }
-        back.slice(..).map_async(wgpu::MapMode::Read, |_| ());
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
+        let bytes = bytes(gpu, &back)?;
         let time = start.elapsed();
-        let bytes = back.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
         let rows = bytes.chunks_exact(row as usize).map(|bytes| &bytes[..4 * self.size as usize]);
         let pixels = rows.flat_map(|bytes| bytes.chunks_exact(4).map(|rgba| [rgba[0], rgba[1], rgba[2]]));
         Ok((pixels.collect(), time))
@@ -219,7 +212,7 @@ fn view_words(scene: &Scene, look: &Look, spectrum: &Spectrum, size: u32) -> Vec
     let rows = [
         (view.eye, view.pixel_angle as f32),
         (view.right, look.frequency),
-        (view.up, 1.0 / spectrum.lacunarity().log2()),
+        (view.up, spectrum.lacunarity().log2()),
         (view.forward, spectrum.max_octaves() as f32),
         (view.light, look.share),
     ];

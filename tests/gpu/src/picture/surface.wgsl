@@ -7,8 +7,8 @@ struct SurfaceView {
     // Cells of the first octave per unit.
     frequency: f32,
     up: vec3<f32>,
-    // 1 over the binary logarithm of the lacunarity.
-    per_octave: f32,
+    // The binary logarithm of the lacunarity.
+    log_lacunarity: f32,
     forward: vec3<f32>,
     max_octaves: f32,
     light: vec3<f32>,
@@ -58,8 +58,8 @@ fn surface_light(p: vec3<f32>, uv: vec2<f32>, frame: Frame, wo: vec3<f32>, dista
         return 0.0;
     }
     let footprint = distance * surface_view.pixel_angle / cos_eye;
-    let octaves = -log2(2.0 * footprint * surface_view.frequency) * surface_view.per_octave;
-    let seen = surface_bumps(p * surface_view.frequency, uv, clamp(octaves, 0.0, surface_view.max_octaves));
+    let limits = FrequencyClamp(surface_view.frequency, surface_view.log_lacunarity, surface_view.max_octaves);
+    let seen = surface_bumps(p * surface_view.frequency, uv, frequency_clamp_octaves(footprint, limits));
     let h = frame_to_local(frame, frame_direction(surface_view.light + wo));
     let z = seen.xy;
     let share = min(seen.z, surface_view.share);

@@ -117,15 +117,10 @@ fn values() -> Case {
             outputs
         }),
         outputs: vec![
-            Output { name: "digit", words: 4..7, written: Bound::Equal, adapter: Bound::Equal },
-            Output { name: "value", words: 0..1, written: Bound::Equal, adapter: Bound::Absolute(1e-6) },
+            Output::new("digit", 4..7, Bound::Equal, Bound::Equal),
+            Output::new("value", 0..1, Bound::Equal, Bound::Absolute(1e-6)),
             // The crate evaluates these few in f64.
-            Output {
-                name: "value next to the left end",
-                words: 1..2,
-                written: Bound::Absolute(1.6e-8),
-                adapter: Bound::Absolute(1.6e-8),
-            },
+            Output::new("value next to the left end", 1..2, Bound::Absolute(1.6e-8), Bound::Absolute(1.6e-8)),
         ],
     }
 }
@@ -160,18 +155,8 @@ fn jets() -> Case {
         }),
         // The crate's jets are f64.
         outputs: vec![
-            Output {
-                name: "value",
-                words: 0..1,
-                written: Bound::Absolute(4e-7),
-                adapter: Bound::Absolute(1e-6),
-            },
-            Output {
-                name: "slope",
-                words: 1..2,
-                written: Bound::Absolute(3e-5),
-                adapter: Bound::Absolute(6e-5),
-            },
+            Output::new("value", 0..1, Bound::Absolute(4e-7), Bound::Absolute(1e-6)),
+            Output::new("slope", 1..2, Bound::Absolute(3e-5), Bound::Absolute(6e-5)),
         ],
     }
 }
@@ -231,30 +216,10 @@ fn height_field() -> Case {
         }),
         // The crate computes in f64.
         outputs: vec![
-            Output {
-                name: "height",
-                words: 0..1,
-                written: Bound::Absolute(8e-7),
-                adapter: Bound::Absolute(2e-6),
-            },
-            Output {
-                name: "gradient",
-                words: 1..3,
-                written: Bound::Absolute(1.4e-6),
-                adapter: Bound::Absolute(3e-6),
-            },
-            Output {
-                name: "height alone",
-                words: 3..4,
-                written: Bound::Equal,
-                adapter: Bound::Absolute(1e-6),
-            },
-            Output {
-                name: "normal",
-                words: 4..7,
-                written: Bound::Absolute(5e-7),
-                adapter: Bound::Absolute(1e-6),
-            },
+            Output::new("height", 0..1, Bound::Absolute(8e-7), Bound::Absolute(2e-6)),
+            Output::new("gradient", 1..3, Bound::Absolute(1.4e-6), Bound::Absolute(3e-6)),
+            Output::new("height alone", 3..4, Bound::Equal, Bound::Absolute(1e-6)),
+            Output::new("normal", 4..7, Bound::Absolute(5e-7), Bound::Absolute(1e-6)),
         ],
     }
 }
@@ -328,20 +293,10 @@ fn first_hit() -> Case {
             outputs
         }),
         outputs: vec![
-            Output { name: "hit or miss", words: 0..1, written: Bound::Equal, adapter: Bound::Equal },
-            Output { name: "t", words: 1..2, written: Bound::Absolute(2e-5), adapter: Bound::Absolute(5e-5) },
-            Output {
-                name: "point",
-                words: 2..5,
-                written: Bound::Absolute(9e-5),
-                adapter: Bound::Absolute(2e-4),
-            },
-            Output {
-                name: "gradient",
-                words: 5..7,
-                written: Bound::Absolute(5e-4),
-                adapter: Bound::Absolute(1e-3),
-            },
+            Output::new("hit or miss", 0..1, Bound::Equal, Bound::Equal),
+            Output::new("t", 1..2, Bound::Absolute(2e-5), Bound::Absolute(5e-5)),
+            Output::new("point", 2..5, Bound::Absolute(9e-5), Bound::Absolute(2e-4)),
+            Output::new("gradient", 5..7, Bound::Absolute(5e-4), Bound::Absolute(1e-3)),
         ],
     }
 }

@@ -113,6 +113,15 @@ impl<const N: usize> OctavesUniform<N> {
     }
 }
 
+/// Words of some sums behind one another, and 0 to the end.
+fn joined<const EACH: usize, const ALL: usize>(sums: impl Iterator<Item = [u32; EACH]>) -> [u32; ALL] {
+    let mut words = [0; ALL];
+    for (words, sum) in words.chunks_exact_mut(EACH).zip(sums) {
+        words.copy_from_slice(&sum);
+    }
+    words
+}
+
 impl OctavesUniform<3> {
     /// Words of a sum in space.
     pub const WORDS: usize = SPECTRUM + 16 * OCTAVES;
@@ -120,11 +129,7 @@ impl OctavesUniform<3> {
     /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
-        let mut words = [0; SUMS * Self::WORDS];
-        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
-            words.copy_from_slice(&sum.words());
-        }
-        words
+        joined(sums.iter().map(Self::words))
     }
 
     /// The words, in the layout of `OctavesUniform3d`.
@@ -151,11 +156,7 @@ impl OctavesUniform<2> {
     /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
-        let mut words = [0; SUMS * Self::WORDS];
-        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
-            words.copy_from_slice(&sum.words());
-        }
-        words
+        joined(sums.iter().map(Self::words))
     }
 
     /// The words, in the layout of `OctavesUniform2d`.
@@ -179,11 +180,7 @@ impl OctavesUniform<4> {
     /// The words of a whole uniform, of sums numbered from 0; those beyond [`SUMS`] are left out.
     #[must_use]
     pub fn uniform(sums: &[Self]) -> [u32; SUMS * Self::WORDS] {
-        let mut words = [0; SUMS * Self::WORDS];
-        for (words, sum) in words.chunks_exact_mut(Self::WORDS).zip(sums) {
-            words.copy_from_slice(&sum.words());
-        }
-        words
+        joined(sums.iter().map(Self::words))
     }
 
     /// The words, in the layout of `OctavesUniform4d`.

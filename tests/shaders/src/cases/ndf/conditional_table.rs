@@ -51,14 +51,9 @@ fn table(size: usize) -> Case {
             words(&[z.x, z.y, density.max(1e-30)])
         }),
         outputs: vec![
-            Output { name: "T⁻¹", words: 0..2, written: Bound::Equal, adapter: Bound::Absolute(1e-5) },
+            Output::new("T⁻¹", 0..2, Bound::Equal, Bound::Absolute(1e-5)),
             // The crate's exponential is that of its backend.
-            Output {
-                name: "exact rule",
-                words: 2..3,
-                written: Bound::Relative(1e-6),
-                adapter: Bound::Relative(5e-3),
-            },
+            Output::new("exact rule", 2..3, Bound::Relative(1e-6), Bound::Relative(5e-3)),
         ],
     }
 }

@@ -71,19 +71,14 @@ fn table(spacing: Spacing, chart: Chart, size: usize) -> Case {
         }),
         outputs: vec![
             Output { name: "bilinear", words: 0..3, written, adapter: Bound::Absolute(adapter) },
-            Output { name: "nearest", words: 3..6, written: Bound::Equal, adapter: Bound::Absolute(1e-6) },
+            Output::new("nearest", 3..6, Bound::Equal, Bound::Absolute(1e-6)),
             Output {
                 name: "place",
                 words: 6..7,
                 written: if spacing == Spacing::Quantiles { Bound::Absolute(2.5e-7) } else { Bound::Equal },
                 adapter: Bound::Absolute(4e-7),
             },
-            Output {
-                name: "normal of a point",
-                words: 8..11,
-                written: Bound::Equal,
-                adapter: Bound::Absolute(1e-3),
-            },
+            Output::new("normal of a point", 8..11, Bound::Equal, Bound::Absolute(1e-3)),
         ],
     }
 }

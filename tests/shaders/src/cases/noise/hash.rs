@@ -40,6 +40,6 @@ fn hash() -> Case {
             outputs[3] = IntegerHash.upper_word(cell, seed);
             outputs
         }),
-        outputs: vec![Output { name: "words", words: 0..4, written: Bound::Equal, adapter: Bound::Equal }],
+        outputs: vec![Output::new("words", 0..4, Bound::Equal, Bound::Equal)],
     }
 }

@@ -8,8 +8,8 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
 use asperity_shading::{Brdf, EnergyPreservingOrenNayar, Lambert};
 
-use super::{direction, equal, floats, inputs, near, number, share, vec3, words};
-use crate::case::{Bound, Case};
+use super::{direction, equal, floats, inputs, number, share, vec3, words};
+use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![angle(), diffuse()]
@@ -42,7 +42,7 @@ fn angle() -> Case {
             outputs
         }),
         outputs: vec![
-            near("angle", 0..1, bound, bound),
+            Output::new("angle", 0..1, bound, bound),
             equal("shares", 1..4, Bound::Absolute(1e-37)),
             equal("finite", 4..5, Bound::Equal),
         ],
@@ -87,9 +87,9 @@ fn diffuse() -> Case {
         outputs: vec![
             equal("Lambert", 0..3, Bound::Relative(2e-7)),
             equal("Oren–Nayar, qualitative", 3..4, Bound::Relative(1e-5)),
-            near("Oren–Nayar, full", 4..7, Bound::Relative(2e-4), Bound::Relative(4e-4)),
+            Output::new("Oren–Nayar, full", 4..7, Bound::Relative(2e-4), Bound::Relative(4e-4)),
             equal("Oren–Nayar, Fujii's", 7..8, Bound::Relative(1e-5)),
-            near("energy-preserving", 8..11, bound, Bound::Absolute(1e-5)),
+            Output::new("energy-preserving", 8..11, bound, Bound::Absolute(1e-5)),
         ],
     }
 }

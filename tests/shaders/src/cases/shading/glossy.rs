@@ -10,8 +10,8 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe, WardForm, WardReflection};
 use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
 
-use super::{direction, equal, floats, inputs, near, normal, number, share, vec3, words};
-use crate::case::{Bound, Case, INPUTS};
+use super::{direction, equal, floats, inputs, normal, number, share, vec3, words};
+use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![microfacets(), lobes()]
@@ -74,7 +74,7 @@ fn microfacets() -> Case {
         outputs: vec![
             equal("Cook–Torrance, GGX", 0..3, Bound::Relative(1e-2)),
             // The crate's masking of Beckmann's density is in 64 bits.
-            near("Cook–Torrance, Beckmann", 4..7, Bound::Relative(2e-5), Bound::Relative(1e-2)),
+            Output::new("Cook–Torrance, Beckmann", 4..7, Bound::Relative(2e-5), Bound::Relative(1e-2)),
             equal("Torrance–Sparrow, GGX", 8..11, Bound::Relative(1e-2)),
         ],
     }
@@ -116,9 +116,9 @@ fn lobes() -> Case {
             words(&[phong, blinn, 0.0, 0.0, ward[0], ward[1], ward[2], 0.0].map(|value| value.max(FAINT)))
         }),
         outputs: vec![
-            near("Phong", 0..1, written, adapter),
-            near("Blinn–Phong", 1..2, written, adapter),
-            near("Ward", 4..7, written, adapter),
+            Output::new("Phong", 0..1, written, adapter),
+            Output::new("Blinn–Phong", 1..2, written, adapter),
+            Output::new("Ward", 4..7, written, adapter),
         ],
     }
 }

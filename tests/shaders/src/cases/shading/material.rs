@@ -14,8 +14,8 @@ use asperity_shading::{
     VariationsParameters,
 };
 
-use super::{direction, floats, inputs, near, normal, number, vec3, words};
-use crate::case::{Bound, Case, INPUTS};
+use super::{direction, floats, inputs, normal, number, vec3, words};
+use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
     vec![
@@ -120,7 +120,7 @@ fn material(
             let light = of.bsdf(&point, wo).scattered(wi, wo);
             words(&light.to_array())
         }),
-        outputs: vec![near("light", 0..3, written, adapter)],
+        outputs: vec![Output::new("light", 0..3, written, adapter)],
     }
 }
 
@@ -264,9 +264,9 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
             words(&[mirrored, transmitted.wi.extend(transmitted.weight.y).to_array(), coat].concat())
         }),
         outputs: vec![
-            near("mirrored by glass", 0..4, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
-            near("transmitted", 4..8, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
-            near("mirrored by paint", 8..12, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+            Output::new("mirrored by glass", 0..4, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+            Output::new("transmitted", 4..8, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
+            Output::new("mirrored by paint", 8..12, Bound::Absolute(1.4e-4), Bound::Absolute(2e-3)),
         ],
     }
 }
@@ -308,6 +308,6 @@ fn rim() -> Case {
             let point = SurfacePoint::new([1.0, 0.0, 0.0].into(), [0.0, 0.0, 1.0].into(), pixel);
             words(&carpet.bsdf(&point, vec3(inputs, 0)).emitted().to_array())
         }),
-        outputs: vec![near("light", 0..3, Bound::Equal, Bound::Absolute(1e-6))],
+        outputs: vec![Output::new("light", 0..3, Bound::Equal, Bound::Absolute(1e-6))],
     }
 }

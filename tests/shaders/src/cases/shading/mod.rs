@@ -99,8 +99,3 @@ fn words(floats: &[f32]) -> [u32; OUTPUTS] {
 fn equal(name: &'static str, words: std::ops::Range<usize>, adapter: Bound) -> Output {
     Output { name, words, written: Bound::Equal, adapter }
 }
-
-/// An output of this relative error as written, since the crate calls a library's function, and of this on adapters.
-fn near(name: &'static str, words: std::ops::Range<usize>, written: Bound, adapter: Bound) -> Output {
-    Output { name, words, written, adapter }
-}

@@ -9,7 +9,7 @@ use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam};
 use asperity_shading::{Footprint, Marble};
 
 use super::material::sums;
-use super::{floats, inputs, near, normal, number, vec3, words};
+use super::{floats, inputs, normal, number, vec3, words};
 use crate::case::{Bound, Case, OUTPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -77,7 +77,7 @@ fn stars() -> Case {
         [2.0, 0.1],
         move |_, width, uv| words(&[stars.coverage(uv, Footprint::from_width(width))]),
         // Angles are the library's in the crate.
-        vec![near("coverage", 0..1, Bound::Absolute(1.4e-5), Bound::Absolute(2e-3))],
+        vec![Output::new("coverage", 0..1, Bound::Absolute(1.4e-5), Bound::Absolute(2e-3))],
     )
 }
 
@@ -106,7 +106,7 @@ fn marble() -> Case {
             let colour = marble.colour(p, Footprint::from_width(width));
             words(&colour.extend(marble.sum(p)).to_array())
         },
-        vec![near("colour and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],
+        vec![Output::new("colour and sum", 0..4, Bound::Equal, Bound::Absolute(2e-4))],
     )
 }
 
@@ -134,8 +134,8 @@ fn gas(has_veins: bool) -> Case {
             words(&[gas.clamped_density(p, Footprint::from_width(width)), gas.density(p), steam.share(p)])
         },
         vec![
-            near("density", 0..2, bound, Bound::Absolute(1e-3)),
-            near("share of steam", 2..3, Bound::Equal, Bound::Absolute(1e-5)),
+            Output::new("density", 0..2, bound, Bound::Absolute(1e-3)),
+            Output::new("share of steam", 2..3, Bound::Equal, Bound::Absolute(1e-5)),
         ],
     )
 }
@@ -163,8 +163,8 @@ fn perturbed() -> Case {
             words(&[uv.x, uv.y, seen.spread.x, seen.spread.y])
         },
         vec![
-            near("coordinates", 0..2, Bound::Equal, Bound::Relative(1e-3)),
-            near("spread", 2..4, Bound::Equal, Bound::Absolute(1e-5)),
+            Output::new("coordinates", 0..2, Bound::Equal, Bound::Relative(1e-3)),
+            Output::new("spread", 2..4, Bound::Equal, Bound::Absolute(1e-5)),
         ],
     )
 }

@@ -38,8 +38,8 @@ fn octaves() -> Case {
         }),
         outputs: vec![
             // The built-in logarithm and the crate's are each a unit of the last place off, 2e-6 where it is 16 and above.
-            Output { name: "octaves", words: 0..1, written: Bound::Absolute(4e-6), adapter: Bound::Absolute(6e-6) },
-            Output { name: "removed share", words: 1..2, written: Bound::Equal, adapter: Bound::Absolute(1e-6) },
+            Output::new("octaves", 0..1, Bound::Absolute(4e-6), Bound::Absolute(6e-6)),
+            Output::new("removed share", 1..2, Bound::Equal, Bound::Absolute(1e-6)),
         ],
     }
 }
