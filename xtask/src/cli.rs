@@ -289,7 +289,10 @@ pub(crate) struct Shaders {
     /// Compare every function with the crate's, interpreted and on each adapter, in place of writing it.
     #[arg(long)]
     pub(crate) check: bool,
-    /// Compare on adapters whose name contains NAME.
+    /// Count the operations of every function, octave and pixel, and time frames on each adapter, into docs/shaders/costs.md.
+    #[arg(long, conflicts_with_all = ["part", "dialect", "check"])]
+    pub(crate) costs: bool,
+    /// Compare, or time, on adapters whose name contains NAME.
     #[arg(long, value_name = "NAME")]
     pub(crate) adapter: Option<String>,
     /// Folder of the shaders.

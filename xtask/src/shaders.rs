@@ -1,4 +1,4 @@
-//! `cargo xtask shaders`: every function of the shaders in every language, and beside the crates on the adapters that there are.
+//! `cargo xtask shaders`: every function of the shaders in every language, beside the crates on the adapters that there are, and its cost.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -22,6 +22,13 @@ const RUNTIME: &str = "XDG_RUNTIME_DIR";
 
 /// Runs what was asked for.
 pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    if wanted.costs {
+        let mut costs = program(root, "costs");
+        costs.args(wanted.adapter.iter().flat_map(|name| ["--adapter", name]));
+        let ran = cargo::run(costs.arg("--out").arg(root.join("docs/shaders/costs.md")));
+        Interrupted::check(interrupted)?;
+        return ran;
+    }
     let only: Vec<&str> = wanted.part.iter().flat_map(|part| ["--only", part]).collect();
     if wanted.check || wanted.adapter.is_some() {
         let mut parity = program(root, "parity");

@@ -6,6 +6,7 @@ use asperity_shader_tests::{case::Case, cases};
 use clap::{Parser, Subcommand};
 
 mod compute;
+mod costs;
 mod device;
 mod dialect;
 mod entry;
@@ -58,6 +59,18 @@ enum Command {
         #[arg(long)]
         adapter: Option<String>,
     },
+    /// Operations of every function, octave and pixel, and milliseconds of a frame on each adapter.
+    Costs {
+        /// Adapters whose names contain this; all without it.
+        #[arg(long)]
+        adapter: Option<String>,
+        /// Side of a frame in pixels.
+        #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
+        size: u32,
+        /// File for the page.
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
     /// The teapot and a plane to the horizon at four zooms, by the shader and by the crates beside each other.
     Pictures {
         /// Adapters whose names contain this; all without it.
@@ -80,6 +93,7 @@ fn main() -> ExitCode {
         Command::Export { only, dialect, out } => {
             chosen(only).and_then(|cases| export::run(&cases, &dialect, &out))
         }
+        Command::Costs { adapter, size, out } => costs::run(adapter.as_deref(), size, out.as_deref()),
         Command::Means { adapter } => means::run(adapter.as_deref()),
         Command::Pictures { adapter, size, out } => picture::run(adapter.as_deref(), size, &out),
     };

@@ -7,8 +7,9 @@ pub(crate) mod scene;
 
 use std::{path::Path, time::Duration};
 
+use asperity_shaders::Part;
 use asperity_shaders::noise::sums::{MipMapped, OctavesUniform};
-use asperity_shading::level_of_detail::Coordinates;
+use asperity_shading::level_of_detail::{Coordinates, GaussianField};
 use asperity_shading::ndf_sampling::{Ggx, NormalTable};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{BumpField, pixel::FrequencyClamp};
@@ -20,7 +21,7 @@ use crate::{
         render::Renderer,
         scene::{Corner, Scene},
     },
-    resources::{filtered, linear},
+    resources::{Resource, filtered, linear},
 };
 
 /// Look of the surface.
@@ -33,23 +34,30 @@ pub(crate) struct Look {
     pub(crate) exposure: f32,
 }
 
+const LOOK: Look = Look { alpha: Vec2::new(0.2, 0.4), frequency: 3.0, share: 0.97, exposure: 1.4 };
+
+/// Parts of the ways that bumps are made.
+pub(crate) const BUMPS: [(&Part, &str); 2] = [
+    (&render::PROCEDURAL, "noise in space, anchored"),
+    (&render::TEXTURED, "a mip-mapped texture and table L"),
+];
+
 const ZOOMS: [f64; 4] = [1.0, 10.0, 100.0, 10_000.0];
 
 /// Draws the teapot and the plane at four zooms on each adapter and by the crates, and fails where they differ; then twice more with
 /// bumps from a texture, which may.
 pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), String> {
     std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let look = Look { alpha: Vec2::new(0.2, 0.4), frequency: 3.0, share: 0.97, exposure: 1.4 };
     let mut worst = 0.0_f64;
     for gpu in device::open(adapter)? {
         println!("\n{}\n", gpu.name);
         println!(
             "| picture | pixels that differ by more than 2 of 255 | mean difference | ms |\n|---|---|---|---|"
         );
-        for share in procedural(&gpu, &look, size, out)? {
+        for share in procedural(&gpu, &LOOK, size, out)? {
             worst = worst.max(share);
         }
-        textured(&gpu, &look, size, out)?;
+        textured(&gpu, &LOOK, size, out)?;
     }
     println!("\npictures, by the shader left and by the crates right: {}", out.display());
     if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
@@ -58,6 +66,51 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), St
 /// The pictures of a scene, by the shader and by the crates, a zoom after the other.
 type Strip = [Vec<Vec<[u8; 3]>>; 2];
 
+/// A table of the milliseconds of a frame: scenes and ways in rows, adapters in columns; a line where there is no adapter.
+pub(crate) fn times(adapter: Option<&str>, size: u32) -> Result<String, String> {
+    let gpus = match device::open(adapter) {
+        Ok(gpus) => gpus,
+        Err(error) if adapter.is_some() => return Err(error),
+        Err(error) => return Ok(format!("{error}\n")),
+    };
+    let mut rows: Vec<(String, Vec<f64>)> = Vec::new();
+    for gpu in &gpus {
+        let octaves = sum()?;
+        let noise = Renderer::new(gpu, &render::PROCEDURAL, size)?;
+        let texture = Textured::new(gpu, &LOOK, size)?;
+        let mut row = 0;
+        let mut add = |name: String, draw: &dyn Fn() -> Result<Duration, String>| {
+            let mut times = (0..5).map(|_| draw()).collect::<Result<Vec<_>, _>>()?;
+            times.sort_unstable();
+            if rows.len() == row {
+                rows.push((name, vec![]));
+            }
+            rows[row].1.push(times[2].as_secs_f64() * 1e3);
+            row += 1;
+            Ok::<(), String>(())
+        };
+        for zoom in ZOOMS {
+            for (name, scene) in scenes(zoom, size)? {
+                let (_, words) = at_focus(&octaves, &scene, &LOOK);
+                add(format!("{name}, ×{zoom} | noise"), &|| {
+                    Ok(noise.draw(gpu, &scene, &LOOK, octaves.spectrum(), &words, &[])?.1)
+                })?;
+                if zoom <= 10.0 {
+                    add(format!("{name}, ×{zoom} | texture"), &|| Ok(texture.draw(gpu, &scene, &LOOK)?.1))?;
+                }
+            }
+        }
+    }
+    let names: Vec<&str> = gpus.iter().map(|gpu| gpu.name.as_str()).collect();
+    let mut table =
+        format!("| scene | bumps | {} |\n|---|---|{}\n", names.join(" | "), "---|".repeat(names.len()));
+    for (name, times) in rows {
+        let times: Vec<String> = times.iter().map(|time| format!("{time:.1}")).collect();
+        table += &format!("| {name} | {} |\n", times.join(" | "));
+    }
+    Ok(table)
+}
+
 /// The scenes of a zoom.
 fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
     Ok([("teapot", scene::teapot_scene(zoom, size)?), ("plane", scene::plane_scene(zoom, size))])
@@ -65,18 +118,15 @@ fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
 
 /// Bumps by noise in space, anchored at the focus: the share of pixels that differ in each picture.
 fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>, String> {
-    let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
-    let octaves = GaussianOctaves::new(Gaussian::new(7), spectrum);
+    let octaves = sum()?;
+    let spectrum = *octaves.spectrum();
     let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
     let mut shares = Vec::new();
     // A strip for each scene: the zooms from left to right, by the shader above and by the crates below.
     let mut strips: [(&str, Strip); 2] = Default::default();
     for zoom in ZOOMS {
         for ((name, scene), strip) in scenes(zoom, size)?.into_iter().zip(&mut strips) {
-            let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
-            let anchored = octaves.anchored(at);
-            let sums = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&anchored)]);
-            let words = ("octaves_uniform_3d", sums.to_vec());
+            let (anchored, words) = at_focus(&octaves, &scene, look);
             let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
             let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
             let seen = |corner: &Corner, pixel| bumps.coordinates(corner.position.as_vec3(), pixel);
@@ -94,32 +144,72 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
     Ok(shares)
 }
 
+/// The sum of the bumps.
+fn sum() -> Result<GaussianOctaves<3>, String> {
+    let spectrum = Spectrum::new(2.17, 0.8, 16).map_err(|error| error.to_string())?;
+    Ok(GaussianOctaves::new(Gaussian::new(7), spectrum))
+}
+
+/// A sum as it is seen from a scene's focus, and its words.
+fn at_focus(
+    octaves: &GaussianOctaves<3>,
+    scene: &Scene,
+    look: &Look,
+) -> (impl GaussianField + use<>, (&'static str, Vec<u32>)) {
+    let at: [f64; 3] = (scene.focus * f64::from(look.frequency)).into();
+    let anchored = octaves.anchored(at);
+    let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(&anchored)]);
+    (anchored, ("octaves_uniform_3d", words.to_vec()))
+}
+
+/// Cells of the texture of noise to its period.
+const PERIOD: u16 = 8;
+
+/// A texture of noise with one of normals, and the renderer that reads them.
+struct Textured {
+    texture: MipMapped,
+    renderer: Renderer,
+    words: (&'static str, Vec<u32>),
+    made: [(&'static str, Resource); 4],
+}
+
+impl Textured {
+    fn new(gpu: &Gpu, look: &Look, size: u32) -> Result<Self, String> {
+        let texture = MipMapped::new(7, PERIOD.into(), 6, 0.8).map_err(|error| error.to_string())?;
+        let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
+        let table = NormalTable::new(&ggx, 256).map_err(|error| error.to_string())?;
+        let entries = table.view().entries();
+        let sizes: Vec<u32> = (0..texture.levels()).map(|level| texture.size(level)).collect();
+        let made = [
+            ("mip_mapped_noise", filtered(gpu, &sizes, |level, x, y| texture.texel(level, x, y))),
+            ("mip_mapped_sampler", linear(gpu, wgpu::AddressMode::Repeat)),
+            ("normal_table_texture", filtered(gpu, &[256], |_, x, y| entries[(y * 256 + x) as usize])),
+            ("normal_table_sampler", linear(gpu, wgpu::AddressMode::ClampToEdge)),
+        ];
+        let sums = OctavesUniform::<2>::uniform(&[OctavesUniform::new(texture.sum())]);
+        let renderer = Renderer::new(gpu, &render::TEXTURED, size)?;
+        Ok(Self { texture, renderer, words: ("octaves_uniform_2d", sums.to_vec()), made })
+    }
+
+    fn draw(&self, gpu: &Gpu, scene: &Scene, look: &Look) -> Result<(Vec<[u8; 3]>, Duration), String> {
+        let spectrum = self.texture.sum().spectrum();
+        self.renderer.draw(gpu, scene, look, spectrum, &self.words, &self.made)
+    }
+}
+
 /// Bumps by a mip-mapped texture of noise and table L, beside the noise that the texture is made of.
 fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String> {
-    const PERIOD: u16 = 8;
-    let texture = MipMapped::new(7, PERIOD.into(), 6, 0.8).map_err(|error| error.to_string())?;
-    let spectrum = *texture.sum().spectrum();
-    let ggx = Ggx::new(look.alpha.x, look.alpha.y).map_err(|error| error.to_string())?;
-    let table = NormalTable::new(&ggx, 256).map_err(|error| error.to_string())?;
-    let entries = table.view().entries();
-    let sizes: Vec<u32> = (0..texture.levels()).map(|level| texture.size(level)).collect();
-    let made = [
-        ("mip_mapped_noise", filtered(gpu, &sizes, |level, x, y| texture.texel(level, x, y))),
-        ("mip_mapped_sampler", linear(gpu, wgpu::AddressMode::Repeat)),
-        ("normal_table_texture", filtered(gpu, &[256], |_, x, y| entries[(y * 256 + x) as usize])),
-        ("normal_table_sampler", linear(gpu, wgpu::AddressMode::ClampToEdge)),
-    ];
-    let sums = OctavesUniform::<2>::uniform(&[OctavesUniform::new(texture.sum())]);
-    let words = ("octaves_uniform_2d", sums.to_vec());
-    let renderer = Renderer::new(gpu, &render::TEXTURED, size)?;
+    let made = Textured::new(gpu, look, size)?;
+    let sum = made.texture.sum();
+    let spectrum = *sum.spectrum();
     let clamp = FrequencyClamp::new(look.frequency, spectrum.lacunarity(), spectrum.max_octaves() as f32)
         .map_err(|error| error.to_string())?;
     for zoom in &ZOOMS[..2] {
         for (name, scene) in scenes(*zoom, size)? {
-            let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &made)?;
+            let (ours, time) = made.draw(gpu, &scene, look)?;
             let seen = |corner: &Corner, pixel| {
                 let octaves = clamp.octaves(pixel);
-                let [x, y] = texture.sum().detail(octaves).pair(corner.uv.as_vec2() * f32::from(PERIOD));
+                let [x, y] = sum.detail(octaves).pair(corner.uv.as_vec2() * f32::from(PERIOD));
                 let (share, fade) = (spectrum.share(octaves), spectrum.weight(octaves, 0));
                 Coordinates { z: Vec2::new(x.value, y.value), share, fade }
             };

@@ -1,0 +1,83 @@
+//! The page of costs: operations of every function, and milliseconds of a frame.
+
+mod spirv;
+
+use std::collections::{HashMap, HashSet};
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity_shader_tests::cases;
+use asperity_shaders::{Bindings, Part, compose, ordered};
+
+use self::spirv::{Cost, Operations, costs};
+use crate::{dialect, picture};
+
+/// Prints the page, and writes it where that is asked for.
+pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Result<(), String> {
+    let mut page = String::from(HEAD);
+    let parts = parts();
+    let functions = counted(&parts)?;
+    page += "\n## An octave\n\n| sum | floats | special | integers | texels |\n|---|---|---|---|---|\n";
+    let sums =
+        parts.iter().filter(|part| part.name().starts_with("noise/sums/")).flat_map(|part| part.names());
+    for sum in sums.filter(|name| !name.starts_with("octaves_") && name.contains("_octaves_")) {
+        if let Some(cost) = functions.get(sum).filter(|cost| cost.turn != Operations::default()) {
+            let _ = writeln!(page, "| `{sum}` | {} |", cells(cost.turn));
+        }
+    }
+    page += "\n## A pixel\n\nA teapot under a lamp and a sky, see `picture/surface.wgsl`.\n\n";
+    page += "| bumps | floats | special | integers | texels | and for every octave | | | |\n|---|---|---|---|---|---|---|---|---|\n";
+    for (part, name) in picture::BUMPS {
+        let Cost { once, turn } = counted(&[part])?["surface_pixel"];
+        let _ = writeln!(page, "| {name} | {} | {} |", cells(once), cells(turn));
+    }
+    let _ = writeln!(
+        page,
+        "\n## A frame\n\nMilliseconds of {size}² pixels, from the command to the bytes: medians of five.\n"
+    );
+    page += &picture::times(adapter, size)?;
+    page += "\n## Every function\n\n| part | function | floats | special | integers | texels | of these in loops | | | |\n";
+    page += "|---|---|---|---|---|---|---|---|---|---|\n";
+    for part in &parts {
+        let names = part.names().filter_map(|name| Some((name, functions.get(name)?)));
+        for (name, cost) in names {
+            let looped = if cost.turn == Operations::default() { " | | |".into() } else { cells(cost.turn) };
+            let _ = writeln!(page, "| {} | `{name}` | {} | {looped} |", part.name(), cells(cost.total()));
+        }
+    }
+    print!("{page}");
+    if let Some(path) = out {
+        std::fs::write(path, page).map_err(|error| format!("{}: {error}", path.display()))?;
+        println!("the page: {}", path.display());
+    }
+    Ok(())
+}
+
+const HEAD: &str = "\
+# What the shaders cost
+
+Operations on scalars, counted in the SPIR-V that naga writes: a sum of vectors of three is three; a function has those of all that it
+calls; both branches of every choice are counted, and the body of a loop once. *Floats* are sums, products, comparisons, roundings, least
+and greatest; *special* are quotients, roots and transcendental functions; *integers* are operations on whole numbers, conversions and
+choices; *texels* are fetched or filtered. `cargo xtask shaders --costs` makes this page.
+";
+
+fn cells(operations: Operations) -> String {
+    let Operations { floats, special, integers, texels } = operations;
+    format!("{floats} | {special} | {integers} | {texels}")
+}
+
+/// Parts of all cases, each once, those that they need before them.
+fn parts() -> Vec<&'static Part> {
+    let of_cases: Vec<&'static Part> = cases::all().iter().flat_map(|case| case.parts.clone()).collect();
+    let mut names = HashSet::new();
+    let mut parts = ordered(&of_cases);
+    parts.retain(|part| names.insert(part.name()));
+    parts
+}
+
+/// Costs of all functions of parts and of what they need.
+fn counted(parts: &[&'static Part]) -> Result<HashMap<String, Cost>, String> {
+    let words = dialect::counted(&compose(parts, Bindings::Textures { group: 0 }))?;
+    Ok(costs(&words))
+}
