@@ -161,7 +161,11 @@ impl Found {
 }
 
 /// Outcomes of a case on an adapter.
-fn outcomes(gpu: &Gpu, case: &Case, inputs: &[[u32; INPUTS]]) -> Result<Vec<[u32; OUTPUTS]>, String> {
+pub(crate) fn outcomes(
+    gpu: &Gpu,
+    case: &Case,
+    inputs: &[[u32; INPUTS]],
+) -> Result<Vec<[u32; OUTPUTS]>, String> {
     let kernel = Kernel::new(gpu, &case.name, &case.parts, &(case.wgsl() + entry::COMPUTE), "run_case")?;
     let groups = [(inputs.len() as u32).div_ceil(64), 1];
     let words = kernel.run(gpu, &case.resources, inputs.as_flattened(), inputs.len() * OUTPUTS, groups)?;

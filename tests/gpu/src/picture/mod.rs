@@ -1,5 +1,6 @@
 //! Pictures of bump-mapped surfaces by the shaders and by the crates, beside each other.
 
+mod materials;
 pub(crate) mod raster;
 pub(crate) mod reference;
 pub(crate) mod render;
@@ -58,6 +59,7 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), St
             worst = worst.max(share);
         }
         textured(&gpu, &LOOK, size, out)?;
+        materials::run(&gpu, size / 2, out)?;
     }
     println!("\npictures, by the shader left and by the crates right: {}", out.display());
     if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }

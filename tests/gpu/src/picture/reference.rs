@@ -56,7 +56,12 @@ pub(crate) const BACKGROUND: [u8; 3] = [236, 234, 228];
 /// sRGB of light, compressed into [0, 1), as the shader has it.
 fn tone(light: f32) -> [u8; 3] {
     let linear = light * Vec3::new(1.0, 0.62, 0.36) + Vec3::new(0.012, 0.009, 0.008);
-    (linear / (1.0 + linear)).to_array().map(|x| {
+    encoded(linear)
+}
+
+/// sRGB of light, compressed into [0, 1).
+pub(super) fn encoded(light: Vec3) -> [u8; 3] {
+    (light / (1.0 + light)).to_array().map(|x| {
         let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
         (encoded * 255.0).round() as u8
     })
