@@ -29,8 +29,9 @@ pub(crate) trait Work<const L: usize>: Copy {
     fn output(&self) -> &[[f32; L]; 2];
 }
 
-/// Numbers between the stages of samples and of their way back.
+/// Numbers between the stages of samples and of their way back; no register's load or store crosses a line of the cache.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 pub(crate) struct Group<const L: usize> {
     pub(crate) input: [[f32; L]; 2],
     pub(crate) output: [[f32; L]; 2],

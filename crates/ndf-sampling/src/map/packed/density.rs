@@ -8,8 +8,9 @@ use crate::simd::records::Records;
 /// `D`.
 pub(crate) struct Density;
 
-/// Numbers between its stages.
+/// Numbers between its stages, in whole lines of the cache.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 pub(crate) struct Corners<const L: usize> {
     input: [[f32; L]; 2],
     output: [[f32; L]; 2],
