@@ -11,7 +11,7 @@ use crate::output::Output;
 use crate::progress;
 
 /// Folder of the program that has wgpu and naga.
-const PROGRAM: &str = "tests/gpu";
+pub(crate) const PROGRAM: &str = "tests/gpu";
 
 /// The variable that names manifests of further Vulkan drivers, and that of Chromium's driver in software on Debian.
 const DRIVERS: &str = "VK_ADD_DRIVER_FILES";
@@ -74,7 +74,7 @@ fn folder(path: &Path) -> Result<PathBuf, Failure> {
 }
 
 /// The program in `tests/gpu` with a command, and with the drivers in software that are installed.
-fn program(root: &Path, command: &str) -> Command {
+pub(crate) fn program(root: &Path, command: &str) -> Command {
     let mut run = cargo(&root.join(PROGRAM), "run --quiet --release --locked --");
     run.arg(command);
     if std::env::var_os(DRIVERS).is_none() && Path::new(SWIFTSHADER).is_file() {

@@ -5,6 +5,8 @@ use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 /// An adapter that has been opened.
 pub(crate) struct Gpu {
     pub(crate) name: String,
+    /// Less for those that are likely faster.
+    pub(crate) rank: (usize, bool),
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
 }
@@ -41,11 +43,19 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
             required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
             ..Default::default()
         })) {
-            Ok((device, queue)) => gpus.push(Gpu { name: name(adapter), device, queue }),
+            Ok((device, queue)) => gpus.push(Gpu { name: name(adapter), rank: rank(adapter), device, queue }),
             Err(error) => println!("{} is left out: {error}", name(adapter)),
         }
     }
     gpus
+}
+
+fn rank(adapter: &Adapter) -> (usize, bool) {
+    use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, VirtualGpu};
+    let kind = adapter.get_info().device_type;
+    // Of those in software Mesa's takes a third of the time of SwiftShader.
+    let slow = !name(adapter).contains("llvmpipe");
+    ([DiscreteGpu, IntegratedGpu, VirtualGpu, Cpu].iter().position(|of| *of == kind).unwrap_or(4), slow)
 }
 
 fn name(adapter: &Adapter) -> String {

@@ -18,6 +18,7 @@ mod picture;
 mod resources;
 
 use dialect::Dialect;
+use picture::Subject;
 
 /// The shaders of Asperity on drivers.
 #[derive(Parser)]
@@ -71,11 +72,17 @@ enum Command {
         #[arg(long)]
         out: Option<PathBuf>,
     },
-    /// The teapot and a plane to the horizon at four zooms, by the shader and by the crates beside each other.
+    /// The teapot and a plane to the horizon at four zooms, and the materials, by the shader and by the crates beside each other.
     Pictures {
         /// Adapters whose names contain this; all without it.
         #[arg(long)]
         adapter: Option<String>,
+        /// Of all adapters the one that is likely the fastest.
+        #[arg(long)]
+        fastest: bool,
+        /// This picture alone.
+        #[arg(long, value_enum)]
+        only: Option<Subject>,
         /// Side of a picture in pixels.
         #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
         size: u32,
@@ -95,7 +102,9 @@ fn main() -> ExitCode {
         }
         Command::Costs { adapter, size, out } => costs::run(adapter.as_deref(), size, out.as_deref()),
         Command::Means { adapter } => means::run(adapter.as_deref()),
-        Command::Pictures { adapter, size, out } => picture::run(adapter.as_deref(), size, &out),
+        Command::Pictures { adapter, fastest, only, size, out } => {
+            picture::run(adapter.as_deref(), fastest, only, size, &out)
+        }
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

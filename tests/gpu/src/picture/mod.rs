@@ -14,6 +14,7 @@ use asperity_shading::level_of_detail::{Coordinates, GaussianField};
 use asperity_shading::ndf_sampling::{Ggx, NormalTable};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum};
 use asperity_shading::{BumpField, pixel::FrequencyClamp};
+use clap::ValueEnum;
 use glam::Vec2;
 
 use crate::{
@@ -45,28 +46,57 @@ pub(crate) const BUMPS: [(&Part, &str); 2] = [
 
 const ZOOMS: [f64; 4] = [1.0, 10.0, 100.0, 10_000.0];
 
-/// Draws the teapot and the plane at four zooms on each adapter and by the crates, and fails where they differ; then twice more with
-/// bumps from a texture, which may.
-pub(crate) fn run(adapter: Option<&str>, size: u32, out: &Path) -> Result<(), String> {
-    std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let mut worst = 0.0_f64;
-    for gpu in device::open(adapter)? {
-        println!("\n{}\n", gpu.name);
-        println!(
-            "| picture | pixels that differ by more than 2 of 255 | mean difference | ms |\n|---|---|---|---|"
-        );
-        for share in procedural(&gpu, &LOOK, size, out)? {
-            worst = worst.max(share);
-        }
-        textured(&gpu, &LOOK, size, out)?;
-        materials::run(&gpu, size / 2, out)?;
-    }
-    println!("\npictures, by the shader left and by the crates right: {}", out.display());
-    if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Subject {
+    /// A teapot at four zooms
+    Teapot,
+    /// A plane to the horizon at four zooms
+    Plane,
+    /// Both with bumps from a texture
+    Textured,
+    /// Floors of every material
+    Materials,
 }
 
-/// The pictures of a scene, by the shader and by the crates, a zoom after the other.
-type Strip = [Vec<Vec<[u8; 3]>>; 2];
+/// Draws the teapot and the plane at four zooms on each adapter and by the crates, and the materials, and fails where they differ; and
+/// twice more with bumps from a texture, which may.
+pub(crate) fn run(
+    adapter: Option<&str>,
+    fastest: bool,
+    only: Option<Subject>,
+    size: u32,
+    out: &Path,
+) -> Result<(), String> {
+    std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let wanted = |subject| only.is_none_or(|only| only == subject);
+    let mut worst = 0.0_f64;
+    let mut gpus = device::open(adapter)?;
+    if fastest {
+        gpus.sort_by_key(|gpu| gpu.rank);
+        gpus.truncate(1);
+    }
+    for gpu in gpus {
+        println!("\n{}\n", gpu.name);
+        if only != Some(Subject::Materials) {
+            println!(
+                "| picture | pixels that differ by more than 2 of 255 | mean difference | ms |\n|---|---|---|---|"
+            );
+        }
+        let scenes = [Subject::Teapot, Subject::Plane].map(wanted);
+        for share in procedural(&gpu, &LOOK, scenes, size, out)? {
+            worst = worst.max(share);
+        }
+        if wanted(Subject::Textured) {
+            textured(&gpu, &LOOK, size, out)?;
+        }
+        if wanted(Subject::Materials) {
+            materials::run(&gpu, size / 2, out)?;
+        }
+    }
+    println!("\npictures, by the shader left or above and by the crates right or below: {}", out.display());
+    if worst <= 1e-3 { Ok(()) } else { Err(format!("{:.2} % of a picture's pixels differ", 100.0 * worst)) }
+}
 
 /// A table of the milliseconds of a frame: scenes and ways in rows, adapters in columns; a line where there is no adapter.
 pub(crate) fn times(adapter: Option<&str>, size: u32) -> Result<String, String> {
@@ -119,7 +149,7 @@ fn scenes(zoom: f64, size: u32) -> Result<[(&'static str, Scene); 2], String> {
 }
 
 /// Bumps by noise in space, anchored at the focus: the share of pixels that differ in each picture.
-fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>, String> {
+fn procedural(gpu: &Gpu, look: &Look, wanted: [bool; 2], size: u32, out: &Path) -> Result<Vec<f64>, String> {
     let octaves = sum()?;
     let spectrum = *octaves.spectrum();
     let renderer = Renderer::new(gpu, &render::PROCEDURAL, size)?;
@@ -127,7 +157,10 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
     // A strip for each scene: the zooms from left to right, by the shader above and by the crates below.
     let mut strips: [(&str, Strip); 2] = Default::default();
     for zoom in ZOOMS {
-        for ((name, scene), strip) in scenes(zoom, size)?.into_iter().zip(&mut strips) {
+        for (((name, scene), strip), wanted) in scenes(zoom, size)?.into_iter().zip(&mut strips).zip(wanted) {
+            if !wanted {
+                continue;
+            }
             let (anchored, words) = at_focus(&octaves, &scene, look);
             let (ours, time) = renderer.draw(gpu, &scene, look, &spectrum, &words, &[])?;
             let bumps = BumpField::new(anchored, look.frequency).map_err(|error| error.to_string())?;
@@ -139,11 +172,19 @@ fn procedural(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<Vec<f64>,
             strip.1[1].push(theirs);
         }
     }
-    for (name, rows) in strips {
-        let rows: Vec<Vec<_>> = rows.iter().map(|row| row.iter().map(Vec::as_slice).collect()).collect();
-        png(&out.join(format!("gpu-{name}.png")), size, &rows)?;
+    for (name, rows) in strips.into_iter().filter(|(_, rows)| !rows[0].is_empty()) {
+        write_strip(name, &rows, size, out)?;
     }
     Ok(shares)
+}
+
+/// The pictures of a scene, by the shader and by the crates, a zoom after the other.
+type Strip = [Vec<Vec<[u8; 3]>>; 2];
+
+/// Writes the pictures of a scene, by the shader above and by the crates below.
+fn write_strip(name: &str, strip: &Strip, size: u32, out: &Path) -> Result<(), String> {
+    let rows: Vec<Vec<_>> = strip.iter().map(|row| row.iter().map(Vec::as_slice).collect()).collect();
+    png(&out.join(format!("gpu-{name}.png")), size, &rows)
 }
 
 /// The sum of the bumps.
@@ -202,6 +243,7 @@ impl Textured {
 /// Bumps by a mip-mapped texture of noise and table L, beside the noise that the texture is made of.
 fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String> {
     let made = Textured::new(gpu, look, size)?;
+    let mut strip: Strip = Default::default();
     let sum = made.texture.sum();
     let spectrum = *sum.spectrum();
     let clamp = FrequencyClamp::new(look.frequency, spectrum.lacunarity(), spectrum.max_octaves() as f32)
@@ -217,9 +259,11 @@ fn textured(gpu: &Gpu, look: &Look, size: u32, out: &Path) -> Result<(), String>
             };
             let theirs = reference::picture(&scene, look, seen, size)?;
             report(&format!("textured-{name}-{zoom}"), &ours, &theirs, time, size, out)?;
+            strip[0].push(ours);
+            strip[1].push(theirs);
         }
     }
-    Ok(())
+    write_strip("textured", &strip, size, out)
 }
 
 /// Prints how a picture differs from the crates', writes both, and tells the share of pixels that differ by more than 2.

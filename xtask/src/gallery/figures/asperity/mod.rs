@@ -1,5 +1,6 @@
-//! Figures of the level of detail and of reflectance.
+//! Figures of the level of detail, of reflectance and of the shaders.
 
+pub(super) mod graphics_card;
 pub(super) mod mean_radiance;
 pub(super) mod measured;
 pub(super) mod normal_maps;
