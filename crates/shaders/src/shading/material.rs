@@ -6,12 +6,19 @@
 
 mod carpet;
 mod glass;
+mod glint;
 mod paint;
 mod surface;
+mod textured;
 mod wear;
 
 pub use carpet::{CARPET, CarpetUniform, FIBRES, SEAMS};
 pub use glass::{TEMPERED_GLASS, TemperedGlassUniform};
+pub use glint::{COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform};
 pub use paint::{FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
 pub use surface::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT};
+pub use textured::{
+    BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,
+    PolishedMarbleUniform, TEXTURED_SLOPES, WALLPAPER, WallpaperUniform,
+};
 pub use wear::{BLEMISHES, DENTS, SCRATCHES, ScratchesUniform, VARIATIONS, VariationsUniform};

@@ -15,6 +15,9 @@ use crate::shading::{DIRECTION, MATH};
 /// Bricks with grooves of mortar, at points and over boxes, [`Brick`].
 pub static BRICK: Part = part!("shading/texture/brick", DIRECTION);
 
+/// Slopes within a pixel of a wall of bricks as facets, [`Brick::facets`].
+pub static BRICK_FACETS: Part = part!("shading/texture/brick_facets", BRICK, DIRECTION);
+
 /// Ridges along the edges of a tile, at points and as facets, [`Bevel`].
 pub static BEVEL: Part = part!("shading/texture/bevel", DIRECTION);
 
@@ -28,6 +31,10 @@ pub static MARBLE: Part = part!("shading/texture/marble", MATH, FREQUENCY_CLAMP,
 /// Density of gas in space, as a pixel sees it, and its share in a column of steam: [`Gas`],
 /// [`Steam`](asperity_shading::texture::Steam).
 pub static GAS: Part = part!("shading/texture/gas", ELEMENTARY, FOOTPRINT, octaves_3d::PERLIN_2002);
+
+/// Light and transmittance along a ray through gas, and the part of it in steam: [`march`](fn@asperity_shading::texture::march),
+/// [`Steam::interval`](asperity_shading::texture::Steam::interval).
+pub static GAS_MARCH: Part = part!("shading/texture/gas_march", GAS, DIRECTION, MATH, ELEMENTARY);
 
 /// Texture coordinates moved by noise, [`PerturbedTexture`].
 pub static PERTURBED: Part = part!("shading/texture/perturbed", FOOTPRINT, PERLIN_2002);

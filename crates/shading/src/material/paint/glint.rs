@@ -76,6 +76,12 @@ const CERTAIN: f32 = 256.0;
 /// Greatest coordinate at which cells can be told apart.
 const FARTHEST: f32 = 8_388_608.0;
 
+impl<N> GlintField<N> {
+    /// What the seeds of the two coordinates of tilts differ by from the field's.
+    #[doc(hidden)]
+    pub const TILTS: [u32; 2] = [0x51ab_0f31, 0xa3c7_59e5];
+}
+
 impl<N: Ndf> GlintField<N> {
     /// Flakes `spacing` apart, that mirror a light over `bin` standard deviations of their tilt.
     ///
@@ -93,6 +99,13 @@ impl<N: Ndf> GlintField<N> {
     #[must_use]
     pub const fn ndf(&self) -> &N {
         &self.ndf
+    }
+
+    /// The distance between flakes, the deviations that a lamp is mirrored over; the seed.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> ([f32; 2], u32) {
+        ([self.spacing, self.bin], self.seed)
     }
 
     /// The flake at a point: the one of the jittered centres, one to a cell, that is nearest.
@@ -160,7 +173,7 @@ impl<N: Ndf> GlintField<N> {
     /// The Gaussian coordinates of the normal of a cell's flake.
     fn tilt(&self, cell: [i32; 3]) -> Vec2 {
         let uniform = |k: u32| (f64::from(IntegerHash.word(cell, self.seed ^ k)) + 0.5) / 4_294_967_296.0;
-        Vec2::new(inverse_phi(uniform(0x51ab_0f31)) as f32, inverse_phi(uniform(0xa3c7_59e5)) as f32)
+        Vec2::new(inverse_phi(uniform(Self::TILTS[0])) as f32, inverse_phi(uniform(Self::TILTS[1])) as f32)
     }
 
     /// The position in cells of single flakes, where they can be told apart.

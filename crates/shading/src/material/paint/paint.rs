@@ -151,6 +151,13 @@ impl MetallicPaint {
         (&self.orange_peel, &self.sparkles, &self.passive)
     }
 
+    /// The flakes that are counted.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn glints(&self) -> Option<&GlintField<Beckmann>> {
+        self.glints.as_ref()
+    }
+
     /// The specular colour of the base layer at a pixel, with passive flakes; in [0, 1]³.
     fn specular(&self, point: &SurfacePoint) -> Vec3 {
         let factor = self.passive.factor(point.position, point.footprint());

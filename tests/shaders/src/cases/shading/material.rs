@@ -46,7 +46,7 @@ fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
 
 /// A material in a uniform beside the crate's, at points of texture coordinates and positions within `extent`, seen by pixels from
 /// `widths[0]` to `widths[1]` wide.
-fn material(
+pub(super) fn material(
     name: &str,
     part: &'static Part,
     resources: Vec<(&'static str, Vec<u32>)>,
@@ -157,7 +157,7 @@ fn variations() -> Case {
     )
 }
 
-fn paint_parameters() -> MetallicPaintParameters {
+pub(super) fn paint_parameters() -> MetallicPaintParameters {
     MetallicPaintParameters::default()
 }
 

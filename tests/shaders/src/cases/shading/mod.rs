@@ -7,22 +7,26 @@ use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
 mod bump;
 mod diffuse;
 mod fresnel;
+mod glint;
 mod glossy;
 mod material;
 mod noisy_texture;
 mod pixel;
 mod texture;
+mod textured;
 
 pub(super) fn cases() -> Vec<Case> {
     [
         bump::cases(),
         diffuse::cases(),
         fresnel::cases(),
+        glint::cases(),
         glossy::cases(),
         material::cases(),
         pixel::cases(),
         noisy_texture::cases(),
         texture::cases(),
+        textured::cases(),
     ]
     .into_iter()
     .flatten()

@@ -2,10 +2,11 @@
 
 use asperity_shaders::Part;
 use asperity_shaders::shading::texture::{
-    GAS, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER, StarWallpaperUniform,
+    GAS, GAS_MARCH, GasUniform, MARBLE, MarbleUniform, PERTURBED, PerturbedUniform, STAR_WALLPAPER,
+    StarWallpaperUniform,
 };
 use asperity_shading::glam::{Vec2, Vec3};
-use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam};
+use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam, march};
 use asperity_shading::{Footprint, Marble};
 
 use super::material::sums;
@@ -13,7 +14,7 @@ use super::{floats, inputs, normal, number, vec3, words};
 use crate::case::{Bound, Case, OUTPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![stars(), marble(), gas(false), gas(true), perturbed()]
+    vec![stars(), marble(), gas(false), gas(true), gas_march(), perturbed()]
 }
 
 /// A texture whose words the body makes a structure of, at points within `extent` seen by pixels up to `widest` wide: p, the width, u and
@@ -138,6 +139,87 @@ fn gas(has_veins: bool) -> Case {
             Output::new("share of steam", 2..3, Bound::Equal, Bound::Absolute(1e-5)),
         ],
     )
+}
+
+/// Rays through steam, and through fog whose extinction and light are not alike everywhere.
+fn gas_march() -> Case {
+    const STEP: f32 = 0.4;
+    let gas = Gas::default();
+    let centre = Vec3::new(0.5, -0.5, 0.0);
+    let steam = Steam::new(centre, 1.5, 2.0).expect("positive");
+    let uniform = GasUniform::new(&gas, 0);
+    let [a, b] = [&uniform.words()[..4], &uniform.words()[4..]].map(written);
+    let fog = |p: Vec3| 0.5 + 0.2 * p.x;
+    Case {
+        name: "shading/texture/gas_march".into(),
+        parts: vec![&GAS_MARCH],
+        body: format!(
+            "\
+    let f = bitcast<vec4<f32>>(vec4<u32>({a}));
+    let g = vec4<u32>({b});
+    let gas = Gas(f.x, f.y, f.z, f.w, g.x, g.y, g.zw);
+    let steam = GasSteam(vec3<f32>(0.5, -0.5, 0.0), 1.5, 2.0);
+    let interval = gas_march_interval(steam, a.xyz, b.xyz);
+    let through = gas_march_transmittance(gas, steam, 2.0, b.w, a.xyz, b.xyz, 0.4, a.w);
+    let ends = bitcast<vec4<f32>>(c);
+    var fog = gas_march_begin(ends.x, ends.y, ends.z, a.w);
+    while gas_march_goes_on(fog) {{
+        let p = gas_march_point(fog, vec3<f32>(0.1, 0.2, 0.3), vec3<f32>(0.6, 0.0, 0.8));
+        fog = gas_march_added(fog, 0.5 + 0.2 * p.x, abs(p));
+    }}
+    outcome.a = bits(vec4<f32>(interval, through, fog.transmittance));
+    outcome.b = bits(vec4<f32>(fog.light, 0.0));"
+        ),
+        resources: vec![sums(&[uniform.sum()])],
+        input: Box::new(|i| {
+            let origin = [0, 1, 2].map(|k| number(i, k, [-3.0, 3.0]));
+            // Now and then upwards, or level.
+            let direction = match i % 16 {
+                0 => [0.0, 0.0, -1.0],
+                1 => [0.6, 0.8, 0.0],
+                _ => Vec3::from([3, 4, 5].map(|k| number(i, k, [-1.0, 1.0]))).normalize().to_array(),
+            };
+            let width = if i % 4 == 0 { 0.0 } else { number(i, 6, [-9.0, 0.5]).exp() };
+            let (near, length) = (number(i, 7, [-2.0, 2.0]), number(i, 8, [-0.2, 3.0]));
+            let [a, b, c] = origin;
+            let [d, e, f] = direction;
+            let all = [a, b, c, number(i, 9, [0.0, 1.0]), d, e, f, width, near, near + length, 0.5];
+            let mut words = normal(inputs(i, &all));
+            // From far away a rounding more or less is another place in the steam.
+            for word in &mut words[..11] {
+                let x = f32::from_bits(*word);
+                *word = if x.is_finite() { x.clamp(-20.0, 20.0) } else { x }.to_bits();
+            }
+            words[7] = Footprint::from_width(f32::from_bits(words[7])).width().min(f32::MAX).to_bits();
+            // Tens of thousands of steps are for one input.
+            let step = f32::from_bits(words[10]);
+            words[10] = if i == 22 || step.is_nan() { step } else { step.abs().max(0.1) }.to_bits();
+            words
+        }),
+        reference: Box::new(move |inputs| {
+            let (origin, direction) = (vec3(inputs, 0), vec3(inputs, 4));
+            let ([offset], [width, near, far, step]) = (floats(inputs, 3), floats(inputs, 7));
+            let interval = steam.interval(origin, direction);
+            let wider = [interval[0] - STEP, interval[1] + STEP];
+            let extinction = |p: Vec3| match steam.share(p) {
+                share if share > 0.0 => 2.0 * share * gas.clamped_density(p, Footprint::from_width(width)),
+                _ => 0.0,
+            };
+            let dark = |_| Vec3::ZERO;
+            let through = march(origin, direction, wider, STEP, offset, extinction, dark).transmittance;
+            let (from, along) = (Vec3::new(0.1, 0.2, 0.3), Vec3::new(0.6, 0.0, 0.8));
+            let seen = march(from, along, [near, far], step, offset, fog, Vec3::abs);
+            let [begin, end] = interval.map(|x| x.clamp(f32::MIN, f32::MAX));
+            let light = seen.light.to_array();
+            words(&[begin, end, through, seen.transmittance, light[0], light[1], light[2]])
+        }),
+        outputs: vec![
+            Output::new("interval", 0..2, Bound::Equal, Bound::Absolute(1e-2)),
+            // Exponentials are the library's in the crate, of 65,536 steps of one input.
+            Output::new("transmittance", 2..4, Bound::Absolute(2e-5), Bound::Absolute(2e-3)),
+            Output::new("light", 4..7, Bound::Absolute(2e-5), Bound::Absolute(2e-3)),
+        ],
+    }
 }
 
 fn perturbed() -> Case {

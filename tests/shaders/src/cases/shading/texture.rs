@@ -64,7 +64,7 @@ fn brick() -> Case {
 }
 
 /// The wall of the i-th input.
-fn wall(i: u32) -> Brick {
+pub(super) fn wall(i: u32) -> Brick {
     match i % 3 {
         0 => Brick::default(),
         1 => Brick::new(number(i, 4, [0.1, 2.0]), number(i, 5, [0.1, 2.0]), 0.0).expect("positive"),

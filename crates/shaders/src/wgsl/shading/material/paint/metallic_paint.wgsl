@@ -80,6 +80,28 @@ fn metallic_paint_coat(paint: MetallicPaint, point: SurfacePoint, frame: Frame) 
     return vec4<f32>(normal, paint.peel_strength * paint.peel_strength * removed);
 }
 
+// The specular colour of the flakes at a point, with passive flakes; in [0, 1].
+fn metallic_paint_specular(paint: MetallicPaint, point: SurfacePoint) -> vec3<f32> {
+    let noise = fbm_sample(paint.passive, point.position, point.pixel.widths.x).value;
+    return min(paint.specular * max(1.0 + paint.passive_strength * noise, 0.0), vec3<f32>(1.0));
+}
+
+// Reflectance times cosine of flakes of this reflectance over the pigment, under the coat; for directions above the surface.
+fn metallic_paint_coated(
+    paint: MetallicPaint,
+    point: SurfacePoint,
+    specular: vec3<f32>,
+    flakes: vec3<f32>,
+    wo: vec3<f32>,
+    wi: vec3<f32>,
+) -> vec3<f32> {
+    let pigment = energy_preserving_value(min(paint.pigment, 1.0 - specular), 0.2, wi, wo);
+    let coat = metallic_paint_coat(paint, point, surface_point_frame(point));
+    let through = coat_varnish_through(paint.coat_index, coat.xyz, wo, wi);
+    let mirrored = coat_varnish_scattered(paint.coat_index, paint.coat_roughness, coat.xyz, coat.w, wo, wi);
+    return brdf_finite_channels((flakes + pigment) * wi.z * through + vec3<f32>(mirrored));
+}
+
 // Reflectance times cosine, `Bsdf::scattered` of a point of paint whose flakes sparkle; wo and wi are in its frame,
 // `surface_point_frame`. What a smooth coat mirrors is `metallic_paint_mirrored`.
 fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
@@ -88,8 +110,7 @@ fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<
     }
     let frame = surface_point_frame(point);
     let footprint = point.pixel.widths.x;
-    let factor = max(1.0 + paint.passive_strength * fbm_sample(paint.passive, point.position, footprint).value, 0.0);
-    let specular = min(paint.specular * factor, vec3<f32>(1.0));
+    let specular = metallic_paint_specular(paint, point);
     let h = direction_half(wi, wo);
     let sparkle = metallic_paint_sparkle(paint, point.position, point.normal, footprint);
     var tilted = direction_unit_or_zero(point.normal + sparkle.tilt);
@@ -107,11 +128,7 @@ fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<
     } else {
         flakes = metallic_paint_flakes(paint, specular, wi, wo);
     }
-    let pigment = energy_preserving_value(min(paint.pigment, 1.0 - specular), 0.2, wi, wo);
-    let coat = metallic_paint_coat(paint, point, frame);
-    let through = coat_varnish_through(paint.coat_index, coat.xyz, wo, wi);
-    let mirrored = coat_varnish_scattered(paint.coat_index, paint.coat_roughness, coat.xyz, coat.w, wo, wi);
-    return brdf_finite_channels((flakes + pigment) * wi.z * through + vec3<f32>(mirrored));
+    return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
 }
 
 // What a smooth coat mirrors, by a facet that uniform numbers choose: the first of `Bsdf::deltas`.

@@ -1,0 +1,31 @@
+// Metallic paint whose flakes are counted: `asperity_shading::MetallicPaint` of `PaintFlakes::Counted`.
+
+struct CountedFlakes {
+    // The paint without its sparkles.
+    paint: MetallicPaint,
+    flakes: GlintField,
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`. What a smooth coat mirrors
+// is `metallic_paint_mirrored`.
+fn counted_flakes_scattered(
+    counted: CountedFlakes,
+    point: SurfacePoint,
+    wo: vec3<f32>,
+    wi: vec3<f32>,
+) -> vec3<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec3<f32>(0.0);
+    }
+    let paint = counted.paint;
+    let specular = metallic_paint_specular(paint, point);
+    let z = beckmann_to_gaussian(vec2<f32>(paint.flake_roughness), direction_half(wi, wo));
+    let number = glint_field_relative(counted.flakes, z, point.position, point.pixel.widths.x);
+    let flakes = metallic_paint_flakes(paint, specular, wi, wo) * number;
+    return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
+}
+
+// Of the material in the uniform.
+fn counted_flakes(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return counted_flakes_scattered(counted_flakes_uniform, point, wo, wi);
+}

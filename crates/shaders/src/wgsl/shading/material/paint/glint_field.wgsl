@@ -1,0 +1,228 @@
+// Flakes that are counted by hashes, with a density of normals for their mean: `asperity_shading::material::GlintField`.
+
+struct GlintField {
+    // The distance between flakes, and the deviations of their tilt over which a lamp is mirrored.
+    spacing: f32,
+    bin: f32,
+    // Keys of the lattice, and of the two coordinates of flakes' normals.
+    key: u32,
+    reserved: u32,
+    tilt_keys: vec2<u32>,
+    more: vec2<u32>,
+}
+
+// A flake: its cell, and its centre in cells.
+struct GlintFieldFlake {
+    cell: vec3<i32>,
+    centre: vec3<f32>,
+}
+
+// The word of a cell of flakes.
+fn glint_field_word(cell: vec3<i32>, key: u32) -> u32 {
+    let terms = integer_hash_term(0u, cell.x) ^ integer_hash_term(1u, cell.y) ^ integer_hash_term(2u, cell.z);
+    return integer_hash_word(terms, key);
+}
+
+// The jittered centre of a cell, in cells.
+fn glint_field_centre(cell: vec3<i32>, key: u32) -> vec3<f32> {
+    let word = glint_field_word(cell, key);
+    let jitter = vec3<f32>(vec3<u32>(word & 1023u, (word >> 10u) & 1023u, (word >> 20u) & 1023u)) / 2048.0;
+    return vec3<f32>(cell) + (jitter + 0.25);
+}
+
+// One of three numbers.
+fn glint_field_of(k: u32, first: f32, second: f32, third: f32) -> f32 {
+    return select(select(third, second, k == 1u), first, k == 0u);
+}
+
+// Whether cells can be told apart at a place in cells.
+fn glint_field_is_near(place: vec3<f32>) -> bool {
+    return direction_is_finite(place) && max(abs(place.x), max(abs(place.y), abs(place.z))) < 8388608.0;
+}
+
+// The flake whose centre is nearest to a place in cells where they can be told apart.
+fn glint_field_nearest(field: GlintField, place: vec3<f32>) -> GlintFieldFlake {
+    let corner = floor(place);
+    let base = vec3<i32>(corner);
+    let own = place - glint_field_centre(base, field.key);
+    // No other centre is nearer where all that its cell may have are farther than that of the point's own; far out centres are rounded.
+    let bound = dot(own, own) * 1.0001;
+    let slack = max(abs(place.x), max(abs(place.y), abs(place.z))) * 1.1920929e-7 + 1e-6;
+    let within = place - corner;
+    let below = max((within + 0.25) - slack, vec3<f32>(0.0));
+    let here = max(max(0.25 - within, within - 0.75) - slack, vec3<f32>(0.0));
+    let above = max((1.25 - within) - slack, vec3<f32>(0.0));
+    var best = GlintFieldFlake(base, vec3<f32>(0.0));
+    var least = MATH_LARGEST;
+    for (var i = 0u; i < 27u; i++) {
+        let x = glint_field_of(i % 3u, below.x, here.x, above.x);
+        let y = glint_field_of((i / 3u) % 3u, below.y, here.y, above.y);
+        let z = glint_field_of(i / 9u, below.z, here.z, above.z);
+        if x * x + y * y + z * z <= bound {
+            let cell = base + vec3<i32>(i32(i % 3u) - 1, i32((i / 3u) % 3u) - 1, i32(i / 9u) - 1);
+            let centre = glint_field_centre(cell, field.key);
+            let apart = place - centre;
+            let distance = dot(apart, apart);
+            if distance < least {
+                least = distance;
+                best = GlintFieldFlake(cell, centre);
+            }
+        }
+    }
+    return best;
+}
+
+// A Gaussian number of 32 bits, from the tail that the word is in.
+fn glint_field_gaussian(word: u32) -> f32 {
+    let is_high = word > 0x7fffffffu;
+    let tail = (f32(select(word, ~word, is_high)) + 0.5) / 4294967296.0;
+    let quantile = normal_distribution_inverse_phi(max(tail, 2.3283064e-10));
+    return select(quantile, -quantile, is_high);
+}
+
+// The Gaussian coordinates of the normal of a cell's flake: `from_gaussian` of the density makes the normal of them.
+fn glint_field_tilt(field: GlintField, cell: vec3<i32>) -> vec2<f32> {
+    return vec2<f32>(
+        glint_field_gaussian(glint_field_word(cell, field.tilt_keys.x)),
+        glint_field_gaussian(glint_field_word(cell, field.tilt_keys.y)),
+    );
+}
+
+// A number in (0, 1).
+fn glint_field_chance(word: u32) -> f32 {
+    return (f32(word) + 0.5) / 4294967296.0;
+}
+
+// The flakes of a cell of a level.
+fn glint_field_flakes(level: i32) -> f32 {
+    let size = f32(1u << u32(level));
+    return size * size;
+}
+
+// A number of successes of n trials of probability q, for a uniform number in (0, 1): `binomial`.
+fn glint_field_binomial(n: f32, q: f32, chance: f32) -> f32 {
+    let mean = n * q;
+    if mean > 16.0 {
+        let deviation = sqrt(mean * (1.0 - q));
+        let z = normal_distribution_inverse_phi(clamp(chance, 2.3283064e-10, 0.99999994));
+        let most = min(mean / deviation, 4.0);
+        return mean + deviation * clamp(z, -most, most);
+    }
+    let log = elementary_ln_1p(-q);
+    let t = -(n * log);
+    // The chance of more than k, from above: small chances keep their digits.
+    var above = t * elementary_one_minus_exp_ratio(t, elementary_exp(-0.5 * t));
+    var exactly = mean * elementary_exp((n - 1.0) * log);
+    var k = 0.0;
+    while chance < above && k < 64.0 {
+        k += 1.0;
+        above -= exactly;
+        exactly *= (n - k) / (k + 1.0) * q / (1.0 - q);
+    }
+    return k;
+}
+
+// How many of the flakes in a bin, `count` of n, are in one of the four quarters: `quarter`.
+fn glint_field_quarter(count: f32, n: f32, word: u32) -> f32 {
+    let mean = 0.25 * count;
+    if mean > 16.0 {
+        let bytes = (word & 255u) + ((word >> 8u) & 255u) + ((word >> 16u) & 255u) + (word >> 24u);
+        let deviation = sqrt(max(0.75 * mean * (1.0 - count / n), 0.0)) / 147.801;
+        return mean + deviation * (f32(bytes) - 510.0);
+    }
+    // Twelve bits for the one, twenty for the other.
+    let whole = floor(count + (f32(word & 0xfffu) + 0.5) / 4096.0);
+    if !(whole > 0.0) {
+        return 0.0;
+    }
+    return glint_field_binomial(whole, 0.25, (f32(word >> 12u) + 0.5) / 1048576.0);
+}
+
+// The probability of a standard Gaussian number from k to k + 1 widths: `mass`.
+fn glint_field_mass(k: f32, width: f32) -> f32 {
+    let middle = (k + 0.5) * width;
+    if width * (abs(middle) + 2.0) <= 1.0 {
+        let m = middle * middle;
+        let w = width * width * 0.25;
+        let fourth = (m - 6.0) * m + 3.0;
+        let sixth = ((m - 15.0) * m + 45.0) * m - 15.0;
+        let series = 1.0 + w * ((m - 1.0) / 6.0 + w * (fourth / 120.0 + w * (sixth / 5040.0)));
+        return width * 0.3989423 * elementary_exp(-0.5 * m) * series;
+    }
+    let side = select(-1.0, 1.0, k < 0.0);
+    return abs(normal_distribution_phi(side * (k + 1.0) * width) - normal_distribution_phi(side * k * width));
+}
+
+// The exponent of a number above 0.
+fn glint_field_exponent(x: f32) -> i32 {
+    return i32(bitcast<u32>(x) >> 23u) - 127;
+}
+
+// The number of a bin over its mean, in the cells of this level and of the next around that of a single flake: `relative_counts`.
+fn glint_field_counts(field: GlintField, base: vec3<i32>, bin: vec2<i32>, q: f32, level: i32) -> vec2<f32> {
+    let seed = integer_hash_word(integer_hash_term(0u, bin.x) ^ integer_hash_term(1u, bin.y), field.key);
+    // From a level where the number is nearly certain.
+    let start = clamp((glint_field_exponent(256.0 / q) >> 1u) + 1, level, 14);
+    let first = glint_field_word(base >> vec3<u32>(u32(start)), lattice_key(seed + u32(start)));
+    var count = glint_field_binomial(glint_field_flakes(start), q, glint_field_chance(first));
+    var coarse = 0.0;
+    if start == level {
+        let next = glint_field_word(base >> vec3<u32>(u32(level + 1)), lattice_key(seed + u32(level + 1)));
+        let flakes = glint_field_flakes(level + 1);
+        coarse = glint_field_binomial(flakes, q, glint_field_chance(next)) / (flakes * q);
+    }
+    for (var finer = start - 1; finer >= level; finer--) {
+        let flakes = glint_field_flakes(finer + 1);
+        coarse = count / (flakes * q);
+        if count <= 0.0 {
+            break;
+        }
+        let word = glint_field_word(base >> vec3<u32>(u32(finer)), lattice_key(seed + u32(finer)));
+        count = glint_field_quarter(count, flakes, word);
+    }
+    return vec2<f32>(count / (glint_field_flakes(level) * q), coarse);
+}
+
+// How many flakes within a pixel have these Gaussian coordinates, over their mean: times the density of the half vector it is
+// `GlintField::density`, for the coordinates `to_gaussian` of it. 1 where single cells cannot be told apart, and from afar.
+fn glint_field_relative(field: GlintField, z: vec2<f32>, position: vec3<f32>, footprint: f32) -> f32 {
+    let place = position / field.spacing;
+    let ratio = max(footprint / field.spacing, 1.0);
+    if !(ratio < 16384.0 && glint_field_is_near(place)) {
+        return 1.0;
+    }
+    // Level and the share of the next: the logarithm of the width.
+    let level = glint_field_exponent(ratio);
+    let mantissa = bitcast<f32>((bitcast<u32>(ratio) & 0x7fffffu) | 0x3f800000u);
+    let upper_share = elementary_ln(mantissa) * 1.442695;
+    let base = vec3<i32>(floor(place));
+    var own = vec2<i32>(0);
+    if level == 0 {
+        let tilt = glint_field_tilt(field, glint_field_nearest(field, place).cell);
+        own = vec2<i32>(floor(tilt / field.bin));
+    }
+    let at = z / field.bin - 0.5;
+    let low = floor(at);
+    let upper = at - low;
+    var sum = 0.0;
+    for (var k = 0u; k < 4u; k++) {
+        let by = vec2<f32>(f32(k >> 1u), f32(k & 1u));
+        let q = glint_field_mass(low.x + by.x, field.bin) * glint_field_mass(low.y + by.y, field.bin);
+        let weight = select(1.0 - upper.x, upper.x, k > 1u) * select(1.0 - upper.y, upper.y, (k & 1u) == 1u);
+        let bin = vec2<i32>(low) + vec2<i32>(by);
+        // A bin that no flake will ever be in counts by its mean.
+        var relative = 1.0;
+        if q > 1e-25 {
+            var counts = vec2<f32>(0.0);
+            if level > 0 || upper_share > 0.0 {
+                counts = glint_field_counts(field, base, bin, q, level);
+            }
+            if level == 0 {
+                counts.x = select(0.0, 1.0 / q, own.x == bin.x && own.y == bin.y);
+            }
+            relative = counts.x + upper_share * (counts.y - counts.x);
+        }
+        sum += weight * relative;
+    }
+    return sum;
+}

@@ -1,0 +1,29 @@
+// Blue marble under a polish of the relative index 1.5: `asperity_shading::material::PolishedMarble`.
+
+struct PolishedMarble {
+    marble: Marble,
+    // The factor of its colours; Beckmann's alpha of the polish, 0 for stone without.
+    tint: vec3<f32>,
+    polish: f32,
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn polished_marble_scattered(stone: PolishedMarble, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec3<f32>(0.0);
+    }
+    let colour = stone.tint * marble_colour(stone.marble, point.position, point.pixel.widths.x);
+    var light = energy_preserving_value(colour, 0.0, wi, wo) * wi.z;
+    if stone.polish > 0.0 {
+        let n = vec3<f32>(0.0, 0.0, 1.0);
+        let roughness = math_clamped(stone.polish, 1.0);
+        light = light * coat_varnish_through(1.5, n, wo, wi)
+            + vec3<f32>(coat_varnish_scattered(1.5, roughness, n, 0.0, wo, wi));
+    }
+    return brdf_finite_channels(light);
+}
+
+// Of the material in the uniform.
+fn polished_marble(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return polished_marble_scattered(polished_marble_uniform, point, wo, wi);
+}

@@ -1,0 +1,25 @@
+// Paper with stars: `asperity_shading::material::Wallpaper`.
+
+struct Wallpaper {
+    stars: StarWallpaper,
+    // The colour of the paper, and the roughness of its facets.
+    paper: vec3<f32>,
+    roughness: f32,
+    star: vec3<f32>,
+    reserved: u32,
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn starry_wallpaper_scattered(paper: Wallpaper, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec3<f32>(0.0);
+    }
+    let share = star_wallpaper_coverage(paper.stars, point.uv, surface_point_uv_pixel(point).widths.x);
+    let colour = paper.paper * (1.0 - share) + paper.star * share;
+    return brdf_finite_channels(energy_preserving_value(colour, paper.roughness, wi, wo) * wi.z);
+}
+
+// Of the material in the uniform.
+fn starry_wallpaper(point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return starry_wallpaper_scattered(starry_wallpaper_uniform, point, wo, wi);
+}

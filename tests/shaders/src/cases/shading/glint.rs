@@ -1,0 +1,88 @@
+//! Flakes that are counted.
+
+use asperity_shaders::shading::material::{
+    COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform, MetallicPaintUniform,
+};
+use asperity_shading::material::{GlintField, PaintFlakes};
+use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf};
+
+use super::material::{material, paint_parameters, sums};
+use super::{floats, inputs, normal, number, vec2, vec3, words};
+use crate::case::{Bound, Case, Output};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![glint_field(), counted_flakes()]
+}
+
+fn glint_field() -> Case {
+    const SPACING: f32 = 1e-3;
+    // The density cancels.
+    let ndf = Beckmann::new(1.0, 1.0).expect("a roughness");
+    let field = GlintField::new(ndf, SPACING, 0.3, 7).expect("a field");
+    let [_, _, key, _, x, y, ..] = GlintFieldUniform::new(&field).words();
+    Case {
+        name: "shading/material/paint/glint_field".into(),
+        parts: vec![&GLINT_FIELD],
+        body: format!(
+            "\
+    let field = GlintField(0.001, 0.3, {key}u, 0u, vec2<u32>({x}u, {y}u), vec2<u32>(0u));
+    let place = a.xyz / field.spacing;
+    var flake = GlintFieldFlake(vec3<i32>(0), vec3<f32>(0.0));
+    var tilt = vec2<f32>(0.0);
+    if glint_field_is_near(place) {{
+        flake = glint_field_nearest(field, place);
+        tilt = glint_field_tilt(field, flake.cell);
+    }}
+    outcome.a = bits(vec4<f32>(flake.centre * field.spacing, glint_field_relative(field, b.xy, a.xyz, a.w)));
+    outcome.b = bits(vec4<f32>(tilt, 0.0, 0.0));"
+        ),
+        resources: vec![],
+        input: Box::new(|i| {
+            let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
+            let width = SPACING * number(i, 3, [-0.5, 8.0]).exp();
+            let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
+            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, z[0], z[1]]));
+            words[3] = Footprint::from_width(f32::from_bits(words[3])).width().min(f32::MAX).to_bits();
+            words[4..6].copy_from_slice(&z.map(f32::to_bits));
+            words
+        }),
+        reference: Box::new(move |inputs| {
+            let ([width], z) = (floats(inputs, 3), vec2(inputs, 4));
+            let (p, h) = (vec3(inputs, 0), ndf.from_gaussian(z));
+            let relative = field.density(h, p, Footprint::from_width(width)) / ndf.density(h);
+            let mut all = [0.0; 6];
+            if let Some(flake) = field.flake(p) {
+                let tilt = ndf.to_gaussian(flake.normal);
+                all = [flake.centre.x, flake.centre.y, flake.centre.z, 0.0, tilt.x, tilt.y];
+            }
+            all[3] = relative;
+            words(&all)
+        }),
+        outputs: vec![
+            Output::new("centre", 0..3, Bound::Equal, Bound::Absolute(1e-2)),
+            // Quantiles are of 64 bits in the crate; a tilt at the border of a bin is in another one by a rounding.
+            Output::new("relative count", 3..4, Bound::Absolute(4e-4), Bound::Absolute(1e-2)),
+            Output::new("tilt", 4..6, Bound::Absolute(2e-6), Bound::Absolute(1e-3)),
+        ],
+    }
+}
+
+fn counted_flakes() -> Case {
+    let flakes = PaintFlakes::Counted { spacing: 2e-4, bin: 0.2 };
+    let parameters = MetallicPaintParameters { flakes, coat_roughness: 0.1, ..paint_parameters() };
+    let paint = MetallicPaint::new(parameters).expect("valid parameters");
+    let uniform = MetallicPaintUniform::new(&paint, 0);
+    let counted = CountedFlakesUniform::new(&paint, 0).expect("counted").words().to_vec();
+    material(
+        "paint/counted_flakes",
+        &COUNTED_FLAKES,
+        vec![
+            ("metallic_paint_uniform", uniform.words().to_vec()),
+            ("counted_flakes_uniform", counted),
+            sums(&uniform.sums()),
+        ],
+        [0.1, 1e-5, 0.02],
+        [Bound::Absolute(1.6e-5), Bound::Absolute(1e-2)],
+        paint,
+    )
+}
