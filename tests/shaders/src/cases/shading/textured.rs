@@ -93,7 +93,7 @@ fn bevelled_tiles() -> Case {
         &BEVELLED_TILES,
         vec![("bevelled_tiles_uniform", BevelledTilesUniform::new(&tiles).words().to_vec())],
         [1.0, 1e-4, 1.0],
-        // Of the 132 facets of whole tiles the crate joins all but 32.
+        // Of the hundred facets of whole tiles the crate joins those beyond the 32nd.
         [Bound::Absolute(5.4e-3), Bound::Absolute(1e-2)],
         tiles,
     )
