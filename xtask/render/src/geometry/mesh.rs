@@ -1,16 +1,11 @@
 //! A triangle mesh and the first triangle that a ray meets.
 
-use std::time::Duration;
+use glam::{Mat3, Vec2, Vec3};
 
-use glam::{Mat3, Vec2, Vec3, Vec3A};
-use obvhs::{
-    Boundable, BvhBuildParams,
-    aabb::Aabb,
-    cwbvh::{CwBvh, builder::build_cwbvh},
-    ray::{Ray, RayHit},
+use crate::geometry::{
+    boxes::{Boxes, Line},
+    ray::Hit,
 };
-
-use crate::geometry::ray::Hit;
 
 /// A corner of triangles with its shading frame.
 #[derive(Clone, Copy, Debug)]
@@ -70,38 +65,33 @@ impl Mesh {
 /// One coordinate of the three corners after the other; the fourth number is none.
 type Places = [[f32; 4]; 3];
 
-/// A mesh with its bounding volume hierarchy.
+/// A mesh with its tree of boxes.
 pub struct TracedMesh {
     mesh: Mesh,
-    bvh: CwBvh,
-    /// Corners of the triangles in the order of the hierarchy, by their coordinates.
+    boxes: Boxes,
+    /// Corners of the triangles in the order of the boxes, by their coordinates.
     places: Vec<Places>,
 }
 
 impl TracedMesh {
     pub fn new(mesh: Mesh) -> Self {
-        let boxes: Vec<Padded> = mesh
-            .triangles
-            .iter()
-            .map(|t| Padded(t.map(|i| Vec3A::from(mesh.vertices[i as usize].position))))
-            .collect();
-        let bvh = build_cwbvh(&boxes, BvhBuildParams::medium_build(), &mut Duration::default());
-        let triangles = bvh.primitive_indices.iter().map(|&id| mesh.triangles[id as usize]);
-        let places = triangles.map(|t| by_axis(t.map(|i| mesh.vertices[i as usize].position))).collect();
-        Self { mesh, bvh, places }
+        let corners = |t: &[u32; 3]| t.map(|i| mesh.vertices[i as usize].position);
+        let triangles: Vec<_> = mesh.triangles.iter().map(corners).collect();
+        let boxes = Boxes::new(&triangles);
+        let places = boxes.order.iter().map(|&id| by_axis(triangles[id as usize])).collect();
+        Self { mesh, boxes, places }
     }
 
     /// Whether a triangle is in front of the probe's origin.
     pub fn hides(&self, probe: &Probe) -> bool {
-        !self.bvh.ray_traverse_miss(probe.ray, |_, id| probe.shear.distance(&self.places[id]))
+        self.boxes
+            .search(&probe.line, f32::INFINITY, true, |k| probe.shear.distance(&self.places[k]))
+            .is_some()
     }
 
     /// Distance and name of the nearest triangle that a probe meets, nearer than `farthest`.
     pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<(f32, u32)> {
-        let mut hit = RayHit::none();
-        let ray = Ray { tmax: farthest, ..probe.ray };
-        let found = self.bvh.ray_traverse(ray, &mut hit, |_, id| probe.shear.distance(&self.places[id]));
-        found.then_some((hit.t, hit.primitive_id))
+        self.boxes.search(&probe.line, farthest, false, |k| probe.shear.distance(&self.places[k]))
     }
 
     /// The nearest triangle in front of `origin`.
@@ -112,7 +102,7 @@ impl TracedMesh {
 
     /// The meeting of a probe with a triangle that it [`meets`](Self::meets): position on the triangle and interpolated frame.
     pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
-        let corners = self.corners(self.bvh.primitive_indices[triangle as usize] as usize);
+        let corners = self.corners(self.boxes.order[triangle as usize] as usize);
         let (t, weights) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
         let blend = |f: fn(&Vertex) -> Vec3| -> Vec3 {
             corners.iter().zip(weights).fold(Vec3::ZERO, |sum, (v, w)| sum + f(v) * w)
@@ -189,37 +179,25 @@ fn inverse(u: Vec3, v: Vec3) -> Option<[Vec3; 2]> {
     tangents.iter().all(|t| t.is_finite()).then_some(tangents)
 }
 
-/// A triangle whose box is widened by 2⁻¹⁸ of its distance from the origin: the hierarchy's box test rounds, and a ray
-/// along a face of a box would slip past the triangle in it.
-struct Padded([Vec3A; 3]);
-
-impl Boundable for Padded {
-    fn aabb(&self) -> Aabb {
-        let exact = Aabb::from_points(&self.0);
-        let pad = (exact.min.abs().max(exact.max.abs())).max_element() / 262_144.0;
-        Aabb { min: exact.min - Vec3A::splat(pad), max: exact.max + Vec3A::splat(pad) }
-    }
-}
-
 fn by_axis([a, b, c]: [Vec3; 3]) -> Places {
     [[a.x, b.x, c.x, 0.0], [a.y, b.y, c.y, 0.0], [a.z, b.z, c.z, 0.0]]
 }
 
 /// A ray that is prepared for the triangles of any mesh.
 pub struct Probe {
-    ray: Ray,
+    line: Line,
     shear: Shear,
 }
 
 impl Probe {
     /// The ray from `origin` in a unit direction.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { ray: Ray::new_inf(origin.into(), direction.into()), shear: Shear::new(origin, direction) }
+        Self { line: Line::new(origin, direction), shear: Shear::new(origin, direction) }
     }
 
     /// Its origin and direction.
     pub fn line(&self) -> [Vec3; 2] {
-        [self.ray.origin.into(), self.ray.direction.into()]
+        [self.line.origin, self.line.direction]
     }
 }
 

@@ -1,5 +1,6 @@
 //! Geometry: shapes, meshes, rays with differentials, and cameras.
 
+mod boxes;
 pub mod camera;
 pub mod car;
 #[cfg(test)]
