@@ -152,7 +152,11 @@ def main():
         if not any(row == known for known, *_ in ROWS):
             times = [ours.time(row) for _ in range(wanted.rounds)]
             lines.append(f"| `{row}` | {statistics.median(times):.3g} ns |")
-    lines += ["", "How the cost of a map grows with its texels and with the samples of a call: `cargo xtask bench --growth`."]
+    lines += [
+        "",
+        "How the cost of a map grows with its texels and with the samples of a call: `cargo xtask bench --growth`. "
+        "What was tried to make maps faster: [maps-tried.md](maps-tried.md).",
+    ]
     text = "\n".join(lines) + "\n"
     print("\n" + text)
     if wanted.ship:
