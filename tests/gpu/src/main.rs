@@ -12,6 +12,7 @@ mod dialect;
 mod entry;
 mod export;
 mod means;
+mod mutants;
 mod no_contraction;
 mod parity;
 mod picture;
@@ -53,6 +54,12 @@ enum Command {
         /// Folder for the shaders.
         #[arg(long, default_value = "target/shaders")]
         out: PathBuf,
+    },
+    /// Every bound seen to fail, by a fault in the source of its function.
+    Mutants {
+        /// Functions whose names, or those of the parts they need, contain this; all without it.
+        #[arg(long, visible_alias = "part")]
+        only: Option<String>,
     },
     /// The mean radiance over a surface by the exact rule, at five zooms and half vectors, over the density.
     Means {
@@ -101,6 +108,7 @@ fn main() -> ExitCode {
             chosen(only).and_then(|cases| export::run(&cases, &dialect, &out))
         }
         Command::Costs { adapter, size, out } => costs::run(adapter.as_deref(), size, out.as_deref()),
+        Command::Mutants { only } => chosen(only).and_then(|cases| mutants::run(&cases)),
         Command::Means { adapter } => means::run(adapter.as_deref()),
         Command::Pictures { adapter, fastest, only, size, out } => {
             picture::run(adapter.as_deref(), fastest, only, size, &out)

@@ -86,7 +86,15 @@ impl Case {
     ///
     /// If the module is not valid, or the words of a resource are missing or of another number.
     pub fn interpreter(&self) -> Result<Interpreter, String> {
-        let mut shader = Interpreter::new(&self.wgsl())?;
+        self.bound(Interpreter::new(&self.wgsl())?)
+    }
+
+    /// A module of the same names with the case's resources.
+    ///
+    /// # Errors
+    ///
+    /// If the words of a resource are missing or of another number.
+    pub fn bound(&self, mut shader: Interpreter) -> Result<Interpreter, String> {
         for binding in ordered(&self.parts).iter().flat_map(|part| part.bindings()) {
             let name = binding.name();
             let words = self.resources.iter().find(|(resource, _)| *resource == name);
