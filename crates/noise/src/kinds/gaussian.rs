@@ -3,9 +3,10 @@
 use crate::{
     contract::kernel::Measured,
     contract::noise::{kind, measured, noise},
+    kinds::cell::at_ends::by_corners,
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
-    kinds::cell::kernel::{by_corners, of_lane, parts},
+    kinds::cell::kernel::{of_lane, parts},
     lanes::lanes::{LaneSample, Lanes, Scalar},
     lanes::level::{Task, run_at_point},
     lattice::integer_hash::IntegerHash,

@@ -142,11 +142,17 @@ pub trait Lanes: Copy + sealed::Sealed {
         }
     }
 
-    /// ⌊x⌋ as the bits of an `i32`, and x − ⌊x⌋, for |x| < 2³¹.
+    /// ⌊x⌋ as the bits of an `i32`, and x − ⌊x⌋, for |x| < 2³¹; 0 for −0, not −0.
     #[inline(always)]
     fn cell(self, x: Self::F) -> (Self::U, Self::F) {
         let floor = self.floor(x);
         (self.integer(floor), x - floor)
+    }
+
+    /// The products of lanes 0, 2, …; the others are of no meaning.
+    #[inline(always)]
+    fn even_products(self, a: Self::U, b: Self::U) -> Self::U {
+        a * b
     }
 
     /// x where it is above `limit`, else 0.
@@ -271,7 +277,8 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn cell(self, x: f32) -> (Wrapping<u32>, f32) {
         let floor = floor(x);
-        (Wrapping(floor as u32), x - floor as f32)
+        // −0 + 0 = 0.
+        (Wrapping(floor as u32), x - floor as f32 + 0.0)
     }
     #[inline(always)]
     fn real(self, x: Wrapping<u32>) -> f32 {

@@ -127,17 +127,32 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
     }
     #[inline(always)]
     fn floor(self, x: Self::F) -> Self::F {
-        if self.rounds() { x.floor() } else { self.below(x).1 }
+        if self.rounds() {
+            x.floor()
+        } else {
+            let (_, nearest, above) = self.truncated(x);
+            nearest - self.select(above, self.float(1.0), self.float(0.0))
+        }
     }
     #[inline(always)]
     fn cell(self, x: Self::F) -> (Self::U, Self::F) {
-        let (cell, floor) = if self.rounds() {
+        if self.rounds() {
             let floor = x.floor();
-            (self.integer(floor), floor)
-        } else {
-            self.below(x)
-        };
-        (cell, x - floor)
+            return (self.integer(floor), x - floor);
+        }
+        // Both differences are exact but where the second is near 1, and the sum with 0 has no sign of its own.
+        let (truncated, nearest, above) = self.truncated(x);
+        let cell = truncated + self.select_word(above, self.word(u32::MAX), self.word(0));
+        (cell, (x - nearest) + self.select(above, self.float(1.0), self.float(0.0)))
+    }
+    #[inline(always)]
+    fn even_products(self, a: Self::U, b: Self::U) -> Self::U {
+        if self.rounds() {
+            return a * b;
+        }
+        // What has no instruction that multiplies words has one that multiplies the lower half of numbers of 64 bits.
+        let low = |x: Self::U| x.bitcast::<S::u64s>() & S::u64s::splat(self.0, 0xffff_ffff);
+        (low(a) * low(b)).bitcast()
     }
     #[inline(always)]
     fn integer(self, x: Self::F) -> Self::U {
@@ -239,14 +254,15 @@ impl<S: Simd, K: Keys<S>> Wide<S, K> {
         true
     }
 
-    /// ⌊x⌋ as the bits of an `i32` and as a float, for |x| < 2³¹: truncated, and one less where that is above x.
+    /// x truncated, as the bits of an `i32` and as a float, and whether that is above x, for |x| < 2³¹.
     #[inline(always)]
-    fn below(self, x: <Self as Lanes>::F) -> (<Self as Lanes>::U, <Self as Lanes>::F) {
+    fn truncated(
+        self,
+        x: <Self as Lanes>::F,
+    ) -> (<Self as Lanes>::U, <Self as Lanes>::F, <Self as Lanes>::M) {
         let truncated = self.integer(x);
         let nearest = self.real(truncated);
-        let above = self.less(x, nearest);
-        let cell = truncated - self.select_word(above, self.word(1), self.word(0));
-        (cell, nearest - self.select(above, self.float(1.0), self.float(0.0)))
+        (truncated, nearest, self.less(x, nearest))
     }
 }
 

@@ -86,10 +86,28 @@ impl Lattice for IntegerHash {
     }
 
     #[inline(always)]
-    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [S::U; 2] {
-        let factors = s.words(|axis| P[axis & 3]);
-        let low = cells * factors + s.words(|axis| SHIFT[axis & 3]);
-        [folded(s, low), folded(s, low + factors)]
+    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [[u32; 2]; N] {
+        // Products of even lanes, each followed by that of the next cell. In the plane both axes fit one register.
+        let ends = |axis: fn(usize) -> usize| {
+            let cells = s.words(|lane| s.lane_word(cells, axis(lane)));
+            let low = s.even_products(cells, s.words(|lane| P[axis(lane)]));
+            let steps =
+                s.words(|lane| SHIFT[axis(lane)].wrapping_add(if lane & 1 == 0 { 0 } else { P[axis(lane)] }));
+            folded(s, s.words(|lane| s.lane_word(low, lane & !1)) + steps)
+        };
+        let (mut terms, pair) = ([[0; 2]; N], |ends, lane| [0, 1].map(|k| s.lane_word(ends, lane + k)));
+        if N == 2 {
+            let both = ends(|lane| lane >> 1 & 1);
+            for axis in 0..N {
+                terms[axis] = pair(both, 2 * axis);
+            }
+        } else {
+            let halves = [ends(|lane| lane & 2), ends(|lane| lane & 2 | 1)];
+            for axis in 0..N {
+                terms[axis] = pair(halves[axis & 1], axis & 2);
+            }
+        }
+        terms
     }
 
     #[inline(always)]
@@ -113,6 +131,26 @@ impl Lattice for IntegerHash {
             h = h ^ terms[axis];
         }
         h * (h | s.word(1))
+    }
+
+    #[inline(always)]
+    fn upper_words_at_ends<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        ends: &[[u32; 2]; N],
+        k: usize,
+        seed: u32,
+    ) -> S::U {
+        let key = s.keys(|| self.key(seed));
+        let mut rest = s.words(|lane| ends[1 % N][lane >> 1 & 1]);
+        for axis in 2..N {
+            rest = rest ^ s.word(ends[axis][k >> (axis - 2) & 1]);
+        }
+        let [low, high] = ends[0].map(|end| {
+            let h = (s.word(end) + key) ^ rest;
+            s.even_products(h, h | s.word(1))
+        });
+        s.words(|lane| s.lane_word(if lane & 2 == 0 { low } else { high }, lane & !3 | (lane & 1) << 1))
     }
 }
 

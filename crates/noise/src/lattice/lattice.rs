@@ -84,10 +84,13 @@ pub trait Lattice {
 
     /// The terms of the cells of all axes, one axis in each lane, and of the next ones.
     #[inline(always)]
-    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [S::U; 2] {
-        let term =
-            |axis, step| self.term(Scalar, axis, Scalar.word(s.lane_word(cells, axis)) + Scalar.word(step)).0;
-        [0, 1].map(|step| s.words(|axis| if axis < N { term(axis, step) } else { 0 }))
+    fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [[u32; 2]; N] {
+        let mut terms = [[0; 2]; N];
+        for axis in 0..N {
+            let cell = Scalar.word(s.lane_word(cells, axis));
+            terms[axis] = [0, 1].map(|step| self.term(Scalar, axis, cell + Scalar.word(step)).0);
+        }
+        terms
     }
 
     /// The words of the points that terms were made of.
@@ -105,6 +108,33 @@ pub trait Lattice {
             self.upper_word(terms.map(|term| s.lane_word(term, lane) as i32), s.lane_word(seeds, lane))
         })
     }
+
+    /// The upper words of the corners of a cell, by the terms of its ends, [`at_ends`]; one key for all lanes.
+    #[inline(always)]
+    fn upper_words_at_ends<S: Lanes, const N: usize>(
+        &self,
+        s: S,
+        ends: &[[u32; 2]; N],
+        k: usize,
+        seed: u32,
+    ) -> S::U {
+        self.upper_words(s, at_ends(s, ends, k), seed)
+    }
+}
+
+/// The terms of the corners of a cell in lanes: in every four the ends of the first two axes, 0 and 0, 0 and 1, 1 and 0, 1 and 1; bit i
+/// of `k` tells the end along axis i + 2.
+#[inline(always)]
+pub(crate) fn at_ends<S: Lanes, const N: usize>(s: S, ends: &[[u32; 2]; N], k: usize) -> [S::U; N] {
+    let mut terms = [s.word(0); N];
+    for axis in 0..N {
+        terms[axis] = match axis {
+            0 => s.words(|lane| ends[0][lane >> 1 & 1]),
+            1 => s.words(|lane| ends[1 % N][lane & 1]),
+            _ => s.word(ends[axis][k >> (axis - 2) & 1]),
+        };
+    }
+    terms
 }
 
 /// A noise that draws its words from a lattice.
@@ -145,8 +175,7 @@ pub(crate) fn is_within<S: Lanes, const N: usize>(s: S, p: &[S::F; N], reach: f3
 /// The place reaches 1 when x lies closer under an integer than `f32` can resolve; noises are continuous there.
 #[inline(always)]
 pub(crate) fn cell<S: Lanes>(s: S, x: S::F) -> (S::U, S::F) {
-    // −0 + 0 = 0: floors of −0 differ in sign between levels.
-    s.cell(x + s.float(0.0))
+    s.cell(x)
 }
 
 /// A point with the same cell modulo 2³² whose coordinates all fit an `i32`; nothing if one is not finite.

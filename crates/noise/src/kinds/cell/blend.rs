@@ -44,25 +44,6 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     }
 }
 
-impl<S: Lanes> Line<S> {
-    #[inline(always)]
-    fn turned<const K: usize>(&self, s: S) -> Self {
-        Self { value: s.turned::<K>(self.value), slope: s.turned::<K>(self.slope) }
-    }
-}
-
-impl<S: Lanes, const N: usize> Edge<S, N> {
-    /// The edges of the lanes from lane K on.
-    #[inline(always)]
-    pub(crate) fn turned<const K: usize>(&self, s: S) -> Self {
-        let mut edge = Self { line: self.line.turned::<K>(s), derivatives: self.derivatives };
-        for axis in 0..N {
-            edge.derivatives[axis] = self.derivatives[axis].turned::<K>(s);
-        }
-        edge
-    }
-}
-
 /// The ends of the second axis: one if there is no such axis.
 pub(crate) const fn ends<const N: usize>() -> usize {
     if N == 1 { 1 } else { 2 }

@@ -25,23 +25,3 @@ impl<S: Lanes, const N: usize> Column<S, N> {
         Self { plane, derivatives: [plane; N] }
     }
 }
-
-impl<S: Lanes> Plane<S> {
-    #[inline(always)]
-    fn turned<const K: usize>(&self, s: S) -> Self {
-        let [a, b] = self.slopes;
-        Self { value: s.turned::<K>(self.value), slopes: [s.turned::<K>(a), s.turned::<K>(b)] }
-    }
-}
-
-impl<S: Lanes, const N: usize> Column<S, N> {
-    /// The columns of the lanes from lane K on.
-    #[inline(always)]
-    pub(crate) fn turned<const K: usize>(&self, s: S) -> Self {
-        let mut column = Self { plane: self.plane.turned::<K>(s), derivatives: self.derivatives };
-        for axis in 2..N {
-            column.derivatives[axis] = self.derivatives[axis].turned::<K>(s);
-        }
-        column
-    }
-}

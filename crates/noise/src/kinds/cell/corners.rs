@@ -7,7 +7,7 @@ use crate::{
     kinds::cell::column::Column,
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::variance::{Variance, axis_variance},
-    lanes::lanes::{LANES, LaneSample, Lanes, Scalar},
+    lanes::lanes::{LaneSample, Lanes, Scalar},
     lattice::fade::Along,
     lattice::lattice::{Lattice, cell},
 };
@@ -54,31 +54,6 @@ impl<S: Lanes, const N: usize> Place<S, N> {
             let (cell, t) = cell(s, p[axis]);
             place.terms[axis] = noise.lattice().terms(s, axis, cell);
             place.along[axis] = Along::new(s, K::FADE, t);
-        }
-        place
-    }
-
-    /// The place of one point, its corners at the ends of the first two axes in every four lanes: 0 and 0, 0 and 1, 1 and 0, 1 and 1.
-    #[inline(always)]
-    pub(crate) fn at_ends<K: CellNoise<N>>(s: S, noise: &K, p: [f32; N]) -> Self {
-        let mut axes = [0.0; LANES];
-        axes[..N].copy_from_slice(&p);
-        let (cells, places) = cell(s, s.load(&axes));
-        let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
-        let all = Along::new(s, K::FADE, places);
-        let end = |axis, high: bool| s.lane_word(ends[usize::from(high)], axis);
-        let mut place = Self { terms: [[s.word(0); 2]; N], along: [all; N] };
-        for axis in 0..N {
-            place.along[axis] = Along {
-                place: s.float(s.lane(all.place, axis)),
-                weight: s.float(s.lane(all.weight, axis)),
-                slope: s.float(s.lane(all.slope, axis)),
-            };
-            place.terms[axis] = match axis {
-                0 => [s.words(|lane| end(0, lane & 2 != 0)); 2],
-                1 => [s.words(|lane| end(1, lane & 1 != 0)); 2],
-                _ => [s.word(end(axis, false)), s.word(end(axis, true))],
-            };
         }
         place
     }
@@ -141,20 +116,15 @@ impl<S: Lanes, const N: usize> Place<S, N> {
         for k in 0..CORNERS[N] {
             words[k] = self.word(s, noise, terms, k, seed);
         }
-        match noise.column(s, &self.along, &words) {
-            Some(column) => column,
-            None => self.column(s, noise, &words),
-        }
+        self.column(s, noise, &words)
     }
 
     /// The blend of the corners at one end of the first two axes, by their words.
     #[inline(always)]
-    pub(crate) fn column<K: CellNoise<N> + ?Sized>(
-        &self,
-        s: S,
-        noise: &K,
-        words: &[S::U; 4],
-    ) -> Column<S, N> {
+    pub(crate) fn column<K: CellNoise<N>>(&self, s: S, noise: &K, words: &[S::U; 4]) -> Column<S, N> {
+        if let Some(column) = noise.column(s, &self.along, words) {
+            return column;
+        }
         let mut corners = [Corner::nothing(s); 4];
         for k in 0..CORNERS[N] {
             corners[k] = noise.corner(s, words[k]);

@@ -2,7 +2,6 @@
 
 use crate::{
     contract::kernel::{Kernel, on_lattice},
-    kinds::cell::blend::edge,
     kinds::cell::corner::{CellNoise, normalised},
     kinds::cell::corners::Place,
     kinds::cell::rows::Stretch,
@@ -12,7 +11,7 @@ use crate::{
 };
 
 #[cfg(feature = "simd")]
-use crate::lanes::registers::four;
+use crate::{kinds::cell::at_ends::by_corners, lanes::registers::four};
 
 /// n, and v where the noise is normalised, with their gradients if `GRADIENTS`.
 #[inline(always)]
@@ -24,23 +23,6 @@ pub(crate) fn parts<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
 ) -> (LaneSample<S, N>, LaneSample<S, N>) {
     let place = Place::new(s, noise, &p, 0);
     place.parts::<K, GRADIENTS>(s, &place.drawn_edges(s, noise, seed))
-}
-
-/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits that
-/// [`Kernel::evaluate`] gives, in the first of every four lanes.
-#[inline(always)]
-pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
-    s: S,
-    noise: &K,
-    p: [f32; N],
-    seed: u32,
-) -> LaneSample<S, N> {
-    let place = Place::at_ends(s, noise, p);
-    let terms = [place.terms[0][0], place.terms[1 % N][0]];
-    let column = place.drawn_column(s, noise, terms, seed);
-    let edge = edge::<K, S, N>(s, &column, &column.turned::<2>(s), place.along[0]);
-    let (sample, variance) = place.parts::<K, GRADIENTS>(s, &[edge, edge.turned::<1>(s)]);
-    if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
 }
 
 /// A lane's value, and its gradient if `GRADIENTS`.

@@ -1,5 +1,6 @@
 //! Noises that blend the corners of a cubic cell.
 
+pub(crate) mod at_ends;
 pub(crate) mod blend;
 pub(crate) mod column;
 pub(crate) mod corner;

@@ -1,0 +1,128 @@
+//! One point by lanes, one for each end of the first two axes of its cell.
+
+use crate::{
+    kinds::cell::blend::lerp,
+    kinds::cell::column::Plane,
+    kinds::cell::corner::{CellNoise, normalised},
+    kinds::cell::corners::{CORNERS, Place},
+    kinds::cell::variance::axis_variance,
+    lanes::lanes::{LANES, LaneSample, Lanes},
+    lattice::fade::Along,
+    lattice::lattice::{Lattice, at_ends, cell},
+};
+
+/// e + f y in two lanes of every four, one for each end of the second axis.
+struct Line<S: Lanes> {
+    value: S::F,
+    slope: S::F,
+}
+
+/// What a plane is at its distance along the first axis.
+#[inline(always)]
+fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, way: S::F) -> S::F {
+    if !K::HAS_GRADIENT {
+        return plane.value;
+    }
+    let rise = plane.slopes[0] * way;
+    if K::HAS_VALUE || N > 2 { plane.value + rise } else { rise }
+}
+
+/// A number at the lower end and at the upper end of the first axis, blended.
+#[inline(always)]
+fn along_first<S: Lanes>(s: S, x: S::F, along: &Along<S>) -> S::F {
+    lerp::<S>(x, s.turned::<2>(x), along.weight)
+}
+
+/// A line's function along the second axis, and that at the lower end and at the upper end blended.
+#[inline(always)]
+fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    line: &Line<S>,
+    way: S::F,
+    along: &Along<S>,
+) -> [S::F; 2] {
+    let offset = if K::HAS_GRADIENT { line.value + way * line.slope } else { line.value };
+    [offset, lerp::<S>(offset, s.turned::<1>(offset), along.weight)]
+}
+
+/// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits that
+/// [`Kernel::evaluate`](crate::simd::Kernel) gives, in the first of every four lanes. Axes share one register.
+#[inline(always)]
+pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    p: [f32; N],
+    seed: u32,
+) -> LaneSample<S, N> {
+    let mut axes = [0.0; LANES];
+    axes[..N].copy_from_slice(&p);
+    let (cells, places) = cell(s, s.load(&axes));
+    let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
+    let all = Along::new(s, K::FADE, places);
+    let mut place = Place { terms: [[s.word(0); 2]; N], along: [all; N] };
+    for axis in 0..N {
+        place.along[axis] = Along {
+            place: s.float(s.lane(all.place, axis)),
+            weight: s.float(s.lane(all.weight, axis)),
+            slope: s.float(s.lane(all.slope, axis)),
+        };
+    }
+    let mut words = [s.word(0); 4];
+    for k in 0..CORNERS[N] {
+        words[k] = if K::UPPER_BITS {
+            noise.lattice().upper_words_at_ends(s, &ends, k, seed)
+        } else {
+            noise.lattice().words(s, at_ends(s, &ends, k), seed)
+        };
+    }
+    let column = place.column(s, noise, &words);
+
+    let [first, second] = [&place.along[0], &place.along[1 % N]];
+    let ways = [
+        first.place - s.floats(|lane| (lane >> 1 & 1) as f32),
+        second.place - s.floats(|lane| (lane & 1) as f32),
+    ];
+    let unit = |x| if K::HAS_GRADIENT { x } else { x * s.float(K::UNIT) };
+    let slope = |plane: &Plane<S>| {
+        if K::HAS_GRADIENT { along_first(s, plane.slopes[1], first) } else { s.float(0.0) }
+    };
+    let line = |plane: &Plane<S>| Line {
+        value: unit(along_first(s, height::<K, S, N>(plane, ways[0]), first)),
+        slope: slope(plane),
+    };
+    let edge = line(&column.plane);
+    let [offset, value] = along_second::<K, S, N>(s, &edge, ways[1], second);
+    let mut gradient = [value; N];
+    for axis in 0..if GRADIENTS { N } else { 0 } {
+        let risen = |along: &Along<S>, low: S::F, high: S::F| along.slope * (high - low);
+        if axis == 1 {
+            let rise = risen(second, offset, s.turned::<1>(offset));
+            gradient[1] = if K::HAS_GRADIENT {
+                lerp::<S>(edge.slope, s.turned::<1>(edge.slope), second.weight) + rise
+            } else {
+                rise
+            };
+            continue;
+        }
+        let derivative = if axis == 0 {
+            let low = height::<K, S, N>(&column.plane, ways[0]);
+            let rise = risen(first, low, s.turned::<2>(low));
+            let [a, c] = column.plane.slopes;
+            if K::HAS_GRADIENT {
+                let slope = risen(first, c, s.turned::<2>(c));
+                Line { value: along_first(s, a, first) + rise, slope }
+            } else {
+                Line { value: unit(rise), slope: s.float(0.0) }
+            }
+        } else {
+            line(&column.derivatives[axis])
+        };
+        [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+    }
+    if K::NORMALISED {
+        let variance = place.variance(s).at::<GRADIENTS>(axis_variance(s, first));
+        normalised::<S, N, GRADIENTS>(s, (value, gradient), variance)
+    } else {
+        (value, gradient)
+    }
+}
