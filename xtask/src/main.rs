@@ -1,8 +1,10 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
 mod bench;
+mod cargo;
 mod check;
 mod cli;
+mod drivers;
 mod failure;
 mod gallery;
 mod input;

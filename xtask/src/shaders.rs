@@ -1,24 +1,15 @@
 //! `cargo xtask shaders`: every function of the shaders in every language, beside the crates on the adapters that there are, and its cost.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::atomic::AtomicBool;
 
-use crate::check::cargo::{self, cargo};
+use crate::cargo;
 use crate::cli::Shaders;
+use crate::drivers::program;
 use crate::failure::{Failure, Interrupted};
 use crate::output::Output;
 use crate::progress;
-
-/// Folder of the program that has wgpu and naga.
-pub(crate) const PROGRAM: &str = "tests/gpu";
-
-/// The variable that names manifests of further Vulkan drivers, and that of Chromium's driver in software on Debian.
-const DRIVERS: &str = "VK_ADD_DRIVER_FILES";
-const SWIFTSHADER: &str = "/usr/lib/chromium/vk_swiftshader_icd.json";
-
-/// Variable of a folder whose lack Mesa complains of.
-const RUNTIME: &str = "XDG_RUNTIME_DIR";
 
 /// Runs what was asked for.
 pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
@@ -71,19 +62,6 @@ fn is_machine(line: &str) -> bool {
 fn folder(path: &Path) -> Result<PathBuf, Failure> {
     Output::new(path)?;
     Ok(std::path::absolute(path)?)
-}
-
-/// The program in `tests/gpu` with a command, and with the drivers in software that are installed.
-pub(crate) fn program(root: &Path, command: &str) -> Command {
-    let mut run = cargo(&root.join(PROGRAM), "run --quiet --release --locked --");
-    run.arg(command);
-    if std::env::var_os(DRIVERS).is_none() && Path::new(SWIFTSHADER).is_file() {
-        run.env(DRIVERS, SWIFTSHADER);
-    }
-    if std::env::var_os(RUNTIME).is_none() {
-        run.env(RUNTIME, std::env::temp_dir());
-    }
-    run
 }
 
 #[cfg(test)]

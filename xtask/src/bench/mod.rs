@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::json;
 
-use crate::check::cargo::{self, cargo};
+use crate::cargo::{self, cargo};
 use crate::check::ci::CRATES;
 use crate::cli::Bench;
 use crate::failure::{Failure, Interrupted};

@@ -2,8 +2,8 @@
 
 use std::{path::Path, process::Command};
 
-use super::cargo::run;
 use super::toolchain::{Toolchain, output};
+use crate::cargo::run;
 use crate::failure::Failure;
 
 const TARGET: &str = "thumbv7em-none-eabihf";

@@ -4,8 +4,8 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::MetadataCommand;
 
-use super::cargo::{cargo, run};
 use super::{bare_metal, no_std, packages, tidy, wasm};
+use crate::cargo::{cargo, run};
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, shaders, tables};
 

@@ -1,7 +1,6 @@
 //! Checks that stand between a change and `main`.
 
 pub(crate) mod bare_metal;
-pub(crate) mod cargo;
 pub(crate) mod ci;
 pub(crate) mod density;
 pub(crate) mod no_std;

@@ -2,7 +2,7 @@
 
 use std::{path::Path, process::Command};
 
-use super::cargo::{cargo, run};
+use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 
 /// Builds and, where the platform allows it, links and runs the probe in `tests/no-std`.

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, fs, path::Path};
 
 use cargo_metadata::{Metadata, MetadataCommand, Package};
 
-use super::cargo::{cargo, run};
+use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 
 /// Files that every package holds.

@@ -2,7 +2,7 @@
 
 use std::{ffi::OsString, path::Path, path::PathBuf, process::Command};
 
-use super::cargo::cargo_program;
+use crate::cargo::cargo_program;
 
 /// A cargo and a rustc that can build for a target.
 pub(crate) struct Toolchain {

@@ -2,8 +2,8 @@
 
 use std::{path::Path, process::Command};
 
-use super::cargo::{cargo, run};
 use super::toolchain::{Toolchain, output, rust_lld};
+use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 
 const TARGET: &str = "wasm32-unknown-unknown";

@@ -12,7 +12,7 @@ use crate::picture::reference::encoded;
 use crate::picture::{difference, png};
 
 /// Cases of materials, and how far away the middle of the floor is, in units of the surface: metres.
-const FLOORS: [(&str, f32); 8] = [
+const FLOORS: [(&str, f32); 12] = [
     ("carpet/carpet, lines", 0.12),
     ("carpet/carpet, grid", 1.2),
     ("paint/metallic_paint, sparkling", 0.03),
@@ -21,6 +21,10 @@ const FLOORS: [(&str, f32); 8] = [
     ("wear/variations", 0.6),
     ("tempered_glass, pane", 2.0),
     ("tempered_glass, body", 2.0),
+    ("textured/brick_wall", 1.0),
+    ("textured/bevelled_tiles", 3.0),
+    ("textured/starry_wallpaper", 3.0),
+    ("textured/polished_marble", 3.0),
 ];
 
 /// Half the angle of view's tangent.

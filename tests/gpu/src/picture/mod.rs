@@ -46,7 +46,7 @@ pub(crate) const BUMPS: [(&Part, &str); 2] = [
 
 const ZOOMS: [f64; 4] = [1.0, 10.0, 100.0, 10_000.0];
 
-/// What is drawn.
+/// Pictures that can be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Subject {
     /// A teapot at four zooms

@@ -64,7 +64,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: "failure cli progress output → input → render gallery → gallery/figures → tables → check bench \
+        rooms: "failure cli progress output cargo drivers → input → render gallery → gallery/figures → tables → check bench \
                 shaders",
         face: None,
     },

@@ -77,7 +77,7 @@ const CERTAIN: f32 = 256.0;
 const FARTHEST: f32 = 8_388_608.0;
 
 impl<N> GlintField<N> {
-    /// What the seeds of the two coordinates of tilts differ by from the field's.
+    /// Differences of the seeds of the two coordinates of tilts from the field's.
     #[doc(hidden)]
     pub const TILTS: [u32; 2] = [0x51ab_0f31, 0xa3c7_59e5];
 }

@@ -5,11 +5,11 @@ use std::path::Path;
 use asperity_render::image::{Image, read::ImageFile, tone::linear};
 use glam::Vec3;
 
-use crate::check::cargo::cargo;
+use crate::cargo::cargo;
+use crate::drivers::{PROGRAM, program};
 use crate::failure::{Failure, Result};
 use crate::gallery::figure::{Context, Drawn, Panel};
 use crate::progress;
-use crate::shaders::{PROGRAM, program};
 
 pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
     let alt = "A copper teapot, from the whole of it to single bumps, twice the same.";
@@ -58,7 +58,7 @@ fn draw(context: &Context<'_>, subject: &str, label: &str, alt: &str) -> Result<
     })
 }
 
-/// What the program says of a picture; or why there is no picture to be had.
+/// The program's words on a picture; or why there is no picture to be had.
 fn on_adapter(
     context: &Context<'_>,
     root: &Path,
