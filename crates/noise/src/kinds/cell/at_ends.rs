@@ -17,7 +17,7 @@ struct Line<S: Lanes> {
     slope: S::F,
 }
 
-/// What a plane is at its distance along the first axis.
+/// Height of a plane at its distance along the first axis.
 #[inline(always)]
 fn height<K: CellNoise<N>, S: Lanes, const N: usize>(plane: &Plane<S>, way: S::F) -> S::F {
     if !K::HAS_GRADIENT {
