@@ -109,7 +109,7 @@ pub trait Lattice {
         })
     }
 
-    /// The upper words of the corners of a cell, by the terms of its ends, [`at_ends`]; one key for all lanes.
+    /// The upper words of the corners of a cell, by the terms of its ends; one key for all lanes.
     #[inline(always)]
     fn upper_words_at_ends<S: Lanes, const N: usize>(
         &self,
