@@ -52,7 +52,8 @@ impl PrefixSums {
 
 #[inline(always)]
 fn columns_of<S: Transpose>(s: S, image: Image<'_>, kind: Reconstruction) -> Option<PrefixSums> {
-    let wide = image.width >= LANES;
+    // Columns are summed each for itself: one by one there are the same bits. WebAssembly without lanes is kept small.
+    let wide = image.width >= LANES && !cfg!(all(target_family = "wasm", not(feature = "simd")));
     match kind {
         Reconstruction::Constant if wide => Block::<LANES, false>::new(image).integrate(s),
         Reconstruction::Bilinear if wide => Block::<LANES, true>::new(image).integrate(s),

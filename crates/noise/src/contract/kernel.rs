@@ -139,6 +139,19 @@ macro_rules! on_lattice {
 
 pub(crate) use on_lattice;
 
+/// Whether |xᵢ| < 2³⁰ for every axis, by bits: arithmetic of words leaves that of vectors to the noise.
+#[inline(always)]
+fn is_small<const N: usize>(p: &[f32; N]) -> bool {
+    // Such numbers come up to the sign's bit.
+    const BELOW: u64 = 0x8000_0000 - 0x4e80_0000;
+    let mut any = 0;
+    for axis in (0..N).step_by(2) {
+        let [x, y] = [axis, axis + 1].map(|axis| if axis < N { u64::from(p[axis].to_bits()) } else { 0 });
+        any |= (x & 0x7fff_ffff | (y & 0x7fff_ffff) << 32) + (BELOW << 32 | BELOW);
+    }
+    any & 0x8000_0000_8000_0000 == 0
+}
+
 /// The value at any point, and the gradient if `GRADIENTS`.
 ///
 /// A point beyond reach is moved to where it has the same cells before the kind is evaluated, so that it is compiled once.
@@ -149,7 +162,7 @@ fn lone<K: Kernel<N>, const N: usize, const GRADIENTS: bool>(
     seed: u32,
 ) -> LaneSample<Scalar, N> {
     let mut known = true;
-    if !is_within(Scalar, &p, K::REACH) {
+    if !(if K::REACH == REACH { is_small(&p) } else { is_within(Scalar, &p, K::REACH) }) {
         (p, known) = evaluated_far(p, K::REACH).map_or(([0.0; N], false), |p| (p, true));
     }
     let sample = kernel.lone::<GRADIENTS>(p, seed);
@@ -231,6 +244,22 @@ pub(crate) fn by_lanes<K: Kernel<N> + ?Sized, S: Lanes, const N: usize, const GR
         let p = strip.row.points(s, i);
         strip.put(s, kernel.evaluate::<S, GRADIENTS>(s, p, strip.seed), i);
     }
+}
+
+/// The values at points of a list, and the gradients if `GRADIENTS`. One lane has too few registers for gradients and for simplices; it takes
+/// the way of a single point, where corners have the lanes.
+#[inline(always)]
+fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    kernel: &K,
+    p: [S::F; N],
+    seed: u32,
+) -> LaneSample<S, N> {
+    if S::LEN > 1 || !(GRADIENTS || K::SIMPLICIAL) {
+        return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
+    }
+    let (value, gradient) = kernel.lone::<GRADIENTS>(p.map(|x| s.lane(x, 0)), seed);
+    (s.float(value), gradient.map(|x| s.float(x)))
 }
 
 /// A row of a kind, or of one of its octaves.
@@ -370,7 +399,7 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
                 for axis in 0..N {
                     p[axis] = s.load(&points[axis][at..]);
                 }
-                let (value, gradient) = kernel.evaluate::<S, GRADIENTS>(s, p, seed);
+                let (value, gradient) = in_lanes::<K, S, N, GRADIENTS>(s, kernel, p, seed);
                 s.store(value, &mut values[at..]);
                 for axis in 0..if GRADIENTS { N } else { 0 } {
                     if let Some(g) = &mut gradients[axis] {

@@ -6,7 +6,7 @@ use crate::{
     kinds::cell::corner::{CellNoise, Corner},
     kinds::cell::edge_columns::edge_column,
     lanes::lanes::Lanes,
-    lattice::edges::{EDGE_MAXIMUM, edge_direction},
+    lattice::edges::{EDGE_MAXIMUM, Lengths, edge_direction},
     lattice::fade::{Along, Fade},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
@@ -78,6 +78,13 @@ noise!(Perlin2002, curved);
 const SCALE_2002: [f32; 4] =
     [MARGIN / EDGE_MAXIMUM[0], MARGIN / EDGE_MAXIMUM[1], MARGIN / EDGE_MAXIMUM[2], MARGIN / EDGE_MAXIMUM[3]];
 
+static LENGTHS_2002: [Lengths; 4] = [
+    Lengths::new(SCALE_2002[0]),
+    Lengths::new(SCALE_2002[1]),
+    Lengths::new(SCALE_2002[2]),
+    Lengths::new(SCALE_2002[3]),
+];
+
 impl<L: Lattice, const N: usize> CellNoise<N> for Perlin1985<L> {
     const HAS_VALUE: bool = false;
     const FADE: Fade = Fade::Cubic;
@@ -94,7 +101,7 @@ impl<L: Lattice, const N: usize> CellNoise<N> for Perlin2002<L> {
 
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
-        Corner { value: s.float(0.0), gradient: edge_direction(s, word, SCALE_2002[N - 1]) }
+        Corner { value: s.float(0.0), gradient: edge_direction(s, word, &LENGTHS_2002[N - 1]) }
     }
 
     #[inline(always)]

@@ -161,6 +161,18 @@ pub trait Lanes: Copy + sealed::Sealed {
         self.select(self.less(self.float(limit), x), x, self.float(0.0))
     }
 
+    /// Two floats, in the other order where the mask holds.
+    #[inline(always)]
+    fn exchanged(self, mask: Self::M, a: Self::F, b: Self::F) -> [Self::F; 2] {
+        [self.select(mask, b, a), self.select(mask, a, b)]
+    }
+
+    /// The entries of a table of eight, written twice, at indices below 8; nothing where no instruction finds them.
+    #[inline(always)]
+    fn looked_up(self, _table: &[f32; LANES], _index: Self::U) -> Option<Self::F> {
+        None
+    }
+
     /// x with its sign flipped where the word's top bit is set; the other bits must be 0.
     #[inline(always)]
     fn flip(self, x: Self::F, sign: Self::U) -> Self::F {

@@ -3,4 +3,6 @@
 pub(crate) mod lanes;
 pub(crate) mod level;
 #[cfg(feature = "simd")]
+pub(crate) mod look_up;
+#[cfg(feature = "simd")]
 pub(crate) mod registers;

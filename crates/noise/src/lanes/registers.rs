@@ -2,7 +2,10 @@
 
 use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdInt, SimdMask};
 
-use crate::lanes::lanes::{Lanes, sealed::Sealed};
+use crate::{
+    lanes::lanes::{LANES, Lanes, sealed::Sealed},
+    lanes::look_up::looked_up,
+};
 
 /// The lanes of a register of the SIMD level, and the keys that they draw words with.
 #[derive(Clone, Copy)]
@@ -237,6 +240,20 @@ impl<S: Simd, Y: Keys<S>> Lanes for Wide<S, Y> {
     #[inline(always)]
     fn lanes(self, mask: Self::M) -> u32 {
         mask.to_bitmask() as u32
+    }
+    #[inline(always)]
+    fn exchanged(self, mask: Self::M, a: Self::F, b: Self::F) -> [Self::F; 2] {
+        if self.rounds() {
+            return [self.select(mask, b, a), self.select(mask, a, b)];
+        }
+        // What rounds has an instruction that selects too. Without one the bits that differ change places.
+        let (first, second) = (self.bits(a), self.bits(b));
+        let differing = self.select_word(mask, first ^ second, self.word(0));
+        [first, second].map(|bits| self.float_of_bits(bits ^ differing))
+    }
+    #[inline(always)]
+    fn looked_up(self, table: &[f32; LANES], index: Self::U) -> Option<Self::F> {
+        looked_up(self.0, table, index)
     }
     #[inline(always)]
     fn turned<const K: usize>(self, x: Self::F) -> Self::F {

@@ -1,6 +1,6 @@
 //! Directions to the edges of a cube, by the upper bits of a lattice word.
 
-use crate::lanes::lanes::{Lanes, Scalar};
+use crate::lanes::lanes::{LANES, Lanes, Scalar};
 
 /// The searched max Σ W_c max_g g·(p − c) of edge directions g and quintic weights W.
 pub(crate) const EDGE_MAXIMUM: [f32; 4] = [0.5, 0.934_535_6, 1.036_353_8, 1.536_582_3];
@@ -63,12 +63,32 @@ impl<S: Lanes, const N: usize> Edge<S, N> {
     }
 }
 
-/// A direction to an edge, times `length`: one of 16, 8, 12 or 32 in 1 to 4 dimensions.
+/// A length of directions, and those of the plane times it: both components by index, twice.
+pub(crate) struct Lengths {
+    length: f32,
+    plane: [[f32; LANES]; 2],
+}
+
+impl Lengths {
+    pub(crate) const fn new(length: f32) -> Self {
+        let mut plane = [[0.0; LANES]; 2];
+        let mut i = 0;
+        while i < LANES {
+            let [x, y, ..] = edges_2()[i % 8];
+            (plane[0][i], plane[1][i]) = (x * length, y * length);
+            i += 1;
+        }
+        Self { length, plane }
+    }
+}
+
+/// A direction to an edge, times a length: one of 16, 8, 12 or 32 in 1 to 4 dimensions.
 ///
 /// ±⅛ … ±1; √2 times those at odd multiples of 22.5°; (±1, ±1, 0) and its rotations; (0, ±1, ±1, ±1) and its rotations. Equally
 /// likely, by the upper four, three, 29 or six bits; in space within 4e-9.
 #[inline(always)]
-pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F; N] {
+pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, lengths: &Lengths) -> [S::F; N] {
+    let length = lengths.length;
     if S::TABLES && N > 1 {
         return edge_entry(s, word, length);
     }
@@ -80,10 +100,16 @@ pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
             g[0] = s.flip(steps * s.float(length * 0.125), word & s.word(SIGN));
         }
         2 => {
+            let index = s.shr::<29>(word);
+            let [xs, ys] = &lengths.plane;
+            if let (Some(x), Some(y)) = (s.looked_up(xs, index), s.looked_up(ys, index)) {
+                (g[0], g[1]) = (x, y);
+                return g;
+            }
             let steep = s.signed_less(word, s.word(0));
-            let (long, short) = (s.float(LONG * length), s.float(SHORT * length));
-            g[0] = s.flip(s.select(steep, short, long), sign::<S, 1>(s, word));
-            g[1] = s.flip(s.select(steep, long, short), sign::<S, 2>(s, word));
+            let [x, y] = s.exchanged(steep, s.float(LONG * length), s.float(SHORT * length));
+            g[0] = s.flip(x, sign::<S, 1>(s, word));
+            g[1] = s.flip(y, sign::<S, 2>(s, word));
         }
         _ => {
             let edge = Edge::<S, N>::new(s, word);
@@ -93,6 +119,24 @@ pub(crate) fn edge_direction<S: Lanes, const N: usize>(s: S, word: S::U, length:
         }
     }
     g
+}
+
+/// g·d of a direction to an edge in space, times a length: of three products the two that are not 0, one choice for each.
+///
+/// A sum of both has the bits of that of all three but for the sign of 0.
+#[inline(always)]
+pub(crate) fn edge_product<S: Lanes, const N: usize>(
+    s: S,
+    word: S::U,
+    lengths: &Lengths,
+    d: &[S::F; N],
+) -> S::F {
+    let [first, third] = Edge::<S, 3>::new(s, word).others;
+    let x = s.flip(d[0], sign::<S, 0>(s, word));
+    let y = s.flip(d[1 % N], sign::<S, 1>(s, word));
+    let z = s.flip(d[2 % N], sign::<S, 2>(s, word));
+    let length = s.float(lengths.length);
+    length * s.select(first, x, y) + length * s.select(third, z, y)
 }
 
 /// The edge directions by index: the upper bits, and in space the third of the rest above those.
@@ -145,19 +189,29 @@ fn edge_entry<S: Lanes, const N: usize>(s: S, word: S::U, length: f32) -> [S::F;
     g
 }
 
+/// [`edge_direction`] of a word in four dimensions, one axis in each lane.
+#[cfg(feature = "simd")]
+#[inline(always)]
+pub(crate) fn edge_by_axes<S: Lanes>(s: S, word: u32, length: f32) -> S::F {
+    s.load(&EDGES_4[(word >> 26) as usize]) * s.float(length)
+}
+
 /// The gradient that [`Perlin2002`](crate::Perlin2002) and [`Simplex`](crate::Simplex) draw from an
 /// [upper word](crate::Lattice::upper_word), before scaling.
 ///
 /// One of the 16, 8, 12 or 32 directions that [`Perlin2002`](crate::Perlin2002) lists.
 #[must_use]
 pub fn edge_gradient<const N: usize>(word: u32) -> [f32; N] {
-    edge_direction(Scalar, Scalar.word(word), 1.0)
+    edge_direction(Scalar, Scalar.word(word), &const { Lengths::new(1.0) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lattice::integer_hash::mix;
+    use crate::{
+        lanes::level::{Level, Task},
+        lattice::integer_hash::mix,
+    };
     use approx::assert_abs_diff_eq;
 
     /// Words at both ends of every third, and others.
@@ -198,6 +252,32 @@ mod tests {
         for word in words() {
             compared::<3>(word);
             compared::<4>(word);
+        }
+    }
+
+    /// Directions and products in the last lane against those of one lane.
+    struct InLanes;
+
+    impl Task for InLanes {
+        fn run<S: Lanes>(self, s: S) {
+            static LENGTHS: Lengths = Lengths::new(0.7);
+            let last = |x| s.lane(x, S::LEN - 1);
+            for word in words() {
+                let plane = edge_direction::<Scalar, 2>(Scalar, Scalar.word(word), &LENGTHS);
+                assert_eq!(edge_direction::<S, 2>(s, s.word(word), &LENGTHS).map(last), plane, "{word:x}");
+                let space = edge_direction::<Scalar, 3>(Scalar, Scalar.word(word), &LENGTHS);
+                let d = [1.3, -0.6, 2.9];
+                let sum = space[1] * d[1] + space[2] * d[2] + space[0] * d[0];
+                let product = edge_product(s, s.word(word), &LENGTHS, &d.map(|x| s.float(x)));
+                assert_eq!(last(product), sum, "{word:x}");
+            }
+        }
+    }
+
+    #[test]
+    fn lanes_have_the_directions_and_products_of_one() {
+        for level in Level::available() {
+            level.instructions().run(InLanes);
         }
     }
 

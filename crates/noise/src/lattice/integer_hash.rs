@@ -87,25 +87,10 @@ impl Lattice for IntegerHash {
 
     #[inline(always)]
     fn terms_of_axes<S: Lanes, const N: usize>(&self, s: S, cells: S::U) -> [[u32; 2]; N] {
-        // Products of even lanes, each followed by that of the next cell. In the plane both axes fit one register.
-        let ends = |axis: fn(usize) -> usize| {
-            let cells = s.words(|lane| s.lane_word(cells, axis(lane)));
-            let low = s.even_products(cells, s.words(|lane| P[axis(lane)]));
-            let steps =
-                s.words(|lane| SHIFT[axis(lane)].wrapping_add(if lane & 1 == 0 { 0 } else { P[axis(lane)] }));
-            folded(s, s.words(|lane| s.lane_word(low, lane & !1)) + steps)
-        };
-        let (mut terms, pair) = ([[0; 2]; N], |ends, lane| [0, 1].map(|k| s.lane_word(ends, lane + k)));
-        if N == 2 {
-            let both = ends(|lane| lane >> 1 & 1);
-            for axis in 0..N {
-                terms[axis] = pair(both, 2 * axis);
-            }
-        } else {
-            let halves = [ends(|lane| lane & 2), ends(|lane| lane & 2 | 1)];
-            for axis in 0..N {
-                terms[axis] = pair(halves[axis & 1], axis & 2);
-            }
+        let (mut terms, ends) = ([[0; 2]; N], ends_of_axes::<S, N>(s, cells));
+        for axis in 0..N {
+            let (ends, lane) = if N == 2 { (ends[0], 2 * axis) } else { (ends[axis & 1], axis & 2) };
+            terms[axis] = [0, 1].map(|k| s.lane_word(ends, lane + k));
         }
         terms
     }
@@ -134,24 +119,52 @@ impl Lattice for IntegerHash {
     }
 
     #[inline(always)]
-    fn upper_words_at_ends<S: Lanes, const N: usize>(
-        &self,
-        s: S,
-        ends: &[[u32; 2]; N],
-        k: usize,
-        seed: u32,
-    ) -> S::U {
-        let key = s.keys(|| self.key(seed));
-        let mut rest = s.words(|lane| ends[1 % N][lane >> 1 & 1]);
-        for axis in 2..N {
-            rest = rest ^ s.word(ends[axis][k >> (axis - 2) & 1]);
+    fn upper_words_of_cell<S: Lanes, const N: usize>(&self, s: S, cells: S::U, seed: u32) -> [S::U; 4] {
+        let ends = ends_of_axes::<S, N>(s, cells);
+        let at = |axis: usize, ends_of: [usize; 4]| {
+            let register = if N == 2 { 0 } else { axis & 1 };
+            let first = if N == 2 { 2 * axis } else { axis & 2 };
+            s.words(|lane| s.lane_word(ends[register], first + ends_of[lane & 3]))
+        };
+        // In the order that two products of even lanes turn into that of the corners.
+        let keys = s.keys(|| self.key(seed));
+        let plane = (at(0, [0, 1, 0, 1]) + keys) ^ at(1 % N, [0, 0, 1, 1]);
+        let mut words = [plane; 4];
+        for k in 0..CORNERS[N] {
+            let mut h = plane;
+            for axis in 2..N {
+                h = h ^ at(axis, [k >> (axis - 2) & 1; 4]);
+            }
+            let odd = h | s.word(1);
+            let next = |x| s.words(|lane| s.lane_word(x, lane | 1));
+            let (even, rest) = (s.even_products(h, odd), s.even_products(next(h), next(odd)));
+            words[k] = s.words(|lane| {
+                s.lane_word(if lane & 2 == 0 { even } else { rest }, lane & !3 | (lane & 1) << 1)
+            });
         }
-        let [low, high] = ends[0].map(|end| {
-            let h = (s.word(end) + key) ^ rest;
-            s.even_products(h, h | s.word(1))
-        });
-        s.words(|lane| s.lane_word(if lane & 2 == 0 { low } else { high }, lane & !3 | (lane & 1) << 1))
+        words
     }
+}
+
+/// The corners at one end of the first two axes, by the number of dimensions.
+const CORNERS: [usize; 5] = [0, 1, 1, 2, 4];
+
+/// The terms of the cells of all axes and of the next ones, side by side: of two axes in the first register, of four the odd ones in
+/// the second.
+#[inline(always)]
+fn ends_of_axes<S: Lanes, const N: usize>(s: S, cells: S::U) -> [S::U; 2] {
+    // Products of even lanes, each followed by that of the next cell.
+    let ends = |axis: fn(usize) -> usize| {
+        let cells = s.words(|lane| s.lane_word(cells, axis(lane)));
+        let low = s.even_products(cells, s.words(|lane| P[axis(lane)]));
+        let steps =
+            s.words(|lane| SHIFT[axis(lane)].wrapping_add(if lane & 1 == 0 { 0 } else { P[axis(lane)] }));
+        folded(s, s.words(|lane| s.lane_word(low, lane & !1)) + steps)
+    };
+    if N == 2 {
+        return [ends(|lane| lane >> 1 & 1); 2];
+    }
+    [ends(|lane| lane & 2), ends(|lane| lane & 2 | 1)]
 }
 
 /// t ^ t ≫ 16 of a product, once for all the points that share it: exclusive or and the shift may change places.

@@ -109,16 +109,15 @@ pub trait Lattice {
         })
     }
 
-    /// The upper words of the corners of a cell, by the terms of its ends; one key for all lanes.
+    /// The upper words of the corners of a cell, of which each axis has a lane; one key for all lanes.
     #[inline(always)]
-    fn upper_words_at_ends<S: Lanes, const N: usize>(
-        &self,
-        s: S,
-        ends: &[[u32; 2]; N],
-        k: usize,
-        seed: u32,
-    ) -> S::U {
-        self.upper_words(s, at_ends(s, ends, k), seed)
+    fn upper_words_of_cell<S: Lanes, const N: usize>(&self, s: S, cells: S::U, seed: u32) -> [S::U; 4] {
+        let ends = self.terms_of_axes::<S, N>(s, cells);
+        let mut words = [s.word(0); 4];
+        for k in 0..if N < 3 { 1 } else { 1 << (N - 2) } {
+            words[k] = self.upper_words(s, at_ends(s, &ends, k), seed);
+        }
+        words
     }
 }
 

@@ -214,7 +214,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     #[inline(always)]
     fn value(&self, active: &Active, p: [f32; N]) -> f32 {
-        if active.count >= K::OCTAVES_IN_LANES {
+        if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
             let mut sum = (active.constant, [0.0; N]);
             if run_at_point(self.at_point(active, p).sum::<false>(&mut sum)).is_some() {
                 return sum.0 * active.factor;
@@ -231,7 +231,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
 
     #[inline(always)]
     fn sample(&self, active: &Active, p: [f32; N]) -> LaneSample<Scalar, N> {
-        if active.count >= K::OCTAVES_IN_LANES {
+        if K::OCTAVES_IN_LANES < usize::MAX && active.count >= K::OCTAVES_IN_LANES {
             let mut sum = (active.constant, [0.0; N]);
             if run_at_point(self.at_point(active, p).sum::<true>(&mut sum)).is_some() {
                 return (sum.0 * active.factor, sum.1.map(|g| g * active.factor));

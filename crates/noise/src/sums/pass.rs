@@ -291,13 +291,23 @@ impl<const N: usize, const M: usize, T: Shape> Task for Add<'_, N, M, T> {
                 *n = shape.value(*n);
             }
         }
-        for i in (0..count).step_by(S::LEN) {
-            let sum = match before {
-                Some(constant) => s.float(constant),
-                None => s.load_part(values.get(i..).unwrap_or_default()),
-            };
-            let total = sum + amplitude * s.load(&octave[i..]);
-            put(s, factor.map_or(total, |factor| total * s.float(factor)), values, i, count);
+        // Whole registers ask nothing; what is left comes last.
+        let (whole, factor) = (count - count % S::LEN, s.float(factor.unwrap_or(1.0)));
+        let (parts, rest) = values.split_at_mut(whole);
+        let turns = parts.chunks_exact_mut(S::LEN).zip(octave.chunks_exact(S::LEN));
+        if let Some(constant) = before {
+            for (to, n) in turns {
+                s.store((s.float(constant) + amplitude * s.load(n)) * factor, to);
+            }
+        } else {
+            for (to, n) in turns {
+                s.store((s.load(to) + amplitude * s.load(n)) * factor, to);
+            }
+        }
+        if !rest.is_empty() {
+            let sum = before.map_or_else(|| s.load_part(rest), |constant| s.float(constant));
+            let n = s.load_part(octave.get(whole..).unwrap_or_default());
+            s.store((sum + amplitude * n) * factor, rest);
         }
     }
 }

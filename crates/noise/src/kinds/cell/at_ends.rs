@@ -45,8 +45,18 @@ fn along_second<K: CellNoise<N>, S: Lanes, const N: usize>(
     [offset, lerp::<S>(offset, s.turned::<1>(offset), along.weight)]
 }
 
+/// A point's cell, the words of its corners, one for each end of the first two axes in every four lanes, and in the first of them n, and
+/// v where the noise is normalised, with their gradients.
+pub(crate) struct Ends<S: Lanes, const N: usize> {
+    #[cfg(feature = "simd")]
+    pub(crate) place: Place<S, N>,
+    #[cfg(feature = "simd")]
+    pub(crate) words: [S::U; 4],
+    pub(crate) parts: (LaneSample<S, N>, LaneSample<S, N>),
+}
+
 /// One point's value by four lanes, one for each end of the first two axes, and the gradient if `GRADIENTS`; the bits that
-/// [`Kernel::evaluate`](crate::simd::Kernel) gives, in the first of every four lanes. Axes share one register.
+/// [`Kernel::evaluate`](crate::simd::Kernel) gives, in the first of every four lanes.
 #[inline(always)]
 pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -54,10 +64,21 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     p: [f32; N],
     seed: u32,
 ) -> LaneSample<S, N> {
+    let (sample, variance) = at_ends_of::<K, S, N, GRADIENTS>(s, noise, p, seed).parts;
+    if K::NORMALISED { normalised::<S, N, GRADIENTS>(s, sample, variance) } else { sample }
+}
+
+/// A point's corners and parts, with gradients if `GRADIENTS`. Axes share one register.
+#[inline(always)]
+pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
+    s: S,
+    noise: &K,
+    p: [f32; N],
+    seed: u32,
+) -> Ends<S, N> {
     let mut axes = [0.0; LANES];
     axes[..N].copy_from_slice(&p);
     let (cells, places) = cell(s, s.load(&axes));
-    let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
     let all = Along::new(s, K::FADE, places);
     let mut place = Place { terms: [[s.word(0); 2]; N], along: [all; N] };
     for axis in 0..N {
@@ -67,14 +88,16 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
             slope: s.float(s.lane(all.slope, axis)),
         };
     }
-    let mut words = [s.word(0); 4];
-    for k in 0..CORNERS[N] {
-        words[k] = if K::UPPER_BITS {
-            noise.lattice().upper_words_at_ends(s, &ends, k, seed)
-        } else {
-            noise.lattice().words(s, at_ends(s, &ends, k), seed)
-        };
-    }
+    let words = if K::UPPER_BITS {
+        noise.lattice().upper_words_of_cell::<S, N>(s, cells, seed)
+    } else {
+        let ends = noise.lattice().terms_of_axes::<S, N>(s, cells);
+        let mut words = [s.word(0); 4];
+        for k in 0..CORNERS[N] {
+            words[k] = noise.lattice().words(s, at_ends(s, &ends, k), seed);
+        }
+        words
+    };
     let column = place.column(s, noise, &words);
 
     let [first, second] = [&place.along[0], &place.along[1 % N]];
@@ -93,36 +116,40 @@ pub(crate) fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
     let edge = line(&column.plane);
     let [offset, value] = along_second::<K, S, N>(s, &edge, ways[1], second);
     let mut gradient = [value; N];
-    for axis in 0..if GRADIENTS { N } else { 0 } {
+    if GRADIENTS {
         let risen = |along: &Along<S>, low: S::F, high: S::F| along.slope * (high - low);
-        if axis == 1 {
-            let rise = risen(second, offset, s.turned::<1>(offset));
-            gradient[1] = if K::HAS_GRADIENT {
-                lerp::<S>(edge.slope, s.turned::<1>(edge.slope), second.weight) + rise
-            } else {
-                rise
-            };
-            continue;
-        }
-        let derivative = if axis == 0 {
-            let low = height::<K, S, N>(&column.plane, ways[0]);
-            let rise = risen(first, low, s.turned::<2>(low));
-            let [a, c] = column.plane.slopes;
-            if K::HAS_GRADIENT {
-                let slope = risen(first, c, s.turned::<2>(c));
-                Line { value: along_first(s, a, first) + rise, slope }
-            } else {
-                Line { value: unit(rise), slope: s.float(0.0) }
-            }
+        let low = height::<K, S, N>(&column.plane, ways[0]);
+        let rise = risen(first, low, s.turned::<2>(low));
+        let [a, c] = column.plane.slopes;
+        let derivative = if K::HAS_GRADIENT {
+            Line { value: along_first(s, a, first) + rise, slope: risen(first, c, s.turned::<2>(c)) }
         } else {
-            line(&column.derivatives[axis])
+            Line { value: unit(rise), slope: s.float(0.0) }
         };
-        [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+        let [ends, derived] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+        let rise = risen(second, offset, s.turned::<1>(offset));
+        (gradient[0], gradient[1 % N]) = (derived, rise);
+        if K::HAS_GRADIENT {
+            // Both in one register.
+            let pairs = s.floats(|lane| {
+                s.lane(if lane & 1 == 0 { ends } else { edge.slope }, lane & !3 | lane >> 1 & 1)
+            });
+            let both = lerp::<S>(pairs, s.turned::<2>(pairs), second.weight);
+            (gradient[0], gradient[1 % N]) = (both, s.turned::<1>(both) + rise);
+        }
+        for axis in 2..N {
+            let derivative = line(&column.derivatives[axis]);
+            [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, ways[1], second);
+        }
     }
-    if K::NORMALISED {
-        let variance = place.variance(s).at::<GRADIENTS>(axis_variance(s, first));
-        normalised::<S, N, GRADIENTS>(s, (value, gradient), variance)
-    } else {
-        (value, gradient)
+    let sample = (value, gradient);
+    let variance =
+        if K::NORMALISED { place.variance(s).at::<GRADIENTS>(axis_variance(s, first)) } else { sample };
+    Ends {
+        #[cfg(feature = "simd")]
+        place,
+        #[cfg(feature = "simd")]
+        words,
+        parts: (sample, variance),
     }
 }

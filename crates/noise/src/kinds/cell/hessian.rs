@@ -6,56 +6,170 @@ use crate::{
     kinds::cell::corner::{CellNoise, Corner, normalised},
     kinds::cell::corners::Place,
     kinds::cell::variance::axis_variance,
-    lanes::lanes::Scalar,
-    lattice::fade::Fade,
+    lanes::lanes::{LaneSample, Lanes, Scalar},
+    lattice::fade::{Along, Fade},
+};
+
+#[cfg(feature = "simd")]
+use crate::{
+    kinds::cell::at_ends::{Ends, at_ends_of},
+    kinds::cell::corners::CORNERS,
+    kinds::cell::kernel::of_lane,
+    lanes::registers::four,
 };
 
 impl<K: CellNoise<N>, const N: usize> CurvedKernel<N> for K {
     /// ∂ᵢⱼ Σ W f = Σ (Wᵢⱼ f + Wᵢ gⱼ + Wⱼ gᵢ) over the corners, f = value + g·d and W the product of the axes' weights.
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N> {
-        let place = Place::<Scalar, N>::new(Scalar, self, &p, 0);
-        let corners =
-            place.corners(Scalar, self, seed, Corner::nothing(Scalar), |word| self.corner(Scalar, word));
-        let (sample, variance) = place.parts::<K, true>(Scalar, &place.drawn_edges(Scalar, self, seed));
+        #[cfg(feature = "simd")]
+        if N > 1
+            && let Some(s) = four()
+        {
+            return by_corners(s, self, p, seed);
+        }
+        one_by_one(self, p, seed)
+    }
+}
 
-        let mut hessian = [[0.0; N]; N];
-        for c in 0..1 << N {
-            let corner = &corners[c & 1][c >> 1 & (ends::<N>() - 1)][c >> 2];
-            // The corner's function, and every axis' weight with its derivatives.
-            let (mut f, mut weights) = (corner.value, [[0.0; 3]; N]);
-            for axis in 0..N {
-                let along = &place.along[axis];
-                let (t, bend) = (along.place, K::FADE.curvature(Scalar, along.place));
-                (f, weights[axis]) = if c >> axis & 1 == 0 {
-                    (f + corner.gradient[axis] * t, [1.0 - along.weight, -along.slope, -bend])
+/// The jet of a point, corner by corner.
+#[inline(always)]
+fn one_by_one<K: CellNoise<N>, const N: usize>(noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
+    let place = Place::<Scalar, N>::new(Scalar, noise, &p, 0);
+    let corners =
+        place.corners(Scalar, noise, seed, Corner::nothing(Scalar), |word| noise.corner(Scalar, word));
+    let (sample, variance) = place.parts::<K, true>(Scalar, &place.drawn_edges(Scalar, noise, seed));
+
+    let mut hessian = [[0.0; N]; N];
+    for c in 0..1 << N {
+        let corner = &corners[c & 1][c >> 1 & (ends::<N>() - 1)][c >> 2];
+        let mut ends = [End::NOWHERE; N];
+        for axis in 0..N {
+            ends[axis] = End::new(Scalar, K::FADE, &place.along[axis], |_| c >> axis & 1 == 1);
+        }
+        add_bends::<K, Scalar, N>(Scalar, &ends, corner, |i, j, bend| hessian[i][j] += bend);
+    }
+    jet::<K, N>(&place, sample, variance, hessian)
+}
+
+/// The jet of a point by lanes, a corner in each.
+#[cfg(feature = "simd")]
+#[inline(always)]
+fn by_corners<K: CellNoise<N>, S: Lanes, const N: usize>(s: S, noise: &K, p: [f32; N], seed: u32) -> Jet<N> {
+    let Ends { place, words, parts: (sample, variance) } = at_ends_of::<K, S, N, true>(s, noise, p, seed);
+    let mut ends = place.along.map(|along| End::new(s, K::FADE, &along, |lane| lane >> 1 & 1 == 1));
+    ends[1 % N] = End::new(s, K::FADE, &place.along[1 % N], |lane| lane & 1 == 1);
+    // Four entries of the upper half side by side, row after row.
+    let mut sums = [s.float(0.0); 3];
+    for k in 0..CORNERS[N] {
+        for axis in 2..N {
+            ends[axis] = End::new(s, K::FADE, &place.along[axis], |_| k >> (axis - 2) & 1 == 1);
+        }
+        let (mut entries, mut e) = ([[s.float(0.0); 4]; 3], 0);
+        add_bends::<K, S, N>(s, &ends, &noise.corner(s, words[k]), |_, _, bend| {
+            entries[e / 4][e % 4] = bend;
+            e += 1;
+        });
+        for q in 0..(N * (N + 1) / 2).div_ceil(4) {
+            // Corners are added up by the ends of the second axis first.
+            for lane in [0, 2, 1, 3] {
+                sums[q] = sums[q] + s.floats(|entry| s.lane(entries[q][entry & 3], lane));
+            }
+        }
+    }
+    let (mut hessian, mut e) = ([[0.0; N]; N], 0);
+    for i in 0..N {
+        for j in i..N {
+            hessian[i][j] = s.lane(sums[e / 4], e % 4);
+            e += 1;
+        }
+    }
+    let first = |along: Along<S>| Along {
+        place: s.lane(along.place, 0),
+        weight: s.lane(along.weight, 0),
+        slope: s.lane(along.slope, 0),
+    };
+    let place = Place { along: place.along.map(first), ..Place::NOWHERE };
+    let [sample, variance] = [sample, variance].map(|sample| of_lane::<S, N, true>(s, sample, 0));
+    jet::<K, N>(&place, sample, variance, hessian)
+}
+
+/// The jet of n, or of n/√v where the noise is normalised.
+#[inline(always)]
+fn jet<K: CellNoise<N>, const N: usize>(
+    place: &Place<Scalar, N>,
+    sample: LaneSample<Scalar, N>,
+    variance: LaneSample<Scalar, N>,
+    mut hessian: [[f32; N]; N],
+) -> Jet<N> {
+    if !K::HAS_GRADIENT {
+        hessian = hessian.map(|row| row.map(|h| h * K::UNIT));
+    }
+    if K::NORMALISED {
+        hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, place));
+    }
+    mirror(&mut hessian);
+    let (value, gradient) =
+        if K::NORMALISED { normalised::<_, N, true>(Scalar, sample, variance) } else { sample };
+    Jet { value, gradient, hessian }
+}
+
+/// A corner along one axis: the way from it, its weight and the weight's first and second derivatives.
+#[derive(Clone, Copy)]
+struct End<S: Lanes> {
+    way: S::F,
+    weights: [S::F; 3],
+}
+
+impl End<Scalar> {
+    const NOWHERE: Self = Self { way: 0.0, weights: [0.0; 3] };
+}
+
+impl<S: Lanes> End<S> {
+    /// The upper end in the lanes that `high` names, the lower one in the others.
+    #[inline(always)]
+    fn new(s: S, fade: Fade, along: &Along<S>, high: impl Fn(usize) -> bool) -> Self {
+        let one = s.floats(|lane| f32::from(u8::from(!high(lane))));
+        let sign = s.words(|lane| u32::from(!high(lane)) << 31);
+        let bend = fade.curvature(s, along.place);
+        Self {
+            way: along.place - s.floats(|lane| f32::from(u8::from(high(lane)))),
+            weights: [one + s.flip(along.weight, sign), s.flip(along.slope, sign), s.flip(bend, sign)],
+        }
+    }
+}
+
+/// All that a corner adds to the entries of the upper half, row after row.
+#[inline(always)]
+fn add_bends<K: CellNoise<N>, S: Lanes, const N: usize>(
+    s: S,
+    ends: &[End<S>; N],
+    corner: &Corner<S, N>,
+    mut add: impl FnMut(usize, usize, S::F),
+) {
+    let mut f = corner.value;
+    for axis in 0..if K::HAS_GRADIENT { N } else { 0 } {
+        f = f + corner.gradient[axis] * ends[axis].way;
+    }
+    // The product of the weights, derived as often along each axis as it is named.
+    let product = |axes: &[usize]| {
+        (0..N).fold(s.float(1.0), |product, axis| {
+            product * ends[axis].weights[axes.iter().filter(|&&derived| derived == axis).count().min(2)]
+        })
+    };
+    for i in 0..N {
+        for j in i..N {
+            let bend = product(&[i, j]) * f;
+            add(
+                i,
+                j,
+                if K::HAS_GRADIENT {
+                    bend + (product(&[i]) * corner.gradient[j] + product(&[j]) * corner.gradient[i])
                 } else {
-                    (f + corner.gradient[axis] * (t - 1.0), [along.weight, along.slope, bend])
-                };
-            }
-            // The product of the weights, derived as often along each axis as it is named.
-            let product = |axes: &[usize]| {
-                (0..N).fold(1.0, |product, axis| {
-                    product * weights[axis][axes.iter().filter(|&&derived| derived == axis).count().min(2)]
-                })
-            };
-            for i in 0..N {
-                for j in i..N {
-                    let turn = product(&[i]) * corner.gradient[j] + product(&[j]) * corner.gradient[i];
-                    hessian[i][j] += product(&[i, j]) * f + turn;
-                }
-            }
+                    bend
+                },
+            );
         }
-        if !K::HAS_GRADIENT {
-            hessian = hessian.map(|row| row.map(|h| h * K::UNIT));
-        }
-        if K::NORMALISED {
-            hessian = normalised_hessian(sample, hessian, variance, variance_hessian(K::FADE, &place));
-        }
-        mirror(&mut hessian);
-        let (value, gradient) =
-            if K::NORMALISED { normalised::<_, N, true>(Scalar, sample, variance) } else { sample };
-        Jet { value, gradient, hessian }
     }
 }
 
@@ -114,4 +228,41 @@ fn normalised_hessian<const N: usize>(
         }
     }
     hessian
+}
+
+#[cfg(all(test, feature = "simd"))]
+mod tests {
+    use super::*;
+    use crate::{
+        kinds::gaussian::Gaussian,
+        kinds::perlin::{Perlin1985, Perlin2002},
+        kinds::value::Value,
+        kinds::value_gradient::ValueGradient,
+        lattice::integer_hash::mix,
+    };
+
+    fn same<K: CellNoise<N>, const N: usize>(noise: &K) {
+        for i in 0..200 {
+            let mut p = [0.0; N];
+            for axis in 0..N {
+                let word = mix(i * 4 + axis as u64) as i32;
+                // Lattice points, halves, and coordinates near and far.
+                p[axis] = match i % 8 {
+                    0 => (word >> 28) as f32,
+                    1 => (word >> 27) as f32 * 0.5,
+                    2 => word as f32 * 1e-4,
+                    _ => word as f32 / 536_870_912.0,
+                };
+            }
+            assert_eq!(noise.near_jet(p, i as u32), one_by_one(noise, p, i as u32), "{p:?}");
+        }
+    }
+
+    #[test]
+    fn corners_in_lanes_have_the_jets_of_corners_one_by_one() {
+        macro_rules! of {
+            ($($noise:expr),*) => { $(same::<_, 2>(&$noise); same::<_, 3>(&$noise); same::<_, 4>(&$noise);)* };
+        }
+        of!(Perlin1985::new(1), Perlin2002::new(1), Value::new(1), ValueGradient::new(1), Gaussian::new(1));
+    }
 }

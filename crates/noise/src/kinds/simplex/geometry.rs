@@ -3,7 +3,7 @@
 use crate::lanes::lanes::{Floats, Lanes};
 
 /// (√(n + 1) − 1)/n, which shears the simplices into halves, sixths, … of cubes; nothing is sheared in 1-D.
-const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
+pub(crate) const SKEW: [f32; 4] = [0.0, 0.366_025_4, 1.0 / 3.0, 0.309_017];
 /// (1 − 1/√(n + 1))/n, which shears back.
 pub(crate) const UNSKEW: [f32; 4] = [0.0, 0.211_324_87, 1.0 / 6.0, 0.138_196_6];
 
@@ -92,12 +92,28 @@ impl<S: Lanes, const N: usize> Corner<S, N> {
 /// evaluation whether they count. The leap is t⁴ A |g·d| < 1e-10, and that of the gradient 5e-7.
 pub(crate) const GAP: f32 = 1.0 / 1024.0;
 
-/// One term of the sum: t = r² − |d|², 0 below the gap, d, g and g·d.
+/// One term of the sum: t = r² − |d|², 0 below the gap, d, g and g·d. In space g is of no meaning where only values are wanted.
 pub(crate) struct Term<S: Lanes, const N: usize> {
     pub(crate) t: S::F,
     pub(crate) d: [S::F; N],
     pub(crate) g: [S::F; N],
     pub(crate) slope: S::F,
+}
+
+/// r² − Σ dᵢ² over all axes but the first.
+#[inline(always)]
+fn rest<S: Lanes, const N: usize>(s: S, radius_squared: f32, d: &[S::F; N]) -> S::F {
+    let mut rest = s.float(radius_squared);
+    for axis in 1..N {
+        rest = rest - d[axis] * d[axis];
+    }
+    rest
+}
+
+/// t, the square of the kernel's radius less that of the way to its corner.
+#[inline(always)]
+pub(crate) fn within<S: Lanes, const N: usize>(s: S, radius_squared: f32, d: &[S::F; N]) -> S::F {
+    beyond_gap(s, rest(s, radius_squared, d) - d[0] * d[0])
 }
 
 /// r² − Σ dᵢ² and Σ gᵢ dᵢ over all axes but the first: what does not change along a row.
@@ -108,12 +124,11 @@ pub(crate) fn beside<S: Lanes, const N: usize>(
     d: &[S::F; N],
     g: &[S::F; N],
 ) -> [S::F; 2] {
-    let (mut rest, mut side) = (s.float(radius_squared), s.float(0.0));
+    let mut side = s.float(0.0);
     for axis in 1..N {
-        rest = rest - d[axis] * d[axis];
         side = if axis == 1 { g[axis] * d[axis] } else { side + g[axis] * d[axis] };
     }
-    [rest, side]
+    [rest(s, radius_squared, d), side]
 }
 
 /// t and g·d of a term from what is beside the first axis.
@@ -126,7 +141,7 @@ pub(crate) fn along<S: Lanes, const N: usize>(s: S, [rest, side]: [S::F; 2], d: 
 
 /// t where it is above the gap, else 0.
 #[inline(always)]
-fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
+pub(crate) fn beyond_gap<S: Lanes>(s: S, t: S::F) -> S::F {
     // Numbers that are not negative are in the order of their bits, and negative ones below, which takes one operation less.
     let above = s.signed_less(s.word(GAP.to_bits()), s.bits(t));
     s.select(above, t, s.float(0.0))

@@ -12,93 +12,48 @@ use crate::{
 };
 
 #[cfg(feature = "simd")]
-use crate::{kinds::cell::blend::splat, kinds::simplex::geometry::first_corner, lanes::registers::four};
+use crate::{kinds::simplex::at_corners::around, lanes::registers::four};
 
 impl<L: Lattice, const N: usize> CurvedKernel<N> for Simplex<L> {
     /// ∂ᵢⱼ(t⁴ s) = 48 dᵢ dⱼ t² s − 8 t³ (δᵢⱼ s + dᵢ gⱼ + dⱼ gᵢ).
     #[inline]
     fn near_jet(&self, p: [f32; N], seed: u32) -> Jet<N> {
-        let mut jet = Jet::ZERO;
-        self.terms_at(
-            Scalar,
-            &p,
-            seed,
-            #[inline(always)]
-            |Term { t, d, g, slope }| {
-                let t2 = t * t;
-                let (t3, t4) = (t2 * t, t2 * t2);
-                jet.value += t4 * slope;
-                let (pull, bend) = (8.0 * t3 * slope, 48.0 * t2 * slope);
-                for i in 0..N {
-                    jet.gradient[i] += g[i] * t4 - d[i] * pull;
-                    for j in i..N {
-                        let twist = 8.0 * t3 * (d[i] * g[j] + d[j] * g[i]);
-                        jet.hessian[i][j] += bend * (d[i] * d[j]) - twist;
-                    }
-                    jet.hessian[i][i] -= pull;
-                }
-            },
-        );
-        mirror(&mut jet.hessian);
-        jet
+        #[cfg(feature = "simd")]
+        if N > 1
+            && let Some(s) = four()
+        {
+            return around::<_, _, N>(s, self, p, seed).jet(s);
+        }
+        one_by_one(self, p, seed)
     }
 }
 
-#[cfg(feature = "simd")]
-impl<L: Lattice> Simplex<L> {
-    /// One point's value by four lanes, one for each corner, and the gradient if `GRADIENTS`; the bits of the lone lane's. In 4-D the
-    /// last corner comes after them.
-    #[inline(always)]
-    fn by_corners<S: Lanes, const N: usize, const GRADIENTS: bool>(
-        &self,
-        s: S,
-        p: [f32; N],
-        seed: u32,
-    ) -> LaneSample<Scalar, N> {
-        let corner = first_corner(Scalar, &p);
-        let (ranks, terms) = (corner.ranks(Scalar, &p), self.terms(Scalar, &corner));
-        let (points, number) = (splat(s, p), s.real(s.iota()));
-        // The axes of corner k are those of ranks from N − k on.
-        let least = s.float(N as f32 - 0.5) - number;
-        let (mut words, mut skewed) = ([s.word(0); N], points);
-        for axis in 0..N {
-            let ahead = s.less(least, s.float(ranks[axis]));
-            let [low, high] = terms[axis];
-            words[axis] = s.select_word(ahead, s.word(high.0), s.word(low.0));
-            skewed[axis] = s.float(corner.skewed[axis]) + s.select(ahead, s.float(1.0), s.float(0.0));
-        }
-        let sum = s.float(corner.sum) + number;
-        let term = self.term(s, &points, skewed, sum, self.lattice().upper_words(s, words, seed));
-        let t4 = kernel(term.t);
-        let (mut value, mut gradient) = (0.0, [0.0; N]);
-        let parts = t4 * term.slope;
-        for k in 0..(N + 1).min(4) {
-            value += s.lane(parts, k);
-        }
-        if GRADIENTS {
-            let pull = pull(s, term.t, term.slope);
-            for axis in 0..N {
-                let parts = term.g[axis] * t4 - term.d[axis] * pull;
-                for k in 0..(N + 1).min(4) {
-                    gradient[axis] += s.lane(parts, k);
+/// The jet of a point, corner by corner.
+#[inline(always)]
+fn one_by_one<L: Lattice, const N: usize>(noise: &Simplex<L>, p: [f32; N], seed: u32) -> Jet<N> {
+    let mut jet = Jet::ZERO;
+    noise.terms_at::<_, N, true>(
+        Scalar,
+        &p,
+        seed,
+        #[inline(always)]
+        |Term { t, d, g, slope }| {
+            let t2 = t * t;
+            let (t3, t4) = (t2 * t, t2 * t2);
+            jet.value += t4 * slope;
+            let (pull, bend) = (8.0 * t3 * slope, 48.0 * t2 * slope);
+            for i in 0..N {
+                jet.gradient[i] += g[i] * t4 - d[i] * pull;
+                for j in i..N {
+                    let twist = 8.0 * t3 * (d[i] * g[j] + d[j] * g[i]);
+                    jet.hessian[i][j] += bend * (d[i] * d[j]) - twist;
                 }
+                jet.hessian[i][i] -= pull;
             }
-        }
-        if N == 4 {
-            let (words, skewed) = (terms.map(|[_, high]| high), corner.skewed.map(|x| x + 1.0));
-            let word = self.lattice().upper_words(Scalar, words, seed);
-            let term = self.term(Scalar, &p, skewed, corner.sum + 4.0, word);
-            let t4 = kernel(term.t);
-            value += t4 * term.slope;
-            if GRADIENTS {
-                let pull = pull(Scalar, term.t, term.slope);
-                for axis in 0..N {
-                    gradient[axis] += term.g[axis] * t4 - term.d[axis] * pull;
-                }
-            }
-        }
-        (value, gradient)
-    }
+        },
+    );
+    mirror(&mut jet.hessian);
+    jet
 }
 
 impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
@@ -129,7 +84,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
-        self.terms_at(
+        self.terms_at::<_, N, GRADIENTS>(
             s,
             &p,
             seed,
@@ -151,10 +106,10 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     #[inline(always)]
     fn lone<const GRADIENTS: bool>(&self, p: [f32; N], seed: u32) -> LaneSample<Scalar, N> {
         #[cfg(feature = "simd")]
-        if (N > 2 || (N == 2 && GRADIENTS))
+        if N > 1
             && let Some(s) = four()
         {
-            return self.by_corners::<_, N, GRADIENTS>(s, p, seed);
+            return around::<_, _, N>(s, self, p, seed).sum::<GRADIENTS>(s);
         }
         self.evaluate::<Scalar, GRADIENTS>(Scalar, p, seed)
     }
@@ -167,5 +122,41 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
         strip: Strip<'_, N, GRADIENTS>,
     ) {
         sums.rows(s, self, strip);
+    }
+}
+
+#[cfg(all(test, feature = "simd"))]
+mod tests {
+    use super::*;
+    use crate::lattice::integer_hash::mix;
+
+    fn same<const N: usize>(noise: &Simplex) {
+        for i in 0..400 {
+            let mut p = [0.0; N];
+            for axis in 0..N {
+                let word = mix(i * 4 + axis as u64) as i32;
+                // Lattice points and diagonals, where axes are equally far along, and coordinates near and far.
+                p[axis] = match i % 8 {
+                    0 => (word >> 28) as f32,
+                    1 => (mix(i) as i32 >> 20) as f32 / 256.0,
+                    2 => word as f32 * 1e-4,
+                    _ => word as f32 / 536_870_912.0,
+                };
+            }
+            let (seed, lone) = (i as u32, Scalar);
+            assert_eq!(noise.near_jet(p, seed), one_by_one(noise, p, seed), "{p:?}");
+            assert_eq!(noise.lone::<true>(p, seed), noise.evaluate::<Scalar, true>(lone, p, seed), "{p:?}");
+            let value = noise.lone::<false>(p, seed).0;
+            assert_eq!(value, noise.evaluate::<Scalar, false>(lone, p, seed).0, "{p:?}");
+        }
+    }
+
+    #[test]
+    fn corners_in_lanes_have_the_bits_of_corners_one_by_one() {
+        for noise in [Simplex::new(1), Simplex::wide(1)] {
+            same::<2>(&noise);
+            same::<3>(&noise);
+            same::<4>(&noise);
+        }
     }
 }

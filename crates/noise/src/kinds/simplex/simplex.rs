@@ -2,14 +2,17 @@
 
 use crate::{
     contract::noise::{kind, measured, noise},
-    kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside, first_corner},
+    kinds::simplex::geometry::{Corner, Term, UNSKEW, along, beside, first_corner, within},
     lanes::lanes::Lanes,
-    lattice::edges::edge_direction,
+    lattice::edges::{Lengths, edge_direction, edge_product},
     lattice::integer_hash::IntegerHash,
     lattice::lattice::Lattice,
     lattice::variates::MARGIN,
     statistics::tables,
 };
+
+#[cfg(feature = "simd")]
+use crate::lattice::edges::edge_by_axes;
 
 /// Gradient noise on the simplicial lattice: n + 1 corners in n dimensions.
 ///
@@ -82,6 +85,13 @@ const MAXIMA: [[f32; 2]; 4] = [
     [0.015_929_222, 0.036_730_024],
 ];
 
+/// The lengths of gradients in 1 to 4 dimensions, r² = ½ and 0.6.
+static LENGTHS: [[Lengths; 2]; 4] = [lengths(0), lengths(1), lengths(2), lengths(3)];
+
+const fn lengths(axis: usize) -> [Lengths; 2] {
+    [Lengths::new(MARGIN / MAXIMA[axis][0]), Lengths::new(MARGIN / MAXIMA[axis][1])]
+}
+
 /// A block of code once for each of the N + 1 corners.
 macro_rules! for_corners {
     ($n:ident, |$k:ident| $block:block) => {
@@ -111,7 +121,7 @@ impl<L: Lattice> Simplex<L> {
     /// A corner's place is computed from its skewed coordinates alone, so that all simplices around it agree on it to the
     /// last bit, and what is rounded far from the origin moves corners but opens no seams.
     #[inline(always)]
-    pub(crate) fn term<S: Lanes, const N: usize>(
+    pub(crate) fn term<S: Lanes, const N: usize, const GRADIENTS: bool>(
         &self,
         s: S,
         p: &[S::F; N],
@@ -124,6 +134,10 @@ impl<L: Lattice> Simplex<L> {
         for axis in 0..N {
             d[axis] = if N == 1 { p[axis] - skewed[axis] } else { p[axis] - (skewed[axis] - back) };
         }
+        if N == 3 && !GRADIENTS && S::LEN > 4 {
+            let slope = edge_product(s, word, self.lengths::<N>(), &d);
+            return Term { t: within(s, self.radius_squared(), &d), d, g: d, slope };
+        }
         let g = self.direction(s, word);
         let [t, slope] = along::<S, N>(s, beside(s, self.radius_squared(), &d, &g), d[0], g[0]);
         Term { t, d, g, slope }
@@ -131,7 +145,7 @@ impl<L: Lattice> Simplex<L> {
 
     /// The terms of the corners of a point's simplex, from the first to the last, handed to what adds them up.
     #[inline(always)]
-    pub(crate) fn terms_at<S: Lanes, const N: usize>(
+    pub(crate) fn terms_at<S: Lanes, const N: usize, const GRADIENTS: bool>(
         &self,
         s: S,
         p: &[S::F; N],
@@ -159,15 +173,27 @@ impl<L: Lattice> Simplex<L> {
                 };
             }
             let word = self.lattice.upper_words(s, words, seed);
-            add(self.term(s, p, skewed, first.sum + s.float(k as f32), word));
+            add(self.term::<S, N, GRADIENTS>(s, p, skewed, first.sum + s.float(k as f32), word));
         });
+    }
+
+    #[inline(always)]
+    fn lengths<const N: usize>(&self) -> &'static Lengths {
+        &LENGTHS[N - 1][usize::from(self.kernel == Radius::Wide)]
     }
 
     /// The direction that a word draws, scaled.
     #[inline(always)]
     pub(crate) fn direction<S: Lanes, const N: usize>(&self, s: S, word: S::U) -> [S::F; N] {
-        let maximum = MAXIMA[N - 1][usize::from(self.kernel == Radius::Wide)];
-        edge_direction(s, word, MARGIN / maximum)
+        edge_direction(s, word, self.lengths::<N>())
+    }
+
+    /// The direction that a word draws in four dimensions, scaled; one axis in each lane.
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    pub(crate) fn direction_by_axes<S: Lanes>(&self, s: S, word: u32) -> S::F {
+        let maximum = MAXIMA[3][usize::from(self.kernel == Radius::Wide)];
+        edge_by_axes(s, word, MARGIN / maximum)
     }
 
     /// Whether no corner but those of a point's own simplex comes within the kernel's radius.
