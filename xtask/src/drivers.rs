@@ -19,11 +19,16 @@ const RUNTIME: &str = "XDG_RUNTIME_DIR";
 pub(crate) fn program(root: &Path, command: &str) -> Command {
     let mut run = cargo(&root.join(PROGRAM), "run --quiet --release --locked --");
     run.arg(command);
+    with_drivers(&mut run);
+    run
+}
+
+/// Names the drivers in software that are installed.
+pub(crate) fn with_drivers(run: &mut Command) {
     if std::env::var_os(DRIVERS).is_none() && Path::new(SWIFTSHADER).is_file() {
         run.env(DRIVERS, SWIFTSHADER);
     }
     if std::env::var_os(RUNTIME).is_none() {
         run.env(RUNTIME, std::env::temp_dir());
     }
-    run
 }

@@ -1,4 +1,5 @@
-//! `cargo xtask shaders`: every function of the shaders in every language, beside the crates on the adapters that there are, and its cost.
+//! `cargo xtask shaders`: every function of the shaders in every language with a page of all, beside the crates on the adapters that
+//! there are, and its cost.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -6,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::cargo;
 use crate::cli::Shaders;
-use crate::drivers::program;
+use crate::drivers::{PROGRAM, program, with_drivers};
 use crate::failure::{Failure, Interrupted};
 use crate::output::Output;
 use crate::progress;
@@ -24,6 +25,13 @@ pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Re
     if wanted.check || wanted.adapter.is_some() {
         let mut parity = program(root, "parity");
         parity.args(&only).args(wanted.adapter.iter().flat_map(|name| ["--adapter", name]));
+        if wanted.check {
+            let mut export = program(root, "export");
+            export.args(&only).arg("--check").arg("--out").arg(std::path::absolute(&wanted.out)?);
+            let written = cargo::run(&mut export);
+            Interrupted::check(interrupted)?;
+            written?;
+        }
         let ran = cargo::run(&mut parity);
         Interrupted::check(interrupted)?;
         return ran;
@@ -37,18 +45,36 @@ pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Re
     ran
 }
 
-/// The gate: every bound on every adapter, and every file read by the validators; one line each of what there is, or lacks.
+/// The gate: every bound on every adapter, every file read by the validators, and the examples' pictures; a line each of what there is, or
+/// lacks.
 pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
     let mut export = program(root, "export");
     export.arg("--out").arg(folder(&root.join("target/asperity/shaders"))?);
-    for (mut command, is_line) in
-        [(program(root, "parity"), is_machine as fn(&str) -> bool), (export, |line| !line.is_empty())]
-    {
+    let pictures = folder(&root.join("target/asperity/examples"))?;
+    let example = |name: &str| {
+        let mut example = cargo::cargo(&root.join(PROGRAM), "run --quiet --release --locked --example");
+        example.arg(name).arg("--").arg(&pictures);
+        with_drivers(&mut example);
+        example
+    };
+    let any: fn(&str) -> bool = |line| !line.is_empty();
+    let (parity, heights, teapot) = (program(root, "parity"), example("heights"), example("teapot"));
+    let mut driver = true;
+    for (mut command, is_line, draws) in [
+        (parity, is_machine as fn(&str) -> bool, false),
+        (export, any, false),
+        (heights, any, true),
+        (teapot, any, true),
+    ] {
+        if draws && !driver {
+            continue;
+        }
         let output = command.stderr(Stdio::inherit()).output()?;
         let said = String::from_utf8_lossy(&output.stdout);
         if !output.status.success() {
             return Err(format!("the shaders are not what they should be:\n{said}").into());
         }
+        driver &= !said.contains("no driver is tried");
         said.lines().filter(|line| is_line(line)).for_each(|line| progress::say(&format!("  {line}")));
     }
     Ok(())

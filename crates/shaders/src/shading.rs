@@ -1,4 +1,4 @@
-//! Shading: pixels, level of detail, bump mapping, reflectances, textures, materials.
+//! Shading: pixels, level of detail, bump mapping, normal maps, reflectances, textures, materials.
 //!
 //! Directions are unit vectors that point away from the surface, in its frame where z is the normal. Reflectances are in sr⁻¹ as those of
 //! the crate, without the cosine of the light. Evaluation is total: what is no number, and directions below the horizon, are dark.
@@ -10,6 +10,7 @@ use crate::part::{Part, part};
 
 pub mod bump;
 pub mod material;
+pub mod normal_map;
 pub mod pixel;
 pub mod reflectance;
 pub mod texture;

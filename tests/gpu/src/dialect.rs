@@ -35,17 +35,18 @@ pub(crate) enum Dialect {
 /// A module that was accepted.
 pub(crate) struct Checked<'a> {
     wgsl: &'a str,
+    entry: &'static str,
     module: Module,
     info: ModuleInfo,
 }
 
 impl<'a> Checked<'a> {
-    /// Parses and validates WGSL; languages but WGSL, SPIR-V and MSL ask for an entry `show_case`.
-    pub(crate) fn new(wgsl: &'a str) -> Result<Self, String> {
+    /// Parses and validates WGSL; languages but WGSL, SPIR-V and MSL ask for a fragment shader's entry.
+    pub(crate) fn new(wgsl: &'a str, entry: &'static str) -> Result<Self, String> {
         let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
         let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
         let info = validator.validate(&module).map_err(|error| error.emit_to_string(wgsl))?;
-        Ok(Self { wgsl, module, info })
+        Ok(Self { wgsl, entry, module, info })
     }
 }
 
@@ -61,6 +62,20 @@ impl Dialect {
             Self::Msl => "shader.metal",
             Self::Spirv => "shader.spv",
             Self::SpirvNoContraction => "shader-no-contraction.spv",
+        }
+    }
+
+    /// Name and version.
+    pub(crate) const fn label(self) -> &'static str {
+        match self {
+            Self::Wgsl => "WGSL",
+            Self::Glsl450 => "GLSL 4.50",
+            Self::GlslEs300 => "GLSL ES 3.00",
+            Self::GlslEs310 => "GLSL ES 3.10",
+            Self::Hlsl => "HLSL",
+            Self::Msl => "MSL",
+            Self::Spirv => "SPIR-V",
+            Self::SpirvNoContraction => "SPIR-V, unfused",
         }
     }
 
@@ -80,10 +95,13 @@ impl Dialect {
     }
 }
 
-fn glsl(Checked { module, info, .. }: &Checked<'_>, version: glsl::Version) -> Result<Vec<u8>, String> {
+fn glsl(
+    Checked { module, info, entry, .. }: &Checked<'_>,
+    version: glsl::Version,
+) -> Result<Vec<u8>, String> {
     let options = glsl::Options { version, writer_flags: glsl::WriterFlags::empty(), ..Default::default() };
     let entry = glsl::PipelineOptions {
-        entry_point: "show_case".into(),
+        entry_point: (*entry).into(),
         shader_stage: ShaderStage::Fragment,
         multiview: None,
     };
@@ -95,11 +113,14 @@ fn glsl(Checked { module, info, .. }: &Checked<'_>, version: glsl::Version) -> R
 }
 
 fn hlsl(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
-    let options = back::hlsl::Options {
+    let mut options = back::hlsl::Options {
         shader_model: back::hlsl::ShaderModel::V6_0,
         fake_missing_bindings: true,
         ..Default::default()
     };
+    // Samplers are in a heap, and found by numbers in a buffer; the space that naga gives it by itself is beyond what glslang has.
+    let numbers = back::hlsl::BindTarget { space: 2, ..Default::default() };
+    options.sampler_buffer_binding_map.insert(back::hlsl::SamplerIndexBufferKey { group: 0 }, numbers);
     let mut text = String::new();
     back::hlsl::Writer::new(&mut text, &options, &Default::default())
         .write(&checked.module, &checked.info, None)
@@ -108,11 +129,44 @@ fn hlsl(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
 }
 
 fn msl(checked: &Checked<'_>) -> Result<Vec<u8>, String> {
-    let options =
-        back::msl::Options { fake_missing_bindings: true, lang_version: (2, 4), ..Default::default() };
+    let options = back::msl::Options {
+        fake_missing_bindings: false,
+        lang_version: (2, 4),
+        per_entry_point_map: slots(checked),
+        ..Default::default()
+    };
     back::msl::write_string(&checked.module, &checked.info, &options, &Default::default())
         .map(|(text, _)| text.into())
         .map_err(|error| error.to_string())
+}
+
+/// Metal's numbers of resources: buffers, textures and samplers each count from 0 in the order of the bindings.
+fn slots(Checked { module, .. }: &Checked<'_>) -> back::msl::EntryPointResourceMap {
+    let mut bound: Vec<_> = module
+        .global_variables
+        .iter()
+        .filter_map(|(_, variable)| Some((variable.binding?, &module.types[variable.ty].inner)))
+        .collect();
+    bound.sort_by_key(|(binding, _)| (binding.group, binding.binding));
+    let mut next = [0; 3];
+    let mut resources = back::msl::BindingMap::new();
+    for (binding, ty) in bound {
+        let mut take = |kind: usize| {
+            next[kind] += 1;
+            Some(next[kind] - 1)
+        };
+        let mut target = back::msl::BindTarget::default();
+        match ty {
+            naga::TypeInner::Image { .. } => target.texture = take(1),
+            naga::TypeInner::Sampler { .. } => {
+                target.sampler = take(2).map(back::msl::BindSamplerTarget::Resource);
+            }
+            _ => target.buffer = take(0),
+        }
+        resources.insert(binding, target);
+    }
+    let of_entry = back::msl::EntryPointResources { resources, ..Default::default() };
+    module.entry_points.iter().map(|entry| (entry.name.clone(), of_entry.clone())).collect()
 }
 
 fn spirv(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
@@ -123,7 +177,7 @@ fn spirv(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
 
 /// SPIR-V of all functions with their names, without the counters by which naga bounds loops: every operation is one that is written.
 pub(crate) fn counted(wgsl: &str) -> Result<Vec<u32>, String> {
-    let Checked { module, info, .. } = Checked::new(wgsl)?;
+    let Checked { module, info, .. } = Checked::new(wgsl, "")?;
     let mut options = back::spv::Options { force_loop_bounding: false, ..Default::default() };
     options.flags = back::spv::WriterFlags::DEBUG;
     back::spv::write_vec(&module, &info, &options, None).map_err(|error| error.to_string())

@@ -1,14 +1,16 @@
-//! Files of every case in every language.
+//! Files of every case and every part in every language, and the page of all.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
-use asperity_shader_tests::case::Case;
+use asperity_shader_tests::{case::Case, cases};
 use clap::ValueEnum;
+use rayon::prelude::*;
 
 use crate::dialect::{Checked, Dialect};
-use crate::entry;
+use crate::{entry, page};
 
 /// A validator and the files that it reads.
 struct Tool {
@@ -34,44 +36,135 @@ const TOOLS: [Tool; 2] = [
             (Dialect::Glsl450, &[]),
             (Dialect::GlslEs300, &[]),
             (Dialect::GlslEs310, &[]),
-            (
-                Dialect::Hlsl,
-                &["-D", "-V", "-S", "frag", "-e", "show_case", "--auto-map-bindings", "-o", "/dev/null"],
-            ),
+            (Dialect::Hlsl, &["-D", "-V", "-S", "frag", "--auto-map-bindings", "-o", "/dev/null", "-e"]),
         ],
     },
 ];
 
-/// Writes the cases in the languages, and has what is written read by the validators that are installed.
-pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path) -> Result<(), String> {
-    let all = Dialect::value_variants();
-    let dialects = if dialects.is_empty() { all } else { dialects };
-    let mut refusals = vec![];
-    for case in cases {
-        let folder = out.join(folder_of(&case.name));
-        let write = |file: &Path, data: &[u8]| {
-            fs::write(file, data).map_err(|error| format!("cannot write {}: {error}", file.display()))
-        };
-        fs::create_dir_all(&folder).map_err(|error| format!("cannot write {}: {error}", folder.display()))?;
-        let wgsl = case.wgsl() + entry::FRAGMENT;
-        let checked = match Checked::new(&wgsl) {
+/// The place where files go, or are compared with.
+struct Folder<'a> {
+    out: &'a Path,
+    /// Compare with what is there in place of writing.
+    check: bool,
+    refusals: Mutex<Vec<String>>,
+}
+
+/// A module with the entry that is written of it, and its folder.
+type Shader = (String, String, &'static str);
+
+impl Folder<'_> {
+    fn refuse(&self, what: String) {
+        self.refusals.lock().unwrap_or_else(PoisonError::into_inner).push(what);
+    }
+
+    fn put(&self, file: &str, data: &[u8]) -> Result<(), String> {
+        let path = self.out.join(file);
+        let failed = |error| format!("cannot write {}: {error}", path.display());
+        if self.check {
+            match fs::read(&path) {
+                Ok(there) if there == data => {}
+                Ok(_) => self.refuse(format!("{} is stale", path.display())),
+                Err(_) => self.refuse(format!("{} is missing", path.display())),
+            }
+            return Ok(());
+        }
+        fs::create_dir_all(path.parent().unwrap_or(self.out)).map_err(failed)?;
+        fs::write(&path, data).map_err(failed)
+    }
+
+    /// Writes a shader in the languages, and has what is written read by the validators that are installed.
+    fn shader(&self, (folder, wgsl, entry): &Shader, dialects: &[Dialect]) -> Result<(), String> {
+        let checked = match Checked::new(wgsl, entry) {
             Ok(checked) => checked,
             Err(error) => {
-                refusals.push(format!("{}: {error}", case.name));
-                continue;
+                self.refuse(format!("{folder}: {error}"));
+                return Ok(());
             }
         };
         for &dialect in dialects {
             match dialect.write(&checked) {
-                Ok(data) => write(&folder.join(dialect.file()), &data)?,
-                Err(error) => refusals.push(format!("{}: {dialect:?}: {error}", case.name)),
+                Ok(data) => self.put(&format!("{folder}/{}", dialect.file()), &data)?,
+                Err(error) => self.refuse(format!("{folder}: {dialect:?}: {error}")),
             }
         }
-        for tool in &TOOLS {
-            refusals.extend(tool.refusals(&folder, dialects));
+        if !self.check {
+            for tool in &TOOLS {
+                let refused = tool.refusals(&self.out.join(folder), entry, dialects);
+                refused.into_iter().for_each(|what| self.refuse(what));
+            }
         }
+        Ok(())
     }
-    println!("{} functions in {} languages: {}", cases.len(), dialects.len(), out.display());
+}
+
+/// Writes the cases and the parts in the languages with a page of all, and has what is written read by the validators that are
+/// installed; or says what is missing or stale of it.
+pub(crate) fn run(
+    cases: &[Case],
+    only: Option<&str>,
+    dialects: &[Dialect],
+    out: &Path,
+    check: bool,
+) -> Result<(), String> {
+    let all = Dialect::value_variants();
+    let dialects = if dialects.is_empty() { all } else { dialects };
+    let folder = Folder { out, check, refusals: Mutex::default() };
+    let of_case = |case: &Case| (folder_of(&case.name), case.wgsl() + entry::FRAGMENT, "show_case");
+    let mut shaders: Vec<Shader> = cases.iter().map(of_case).collect();
+    let parts = page::parts(&cases::all(), only)?;
+    let count = parts.len();
+    for part in &parts {
+        folder.put(&format!("{}/bevy.wgsl", part.folder), part.bevy.as_bytes())?;
+        for (name, words) in &part.words {
+            folder.put(&format!("{}/{name}.bin", part.folder), bytemuck::cast_slice(words))?;
+        }
+        let Some([fragment, compute]) = &part.shaders else { continue };
+        shaders.push((part.folder.clone(), fragment.clone(), page::ENTRY));
+        let checked = Checked::new(compute, "main").map_err(|error| format!("{}: {error}", part.folder))?;
+        let compute = Dialect::Spirv.write(&checked)?;
+        folder.put(&format!("{}/compute.spv", part.folder), &compute)?;
+    }
+    shaders.par_iter().try_for_each(|shader| folder.shader(shader, dialects))?;
+    let page = out.join("index.html");
+    // Of some functions alone there is no page: it would take the place of that of all.
+    if only.is_none() {
+        let entries: Vec<_> = cases.iter().map(|case| (folder_of(&case.name), case)).collect();
+        folder.put("index.html", page::html(parts, &entries, dialects).as_bytes())?;
+    }
+    let mut refusals = folder.refusals.into_inner().unwrap_or_else(PoisonError::into_inner);
+    refusals.sort_unstable();
+    if check {
+        refusals.iter().for_each(|line| println!("{line}"));
+        return match refusals.len() {
+            0 => {
+                println!(
+                    "{} functions and {count} parts are as they are written in {}",
+                    cases.len(),
+                    out.display()
+                );
+                Ok(())
+            }
+            faults => {
+                Err(format!("{faults} files are not what they should be: `cargo xtask shaders` writes them"))
+            }
+        };
+    }
+    println!(
+        "{} functions and {count} parts in {} languages: {}",
+        cases.len(),
+        dialects.len(),
+        out.display()
+    );
+    say_who_read(dialects);
+    refusals.iter().for_each(|line| println!("{line}"));
+    if only.is_none() {
+        println!("the page of all parts, with a use in every engine: {}", page.display());
+    }
+    if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are refused", refusals.len())) }
+}
+
+/// A line for each validator, and for what has none.
+fn say_who_read(dialects: &[Dialect]) {
     for tool in &TOOLS {
         let read: Vec<&str> = tool
             .reads
@@ -92,8 +185,6 @@ pub(crate) fn run(cases: &[Case], dialects: &[Dialect], out: &Path) -> Result<()
     if dialects.contains(&Dialect::Msl) {
         println!("{} is read by no validator: Apple's compiler only", Dialect::Msl.file());
     }
-    refusals.iter().for_each(|line| println!("{line}"));
-    if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are refused", refusals.len())) }
 }
 
 /// A path of letters, digits, `_` and `/`; hyphens for all else.
@@ -108,11 +199,14 @@ impl Tool {
     }
 
     /// Complaints about files that it does not accept; none where it is not installed.
-    fn refusals(&self, folder: &Path, dialects: &[Dialect]) -> Vec<String> {
+    fn refusals(&self, folder: &Path, entry: &str, dialects: &[Dialect]) -> Vec<String> {
         let mut refusals = vec![];
         for (dialect, options) in self.reads.iter().filter(|(dialect, _)| dialects.contains(dialect)) {
             let file = folder.join(dialect.file());
-            let Ok(output) = Command::new(self.program).args(*options).arg(&file).output() else { continue };
+            // The last option of HLSL takes the entry's name.
+            let entry = (*dialect == Dialect::Hlsl).then_some(entry);
+            let mut read = Command::new(self.program);
+            let Ok(output) = read.args(*options).args(entry).arg(&file).output() else { continue };
             if file.is_file() && !output.status.success() {
                 let said = [output.stdout, output.stderr].concat();
                 let said = String::from_utf8_lossy(&said);

@@ -14,6 +14,7 @@ mod export;
 mod means;
 mod mutants;
 mod no_contraction;
+mod page;
 mod parity;
 mod picture;
 mod resources;
@@ -43,7 +44,8 @@ enum Command {
         #[arg(long)]
         out: Option<PathBuf>,
     },
-    /// Every function with an entry point in every shading language, read by the validators that are installed.
+    /// Every function with an entry point and every part in every shading language, read by the validators that are installed, with a
+    /// page of all.
     Export {
         /// Functions whose names, or those of the parts they need, contain this; all without it.
         #[arg(long, visible_alias = "part")]
@@ -54,6 +56,9 @@ enum Command {
         /// Folder for the shaders.
         #[arg(long, default_value = "target/shaders")]
         out: PathBuf,
+        /// Say what is missing or stale in the folder, and write nothing.
+        #[arg(long)]
+        check: bool,
     },
     /// Every bound seen to fail, by a fault in the source of its function.
     Mutants {
@@ -78,6 +83,11 @@ enum Command {
         /// File for the page.
         #[arg(long)]
         out: Option<PathBuf>,
+    },
+    /// The live page's pictures of the teapot beside the crates': `*.rgba` in a folder, each with its camera in a file `*.json`.
+    Page {
+        /// The folder.
+        folder: PathBuf,
     },
     /// The teapot and a plane to the horizon at four zooms, and the materials, by the shader and by the crates beside each other.
     Pictures {
@@ -104,12 +114,13 @@ fn main() -> ExitCode {
         Command::Parity { adapter, only, out } => {
             chosen(only).and_then(|cases| parity::run(&cases, adapter.as_deref(), out.as_deref()))
         }
-        Command::Export { only, dialect, out } => {
-            chosen(only).and_then(|cases| export::run(&cases, &dialect, &out))
+        Command::Export { only, dialect, out, check } => {
+            chosen(only.clone()).and_then(|cases| export::run(&cases, only.as_deref(), &dialect, &out, check))
         }
         Command::Costs { adapter, size, out } => costs::run(adapter.as_deref(), size, out.as_deref()),
         Command::Mutants { only } => chosen(only).and_then(|cases| mutants::run(&cases)),
         Command::Means { adapter } => means::run(adapter.as_deref()),
+        Command::Page { folder } => picture::page::run(&folder),
         Command::Pictures { adapter, fastest, only, size, out } => {
             picture::run(adapter.as_deref(), fastest, only, size, &out)
         }

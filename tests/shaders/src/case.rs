@@ -22,9 +22,9 @@ pub struct Case {
     /// Words of uniforms and tables, by the names of the parts' bindings.
     pub resources: Vec<(&'static str, Vec<u32>)>,
     /// The i-th input: the words of a, b, c and d. Those of every case are at least [`Case::COUNT`], the first few of them bad ones.
-    pub input: Box<dyn Fn(u32) -> [u32; INPUTS] + Sync>,
+    pub input: Box<dyn Fn(u32) -> [u32; INPUTS] + Send + Sync>,
     /// Outputs that the crates give.
-    pub reference: Box<dyn Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Sync>,
+    pub reference: Box<dyn Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Send + Sync>,
     /// Names of the output words, and how near they must be.
     pub outputs: Vec<Output>,
 }

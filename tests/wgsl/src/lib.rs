@@ -140,7 +140,7 @@ impl Interpreter {
         }
         // Of many points at once, so that a machine is made once for all of them.
         let chunks: Vec<Vec<Value>> = inputs
-            .par_chunks(64 * LANES)
+            .par_chunks(16 * LANES)
             .map_init(
                 || Machine::new(&self.program, &self.bindings),
                 |machine, chunk| {

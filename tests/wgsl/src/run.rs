@@ -6,7 +6,7 @@ use super::program::{Function, Operation, Program, Slot, Step};
 use super::value::Value;
 
 /// Number of points that run together.
-pub(super) const LANES: usize = 16;
+pub(super) const LANES: usize = 64;
 
 /// A word of memory at all points.
 type Lanes = [u32; LANES];

@@ -22,6 +22,9 @@ pub static FRAME: Part = part!("ndf/frame", ELEMENTARY);
 /// Gaussian coordinates, split into what is resolved and the rest: [`GaussianSplit`](asperity_ndf_sampling::GaussianSplit).
 pub static GAUSSIAN_SPLIT: Part = part!("ndf/level_of_detail/gaussian_split", ELEMENTARY);
 
+/// Gaussian slopes of any mean and covariance, [`OffsetBeckmann`](asperity_ndf_sampling::level_of_detail::OffsetBeckmann), to 32 bits.
+pub static OFFSET_BECKMANN: Part = part!("ndf/level_of_detail/offset_beckmann", ELEMENTARY, GAUSSIAN_SPLIT);
+
 /// GGX: density, bijection and inverse, samples, visible normals, masking, conditional density; the bits of
 /// [`Ggx`](asperity_ndf_sampling::Ggx).
 pub static GGX: Part = part!("ndf/density/ggx", ELEMENTARY, ROUGHNESS, MICROFACET, GAUSSIAN_SPLIT);

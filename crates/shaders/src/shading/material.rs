@@ -7,6 +7,7 @@
 mod carpet;
 mod glass;
 mod glint;
+mod mapped;
 mod paint;
 mod surface;
 mod textured;
@@ -15,7 +16,8 @@ mod wear;
 pub use carpet::{CARPET, CarpetUniform, FIBRES, SEAMS};
 pub use glass::{TEMPERED_GLASS, TemperedGlassUniform};
 pub use glint::{COUNTED_FLAKES, CountedFlakesUniform, GLINT_FIELD, GlintFieldUniform};
-pub use paint::{FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
+pub use mapped::{BUMP_MAPPED, BumpMappedUniform, NORMAL_MAPPED, NormalMappedUniform};
+pub use paint::{COATED_FLAKES, FLAKE_PATCH, METALLIC_PAINT, MetallicPaintUniform};
 pub use surface::{FBM, GLOSSY, LATTICE_KEY, SEGMENTS, SURFACE_POINT};
 pub use textured::{
     BEVELLED_TILES, BRICK_WALL, BevelledTilesUniform, BrickWallUniform, PERTURBED_POINT, POLISHED_MARBLE,

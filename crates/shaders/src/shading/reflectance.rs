@@ -1,5 +1,8 @@
 //! Reflectances: Fresnel terms, diffuse and glossy models.
 
+use asperity_shading::glam::Vec4;
+use asperity_shading::reflectance::Coat;
+
 use crate::ndf::{BECKMANN, ELEMENTARY, FRAME, GGX};
 use crate::part::{Part, part};
 use crate::shading::bump::{SLOPE_FACETS, SURFACE_GRADIENT};
@@ -49,12 +52,65 @@ pub static PHONG: Part = part!("shading/reflectance/phong", BRDF, DIRECTION, ELE
 pub static WARD: Part = part!("shading/reflectance/ward", BRDF, DIRECTION, ELEMENTARY);
 
 /// Light by way of a facet of a surface, as [`Bsdf`](asperity_shading::Bsdf) adds it up.
-pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME);
-
-/// Smooth and rough coats over the layers of a surface, [`Coat`](asperity_shading::reflectance::Coat).
-pub static COAT: Part =
-    part!("shading/reflectance/coat", SLOPE_FACETS, FACET, COOK_TORRANCE_BECKMANN, DIELECTRIC, ELEMENTARY);
+pub static FACET: Part = part!("shading/reflectance/facet", SURFACE_GRADIENT, FRAME, BRDF);
 
 /// Frosted glass, walls and bodies, [`RoughDielectric`](asperity_shading::reflectance::RoughDielectric).
 pub static ROUGH_DIELECTRIC: Part =
     part!("shading/reflectance/rough_dielectric", BRDF, DIRECTION, DIELECTRIC, BECKMANN, ELEMENTARY);
+
+/// Smooth and rough coats of every kind over the layers of a surface, [`Coat`]: what they let through, mirror and transmit.
+///
+/// Any material has one by `coat_over(coat, material(point, wo, wi), wo, wi)`, and `coat_deltas`.
+pub static COAT: Part = part!(
+    "shading/reflectance/coat",
+    SLOPE_FACETS,
+    FACET,
+    COOK_TORRANCE_BECKMANN,
+    DIELECTRIC,
+    ROUGH_DIELECTRIC,
+    ELEMENTARY,
+);
+
+/// A coat as the words of the structure `Coat`.
+///
+/// | words | |
+/// |---|---|
+/// | 0–3 | unit normal in the frame of the surface; variance of the slopes that the pixel does not resolve |
+/// | 4–7 | steepest slope of a sine that it does not resolve, or 0; Beckmann's α, 0 for a smooth coat |
+/// | 8–11 | tint of a pane, reflectance of a metal, transmittance of a veil, else 1; relative index |
+/// | 12–15 | kind: varnish, pane, body, metal, veil; 0, 0, 0 |
+///
+/// ```
+/// use asperity_shaders::shading::reflectance::CoatUniform;
+/// use asperity_shading::{Dielectric, reflectance::Coat};
+///
+/// let varnish = Coat::varnish(Dielectric::new(1.5)?).rough(0.1);
+/// let words = CoatUniform::new(&varnish).words();
+/// assert_eq!([words[2], words[7], words[11]].map(f32::from_bits), [1.0, 0.1, 1.5]);
+/// # Ok::<(), asperity_shading::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CoatUniform([u32; Self::WORDS]);
+
+impl CoatUniform {
+    /// Words of the structure.
+    pub const WORDS: usize = 16;
+
+    /// The words of a coat.
+    #[must_use]
+    pub fn new(coat: &Coat) -> Self {
+        let (rows, kind) = coat.parts();
+        let mut words = [0; Self::WORDS];
+        for (word, number) in words.iter_mut().zip(rows.iter().flat_map(Vec4::to_array)) {
+            *word = number.to_bits();
+        }
+        words[12] = kind;
+        Self(words)
+    }
+
+    /// The words, in the layout of `Coat`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.0
+    }
+}

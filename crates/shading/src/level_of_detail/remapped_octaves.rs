@@ -1,7 +1,10 @@
 //! Classic lattice noise as Gaussian coordinates, through its measured distribution.
 
 use asperity_ndf_sampling::{NoiseCdfError, NoiseCdfRef, NoiseDistribution};
-use asperity_noise::{Field, Octaves, Spectrum, simd::Kernel};
+use asperity_noise::{
+    Field, Octaves, Spectrum,
+    simd::{Anchor, Kernel},
+};
 use glam::{Vec2, Vec3};
 
 use crate::level_of_detail::gaussian_field::{Coordinates, GaussianField};
@@ -60,6 +63,29 @@ impl<K: Kernel<3> + Clone> RemappedOctaves<K> {
     pub fn spectrum(&self) -> &Spectrum {
         let [first, _] = &self.channels;
         first.spectrum()
+    }
+}
+
+impl<K: Anchor<3>> RemappedOctaves<K> {
+    /// The pair as seen from an anchor: at p it is what it was at anchor + p, each octave in its own cell there, as of
+    /// [`Octaves::anchored`].
+    ///
+    /// ```
+    /// use asperity_shading::glam::Vec3;
+    /// use asperity_shading::level_of_detail::{GaussianField, RemappedOctaves};
+    /// use asperity_shading::noise::{Simplex, Spectrum};
+    ///
+    /// let field = RemappedOctaves::new(Simplex::new(0), Spectrum::default(), 3)?;
+    /// let [here, there] = [0.0, 1.0].map(|x| field.anchored([1e9 + x, -2e8, 0.5]));
+    /// let p = Vec3::new(0.3, 0.7, -0.2);
+    /// let [a, b] = [here.coordinates(p + Vec3::X, 4.0).z, there.coordinates(p, 4.0).z];
+    /// assert!((a - b).length() < 1e-3);
+    /// # Ok::<(), asperity_shading::ndf_sampling::NoiseCdfError>(())
+    /// ```
+    #[must_use]
+    pub fn anchored(self, at: impl Into<[f64; 3]>) -> RemappedOctaves<K::Shifted> {
+        let at = at.into();
+        RemappedOctaves { channels: self.channels.map(|channel| channel.anchored(at)), cdf: self.cdf }
     }
 }
 

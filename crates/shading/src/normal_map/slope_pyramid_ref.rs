@@ -97,6 +97,13 @@ impl<'a, const K: usize> SlopePyramidRef<'a, K> {
         Self { size, slopes, centres, lobes }
     }
 
+    /// Width and height, slopes, centres of the groups, and the lobes of all levels: what shaders take.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn parts(&self) -> ([usize; 2], &'a [Vec2], &[Vec2; K], &'a [SlopeLobes<K>]) {
+        (self.size, self.slopes, &self.centres, self.lobes)
+    }
+
     /// The last level, of one texel: that of the whole map.
     #[must_use]
     pub const fn last_level(&self) -> u32 {

@@ -3,7 +3,7 @@
 use core::f32::consts::TAU;
 
 use asperity_ndf_sampling::Beckmann;
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::bump::{Facet, bumped_normal, facing, slope_facets};
 use crate::direction::reflect;
@@ -140,6 +140,25 @@ impl Coat {
             Slopes::Gaussian(v) => (self.roughness, v),
             Slopes::Sine(_) => (self.roughness, 0.0),
         }
+    }
+
+    /// Words of a shader's coat: normal and variance of its slopes; the steepest slope of a sine and Beckmann's α; colour and relative index;
+    /// number of its kind, in the order of the constructors.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn parts(&self) -> ([Vec4; 3], u32) {
+        let (variance, swing) = match self.slopes {
+            Slopes::Gaussian(variance) => (variance, Vec3::ZERO),
+            Slopes::Sine(swing) => (0.0, swing),
+        };
+        let (colour, index, kind) = match self.behind {
+            Behind::Layers(fresnel) => (Vec3::ONE, fresnel.relative_index(), 0),
+            Behind::Pane(fresnel, tint) => (tint, fresnel.relative_index(), 1),
+            Behind::Body(fresnel) => (Vec3::ONE, fresnel.relative_index(), 2),
+            Behind::Metal(colour) => (colour, 1.0, 3),
+            Behind::Veil(transmittance) => (transmittance, 1.0, 4),
+        };
+        ([self.normal.extend(variance), swing.extend(self.roughness), colour.extend(index)], kind)
     }
 
     fn is_pane(&self) -> bool {

@@ -12,11 +12,12 @@ use crate::picture::reference::encoded;
 use crate::picture::{difference, png};
 
 /// Cases of materials, and how far away the middle of the floor is, in units of the surface: metres.
-const FLOORS: [(&str, f32); 12] = [
+const FLOORS: [(&str, f32); 16] = [
     ("carpet/carpet, lines", 0.12),
     ("carpet/carpet, grid", 1.2),
     ("paint/metallic_paint, sparkling", 0.03),
     ("paint/metallic_paint, rough coat", 0.3),
+    ("paint/counted_flakes", 0.03),
     ("wear/scratches", 0.3),
     ("wear/variations", 0.6),
     ("tempered_glass, pane", 2.0),
@@ -25,6 +26,9 @@ const FLOORS: [(&str, f32); 12] = [
     ("textured/bevelled_tiles", 3.0),
     ("textured/starry_wallpaper", 3.0),
     ("textured/polished_marble", 3.0),
+    ("bump_mapped, exact rule of GGX", 8.0),
+    ("bump_mapped, fractal rule of Beckmann", 8.0),
+    ("normal_mapped", 2.0),
 ];
 
 /// Half the angle of view's tangent.

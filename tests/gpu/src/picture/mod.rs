@@ -1,6 +1,7 @@
 //! Pictures of bump-mapped surfaces by the shaders and by the crates, beside each other.
 
 mod materials;
+pub(crate) mod page;
 pub(crate) mod raster;
 pub(crate) mod reference;
 pub(crate) mod render;

@@ -3,7 +3,7 @@
 use asperity_shading::material::GlintField;
 use asperity_shading::{MetallicPaint, Ndf};
 
-use super::paint::{METALLIC_PAINT, MetallicPaintUniform};
+use super::paint::{COATED_FLAKES, MetallicPaintUniform};
 use super::surface::LATTICE_KEY;
 use crate::ndf::{ELEMENTARY, NORMAL_DISTRIBUTION};
 use crate::noise::{INTEGER_HASH, key};
@@ -22,7 +22,7 @@ pub static GLINT_FIELD: Part = part!(
 );
 
 /// Metallic paint whose flakes are counted, [`PaintFlakes::Counted`](asperity_shading::material::PaintFlakes::Counted).
-pub static COUNTED_FLAKES: Part = part!("shading/material/paint/counted_flakes", METALLIC_PAINT, GLINT_FIELD)
+pub static COUNTED_FLAKES: Part = part!("shading/material/paint/counted_flakes", COATED_FLAKES, GLINT_FIELD)
     .with_bindings(&[Binding::Uniform { name: "counted_flakes_uniform", of: "CountedFlakes" }]);
 
 /// Flakes that are counted as the words of the structure `GlintField`.

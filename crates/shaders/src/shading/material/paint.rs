@@ -15,10 +15,13 @@ use crate::shading::reflectance::{COAT, ENERGY_PRESERVING};
 pub static FLAKE_PATCH: Part =
     part!("shading/material/paint/flake_patch", INTEGER_HASH, DIRECTION, ELEMENTARY);
 
+/// Flakes over pigment under a clear coat with orange peel, what both kinds of [`MetallicPaint`] share.
+pub static COATED_FLAKES: Part =
+    part!("shading/material/paint/coated_flakes", SURFACE_POINT, FBM, ENERGY_PRESERVING, COAT);
+
 /// Metallic paint with passive flakes, sparkles and a clear coat with orange peel, [`MetallicPaint`].
-pub static METALLIC_PAINT: Part =
-    part!("shading/material/paint/metallic_paint", SURFACE_POINT, FBM, FLAKE_PATCH, ENERGY_PRESERVING, COAT,)
-        .with_bindings(&[Binding::Uniform { name: "metallic_paint_uniform", of: "MetallicPaint" }]);
+pub static METALLIC_PAINT: Part = part!("shading/material/paint/metallic_paint", COATED_FLAKES, FLAKE_PATCH)
+    .with_bindings(&[Binding::Uniform { name: "metallic_paint_uniform", of: "MetallicPaint" }]);
 
 /// Metallic paint whose flakes sparkle as the words of the structure `MetallicPaint`, and its sums of octaves.
 ///

@@ -1,6 +1,6 @@
 // Floats that are kept in their ranges, and the angle of a vector: `math.rs` of asperity-shading.
 
-const MATH_LARGEST: f32 = 3.4028235e38;
+const MATH_LARGEST: f32 = 3.4028234663852886e38;
 
 // x in [0, most]; 0 for what is no number.
 fn math_clamped(x: f32, most: f32) -> f32 {

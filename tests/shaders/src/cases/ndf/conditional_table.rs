@@ -17,7 +17,9 @@ fn table(size: usize) -> Case {
     let entries: &'static [[f32; 3]] = table.view().entries().to_vec().leak();
     let table = ConditionalTableRef::new(size, table.view().stretch(), entries).expect("as many entries");
     let mut numbers: Vec<u32> = entries.as_flattened().iter().map(|x| x.to_bits()).collect();
-    numbers.resize(numbers.len().next_multiple_of(ConditionalTableUniform::WIDTH as usize), 0);
+    // Behind the entries is no number: of a single one nothing else may be read.
+    numbers
+        .resize(numbers.len().next_multiple_of(ConditionalTableUniform::WIDTH as usize), f32::NAN.to_bits());
     Case {
         name: format!("ndf/level_of_detail/conditional_table, {size}"),
         parts: vec![&CONDITIONAL_TABLE],

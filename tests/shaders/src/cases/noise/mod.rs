@@ -110,7 +110,7 @@ fn case(
     part: &'static Part,
     body: String,
     bounds: [Bound; 2],
-    reference: impl Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Sync + 'static,
+    reference: impl Fn([u32; INPUTS]) -> [u32; OUTPUTS] + Send + Sync + 'static,
 ) -> Case {
     let has_4d = body.contains("outcome.c");
     let [value, gradient] = bounds;

@@ -76,11 +76,7 @@ fn counted_flakes() -> Case {
     material(
         "paint/counted_flakes",
         &COUNTED_FLAKES,
-        vec![
-            ("metallic_paint_uniform", uniform.words().to_vec()),
-            ("counted_flakes_uniform", counted),
-            sums(&uniform.sums()),
-        ],
+        vec![("counted_flakes_uniform", counted), sums(&uniform.sums())],
         [0.1, 1e-5, 0.02],
         [Bound::Absolute(1.6e-5), Bound::Absolute(1e-2)],
         paint,

@@ -34,7 +34,7 @@ pub(super) fn cases() -> Vec<Case> {
 }
 
 /// Words whose directions, at 4 to 6 and 8 to 10, are no numbers or infinite, but not just long.
-fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
+pub(super) fn units(mut words: [u32; INPUTS]) -> [u32; INPUTS] {
     for word in [4, 5, 6, 8, 9, 10] {
         let x = f32::from_bits(words[word]);
         if x.is_finite() && x.abs() > 1.0 {
@@ -52,7 +52,7 @@ pub(super) fn material(
     resources: Vec<(&'static str, Vec<u32>)>,
     [extent, narrowest, widest]: [f32; 3],
     bounds: [Bound; 2],
-    of: impl Material + Sync + 'static,
+    of: impl Material + Send + Sync + 'static,
 ) -> Case {
     let [written, adapter] = bounds;
     let name_of_glass = name.contains("glass");

@@ -5,10 +5,12 @@ use asperity_shading::glam::{Vec2, Vec3};
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, between};
 
 mod bump;
+mod coat;
 mod diffuse;
 mod fresnel;
 mod glint;
 mod glossy;
+mod mapped;
 mod material;
 mod noisy_texture;
 mod pixel;
@@ -21,7 +23,9 @@ pub(super) fn cases() -> Vec<Case> {
         diffuse::cases(),
         fresnel::cases(),
         glint::cases(),
+        coat::cases(),
         glossy::cases(),
+        mapped::cases(),
         material::cases(),
         pixel::cases(),
         noisy_texture::cases(),

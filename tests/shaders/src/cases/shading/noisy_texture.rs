@@ -25,7 +25,7 @@ fn texture(
     resources: Vec<(&'static str, Vec<u32>)>,
     body: String,
     [extent, widest]: [f32; 2],
-    reference: impl Fn(Vec3, f32, Vec2) -> [u32; OUTPUTS] + Sync + 'static,
+    reference: impl Fn(Vec3, f32, Vec2) -> [u32; OUTPUTS] + Send + Sync + 'static,
     outputs: Vec<Output>,
 ) -> Case {
     Case {

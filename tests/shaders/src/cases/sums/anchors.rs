@@ -58,7 +58,7 @@ fn view(
     zooms: Vec<f64>,
     origin: DVec3,
     sum: &OctavesUniform<3>,
-    pair: impl Fn(Vec3, f32) -> [Sample<Vec3>; 2] + Sync + 'static,
+    pair: impl Fn(Vec3, f32) -> [Sample<Vec3>; 2] + Send + Sync + 'static,
 ) -> Case {
     Case {
         name: name.into(),

@@ -28,7 +28,7 @@ pub(crate) fn draw_textured(context: &Context<'_>) -> Result<Drawn> {
 }
 
 pub(crate) fn draw_materials(context: &Context<'_>) -> Result<Drawn> {
-    let alt = "Floors of carpet, paint, scratched and dented metal and glass, each twice the same.";
+    let alt = "Floors of carpet, paint, scratched and dented metal, glass, brick, tiles and bumps, each twice the same.";
     draw(context, "materials", "by the shader, and below it by the crates", alt)
 }
 

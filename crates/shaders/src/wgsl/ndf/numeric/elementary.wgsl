@@ -3,7 +3,7 @@
 //
 // Built-in functions are coarser: exp to 4e-6 relative, sin to 2e-4 on some drivers.
 
-const ELEMENTARY_LARGEST: f32 = 3.4028235e38;
+const ELEMENTARY_LARGEST: f32 = 3.4028234663852886e38;
 const ELEMENTARY_LEAST_NORMAL: f32 = 1.1754944e-38;
 
 // x, and 0 where it is no number. By the bits: compilers may take every float for a number.

@@ -50,82 +50,32 @@ fn tempered_glass_surface(glass: TemperedGlass, point: SurfacePoint, frame: Fram
     return TemperedGlassSurface(frame_to_local(frame, normal), frame_to_local(frame, swing), 0.0);
 }
 
+// The coat that a pixel sees.
+fn tempered_glass_coat(glass: TemperedGlass, point: SurfacePoint) -> Coat {
+    let surface = tempered_glass_surface(glass, point, surface_point_frame(point));
+    let kind = select(COAT_PANE, COAT_BODY, glass.is_solid != 0u);
+    return Coat(
+        surface.normal,
+        surface.slope_variance,
+        surface.swing,
+        glass.roughness,
+        glass.tint,
+        glass.index,
+        kind,
+        0u,
+        vec2<u32>(0u),
+    );
+}
+
 // Reflectance times cosine, `Bsdf::scattered` of a point; 0 for smooth glass, of which `tempered_glass_deltas` has all. wo and wi are
 // in its frame, `surface_point_frame`, either below the surface too.
 fn tempered_glass_scattered(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    if !(glass.roughness > 0.0 && direction_have_sides(wi, wo)) {
-        return vec3<f32>(0.0);
-    }
-    let surface = tempered_glass_surface(glass, point, surface_point_frame(point));
-    var widened = vec2<f32>(glass.roughness, surface.slope_variance);
-    if glass.is_solid != 0u {
-        widened = coat_widened(glass.roughness, surface.slope_variance);
-    }
-    let alpha = clamp(widened.x, 0.000001, 1000000.0);
-    let rough = RoughDielectric(alpha, rough_dielectric_index(glass.index), glass.is_solid == 0u, glass.tint);
-    let n = vec3<f32>(0.0, 0.0, 1.0);
-    let facets = coat_facets(surface.normal, widened.y);
-    let swing = 0.8660254 * surface.swing;
-    let swings = (swing.x != 0.0 || swing.y != 0.0 || swing.z != 0.0) && surface.normal.z > 0.0;
-    let share = select(1.0, 0.33333334, swings);
-    var sum = vec3<f32>(0.0);
-    for (var k = 0u; k < 15u; k++) {
-        var facet = SlopeFacet(0.0, surface.normal);
-        if k < 13u {
-            facet = slope_facets_gaussian(facets, k);
-            facet.share *= share;
-        } else if swings {
-            let side = select(swing, -swing, k == 13u);
-            facet = SlopeFacet(share, surface_gradient_normal(n, n - surface.normal / surface.normal.z + side));
-        }
-        let light = facet_light(facet.share, facet.normal, wi, wo);
-        if light.factor > 0.0 {
-            sum += rough_dielectric_value(rough, light.wi, light.wo) * light.factor;
-        }
-    }
-    return brdf_finite_channels(sum);
-}
-
-// Both directions of `Bsdf::deltas` of smooth glass.
-struct TemperedGlassDeltas {
-    mirrored: CoatDelta,
-    transmitted: CoatDelta,
+    return brdf_finite_channels(coat_scattered(tempered_glass_coat(glass, point), wo, wi));
 }
 
 // What smooth glass mirrors and transmits, by a facet that uniform numbers choose; dark for rough glass.
-fn tempered_glass_deltas(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> TemperedGlassDeltas {
-    let dark = CoatDelta(vec3<f32>(0.0), vec3<f32>(0.0));
-    if glass.roughness > 0.0 || wo.z == 0.0 || !direction_is_finite(wo) {
-        return TemperedGlassDeltas(dark, dark);
-    }
-    let surface = tempered_glass_surface(glass, point, surface_point_frame(point));
-    // From below everything is the other way up.
-    let inside = wo.z < 0.0;
-    let side = vec3<f32>(1.0, 1.0, select(1.0, -1.0, inside));
-    let up = wo * side;
-    let normal = surface.normal * select(vec3<f32>(1.0), vec3<f32>(-1.0, -1.0, 1.0), inside);
-    let n = vec3<f32>(0.0, 0.0, 1.0);
-    var m = coat_facet(normal, surface.slope_variance, up, u);
-    if (surface.swing.x != 0.0 || surface.swing.y != 0.0 || surface.swing.z != 0.0) && normal.z > 0.0 {
-        let swing = surface.swing * elementary_cos_sin_turns(math_clamped(u.x, 1.0)).x;
-        m = surface_gradient_facing(n, surface_gradient_normal(n, n - normal / normal.z + swing), up);
-    }
-    let cosine = dot(up, m);
-    let mirrored = direction_reflect(up, m) * side;
-    if glass.is_solid == 0u {
-        let once = dielectric_reflectance(glass.index, cosine);
-        let both = 2.0 * once / (1.0 + once);
-        let through = rough_dielectric_through_wall(glass.tint, cosine, glass.index) * (1.0 - both);
-        return TemperedGlassDeltas(CoatDelta(mirrored, vec3<f32>(both)), CoatDelta(-wo, math_shares(through)));
-    }
-    let index = select(glass.index, dielectric_reversed(glass.index), inside);
-    let share = dielectric_reflectance(index, cosine);
-    let eta = 1.0 / index;
-    // Snell: sin of the refracted angle is that of the incident one over the index.
-    let below = 1.0 - eta * eta * max(1.0 - cosine * cosine, 0.0);
-    let refracted = (eta * cosine - sqrt(max(below, 0.0))) * m - eta * up;
-    let kept = select(0.0, 1.0 - share, below > 0.0 && refracted.z < 0.0);
-    return TemperedGlassDeltas(CoatDelta(mirrored, vec3<f32>(share)), CoatDelta(refracted * side, vec3<f32>(kept)));
+fn tempered_glass_deltas(glass: TemperedGlass, point: SurfacePoint, wo: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
+    return coat_deltas(tempered_glass_coat(glass, point), wo, u);
 }
 
 // Of the material in the uniform.

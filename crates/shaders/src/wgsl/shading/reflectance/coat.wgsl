@@ -1,5 +1,29 @@
 // Smooth and rough coats over the layers of a surface: `asperity_shading::reflectance::Coat`.
 
+const COAT_VARNISH: u32 = 0u;
+const COAT_PANE: u32 = 1u;
+const COAT_BODY: u32 = 2u;
+const COAT_METAL: u32 = 3u;
+const COAT_VEIL: u32 = 4u;
+
+// A coat of any kind, in the frame of the surface.
+struct Coat {
+    normal: vec3<f32>,
+    // The variance along each axis of Gaussian slopes that the pixel does not resolve.
+    slope_variance: f32,
+    // The steepest slope of a sine that it does not resolve; zero without.
+    swing: vec3<f32>,
+    // Beckmann's alpha of what is mirrored, 0 for a smooth coat.
+    roughness: f32,
+    // The tint of a pane, the reflectance of a metal, the transmittance of a veil.
+    colour: vec3<f32>,
+    // The relative index of a varnish, a pane or a body.
+    index: f32,
+    kind: u32,
+    reserved: u32,
+    more_reserved: vec2<u32>,
+}
+
 // A direction to light of which a smooth surface sends a share to the eye; below the surface light that is transmitted.
 struct CoatDelta {
     wi: vec3<f32>,
@@ -26,36 +50,10 @@ fn coat_facets(normal: vec3<f32>, slope_variance: f32) -> SlopeFacets {
     return slope_facets(n, normal, vec3<f32>(deviation, 0.0, 0.0), vec3<f32>(0.0, deviation, 0.0));
 }
 
-// What a varnish of the relative index eta over a normal lets through to the layers below and back: (1 - F(wi)) (1 - F(wo)).
-fn coat_varnish_through(eta: f32, normal: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> f32 {
-    return (1.0 - dielectric_reflectance(eta, dot(wi, normal))) * (1.0 - dielectric_reflectance(eta, dot(wo, normal)));
-}
-
-// What a rough varnish mirrors, times the cosine; 0 for a smooth one, of which `coat_varnish_delta` has all.
-fn coat_varnish_scattered(
-    eta: f32,
-    roughness: f32,
-    normal: vec3<f32>,
-    slope_variance: f32,
-    wo: vec3<f32>,
-    wi: vec3<f32>,
-) -> f32 {
-    if !(roughness > 0.0) {
-        return 0.0;
-    }
-    let widened = coat_widened(roughness, slope_variance);
-    let facets = coat_facets(normal, widened.y);
-    let alpha = clamp(vec2<f32>(widened.x), vec2<f32>(1e-6), vec2<f32>(1e6));
-    var sum = 0.0;
-    for (var k = 0u; k < 13u; k++) {
-        let facet = slope_facets_gaussian(facets, k);
-        let light = facet_light(facet.share, facet.normal, wi, wo);
-        if light.factor > 0.0 {
-            let value = cook_torrance_beckmann(alpha, light.wi, light.wo);
-            sum += value.x * dielectric_reflectance(eta, value.y) * light.factor;
-        }
-    }
-    return sum;
+// A varnish of a relative index over slopes of this variance about a normal.
+fn coat_varnish(index: f32, roughness: f32, normal: vec3<f32>, slope_variance: f32) -> Coat {
+    let none = vec3<f32>(0.0);
+    return Coat(normal, slope_variance, none, roughness, vec3<f32>(1.0), index, COAT_VARNISH, 0u, vec2<u32>(0u));
 }
 
 // The normal of a facet of slopes of this variance about a normal, chosen by uniform numbers, as the view sees it.
@@ -70,11 +68,122 @@ fn coat_facet(normal: vec3<f32>, slope_variance: f32, wo: vec3<f32>, u: vec2<f32
     return surface_gradient_facing(n, facet, wo);
 }
 
-// What a smooth varnish mirrors, by the normal of one of its facets; dark from below.
-fn coat_varnish_delta(eta: f32, facet: vec3<f32>, wo: vec3<f32>) -> CoatDelta {
-    if !(wo.z > 0.0 && direction_is_finite(wo)) {
-        return CoatDelta(vec3<f32>(0.0), vec3<f32>(0.0));
+// The share of light from one direction that comes through a coat to the layers below.
+fn coat_through(coat: Coat, w: vec3<f32>) -> f32 {
+    if coat.kind == COAT_VARNISH {
+        return 1.0 - dielectric_reflectance(coat.index, dot(w, coat.normal));
     }
-    let share = dielectric_reflectance(eta, dot(wo, facet));
-    return CoatDelta(direction_reflect(wo, facet), vec3<f32>(share));
+    return 1.0;
+}
+
+// A lobe of a rough coat at directions in the frame of a facet.
+fn coat_lobe(coat: Coat, alpha: f32, wi: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    if coat.kind == COAT_PANE || coat.kind == COAT_BODY {
+        let rough = RoughDielectric(alpha, rough_dielectric_index(coat.index), coat.kind == COAT_PANE, coat.colour);
+        return rough_dielectric_value(rough, wi, wo);
+    }
+    let value = cook_torrance_beckmann(vec2<f32>(alpha), wi, wo);
+    if coat.kind == COAT_METAL {
+        return value.x * math_shares(coat.colour);
+    }
+    return vec3<f32>(value.x * dielectric_reflectance(coat.index, value.y));
+}
+
+// What a rough coat mirrors and, a pane or a body, transmits, times the cosine; 0 for a smooth one, of which `coat_deltas` has all.
+fn coat_scattered(coat: Coat, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let transmits = coat.kind == COAT_PANE || coat.kind == COAT_BODY;
+    let has_sides = direction_are_above(wi, wo) || (transmits && direction_have_sides(wi, wo));
+    if !(coat.roughness > 0.0 && coat.kind != COAT_VEIL && has_sides) {
+        return vec3<f32>(0.0);
+    }
+    // Slopes of a sine stand in facets of their own.
+    let is_sine = coat.swing.x != 0.0 || coat.swing.y != 0.0 || coat.swing.z != 0.0;
+    var widened = vec2<f32>(coat.roughness, select(coat.slope_variance, 0.0, is_sine));
+    if coat.kind != COAT_PANE && !is_sine {
+        widened = coat_widened(coat.roughness, coat.slope_variance);
+    }
+    let alpha = clamp(widened.x, 0.000001, 1000000.0);
+    let n = vec3<f32>(0.0, 0.0, 1.0);
+    let facets = coat_facets(coat.normal, widened.y);
+    let swing = 0.8660254 * coat.swing;
+    let swings = (swing.x != 0.0 || swing.y != 0.0 || swing.z != 0.0) && coat.normal.z > 0.0;
+    let share = select(1.0, 0.33333334, swings);
+    var sum = vec3<f32>(0.0);
+    for (var k = 0u; k < 15u; k++) {
+        var facet = SlopeFacet(0.0, coat.normal);
+        if k < 13u {
+            facet = slope_facets_gaussian(facets, k);
+            facet.share *= share;
+        } else if swings {
+            let side = select(swing, -swing, k == 13u);
+            facet = SlopeFacet(share, surface_gradient_normal(n, n - coat.normal / coat.normal.z + side));
+        }
+        let light = facet_light(facet.share, facet.normal, wi, wo);
+        if light.factor > 0.0 {
+            sum += coat_lobe(coat, alpha, light.wi, light.wo) * light.factor;
+        }
+    }
+    return sum;
+}
+
+// Reflectance times cosine of layers under a coat, and of the coat: `scattered` is theirs, for directions above the surface.
+fn coat_over(coat: Coat, scattered: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let through = coat_through(coat, wi) * coat_through(coat, wo);
+    return brdf_finite_channels(scattered * through + coat_scattered(coat, wo, wi));
+}
+
+// Both directions of `Bsdf::deltas`.
+struct CoatDeltas {
+    mirrored: CoatDelta,
+    transmitted: CoatDelta,
+}
+
+// What a smooth coat mirrors and transmits, by a facet that uniform numbers choose; dark for a rough one, but not for a veil.
+fn coat_deltas(coat: Coat, wo: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
+    let dark = CoatDelta(vec3<f32>(0.0), vec3<f32>(0.0));
+    if wo.z == 0.0 || !direction_is_finite(wo) {
+        return CoatDeltas(dark, dark);
+    }
+    if coat.kind == COAT_VEIL {
+        return CoatDeltas(dark, CoatDelta(-wo, math_shares(coat.colour)));
+    }
+    // From below everything is the other way up.
+    let inside = wo.z < 0.0;
+    let covers = coat.kind == COAT_VARNISH || coat.kind == COAT_METAL;
+    if coat.roughness > 0.0 || (inside && covers) {
+        return CoatDeltas(dark, dark);
+    }
+    let side = vec3<f32>(1.0, 1.0, select(1.0, -1.0, inside));
+    let up = wo * side;
+    let normal = coat.normal * select(vec3<f32>(1.0), vec3<f32>(-1.0, -1.0, 1.0), inside);
+    let n = vec3<f32>(0.0, 0.0, 1.0);
+    var m = vec3<f32>(0.0);
+    if (coat.swing.x != 0.0 || coat.swing.y != 0.0 || coat.swing.z != 0.0) && normal.z > 0.0 {
+        let swing = coat.swing * elementary_cos_sin_turns(math_clamped(u.x, 1.0)).x;
+        m = surface_gradient_facing(n, surface_gradient_normal(n, n - normal / normal.z + swing), up);
+    } else {
+        m = coat_facet(normal, coat.slope_variance, up, u);
+    }
+    let cosine = dot(up, m);
+    let mirrored = direction_reflect(up, m) * side;
+    if coat.kind == COAT_METAL {
+        return CoatDeltas(CoatDelta(mirrored, math_shares(coat.colour)), dark);
+    }
+    if coat.kind == COAT_VARNISH {
+        return CoatDeltas(CoatDelta(mirrored, vec3<f32>(dielectric_reflectance(coat.index, cosine))), dark);
+    }
+    if coat.kind == COAT_PANE {
+        let once = dielectric_reflectance(coat.index, cosine);
+        let both = 2.0 * once / (1.0 + once);
+        let through = rough_dielectric_through_wall(coat.colour, cosine, coat.index) * (1.0 - both);
+        return CoatDeltas(CoatDelta(mirrored, vec3<f32>(both)), CoatDelta(-wo, math_shares(through)));
+    }
+    let index = select(coat.index, dielectric_reversed(coat.index), inside);
+    let share = dielectric_reflectance(index, cosine);
+    let eta = 1.0 / index;
+    // Snell: sin of the refracted angle is that of the incident one over the index.
+    let below = 1.0 - eta * eta * max(1.0 - cosine * cosine, 0.0);
+    let refracted = (eta * cosine - sqrt(max(below, 0.0))) * m - eta * up;
+    let kept = select(0.0, 1.0 - share, below > 0.0 && refracted.z < 0.0);
+    return CoatDeltas(CoatDelta(mirrored, vec3<f32>(share)), CoatDelta(refracted * side, vec3<f32>(kept)));
 }

@@ -22,3 +22,10 @@ fn facet_light(share: f32, normal: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> F
     let lit = share > 0.0 && share <= MATH_LARGEST && i.z * wi.z > 0.0 && o.z * wo.z > 0.0;
     return FacetLight(i, o, select(0.0, share * abs(i.z), lit));
 }
+
+// The reflectance of mirroring facets of this density about h, directions above the surface: they send on no more than there are of them.
+fn facet_shown(density: f32, h: vec3<f32>, wi: vec3<f32>, wo: vec3<f32>) -> f32 {
+    let cosine = dot(wo, h);
+    let ratio = select(1.0, h.z / select(1.0, cosine, cosine != 0.0), cosine != 0.0);
+    return brdf_finite(density * (min(ratio, 1.0) / (4.0 * max(wi.z, wo.z))));
+}

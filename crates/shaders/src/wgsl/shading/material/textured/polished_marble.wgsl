@@ -13,12 +13,10 @@ fn polished_marble_scattered(stone: PolishedMarble, point: SurfacePoint, wo: vec
         return vec3<f32>(0.0);
     }
     let colour = stone.tint * marble_colour(stone.marble, point.position, point.pixel.widths.x);
-    var light = energy_preserving_value(colour, 0.0, wi, wo) * wi.z;
+    let light = energy_preserving_value(colour, 0.0, wi, wo) * wi.z;
     if stone.polish > 0.0 {
-        let n = vec3<f32>(0.0, 0.0, 1.0);
-        let roughness = math_clamped(stone.polish, 1.0);
-        light = light * coat_varnish_through(1.5, n, wo, wi)
-            + vec3<f32>(coat_varnish_scattered(1.5, roughness, n, 0.0, wo, wi));
+        let polish = coat_varnish(1.5, math_clamped(stone.polish, 1.0), vec3<f32>(0.0, 0.0, 1.0), 0.0);
+        return coat_over(polish, light, wo, wi);
     }
     return brdf_finite_channels(light);
 }

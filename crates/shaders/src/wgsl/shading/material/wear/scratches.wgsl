@@ -95,12 +95,16 @@ fn scratches_axes(moments: vec3<f32>) -> vec4<f32> {
     return vec4<f32>(unit * sqrt(middle + apart), direction_left_2d(unit) * sqrt(max(middle - apart, 0.0)));
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
-fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    if !direction_are_above(wi, wo) {
-        return vec3<f32>(0.0);
-    }
-    let frame = surface_point_frame(point);
+// What a pixel sees of the metal, whatever the light.
+struct ScratchesSurface {
+    frame: Frame,
+    // The mean normal, and the share that grooves cover, with the slopes in them that are not resolved.
+    normal: vec3<f32>,
+    covered: f32,
+    facets: SlopeFacets,
+}
+
+fn scratches_surface(scratches: Scratches, point: SurfacePoint) -> ScratchesSurface {
     let grooves = scratches_grooves(scratches, point.uv, surface_point_uv_pixel(point).widths.x);
     let normal = surface_gradient_normal(point.normal, surface_point_slope(point, grooves.slope));
     var axes = vec4<f32>(0.0);
@@ -110,24 +114,36 @@ fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>,
     let facets = slope_facets(
         point.normal, normal, surface_point_slope(point, axes.xy), surface_point_slope(point, axes.zw),
     );
+    return ScratchesSurface(surface_point_frame(point), normal, grooves.covered, facets);
+}
+
+// Reflectance times cosine of such a surface; wo and wi are in its frame.
+fn scratches_lit(scratches: Scratches, surface: ScratchesSurface, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !direction_are_above(wi, wo) {
+        return vec3<f32>(0.0);
+    }
     let alpha = vec2<f32>(scratches.roughness);
     var sum = 0.0;
-    var colour = vec3<f32>(0.0);
     // The smooth metal, then the facets of the grooves.
     for (var k = 0u; k < 8u; k++) {
-        var share = 1.0 - grooves.covered;
-        var m = normal;
+        var share = 1.0 - surface.covered;
+        var m = surface.normal;
         if k > 0u {
-            let facet = slope_facets_along(facets, 0.2, k - 1u);
-            share = facet.share * grooves.covered;
+            let facet = slope_facets_along(surface.facets, 0.2, k - 1u);
+            share = facet.share * surface.covered;
             m = facet.normal;
         }
-        let light = facet_light(share, frame_to_local(frame, m), wi, wo);
+        let light = facet_light(share, frame_to_local(surface.frame, m), wi, wo);
         if light.factor > 0.0 {
             sum += cook_torrance_beckmann(alpha, light.wi, light.wo).x * light.factor;
         }
     }
     return brdf_finite_channels(math_shares(scratches.specular) * sum);
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn scratches_scattered(scratches: Scratches, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    return scratches_lit(scratches, scratches_surface(scratches, point), wo, wi);
 }
 
 // Of the material in the uniform.

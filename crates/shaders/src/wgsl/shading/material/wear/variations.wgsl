@@ -20,8 +20,8 @@ struct Variations {
     reserved: vec2<u32>,
 }
 
-// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
-fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+// What a pixel sees of the surface, whatever the light.
+fn variations_surface(variations: Variations, point: SurfacePoint) -> Glossy {
     let at = point.position;
     let n = point.normal;
     let footprint = point.pixel.widths.x;
@@ -36,13 +36,18 @@ fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f3
     );
     let variance = bump * bump * fbm_removed_slope(variations.blemishes, footprint, FBM_SLOPE_VARIANCE)
         + dent * dent * fbm_removed_slope(variations.dents, footprint, FBM_SLOPE_VARIANCE * variations.dent_cover);
-    let surface = Glossy(
+    return Glossy(
         variations.diffuse,
         clamp(specular, vec3<f32>(0.0), vec3<f32>(1.0)),
         surface_gradient_normal(n, gradient),
         variance,
         vec3<f32>(0.0),
     );
+}
+
+// Reflectance times cosine, `Bsdf::scattered` of a point; wo and wi are in its frame, `surface_point_frame`.
+fn variations_scattered(variations: Variations, point: SurfacePoint, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let surface = variations_surface(variations, point);
     return glossy_scattered(
         surface, surface_point_frame(point), variations.roughness, variations.gloss_roughness, wo, wi,
     );

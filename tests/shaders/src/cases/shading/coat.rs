@@ -1,0 +1,126 @@
+//! Coats of every kind.
+
+use asperity_shaders::shading::reflectance::{COAT, CoatUniform};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::reflectance::Coat;
+use asperity_shading::{Bsdf, Dielectric, Lambert, bump::Facet};
+
+use super::{direction, floats, inputs, normal, number, share, vec2, vec3, words};
+use crate::case::{Bound, Case, INPUTS, Output};
+
+pub(super) fn cases() -> Vec<Case> {
+    vec![over(), deltas()]
+}
+
+/// The coat of an input: its kind, normal, variance of slopes and roughness.
+fn coat(inputs: [u32; INPUTS]) -> Coat {
+    let ([x, y, variance, roughness], kind) = (floats(inputs, 0), inputs[15] % 5);
+    let (fresnel, colour) = (Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5));
+    let coat = match kind {
+        0 => Coat::varnish(fresnel),
+        1 => Coat::pane(fresnel, colour),
+        2 => Coat::body(fresnel),
+        3 => Coat::metal(colour),
+        _ => Coat::veil(colour),
+    };
+    coat.rough(roughness).bumped(Vec3::new(x, y, (1.0 - x * x - y * y).sqrt()), variance)
+}
+
+/// Words of both directions, behind slopes, their variance and a roughness; directions may be bad.
+fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
+    let (wi, wo) = (direction(i, 0), direction(i, 2));
+    let tilt = [4, 5].map(|k| number(i, k, [-0.3, 0.3]));
+    let variance = if i.is_multiple_of(3) { 0.0 } else { number(i, 6, [-9.0, -2.0]).exp() };
+    let mut all =
+        [tilt[0], tilt[1], variance, roughness, wo.x, wo.y, wo.z, 0.0, wi.x, wi.y, wi.z, 0.0, u[0], u[1]];
+    if i % 5 == 1 || i % 5 == 2 {
+        // Light from behind, and views from there.
+        all[10] *= if i % 2 == 1 { -1.0 } else { 1.0 };
+        all[6] *= if i % 3 == 1 { -1.0 } else { 1.0 };
+    }
+    let mut words = super::material::units(normal(inputs(i, &all)));
+    words[..4].copy_from_slice(&[tilt[0], tilt[1], variance, roughness].map(f32::to_bits));
+    words[15] = i;
+    words
+}
+
+/// The structure `Coat` of the words of an input.
+fn structure() -> String {
+    let of = |make: fn(Dielectric, Vec3) -> Coat| {
+        let words = CoatUniform::new(&make(Dielectric::clamped(1.5), Vec3::new(0.9, 0.7, 0.5))).words();
+        let numbers: Vec<String> = words[8..12].iter().map(|word| format!("bitcast<f32>({word}u)")).collect();
+        format!("vec4<f32>({})", numbers.join(", "))
+    };
+    let rows = [
+        of(|fresnel, _| Coat::varnish(fresnel)),
+        of(Coat::pane),
+        of(|fresnel, _| Coat::body(fresnel)),
+        of(|_, colour| Coat::metal(colour)),
+        of(|_, colour| Coat::veil(colour)),
+    ];
+    let choices: Vec<String> =
+        (0..).zip(&rows).map(|(kind, row)| format!("    if kind == {kind}u {{ row = {row}; }}\n")).collect();
+    // Lists that a variable indexes are what glslang cannot read in HLSL.
+    format!(
+        "\
+    let kind = d.w % 5u;
+    var row = vec4<f32>(0.0);
+{}\
+    let normal = vec3<f32>(a.xy, sqrt(1.0 - a.x * a.x - a.y * a.y));
+    let coat = Coat(normal, a.z, vec3<f32>(0.0), a.w, row.xyz, row.w, kind, 0u, vec2<u32>(0u));
+",
+        choices.concat()
+    )
+}
+
+fn over() -> Case {
+    let body = "\
+    let wi = bitcast<vec3<f32>>(c.xyz);
+    let below = select(vec3<f32>(0.0), vec3<f32>(0.3183099 * 0.5) * wi.z, direction_are_above(wi, b.xyz));
+    outcome.a = bits(vec4<f32>(coat_over(coat, below, b.xyz, wi), 0.0));";
+    Case {
+        name: "shading/reflectance/coat over any layers".into(),
+        parts: vec![&COAT],
+        body: structure() + body,
+        resources: vec![],
+        input: Box::new(|i| {
+            let roughness = if i.is_multiple_of(4) { 0.0 } else { number(i, 7, [-3.0, 0.0]).exp() };
+            input(i, roughness, [0.0; 2])
+        }),
+        reference: Box::new(|inputs| {
+            let (wo, wi) = (vec3(inputs, 4), vec3(inputs, 8));
+            let below = Lambert::new(Vec3::splat(0.5)).expect("a colour");
+            let bsdf = Bsdf::new(wo).with([Facet::FLAT], [(&below as &dyn asperity_shading::Brdf).into()]);
+            words(&bsdf.with_coat(coat(inputs)).scattered(wi, wo).to_array())
+        }),
+        // Masking is in 64 bits in the crate, exponentials of absorption are the library's.
+        outputs: vec![Output::new("light", 0..3, Bound::Absolute(8e-6), Bound::Absolute(1e-3))],
+    }
+}
+
+fn deltas() -> Case {
+    let body = "\
+    let deltas = coat_deltas(coat, b.xyz, bitcast<vec2<f32>>(d.xy));
+    outcome.a = bits(vec4<f32>(deltas.mirrored.wi, deltas.mirrored.weight.x));
+    outcome.b = bits(vec4<f32>(deltas.transmitted.wi, deltas.transmitted.weight.y));";
+    Case {
+        name: "shading/reflectance/coat, deltas".into(),
+        parts: vec![&COAT],
+        body: structure() + body,
+        resources: vec![],
+        input: Box::new(|i| input(i, 0.0, [8, 9].map(|k| share(i, k)))),
+        reference: Box::new(|inputs| {
+            let (wo, u): (_, Vec2) = (vec3(inputs, 4), vec2(inputs, 12));
+            let [mirrored, transmitted] = Bsdf::new(wo).with_coat(coat(inputs)).deltas(wo, u);
+            let [mirrored, transmitted] =
+                [(mirrored, mirrored.weight.x), (transmitted, transmitted.weight.y)]
+                    .map(|(delta, weight)| delta.wi.extend(weight).to_array());
+            words(&[mirrored, transmitted].concat())
+        }),
+        outputs: vec![
+            // A facet is chosen by the library's logarithm and cosine in the crate.
+            Output::new("mirrored", 0..4, Bound::Absolute(6e-5), Bound::Absolute(2e-3)),
+            Output::new("transmitted", 4..8, Bound::Absolute(4e-5), Bound::Absolute(2e-3)),
+        ],
+    }
+}
