@@ -19,4 +19,5 @@ mod rough_glass;
 mod tangents;
 mod textures;
 mod zoom;
+mod zoom_focus;
 mod zoom_means;

@@ -7,7 +7,7 @@ use asperity_shading::{
     material::Material,
     reflectance::{Absorption, Bsdf},
 };
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{
     geometry::{
@@ -26,6 +26,8 @@ pub type Surface<'a> = dyn Material + Sync + 'a;
 pub struct Object<'a> {
     pub shape: Arc<Shape>,
     pub material: Box<Surface<'a>>,
+    /// The place that its material is told positions from.
+    pub anchor: DVec3,
     /// The share of light that goes through it to what is in its shadow: of glass all, or some.
     pub passes: f32,
     /// The inside of a body that refracts; anything else is the same on both sides.
@@ -33,9 +35,16 @@ pub struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// An object that casts a shadow.
+    /// An object that casts a shadow, whose material is told positions in the world.
     pub fn new(shape: impl Into<Arc<Shape>>, material: impl Material + Sync + 'a) -> Self {
-        Self { shape: shape.into(), material: Box::new(material), passes: 0.0, body: None }
+        let (shape, material) = (shape.into(), Box::new(material));
+        Self { shape, material, anchor: DVec3::ZERO, passes: 0.0, body: None }
+    }
+
+    /// The object whose material is told positions from an anchor on, as sums of octaves are that are
+    /// [anchored](asperity_noise::Octaves::anchored).
+    pub fn anchored(self, anchor: DVec3) -> Self {
+        Self { anchor, ..self }
     }
 
     /// An object whose BSDF a function gives.
@@ -85,19 +94,26 @@ pub struct Scene<'m, 'l> {
     pub objects: Vec<Object<'m>>,
     pub light: Light<'l>,
     pub backdrop: Backdrop,
+    /// The point that is looked at: rays and hits are told from it on, and near it they are exact at any zoom.
+    pub focus: DVec3,
     /// Offset of rays from what they leave, over its distance from the eye.
     pub start: f32,
 }
 
 impl<'m, 'l> Scene<'m, 'l> {
-    /// A scene for rays that start three ten-thousandths of their length from what they leave.
+    /// A scene about the origin, for rays that start three ten-thousandths of their length from what they leave.
     pub fn new(objects: Vec<Object<'m>>, light: Light<'l>, backdrop: Backdrop) -> Self {
-        Self { objects, light, backdrop, start: 3e-4 }
+        Self { objects, light, backdrop, focus: DVec3::ZERO, start: 3e-4 }
+    }
+
+    /// The scene about another point that is looked at.
+    pub fn about(self, focus: DVec3) -> Self {
+        Self { focus, ..self }
     }
 
     /// The nearest meeting of a ray with an object.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Meeting<'_, 'm>> {
-        let probe = Probe::new(origin, direction);
+        let probe = Probe::about(self.focus, origin, direction);
         let mut nearest: Option<(&Object<'m>, Met)> = None;
         for object in &self.objects {
             let farthest = nearest.as_ref().map_or(f32::INFINITY, |(_, met)| met.distance());
@@ -111,7 +127,7 @@ impl<'m, 'l> Scene<'m, 'l> {
 
     /// The share of the light from a direction that comes to a point.
     pub fn open(&self, origin: Vec3, direction: Vec3) -> f32 {
-        let probe = Probe::new(origin, direction);
+        let probe = Probe::about(self.focus, origin, direction);
         let hides = |object: &&Object<'_>| object.passes < 1.0 && object.shape.hides(&probe);
         self.objects.iter().filter(hides).map(|object| object.passes).product()
     }
@@ -122,7 +138,9 @@ impl<'m, 'l> Scene<'m, 'l> {
             (Backdrop::Studio, Some([x, y]), _) => background(x, y),
             (Backdrop::Colour(colour), Some(_), _) => colour,
             (.., Light::Around(light)) => light.radiance(ray.direction),
-            (.., Light::Lamps { room, .. }) => room(ray),
+            (.., Light::Lamps { room, .. }) => {
+                room(&Ray { origin: (self.focus + ray.origin.as_dvec3()).as_vec3(), ..*ray })
+            }
         }
     }
 }

@@ -13,7 +13,7 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
 use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
 use asperity_shading::{Environment, LevelOfDetail, material::BumpMapped};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use indicatif::ProgressBar;
 
 use crate::cli::{Background, Material, Render, Tone};
@@ -181,20 +181,29 @@ impl<'a> Picture<'a> {
             (_, Material::Wallpaper) => 0.4,
             _ => Set::Sphere.metres(),
         };
-        let Made { surface, body } = self.subject(metres)?;
-        let (mut objects, camera) = match &self.mesh {
+        let view = match self.mesh.as_deref() {
+            Some(Shape::Mesh(mesh)) => View::of_mesh(mesh),
+            _ => set.view(),
+        };
+        let focus = view.focus.as_dvec3();
+        // Windows of the car are places of the world.
+        let world = self.material != Material::Bumps || self.mesh.is_none() && set == Set::Car;
+        let anchor = if world { DVec3::ZERO } else { focus };
+        let Made { surface, body } = self.subject(metres, anchor)?;
+        let mut objects = match &self.mesh {
             Some(shape) => {
                 let Shape::Mesh(mesh) = shape.as_ref() else { return Err("no mesh".into()) };
-                let objects = vec![Object::new(Arc::clone(shape), surface), ground(mesh.bottom(), &behind)?];
-                (objects, View::of_mesh(mesh).camera(wanted.zoom, sampling))
+                vec![Object::new(Arc::clone(shape), surface), ground(mesh.bottom(), &behind)?]
             }
-            None => (set.objects(surface, &behind)?, set.view().camera(wanted.zoom, sampling)),
+            None => set.objects(surface, &behind)?,
         };
+        objects[0].anchor = anchor;
         if matches!(self.material, Material::Glass | Material::Frosted) {
             (objects[0].passes, objects[0].body) = (1.0, body);
         }
         let backdrop = colour.map_or(Backdrop::Light, Backdrop::Colour);
-        draw(&Scene::new(objects, Light::Around(light), backdrop), camera)
+        let scene = Scene::new(objects, Light::Around(light), backdrop).about(focus);
+        draw(&scene, view.camera(wanted.zoom, sampling))
     }
 
     fn bumps(&self, usual: Bumps) -> Bumps {
@@ -207,15 +216,15 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The material of the subject, where a unit of the scene is so many metres.
-    fn subject(&self, metres: f32) -> Result<Made<'_>> {
+    /// The material of the subject, where a unit of the scene is so many metres; bumps are told positions from an anchor on.
+    fn subject(&self, metres: f32, anchor: DVec3) -> Result<Made<'_>> {
         let wanted = self.wanted;
         if self.material != Material::Bumps {
             let parameters = Parameters::of(wanted, self.material)?;
             return parameters.make(self.material, metres / wanted.scale.unwrap_or(1.0), self.projected);
         }
         let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
-        let (bumps, ndf) = (self.bumps(usual).field(wanted.seed)?, self.density.ndf.as_ref());
+        let (bumps, ndf) = (self.bumps(usual).field(wanted.seed, anchor)?, self.density.ndf.as_ref());
         let (rule, colour) = (wanted.rule.unwrap_or(LevelOfDetail::Exact), hex(wanted.tint.unwrap_or(TINT)));
         Ok(Made { surface: Box::new(BumpMapped { ndf, bumps, rule, colour }), body: None })
     }

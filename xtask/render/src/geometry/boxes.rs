@@ -40,7 +40,7 @@ pub(super) struct Boxes {
 /// A ray that is prepared for boxes.
 #[derive(Clone, Copy)]
 pub(super) struct Line {
-    pub(super) origin: Vec3,
+    origin: Vec3,
     pub(super) direction: Vec3,
     inverse: Vec3,
 }

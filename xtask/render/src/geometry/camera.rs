@@ -1,13 +1,13 @@
 //! Cameras: a pinhole, and parallel rays.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::geometry::ray::Ray;
 
 /// A pinhole camera, or one of parallel rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
-    eye: Vec3,
+    eye: DVec3,
     right: Vec3,
     up: Vec3,
     forward: Vec3,
@@ -19,8 +19,9 @@ pub struct Camera {
 
 impl Camera {
     /// From `eye` towards `target`, z up, `height` pixels over the full angle `field` in radians.
-    pub fn new(eye: Vec3, target: Vec3, field: f32, width: u32, height: u32) -> Self {
-        let forward = (target - eye).normalize_or(Vec3::NEG_Z);
+    pub fn new(eye: impl Into<DVec3>, target: impl Into<DVec3>, field: f32, width: u32, height: u32) -> Self {
+        let eye = eye.into();
+        let forward = (target.into() - eye).as_vec3().normalize_or(Vec3::NEG_Z);
         // Straight down there is no "up" along z: y is up in the picture.
         let right = forward.cross(Vec3::Z).try_normalize().unwrap_or(Vec3::X);
         Self {
@@ -40,6 +41,11 @@ impl Camera {
         Self { pixel, parallel: true, ..Self::new(eye, target, 1.0, width, height) }
     }
 
+    /// The camera as it is told from a place on.
+    pub fn about(self, place: DVec3) -> Self {
+        Self { eye: self.eye - place, ..self }
+    }
+
     /// Unit direction through the picture's point `(x, y)`, in pixels from the top left.
     pub fn direction(&self, x: f32, y: f32) -> Vec3 {
         let across = (x - self.centre[0]) * self.pixel;
@@ -52,7 +58,7 @@ impl Camera {
         if self.parallel {
             let (across, above) = (x - self.centre[0], self.centre[1] - y);
             return Ray {
-                origin: self.eye + self.pixel * (across * self.right + above * self.up),
+                origin: self.eye.as_vec3() + self.pixel * (across * self.right + above * self.up),
                 direction: self.forward,
                 origin_by: [self.pixel * self.right, -self.pixel * self.up],
                 direction_by: [Vec3::ZERO; 2],
@@ -63,7 +69,7 @@ impl Camera {
         let scale = self.pixel * direction.dot(self.forward);
         let by = |axis: Vec3| scale * (axis - direction * direction.dot(axis));
         Ray {
-            origin: self.eye,
+            origin: self.eye.as_vec3(),
             direction,
             origin_by: [Vec3::ZERO; 2],
             direction_by: [by(self.right), by(-self.up)],

@@ -6,7 +6,7 @@ use asperity_fif::{
 };
 use glam::{Mat3, Vec3};
 
-use crate::geometry::ray::Hit;
+use crate::geometry::{mesh::Probe, ray::Hit};
 
 /// The surface `z = rise · (f(x, y) − base)`, of which the scene shows a neighbourhood.
 pub struct Fractal {
@@ -56,16 +56,16 @@ impl Fractal {
         (self.surface.evaluate(p.x, p.y, 1e-5).value - self.base) * self.rise
     }
 
-    /// The first hit in front of `origin`; its normal points upwards, and is `z` where the surface has none.
-    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        let ray = self.ray(origin, direction);
+    /// The first hit of a probe; its normal points upwards, and is `z` where the surface has none.
+    pub fn first_hit(&self, probe: &Probe) -> Option<Hit> {
+        let ray = self.ray(probe);
         let hit = self.surface.first_hit_within(&ray, Interval::new(NEAR, f64::INFINITY), self.tolerance)?;
         let slope = hit.gradient.unwrap_or(DVec2::ZERO) * self.rise;
         let normal = DVec3::new(-slope.x, -slope.y, 1.0).normalize().as_vec3();
-        let position = (origin.as_dvec3() + direction.as_dvec3() * hit.t).as_vec3();
+        let position = probe.place(probe.eye() + probe.direction().as_dvec3() * hit.t);
         let tangent = (Vec3::X - normal * normal.x).normalize_or(Vec3::Y);
         let tangents = [Vec3::new(1.0, 0.0, slope.x as f32), Vec3::new(0.0, 1.0, slope.y as f32)];
-        let uv = position.truncate();
+        let uv = probe.world(position).truncate();
         Some(Hit {
             t: hit.t as f32,
             position,
@@ -79,14 +79,14 @@ impl Fractal {
         })
     }
 
-    /// Any hit in front of `origin`, for shadows.
-    pub fn hides(&self, origin: Vec3, direction: Vec3) -> bool {
-        self.surface.hits_any(&self.ray(origin, direction), Interval::new(NEAR, f64::INFINITY))
+    /// Any hit of a probe, for shadows.
+    pub fn hides(&self, probe: &Probe) -> bool {
+        self.surface.hits_any(&self.ray(probe), Interval::new(NEAR, f64::INFINITY))
     }
 
     /// The ray beside the surface of heights as they are.
-    fn ray(&self, origin: Vec3, direction: Vec3) -> Ray {
-        let (p, d) = (self.place + self.unit * origin.as_dvec3(), self.unit * direction.as_dvec3());
+    fn ray(&self, probe: &Probe) -> Ray {
+        let (p, d) = (self.place + self.unit * probe.eye(), self.unit * probe.direction().as_dvec3());
         Ray {
             origin: DVec3::new(p.x, p.y, p.z / self.rise + self.base),
             direction: DVec3::new(d.x, d.y, d.z / self.rise),
@@ -106,14 +106,15 @@ mod tests {
     fn the_normal_is_that_of_the_raised_surface() {
         let surface = || Fractal::square(paper::f().unwrap(), 0.25).unwrap();
         let fractal = surface();
-        let hit = fractal.first_hit(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z).unwrap();
+        let hit = fractal.first_hit(&Probe::new(Vec3::new(1.0, 1.0, 5.0), Vec3::NEG_Z)).unwrap();
         assert_eq!(hit.t, 4.75);
         // At (1, 1) both partial derivatives of f̂ f̂ are 1.
         let expected = Vec3::new(-0.25, -0.25, 1.0).normalize();
         assert_abs_diff_eq!(hit.normal, expected, epsilon = 1e-6);
-        assert!(fractal.hides(Vec3::ONE, Vec3::NEG_Z) && !fractal.hides(Vec3::ONE, Vec3::Z));
+        let hides = |direction| fractal.hides(&Probe::new(Vec3::ONE, direction));
+        assert!(hides(Vec3::NEG_Z) && !hides(Vec3::Z));
         let near = surface().magnified(DVec3::new(1.0, 1.0, 0.25), 1e-3);
-        let hit = near.first_hit(Vec3::Z, Vec3::NEG_Z).unwrap();
+        let hit = near.first_hit(&Probe::new(Vec3::Z, Vec3::NEG_Z)).unwrap();
         assert_abs_diff_eq!(hit.t, 1.0, epsilon = 1e-6);
         assert_abs_diff_eq!(hit.normal, expected, epsilon = 1e-6);
     }

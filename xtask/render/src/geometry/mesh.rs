@@ -1,6 +1,6 @@
 //! A triangle mesh and the first triangle that a ray meets.
 
-use glam::{Mat3, Vec2, Vec3};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 
 use crate::geometry::{
     boxes::{Boxes, Line},
@@ -96,14 +96,19 @@ impl TracedMesh {
 
     /// The nearest triangle in front of `origin`.
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        let probe = Probe::new(origin, direction);
-        self.meets(&probe, f32::INFINITY).and_then(|(_, triangle)| self.hit(&probe, triangle))
+        self.nearest(&Probe::new(origin, direction))
+    }
+
+    /// The hit of the nearest triangle that a probe meets.
+    pub fn nearest(&self, probe: &Probe) -> Option<Hit> {
+        self.meets(probe, f32::INFINITY).and_then(|(_, triangle)| self.hit(probe, triangle))
     }
 
     /// The meeting of a probe with a triangle that it [`meets`](Self::meets): position on the triangle and interpolated frame.
     pub fn hit(&self, probe: &Probe, triangle: u32) -> Option<Hit> {
         let corners = self.corners(self.boxes.order[triangle as usize] as usize);
-        let (t, weights) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
+        let (t, exact) = probe.shear.intersect(&by_axis(corners.map(|v| v.position)))?;
+        let weights = exact.map(|w| w as f32);
         let blend = |f: fn(&Vertex) -> Vec3| -> Vec3 {
             corners.iter().zip(weights).fold(Vec3::ZERO, |sum, (v, w)| sum + f(v) * w)
         };
@@ -113,14 +118,13 @@ impl TracedMesh {
         let [a, b, c] = corners.map(|v| v.position);
         let flat = (b - a).cross(c - a).normalize_or(normal);
         let flat = if flat.dot(normal) < 0.0 { -flat } else { flat };
-        let position = blend(|v| v.position);
+        let position = corners.iter().zip(exact).map(|(v, w)| v.position.as_dvec3() * w).sum::<DVec3>();
         // To the mean of the planes through the corners, where the point is below them: Hanika 2021, "Hacking the Shadow
         // Terminator".
+        let above = corners.map(|v| (v.position.as_dvec3() - position).as_vec3().dot(v.normal));
         let lift = [f32::max, f32::min].map(|outwards| {
-            let weighted = corners.iter().zip(weights);
-            weighted.fold(Vec3::ZERO, |sum, (v, w)| {
-                sum + v.normal * (w * outwards((v.position - position).dot(v.normal), 0.0))
-            })
+            let weighted = corners.iter().zip(weights).zip(above);
+            weighted.fold(Vec3::ZERO, |sum, ((v, w), above)| sum + v.normal * (w * outwards(above, 0.0)))
         });
         let slopes = slopes(corners.map(|v| v.position));
         // The gradient of what has these values at the corners.
@@ -133,8 +137,8 @@ impl TracedMesh {
         let along_u = by_u.length();
         let by_u = if by_u.dot(tangent) > 0.9 * along_u { along_u * tangent } else { by_u };
         Some(Hit {
-            t,
-            position,
+            t: t as f32,
+            position: probe.place(position),
             normal,
             flat,
             lift,
@@ -184,7 +188,11 @@ fn by_axis([a, b, c]: [Vec3; 3]) -> Places {
 }
 
 /// A ray that is prepared for the triangles of any mesh.
+///
+/// Its origin and its hits are told from a focus on: near it `f32` is exact wherever it is, for the rest is computed in `f64`.
 pub struct Probe {
+    focus: DVec3,
+    origin: Vec3,
     line: Line,
     shear: Shear,
 }
@@ -192,12 +200,38 @@ pub struct Probe {
 impl Probe {
     /// The ray from `origin` in a unit direction.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { line: Line::new(origin, direction), shear: Shear::new(origin, direction) }
+        Self::about(DVec3::ZERO, origin, direction)
     }
 
-    /// Its origin and direction.
-    pub fn line(&self) -> [Vec3; 2] {
-        [self.line.origin, self.line.direction]
+    /// The ray from `origin`, told from a focus on, in a unit direction.
+    pub fn about(focus: DVec3, origin: Vec3, direction: Vec3) -> Self {
+        let eye = focus + origin.as_dvec3();
+        Self { focus, origin, line: Line::new(eye.as_vec3(), direction), shear: Shear::new(eye, direction) }
+    }
+
+    /// Its origin from the focus on.
+    pub const fn origin(&self) -> Vec3 {
+        self.origin
+    }
+
+    /// Its unit direction.
+    pub const fn direction(&self) -> Vec3 {
+        self.line.direction
+    }
+
+    /// Its origin in the world.
+    pub fn eye(&self) -> DVec3 {
+        self.focus + self.origin.as_dvec3()
+    }
+
+    /// A point of the world from the focus on.
+    pub fn place(&self, point: DVec3) -> Vec3 {
+        (point - self.focus).as_vec3()
+    }
+
+    /// The point of the world that is told from the focus on.
+    pub fn world(&self, place: Vec3) -> Vec3 {
+        (self.focus + place.as_dvec3()).as_vec3()
     }
 }
 
@@ -213,29 +247,29 @@ struct Shear {
 }
 
 impl Shear {
-    fn new(origin: Vec3, direction: Vec3) -> Self {
+    fn new(origin: DVec3, direction: Vec3) -> Self {
         let z = direction.abs().max_position();
         let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
         if direction[z] < 0.0 {
             (x, y) = (y, x);
         }
         let d = [x, y, z].map(|k| f64::from(direction[k]));
-        let origin = [x, y, z].map(|k| f64::from(origin[k]));
+        let origin = [x, y, z].map(|k| origin[k]);
         Self { axes: [x, y, z], origin, scale: [d[0] / d[2], d[1] / d[2], 1.0 / d[2]] }
     }
 
     /// The ray parameter; infinite where the ray passes.
     fn distance(&self, corners: &Places) -> f32 {
-        self.intersect(corners).map_or(f32::INFINITY, |(t, _)| t)
+        self.intersect(corners).map_or(f32::INFINITY, |(t, _)| t as f32)
     }
 
     /// Ray parameter and barycentric weights, whichever side the ray comes from.
     #[inline(always)]
-    fn intersect(&self, corners: &Places) -> Option<(f32, [f32; 3])> {
+    fn intersect(&self, corners: &Places) -> Option<(f64, [f64; 3])> {
         let ([kx, ky, kz], [sx, sy, sz]) = (self.axes, self.scale);
         let (mut x, mut y, mut z) = ([0.0; 3], [0.0; 3], [0.0; 3]);
         for k in 0..3 {
-            // Differences of f32 are exact in f64 here, so both triangles at an edge see the same numbers.
+            // Both triangles at an edge see the same numbers.
             let up = f64::from(corners[kz][k]) - self.origin[2];
             x[k] = f64::from(corners[kx][k]) - self.origin[0] - sx * up;
             y[k] = f64::from(corners[ky][k]) - self.origin[1] - sy * up;
@@ -250,7 +284,7 @@ impl Shear {
             return None;
         }
         let t = (u * z[0] + v * z[1] + w * z[2]) / det;
-        (t > 0.0).then_some((t as f32, [(u / det) as f32, (v / det) as f32, (w / det) as f32]))
+        (t > 0.0).then_some((t, [u / det, v / det, w / det]))
     }
 }
 
@@ -309,10 +343,10 @@ mod tests {
         for i in 0..40_u8 {
             let target = Vec3::new(f32::from(i % 8) * 0.8 - 2.8, 0.3, f32::from(i / 8) * 0.7);
             let direction = (target - eye).normalize();
-            let shear = Shear::new(eye, direction);
+            let shear = Shear::new(eye.as_dvec3(), direction);
             let naive = (0..traced.mesh.triangles.len())
                 .filter_map(|k| {
-                    shear.intersect(&by_axis(traced.corners(k).map(|v| v.position))).map(|hit| hit.0)
+                    shear.intersect(&by_axis(traced.corners(k).map(|v| v.position))).map(|hit| hit.0 as f32)
                 })
                 .fold(f32::INFINITY, f32::min);
             let got = traced.first_hit(eye, direction).map_or(f32::INFINITY, |hit| hit.t);

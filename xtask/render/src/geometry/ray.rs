@@ -90,6 +90,7 @@ impl Ray {
 pub struct Hit {
     /// Ray parameter, the distance for a unit direction.
     pub t: f32,
+    /// From the focus of its [`Probe`](crate::geometry::mesh::Probe) on.
     pub position: Vec3,
     /// Unit, outwards.
     pub normal: Vec3,

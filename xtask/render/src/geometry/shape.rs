@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{Mat3, Vec2, Vec3};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 
 use crate::geometry::fractal::Fractal;
 use crate::geometry::mesh::{Mesh, Probe, TracedMesh};
@@ -37,18 +37,18 @@ impl Shape {
 
     /// The first meeting of a probe, if it is nearer than `farthest`.
     pub fn meets(&self, probe: &Probe, farthest: f32) -> Option<Met> {
-        let [origin, direction] = probe.line();
+        let world = |hit: &Hit| probe.world(hit.position);
         let hit = match self {
-            Self::Sphere => sphere(origin, direction),
-            Self::Plane => plane(origin, direction),
+            Self::Sphere => sphere(probe),
+            Self::Plane => plane(probe),
             Self::Mesh(mesh) => {
                 return mesh.meets(probe, farthest).map(|(t, triangle)| Met::Triangle { t, triangle });
             }
             Self::MeshOnDisk(mesh) => mesh
-                .first_hit(origin, direction)
-                .filter(|hit| hit.position.z > 0.0)
-                .or_else(|| plane(origin, direction).filter(|hit| hit.position.length_squared() < 1.0)),
-            Self::Fractal(fractal) => fractal.first_hit(origin, direction),
+                .nearest(probe)
+                .filter(|hit| world(hit).z > 0.0)
+                .or_else(|| plane(probe).filter(|hit| world(hit).length_squared() < 1.0)),
+            Self::Fractal(fractal) => fractal.first_hit(probe),
         };
         hit.filter(|hit| hit.t < farthest).map(Met::Whole)
     }
@@ -66,10 +66,7 @@ impl Shape {
     pub fn hides(&self, probe: &Probe) -> bool {
         match self {
             Self::Mesh(mesh) => mesh.hides(probe),
-            Self::Fractal(fractal) => {
-                let [origin, direction] = probe.line();
-                fractal.hides(origin, direction)
-            }
+            Self::Fractal(fractal) => fractal.hides(probe),
             _ => self.meets(probe, f32::INFINITY).is_some(),
         }
     }
@@ -94,21 +91,22 @@ impl Met {
 }
 
 /// `f64`, because close to the surface the two roots nearly cancel.
-fn sphere(origin: Vec3, direction: Vec3) -> Option<Hit> {
-    let (o, d) = (origin.as_dvec3(), direction.as_dvec3().normalize());
+fn sphere(probe: &Probe) -> Option<Hit> {
+    let (o, d) = (probe.eye(), probe.direction().as_dvec3().normalize());
     let half = o.dot(d);
     let discriminant = half * half - (o.length_squared() - 1.0);
     if discriminant < 0.0 {
         return None;
     }
     let t = [-half - discriminant.sqrt(), -half + discriminant.sqrt()].into_iter().find(|&t| t > 1e-9)?;
-    let p = (o + d * t).normalize().as_vec3();
+    let exact = (o + d * t).normalize();
+    let p = exact.as_vec3();
     let east = Vec3::new(-p.y, p.x, 0.0);
     let tangent = if east.length_squared() > 0.0 { east.normalize() } else { Vec3::Y };
     let north = p.cross(tangent);
     Some(Hit {
         t: t as f32,
-        position: p,
+        position: probe.place(exact),
         normal: p,
         flat: p,
         lift: [Vec3::ZERO; 2],
@@ -119,17 +117,17 @@ fn sphere(origin: Vec3, direction: Vec3) -> Option<Hit> {
     })
 }
 
-fn plane(origin: Vec3, direction: Vec3) -> Option<Hit> {
-    let t = -origin.z / direction.z;
-    let position = origin + direction * t;
+fn plane(probe: &Probe) -> Option<Hit> {
+    let t = (-probe.eye().z / f64::from(probe.direction().z)) as f32;
+    let position = probe.origin() + probe.direction() * t;
     (t > 0.0 && t.is_finite()).then_some(Hit {
         t,
-        position: Vec3::new(position.x, position.y, 0.0),
+        position: position.with_z(probe.place(DVec3::ZERO).z),
         normal: Vec3::Z,
         flat: Vec3::Z,
         lift: [Vec3::ZERO; 2],
         tangent: Vec3::X,
-        uv: position.truncate(),
+        uv: probe.world(position).truncate(),
         tangents: [Vec3::X, Vec3::Y],
         bend: Mat3::ZERO,
     })

@@ -20,7 +20,7 @@ impl Scene<'_, '_> {
                     .fold(Vec3::ZERO, |sum, light| sum + light.colour * spot.scattered(light.direction))
             }
             Lamps::Near { place, colour } => {
-                let towards = *place - spot.starts[0];
+                let towards = (place.as_dvec3() - self.focus).as_vec3() - spot.starts[0];
                 let direction = towards.normalize_or_zero();
                 let reflected = spot.scattered(direction);
                 if reflected == Vec3::ZERO {

@@ -85,6 +85,7 @@ impl Scene<'_, '_> {
     ) -> Result<Sums, Failure> {
         let Sampling { width, height, seed, .. } = sampling;
         let paths = matches!(self.light, Light::Around(_));
+        let camera = camera.about(self.focus);
         sums.and(sampling, samples, progress, interrupted, |x, y| {
             let (hashed, shift) = (pixel_hash(x, y, seed), jitter(x, y, seed));
             move |k| {
@@ -128,6 +129,8 @@ impl Scene<'_, '_> {
             Light::Around(_) => tap(&hit, ray.spread(&hit), sampler.point().x),
             Light::Lamps { .. } => hit.point(ray.footprint(&hit)),
         };
+        let position = point.position + (self.focus - object.anchor).as_vec3();
+        let point = SurfacePoint { position, ..point };
         let frame = point.frame();
         let wo = frame.to_local(-ray.direction);
         let bsdf = object.material.bsdf(&point, wo);

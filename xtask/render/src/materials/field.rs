@@ -3,7 +3,7 @@
 use asperity_noise::{Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
 use asperity_shading::BumpField;
 use asperity_shading::level_of_detail::{Coordinates, GaussianField, RemappedOctaves};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::failure::Failure;
 
@@ -31,18 +31,25 @@ pub struct Bumps {
 }
 
 impl Bumps {
-    /// The bump map in space.
-    pub fn field(&self, seed: u32) -> Result<BumpField<Field>, Failure> {
+    /// The bump map in space, of differences to an anchor, near which it is exact at any zoom.
+    pub fn field(&self, seed: u32, anchor: DVec3) -> Result<BumpField<Field>, Failure> {
         /// No round number, so that the lattices of neighbouring octaves do not meet.
         const LACUNARITY: f32 = 2.17;
         if self.octaves == 0 {
             return Ok(BumpField::new(Field(None), self.frequency)?);
         }
         let spectrum = Spectrum::new(LACUNARITY, self.gain, self.octaves)?;
+        let at = anchor * f64::from(self.frequency);
         let noise: Box<Noise> = match self.kind {
-            NoiseKind::Gaussian => Box::new(GaussianOctaves::<3>::new(Gaussian::new(seed), spectrum)),
-            NoiseKind::Perlin2002 => Box::new(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?),
-            NoiseKind::Simplex => Box::new(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?),
+            NoiseKind::Gaussian => {
+                Box::new(GaussianOctaves::<3>::new(Gaussian::new(seed), spectrum).anchored(at))
+            }
+            NoiseKind::Perlin2002 => {
+                Box::new(RemappedOctaves::new(Perlin2002::default(), spectrum, seed)?.anchored(at))
+            }
+            NoiseKind::Simplex => {
+                Box::new(RemappedOctaves::new(Simplex::new(0), spectrum, seed)?.anchored(at))
+            }
         };
         Ok(BumpField::new(Field(Some(noise)), self.frequency)?)
     }
@@ -77,7 +84,7 @@ mod tests {
     fn kinds_differ_and_no_octaves_are_flat() {
         let p = Vec3::new(0.3, 0.7, -1.9);
         let at = |kind, octaves| {
-            let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3).unwrap();
+            let bumps = Bumps { kind, frequency: 1.0, octaves, gain: 0.8 }.field(3, DVec3::ZERO).unwrap();
             bumps.coordinates(p, Footprint::from_width(0.1)).z
         };
         let kinds = [NoiseKind::Gaussian, NoiseKind::Perlin2002, NoiseKind::Simplex];

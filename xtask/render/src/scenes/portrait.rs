@@ -22,9 +22,8 @@ use crate::{
 /// The share of the tint that is diffuse.
 const DIFFUSE: f32 = 0.13;
 
-/// Points of surfaces that pictures come close to.
+/// Direction of the point that pictures of the sphere come close to.
 const SPHERE_FOCUS: Vec3 = Vec3::new(-0.30, -0.80, 0.52);
-const TEAPOT_FOCUS: Vec3 = Vec3::new(-0.45, -1.85, 1.45);
 
 /// Request for one picture.
 #[derive(Clone, Copy)]
@@ -49,7 +48,7 @@ impl<'a> RenderRequest<'a> {
             Set::Sphere => {
                 (View::new([0.0, -4.9, 1.2], [0.0; 3], 27.0).towards(SPHERE_FOCUS.normalize()), 55.0)
             }
-            Set::Teapot => (set.view().towards(TEAPOT_FOCUS), 16.0),
+            Set::Teapot => (set.view(), 16.0),
             _ => (View::new([0.0, -3.0, 3.0], [0.0; 3], 27.0), 24.0),
         };
         Self {
@@ -80,12 +79,13 @@ impl<'a> RenderRequest<'a> {
 
     /// The object with its material under the lamps.
     pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
-        let bumps = self.bumps.field(self.sampling.seed)?;
+        let focus = self.view.focus.as_dvec3();
+        let bumps = self.bumps.field(self.sampling.seed, focus)?;
         let lamps = studio(self.tint * (self.exposure / peak(|m| self.ndf.density(m))));
         let (ndf, facets) = (self.ndf, self.facets);
         let material = Printed { ndf, facets, bumps, lamps, diffuse: self.tint * DIFFUSE };
-        let objects = vec![Object::new(Arc::clone(shape), material)];
-        Ok(Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio))
+        let objects = vec![Object::new(Arc::clone(shape), material).anchored(focus)];
+        Ok(Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio).about(focus))
     }
 }
 

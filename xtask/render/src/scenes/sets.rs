@@ -78,10 +78,11 @@ impl View {
 
     /// The camera: towards the target at zoom 1, and from there straight to the focus.
     pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
-        let near = 1.0 / zoom;
+        let near = 1.0 / f64::from(zoom);
+        let [whole, target, focus] = [self.eye, self.target, self.focus].map(Vec3::as_dvec3);
         // The aim swings to the point faster than the eye comes closer, so that the point stays in the picture.
-        let aim = self.focus + (self.target - self.focus) * near * near;
-        let eye = self.focus + (self.eye - self.focus) * near;
+        let aim = focus + (target - focus) * near * near;
+        let eye = focus + (whole - focus) * near;
         Camera::new(eye, aim, self.field.to_radians(), sampling.width, sampling.height)
     }
 }
@@ -124,17 +125,28 @@ impl Set {
         }
     }
 
-    /// The view of the whole.
+    /// The view of the whole; nearby, that of a point of the subject's surface.
     pub const fn view(self) -> View {
-        match self {
-            Self::Sphere => View::new([0.0, -5.2, 1.9], [0.0, 0.0, 0.93], 25.0),
-            Self::Teapot => View::new([4.4, -12.6, 5.6], [0.25, 0.0, 1.42], 29.0),
-            Self::Plane => View::new([0.0, -2.0, 0.7], [0.0, 0.0, 0.28], 40.0),
-            Self::Car => View::new([4.4, -5.6, 1.9], [0.12, 0.0, 0.55], 32.0),
-            Self::Room => View::new([0.75, -1.15, 0.95], [-0.25, 0.6, 0.22], 46.0),
-            Self::Wall => View::new([-1.1, -1.5, 1.25], [0.3, 0.0, 1.1], 42.0),
-            Self::Vase => View::new([0.0, -7.2, 2.6], [0.0, 0.0, 1.12], 25.0),
-        }
+        let (view, focus) = match self {
+            Self::Sphere => {
+                (View::new([0.0, -5.2, 1.9], [0.0, 0.0, 0.93], 25.0), [0.0, -0.993_323, 1.115_293])
+            }
+            Self::Teapot => (
+                View::new([4.4, -12.6, 5.6], [0.25, 0.0, 1.42], 29.0),
+                [-0.450_620_03, -1.848_625_9, 1.449_469_8],
+            ),
+            Self::Plane => (View::new([0.0, -2.0, 0.7], [0.0, 0.0, 0.28], 40.0), [0.0, 4.0 / 3.0, 0.0]),
+            Self::Car => (
+                View::new([4.4, -5.6, 1.9], [0.12, 0.0, 0.55], 32.0),
+                [0.750_573_16, -0.825_049_04, 0.748_895_8],
+            ),
+            Self::Room => (View::new([0.75, -1.15, 0.95], [-0.25, 0.6, 0.22], 46.0), [-0.1, 0.3, 0.0]),
+            Self::Wall => (View::new([-1.1, -1.5, 1.25], [0.3, 0.0, 1.1], 42.0), [0.3, 0.0, 1.1]),
+            Self::Vase => {
+                (View::new([0.0, -7.2, 2.6], [0.0, 0.0, 1.12], 25.0), [0.0, -0.822_866_86, 1.289_144_9])
+            }
+        };
+        view.towards(Vec3::from_array(focus))
     }
 
     /// The objects, of which the first has the subject's material.

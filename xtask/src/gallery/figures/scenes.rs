@@ -15,7 +15,7 @@ use asperity_shading::{
     Carpet, CarpetParameters, Ggx, LevelOfDetail, Marble, MetallicPaint, MetallicPaintParameters, Scratches,
     ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
@@ -130,7 +130,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
     let copper = BumpMapped {
         ndf: Ggx::new(0.15, 0.35)?,
         rule: LevelOfDetail::Exact,
-        bumps: bumps.field(context.seed)?,
+        bumps: bumps.field(context.seed, DVec3::ZERO)?,
         colour: hex(0xf2_b184),
     };
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };

@@ -4,7 +4,7 @@ use asperity_ndf_sampling::{Beckmann, Ggx};
 use asperity_render::materials::field::{Bumps, Field, NoiseKind};
 use asperity_render::{integrator::pixels::jitter, materials::SharedNdf};
 use asperity_shading::{BumpField, Footprint, LevelOfDetail};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
@@ -52,7 +52,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         }
     }
     let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 1.0, octaves: 16, gain: GAIN };
-    let bumps = bumps.field(context.seed)?;
+    let bumps = bumps.field(context.seed, DVec3::ZERO)?;
     for doubling in DOUBLINGS {
         measure(context, &mut cases, &bumps, f64::exp2(doubling) as f32)?;
     }

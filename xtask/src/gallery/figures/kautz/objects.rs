@@ -9,7 +9,7 @@ use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{RenderRequest, Set, peak};
 use asperity_render::{geometry::shape::Shape, image::Image};
 use asperity_shading::{LevelOfDetail, SurfacePoint, reflectance::Bsdf};
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
@@ -128,7 +128,7 @@ fn step(
     shape: &Arc<Shape>,
     colour: impl Fn(Vec2) -> Vec3 + Sync,
 ) -> Result<Image> {
-    let bumps = request.bumps.field(context.seed)?;
+    let bumps = request.bumps.field(context.seed, DVec3::ZERO)?;
     let colours = |point: &SurfacePoint, wo: Vec3| {
         let coordinates = bumps.coordinates(point.position, point.footprint());
         // Some light from the sky, so that the shape stays readable.

@@ -22,11 +22,16 @@ const WIDTHS: [(f32, &str); 5] =
 /// The middle of every picture.
 const CENTRE: Vec2 = Vec2::new(1.371, 0.843);
 
+/// Cells of the bumps in a metre.
+const CELLS: f32 = 60.0;
+
 /// A material with its exposure and the half vector of the eye and its lamp.
 struct Surface {
     name: &'static str,
     exposure: f32,
     half: Vec3,
+    /// The place that its material is told positions from.
+    anchor: Vec2,
     material: Box<dyn Material + Sync>,
 }
 
@@ -40,6 +45,7 @@ fn surfaces() -> Result<[Surface; 6]> {
         name,
         exposure,
         half: Vec3::new(x, y, 1.0).normalize(),
+        anchor: Vec2::ZERO,
         material,
     };
     let carpet = Carpet::new(CarpetParameters {
@@ -74,7 +80,9 @@ fn surfaces() -> Result<[Surface; 6]> {
     })?;
     let glass = TemperedGlass::new(TemperedGlassParameters { wave_amplitude: 6e-4, ..Default::default() })?;
     let noise = GaussianOctaves::<3>::new(Gaussian::new(5), Spectrum::new(2.17, 0.8, 16)?);
-    let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, 60.0)?, LevelOfDetail::Exact);
+    // Octaves so fine that f32 has no digits left for them at the middle.
+    let noise = noise.anchored(CENTRE.extend(0.0).as_dvec3() * f64::from(CELLS));
+    let (ndf, bumps, rule) = (Ggx::new(0.2, 0.4)?, BumpField::new(noise, CELLS)?, LevelOfDetail::Exact);
     let bumps = BumpMapped { ndf, bumps, rule, colour: hex(0xf2_b184) };
     // Of all but scratches the lamp is near the highlight; they catch the light that the surface mirrors past the eye.
     Ok([
@@ -83,16 +91,18 @@ fn surfaces() -> Result<[Surface; 6]> {
         surface("scratches", 0.26, [0.2, 0.25], Box::new(scratches)),
         surface("plastic", 0.45, [-0.134, 0.094], Box::new(plastic)),
         surface("glass", 14.0, [0.0, 0.0], Box::new(glass)),
-        surface("bumps", 0.38, [0.14, 0.2], Box::new(bumps)),
+        Surface { anchor: CENTRE, ..surface("bumps", 0.38, [0.14, 0.2], Box::new(bumps)) },
     ])
 }
 
 impl Surface {
-    /// Light of the one lamp, and of tubes that a smooth surface mirrors.
-    fn radiance(&self, p: Vec2, pixel: Footprint) -> Vec3 {
+    /// Light of the one lamp, and of tubes that a smooth surface mirrors, so far from the middle.
+    fn radiance(&self, from: Vec2, pixel: Footprint) -> Vec3 {
         const DIRECTIONS: u32 = 4;
         let (wo, wi) = (eye(), reflect(eye(), self.half));
-        let point = SurfacePoint::new(p.extend(0.0), Vec3::Z, pixel).with_uv(p, [Vec3::X, Vec3::Y]);
+        let p = CENTRE + from;
+        let position = (from + (CENTRE - self.anchor)).extend(0.0);
+        let point = SurfacePoint::new(position, Vec3::Z, pixel).with_uv(p, [Vec3::X, Vec3::Y]);
         let bsdf = self.material.bsdf(&point, wo);
         let deltas = (0..DIRECTIONS).flat_map(|k| bsdf.deltas(wo, Vec2::from(r2(k).map(|u| u as f32))));
         let mirrored = deltas.filter(|delta| delta.wi.z > 0.0).fold(Vec3::ZERO, |sum, delta| {
@@ -120,7 +130,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let drawn = Drawn::pictures(5, pictures, |(surface, width)| {
         let pixel = Footprint::from_width(width / side);
         let image = context.render(sampling, |x, y| {
-            surface.radiance(CENTRE + Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
+            surface.radiance(Vec2::new(x / side - 0.5, 0.5 - y / side) * width, pixel)
         })?;
         Ok(image.exposed(1.0))
     })?;
