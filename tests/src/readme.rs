@@ -36,6 +36,10 @@ pub struct Renderer;
 #[doc = include_str!("../../docs/guide/engine-textures.md")]
 pub struct EngineTextures;
 
+/// The guide to shaders.
+#[doc = include_str!("../../docs/guide/shaders.md")]
+pub struct ShadersInEngines;
+
 /// The guide to fits.
 #[doc = include_str!("../../docs/guide/fractal-fit.md")]
 pub struct FractalFit;

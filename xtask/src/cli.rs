@@ -64,16 +64,26 @@ The benches of noise have every kind at every SIMD level and take a quarter of a
 example builds one kind alone, in two minutes. FastNoise2 is C++ and is measured if FASTNOISE2_LIB_DIR names
 the folder of its static library; xtask/peers/README.md says how to build it.")]
     Bench(Bench),
-    /// Write the functions of the shaders in every shading language, or compare them with the crates on adapters.
+    /// Write the functions of the shaders in every shading language with a page of all, or compare them with the crates on adapters.
     #[command(after_help = "Examples:
   cargo xtask shaders
   cargo xtask shaders --part noise/kinds/gaussian --dialect glsl-es-300 --out my-shaders
   cargo xtask shaders --check
   cargo xtask shaders --adapter llvmpipe --part ndf/density
 
+index.html in the folder, target/asperity/shaders if none is named, has every part with its bindings and a use in wgpu, Bevy,
+three.js, Godot, Unity and Metal.
+
 Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
 spirv-tools and glslang-tools. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
     Shaders(Shaders),
+    /// Write the live page: bumps, noise, fractal functions and materials under one's hands, in one file.
+    #[command(after_help = "Examples:
+  cargo xtask web
+  cargo xtask web --serve 8000
+
+index.html opens from the disk; the folder `hosted` is for a web server. Nothing is asked of any network.")]
+    Web(Web),
     /// Check a density's normalisation, samples, map and inverse map, and print a report.
     #[command(after_help = "Examples:
   cargo xtask check --ndf ggx:0.1,0.5
@@ -286,7 +296,7 @@ pub(crate) struct Shaders {
     /// Write this language only; may be given again.
     #[arg(long, value_parser = PossibleValuesParser::new(DIALECTS), conflicts_with_all = ["check", "adapter"])]
     pub(crate) dialect: Vec<String>,
-    /// Compare every function with the crate's, interpreted and on each adapter, in place of writing it.
+    /// Say which files are missing or stale, and compare every function with the crate's, interpreted and on each adapter.
     #[arg(long)]
     pub(crate) check: bool,
     /// Count the operations of every function, octave and pixel, and time frames on each adapter, into docs/shaders/costs.md.
@@ -297,6 +307,16 @@ pub(crate) struct Shaders {
     pub(crate) adapter: Option<String>,
     /// Folder of the shaders.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/shaders")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Web {
+    /// Serve the page on this port of 127.0.0.1, any that is free if none is named, until Ctrl-C.
+    #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "0")]
+    pub(crate) serve: Option<u16>,
+    /// Folder of the page.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/web")]
     pub(crate) out: PathBuf,
 }
 

@@ -13,6 +13,8 @@ mod progress;
 mod render;
 mod shaders;
 mod tables;
+mod toolchain;
+mod web;
 
 use std::io::Write;
 use std::path::Path;
@@ -77,6 +79,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
         Command::Render(wanted) => render::render(&wanted, interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
         Command::Shaders(wanted) => shaders::run(&wanted, root, interrupted),
+        Command::Web(wanted) => web::run(&wanted, root, interrupted),
         Command::Check(wanted) => check::density::check(&wanted),
         Command::Tidy => {
             let report = tidy::report()?;
@@ -107,6 +110,7 @@ mod tests {
             "render",
             "bench",
             "shaders",
+            "web",
             "check",
             "tidy",
             "ci",
@@ -155,6 +159,7 @@ mod tests {
             ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
             ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
             ("shaders --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("web --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
             ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: the name of a mesh file ends in "),
             ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
             ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),

@@ -2,9 +2,9 @@
 
 use std::{path::Path, process::Command};
 
-use super::toolchain::{Toolchain, output};
 use crate::cargo::run;
 use crate::failure::Failure;
+use crate::toolchain::{Toolchain, output};
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 const EMULATOR: &str = "qemu-system-arm";

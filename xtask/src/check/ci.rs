@@ -2,16 +2,19 @@
 
 use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
-use cargo_metadata::MetadataCommand;
+use cargo_metadata::{MetadataCommand, Package};
 
 use super::{bare_metal, no_std, packages, tidy, wasm};
 use crate::cargo::{cargo, run};
 use crate::failure::{Failure, Interrupted};
-use crate::{progress, shaders, tables};
+use crate::{progress, shaders, tables, web};
 
 /// The crates that compute.
 pub(crate) const CRATES: [&str; 4] =
     ["asperity-noise", "asperity-ndf-sampling", "asperity-fif", "asperity-shading"];
+
+/// The crate of shaders, whose examples run too.
+const SHADERS: &str = "asperity-shaders";
 
 /// The feature sets that `cargo test --workspace` does not have: there every feature of a crate is on, and `libm` wins.
 const SETS: [(&str, &[&str]); 5] = [
@@ -28,7 +31,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 14] = [
+const GATES: [Gate; 15] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("generated tables", tables::check),
@@ -45,6 +48,7 @@ const GATES: [Gate; 14] = [
     ("packages", packages::packages),
     ("wasm probe", |root| wasm::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("shaders on drivers", shaders::on_drivers),
+    ("live page", web::in_browsers),
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 
@@ -109,9 +113,13 @@ fn tests(root: &Path) -> Result<(), Failure> {
 /// Every example runs, and every bench measures once.
 fn examples_and_benches(root: &Path) -> Result<(), Failure> {
     let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
-    for package in metadata.packages.iter().filter(|package| CRATES.contains(&package.name.as_str())) {
+    let runs =
+        |package: &&Package| CRATES.contains(&package.name.as_str()) || package.name.as_str() == SHADERS;
+    for package in metadata.packages.iter().filter(runs) {
         let name = &package.name;
-        test(root, name, "--benches")?;
+        if package.targets.iter().any(cargo_metadata::Target::is_bench) {
+            test(root, name, "--benches")?;
+        }
         for example in package.targets.iter().filter(|target| target.is_example()) {
             let example = &example.name;
             run(&mut cargo(

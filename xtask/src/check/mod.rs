@@ -6,5 +6,4 @@ pub(crate) mod density;
 pub(crate) mod no_std;
 pub(crate) mod packages;
 pub(crate) mod tidy;
-mod toolchain;
 pub(crate) mod wasm;

@@ -30,7 +30,12 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         words += &format!(" --package {name}");
     }
     forget_unpacked(&metadata)?;
-    run(&mut cargo(root, &words))
+    // What was compiled of an earlier package of the same version would be taken for this one's.
+    let builds = root.join("target/packages");
+    if builds.is_dir() {
+        fs::remove_dir_all(&builds)?;
+    }
+    run(cargo(root, &words).arg("--target-dir").arg(builds))
 }
 
 /// Removes what an earlier run unpacked of the packages.

@@ -2,9 +2,9 @@
 
 use std::{path::Path, process::Command};
 
-use super::toolchain::{Toolchain, output, rust_lld};
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::toolchain::{Toolchain, output, rust_lld};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const LINKER: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER";

@@ -15,7 +15,7 @@ use crate::cli::Gallery;
 use crate::failure::Result;
 use crate::gallery::captions::CAPTIONS;
 use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
-use crate::gallery::page::{Record, Stored, TABLES};
+use crate::gallery::page::{LIVE, Record, Stored, TABLES};
 use crate::output::{Output, sha256};
 use crate::progress;
 
@@ -72,10 +72,10 @@ pub(crate) fn draw(
     }
     let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
     let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
-    let tables = output.read(TABLES).map(|_| TABLES);
+    let beside = [TABLES, LIVE].map(|file| output.read(file).map(|_| file));
     let mut first = None;
     for page in CAPTIONS.pages.iter().filter(|page| page.shows(&records)) {
-        output.write(page.file, page.gallery(&records, tables, drawing).as_bytes())?;
+        output.write(page.file, page.gallery(&records, beside, drawing).as_bytes())?;
         first = first.or(Some(page.file));
     }
     first.into_iter().for_each(|file| progress::say(&format!("the gallery: {}", output.place(file))));

@@ -8,6 +8,9 @@ use crate::gallery::figure::{Drawn, Panel};
 /// The page of the tables, seen from the gallery's.
 pub(crate) const TABLES: &str = "../tables/index.html";
 
+/// The live page as the gallery links to it.
+pub(crate) const LIVE: &str = "../web/index.html";
+
 const STYLE: &str = include_str!("page.css");
 
 /// A drawn figure on disk, with its provenance.
@@ -70,12 +73,12 @@ impl Page {
         records.iter().any(|record| CAPTIONS.of(&record.name).is_ok_and(|c| c.page == self.file))
     }
 
-    /// The page over its records, with links to other pages that show some and to `tables` if there are any; `drawing` hands over the
+    /// The page over its records, with links to other pages that show some, to `tables` if there are any and to the `live` page if it is there; `drawing` hands over the
     /// text of an SVG file by its name.
     pub(crate) fn gallery(
         &self,
         records: &[Record],
-        tables: Option<&str>,
+        [tables, live]: [Option<&str>; 2],
         drawing: impl Fn(&str) -> String,
     ) -> String {
         let prefix = if self.title == "Asperity" { String::new() } else { format!("{}: ", self.title) };
@@ -95,13 +98,17 @@ impl Page {
         let rest = format!(
             "<nav><div class=\"wide\"><ol>\n{}</ol></div></nav>\n<main class=\"wide\">\n{}</main>\n\
              <footer class=\"wide\">Asperity {}. The same settings and seeds give the same files, byte for byte, on \
-             any number of threads.{}</footer>\n",
+             any number of threads.{}{}</footer>\n",
             others.chain(links).collect::<String>(),
             sections.collect::<String>(),
             env!("CARGO_PKG_VERSION"),
             tables.map_or_else(String::new, |file| {
                 format!(" The tables behind the pictures: <a href=\"{file}\">tables</a>.")
             }),
+            live.map_or_else(
+                || " <code>cargo xtask web</code> makes a page on which they move.".to_owned(),
+                |file| format!(" All of it under your hands: <a href=\"{file}\">the live page</a>.")
+            ),
         );
         page(&format!("{prefix}Asperity gallery"), self.title, &self.about, &rest)
     }
@@ -164,17 +171,17 @@ mod tests {
 
     fn page_of(index: usize, names: &[&str]) -> String {
         let records: Vec<_> = names.iter().copied().map(record).collect();
-        CAPTIONS.pages[index].gallery(&records, Some(TABLES), |_| String::new())
+        CAPTIONS.pages[index].gallery(&records, [TABLES, LIVE].map(Some), |_| String::new())
     }
 
     #[test]
     fn a_page_links_to_what_was_made_alone() {
         let sphere = [record("kautz-1-sphere")];
-        let page = CAPTIONS.pages[0].gallery(&sphere, None, |_| String::new());
+        let page = CAPTIONS.pages[0].gallery(&sphere, [None; 2], |_| String::new());
         assert!(page.contains("href=\"#kautz-1-sphere\"") && !page.contains(".html\""), "{page}");
         assert!(CAPTIONS.pages[0].shows(&sphere) && !CAPTIONS.pages[1].shows(&sphere));
         let whole = page_of(0, &["kautz-1-sphere", "noise-kind-white"]);
-        assert!(whole.contains("href=\"noise.html\"") && whole.contains(TABLES));
+        assert!(whole.contains("href=\"noise.html\"") && whole.contains(TABLES) && whole.contains(LIVE));
     }
 
     #[test]

@@ -64,8 +64,8 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: "failure cli progress output cargo drivers → input → render gallery → gallery/figures → tables → check bench \
-                shaders",
+        rooms: "failure cli progress output cargo drivers toolchain → input → render gallery → gallery/figures → tables → check bench \
+                shaders web",
         face: None,
     },
 ];

@@ -1,0 +1,203 @@
+//! The page as a folder to host, and as one file that opens anywhere.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use base64::{Engine, prelude::BASE64_STANDARD};
+use flate2::{Compression, write::GzEncoder};
+use lzma_rust2::{LzmaOptions, LzmaWriter};
+use serde_json::Value;
+
+use crate::{programs, shaders};
+
+const INDEX: &str = include_str!("../../page/index.html");
+const STYLE: &str = include_str!("../../page/style.css");
+const TEAPOT: &str = include_str!("../../../xtask/render/data/teapot.json");
+
+/// Modules in the order of their needs; names at their top level are unique, since one file holds all in one scope.
+const MODULES: &[(&str, &str)] = &[
+    ("data.mjs", include_str!("../../page/data.mjs")),
+    ("rust.mjs", include_str!("../../page/rust.mjs")),
+    ("gpu.mjs", include_str!("../../page/gpu.mjs")),
+    ("vector.mjs", include_str!("../../page/vector.mjs")),
+    ("mesh.mjs", include_str!("../../page/mesh.mjs")),
+    ("controls.mjs", include_str!("../../page/controls.mjs")),
+    ("painting.mjs", include_str!("../../page/painting.mjs")),
+    ("camera.mjs", include_str!("../../page/camera.mjs")),
+    ("bumps.mjs", include_str!("../../page/bumps.mjs")),
+    ("plot.mjs", include_str!("../../page/plot.mjs")),
+    ("fractals.mjs", include_str!("../../page/fractals.mjs")),
+    ("light.mjs", include_str!("../../page/light.mjs")),
+    ("scenery.mjs", include_str!("../../page/scenery.mjs")),
+    ("materials.mjs", include_str!("../../page/materials.mjs")),
+    ("charts.mjs", include_str!("../../page/charts.mjs")),
+    ("noise.mjs", include_str!("../../page/noise.mjs")),
+    ("main.mjs", include_str!("../../page/main.mjs")),
+];
+
+/// Script of the one file, which unpacks the others.
+const UNPACK: &str = include_str!("../../page/lzma.mjs");
+
+/// The most that the file may have, compressed as servers send it. 250,000 are wanted; names in scripts are not shortened yet.
+const MOST: usize = 265_000;
+
+/// Writes `index.html`, which holds everything, and `hosted`, where files are apart; says how large they are.
+pub(crate) fn build(wasm: &Path, out: &Path) -> Result<(), String> {
+    let wasm = fs::read(wasm).map_err(|error| format!("{}: {error}", wasm.display()))?;
+    let wasm = without_custom_sections(&wasm).ok_or("the module ends in the middle of a section")?;
+    let mut data = shaders::data(programs::all())?;
+    let teapot: Value = serde_json::from_str(TEAPOT).map_err(|error| error.to_string())?;
+    data["teapot"] = serde_json::json!({
+        "patches": teapot["patches_16_indices"],
+        "vertices": teapot["vertices_xyz_z_up"],
+    });
+    let data = data.to_string();
+
+    let hosted = out.join("hosted");
+    fs::create_dir_all(&hosted).map_err(|error| format!("{}: {error}", hosted.display()))?;
+    write(&hosted.join("index.html"), INDEX.as_bytes())?;
+    write(&hosted.join("style.css"), STYLE.as_bytes())?;
+    write(&hosted.join("data.json"), data.as_bytes())?;
+    write(&hosted.join("tables.wasm"), &wasm)?;
+    for (name, source) in MODULES {
+        write(&hosted.join(name), source.as_bytes())?;
+    }
+
+    let single = single_file(&data, &wasm)?;
+    let sent = compressed(single.as_bytes())?.len();
+    write(&out.join("index.html"), single.as_bytes())?;
+    println!(
+        "the live page: {} ({} kB, {} kB compressed; module {} kB)",
+        out.join("index.html").display(),
+        single.len() / 1000,
+        sent / 1000,
+        wasm.len() / 1000,
+    );
+    println!("to host it: {}", hosted.display());
+    if sent > MOST {
+        return Err(format!("the page has {sent} bytes compressed, {MOST} at most"));
+    }
+    Ok(())
+}
+
+/// A module without sections that nothing runs: names of functions are as long as all its code.
+fn without_custom_sections(module: &[u8]) -> Option<Vec<u8>> {
+    let (head, mut rest) = module.split_at_checked(8)?;
+    let mut kept = head.to_vec();
+    while let [kind, after @ ..] = rest {
+        let digits = after.iter().position(|byte| byte & 0x80 == 0).filter(|&last| last < 5)? + 1;
+        let length =
+            after[..digits].iter().rev().fold(0_usize, |sum, byte| sum << 7 | usize::from(byte & 0x7f));
+        let (section, further) = rest.split_at_checked(1 + digits + length)?;
+        if *kind != 0 {
+            kept.extend_from_slice(section);
+        }
+        rest = further;
+    }
+    Some(kept)
+}
+
+/// Everything in one file: style, data and module inline, scripts joined.
+fn single_file(data: &str, wasm: &[u8]) -> Result<String, String> {
+    let style = format!("<style>\n{}</style>", without_margins(STYLE));
+    let scripts: String = MODULES.iter().map(|(_, source)| without_imports(source)).collect();
+    // In base 64 nothing can be compressed any more, and this packs closer than what servers send.
+    let scripts = format!(
+        "<script type=\"text/plain\" id=\"asperity-data\">{}</script>\n\
+         <script type=\"text/plain\" id=\"asperity-tables\">{}</script>\n\
+         <script type=\"text/plain\" id=\"asperity-scripts\">{}</script>\n\
+         <script type=\"module\">\n{}</script>",
+        BASE64_STANDARD.encode(packed(data.as_bytes())?),
+        BASE64_STANDARD.encode(packed(wasm)?),
+        BASE64_STANDARD.encode(packed(scripts.as_bytes())?),
+        without_imports(UNPACK),
+    );
+    let link = "<link rel=\"stylesheet\" href=\"style.css\">";
+    let script = "<script type=\"module\" src=\"main.mjs\"></script>";
+    for wanted in [link, script] {
+        if INDEX.matches(wanted).count() != 1 {
+            return Err(format!("page/index.html must hold `{wanted}` once"));
+        }
+    }
+    Ok(INDEX.replacen(link, &style, 1).replacen(script, &scripts, 1))
+}
+
+/// A module's own text: imports are lines, and exports begin them; comments of a line to themselves are in the folder alone.
+fn without_imports(source: &str) -> String {
+    let is_comment = |line: &str| {
+        let line = line.trim_start();
+        line.starts_with("/**") || line.starts_with("* ") || line == "*/"
+    };
+    let lines = source
+        .lines()
+        .filter(|line| !line.starts_with("import ") && !line.starts_with("// ") && !is_comment(line));
+    lines.map(|line| line.strip_prefix("export ").unwrap_or(line).to_owned() + "\n").collect()
+}
+
+/// A text whose lines begin at the margin.
+fn without_margins(text: &str) -> String {
+    text.lines().map(|line| line.trim_start().to_owned() + "\n").collect()
+}
+
+fn compressed(data: &[u8]) -> Result<Vec<u8>, String> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(data).and_then(|()| encoder.finish()).map_err(|error| error.to_string())
+}
+
+/// Bytes in LZMA with a header that tells their number, as `lzma.mjs` unpacks them.
+fn packed(data: &[u8]) -> Result<Vec<u8>, String> {
+    let options = LzmaOptions::with_preset(9);
+    let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(data.len() as u64))
+        .map_err(|error| error.to_string())?;
+    writer.write_all(data).and_then(|()| writer.finish()).map_err(|error| error.to_string())
+}
+
+/// Writes a file whole or not at all.
+fn write(path: &Path, data: &[u8]) -> Result<(), String> {
+    let partial = path.with_extension("partial");
+    fs::write(&partial, data)
+        .and_then(|()| fs::rename(&partial, path))
+        .map_err(|error| format!("{}: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_loses_its_imports_exports_and_comments_alone() {
+        let source =
+            "import { a } from './a.mjs';\n/** B. */\nexport const b = a;\n// C.\nconst c = 'export ';\n";
+        assert_eq!(without_imports(source), "const b = a;\nconst c = 'export ';\n");
+    }
+
+    #[test]
+    fn a_module_keeps_all_but_its_custom_sections() {
+        let module = b"\0asm\x01\0\0\0\x01\x01\0\0\x83\0abc\x02\x02xy";
+        assert_eq!(
+            without_custom_sections(module).as_deref(),
+            Some(&b"\0asm\x01\0\0\0\x01\x01\0\x02\x02xy"[..])
+        );
+        assert_eq!(without_custom_sections(&module[..14]), None);
+    }
+
+    #[test]
+    fn names_at_the_top_of_modules_are_unique() {
+        let mut names = std::collections::BTreeMap::new();
+        for (module, source) in MODULES {
+            for line in without_imports(source).lines() {
+                let rest = ["const ", "let ", "function ", "async function ", "class "]
+                    .iter()
+                    .find_map(|word| line.strip_prefix(word));
+                let name = rest.and_then(|rest| {
+                    rest.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '$')).next()
+                });
+                if let Some(name) = name.filter(|name| !name.is_empty()) {
+                    assert_eq!(names.insert(name.to_owned(), module), None, "{module}: {name}");
+                }
+            }
+        }
+        assert!(names.len() > 20);
+    }
+}

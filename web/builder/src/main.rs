@@ -1,0 +1,53 @@
+//! The builder of the live page.
+
+mod assemble;
+mod programs;
+mod serve;
+mod shaders;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(about = "Writes the live page, and serves it")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Write the page as one file and as a folder.
+    Build {
+        /// The module of the page's tables.
+        #[arg(long)]
+        wasm: PathBuf,
+        /// Folder of the page.
+        #[arg(long)]
+        out: PathBuf,
+    },
+    /// Serve a folder on 127.0.0.1 until it is interrupted.
+    Serve {
+        /// The folder.
+        folder: PathBuf,
+        /// Port; 0 is any that is free.
+        #[arg(long, default_value_t = 0)]
+        port: u16,
+    },
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Build { wasm, out } => assemble::build(&wasm, &out),
+        Command::Serve { folder, port } => serve::serve(&folder, port),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

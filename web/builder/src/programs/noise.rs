@@ -1,0 +1,98 @@
+//! Slices of noise: a program for each kind in each dimension, which differ in one function, the octave.
+
+use asperity_shaders::noise::sums::{self, octaves_2d, octaves_3d, octaves_4d};
+use asperity_shaders::noise::{self, transforms};
+use asperity_shaders::{Binding, Part};
+
+use super::{Program, SCREEN, program};
+
+const VIEW: &[Binding] = &[Binding::Uniform { name: "noise_view", of: "NoiseView" }];
+
+static SEEN: Part = page_part!("noise_view",).with_bindings(VIEW);
+
+/// The function of an octave in WGSL: the kind's at its cell and the place in it, or, of simplex noise, at its own coordinates.
+macro_rules! octave {
+    ($dimension:literal, $n:literal, $cell:literal, $key:literal, cell $function:literal $further:literal) => {
+        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(octaves_point_", $dimension, "(layer, p));
+    return sample_known_", $dimension, "(", $function, "_in_cell_", $dimension, "(", $cell, " + at.cell, at.place, ", $further, $key, "), at.known);"))
+    };
+    ($dimension:literal, $n:literal, $cell:literal, $key:literal, white) => {
+        octave!(@ $dimension, $n, concat!("    let at = cell_place_", $dimension, "(octaves_point_", $dimension, "(layer, p));
+    let value = white_in_cell_", $dimension, "(", $cell, " + at.cell, ", $key, ");
+    return sample_known_", $dimension, "(Sample", $dimension, "(value, vec", $n, "<f32>(0.0)), at.known);"))
+    };
+    ($dimension:literal, $n:literal, $cell:literal, $key:literal, simplex $function:literal) => {
+        octave!(@ $dimension, $n, concat!("    return ", $function, "_in_cell_", $dimension, "(", $cell, ", octaves_point_", $dimension, "(layer, p), ", $key, ");"))
+    };
+    (@ $dimension:literal, $n:literal, $body:expr) => {
+        concat!("fn noise_octave_", $dimension, "(layer: OctavesLayer", $dimension, ", p: vec", $n, "<f32>) -> Sample", $dimension, " {\n", $body, "\n}\n")
+    };
+}
+
+/// Programs of a dimension: each of a name, a part of the crate, and how an octave is told.
+macro_rules! slices {
+    ($module:ident, $dimension:literal, $n:literal, $cell:literal, $key:literal, $sums:ident, $uniform:path,
+     $warp:path, $curl:path, $($name:literal $kind:path { $($octave:tt)* })*) => {
+        mod $module {
+            use super::*;
+
+            pub(super) static PROGRAMS: &[Program] = &[$({
+                static OCTAVE: Part = Part::new(
+                    concat!("page/noise_octave_", $name, "_", $dimension),
+                    octave!($dimension, $n, $cell, $key, $($octave)*),
+                    &[&noise::SAMPLE, &noise::CELL, &$kind, &sums::OCTAVE],
+                );
+                static PART: Part = page_part!(
+                    "noise_", $dimension;
+                    OCTAVE, sums::SHAPE, sums::SPECTRUM, $uniform, $sums::TOTAL, $sums::RIDGED_MULTIFRACTAL, $warp, $curl, SCREEN, SEEN,
+                );
+                program(
+                    concat!("noise-", $name, "-", $dimension),
+                    &PART,
+                    ["screen_corner", concat!("noise_pixel_", $dimension)],
+                )
+            }),*];
+        }
+    };
+}
+
+slices!(plane, "2d", "2", "layer.cell", "layer.key", octaves_2d, sums::UNIFORM_2D, transforms::WARP, transforms::CURL,
+    "white" noise::WHITE { white }
+    "value" noise::VALUE { cell "value" "" }
+    "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
+    "perlin-1985" noise::PERLIN_1985 { cell "perlin_1985" "" }
+    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
+    "simplex" noise::SIMPLEX { simplex "simplex" }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
+    "sparse" noise::SPARSE { cell "sparse" "1u, " }
+    "gaussian" noise::GAUSSIAN { cell "gaussian" "" }
+    "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
+);
+
+slices!(space, "3d", "3", "layer.cell_and_key.xyz", "bitcast<u32>(layer.cell_and_key.w)", octaves_3d, sums::UNIFORM_3D,
+    transforms::WARP, transforms::CURL,
+    "white" noise::WHITE { white }
+    "value" noise::VALUE { cell "value" "" }
+    "catmull-rom" noise::VALUE_CATMULL_ROM { cell "value_catmull_rom" "" }
+    "perlin-1985" noise::PERLIN_1985 { cell "perlin_1985" "" }
+    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "value-gradient" noise::VALUE_GRADIENT { cell "value_gradient" "0.5, " }
+    "simplex" noise::SIMPLEX { simplex "simplex" }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
+    "sparse" noise::SPARSE { cell "sparse" "1u, " }
+    "gaussian" noise::GAUSSIAN { cell "gaussian" "" }
+    "cellular" noise::CELLULAR { cell "cellular" "noise_view.basis, noise_view.metric, noise_view.jitter, " }
+);
+
+slices!(time, "4d", "4", "layer.cell", "layer.key", octaves_4d, sums::UNIFORM_4D, SCREEN, SCREEN,
+    "value" noise::VALUE { cell "value" "" }
+    "perlin-2002" noise::PERLIN_2002 { cell "perlin_2002" "" }
+    "simplex" noise::SIMPLEX { simplex "simplex" }
+    "simplex-wide" noise::SIMPLEX { simplex "simplex_wide" }
+);
+
+/// The scene's programs.
+pub(super) fn programs() -> impl Iterator<Item = &'static Program> {
+    plane::PROGRAMS.iter().chain(space::PROGRAMS).chain(time::PROGRAMS)
+}

@@ -1,0 +1,303 @@
+//! The programs as data of the page: WGSL by parts, GLSL ES 3.00 by pieces, each once.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use asperity_shaders::{Binding, Bindings, Element, compose, ordered};
+use naga::ShaderStage;
+use naga::back::glsl;
+use naga::compact::{KeepUnused, compact};
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use serde_json::{Value, json};
+
+use crate::programs::Program;
+
+/// Pieces of text, each once, in the order of their first use.
+#[derive(Default)]
+struct Pieces {
+    texts: Vec<String>,
+    known: BTreeMap<String, usize>,
+}
+
+impl Pieces {
+    fn number(&mut self, text: &str) -> usize {
+        *self.known.entry(text.to_owned()).or_insert_with(|| {
+            self.texts.push(text.to_owned());
+            self.texts.len() - 1
+        })
+    }
+}
+
+/// Sources of all parts, pieces of GLSL, and for each program its parts, bindings and stages.
+pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<Value, String> {
+    let mut sources = BTreeMap::new();
+    let mut heads = Pieces::default();
+    let mut pieces = Pieces::default();
+    let mut described = serde_json::Map::new();
+    let programs: Vec<_> = programs.collect();
+    let short = short_names(&programs);
+    for program in programs {
+        let parts = ordered(&[program.part]);
+        let wgsl = compose(&[program.part], Bindings::Textures { group: 0 });
+        for part in &parts {
+            sources.insert(part.name(), uncommented(part.source()));
+        }
+        let first = parts.first().map_or("", |part| part.name());
+        let head = wgsl.split(&format!("\n// {first}\n")).next().unwrap_or_default();
+        let bindings: Vec<&Binding> = parts.iter().flat_map(|part| part.bindings()).collect();
+        let named = |error: String| format!("{}: {error}", program.name);
+        let [vertex, fragment] = stages(program, &wgsl).map_err(named)?;
+        let mut numbers = |text: &str| {
+            pieces_of(text)
+                .map(|piece| pieces.number(&renamed(&shortened(piece), &short)))
+                .collect::<Vec<_>>()
+        };
+        let value = json!({
+            "parts": parts.iter().map(|part| part.name()).collect::<Vec<_>>(),
+            "head": heads.number(head),
+            "bindings": bindings.iter().map(|binding| described_binding(binding)).collect::<Vec<_>>(),
+            "entries": [program.vertex, program.fragment],
+            "glsl": [numbers(&vertex), numbers(&fragment)],
+        });
+        described.insert(program.name.into(), value);
+    }
+    let entries = described.values().flat_map(|program| program["entries"].as_array().into_iter().flatten());
+    let called = called(&sources, entries.filter_map(Value::as_str));
+    let sources: BTreeMap<_, _> = sources
+        .iter()
+        .map(|(name, source)| {
+            (name, items(source).filter(|item| item.name().is_none_or(|f| called.contains(f))))
+        })
+        .map(|(name, items)| (name, items.map(|item| item.0).collect::<String>()))
+        .collect();
+    Ok(json!({ "parts": sources, "heads": heads.texts, "glsl": pieces.texts, "programs": described }))
+}
+
+/// A function with its attributes, or lines between functions.
+struct Item<'a>(&'a str);
+
+impl<'a> Item<'a> {
+    /// The name of a function.
+    fn name(&self) -> Option<&'a str> {
+        let line = self.0.lines().find(|line| !line.starts_with('@') && !line.is_empty())?;
+        line.strip_prefix("fn ")?.split('(').next()
+    }
+}
+
+/// The functions of a source, and what is between them: each ends with a line that closes a block at the margin.
+fn items(source: &str) -> impl Iterator<Item = Item<'_>> {
+    let ends = source.match_indices("\n}\n").map(|(at, end)| at + end.len()).chain([source.len()]);
+    let mut from = 0;
+    ends.flat_map(move |end| {
+        let piece = &source[from..end];
+        from = end;
+        // Constants and the like stand before the next function.
+        let starts = [piece.find("\n@"), piece.find("\nfn ")].into_iter().flatten().min();
+        let begins = piece.starts_with('@') || piece.starts_with("fn ");
+        let cut = if begins { 0 } else { starts.map_or(piece.len(), |at| at + 1) };
+        let (between, function) = piece.split_at(cut);
+        [Item(between), Item(function)]
+    })
+}
+
+/// Functions that the entries call, and that those call; of parts that stand for one another, as densities do, all.
+fn called<'a>(sources: &BTreeMap<&str, String>, entries: impl Iterator<Item = &'a str>) -> BTreeSet<String> {
+    let mut functions: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for item in sources.values().flat_map(|source| items(source)) {
+        if let Some(name) = item.name() {
+            functions.entry(name).or_default().push(item.0);
+        }
+    }
+    let mut called = BTreeSet::new();
+    let mut open: Vec<&str> = entries.collect();
+    while let Some(name) = open.pop() {
+        let Some((&name, texts)) = functions.get_key_value(name) else { continue };
+        if called.insert(name.to_owned()) {
+            let words = texts.iter().flat_map(|text| words_of(text));
+            open.extend(words.filter_map(|word| functions.get_key_value(word).map(|(&name, _)| name)));
+        }
+    }
+    called
+}
+
+/// A binding for the page: `u` a uniform; `f` and `w` tables of floats and words, with their widths; `t` a texture, `s` a sampler.
+fn described_binding(binding: &Binding) -> Value {
+    match *binding {
+        Binding::Uniform { name, .. } => json!([name, "u"]),
+        Binding::Table { name, element: Element::Float, width } => json!([name, "f", width]),
+        Binding::Table { name, element: Element::Word, width } => json!([name, "w", width]),
+        Binding::Texture { name } => json!([name, "t"]),
+        Binding::Sampler { name } => json!([name, "s"]),
+        _ => Value::Null,
+    }
+}
+
+/// A text in pieces that end where a function or a structure does.
+fn pieces_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split_inclusive("\n}\n").flat_map(|piece| piece.split_inclusive("\n};\n"))
+}
+
+/// Short names of functions, structures and constants: nobody reads the GLSL.
+fn short_names(programs: &[&Program]) -> BTreeMap<&'static str, String> {
+    let parts = programs.iter().flat_map(|program| ordered(&[program.part]));
+    let entries: Vec<&str> = programs.iter().flat_map(|program| [program.vertex, program.fragment]).collect();
+    let names: BTreeSet<&str> =
+        parts.flat_map(|part| part.names()).filter(|name| !entries.contains(name)).collect();
+    names.into_iter().enumerate().map(|(k, name)| (name, format!("q{k}"))).collect()
+}
+
+/// A text with other names; fields keep theirs.
+fn renamed(text: &str, names: &BTreeMap<&str, String>) -> String {
+    let words = words_of(text);
+    let renamed = words.iter().enumerate().map(|(k, word)| match names.get(word) {
+        Some(short) if k == 0 || words[k - 1] != "." => short.as_str(),
+        _ => word,
+    });
+    renamed.collect()
+}
+
+/// WGSL without its comments, which stand in the repository.
+fn uncommented(source: &str) -> String {
+    let lines = source.lines().filter(|line| !line.trim_start().starts_with("//"));
+    lines.map(|line| line.trim_end().to_owned() + "\n").collect::<String>().trim_start().to_owned()
+}
+
+/// A piece without indentation, its own variables named by the order of their declarations: a function is the same in every program.
+///
+/// naga numbers names that several functions use by the order in which it meets them.
+fn shortened(piece: &str) -> String {
+    let words = words_of(piece);
+    let mut names: Vec<&str> = Vec::new();
+    for (k, window) in words.windows(3).enumerate() {
+        let [kind, " ", name] = *window else { continue };
+        let declares = matches!(words.get(k + 3), Some(&("," | ")" | ";" | "[" | " ")));
+        let is_assigned = words.get(k + 3) != Some(&" ") || words.get(k + 4) == Some(&"=");
+        if is_word(kind)
+            && is_word(name)
+            && declares
+            && is_assigned
+            && kind != "return"
+            && !names.contains(&name)
+        {
+            names.push(name);
+        }
+    }
+    // Structures, blocks, globals and stages' inputs keep their names.
+    if !piece.contains(") {\n") || piece.contains("uniform ") || piece.contains("void main() {") {
+        names.clear();
+    }
+    let mut text = String::new();
+    for (k, word) in words.iter().enumerate() {
+        let is_field = k > 0 && words[k - 1] == ".";
+        match names.iter().position(|name| name == word).filter(|_| !is_field) {
+            Some(number) => text += &format!("v{number}"),
+            None => text += word,
+        }
+    }
+    text.lines().map(str::trim_start).collect::<Vec<_>>().join("\n") + "\n"
+}
+
+/// A text as words, and as single characters between them.
+fn words_of(text: &str) -> Vec<&str> {
+    let mut words = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let length = match rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+            Some(0) => first.len_utf8(),
+            Some(length) => length,
+            None => rest.len(),
+        };
+        let (word, further) = rest.split_at(length);
+        words.push(word);
+        rest = further;
+    }
+    words
+}
+
+fn is_word(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+}
+
+/// Both stages in GLSL ES 3.00, in which resources have their own names, and uniform blocks those of their variables.
+fn stages(program: &Program, wgsl: &str) -> Result<[String; 2], String> {
+    let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
+    let stage = |stage: ShaderStage, entry: &str, suffix: &str| -> Result<String, String> {
+        let mut module = module.clone();
+        module.entry_points.retain(|other| other.name == entry);
+        compact(&mut module, KeepUnused::No);
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        let info = validator.validate(&module).map_err(|error| error.emit_to_string(wgsl))?;
+        // Clip coordinates stay as they are written: the page knows where WebGL's differ.
+        let options = glsl::Options {
+            version: glsl::Version::Embedded { version: 300, is_webgl: true },
+            writer_flags: glsl::WriterFlags::empty(),
+            ..Default::default()
+        };
+        let entry = glsl::PipelineOptions { entry_point: entry.into(), shader_stage: stage, multiview: None };
+        let mut text = String::new();
+        let policies = BoundsCheckPolicies::default();
+        let reflected = glsl::Writer::new(&mut text, &module, &info, &options, &entry, policies)
+            .and_then(|mut writer| writer.write())
+            .map_err(|error| error.to_string())?;
+        for (handle, block) in &reflected.uniforms {
+            let name = module.global_variables[*handle].name.as_deref().unwrap_or_default();
+            text = text.replace(block.as_str(), &format!("{name}_block"));
+        }
+        for (_, variable) in module.global_variables.iter() {
+            if let (Some(name), Some(at)) = (&variable.name, &variable.binding) {
+                let given = format!("_group_{}_binding_{}_{suffix}", at.group, at.binding);
+                text = text.replace(&given, &format!("{name}_"));
+            }
+        }
+        Ok(text)
+    };
+    Ok([
+        stage(ShaderStage::Vertex, program.vertex, "vs")?,
+        stage(ShaderStage::Fragment, program.fragment, "fs")?,
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_function_is_the_same_text_whatever_its_variables_are_called() {
+        let a = "float lobe(vec2 x_3, float t) {\n    float _e4 = (x_3.x * t);\n    return (_e4 + lobe_at.x);\n}\n";
+        let b = "float lobe(vec2 x_17, float t_2) {\n    float _e9 = (x_17.x * t_2);\n    return (_e9 + lobe_at.x);\n}\n";
+        assert_eq!(shortened(a), shortened(b));
+        assert_eq!(
+            shortened(a),
+            "float lobe(vec2 v0, float v1) {\nfloat v2 = (v0.x * v1);\nreturn (v2 + lobe_at.x);\n}\n"
+        );
+    }
+
+    #[test]
+    fn functions_of_parts_that_stand_for_one_another_are_all_followed() {
+        let part = |callee: &str| format!("fn lobe() {{\n    {callee}();\n}}\n\nfn {callee}() {{\n}}\n");
+        let sources = BTreeMap::from([("ggx", part("smooth")), ("beckmann", part("rough"))]);
+        let called = called(&sources, ["lobe"].into_iter());
+        assert_eq!(called.iter().map(String::as_str).collect::<Vec<_>>(), ["lobe", "rough", "smooth"]);
+    }
+
+    #[test]
+    fn functions_that_nothing_calls_are_left_out() {
+        let source = "const LEAST: f32 = 1e-3;\nfn a() -> f32 {\n    return b();\n}\n\nfn unused() {\n}\n\nstruct S {\n    x: f32,\n}\n\n\
+                      fn b() -> f32 {\n    return LEAST;\n}\n\n@fragment\nfn entry() {\n    let x = a();\n}\n";
+        let sources = BTreeMap::from([("part", source.to_owned())]);
+        let called = called(&sources, ["entry"].into_iter());
+        assert_eq!(called.iter().map(String::as_str).collect::<Vec<_>>(), ["a", "b", "entry"]);
+        let kept = items(source).filter(|item| item.name().is_none_or(|name| called.contains(name)));
+        let kept: String = kept.map(|item| item.0).collect();
+        assert!(
+            !kept.contains("unused") && kept.contains("struct S {") && kept.contains("@fragment\nfn entry()")
+        );
+        assert!(items(source).map(|item| item.0).collect::<String>() == source);
+    }
+
+    #[test]
+    fn what_belongs_to_all_functions_keeps_its_name() {
+        let block = "layout(std140) uniform view_block { View view_; };\n\nconst float LEAST = 1e-3;\n";
+        assert_eq!(shortened(block), block);
+    }
+}

@@ -1,0 +1,297 @@
+// Fractal functions: Cochran, Lewis, Hart 2000. A curve to pull, and the surface that it makes, ray traced in 64 bits.
+
+import { element } from './controls.mjs';
+import { CURVES, KnotFields, Plot, doubles, functionOf, numbersOf } from './plot.mjs';
+import { add, cross, direction, dot, scale, towards } from './vector.mjs';
+import { floats } from './rust.mjs';
+
+const SURFACE_FIELD = 0.62;
+/** From the eye to what it looks at, in halves of the domain's width. */
+const FAR = 5;
+/** The longest that the module may keep the page waiting, in ms. */
+const TURN = 30;
+/** Pixels are told in this order: every eighth of every eighth row first. */
+const COARSEST = 8;
+
+const zoomed = power => `× ${power < 1 ? (10 ** power).toFixed(1) : Math.round(10 ** power).toLocaleString('en')}`;
+const degrees = x => `${Math.round(x)}°`;
+
+/** Functions to start from: knots, factors, which curves, which surface. */
+const STARTS = {
+  f: ['f of the paper', '0,0;1,1;2,0', '0.5,0.5', 'f', 'f'],
+  g: ['g of the paper', '0,0;1,1;2,0', '0.85,-0.85', 'f', 'f'],
+  'f-hat': ['f̂ of the paper, the integral of f', '0,0;1,1;2,0', '0.5,0.5', 'f,integral', 'integral'],
+  'g-hat': ['ĝ of the paper, the integral of g', '0,0;1,1;2,0', '0.85,-0.85', 'f,integral', 'integral'],
+  cushion: ['A cushion', '0,0;0.5,1;1,0;1.5,-1;2,0', '0.5,0.5,0.5,0.5', 'f,integral', 'integral'],
+  ground: ['Rough ground', '0,1.675;1,0.075;2,1.175;3,-0.125;4,1.775;5,0.475;6,1.375;7,-0.025;8,1.475', '0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5', 'f,integral', 'integral'],
+  parabola: ['A parabola, as a fractal', '0,0;1,1;2,0', '0.25,0.25', 'f', 'f'],
+};
+const LISTS = /^[-+.\deE,;]{0,900}$/;
+
+/** The scene, opened on a page. */
+export const fractals = {
+  id: 'fractals',
+  title: 'Fractal functions',
+  about: 'A curve through a few points that is made of smaller copies of itself; its integrals are exact and smooth, and so are the normals of the surface that they make. Come a million times nearer.',
+  keys: 'Curve: drag knots and factors, or reach them with Tab and use the arrow keys, Shift for larger steps; Insert and Delete add and remove knots; drag or scroll beside them to move and come nearer, double-click to add a knot. Surface: drag or use the arrow keys to turn, Shift with them to move along it, scroll, pinch or plus and minus to come nearer, double-click to look at a place.',
+  controls: [
+    { kind: 'group', label: 'Function' },
+    { kind: 'own', element: () => started() },
+    { name: 'knots', kind: 'text', label: 'Knots', value: STARTS.cushion[1], pattern: LISTS },
+    { name: 'factors', kind: 'text', label: 'Factors', value: STARTS.cushion[2], pattern: LISTS },
+    { kind: 'own', element: () => fractals.fields.element },
+    { kind: 'group', label: 'Curve' },
+    { name: 'f', kind: 'check', label: 'f', value: true },
+    { name: 'integral', kind: 'check', label: 'f̂, its integral', value: true },
+    { name: 'bounds', kind: 'check', label: 'Proven bounds between knots', value: false },
+    { name: 'nearer', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
+    { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+)?$/ },
+    { kind: 'group', label: 'Surface' },
+    { name: 'surface', kind: 'choice', label: 'Surface', value: 'integral', options: [['integral', 'f̂(x) f̂(y), smooth'], ['f', 'f(x) f(y), rough'], ['none', 'None']] },
+    { name: 'relief', kind: 'range', label: 'Height', min: 0.05, max: 2, step: 0.05, value: 0.7 },
+    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
+    { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -62, says: degrees },
+    { name: 'height', kind: 'range', label: 'Height of the eye', min: 5, max: 89, step: 0.1, value: 34, says: degrees },
+    { name: 'place', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+,-?[\d.e-]+)?$/ },
+    { name: 'colours', kind: 'choice', label: 'Colours', value: 'light', options: [['light', 'Lamp and sky'], ['normals', 'Normals'], ['contrast', 'Normals, their differences enlarged'], ['heights', 'Bands of height'], ['proof', 'Hits that are proven to be first']] },
+    { name: 'lamp', kind: 'range', label: 'Lamp, around', min: -180, max: 180, step: 1, value: -130, says: degrees },
+    { name: 'lampHeight', kind: 'range', label: 'Lamp, height', min: 1, max: 90, step: 1, value: 32, says: degrees },
+    { name: 'shadows', kind: 'check', label: 'Shadows', value: true },
+  ],
+  async open(page) {
+    return new Fractals(page);
+  },
+};
+
+/** The choice of a function to start from. */
+function started() {
+  const id = 'fractals-start', select = element('select', { id },
+    element('option', { value: '' }, 'Start from …'), ...Object.entries(STARTS).map(([value, [text]]) => element('option', { value }, text)));
+  select.addEventListener('change', () => {
+    if (STARTS[select.value]) {
+      const [, knots, factors, curves, surface] = STARTS[select.value];
+      const shown = Object.fromEntries(CURVES.map(([name]) => [name, curves.split(',').includes(name)]));
+      fractals.change({ knots, factors, ...shown, surface, at: '', nearer: 0, place: '', zoom: 0 });
+    }
+    select.value = '';
+  });
+  return element('div', { class: 'field' }, element('label', { for: id }, 'A function'), select);
+}
+
+class Fractals {
+  constructor(page) {
+    this.page = page;
+    const change = fractals.change = values => values && page.set(values);
+    this.plot = new Plot(page, change);
+    this.fields = fractals.fields = new KnotFields(this.plot, change);
+    this.surface = new Traced(page);
+    this.element = element('div', { class: 'fractals', role: 'group' }, this.plot.element, this.surface.canvas);
+  }
+
+  async paint(settings, stop) {
+    this.fields.show(functionOf(settings));
+    this.element.classList.toggle('alone', settings.surface === 'none');
+    try {
+      this.plot.draw(settings);
+      this.surface.canvas.hidden = settings.surface === 'none';
+      if (settings.surface !== 'none') await this.surface.draw(settings, stop);
+    } catch (error) {
+      this.page.complain(error);
+    }
+  }
+
+  say({ surface }) { return surface === 'none' ? '' : this.surface.said; }
+
+  alt({ surface }) {
+    const { x, y, d } = this.plot.shape;
+    const places = x.map((x, k) => `(${x}, ${y[k]})`).join(', ');
+    return `The fractal function through ${places} with the factors ${d.join(', ')}${surface === 'none' ? '' : ', and a surface of it'}.`;
+  }
+
+  pixels() { return this.surface.canvas.hidden ? this.plot.pixels() : this.surface.pixels(); }
+
+  rustCode(settings) {
+    const { x, y, d } = functionOf(settings), list = numbers => `[${numbers.map(exact).join(', ')}]`;
+    const exact = x => /[.e]/.test(x) ? `${x}` : `${x}.0`;
+    const { ray: [origin, along] } = this.surface.camera ?? { ray: [[x[0], x[0], 9], [0.1, 0.1, -1]] };
+    const vector = p => `DVec3::new(${p.map(exact).join(', ')})`, name = settings.surface === 'f' ? 'f' : 'f_hat';
+    return `// asperity-fif with its default features
+use asperity_fif::{Fif, HeightField, Intersect, Ray, glam::DVec3};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let f = Fif::affine(&${list(x)}, &${list(y)}, &${list(d)})?;
+    println!("{:?}", f.evaluate(${exact(this.plot.window.middle)}, 1e-12));
+    println!("{:?}, integral {}", f.extrema(1e-9), f.total_integral());
+    let f_hat: Fif<3> = f.integral(0.0)?;
+    println!("{:?}", f_hat.extrema(1e-9));
+    let surface = HeightField::new(${name}.clone(), ${name}).tabulated();
+    // The ray through the middle of the picture, in the units of the heights.
+    let origin = ${vector(origin)};
+    let ray = Ray { origin, direction: ${vector(along)} };
+    println!("{:?}", surface.first_hit(&ray));
+    Ok(())
+}
+`;
+  }
+}
+
+/** The surface, told by the module ray after ray, coarse first. */
+class Traced {
+  constructor(page) {
+    this.page = page;
+    this.said = '';
+    this.canvas = element('canvas', { tabindex: 0, role: 'img', class: 'traced', width: 64, height: 64 });
+    page.hands(this.canvas, this);
+  }
+
+  /** The surface as rays see it: its numbers, domain, what its heights are multiplied by, the place looked at. */
+  ground(settings) {
+    const key = JSON.stringify([settings.surface, settings.knots, settings.factors, settings.relief, settings.place]);
+    if (this.known?.key === key) return this.known;
+    const { rust } = this.page, numbers = [+(settings.surface === 'integral'), ...numbersOf(functionOf(settings))];
+    const [x, right, y, back, low, high] = doubles(rust.fractal_ground(numbers));
+    const half = (right - x) / 2, rise = settings.relief * half / (Math.max(high, -low, high - low) || 1);
+    const place = settings.place ? settings.place.split(',').map(Number) : [x + half, (y + back) / 2];
+    const [px, py] = [Math.min(Math.max(place[0], x), right), Math.min(Math.max(place[1], y), back)];
+    const over = rise * high + half;
+    const focus = this.hit({ numbers, rise }, [px, py, over], [0, 0, -1], 0) ?? [px, py, 0];
+    return this.known = { key, numbers, half, rise, focus };
+  }
+
+  hit({ numbers, rise }, origin, along, tolerance) {
+    const words = this.page.rust.fractal_hit([...numbers, rise, ...origin, ...along, tolerance]);
+    return words.length ? [...doubles(words)] : null;
+  }
+
+  view(settings, ground) {
+    const away = towards(settings.turn, settings.height), distance = FAR * ground.half / 10 ** settings.zoom;
+    const forward = scale(away, -1), wide = Math.tan(SURFACE_FIELD / 2), right = direction(cross(forward, [0, 0, 1]));
+    return { forward, eye: scale(away, distance), distance, right: scale(right, wide), up: scale(cross(right, forward), wide) };
+  }
+
+  async draw(settings, stop) {
+    const { page, canvas } = this, ground = this.ground(settings), view = this.view(settings, ground), size = page.full(canvas);
+    const lamp = towards(settings.lamp, settings.lampHeight);
+    this.camera = { ray: [add(ground.focus, view.eye), view.forward].map(([x, y, z]) => [x, y, z / ground.rise]) };
+    canvas.setAttribute('aria-label', `The surface, ${zoomed(settings.zoom)} nearer, ray traced. Arrow keys turn, Shift with them moves along it, plus and minus come nearer.`);
+    const numbers = [...ground.numbers, ground.rise, ...ground.focus, ...view.eye, ...view.right, ...view.up, ...view.forward, ...lamp, +settings.shadows, size];
+    const key = JSON.stringify(settings.shadows ? numbers : numbers.map((x, k) => k > numbers.length - 6 && k < numbers.length - 2 ? 0 : x));
+    if (this.key !== key) Object.assign(this, { key, numbers, size, done: 0, words: new Uint32Array(5 * size * size), order: inOrder(size), busy: 0 });
+    const look = JSON.stringify([key, settings.colours, lamp]), colour = this.colour(settings, lamp);
+    this.said = '';
+    this.enlarged(settings);
+    if (this.look !== look) {
+      if (canvas.width !== size) canvas.width = canvas.height = size;
+      this.image = new ImageData(size, size);
+      this.look = look;
+      this.fill(0, this.done, colour);
+    }
+    let shown = performance.now();
+    while (this.done < this.order.length) {
+      const start = performance.now(), count = Math.max(16, Math.floor(TURN / (this.perRay ?? 0.05)));
+      const batch = this.order.subarray(this.done, this.done + count);
+      this.words.set(page.rust.fractal_rays(this.numbers, batch), 5 * this.done);
+      const ms = performance.now() - start;
+      this.perRay = Math.max(ms, 0.1) / batch.length;
+      this.busy += ms;
+      this.fill(this.done, this.done + batch.length, colour);
+      this.done += batch.length;
+      if (performance.now() - shown > 90) {
+        canvas.getContext('2d').putImageData(this.image, 0, 0);
+        shown = performance.now();
+        page.say(`${Math.floor(100 * this.done / this.order.length)} % of ${size} × ${size} rays`);
+      }
+      await new Promise(resolve => setTimeout(resolve));
+      if (stop()) break;
+    }
+    if (this.enlarged(settings)) this.fill(0, this.done, colour);
+    canvas.getContext('2d').putImageData(this.image, 0, 0);
+    this.said = `${size} × ${size} rays, ${Math.round(this.done / Math.max(this.busy, 0.1)).toLocaleString('en')} thousand a second`;
+  }
+
+  /** The mean of the normals and how far they are from it, for colours that enlarge that. */
+  enlarged({ colours }) {
+    if (colours !== 'contrast') return false;
+    const values = floats(this.words), mean = [0, 0, 0], every = [0, 1, 2];
+    let [count, square] = [1e-9, 1e-30];
+    const all = visit => { for (let k = 0; k < this.done; k++) if (this.words[5 * k]) visit(5 * k + 1); };
+    all(at => { count++; for (const i of every) mean[i] += values[at + i]; });
+    for (const i of every) mean[i] /= count;
+    all(at => { for (const i of every) square += (values[at + i] - mean[i]) ** 2 / count; });
+    this.contrast = { mean, by: 70 / Math.sqrt(square) };
+    return true;
+  }
+
+  /** Pixels from one number of the order to another as squares of what is not told yet. */
+  fill(from, to, colour) {
+    const { size } = this, pixels = new Uint32Array(this.image.data.buffer), values = floats(this.words);
+    for (let k = from; k < to; k++) {
+      const at = this.order[k], [x, y] = [at & 0xffff, at >> 16], side = (x | y | COARSEST) & -(x | y | COARSEST);
+      const shade = colour(this.words[5 * k], values[5 * k + 1], values[5 * k + 2], values[5 * k + 3], values[5 * k + 4]);
+      for (let v = y; v < Math.min(y + side, size); v++) pixels.fill(shade, v * size + x, v * size + Math.min(x + side, size));
+    }
+  }
+
+  /** The colour of what a ray has met, as a word of a picture. */
+  colour({ colours }, lamp) {
+    const word = (r, g, b) => (255 << 24 | Math.round(b) << 16 | Math.round(g) << 8 | Math.round(r)) >>> 0;
+    const shown = light => 255 * (1 - Math.exp(-light)) ** (1 / 2.2);
+    const nothing = word(236, 234, 228);
+    return (shows, x, y, z, height) => {
+      if (!shows) return nothing;
+      if (colours === 'normals') return word(127.5 + 127.5 * x, 127.5 + 127.5 * y, 127.5 + 127.5 * z);
+      if (colours === 'contrast') {
+        const { mean, by } = this.contrast, part = (x, k) => Math.min(255, Math.max(0, 127.5 + by * (x - mean[k])));
+        return word(part(x, 0), part(y, 1), part(z, 2));
+      }
+      const sun = shows & 4 ? 0 : Math.max(0, dot([x, y, z], lamp)), sky = 0.5 + 0.5 * z;
+      let albedo = [0.82, 0.7, 0.55];
+      if (colours === 'proof') albedo = shows & 2 ? [0.9, 0.2, 0.12] : [0.45, 0.72, 0.62];
+      if (colours === 'heights') {
+        const band = Math.floor(height * 25);
+        albedo = [[0.25, 0.45, 0.62], [0.86, 0.82, 0.66], [0.42, 0.6, 0.34], [0.93, 0.9, 0.86], [0.68, 0.42, 0.28]][(band % 5 + 5) % 5];
+      }
+      return word(...albedo.map((a, k) => shown(a * (sun * [1.9, 1.72, 1.45][k] + sky * [0.3, 0.37, 0.5][k]))));
+    };
+  }
+
+  drag(dx, dy, moving, settings) {
+    if (!moving) {
+      const turn = settings.turn - 180 * dx;
+      return { turn: turn - 360 * Math.round(turn / 360), height: Math.min(89, Math.max(5, settings.height + 120 * dy)) };
+    }
+    const ground = this.ground(settings), { right, up, distance } = this.view(settings, ground);
+    const along = direction([up[0], up[1], 0]), reach = 2 * distance * Math.tan(SURFACE_FIELD / 2);
+    return this.looking(add(ground.focus, add(scale(direction(right), -dx * reach), scale(along, dy * reach))));
+  }
+
+  pick(x, y, settings) {
+    const ground = this.ground(settings), { eye, forward, right, up, distance } = this.view(settings, ground);
+    const hit = this.hit(ground, add(ground.focus, eye), add(forward, add(scale(right, x), scale(up, y))), 1e-4 * distance);
+    return hit && this.looking(hit);
+  }
+
+  looking([x, y]) { return { place: [x, y].map(x => +x.toPrecision(13)).join(',') }; }
+
+  nearer(factor, settings) {
+    return { zoom: Math.min(6, Math.max(0, settings.zoom + Math.log10(factor))), ...this.looking(this.ground(settings).focus) };
+  }
+
+  pixels() {
+    return { width: this.size, height: this.size, data: this.canvas.getContext('2d').getImageData(0, 0, this.size, this.size).data };
+  }
+}
+
+/** All pixels of a picture, column and row in one word, coarse ones first. */
+function inOrder(size) {
+  const order = new Uint32Array(size * size);
+  let count = 0;
+  for (let step = COARSEST; step >= 1; step /= 2) {
+    for (let y = 0; y < size; y += step) {
+      for (let x = 0; x < size; x += step) {
+        if (step === COARSEST || (x | y) & step) order[count++] = y << 16 | x;
+      }
+    }
+  }
+  return order;
+}

@@ -1,0 +1,30 @@
+// Coats under light from everywhere, by one facet: slopes that a pixel does not resolve make the lobe wider.
+
+// Beckmann's alpha of what a coat mirrors of lamps, as wide as these are apart.
+fn material_coat_alpha(coat: Coat) -> f32 {
+    return sqrt(coat.roughness * coat.roughness + 2.0 * coat.slope_variance + 0.01);
+}
+
+// Layers under a varnish, and what the varnish mirrors of a lamp; a smooth one mirrors the light's map instead.
+fn material_varnished(coat: Coat, below: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    var sum = below * coat_through(coat, wi) * coat_through(coat, wo);
+    if coat.roughness > 0.0 {
+        let light = facet_light(1.0, coat.normal, wi, wo);
+        let value = cook_torrance_beckmann(vec2<f32>(material_coat_alpha(coat)), light.wi, light.wo);
+        sum += vec3<f32>(value.x * dielectric_reflectance(coat.index, value.y) * light.factor);
+    }
+    return brdf_finite_channels(sum);
+}
+
+// Layers of a diffuse and a glossy colour under a varnish, and what that mirrors, without the lamps' light unless the coat is smooth.
+fn material_under_coat(coat: Coat, hit: MaterialsHit, diffuse: vec3<f32>, specular: vec3<f32>, alpha: f32) -> vec3<f32> {
+    let up = vec3<f32>(0.0, 0.0, 1.0);
+    let mirrors = 1.0 - coat_through(coat, hit.wo);
+    let below = materials_ambient(hit, up, min(diffuse, 1.0 - specular), specular, alpha) * ((1.0 - mirrors) * coat_through(coat, up));
+    let m = surface_gradient_facing(up, coat.normal, hit.wo);
+    let mirrored = frame_to_world(hit.frame, direction_reflect(hit.wo, m));
+    if coat.roughness > 0.0 {
+        return below + light_glossy(mirrored, coat.roughness) * mirrors;
+    }
+    return below + light_seen(mirrored) * dielectric_reflectance(coat.index, dot(hit.wo, m));
+}

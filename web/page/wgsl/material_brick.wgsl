@@ -1,0 +1,45 @@
+// A wall of bricks, to a pixel.
+
+struct MaterialSeen {
+    surface: TexturedSlopes,
+    facets: BrickFacets,
+    normal: vec3<f32>,
+}
+
+fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSeen {
+    let pixel = surface_point_uv_pixel(point);
+    let colour = brick_wall_colour(brick_wall_uniform, point.uv, pixel);
+    let surface = textured_slopes(point, colour, brick_wall_uniform.roughness);
+    let facets = brick_facets(brick_wall_uniform.bricks, point.uv, pixel_ellipse_sides(pixel));
+    var slope = vec2<f32>(0.0);
+    for (var j = 0u; j < brick_facets_rows(facets); j++) {
+        let row = brick_facets_row(facets, j);
+        for (var k = 0u; k < brick_facets_columns(facets, row); k++) {
+            let facet = brick_facet(facets, row, k);
+            slope += facet.share * brick_wall_uniform.depth * facet.slope;
+        }
+    }
+    let gradient = surface_gradient_finite(surface.gradient_u * slope.x + surface.gradient_v * slope.y);
+    return MaterialSeen(surface, facets, frame_to_local(frame, surface_gradient_normal(point.normal, gradient)));
+}
+
+fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !(wi.z > 0.0) {
+        return vec3<f32>(0.0);
+    }
+    var sum = vec3<f32>(0.0);
+    for (var j = 0u; j < brick_facets_rows(seen.facets); j++) {
+        let row = brick_facets_row(seen.facets, j);
+        for (var k = 0u; k < brick_facets_columns(seen.facets, row); k++) {
+            let facet = brick_facet(seen.facets, row, k);
+            if facet.share > 0.0 {
+                sum += textured_slopes_light(seen.surface, facet.share, brick_wall_uniform.depth * facet.slope, wo, wi);
+            }
+        }
+    }
+    return brdf_finite_channels(sum);
+}
+
+fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {
+    return materials_ambient(hit, seen.normal, seen.surface.colour, vec3<f32>(0.0), 1.0);
+}

@@ -1,0 +1,30 @@
+// Polished marble, to a pixel.
+
+struct MaterialSeen {
+    colour: vec3<f32>,
+    polish: Coat,
+}
+
+fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSeen {
+    let stone = polished_marble_uniform;
+    let colour = stone.tint * marble_colour(stone.marble, point.position, point.pixel.widths.x);
+    return MaterialSeen(colour, coat_varnish(1.5, math_clamped(stone.polish, 1.0), vec3<f32>(0.0, 0.0, 1.0), 0.0));
+}
+
+fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    if !(wi.z > 0.0) {
+        return vec3<f32>(0.0);
+    }
+    let below = energy_preserving_value(seen.colour, 0.0, wi, wo) * wi.z;
+    if seen.polish.roughness > 0.0 {
+        return material_varnished(seen.polish, below, wo, wi);
+    }
+    return brdf_finite_channels(below);
+}
+
+fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {
+    if seen.polish.roughness > 0.0 {
+        return material_under_coat(seen.polish, hit, seen.colour, vec3<f32>(0.0), 1.0);
+    }
+    return materials_ambient(hit, vec3<f32>(0.0, 0.0, 1.0), seen.colour, vec3<f32>(0.0), 1.0);
+}

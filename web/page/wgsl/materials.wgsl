@@ -1,0 +1,160 @@
+// A surface of a material under light from everywhere, seen from its focus. A material says what it is to a pixel, `material_seen`, and
+// what that sends to the eye of a lamp's light and of the rest.
+
+struct MaterialsView {
+    eye: vec3<f32>,
+    pixel_angle: f32,
+    right: vec3<f32>,
+    // Side of the picture in pixels.
+    size: f32,
+    up: vec3<f32>,
+    exposure: f32,
+    forward: vec3<f32>,
+    // Metres to a unit of length.
+    metres: f32,
+    focus: vec3<f32>,
+    lamps: f32,
+    // The clip depth of what is `depth.x` near: depth.x + depth.y w.
+    depth: vec2<f32>,
+    // 1 where rows of pixels count from the bottom, -1 from the top.
+    rows: f32,
+    // 1 for a car, which has windows; 2 for a room, whose walls are not seen from behind.
+    kind: f32,
+    // Radius of the ground that is drawn, half of what stands there along and across, 0 for none; the light's share in the background.
+    ground: vec4<f32>,
+}
+
+struct MaterialsCorner {
+    @builtin(position) position: vec4<f32>,
+    @location(0) normal: vec3<f32>,
+    @location(1) tangent: vec3<f32>,
+    @location(2) @interpolate(flat, either) plane: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+}
+
+@vertex
+fn materials_corner(
+    @location(0) p: vec3<f32>,
+    @location(1) plane: vec4<f32>,
+    @location(2) normal: vec3<f32>,
+    @location(3) tangent: vec3<f32>,
+    @location(4) uv: vec2<f32>,
+) -> MaterialsCorner {
+    let v = p - materials_view.eye;
+    let x = dot(v, materials_view.right) / dot(materials_view.right, materials_view.right);
+    let y = dot(v, materials_view.up) / dot(materials_view.up, materials_view.up);
+    let w = dot(v, materials_view.forward);
+    return MaterialsCorner(vec4<f32>(x, y, materials_view.depth.x + materials_view.depth.y * w, w), normal, tangent, plane, uv);
+}
+
+// The direction of a pixel from the eye, one unit along the axis.
+fn materials_ray(position: vec4<f32>) -> vec3<f32> {
+    let x = position.x / materials_view.size * 2.0 - 1.0;
+    let y = (position.y / materials_view.size * 2.0 - 1.0) * materials_view.rows;
+    return materials_view.forward + x * materials_view.right + y * materials_view.up;
+}
+
+// Light on the screen.
+fn materials_colour(radiance: vec3<f32>) -> vec4<f32> {
+    return display_colour(radiance * materials_view.exposure);
+}
+
+// What is behind everything: the light itself, or paper.
+fn materials_behind(direction: vec3<f32>) -> vec3<f32> {
+    return mix(vec3<f32>(2.2) / materials_view.exposure, light_seen(direction), materials_view.ground.w);
+}
+
+// A pixel's place on a surface.
+struct MaterialsHit {
+    point: SurfacePoint,
+    // From the focus on, in units of the mesh.
+    p: vec3<f32>,
+    // To the eye, in the frame of the point, never quite along the surface.
+    wo: vec3<f32>,
+    frame: Frame,
+    direction: vec3<f32>,
+    is_back: bool,
+}
+
+fn materials_hit(corner: MaterialsCorner) -> MaterialsHit {
+    let ray = materials_ray(corner.position);
+    let plane = corner.plane;
+    let t = (plane.w - dot(plane.xyz, materials_view.eye)) / dot(plane.xyz, ray);
+    let p = materials_view.eye + t * ray;
+    let long = sqrt(dot(ray, ray));
+    let direction = ray / long;
+    // Whichever way a triangle's corners go around.
+    let is_back = dot(plane.xyz, direction) * dot(plane.xyz, corner.normal) > 0.0;
+    let normal = frame_direction(corner.normal) * select(1.0, -1.0, is_back);
+    let frame = frame_from_normal_tangent(normal, corner.tangent);
+    var wo = frame_to_local(frame, -direction);
+    wo = frame_direction(vec3<f32>(wo.xy, max(wo.z, 0.03)));
+    // The pixel's width across, and its length where the surface recedes.
+    let width = t * long * materials_view.pixel_angle * materials_view.metres;
+    let along = frame_to_world(frame, vec3<f32>(direction_unit_or_2d(wo.xy, vec2<f32>(1.0, 0.0)), 0.0));
+    let pixel = pixel_ellipse_from_derivatives(along * (width / wo.z), cross(normal, along) * width);
+    let position = (p + materials_view.focus) * materials_view.metres;
+    let point = SurfacePoint(position, normal, corner.uv * materials_view.metres, frame.tangent, frame.bitangent, pixel);
+    return MaterialsHit(point, p, wo, frame, direction, is_back);
+}
+
+// The share of light that comes through a coat of the index of glass and back, for what does not matter much.
+fn materials_fresnel(cosine: f32) -> f32 {
+    let left = 1.0 - clamp(cosine, 0.0, 1.0);
+    let square = left * left;
+    return 0.04 + 0.96 * square * square * left;
+}
+
+// What is lit of a diffuse and a glossy colour by all but the lamps; the normal is that with bumps, in the frame.
+fn materials_ambient(hit: MaterialsHit, normal: vec3<f32>, diffuse: vec3<f32>, specular: vec3<f32>, alpha: f32) -> vec3<f32> {
+    let m = surface_gradient_facing(vec3<f32>(0.0, 0.0, 1.0), normal, hit.wo);
+    let world = frame_to_world(hit.frame, m);
+    let mirrored = frame_to_world(hit.frame, direction_reflect(hit.wo, m));
+    return light_diffuse(world) * diffuse + light_glossy(mirrored, alpha) * specular;
+}
+
+// Dark glass of a car's windows, and what is black about its wheels; the last number says whether there is either.
+fn materials_of_car(hit: MaterialsHit) -> vec4<f32> {
+    let at = hit.p + materials_view.focus;
+    let n = hit.point.normal;
+    let rear_wheel = vec2<f32>(at.x + 1.28, at.z - 0.325);
+    let front_wheel = vec2<f32>(at.x - 1.32, at.z - 0.325);
+    if min(dot(rear_wheel, rear_wheel), dot(front_wheel, front_wheel)) < 0.140625 && abs(at.y) > 0.4 {
+        return vec4<f32>(light_diffuse(n) * 0.01, 1.0);
+    }
+    let rise = at.z - 0.86;
+    var depth = min(rise - 0.02, 1.335 - at.z);
+    if abs(n.y) > 0.55 {
+        depth = min(min(depth, 0.62 - 0.95 * rise - at.x), min(at.x + 1.32 - 0.85 * rise, abs(at.x + 0.42) - 0.035));
+    } else {
+        depth = min(min(depth, max(at.x - 0.12, -1.02 - at.x)), 0.6 - abs(at.y));
+    }
+    if depth < 0.0 {
+        return vec4<f32>(0.0);
+    }
+    // A black edge is printed around panes.
+    let mirrored = direction_reflect(-hit.direction, n);
+    let within = select(0.0, 0.03, depth > 0.025);
+    return vec4<f32>(light_seen(mirrored) * materials_fresnel(hit.wo.z) + light_diffuse(n) * within, 1.0);
+}
+
+@fragment
+fn materials_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
+    let hit = materials_hit(corner);
+    if hit.is_back && materials_view.kind == 2.0 {
+        discard;
+    }
+    if materials_view.kind == 1.0 {
+        let other = materials_of_car(hit);
+        if other.w > 0.0 {
+            return materials_colour(other.xyz);
+        }
+    }
+    let seen = material_seen(hit.point, hit.frame, hit.wo);
+    var sum = material_ambience(seen, hit);
+    for (var k = 0u; k < u32(materials_view.lamps); k++) {
+        let wi = frame_to_local(hit.frame, light.lamps[k].direction);
+        sum += material_lamp(seen, hit.wo, wi) * light.lamps[k].irradiance;
+    }
+    return materials_colour(sum);
+}

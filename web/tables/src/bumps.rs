@@ -1,0 +1,54 @@
+//! Sums of Gaussian noise about a focus, and painted densities.
+
+use alloc::{format, string::String, string::ToString, vec::Vec};
+
+use asperity_ndf_sampling::{Measure, NdfMap, PackedMapRef, Reconstruction};
+use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shaders::ndf::PackedMapUniform;
+use asperity_shaders::noise::{self, sums::OctavesUniform};
+
+use crate::{float, number};
+
+/// The levels that Gaussian variates are made of.
+pub(crate) fn gaussian_levels(_: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    Ok(noise::gaussian_levels().map(f32::to_bits).collect())
+}
+
+/// The uniform of a sum about up to eight foci, of lacunarity, gain, octaves, seed and the foci in cells.
+pub(crate) fn gaussian_anchors(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let sum = sum(numbers)?;
+    let foci = numbers.get(4..).unwrap_or_default().chunks_exact(3);
+    let sums: Vec<_> = foci.map(|at| OctavesUniform::new(&sum.anchored([at[0], at[1], at[2]]))).collect();
+    Ok(OctavesUniform::<3>::uniform(&sums).to_vec())
+}
+
+fn sum(numbers: &[f64]) -> Result<GaussianOctaves<3>, String> {
+    let spectrum = Spectrum::new(float(numbers, 0), float(numbers, 1), number(numbers, 2) as u32)
+        .map_err(|error| error.to_string())?;
+    Ok(GaussianOctaves::new(Gaussian::new(number(numbers, 3) as u32), spectrum))
+}
+
+/// The uniform of a painted density, 24 words, and its table, of the painting's side and its texels in bulk.
+pub(crate) fn painted_map(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
+    let side = number(numbers, 0) as usize;
+    let texels: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
+    let map = NdfMap::from_texels(side, side, &texels, Measure::Normals, Reconstruction::Bilinear)
+        .map_err(|error| format!("The painting is no density: {error}."))?;
+    let array = map.pack();
+    let packed = PackedMapRef::new(&array).map_err(|error| error.to_string())?;
+    let mut words = PackedMapUniform::new(&packed).words().to_vec();
+    words.extend(array.iter().map(|x| x.to_bits()));
+    Ok(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_black_painting_is_refused_in_one_sentence() {
+        let error = painted_map(&[4.0], &[0; 16]).unwrap_err();
+        assert!(error.starts_with("The painting is no density: ") && error.lines().count() == 1, "{error}");
+        assert_eq!(painted_map(&[4.0], &[1.0_f32.to_bits(); 16]).map(|words| words.len() > 24), Ok(true));
+    }
+}

@@ -1,0 +1,52 @@
+//! What the live page asks of the crates: words of uniforms and tables, curves, surfaces, statistics.
+//!
+//! Every question is a function of numbers and of words in bulk, whose answer is words, or one sentence that says what was wrong.
+#![cfg_attr(target_family = "wasm", no_std)]
+
+extern crate alloc;
+
+mod bumps;
+mod fractals;
+mod materials;
+#[cfg(target_family = "wasm")]
+mod module;
+mod noise;
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// A question: numbers, words in bulk.
+type Question = fn(&[f64], &[u32]) -> Result<Vec<u32>, String>;
+
+/// Every question by its name.
+pub const QUESTIONS: &[(&str, Question)] = &[
+    ("gaussian_levels", bumps::gaussian_levels),
+    ("gaussian_anchors", bumps::gaussian_anchors),
+    ("painted_map", bumps::painted_map),
+    ("fractal_curve", fractals::fractal_curve),
+    ("fractal_bounds", fractals::fractal_bounds),
+    ("fractal_facts", fractals::fractal_facts),
+    ("fractal_ground", fractals::fractal_ground),
+    ("fractal_hit", fractals::fractal_hit),
+    ("fractal_rays", fractals::fractal_rays),
+    ("material_paint", materials::paint),
+    ("material_carpet", materials::carpet),
+    ("material_glass", materials::glass),
+    ("material_scratches", materials::scratches),
+    ("material_variations", materials::variations),
+    ("material_brick", materials::brick),
+    ("material_marble", materials::marble),
+    ("material_steam", materials::steam),
+    ("noise_uniform", noise::noise_uniform),
+    ("noise_samples", noise::noise_samples),
+];
+
+/// The number at a place; 0 where there is none.
+fn number(numbers: &[f64], at: usize) -> f64 {
+    numbers.get(at).copied().unwrap_or(0.0)
+}
+
+/// The number at a place in 32 bits.
+fn float(numbers: &[f64], at: usize) -> f32 {
+    number(numbers, at) as f32
+}

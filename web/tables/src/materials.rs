@@ -1,0 +1,249 @@
+//! Uniforms of materials: for each a question of its parameters in the order of the page's controls, whose answer is the number of words
+//! of its own uniform, that uniform, and the uniform of sums of octaves.
+
+use alloc::{string::String, string::ToString, vec::Vec};
+
+use asperity_noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
+use asperity_shaders::noise::sums::OctavesUniform;
+use asperity_shaders::shading::material::{
+    BrickWallUniform, CarpetUniform, MetallicPaintUniform, PolishedMarbleUniform, ScratchesUniform,
+    TemperedGlassUniform, VariationsUniform,
+};
+use asperity_shaders::shading::texture::GasUniform;
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::material::{
+    BrickWall, Elimination, FibresParameters, GlassBody, GlassWaves, PolishedMarble, SeamPattern,
+};
+use asperity_shading::texture::{Gas, Steam};
+use asperity_shading::{
+    Brick, Carpet, CarpetParameters, Marble, MetallicPaint, MetallicPaintParameters, ParameterError,
+    Scratches, ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
+};
+
+/// Numbers in turn; 0 where there are no more.
+struct Turn<'a>(core::slice::Iter<'a, f64>);
+
+impl<'a> Turn<'a> {
+    fn new(numbers: &'a [f64]) -> Self {
+        Self(numbers.iter())
+    }
+
+    fn float(&mut self) -> f32 {
+        self.0.next().copied().unwrap_or(0.0) as f32
+    }
+
+    fn whole(&mut self) -> u32 {
+        self.0.next().copied().unwrap_or(0.0) as u32
+    }
+
+    fn is(&mut self) -> bool {
+        self.float() != 0.0
+    }
+
+    fn plane(&mut self) -> Vec2 {
+        Vec2::new(self.float(), self.float())
+    }
+
+    fn space(&mut self) -> Vec3 {
+        Vec3::new(self.float(), self.float(), self.float())
+    }
+}
+
+fn said(error: ParameterError) -> String {
+    error.to_string()
+}
+
+fn answer(uniform: &[u32], sums: &[OctavesUniform<3>]) -> Vec<u32> {
+    let mut words = Vec::from([uniform.len() as u32]);
+    words.extend_from_slice(uniform);
+    words.extend(OctavesUniform::<3>::uniform(sums));
+    words
+}
+
+pub(crate) fn paint(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let parameters = MetallicPaintParameters {
+        specular: next.space(),
+        pigment: next.space(),
+        flake_roughness: next.float(),
+        flake_sparkle_pixel_size: next.float(),
+        flake_sparkle_physical_size: next.float(),
+        flake_sparkle_variation: next.float(),
+        flake_sparkle_boost: next.float(),
+        flake_sparkle_boost_target: next.space(),
+        flake_sparkle_elimination: next.float(),
+        smart_flake_sparkle: match (next.is(), next.float()) {
+            (true, unit) => Elimination::Adaptive { unit },
+            (false, _) => Elimination::Fixed,
+        },
+        passive_flake_size: next.float(),
+        passive_flake_strength: next.float(),
+        passive_flake_detail: next.whole(),
+        orange_peel_strength: next.float(),
+        orange_peel_size: next.float(),
+        coat_index: next.float(),
+        coat_roughness: next.float(),
+        seed: next.whole(),
+        ..Default::default()
+    };
+    let paint = MetallicPaint::new(parameters).map_err(said)?;
+    let uniform = MetallicPaintUniform::new(&paint, 0);
+    Ok(answer(&uniform.words(), &uniform.sums()))
+}
+
+pub(crate) fn carpet(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let parameters = CarpetParameters {
+        diffuse: next.space(),
+        specular: next.space(),
+        roughness: next.float(),
+        specular_roughness: next.float(),
+        diffuse_thread_size: next.float(),
+        diffuse_thread_strength: next.float(),
+        diffuse_thread_bump_strength: next.float(),
+        specular_thread_size: next.float(),
+        specular_thread_strength: next.float(),
+        dark_area_size: next.float(),
+        dark_area_strength: next.float(),
+        seams_pattern: match next.whole() {
+            0 => SeamPattern::None,
+            1 => SeamPattern::Lines,
+            _ => SeamPattern::Grid,
+        },
+        seams_propagation: next.plane(),
+        seam_distance: next.float(),
+        seams_amplitude: next.float(),
+        seams_bump_strength: next.float(),
+        seam_crossover_size: next.float(),
+        seam_crossover_strength: next.float(),
+        fibre_strength: next.float(),
+        fibre_bump_strength: next.float(),
+        fibres: FibresParameters {
+            fibre_length: next.float(),
+            fibre_width: next.float(),
+            fibre_bend: next.float(),
+            fibre_direction: next.plane(),
+            fibre_spread: next.float(),
+            fibre_contrast: next.float(),
+            ..Default::default()
+        },
+        fake_rim_light: next.float(),
+        fake_rim_light_width: next.float(),
+        fake_rim_light_colour: next.space(),
+        seed: next.whole(),
+    };
+    let uniform = CarpetUniform::new(&Carpet::new(parameters).map_err(said)?, 0);
+    Ok(answer(&uniform.words(), &uniform.sums()))
+}
+
+pub(crate) fn glass(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let parameters = TemperedGlassParameters {
+        wave_frequency: next.float(),
+        wave_amplitude: next.float(),
+        wave_propagation_vector: next.space(),
+        waves: if next.is() { GlassWaves::Noise } else { GlassWaves::Sine },
+        body: if next.is() { GlassBody::Solid } else { GlassBody::Pane },
+        index: next.float(),
+        tint: next.space(),
+        roughness: next.float(),
+        seed: next.whole(),
+    };
+    let uniform = TemperedGlassUniform::new(&TemperedGlass::new(parameters).map_err(said)?, 0);
+    Ok(answer(&uniform.words(), &[uniform.sum()]))
+}
+
+pub(crate) fn scratches(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let parameters = ScratchesParameters {
+        scratch_size: next.float(),
+        scratch_length: next.float(),
+        scratch_width: next.float(),
+        scratch_strength: next.float(),
+        scratch_cover: next.float(),
+        scratch_direction: next.plane(),
+        scratch_spread: next.float(),
+        specular: next.space(),
+        roughness: next.float(),
+        seed: next.whole(),
+    };
+    let scratches = Scratches::new(parameters).map_err(said)?;
+    Ok(answer(&ScratchesUniform::new(&scratches).words(), &[]))
+}
+
+pub(crate) fn variations(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let parameters = VariationsParameters {
+        diffuse: next.space(),
+        specular: next.space(),
+        roughness: next.float(),
+        gloss_roughness: next.float(),
+        small_blemish_size: next.float(),
+        small_blemish_bump_strength: next.float(),
+        small_blemish_colour_strength: next.float(),
+        dent_strength: next.float(),
+        dent_size: next.float(),
+        dent_cover: next.float(),
+        dent_detail: next.whole(),
+        seed: next.whole(),
+    };
+    let uniform = VariationsUniform::new(&Variations::new(parameters).map_err(said)?, 0);
+    Ok(answer(&uniform.words(), &uniform.sums()))
+}
+
+pub(crate) fn brick(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let wall = BrickWall {
+        bricks: Brick::new(next.float(), next.float(), next.float()).map_err(said)?,
+        depth: next.float(),
+        clay: next.space(),
+        variation: next.float(),
+        mortar: next.space(),
+        roughness: next.float(),
+    };
+    Ok(answer(&BrickWallUniform::new(&wall).words(), &[]))
+}
+
+pub(crate) fn marble(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let marble = Marble::new(Perlin2002::default(), next.float(), next.whole()).map_err(said)?;
+    let stone = PolishedMarble { marble, tint: next.space(), polish: next.float() };
+    Ok(answer(&PolishedMarbleUniform::new(&stone).words(), &[]))
+}
+
+pub(crate) fn steam(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let mut next = Turn::new(numbers);
+    let spectrum = Spectrum::new(next.float(), next.float(), 8).map_err(|error| error.to_string())?;
+    let octaves = Octaves::new(Perlin2002::new(next.whole()), spectrum)
+        .with_normalisation(Normalisation::Range)
+        .with_shape(Turbulence);
+    let gas = Gas::new(octaves, next.float(), next.float(), next.float()).map_err(said)?;
+    let gas = if next.is() { gas.with_veins() } else { gas };
+    Steam::new(Vec3::ZERO, next.float(), next.float()).map_err(said)?;
+    let uniform = GasUniform::new(&gas, 0);
+    Ok(answer(&uniform.words(), &[uniform.sum()]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_out_of_range_are_refused_in_the_crates_sentence() {
+        let mut numbers = [20.0, 1e-4, 0.0, 1.0, 0.0, 0.0, 0.0, 1.52, 1.0, 1.0, 1.0, 0.0, 1.0];
+        assert_eq!(glass(&numbers, &[]).map(|words| words[0]), Ok(TemperedGlassUniform::WORDS as u32));
+        numbers[7] = 0.5;
+        assert_eq!(glass(&numbers, &[]), Err("`index` must be within [1, 4], got 0.5".into()));
+    }
+
+    #[test]
+    fn missing_numbers_are_refused_or_taken_as_nothing() {
+        for question in [paint, carpet, glass, scratches, variations, brick, marble, steam] {
+            let answer = question(&[], &[]);
+            assert!(
+                answer.as_ref().is_ok_and(|words| words.len() > 1)
+                    || answer.is_err_and(|e| e.lines().count() == 1)
+            );
+        }
+    }
+}

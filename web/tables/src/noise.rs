@@ -1,0 +1,447 @@
+//! Noise of every kind, dimension and sum, by numbers: words of uniforms, values and gradients at points.
+//!
+//! A field is told by the numbers of [`Spec`]; what a question asks of it follows them.
+
+use alloc::{string::String, string::ToString, vec::Vec};
+
+use asperity_noise::glam::Vec3;
+use asperity_noise::simd::{Kernel, LaneSample, Lanes, Measured};
+use asperity_noise::{
+    Basis, Billow, Cellular, Field, Gaussian, IntegerHash, Lattice, Metric, Normalisation, Octaves,
+    Perlin1985, Perlin2002, Plasma, Point, Ridged, Shape, Signed, Simplex, Sparse, Spectrum, Statistics,
+    Turbulence, Value, ValueCatmullRom, ValueGradient, White,
+};
+use asperity_shaders::noise::sums::{OctavesUniform, SUMS};
+
+use crate::{float, number};
+
+/// A kind that is chosen while the page runs.
+///
+/// One type for all, so that sums, warps and batches are compiled once in each dimension.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    White(White),
+    Value(Value),
+    CatmullRom(ValueCatmullRom),
+    Perlin1985(Perlin1985),
+    Perlin2002(Perlin2002),
+    ValueGradient(ValueGradient),
+    Simplex(Simplex),
+    Sparse(Sparse),
+    Gaussian(Gaussian),
+    Cellular(Cellular),
+}
+
+macro_rules! each {
+    ($kind:expr, $noise:ident => $value:expr) => {
+        match $kind {
+            Kind::White($noise) => $value,
+            Kind::Value($noise) => $value,
+            Kind::CatmullRom($noise) => $value,
+            Kind::Perlin1985($noise) => $value,
+            Kind::Perlin2002($noise) => $value,
+            Kind::ValueGradient($noise) => $value,
+            Kind::Simplex($noise) => $value,
+            Kind::Sparse($noise) => $value,
+            Kind::Gaussian($noise) => $value,
+            Kind::Cellular($noise) => $value,
+        }
+    };
+}
+
+impl<const N: usize> Measured<N> for Kind {
+    fn seed(&self) -> u32 {
+        each!(self, noise => Measured::<N>::seed(noise))
+    }
+
+    fn statistics(&self) -> &'static Statistics {
+        each!(self, noise => Measured::<N>::statistics(noise))
+    }
+
+    fn standard_deviation(&self) -> f32 {
+        match self {
+            Self::Cellular(noise) => Measured::<N>::standard_deviation(noise),
+            _ => self.moments(N)[0],
+        }
+    }
+
+    fn mean(&self) -> f32 {
+        match self {
+            Self::Cellular(noise) => Measured::<N>::mean(noise),
+            _ => 0.0,
+        }
+    }
+
+    /// None that the page asks for: it shows what it measures.
+    fn bounds(&self) -> [f32; 2] {
+        [-1.0, 1.0]
+    }
+
+    fn absolute_moments(&self) -> [f32; 4] {
+        match self {
+            Self::Cellular(noise) => Measured::<N>::absolute_moments(noise),
+            _ => {
+                let [_, moments @ ..] = self.moments(N);
+                moments
+            }
+        }
+    }
+}
+
+impl Kind {
+    /// Standard deviation and absolute moments in two to four dimensions, the crate's numbers without its tables of distributions.
+    fn moments(&self, dimension: usize) -> [f32; 5] {
+        let row = match self {
+            Self::White(_) | Self::Cellular(_) => 0,
+            Self::Value(_) => 1,
+            Self::CatmullRom(_) => 2,
+            Self::Perlin1985(_) => 3,
+            Self::Perlin2002(_) => 4,
+            Self::ValueGradient(_) => 5,
+            Self::Simplex(noise) => {
+                if noise.radius_squared() > 0.5 {
+                    7
+                } else {
+                    6
+                }
+            }
+            Self::Sparse(_) => 8,
+            Self::Gaussian(_) => 9,
+        };
+        MOMENTS[row][dimension.clamp(2, 4) - 2]
+    }
+}
+
+/// Numbers of [`Kind::moments`] by kind and dimension.
+const MOMENTS: [[[f32; 5]; 3]; 10] = [
+    [
+        [0.5773919, 0.5, 0.33333334, 0.25, 0.2],
+        [0.5773298, 0.5, 0.33333334, 0.25, 0.2],
+        [0.57723147, 0.5, 0.33333334, 0.25, 0.2],
+    ],
+    [
+        [0.4523424, 0.37837744, 0.20446168, 0.12968361, 0.09028866],
+        [0.40053722, 0.3300845, 0.16030562, 0.09324836, 0.060399774],
+        [0.3544084, 0.28815567, 0.12567042, 0.0669737, 0.04032589],
+    ],
+    [
+        [0.30100214, 0.250851, 0.09051935, 0.038586993, 0.018160513],
+        [0.21722761, 0.17862236, 0.04718223, 0.0150150135, 0.005352762],
+        [0.15676045, 0.12746914, 0.024575373, 0.0058078887, 0.0015583999],
+    ],
+    [
+        [0.29933193, 0.24096896, 0.08961822, 0.041041654, 0.021271652],
+        [0.21075515, 0.17101581, 0.044365298, 0.014182023, 0.0051762713],
+        [0.15724237, 0.1273838, 0.024726365, 0.0059461696, 0.0016426502],
+    ],
+    [
+        [0.32634497, 0.26654628, 0.10652046, 0.051993575, 0.028686183],
+        [0.26052728, 0.21252717, 0.067942336, 0.026501851, 0.011724584],
+        [0.19045784, 0.15477757, 0.03632891, 0.010486159, 0.003452656],
+    ],
+    [
+        [0.27272198, 0.22487889, 0.074377276, 0.029604813, 0.013218229],
+        [0.22854115, 0.1868215, 0.05223106, 0.017771091, 0.0068308464],
+        [0.19637597, 0.15884116, 0.03856352, 0.011561864, 0.003956423],
+    ],
+    [
+        [0.54358596, 0.47109926, 0.2954812, 0.20851243, 0.1570514],
+        [0.39238557, 0.31395093, 0.15403585, 0.09302674, 0.06323871],
+        [0.25369492, 0.17663564, 0.06432908, 0.032241628, 0.019176608],
+    ],
+    [
+        [0.47218463, 0.40576988, 0.22299792, 0.14022994, 0.095634624],
+        [0.43461967, 0.36018768, 0.18895745, 0.11768127, 0.081005216],
+        [0.29993027, 0.22854008, 0.089936756, 0.04603103, 0.027398402],
+    ],
+    [
+        [0.99916714, 0.75179833, 0.99674565, 1.7337363, 3.604708],
+        [1.0015045, 0.72093296, 0.9985783, 1.8955398, 4.408499],
+        [0.99966854, 0.6942725, 1.0025611, 2.063683, 5.3205633],
+    ],
+    [
+        [1.0, 0.7978846, 1.0, 1.5957692, 3.0],
+        [1.0, 0.7978846, 1.0, 1.5957692, 3.0],
+        [1.0, 0.7978846, 1.0, 1.5957692, 3.0],
+    ],
+];
+
+/// Keeps kinds apart.
+#[inline(never)]
+fn apart<T>(of: impl FnOnce() -> T) -> T {
+    of()
+}
+
+macro_rules! kernel {
+    ($dimension:literal: $($kind:ident),*) => {
+        impl Kernel<$dimension> for Kind {
+            type RowScratch = ();
+
+            fn key(&self, seed: u32) -> u32 {
+                IntegerHash.key(seed)
+            }
+
+            #[inline(never)]
+            fn evaluate<S: Lanes, const GRADIENTS: bool>(
+                &self,
+                s: S,
+                p: [S::F; $dimension],
+                seed: u32,
+            ) -> LaneSample<S, $dimension> {
+                let _ = (p, seed);
+                match self {
+                    $(Kind::$kind(noise) => apart(|| noise.evaluate::<S, GRADIENTS>(s, p, seed)),)*
+                    _ => (s.float(0.0), [s.float(0.0); $dimension]),
+                }
+            }
+        }
+    };
+}
+
+kernel!(2:);
+kernel!(3: Perlin2002);
+kernel!(4:);
+
+/// A shape that is chosen while the page runs, by its number in shaders.
+#[derive(Clone, Copy, Debug)]
+struct AnyShape(u32);
+
+macro_rules! shaped {
+    ($number:expr, $shape:ident => $value:expr) => {
+        match $number {
+            1 => {
+                let $shape = Turbulence;
+                $value
+            }
+            2 => {
+                let $shape = Plasma;
+                $value
+            }
+            3 => {
+                let $shape = Billow;
+                $value
+            }
+            4 => {
+                let $shape = Ridged;
+                $value
+            }
+            _ => {
+                let $shape = Signed;
+                $value
+            }
+        }
+    };
+}
+
+impl Shape for AnyShape {
+    fn value(self, n: f32) -> f32 {
+        shaped!(self.0, shape => shape.value(n))
+    }
+
+    fn slope(self, n: f32) -> f32 {
+        shaped!(self.0, shape => shape.slope(n))
+    }
+
+    fn range(self, bound: f32) -> [f32; 2] {
+        shaped!(self.0, shape => shape.range(bound))
+    }
+
+    fn mean_and_deviation(self, standard_deviation: f32, moments: [f32; 4]) -> [f32; 2] {
+        shaped!(self.0, shape => shape.mean_and_deviation(standard_deviation, moments))
+    }
+}
+
+/// What a field is made of.
+struct Spec {
+    dimension: u32,
+    kind: u32,
+    seed: u32,
+    /// 0 is one octave, 1 a sum, 2 the octaves of a ridged multifractal.
+    sum: u32,
+    shape: AnyShape,
+    spectrum: Spectrum,
+    octaves: f32,
+    normalisation: Normalisation,
+    footprint: f32,
+    basis: Basis,
+    metric: Metric,
+    jitter: f32,
+}
+
+/// Sums of a shader's uniform: the field, those that warp it, and the second field of a flow in space.
+const FLOW: u32 = 4;
+
+impl Spec {
+    fn new(numbers: &[f64]) -> Result<Self, String> {
+        let word = |at| number(numbers, at) as u32;
+        let spectrum = Spectrum::new(float(numbers, 5), float(numbers, 6), Spectrum::MAX_OCTAVES)
+            .map_err(|error| error.to_string())?;
+        Ok(Self {
+            dimension: word(0),
+            kind: word(1),
+            seed: word(2),
+            sum: word(3),
+            shape: AnyShape(word(4)),
+            spectrum,
+            octaves: float(numbers, 7),
+            normalisation: if word(8) == 0 { Normalisation::Range } else { Normalisation::Variance },
+            footprint: float(numbers, 9),
+            basis: [Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell][word(12).min(3) as usize],
+            metric: [Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev][word(13).min(2) as usize],
+            jitter: float(numbers, 14),
+        })
+    }
+
+    fn noise(&self, seed: u32) -> Result<Kind, String> {
+        Ok(match self.kind {
+            0 => Kind::White(White::new(seed)),
+            1 => Kind::Value(Value::new(seed)),
+            2 => Kind::CatmullRom(ValueCatmullRom::new(seed)),
+            3 => Kind::Perlin1985(Perlin1985::new(seed)),
+            4 => Kind::Perlin2002(Perlin2002::new(seed)),
+            5 => Kind::ValueGradient(ValueGradient::new(seed)),
+            6 => Kind::Simplex(Simplex::new(seed)),
+            7 => Kind::Simplex(Simplex::wide(seed)),
+            8 => Kind::Sparse(Sparse::new(seed)),
+            9 => Kind::Gaussian(Gaussian::new(seed)),
+            _ => Kind::Cellular(
+                Cellular::new(seed)
+                    .with_basis(self.basis)
+                    .with_metric(self.metric)
+                    .with_jitter(self.jitter)
+                    .map_err(|error| error.to_string())?,
+            ),
+        })
+    }
+
+    fn octaves<const N: usize>(&self, seed: u32, shape: AnyShape) -> Result<Sum<N>, String>
+    where
+        Kind: Kernel<N>,
+    {
+        let noise = self.noise(seed)?;
+        let sum = if self.sum == 0 {
+            Octaves::single(noise)
+        } else {
+            Octaves::new(noise, self.spectrum).with_normalisation(self.normalisation).first(self.octaves)
+        };
+        Ok(sum.with_shape(shape).clamped(self.footprint))
+    }
+
+    /// The shape of the field itself: that of sums; those that warp it have none.
+    fn shape(&self) -> AnyShape {
+        if self.sum == 1 { self.shape } else { AnyShape(0) }
+    }
+}
+
+type Sum<const N: usize> = Octaves<Kind, N, AnyShape>;
+
+macro_rules! uniform {
+    ($spec:expr, $dimension:literal) => {{
+        let mut words = Vec::new();
+        for sum in 0..=FLOW {
+            let shape = if sum == 0 || sum == FLOW { $spec.shape() } else { AnyShape(0) };
+            let octaves = $spec.octaves::<$dimension>($spec.seed.wrapping_add(sum), shape)?;
+            let start = words.len();
+            words.extend(OctavesUniform::<$dimension>::new(&octaves.with_shape(Signed)).words());
+            let [mean, deviation] = octaves.octave_moments().map(f32::to_bits);
+            words[start + 4..start + 6].copy_from_slice(&[mean, deviation]);
+            words[start + 7] = shape.0;
+        }
+        words.resize(SUMS * OctavesUniform::<$dimension>::WORDS, 0);
+        words
+    }};
+}
+
+/// The uniform of a field's sums.
+pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    let spec = Spec::new(numbers)?;
+    Ok(match spec.dimension {
+        2 => uniform!(spec, 2),
+        3 => uniform!(spec, 3),
+        _ => uniform!(spec, 4),
+    })
+}
+
+/// The value of a field and its slopes at each of the points in bulk: of sums of Perlin noise in space, not warped.
+///
+/// All the others, which the graphics card has, would be a quarter of the page.
+pub(crate) fn noise_samples(numbers: &[f64], bulk: &[u32]) -> Result<Vec<u32>, String> {
+    fn samples<V: Point<Coordinates = [f32; N]>, const N: usize>(sum: Sum<N>, points: &[f32]) -> Vec<u32>
+    where
+        Kind: Kernel<N>,
+    {
+        let mut words = Vec::with_capacity(points.len() / N * (1 + N));
+        for p in points.as_chunks::<N>().0 {
+            let sample = sum.sample(V::from_coordinates(*p));
+            words.push(sample.value.to_bits());
+            words.extend(sample.gradient.coordinates().map(f32::to_bits));
+        }
+        words
+    }
+    let spec = Spec::new(numbers)?;
+    let points: Vec<f32> = bulk.iter().map(|&word| f32::from_bits(word)).collect();
+    match (spec.noise(spec.seed)?, spec.dimension, spec.sum) {
+        (Kind::Perlin2002(_), 3, 0 | 1) => {
+            Ok(samples::<Vec3, 3>(spec.octaves(spec.seed, spec.shape())?, &points))
+        }
+        _ => Err("This noise is drawn here, but not told by the module.".to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const KINDS: u32 = 11;
+    const SPEC: usize = 15;
+
+    fn spec(dimension: u32, kind: u32, sum: u32) -> [f64; SPEC] {
+        let all = [dimension, kind, 7, sum].map(f64::from);
+        let further = [3.0, 2.17, 0.5, 4.5, 1.0, 0.02, 2.0, 0.0, 2.0, 0.0, 0.8];
+        core::array::from_fn(|i| if i < 4 { all[i] } else { further[i - 4] })
+    }
+
+    #[test]
+    fn moments_are_the_crate_s() {
+        fn moments<const N: usize>(kind: u32) -> [f32; 5]
+        where
+            Kind: Kernel<N>,
+        {
+            let noise = Spec::new(&spec(N as u32, kind, 1)).unwrap().noise(0).unwrap();
+            each!(noise, noise => {
+                let [a, b, c, d] = Measured::<N>::absolute_moments(&noise);
+                [Measured::<N>::standard_deviation(&noise), a, b, c, d]
+            })
+        }
+        let crates: Vec<_> =
+            (0..10).map(|kind| [moments::<2>(kind), moments::<3>(kind), moments::<4>(kind)]).collect();
+        assert_eq!(MOMENTS, *crates, "{crates:?}");
+    }
+
+    #[test]
+    fn a_field_is_the_crate_s_own() {
+        let p = Vec3::new(0.3, -1.2, 4.5);
+        let spectrum = Spectrum::new(2.17, 0.5, 16).unwrap();
+        let sum =
+            Octaves::<_, 3>::new(Perlin2002::new(7), spectrum).with_shape(Billow).first(4.5).clamped(0.02);
+        let sample = noise_samples(&spec(3, 4, 1), &p.to_array().map(f32::to_bits)).unwrap();
+        assert_eq!(sample[0], sum.sample(p).value.to_bits());
+        assert_eq!(sample[1], sum.sample(p).gradient.x.to_bits());
+        let words = noise_uniform(&spec(3, 4, 1), &[]).unwrap();
+        assert_eq!(words[..264], OctavesUniform::<3>::new(&sum).words());
+    }
+
+    #[test]
+    fn numbers_that_no_field_has_are_refused_in_one_sentence() {
+        for (at, x) in [(5, 0.5), (6, f64::NAN), (14, 2.0)] {
+            for kind in 0..KINDS {
+                let mut spec = spec(2, kind, 2);
+                spec[at] = x;
+                let told = noise_uniform(&spec, &[]);
+                assert!(told.is_ok() || told.is_err_and(|error| error.lines().count() == 1));
+            }
+        }
+        assert!(noise_samples(&spec(4, 4, 1), &[]).is_err());
+        assert!(noise_uniform(&[2.0], &[]).is_err());
+    }
+}

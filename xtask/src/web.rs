@@ -1,0 +1,125 @@
+//! `cargo xtask web`: the live page, of the crates as a WebAssembly module and of their shaders.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::atomic::AtomicBool;
+
+use crate::cargo::{self, cargo};
+use crate::cli::Web;
+use crate::drivers::program;
+use crate::failure::{Failure, Interrupted};
+use crate::output::Output;
+use crate::progress;
+use crate::toolchain::{Toolchain, output, rust_lld};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const LINKER: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER";
+/// Folder of the page's workspace.
+const FOLDER: &str = "web";
+const TARGETS: &str = "target/module";
+
+/// Builds the page, and serves it where that is asked for.
+pub(crate) fn run(wanted: &Web, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let out = folder(&wanted.out)?;
+    let module = module(root)?;
+    Interrupted::check(interrupted)?;
+    progress::say("the page's shaders in both languages");
+    let mut build = builder(root, "build");
+    cargo::run(build.arg("--wasm").arg(module).arg("--out").arg(&out))?;
+    Interrupted::check(interrupted)?;
+    let Some(port) = wanted.serve else { return Ok(()) };
+    let mut serve = builder(root, "serve");
+    cargo::run(serve.arg(out.join("hosted")).arg("--port").arg(port.to_string()))
+}
+
+/// The gate: the page is built and no larger than it may be; in headless Chromium it draws, by both ways to the graphics card alike, as
+/// the crates do, and stands wrong input; one line of what there is, or lacks.
+pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
+    let tell = |line: &str| progress::say(&format!("  {line}"));
+    cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked --workspace"))?;
+    let module = match module(root) {
+        Ok(module) => module,
+        Err(why) => {
+            tell(&format!("skipped: {why}"));
+            return Ok(());
+        }
+    };
+    let out = root.join("target/asperity/web");
+    told(builder(root, "build").arg("--wasm").arg(module).arg("--out").arg(&out))?.lines().for_each(tell);
+    let browser = root.join(FOLDER).join("browser");
+    let installed = browser.join("node_modules").is_dir()
+        || output(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(&browser))
+            .is_some();
+    if !installed || output(Command::new("node").arg("--version")).is_none() {
+        tell("skipped: node is missing, or what web/browser/package.json names and `npm ci` cannot install");
+        return Ok(());
+    }
+    let screens = out.join("screens");
+    let node = |script: &str| {
+        let mut node = Command::new("node");
+        node.arg(browser.join(script));
+        node
+    };
+    let checked = told(node("check.mjs").arg(&out).arg(&screens))?;
+    checked.lines().last().into_iter().for_each(tell);
+    if checked.starts_with("skipped") {
+        return Ok(());
+    }
+    told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
+    told(program(root, "page").arg(&screens))?.lines().for_each(tell);
+    let wgsl = root.join("target/asperity/wgsl");
+    told(program(root, "export").args(["--dialect", "wgsl", "--out"]).arg(&wgsl))?;
+    told(node("tint.mjs").arg(&wgsl))?.lines().for_each(tell);
+    Ok(())
+}
+
+/// Output of a command; an error with all of it where it fails.
+fn told(command: &mut Command) -> Result<String, Failure> {
+    let output = command.stderr(Stdio::inherit()).output()?;
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() {
+        Ok(said)
+    } else {
+        Err(format!("the live page is not what it should be:\n{said}").into())
+    }
+}
+
+/// The crates' module, built by a toolchain that can.
+fn module(root: &Path) -> Result<PathBuf, Failure> {
+    let linker = rust_lld();
+    let Some(toolchain) = Toolchain::of(TARGET, linker.is_some()) else {
+        return Err(format!(
+            "no toolchain has the libraries for {TARGET}; `rustup target add {TARGET}` adds them"
+        )
+        .into());
+    };
+    progress::say("the crates as a WebAssembly module, some minutes the first time");
+    let folder = root.join(FOLDER);
+    let mut build = toolchain.build(&folder, TARGET, "core,alloc");
+    build
+        .args(["--package", "asperity-web-tables", "--lib", "--target-dir", TARGETS])
+        .env("RUSTFLAGS", "-C target-feature=+simd128")
+        // Small, and of one piece: builds of the page's builder are neither.
+        .env("CARGO_PROFILE_RELEASE_LTO", "true")
+        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1")
+        .env("CARGO_PROFILE_RELEASE_STRIP", "true")
+        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s");
+    if let Some(linker) = linker.as_ref().filter(|_| toolchain.builds_core) {
+        build.env(LINKER, linker);
+    }
+    cargo::run(&mut build)?;
+    Ok(folder.join(TARGETS).join(TARGET).join("release/asperity_web_tables.wasm"))
+}
+
+/// The page's builder with a command.
+fn builder(root: &Path, command: impl AsRef<OsStr>) -> Command {
+    let mut run = cargo(&root.join(FOLDER), "run --quiet --release --locked --package asperity-web --");
+    run.arg(command);
+    run
+}
+
+fn folder(path: &Path) -> Result<PathBuf, Failure> {
+    Output::new(path)?;
+    Ok(std::path::absolute(path)?)
+}
