@@ -258,7 +258,7 @@ export const materials = {
     { name: 'behind', kind: 'check', label: 'Show the light behind', value: false },
     { name: 'exposure', kind: 'range', label: 'Exposure', min: -3, max: 3, step: 0.1, value: 0, says: x => `${x > 0 ? '+' : ''}${x} stops` },
     { kind: 'group', label: 'View' },
-    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 3.5, step: 0.01, value: 0, says: z => times(10 ** z) },
+    { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
     { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -52, says: x => `${Math.round(x)}°` },
     { name: 'height', kind: 'range', label: 'Height', min: -89, max: 89, step: 0.1, value: 14, says: x => `${Math.round(x)}°` },
     { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+(,-?[\d.e-]+){2})?$/ },
@@ -279,7 +279,7 @@ class Materials extends Looking {
       teapot: { field: 0.62, distance: 8.6, target: [0.35, 0, 1.35], made: () => metric(teapot(page.data.teapot)), metres: 0.04, kind: 0, ground: [9, 2.1, 1.9] },
       sphere: { field: 0.5, distance: 5.2, target: [0, 0, 1], made: sphere, metres: 0.1, kind: 0, ground: [4, 0.7, 0.7] },
       cup: { field: 0.5, distance: 0.52, target: [0, 0, 0.1], made: cup, metres: 1, kind: 0, ground: [0.5, 0.085, 0.085] },
-    }, 3.5);
+    }, 4);
     this.lights = null;
     this.own = null;
     materials.controls.find(({ name }) => name === 'picture').read = file => this.drop(file);

@@ -91,7 +91,9 @@ export function room(of) {
   }
   const own = [...(floor === undefined ? pieces.floor : []), ...(walls === undefined ? pieces.walls : [])];
   const other = [...(floor === undefined ? [] : pieces.floor), ...(walls === undefined ? [] : pieces.walls)];
-  return { own: new Mesh(own, 'room'), other: new Mesh(other, 'other'), all: new Mesh([...own, ...other], 'room') };
+  // Rays pass through walls from behind, as eyes do.
+  const all = Object.assign(new Mesh([...own, ...other], 'room'), { oneSided: true });
+  return { own: new Mesh(own, 'room'), other: new Mesh(other, 'other'), all };
 }
 
 /** A cup on its saucer, in the palette's china, 9 cm high. */

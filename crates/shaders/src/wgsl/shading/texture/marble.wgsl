@@ -29,23 +29,13 @@ struct MarblePiece {
     place: f32,
 }
 
-// Colours, of which a piece has four. One by one: compilers of HLSL refuse a list that is made.
+// Colours, of which a piece has four. Told apart by bits: compilers of HLSL refuse a list that is made, and thirteen cases at every
+// place where this is called kept others busy for minutes.
 fn marble_knot(i: u32) -> vec3<f32> {
-    switch i {
-        case 0u: { return vec3<f32>(0.25, 0.25, 0.35); }
-        case 1u: { return vec3<f32>(0.25, 0.25, 0.35); }
-        case 2u: { return vec3<f32>(0.1, 0.1, 0.3); }
-        case 3u: { return vec3<f32>(0.1, 0.1, 0.3); }
-        case 4u: { return vec3<f32>(0.1, 0.1, 0.3); }
-        case 5u: { return vec3<f32>(0.25, 0.25, 0.35); }
-        case 6u: { return vec3<f32>(0.25, 0.25, 0.35); }
-        case 7u: { return vec3<f32>(0.05, 0.05, 0.26); }
-        case 8u: { return vec3<f32>(0.05, 0.05, 0.26); }
-        case 9u: { return vec3<f32>(0.03, 0.03, 0.2); }
-        case 10u: { return vec3<f32>(0.03, 0.03, 0.2); }
-        case 11u: { return vec3<f32>(0.25, 0.25, 0.35); }
-        default: { return vec3<f32>(0.03, 0.03, 0.2); }
-    }
+    var colour = vec3<f32>(0.25, 0.25, 0.35);
+    colour = select(colour, vec3<f32>(0.1, 0.1, 0.3), ((0x1cu >> i) & 1u) == 1u);
+    colour = select(colour, vec3<f32>(0.05, 0.05, 0.26), ((0x180u >> i) & 1u) == 1u);
+    return select(colour, vec3<f32>(0.03, 0.03, 0.2), ((0x1600u >> i) & 1u) == 1u);
 }
 
 // Integrals of the pieces before each.
@@ -82,25 +72,29 @@ fn marble_spline(x: f32) -> vec3<f32> {
     return piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
 }
 
-// The integral of the spline from 0 to x.
-fn marble_area(x: f32) -> vec3<f32> {
-    if x < 0.0 {
-        return marble_spline(0.0) * x;
-    }
+// An end of an interval of the spline, and the integral from 0 to there.
+struct MarbleEnd {
+    x: f32,
+    area: vec3<f32>,
+}
+
+fn marble_end(x: f32) -> MarbleEnd {
     let piece = marble_piece(x);
     let t = piece.place;
+    let colour = piece.constant + t * (piece.linear + t * (piece.square + t * piece.cube));
     let within = t * (piece.constant + t * (piece.linear / 2.0 + t * (piece.square / 3.0 + t * piece.cube / 4.0)));
-    return (marble_before(piece.index) + within) / 10.0 + marble_spline(1.0) * max(x - 1.0, 0.0);
+    let beyond = max(x - 1.0, 0.0) + min(x, 0.0);
+    return MarbleEnd(x, (marble_before(piece.index) + within) / 10.0 + colour * beyond);
 }
 
 // The mean of the spline between two places.
-fn marble_mean(from_x: f32, to_x: f32) -> vec3<f32> {
-    let width = to_x - from_x;
+fn marble_mean(start: MarbleEnd, end: MarbleEnd) -> vec3<f32> {
+    let width = end.x - start.x;
     // Below this the difference of areas has fewer digits than the polynomial in the middle.
     if width > 0.01 {
-        return (marble_area(to_x) - marble_area(from_x)) / width;
+        return (end.area - start.area) / width;
     }
-    return marble_spline(0.5 * (from_x + to_x));
+    return marble_spline(0.5 * (start.x + end.x));
 }
 
 // The sum of octaves of noise, as a pixel of this width resolves it; of a width of 0 all of it.
@@ -144,27 +138,26 @@ fn marble_cdf(marble: Marble, k: u32) -> f32 {
     return select(select(row.x, row.y, column == 1u), select(row.z, row.w, column == 3u), column >= 2u);
 }
 
-// The colour that a pixel of this width sees: `Marble::colour`.
+// The colour that a pixel of this width sees: `Marble::colour`. All in one loop, since what is called is compiled at every place.
 fn marble_colour(marble: Marble, p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let resolved = marble_sum(marble, p, footprint);
-    if footprint == 0.0 {
-        return marble_spline(2.0 * resolved.sum + 0.75);
-    }
-    if resolved.removed == 0.0 {
-        // An interval has a twelfth of its square for variance.
-        let half_width = sqrt(3.0 * resolved.within);
-        return marble_mean(2.0 * (resolved.sum - half_width) + 0.75, 2.0 * (resolved.sum + half_width) + 0.75);
-    }
-    let deviation = sqrt(resolved.removed + resolved.within);
+    // The sixteen parts of the distribution of what a pixel does not resolve, or where it resolves all an interval, which has a twelfth of
+    // its square for variance.
+    let is_interval = resolved.removed == 0.0;
+    let parts = select(16u, 1u, is_interval);
+    let deviation = sqrt(select(resolved.removed + resolved.within, 3.0 * resolved.within, is_interval));
     var mean = vec3<f32>(0.0);
     var below = 0.0;
-    var low = 2.0 * (resolved.sum + deviation * -4.0) + 0.75;
-    for (var k = 1u; k <= 16u; k++) {
-        let above = marble_cdf(marble, k);
-        let high = 2.0 * (resolved.sum + deviation * (8.0 * f32(k) / 16.0 - 4.0)) + 0.75;
-        mean += (above - below) * marble_mean(low, high);
-        below = above;
-        low = high;
+    var start = MarbleEnd(0.0, vec3<f32>(0.0));
+    for (var k = 0u; k <= parts; k++) {
+        let at = select(8.0 * f32(k) / 16.0 - 4.0, 2.0 * f32(k) - 1.0, is_interval);
+        let end = marble_end(2.0 * (resolved.sum + deviation * at) + 0.75);
+        if k > 0u {
+            let above = select(marble_cdf(marble, k), 1.0, is_interval);
+            mean += (above - below) * marble_mean(start, end);
+            below = above;
+        }
+        start = end;
     }
     return mean;
 }
