@@ -18,16 +18,10 @@ static LIGHT: Part = page_part!("light",).with_bindings(&[
 
 const VIEW: &[Binding] = &[Binding::Uniform { name: "materials_view", of: "MaterialsView" }];
 
-/// By the name of the crate's, in whose place it stands.
-static COOK_TORRANCE: Part = Part::new(
-    "shading/reflectance/cook_torrance_beckmann",
-    include_str!("../../../page/wgsl/cook_torrance.wgsl"),
-    &[&DIRECTION],
-);
+static COATED: Part =
+    page_part!("coated", reflectance::COOK_TORRANCE_BECKMANN, reflectance::COAT, reflectance::FACET);
 
-static COATED: Part = page_part!("coated", COOK_TORRANCE, reflectance::COAT, reflectance::FACET);
-
-static GLOSSY: Part = page_part!("glossy_lit", COOK_TORRANCE, material::GLOSSY);
+static GLOSSY: Part = page_part!("glossy_lit", reflectance::COOK_TORRANCE_BECKMANN, material::GLOSSY);
 
 static PAINT: Part = page_part!("material_paint", material::METALLIC_PAINT, COATED);
 static CARPET: Part = page_part!("material_carpet", material::CARPET, GLOSSY);
@@ -36,13 +30,13 @@ static SCRATCHES: Part = page_part!("material_scratches", material::SCRATCHES);
 static GLASS: Part = page_part!("material_glass", material::TEMPERED_GLASS, COATED);
 static BRICK: Part = page_part!("material_brick", material::BRICK_WALL);
 static MARBLE: Part = page_part!("material_marble", material::POLISHED_MARBLE, COATED);
-static PLAIN: Part = page_part!("material_plain", COOK_TORRANCE);
+static PLAIN: Part = page_part!("material_plain", reflectance::COOK_TORRANCE_BECKMANN);
 
 macro_rules! surfaces {
     ($($name:ident = $of:ident;)*) => {
         $(static $name: Part = page_part!(
             "materials",
-            COOK_TORRANCE,
+            reflectance::COOK_TORRANCE_BECKMANN,
             $of,
             LIGHT,
             ndf::FRAME,
