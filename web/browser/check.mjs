@@ -27,13 +27,13 @@ const PICTURES = {
   'fractals-curve': '#fractals?surface=none&nearer=6&at=0.634921',
   'noise': '#noise',
   'materials-paint': '#materials',
-  'materials-carpet': '#materials?material=carpet&shape=room&on=floor&zoom=0.6',
-  'materials-glass': '#materials?material=glass&shape=teapot',
+  'materials-carpet': '#materials?material=carpet&shape=room&on=floor&zoom=0.6&height=30',
+  'materials-glass': '#materials?material=glass&shape=teapot&behind=dark',
   'materials-scratches': '#materials?material=scratches&shape=sphere',
   'materials-variations': '#materials?material=variations&shape=teapot',
   'materials-brick': '#materials?material=brick&shape=room&on=walls',
   'materials-marble': '#materials?material=marble&shape=teapot&size=0.7',
-  'materials-steam': '#materials?material=steam',
+  'materials-steam': '#materials?material=steam&behind=dark',
 };
 const SCENES = ['bumps', 'noise', 'fractals', 'materials'];
 

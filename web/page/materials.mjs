@@ -80,9 +80,9 @@ const MATERIALS = {
       [`smart_flake_sparkle: ${rust('smart') === 'true' ? `Elimination::Adaptive { unit: ${rust('unit')} }` : 'Elimination::Fixed'}`]),
   },
   carpet: {
-    title: 'Carpet', view: { shape: 'room', on: 'floor', size: 0 },
+    title: 'Carpet', view: { shape: 'room', on: 'floor', size: 0, zoom: 0.6, height: 30 },
     parameters: [
-      colour('diffuse', 'Diffuse colour', [0.12, 0.12, 0.13]),
+      colour('diffuse', 'Diffuse colour', [0.34, 0.08, 0.06]),
       colour('specular', 'Specular colour', [0, 0, 0]),
       share('roughness', 'Roughness', 0.8),
       between('specular_roughness', 'Roughness α of shining threads', 0.45, 0.01, 1),
@@ -92,7 +92,7 @@ const MATERIALS = {
       size('specular_thread_size', 'Specular threads: size', 0.008, 1e-4, 0.5),
       share('specular_thread_strength', 'Specular threads: strength', 0.12),
       size('dark_area_size', 'Dark areas: size', 0.15, 0.005, 5),
-      share('dark_area_strength', 'Dark areas: strength', 0.5),
+      share('dark_area_strength', 'Dark areas: strength', 0.2),
       { ...choice('seams_pattern', 'Seams', ['none', 'lines', 'grid'], ['None', 'Lines', 'Grid'].map(x => `SeamPattern::${x}`)), value: '1' },
       angle('seams_propagation', 'Seams: direction across'),
       size('seam_distance', 'Seams: distance', 0.02, 0.001, 1),
@@ -117,7 +117,7 @@ const MATERIALS = {
       [`fibres: FibresParameters { ${FIBRES.map(field => `${field}: ${rust(field)}`).join(', ')}, ..Default::default() }`]),
   },
   glass: {
-    title: 'Tempered glass', view: { shape: 'teapot', size: 0 },
+    title: 'Tempered glass', view: { shape: 'teapot', size: 0, behind: 'dark' },
     parameters: [
       size('wave_frequency', 'Waves: frequency, radians to a metre', 20, 1, 1000, plainly),
       size('wave_amplitude', 'Waves: amplitude', 1e-4, 1e-7, 0.05),
@@ -205,7 +205,7 @@ const MATERIALS = {
     }`,
   },
   steam: {
-    title: 'Steam over a cup', view: { shape: 'cup', size: 0 },
+    title: 'Steam over a cup', view: { shape: 'cup', size: 0, behind: 'dark' },
     parameters: [
       between('lacunarity', 'Noise: lacunarity', 2.17, 1.5, 4),
       share('gain', 'Noise: gain', 0.5),
@@ -234,7 +234,7 @@ export const materials = {
     { kind: 'group', label: 'Material' },
     {
       name: 'material', kind: 'choice', label: 'Material', value: 'paint', options: OF.map(id => [id, MATERIALS[id].title]),
-      also: id => ({ ...MATERIALS[id].view, zoom: 0, at: '' }),
+      also: id => ({ zoom: 0, at: '', behind: 'bright', height: 14, ...MATERIALS[id].view }),
     },
     {
       name: 'shape', kind: 'choice', label: 'On', value: 'car', options: [['car', 'a car'], ['room', 'a room'], ['teapot', 'the teapot'], ['sphere', 'a sphere'], ['cup', 'a cup']],
@@ -255,7 +255,7 @@ export const materials = {
     { name: 'lightTurn', kind: 'range', label: 'Turn of the light', min: -180, max: 180, step: 1, value: 0, says: x => `${x}°` },
     { name: 'lightHeight', kind: 'range', label: 'Height of the sun', min: 0, max: 90, step: 1, value: 38, says: x => `${x}°`, when: ({ light }) => light === 'day' },
     { name: 'lamps', kind: 'choice', label: 'Lamps that the light is cut into', value: '8', options: [['4', '4'], ['8', '8'], ['16', '16']] },
-    { name: 'behind', kind: 'check', label: 'Show the light behind', value: false },
+    { name: 'behind', kind: 'choice', label: 'Behind', value: 'bright', options: [['bright', 'Bright paper'], ['dark', 'Dark paper'], ['light', 'The light']] },
     { name: 'exposure', kind: 'range', label: 'Exposure', min: -3, max: 3, step: 0.1, value: 0, says: x => `${x > 0 ? '+' : ''}${x} stops` },
     { kind: 'group', label: 'View' },
     { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
@@ -275,7 +275,7 @@ class Materials extends Looking {
   constructor(page) {
     super(page, {
       car: { field: 0.52, distance: 7.6, target: [0, 0, 0.62], made: carBody, metres: 1, kind: 1, ground: [6, 2.2, 0.95] },
-      room: { field: 0.7, distance: 6.2, target: [0, 0.1, 0.9], metres: 1, kind: 2 },
+      room: { field: 0.7, distance: 8.2, target: [0, 0.1, 0.9], metres: 1, kind: 2 },
       teapot: { field: 0.62, distance: 8.6, target: [0.35, 0, 1.35], made: () => metric(teapot(page.data.teapot)), metres: 0.04, kind: 0, ground: [9, 2.1, 1.9] },
       sphere: { field: 0.5, distance: 5.2, target: [0, 0, 1], made: sphere, metres: 0.1, kind: 0, ground: [4, 0.7, 0.7] },
       cup: { field: 0.5, distance: 0.52, target: [0, 0, 0.1], made: cup, metres: 1, kind: 0, ground: [0.5, 0.085, 0.085] },
@@ -361,7 +361,7 @@ class Materials extends Looking {
     const ground = subject.ground ?? [0, 1, 1];
     return new Float32Array([
       ...eye, 2 * half / size, ...right, size, ...up, this.exposure(settings), ...forward, subject.metres * 10 ** settings.size,
-      ...focus, this.lit(settings).lamps, ...gpu.near(near), gpu.rows, kind, ...ground, settings.behind ? 1 : 0,
+      ...focus, this.lit(settings).lamps, ...gpu.near(near), gpu.rows, kind, ...ground, { light: 1, dark: -1 }[settings.behind] ?? 0,
     ]);
   }
 
@@ -371,7 +371,7 @@ class Materials extends Looking {
     const { kind: seenAs } = this.subject(settings), lighting = { light: uniform, light_word: words };
     const resources = { ...own, ...lighting, materials_view: this.view(settings, camera, size, seenAs) };
     // Only a room is not seen from behind, and only the body of a car has windows.
-    const about = { ...resources, materials_view: this.view(settings, camera, size, seenAs === 2 ? 2 : 0) };
+    const about = { ...resources, materials_view: this.view(settings, camera, size, seenAs === 2 ? 3 : 0) };
     const placed = (role, shape) => this.placed(role, shape, focus), passes = [];
     const add = (of, mesh, bound = about) => passes.push({ program: of, resources: bound, mesh });
     const kind = settings.material === 'steam' ? 'cup' : settings.shape;
@@ -446,7 +446,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cells: f32 = ${rust('cells')};
     let steam = Steam::new(Vec3::ZERO, ${rust('radius')} * cells, ${rust('height')} * cells)?;
     let (eye, direction) = (Vec3::new(0.0, -10.0, 1.0), Vec3::Y);
-    let extinction = |p| ${rust('extinction')} * steam.share(p) * gas.clamped_density(p, Footprint::from_width(0.1));
+    let extinction = |p| ${rust('extinction')} * steam.share(p) * gas.clamped_density(p * Vec3::new(1.0, 1.0, 0.5), Footprint::from_width(0.1));
     let seen = march(eye, direction, steam.interval(eye, direction), 0.35, 0.5, extinction, |_| Vec3::splat(${rust('albedo')}));
     println!("{} {}", seen.light, seen.transmittance);
     Ok(())

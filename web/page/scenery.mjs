@@ -1,7 +1,7 @@
 // What materials are seen on: a car, a room, a cup; lengths in metres, z up.
 
 import { Mesh, grid } from './mesh.mjs';
-import { add, cross, direction, length, scale, subtract } from './vector.mjs';
+import { add, cross, direction, dot, length, scale, subtract } from './vector.mjs';
 
 const rise = (low, high, x) => {
   const t = Math.min(Math.max((x - low) / (high - low), 0), 1);
@@ -73,6 +73,16 @@ function flat(from, along, up, palette) {
   }));
 }
 
+/** Flat pieces whose texture coordinates are told from a focus too. */
+class Room extends Mesh {
+  from(focus) {
+    return new Mesh(this.corners.map(({ p, n, t, uv }) => {
+      const way = subtract(focus, p);
+      return { p, n, t, uv: [uv[0] + dot(way, t), uv[1] + dot(way, cross(n, t))] };
+    }), 'room').from(focus);
+  }
+}
+
 /** A room of four by four metres: the floor and a block on it, and the walls; each of the material, or painted. */
 export function room(of) {
   const [floor, walls] = [of === 'walls' ? 4 : undefined, of === 'floor' ? 3 : undefined];
@@ -93,7 +103,7 @@ export function room(of) {
   const other = [...(floor === undefined ? [] : pieces.floor), ...(walls === undefined ? [] : pieces.walls)];
   // Rays pass through walls from behind, as eyes do.
   const all = Object.assign(new Mesh([...own, ...other], 'room'), { oneSided: true });
-  return { own: new Mesh(own, 'room'), other: new Mesh(other, 'other'), all };
+  return { own: new Room(own, 'room'), other: new Mesh(other, 'other'), all };
 }
 
 /** A cup on its saucer, in the palette's china, 9 cm high. */
@@ -101,7 +111,11 @@ export function cup() {
   const outside = [[0, 0.008], [0.026, 0.008], [0.028, 0.014], [0.036, 0.04], [0.041, 0.08], [0.043, 0.09], [0.041, 0.09], [0.038, 0.074]];
   const plate = [[0, 0.004], [0.035, 0.0], [0.075, 0.012], [0.078, 0.014], [0.074, 0.014], [0.035, 0.006], [0, 0.006]];
   const tea = [[0.0395, 0.074], [0, 0.074]];
-  return new Mesh([...turnedProfile(outside, 64, undefined, 5), ...turnedProfile(plate, 64, undefined, 5), ...turnedProfile(tea, 64, undefined, 6)], 'cup');
+  const handle = grid(24, 12, (u, v) => {
+    const [a, b] = [(0.5 - u) * 3.6, 2 * Math.PI * v], n = [Math.cos(a) * Math.cos(b), Math.sin(b), Math.sin(a) * Math.cos(b)];
+    return { p: add([0.046 + 0.022 * Math.cos(a), 0, 0.052 + 0.024 * Math.sin(a)], scale(n, 0.0042)), n, t: [Math.sin(a), 0, -Math.cos(a)], uv: [5, 0] };
+  });
+  return new Mesh([...handle, ...turnedProfile(outside, 64, undefined, 5), ...turnedProfile(plate, 64, undefined, 5), ...turnedProfile(tea, 64, undefined, 6)], 'cup');
 }
 
 /** A square of ground about the origin, at the height 0. */

@@ -5,15 +5,10 @@ fn material_coat_alpha(coat: Coat) -> f32 {
     return sqrt(coat.roughness * coat.roughness + 2.0 * coat.slope_variance + 0.01);
 }
 
-// Layers under a varnish, and what the varnish mirrors of a lamp; a smooth one mirrors the light's map instead.
-fn material_varnished(coat: Coat, below: vec3<f32>, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
-    var sum = below * coat_through(coat, wi) * coat_through(coat, wo);
-    if coat.roughness > 0.0 {
-        let light = facet_light(1.0, coat.normal, wi, wo);
-        let value = cook_torrance_beckmann(vec2<f32>(material_coat_alpha(coat)), light.wi, light.wo);
-        sum += vec3<f32>(value.x * dielectric_reflectance(coat.index, value.y) * light.factor);
-    }
-    return brdf_finite_channels(sum);
+// Layers under a varnish, and what the varnish mirrors of a lamp by a lobe about a facet; a smooth one mirrors the light's map instead.
+fn material_varnished(coat: Coat, below: vec3<f32>, lobe: vec2<f32>, factor: f32, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> {
+    let mirrored = lobe.x * dielectric_reflectance(coat.index, lobe.y) * factor;
+    return brdf_finite_channels(below * coat_through(coat, wi) * coat_through(coat, wo) + mirrored);
 }
 
 // Layers of a diffuse and a glossy colour under a varnish, and what that mirrors, without the lamps' light unless the coat is smooth.

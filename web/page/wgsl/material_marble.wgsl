@@ -17,7 +17,9 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
     }
     let below = energy_preserving_value(seen.colour, 0.0, wi, wo) * wi.z;
     if seen.polish.roughness > 0.0 {
-        return material_varnished(seen.polish, below, wo, wi);
+        let light = facet_light(1.0, seen.polish.normal, wi, wo);
+        let lobe = cook_torrance_beckmann(vec2<f32>(material_coat_alpha(seen.polish)), light.wi, light.wo);
+        return material_varnished(seen.polish, below, lobe, light.factor, wo, wi);
     }
     return brdf_finite_channels(below);
 }

@@ -37,9 +37,20 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
         // The cosine with the flake instead of the surface.
         factor = min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
     }
-    let flakes = metallic_paint_flakes(metallic_paint_uniform, colour, i, o) * factor;
+    // The lobes of the flakes and of a rough coat in a loop: a function is compiled at every place that calls it.
+    let light = facet_light(1.0, seen.coat.normal, wi, wo);
+    let is_rough = seen.coat.roughness > 0.0;
+    var flakes = 0.0;
+    var lobe = vec2<f32>(0.0);
+    for (var k = 0u; k < select(1u, 2u, is_rough); k++) {
+        let of_flakes = k == 0u;
+        let alpha = select(material_coat_alpha(seen.coat), metallic_paint_uniform.flake_roughness, of_flakes);
+        lobe = cook_torrance_beckmann(vec2<f32>(alpha), select(light.wi, i, of_flakes), select(light.wo, o, of_flakes));
+        flakes = select(flakes, lobe.x, of_flakes);
+    }
     let pigment = energy_preserving_value(min(metallic_paint_uniform.pigment, 1.0 - seen.specular), 0.2, wi, wo);
-    return material_varnished(seen.coat, (flakes + pigment) * wi.z, wo, wi);
+    let below = (flakes * factor * math_shares(colour) + pigment) * wi.z;
+    return material_varnished(seen.coat, below, select(vec2<f32>(0.0), lobe, is_rough), light.factor, wo, wi);
 }
 
 fn material_ambience(seen: MaterialSeen, hit: MaterialsHit) -> vec3<f32> {

@@ -17,7 +17,8 @@ fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSe
         let outside = max(abs(at.xy) - materials_view.ground.yz * 0.6, vec2<f32>(0.0)) / (materials_view.ground.yz * 0.55);
         let shade = 1.0 - 0.85 * exp(-dot(outside, outside));
         let r = sqrt(dot(at.xy, at.xy)) / materials_view.ground.x;
-        return MaterialSeen(vec3<f32>(0.42, 0.41, 0.4), 0.0, 1.0, shade, 1.0 - smoothstep(0.45, 1.0, r));
+        let dark = select(1.0, 0.3, materials_view.ground.w < 0.0);
+        return MaterialSeen(vec3<f32>(0.42, 0.41, 0.4) * dark, 0.0, 1.0, shade, 1.0 - smoothstep(0.45, 1.0, r));
     }
     if place == 1u {
         return MaterialSeen(vec3<f32>(0.015), 0.5 * gloss, 0.5, 1.0, 1.0);
@@ -26,10 +27,10 @@ fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSe
         return MaterialSeen(vec3<f32>(0.05), 0.6, 0.25, 1.0, 1.0);
     }
     if place == 3u {
-        return MaterialSeen(vec3<f32>(0.5, 0.49, 0.46), 0.0, 1.0, 1.0, 1.0);
+        return MaterialSeen(vec3<f32>(0.74, 0.72, 0.68), 0.0, 1.0, 1.0, 1.0);
     }
     if place == 4u {
-        return MaterialSeen(vec3<f32>(0.3, 0.23, 0.17), 0.3 * gloss, 0.4, 1.0, 1.0);
+        return MaterialSeen(vec3<f32>(0.42, 0.31, 0.22), 0.3 * gloss, 0.4, 1.0, 1.0);
     }
     if place == 5u {
         return MaterialSeen(vec3<f32>(0.75, 0.74, 0.72), gloss, 0.2, 1.0, 1.0);

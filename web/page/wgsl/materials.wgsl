@@ -18,9 +18,9 @@ struct MaterialsView {
     depth: vec2<f32>,
     // 1 where rows of pixels count from the bottom, -1 from the top.
     rows: f32,
-    // 1 for a car, which has windows; 2 for a room, whose walls are not seen from behind.
+    // 1 for a car, which has windows; 2 for a room, whose walls are not seen from behind; 3 for what is painted in a room.
     kind: f32,
-    // Radius of the ground that is drawn, half of what stands there along and across, 0 for none; the light's share in the background.
+    // Radius of the ground that is drawn, half of what stands there along and across; what is behind: 0 paper, -1 dark, 1 the light.
     ground: vec4<f32>,
 }
 
@@ -54,14 +54,20 @@ fn materials_ray(position: vec4<f32>) -> vec3<f32> {
     return materials_view.forward + x * materials_view.right + y * materials_view.up;
 }
 
-// Light on the screen.
+// Light on the screen, by the response of Naka and Rushton.
 fn materials_colour(radiance: vec3<f32>) -> vec4<f32> {
-    return display_colour(radiance * materials_view.exposure);
+    return display_colour(pow(max(radiance * materials_view.exposure, vec3<f32>(0.0)), vec3<f32>(1.3)));
 }
 
-// What is behind everything: the light itself, or paper.
+// What is behind everything: the light itself, or paper, bright or dark.
 fn materials_behind(direction: vec3<f32>) -> vec3<f32> {
-    return mix(vec3<f32>(2.2) / materials_view.exposure, light_seen(direction), materials_view.ground.w);
+    if materials_view.ground.w > 0.0 {
+        return light_seen(direction);
+    }
+    let up = smoothstep(-0.3, 0.45, direction.z);
+    let bright = mix(vec3<f32>(3.4, 3.3, 3.1), vec3<f32>(1.7, 1.75, 1.8), up);
+    let dark = mix(vec3<f32>(0.13, 0.14, 0.16), vec3<f32>(0.02, 0.022, 0.028), up);
+    return select(bright, dark, materials_view.ground.w < 0.0) / materials_view.exposure;
 }
 
 // A pixel's place on a surface.
@@ -94,7 +100,12 @@ fn materials_hit(corner: MaterialsCorner) -> MaterialsHit {
     let along = frame_to_world(frame, vec3<f32>(direction_unit_or_2d(wo.xy, vec2<f32>(1.0, 0.0)), 0.0));
     let pixel = pixel_ellipse_from_derivatives(along * (width / wo.z), cross(normal, along) * width);
     let position = (p + materials_view.focus) * materials_view.metres;
-    let point = SurfacePoint(position, normal, corner.uv * materials_view.metres, frame.tangent, frame.bitangent, pixel);
+    var uv = corner.uv;
+    if materials_view.kind == 2.0 {
+        // Coordinates of the focus: what is interpolated over so great triangles has few digits.
+        uv += vec2<f32>(dot(p, corner.tangent), dot(p, cross(corner.normal, corner.tangent)));
+    }
+    let point = SurfacePoint(position, normal, uv * materials_view.metres, frame.tangent, frame.bitangent, pixel);
     return MaterialsHit(point, p, wo, frame, direction, is_back);
 }
 
@@ -138,10 +149,31 @@ fn materials_of_car(hit: MaterialsHit) -> vec4<f32> {
     return vec4<f32>(light_seen(mirrored) * materials_fresnel(hit.wo.z) + light_diffuse(n) * within, 1.0);
 }
 
+// How open a place of the room is to the light: less so in its edges and about the block.
+fn materials_open(at: vec3<f32>, n: vec3<f32>) -> f32 {
+    let walls = 2.0 - abs(at.xy) + 9.0 * abs(n.xy);
+    let apart = max(abs(at - vec3<f32>(0.7, 0.9, 0.25)) - vec3<f32>(0.5, 0.5, 0.25), vec3<f32>(0.0));
+    // What is on the block itself is next to it.
+    let block = sqrt(dot(apart, apart)) + select(0.0, 9.0, dot(apart, apart) < 1e-6);
+    let near = exp(vec4<f32>(walls, at.z + 9.0 * abs(n.z), block) * -vec4<f32>(3.5, 3.5, 5.0, 5.0));
+    return (1.0 - 0.35 * near.x) * (1.0 - 0.35 * near.y) * (1.0 - 0.35 * near.z) * (1.0 - 0.45 * near.w);
+}
+
+// Whether the block in the room shades a place from a direction.
+fn materials_shaded(at: vec3<f32>, direction: vec3<f32>) -> bool {
+    let safe = select(direction, vec3<f32>(1e-6), abs(direction) < vec3<f32>(1e-6));
+    let low = (vec3<f32>(0.2, 0.4, -1.0) - at) / safe;
+    let high = (vec3<f32>(1.2, 1.4, 0.5) - at) / safe;
+    let first = min(low, high);
+    let last = max(low, high);
+    return max(max(first.x, first.y), max(first.z, 1e-3)) < min(last.x, min(last.y, last.z)) - 1e-3;
+}
+
 @fragment
 fn materials_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
     let hit = materials_hit(corner);
-    if hit.is_back && materials_view.kind == 2.0 {
+    let in_room = materials_view.kind >= 2.0;
+    if hit.is_back && in_room {
         discard;
     }
     if materials_view.kind == 1.0 {
@@ -151,8 +183,15 @@ fn materials_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
         }
     }
     let seen = material_seen(hit.point, hit.frame, hit.wo);
+    let at = hit.p + materials_view.focus;
     var sum = material_ambience(seen, hit);
+    if in_room {
+        sum *= materials_open(at, hit.point.normal);
+    }
     for (var k = 0u; k < u32(materials_view.lamps); k++) {
+        if in_room && materials_shaded(at, light.lamps[k].direction) {
+            continue;
+        }
         let wi = frame_to_local(hit.frame, light.lamps[k].direction);
         sum += material_lamp(seen, hit.wo, wi) * light.lamps[k].irradiance;
     }

@@ -40,13 +40,16 @@ fn steam_pixel(corner: MaterialsCorner) -> @location(0) vec4<f32> {
         var extinction = 0.0;
         if share > 0.0 {
             let width = march.next * march.step * materials_view.pixel_angle;
-            extinction = steam_view.extinction * share * gas_density(steam_gas, p, width);
+            // Steam that rises is drawn out.
+            extinction = steam_view.extinction * share * gas_density(steam_gas, p * vec3<f32>(1.0, 1.0, 0.5), width);
         }
         march = gas_march_added(march, extinction, vec3<f32>(0.0));
     }
+    // Droplets scatter forwards: Henyey and Greenstein, g = 0.6.
     var scattered = light.harmonics[0].xyz * 0.2820948;
     for (var k = 0u; k < u32(materials_view.lamps); k++) {
-        scattered += light.lamps[k].irradiance * 0.079577472;
+        let spread = 1.36 - 1.2 * dot(light.lamps[k].direction, hit.direction);
+        scattered += light.lamps[k].irradiance * (0.050929582 / (spread * sqrt(spread)));
     }
     return materials_colour(sum * march.transmittance + scattered * (steam_view.albedo * (1.0 - march.transmittance)));
 }
