@@ -1,6 +1,6 @@
 //! A plane to the horizon: one filtered sample a pixel against hundreds of plain ones.
 
-use asperity_render::shaded::{Horizon, Sky, Subject, errors, materials, textures};
+use asperity_render::shaded::{Horizon, Sky, Subject, errors, grain, materials, textures};
 use asperity_shading::glam::Vec3;
 use rayon::prelude::*;
 
@@ -27,4 +27,29 @@ fn filtered_surfaces_alias_a_fifth_of_plain_ones() {
         // Measured: 5 to 18 %, most of fibres and flakes.
         assert!(filtered < 0.2 * plain, "{}: {filtered} of {plain}", subject.name);
     }
+}
+
+/// Grain of the nearer half, as the gallery's table has it.
+fn grain_near_by(subject: &Subject) -> f64 {
+    let sky = Sky::about(Vec3::new(-0.48, 0.6, 0.64));
+    let picture = Horizon { width: 60, height: 40, ..PICTURE };
+    let pixels = 0..picture.width * picture.height;
+    let near = pixels.skip(1200).collect::<Vec<_>>().into_par_iter();
+    let seen: Vec<_> = near.map(|k| picture.seen([k % 60, k / 60], subject, &sky)).collect();
+    // The picture's upper half is nobody's.
+    let whole: Vec<_> = vec![seen[0]; 1200].into_iter().chain(seen).collect();
+    grain(&whole, 60)
+}
+
+#[test]
+fn filtered_flakes_have_more_grain_than_their_mean_near_by_and_most_surfaces_less() {
+    let mut coarser = Vec::new();
+    for subject in textures().into_iter().chain(materials()) {
+        let ratio = grain_near_by(&subject);
+        println!("{}: {ratio:.3}", subject.name);
+        if ratio > 1.1 {
+            coarser.push(subject.name);
+        }
+    }
+    assert_eq!(coarser, ["flakes", "paint"]);
 }

@@ -7,7 +7,6 @@ use serde_json::Value;
 
 use super::table::table;
 use crate::failure::Failure;
-use crate::gallery::page;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 /// First word of the groups' names; the crate and the quantity follow.
@@ -166,9 +165,7 @@ pub(crate) fn svg(name: &str, curves: &[Curve]) -> Result<String, Failure> {
         let of = if quantities.len() > 1 { format!(", by {}", curve.quantity) } else { String::new() };
         plot = plot.curve(format!("{}{of}: {:.2}", curve.name, curve.slope()), curve.points.clone(), stroke);
     }
-    let picture = plot.svg(&format!("How the cost of asperity-{name} grows"))?;
-    let style = format!("<style>\n{}svg {{ background: var(--card) }}\n</style>\n", page::colours());
-    Ok(picture.replacen("<title>", &format!("{style}<title>"), 1))
+    plot.svg(&format!("How the cost of asperity-{name} grows"))
 }
 
 /// A power of ten in few letters.
@@ -211,7 +208,7 @@ mod tests {
         let line = text.lines().find(|line| line.contains("a sum")).unwrap();
         assert!(line.contains(" 2560 ") && line.trim_end().ends_with("2.00 |"), "{text}");
         let svg = svg("noise", &curves).unwrap();
-        assert!(svg.contains("a sum: 2.00") && svg.contains("--series-1: #"), "{svg}");
+        assert!(svg.contains("a sum: 2.00") && svg.contains("prefers-color-scheme: dark"), "{svg}");
         left(scratch.path(), "many", 1.0);
         assert!(read(scratch.path()).unwrap_err().to_string().contains("many"));
     }

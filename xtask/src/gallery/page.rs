@@ -34,9 +34,12 @@ pub(crate) struct Stored {
     pub(crate) pixels: Option<(u32, u32)>,
 }
 
-/// The page's colours, light and dark, for a picture that stands alone.
-pub(crate) fn colours() -> &'static str {
-    STYLE.split_once("* {").map_or(STYLE, |(colours, _)| colours)
+/// A colour of the page by its name, as it is in the light and in the dark.
+pub(crate) fn colour(name: &str) -> [&'static str; 2] {
+    let name = format!("--{name}: ");
+    let value = |rest: &'static str| rest.split(';').next();
+    let mut values = STYLE.split(name.as_str()).skip(1).filter_map(value);
+    [(); 2].map(|()| values.next().unwrap_or("currentColor"))
 }
 
 /// Text made safe for element content and quoted attributes.
@@ -210,6 +213,12 @@ mod tests {
             let has = |text: &str, name: &str| page.contains(&format!("{text}=\"{name}\""));
             assert!(has("id", own) && !has("id", foreign) && has("href", other), "{other}");
         }
+    }
+
+    #[test]
+    fn a_colour_has_a_light_and_a_dark_value() {
+        assert_eq!(colour("card"), ["#ffffff", "#1b1d1f"]);
+        assert_eq!(colour("series-4"), ["#8a3b8f", "#d394dc"]);
     }
 
     #[test]

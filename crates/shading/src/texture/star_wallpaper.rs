@@ -195,6 +195,22 @@ mod tests {
     use super::*;
 
     #[test]
+    fn no_star_is_cut_at_the_border_of_a_cell() {
+        let wall = StarWallpaper::default();
+        // Points on either side of a line between two cells: they differ where a star's edge runs between them, 1 of 500 and fewer,
+        // and all along a star that is cut there, as 22 of 500 do if each cell draws its own star alone.
+        let differ = |covered: &dyn Fn(Vec2) -> bool| {
+            let of = |k: u32, side: f32| {
+                covered(Vec2::new((k / 500 + 1) as f32 / 10.0 + side, (k % 500) as f32 / 500.0))
+            };
+            (0..4500).filter(|&k| of(k, -1e-4) != of(k, 1e-4)).count()
+        };
+        let listed = differ(&|uv| wall.as_listed(uv));
+        let corrected = differ(&|uv| wall.coverage(uv, Footprint::from_width(0.0)) > 0.5);
+        assert!(listed <= 9 && corrected <= 9, "{listed} {corrected}");
+    }
+
+    #[test]
     fn star_has_its_points_and_notches_that_are_shallow_as_listed() {
         let wall = StarWallpaper::default();
         // The listing's angle starts at the negative second axis.

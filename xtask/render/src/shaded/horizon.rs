@@ -73,3 +73,17 @@ pub fn errors(pixels: &[Seen]) -> [f64; 2] {
     };
     [rms(|seen| seen.plain - seen.mean), rms(|seen| seen.filtered - seen.mean)]
 }
+
+/// The deviation of filtered samples in the nearer half of a picture so many pixels wide, over that of the means: below 1 where a filter
+/// blurs, above 1 where it leaves grain.
+#[must_use]
+pub fn grain(pixels: &[Seen], width: u32) -> f64 {
+    let near = &pixels[pixels.len() / width.max(1) as usize / 2 * width as usize..];
+    let deviation = |value: fn(&Seen) -> Vec3| {
+        // Of neighbours across, so that what grows or fades with the distance does not count.
+        let difference = |pair: &[Seen]| f64::from((value(&pair[1]) - value(&pair[0])).length_squared());
+        let rows = near.chunks(width.max(1) as usize);
+        rows.flat_map(|row| row.windows(2)).map(difference).sum::<f64>().sqrt()
+    };
+    deviation(|seen| seen.filtered) / deviation(|seen| seen.mean)
+}

@@ -9,7 +9,7 @@ mod subject;
 mod telephoto;
 mod textures;
 
-pub use horizon::{Horizon, Seen, errors};
+pub use horizon::{Horizon, Seen, errors, grain};
 pub use materials::{fibres_alone, fractal_bumps, materials};
 pub use subject::{Sky, Subject};
 pub use telephoto::{Frame, Mean, Patch, largest_pop};

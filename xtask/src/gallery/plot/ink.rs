@@ -1,8 +1,8 @@
-//! Colours and strokes of a plot, written as the page's custom properties.
+//! Colours and strokes of a plot, those of the page that shows it.
 
 use plotters::style::{Color, RGBAColor, RGBColor, ShapeStyle};
 
-use crate::gallery::page::escape;
+use crate::gallery::page::{self, escape};
 use crate::gallery::plot::place::units;
 
 /// A colour of the page.
@@ -68,21 +68,27 @@ pub(super) fn colour(ink: Ink, dashed: bool) -> RGBAColor {
     RGBColor(0xA5, dashed.into(), index).to_rgba()
 }
 
-/// Exchanges the placeholders for the page's colours and makes the picture scale with its column.
+/// Exchanges the placeholders for the page's colours, which turn dark by the picture's own style: it looks alike in the page, alone
+/// and where no style is read.
 pub(super) fn dress(svg: &str, title: &str, size: [f64; 2]) -> String {
     const NAMES: [&str; 8] = ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"];
     const DASHES: [&str; 2] = ["", " stroke-dasharray=\"55 45\""];
     let mut text = svg.find('\n').map_or("", |end| &svg[end..]).to_owned();
+    let mut dark = String::new();
     for (index, name) in NAMES.iter().enumerate() {
+        let [day, night] = page::colour(name);
         for (dash, pattern) in DASHES.iter().enumerate() {
-            let dressed = format!("\"var(--{name})\"{pattern}");
-            text = text.replace(&format!("\"#A5{dash:02X}{index:02X}\""), &dressed);
+            text = text.replace(&format!("\"#A5{dash:02X}{index:02X}\""), &format!("\"{day}\"{pattern}"));
         }
+        dark += &format!("  [fill=\"{day}\"] {{ fill: {night} }} [stroke=\"{day}\"] {{ stroke: {night} }}\n");
     }
-    let (title, [width, height]) = (escape(title), size.map(units));
+    let ([width, height], [card, _]) = (size, page::colour("card"));
+    let (title, [across, down]) = (escape(title), size.map(units));
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"100%\" role=\"img\" \
-         stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{title}</title>{}",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {across} {down}\" width=\"{width}\" height=\"{height}\" \
+         role=\"img\" stroke-linejoin=\"round\" stroke-linecap=\"round\" style=\"color-scheme: light dark\">\n\
+         <title>{title}</title>\n<style>@media (prefers-color-scheme: dark) {{\n{dark}}}</style>\n\
+         <rect width=\"{across}\" height=\"{down}\" fill=\"{card}\"/>{}",
         text.replace("opacity=\"1\" ", "")
             .replace("font-family=\"system-ui\"", "font-family=\"system-ui, sans-serif\"")
     )

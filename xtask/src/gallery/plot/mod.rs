@@ -1,4 +1,4 @@
-//! Small plots as SVG: thin lines, few ticks, names beside the curves, colours of the page that shows them.
+//! Small plots as SVG: thin lines, few ticks, names beside the curves, colours of the page, which each carries along.
 
 mod axis;
 mod draw;
@@ -127,6 +127,7 @@ impl Plot {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gallery::page;
 
     fn plot(names: Names, points: Vec<[f64; 2]>) -> Plot {
         let (x, y) = (Axis::log2("zoom", [0.25, 4.0]), Axis::linear("ratio <1>", [-1.0, 1.0], 0.5));
@@ -140,12 +141,15 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_the_page_s_and_texts_are_escaped() {
+    fn colours_come_along_light_and_dark_and_texts_are_escaped() {
         for names in [Names::AtEnds, Names::Above, Names::Hidden] {
             let svg = plot(names, vec![[0.25, -1.0], [1.0, 0.5], [4.0, 1.0]]).svg("a < b & c").unwrap();
-            assert!(!svg.contains("=\"#") && !svg.contains("rgb"), "{svg}");
+            assert!(!svg.contains("var(") && !svg.contains("#A5") && !svg.contains("rgb"), "{svg}");
             for name in ["ink", "muted", "rule", "card", "series-1", "series-2", "series-3", "series-4"] {
-                assert!(svg.contains(&format!("var(--{name})")), "{name} is missing");
+                let [day, night] = page::colour(name);
+                let drawn = [format!(" fill=\"{day}\""), format!(" stroke=\"{day}\"")];
+                assert!(drawn.iter().any(|attribute| svg.contains(attribute)), "{name} is missing");
+                assert!(svg.contains(&format!("[fill=\"{day}\"] {{ fill: {night} }}")), "{name} stays light");
             }
             assert!(svg.contains("<title>a &lt; b &amp; c</title>") && svg.contains("ratio &lt;1&gt;"));
             assert!(svg.contains("x &gt; y"), "{svg}");

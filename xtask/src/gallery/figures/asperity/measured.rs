@@ -3,7 +3,8 @@
 
 use asperity_render::image::Image;
 use asperity_render::shaded::{
-    Frame, Horizon, Mean, Patch, Seen, Sky, Subject, errors, fractal_bumps, largest_pop, materials, textures,
+    Frame, Horizon, Mean, Patch, Seen, Sky, Subject, errors, fractal_bumps, grain, largest_pop, materials,
+    textures,
 };
 use glam::Vec3;
 
@@ -153,17 +154,18 @@ pub(crate) fn draw_horizon(context: &Context<'_>) -> Result<Drawn> {
         })?;
         let [plain, filtered] = errors(&seen);
         let ratio = format!("{:.2}", filtered / plain);
+        let near = format!("{:.2}", grain(&seen, PICTURE.width));
         let name = subject.name;
         let alt = format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples");
         panels.push(Panel::new(stem(name), format!("{name}: {ratio}"), alt, triple(&seen)));
-        rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio]);
+        rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio, near]);
     }
     let picture =
         format!("{} × {} pixels, {} samples in the mean", PICTURE.width, PICTURE.height, PICTURE.samples);
     Ok(Drawn::new(2, panels)
         .fact("picture", picture)
         .fact("filter", "exact boxes, or up to 32 taps along the pixel's ellipse")
-        .table(["surface", "error of a plain sample", "of a filtered one", "ratio"], rows))
+        .table(["surface", "error of a plain sample", "of a filtered one", "ratio", "grain near by"], rows))
 }
 
 /// A name as a part of a file's.
