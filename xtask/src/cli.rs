@@ -46,6 +46,8 @@ pub(crate) enum Command {
   cargo xtask render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
   cargo xtask render --mesh house.obj --up z --material brick --light sky.hdr --noise 0.02
   cargo xtask render --mesh part.stl --material paint --tint b02a1e --set orange_peel_strength=0.03
+  cargo xtask render --frames 24 --out frames/####.png
+  cargo xtask render --frames 4000 --zoom-to 10000 --out frames/####.exr --job job.yaml
   cargo xtask render --help-material paint
 
 The picture appears at once, coarse, and is written anew as it grows finer: watch the file, stop with Ctrl-C at will.
@@ -254,9 +256,25 @@ pub(crate) struct Render {
     /// Seed of every random choice.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u32,
-    /// The picture's file, in the format of its ending: .png, .jpg, .webp or .exr; written anew as it grows finer.
+    /// The picture's file, in the format of its ending: .png, .jpg, .webp or .exr; written anew as it grows finer. Of frames its name
+    /// has a row of `#` for their numbers.
     #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
     pub(crate) out: PathBuf,
+    /// Draw so many frames: once round the subject, or nearer.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) frames: Option<u32>,
+    /// Draw these frames alone, counted from 1.
+    #[arg(long, value_name = "N|N-N", requires = "frames", value_parser = numbers)]
+    pub(crate) frame: Option<[u32; 2]>,
+    /// Degrees that the camera goes round while the frames pass [default: 360, with --zoom-to 0].
+    #[arg(long, value_name = "DEGREES", requires = "frames", conflicts_with = "zoom_to", allow_negative_numbers = true, value_parser = turned)]
+    pub(crate) turn: Option<f32>,
+    /// Magnification of the last frame.
+    #[arg(long, value_name = "ZOOM", requires = "frames", value_parser = positive)]
+    pub(crate) zoom_to: Option<f32>,
+    /// Write the frames as a job for many machines in place of drawing them: a template of Open Job Description, .yaml or .json.
+    #[arg(long, value_name = "FILE", requires = "frames")]
+    pub(crate) job: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -462,6 +480,20 @@ fn whole(least: u32, most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone 
 fn degrees(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| (0.0..=180.0).contains(x));
     number.ok_or("must be a number of degrees from 0 to 180")
+}
+
+fn turned(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| x.abs() <= 36_000.0);
+    number.ok_or("must be a number of degrees, at most a hundred turns")
+}
+
+/// A number from 1, or a range of them, first and last.
+fn numbers(text: &str) -> Result<[u32; 2], &'static str> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    match [first, last].map(str::parse) {
+        [Ok(first), Ok(last)] if 1 <= first && first <= last => Ok([first, last]),
+        _ => Err("must be a number from 1, or two, as in 13-24"),
+    }
 }
 
 fn positive(text: &str) -> Result<f32, &'static str> {

@@ -8,6 +8,7 @@ mod drivers;
 mod failure;
 mod gallery;
 mod input;
+mod job;
 mod output;
 mod progress;
 mod render;

@@ -1,6 +1,7 @@
 //! `cargo xtask render`: one picture of one object with chosen parameters.
 
 mod files;
+mod frames;
 mod materials;
 mod options;
 mod picture;
@@ -11,6 +12,7 @@ use crate::cli::{Material, Render};
 use crate::failure::{Interrupted, Result};
 use crate::output::Output;
 use crate::progress;
+use crate::render::frames::Frames;
 use crate::render::materials::Parameters;
 use crate::render::picture::Picture;
 
@@ -18,6 +20,9 @@ use crate::render::picture::Picture;
 pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     if let Some(material) = wanted.help_material {
         return help(material);
+    }
+    if let Some(frames) = Frames::of(wanted)? {
+        return frames::draw(wanted, &frames, interrupted);
     }
     let picture = Picture::new(wanted)?;
     let output = Output::new(picture.folder.clone())?;

@@ -53,6 +53,9 @@ pub(super) struct Picture<'a> {
     projected: bool,
     light: Lit,
     exposure: f32,
+    /// Degrees about the vertical.
+    turn: f32,
+    zoom: f32,
 }
 
 impl<'a> Picture<'a> {
@@ -109,7 +112,25 @@ impl<'a> Picture<'a> {
             }
         };
         let (folder, exposure) = (folder.to_owned(), wanted.exposure.unwrap_or(exposure));
-        Ok(Self { wanted, folder, name, format, material, density, mesh, projected, light, exposure })
+        Ok(Self {
+            wanted,
+            folder,
+            name,
+            format,
+            material,
+            density,
+            mesh,
+            projected,
+            light,
+            exposure,
+            turn: 0.0,
+            zoom: wanted.zoom,
+        })
+    }
+
+    /// Turns and moves the camera: degrees about the vertical, magnification.
+    pub(super) fn from(&mut self, turn: f32, zoom: f32) {
+        (self.turn, self.zoom) = (turn, zoom);
     }
 
     /// Draws it in passes, each handed over with its samples of a pixel and its grain.
@@ -145,7 +166,7 @@ impl<'a> Picture<'a> {
             (request.view, request.bumps.frequency) = (View::of_mesh(mesh), 24.0);
         }
         request.facets = Facets::Consistent(wanted.rule.unwrap_or(LevelOfDetail::Exact));
-        request.zoom = wanted.zoom;
+        (request.zoom, request.view) = (self.zoom, request.view.turned(self.turn));
         request.bumps = self.bumps(request.bumps);
         request.tint = hex(wanted.tint.unwrap_or(TINT));
         request.exposure = self.exposure;
@@ -185,6 +206,7 @@ impl<'a> Picture<'a> {
             Some(Shape::Mesh(mesh)) => View::of_mesh(mesh),
             _ => set.view(),
         };
+        let view = view.turned(self.turn);
         let focus = view.focus.as_dvec3();
         // Windows of the car are places of the world.
         let world = self.material != Material::Bumps || self.mesh.is_none() && set == Set::Car;
@@ -203,7 +225,7 @@ impl<'a> Picture<'a> {
         }
         let backdrop = colour.map_or(Backdrop::Light, Backdrop::Colour);
         let scene = Scene::new(objects, Light::Around(light), backdrop).about(focus);
-        draw(&scene, view.camera(wanted.zoom, sampling))
+        draw(&scene, view.camera(self.zoom, sampling))
     }
 
     fn bumps(&self, usual: Bumps) -> Bumps {

@@ -76,6 +76,18 @@ impl View {
         Self { eye, target: Vec3::ZERO, focus, field }
     }
 
+    /// The view from so many degrees further round the vertical through its target, counted from above against the clock.
+    #[must_use]
+    pub fn turned(self, degrees: f32) -> Self {
+        if degrees == 0.0 {
+            return self;
+        }
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let from = self.eye - self.target;
+        let round = Vec3::new(cos * from.x - sin * from.y, sin * from.x + cos * from.y, from.z);
+        Self { eye: self.target + round, ..self }
+    }
+
     /// The camera: towards the target at zoom 1, and from there straight to the focus.
     pub fn camera(&self, zoom: f32, sampling: Sampling) -> Camera {
         let near = 1.0 / f64::from(zoom);
