@@ -59,11 +59,10 @@ fn template(name: &str, program: &Path, steps: &[Step]) -> Value {
             value
         })
         .collect();
+    // The format wants defaults of paths to be relative to the template.
     let program = json!({
         "name": "Program",
-        "type": "PATH",
-        "objectType": "FILE",
-        "dataFlow": "NONE",
+        "type": "STRING",
         "description": "The builder of Asperity on the machine that runs a task.",
         "default": program.display().to_string(),
     });

@@ -107,7 +107,9 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
             output.write(&name(frame)?, &picture.developed(image).encode(picture.format)?)?;
         }
     }
-    progress::say(&format!("{} frames: {}", last - first + 1, output.place(&pattern)));
+    let count = last - first + 1;
+    let frames = if count == 1 { "1 frame".into() } else { format!("{count} frames") };
+    progress::say(&format!("{frames}: {}", output.place(&pattern)));
     Ok(())
 }
 
