@@ -2,7 +2,8 @@
 
 struct MaterialSeen {
     surface: TexturedSlopes,
-    facets: BrickFacets,
+    // Of each pair of signs of a slope its sum and its share: a pixel from afar has fifty facets.
+    facets: array<vec3<f32>, 9>,
     normal: vec3<f32>,
 }
 
@@ -10,13 +11,16 @@ fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSe
     let pixel = surface_point_uv_pixel(point);
     let colour = brick_wall_colour(brick_wall_uniform, point.uv, pixel);
     let surface = textured_slopes(point, colour, brick_wall_uniform.roughness);
-    let facets = brick_facets(brick_wall_uniform.bricks, point.uv, pixel_ellipse_sides(pixel));
+    let bricks = brick_facets(brick_wall_uniform.bricks, point.uv, pixel_ellipse_sides(pixel));
+    var facets = array<vec3<f32>, 9>();
     var slope = vec2<f32>(0.0);
-    for (var j = 0u; j < brick_facets_rows(facets); j++) {
-        let row = brick_facets_row(facets, j);
-        for (var k = 0u; k < brick_facets_columns(facets, row); k++) {
-            let facet = brick_facet(facets, row, k);
-            slope += facet.share * brick_wall_uniform.depth * facet.slope;
+    for (var j = 0u; j < brick_facets_rows(bricks); j++) {
+        let row = brick_facets_row(bricks, j);
+        for (var k = 0u; k < brick_facets_columns(bricks, row); k++) {
+            let facet = brick_facet(bricks, row, k);
+            let steep = facet.share * brick_wall_uniform.depth * facet.slope;
+            facets[u32(sign(steep.x) + 3.0 * sign(steep.y) + 4.5)] += vec3<f32>(steep, facet.share);
+            slope += steep;
         }
     }
     let gradient = surface_gradient_finite(surface.gradient_u * slope.x + surface.gradient_v * slope.y);
@@ -28,13 +32,10 @@ fn material_lamp(seen: MaterialSeen, wo: vec3<f32>, wi: vec3<f32>) -> vec3<f32> 
         return vec3<f32>(0.0);
     }
     var sum = vec3<f32>(0.0);
-    for (var j = 0u; j < brick_facets_rows(seen.facets); j++) {
-        let row = brick_facets_row(seen.facets, j);
-        for (var k = 0u; k < brick_facets_columns(seen.facets, row); k++) {
-            let facet = brick_facet(seen.facets, row, k);
-            if facet.share > 0.0 {
-                sum += textured_slopes_light(seen.surface, facet.share, brick_wall_uniform.depth * facet.slope, wo, wi);
-            }
+    for (var k = 0u; k < 9u; k++) {
+        let facet = seen.facets[k];
+        if facet.z > 0.0 {
+            sum += textured_slopes_light(seen.surface, facet.z, facet.xy / facet.z, wo, wi);
         }
     }
     return brdf_finite_channels(sum);
