@@ -1,10 +1,14 @@
 // The live page in headless Chromium, by WebGPU and by WebGL 2: `node check.mjs FOLDER [OUT] [--times]`, where FOLDER holds the page's
-// index.html. Prints a line for each check, writes screenshots to OUT, and fails where a check does.
+// index.html. Prints a line for each check, writes screenshots to OUT, and fails where a check does; with --times only what takes time and
+// memory.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open, program } from './launch.mjs';
+import { pinches, rests, seams, strip } from './motion.mjs';
+import { noises } from './noises.mjs';
+import { times } from './times.mjs';
 
 const [folder, out = 'screens', ...options] = process.argv.slice(2);
 const file = pathToFileURL(resolve(folder, 'index.html')).href;
@@ -35,6 +39,8 @@ const PICTURES = {
   'materials-marble': '#materials?material=marble&shape=teapot&size=0.7',
   'materials-steam': '#materials?material=steam&behind=dark',
 };
+/** What is timed: each scene, and each material. */
+const TIMED = Object.fromEntries(Object.entries(PICTURES).filter(([name]) => !/nearest|near$|plane|curve/.test(name)));
 const SCENES = ['bumps', 'noise', 'fractals', 'materials'];
 
 let failed = 0;
@@ -77,6 +83,15 @@ const givenTo = async (page, input, name, mimeType, buffer) => {
   await page.waitForTimeout(300);
   await page.evaluate(() => globalThis.asperity.rest());
 };
+
+if (options.includes('--times')) {
+  for (const api of ['webgl2', 'webgpu']) {
+    const browser = await launch(api);
+    await times(browser, api, address, TIMED, tell);
+    await browser.close();
+  }
+  process.exit(failed ? 1 : 0);
+}
 
 const drawn = {};
 for (const api of ['webgpu', 'webgl2']) {
@@ -182,7 +197,6 @@ for (const api of ['webgpu', 'webgl2']) {
   });
   tell(`${api}: wrong input says nothing on the console`, said.every(line => /lost|Destroyed|destroyed/i.test(line)), said.join(' | '));
   await page.context().close();
-  if (options.includes('--times')) await times(browser, api);
   await browser.close();
 }
 for (const [name, [a, b]] of Object.entries(drawn)) {
@@ -239,50 +253,12 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
     tell('keys: a density is painted', painted !== await page.evaluate(() => globalThis.asperity.settings.painting));
     await page.context().close();
   }
+  await noises(browser, 'webgl2', address, tell);
+  await seams(browser, 'webgl2', address, tell);
+  await strip(browser, 'webgl2', address, tell);
+  await pinches(browser, address, tell);
+  await rests(browser, address, tell);
   await browser.close();
-}
-
-/** Milliseconds of frames at 512², of the module's map, and the module's memory after a thousand strokes. */
-async function times(browser, api) {
-  for (const [name, link] of Object.entries(PICTURES)) {
-    const { page } = await open(browser, address(api, 512, link));
-    const ms = await page.evaluate(async () => {
-      const page = globalThis.asperity, times = [];
-      for (let k = 0; k < 3; k++) {
-        const start = performance.now();
-        if (page.instance.passes) await page.picture(512, 512, () => false);
-        else { page.set({ turn: page.settings.turn + 1 }); await page.rest(); }
-        times.push(performance.now() - start);
-      }
-      return times.sort((a, b) => a - b)[1];
-    });
-    console.log(`time  ${api}: ${name}, 512²: ${ms.toFixed(0)} ms`);
-    await page.context().close();
-  }
-  const { page } = await open(browser, address(api, 64, '#bumps?density=painted'));
-  const map = await page.evaluate(() => {
-    const { rust } = globalThis.asperity, texels = Float32Array.from({ length: 65536 }, (_, k) => 1 + k % 7), times = [];
-    for (let k = 0; k < 9; k++) {
-      const start = performance.now();
-      rust.painted_map([256], texels);
-      times.push(performance.now() - start);
-    }
-    return times.sort((a, b) => a - b)[4];
-  });
-  console.log(`time  ${api}: the module packs a map of 256²: ${map.toFixed(1)} ms`);
-  const grown = await page.evaluate(async () => {
-    const page = globalThis.asperity, { painting } = page.scene, memory = [];
-    for (let k = 0; k < 1000; k++) {
-      painting.stroke((k * 7) % 40, (k * 13) % 40, k % 3 ? 3 : -5);
-      // The map is rebuilt and uploaded at once.
-      page.instance.resources({ ...page.settings, painting: painting.text() }, [0, 0, 0]);
-      if (k % 250 === 249) memory.push(page.rust.bytes());
-    }
-    await page.rest();
-    return memory;
-  });
-  tell(`${api}: memory of the module after 250, 500, 750, 1,000 strokes`, grown[3] === grown[0], grown.map(x => `${x / 1e6} MB`).join(', '));
-  await page.context().close();
 }
 
 writeFileSync(join(out, 'program.txt'), `${program}\n`);

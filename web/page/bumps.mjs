@@ -243,7 +243,8 @@ class Strip {
     for (const { zoom, index } of ZOOMS.map((zoom, index) => ({ zoom, index }))) {
       for (const { rule, cells } of this.rows) {
         if (stop()) { patch.free(); points.free(); return; }
-        const side = 3 / zoom, width = 2 * side / SIDE, { canvas, text } = cells[index];
+        // From afar all bumps are smaller than a pixel.
+        const side = 90 / settings.frequency / zoom, width = 2 * side / SIDE, { canvas, text } = cells[index];
         const camera = { ...flat, zoom, right: [side, 0, 0], up: [0, side, 0] };
         const view = scene.view(settings, camera, SIDE, { pixelAngle: width, rules: [rule, rule] });
         await gpu.draw(patch, { program: `patch-${settings.density}`, resources: { ...resources, bumps_view: view }, clear: [0, 0, 0] });

@@ -26,6 +26,11 @@ const STARTS = {
   ground: ['Rough ground', '0,1.675;1,0.075;2,1.175;3,-0.125;4,1.775;5,0.475;6,1.375;7,-0.025;8,1.475', '0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5', 'f,integral', 'integral'],
   parabola: ['A parabola, as a fractal', '0,0;1,1;2,0', '0.25,0.25', 'f', 'f'],
 };
+/** Surfaces by their kind in the module. */
+const SURFACES = {
+  integral: [1, 'f̂(x) f̂(y), smooth'],
+  f: [0, 'f(x) f(y), rough'],
+};
 const LISTS = /^[-+.\deE,;]{0,900}$/;
 
 /** The scene, opened on a page. */
@@ -47,7 +52,7 @@ export const fractals = {
     { name: 'nearer', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
     { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+)?$/ },
     { kind: 'group', label: 'Surface' },
-    { name: 'surface', kind: 'choice', label: 'Surface', value: 'integral', options: [['integral', 'f̂(x) f̂(y), smooth'], ['f', 'f(x) f(y), rough'], ['none', 'None']] },
+    { name: 'surface', kind: 'choice', label: 'Surface', value: 'integral', options: [...Object.entries(SURFACES).map(([value, [, text]]) => [value, text]), ['none', 'None']] },
     { name: 'relief', kind: 'range', label: 'Height', min: 0.05, max: 2, step: 0.05, value: 0.7 },
     { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
     { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -62, says: degrees },
@@ -82,6 +87,7 @@ class Fractals {
   constructor(page) {
     this.page = page;
     const change = fractals.change = values => values && page.set(values);
+    this.took = 0;
     this.plot = new Plot(page, change);
     this.fields = fractals.fields = new KnotFields(this.plot, change);
     this.surface = new Traced(page);
@@ -92,7 +98,9 @@ class Fractals {
     this.fields.show(functionOf(settings));
     this.element.classList.toggle('alone', settings.surface === 'none');
     try {
+      const start = performance.now();
       this.plot.draw(settings);
+      this.took = performance.now() - start;
       this.surface.canvas.hidden = settings.surface === 'none';
       if (settings.surface !== 'none') await this.surface.draw(settings, stop);
     } catch (error) {
@@ -100,12 +108,12 @@ class Fractals {
     }
   }
 
-  say({ surface }) { return surface === 'none' ? '' : this.surface.said; }
+  say({ surface }) { return surface === 'none' ? `in ${this.took.toFixed(1)} ms` : this.surface.said; }
 
   alt({ surface }) {
     const { x, y, d } = this.plot.shape;
     const places = x.map((x, k) => `(${x}, ${y[k]})`).join(', ');
-    return `The fractal function through ${places} with the factors ${d.join(', ')}${surface === 'none' ? '' : ', and a surface of it'}.`;
+    return `The fractal function through ${places} with the factors ${d.join(', ')}${surface === 'none' ? '' : `, and a surface: ${SURFACES[surface][1]}`}.`;
   }
 
   pixels() { return this.surface.canvas.hidden ? this.plot.pixels() : this.surface.pixels(); }
@@ -114,7 +122,8 @@ class Fractals {
     const { x, y, d } = functionOf(settings), list = numbers => `[${numbers.map(exact).join(', ')}]`;
     const exact = x => /[.e]/.test(x) ? `${x}` : `${x}.0`;
     const { ray: [origin, along] } = this.surface.camera ?? { ray: [[x[0], x[0], 9], [0.1, 0.1, -1]] };
-    const vector = p => `DVec3::new(${p.map(exact).join(', ')})`, name = settings.surface === 'f' ? 'f' : 'f_hat';
+    const vector = p => `DVec3::new(${p.map(exact).join(', ')})`;
+    const name = settings.surface === 'f' ? 'f' : 'f_hat';
     return `// asperity-fif with its default features
 use asperity_fif::{Fif, HeightField, Intersect, Ray, glam::DVec3};
 
@@ -148,7 +157,7 @@ class Traced {
   ground(settings) {
     const key = JSON.stringify([settings.surface, settings.knots, settings.factors, settings.relief, settings.place]);
     if (this.known?.key === key) return this.known;
-    const { rust } = this.page, numbers = [+(settings.surface === 'integral'), ...numbersOf(functionOf(settings))];
+    const { rust } = this.page, numbers = [SURFACES[settings.surface][0], ...numbersOf(functionOf(settings))];
     const [x, right, y, back, low, high] = doubles(rust.fractal_ground(numbers));
     const half = (right - x) / 2, rise = settings.relief * half / (Math.max(high, -low, high - low) || 1);
     const place = settings.place ? settings.place.split(',').map(Number) : [x + half, (y + back) / 2];
@@ -206,7 +215,7 @@ class Traced {
     }
     if (this.enlarged(settings)) this.fill(0, this.done, colour);
     canvas.getContext('2d').putImageData(this.image, 0, 0);
-    this.said = `${size} × ${size} rays, ${Math.round(this.done / Math.max(this.busy, 0.1)).toLocaleString('en')} thousand a second`;
+    this.said = `${size} × ${size} rays in ${Math.round(this.busy)} ms, ${Math.round(this.done / Math.max(this.busy, 0.1)).toLocaleString('en')} thousand a second`;
   }
 
   /** The mean of the normals and how far they are from it, for colours that enlarge that. */

@@ -109,9 +109,8 @@ class Page {
   async frame(change) {
     const { scene, instance, settings } = this, stop = () => this.change !== change || this.instance !== instance;
     if (instance.paint) {
-      const start = performance.now();
       await instance.paint(settings, stop);
-      if (!stop()) this.say(`in ${(performance.now() - start).toFixed(1)} ms`);
+      if (!stop()) this.say('');
     } else if (this.gpu) {
       const full = this.full();
       const quick = Math.min(full, Math.max(64, 32 * Math.floor(Math.sqrt(FRAME / this.perPixel) / 32)));

@@ -135,9 +135,15 @@ class Noise {
 
   /** The values that are black and white: about what the field has. */
   shades(settings) {
-    const { sum, shape, kind } = this.told(settings);
-    const [low, high] = sum === 1 && settings.normalised === 'variance' ? [-2.3, 2.3]
+    const { sum, shape, kind, octaves } = this.told(settings);
+    let [low, high] = sum === 1 && settings.normalised === 'variance' ? [-2.3, 2.3]
       : shape ? [0, 1] : kind === 10 ? [settings.basis === 'Cell' ? -1 : 0, 1.1] : kind === 9 || kind === 8 ? [-2.3, 2.3] : [-0.9, 0.9];
+    if (kind === 10 && sum === 1 && !shape && settings.normalised === 'variance') {
+      // Distances have a mean, and so have their sums.
+      const [mean, deviation] = this.kept('noise_moments', this.spec(settings, 1), floats), own = Array.from({ length: Math.ceil(octaves) }, (_, k) => settings.gain ** k * Math.min(1, octaves - k));
+      const middle = mean / deviation * own.reduce((sum, a) => sum + a, 0) / (Math.hypot(...own) || 1);
+      [low, high] = [middle + low, middle + high];
+    }
     const middle = (low + high) / 2, half = (high - low) / 2 / settings.contrast;
     return [middle - half, middle + half];
   }
@@ -196,12 +202,20 @@ class Noise {
   say(settings) {
     const { dimension } = this.told(settings);
     if (settings.dimension === '4' && dimension === 3) return `${KINDS[settings.kind][1]} has no fourth dimension in shaders: three are shown`;
+    if (settings.kind === 'white' && settings.show === 'flow') return 'white noise has no slopes';
     return dimension === 4 && (settings.warp || settings.show === 'flow') ? 'warps and flows are in two and three dimensions' : '';
   }
 
   alt(settings) {
     const told = this.told(settings), across = +(2 ** settings.near).toPrecision(3);
     return `${KINDS[settings.kind][1]} noise in ${told.dimension} dimensions, ${SUMS[settings.sum][2].toLowerCase()}${told.warp ? ', warped' : ''}, ${told.flow ? 'as a flow in colours of its direction' : 'in grey'}, ${across} cells across. ${noise.keys}`;
+  }
+
+  /** Values all over the noise: the square leans, as a slice would see some places of a cell alone. */
+  everywhere(settings) {
+    const half = MEASURED_SIDE * MEASURED_STEP / 2, { centre } = this.place(settings);
+    const right = [half, 0, 0.317 * half, 0.239 * half], up = [0, half, 0.211 * half, 0.421 * half];
+    return this.numbers(settings, { centre: [0, 0, ...centre.slice(2)], right, up }, MEASURED_SIDE, 1);
   }
 
   /** Arrows, distribution and spectrum, when the picture rests. */
@@ -211,11 +225,11 @@ class Noise {
     await this.arrows(settings, stop);
     const { centre } = this.place(settings), key = [...this.spec(settings, this.page.full()), ...centre.slice(2), settings.show].join();
     if (!settings.charts || this.charted === key || stop()) return;
-    const square = cells => ({ centre: [0, 0, ...centre.slice(2)], right: [cells / 2, 0, 0, 0], up: [0, cells / 2, 0, 0] });
-    const values = await this.numbers(settings, square(MEASURED_SIDE * MEASURED_STEP), MEASURED_SIDE, 1);
+    const values = await this.everywhere(settings);
     if (stop()) return;
     this.distribution.replaceChildren(...distributionOf(values));
-    const near = await this.numbers(settings, square(SPECTRUM_CELLS), MEASURED_SIDE, 1);
+    const half = SPECTRUM_CELLS / 2, slice = { centre: [0, 0, ...centre.slice(2)], right: [half, 0, 0, 0], up: [0, half, 0, 0] };
+    const near = await this.numbers(settings, slice, MEASURED_SIDE, 1);
     if (stop()) return;
     this.spectrum.replaceChildren(...spectrumOf(radialSpectrum(near, MEASURED_SIDE, SPECTRUM_CELLS)));
     this.charted = key;

@@ -1,18 +1,12 @@
 // A fractal interpolation function as a curve with bounds, whose knots and factors are under one's hands.
 
+import { drawn } from './charts.mjs';
 import { element } from './controls.mjs';
 
 const MOST_KNOTS = 24;
 const EDGE = { left: 52, right: 10, top: 10, bottom: 24 };
 /** The functions that are drawn: setting, order of integration, name. */
 export const CURVES = [['f', 0, 'f'], ['integral', 1, 'f̂']];
-
-const svgElement = (tag, attributes = {}, ...children) => {
-  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-};
 
 /** Knots and factors as a link holds them, and back. */
 export function functionOf({ knots, factors }) {
@@ -37,9 +31,9 @@ const numeral = (x, span = 0) => String(Math.abs(x) < 1e-9 * span ? 0 : +x.toPre
 export class Plot {
   constructor(page, change) {
     Object.assign(this, { page, change, selected: 1, handles: [] });
-    this.back = svgElement('g');
-    this.front = svgElement('g');
-    this.svg = svgElement('svg', { class: 'plot', tabindex: 0, role: 'group' }, this.back, this.front);
+    this.back = drawn('g');
+    this.front = drawn('g');
+    this.svg = drawn('svg', { class: 'plot', tabindex: 0, role: 'group' }, this.back, this.front);
     this.facts = element('div', { class: 'facts' });
     this.element = element('figure', {}, this.svg, this.facts);
     page.hands(this.svg, {
@@ -113,7 +107,7 @@ export class Plot {
       if (!this.held) this.fit(settings.nearer > 0.3 ? rough.slice(0, 1) : rough, settings.nearer > 0.3);
       const step = (this.top - this.bottom) / this.height / 3, columns = Math.round(this.inside() * 1.5);
       curves = shown.map(([, order]) => this.ask(order, from, to, columns, step));
-      this.tell(shown);
+      this.tell(shown, settings.bounds);
     } catch (refused) {
       error = refused;
       if (!(this.top > this.bottom)) [this.bottom, this.top] = [-1, 1];
@@ -179,14 +173,18 @@ export class Plot {
   }
 
   /** What is known of the functions, in words. */
-  tell(shown) {
-    const key = JSON.stringify([this.shape, shown]);
+  tell(shown, bounds) {
+    const key = JSON.stringify([this.shape, shown, bounds]), { x } = this.shape, unit = 10 ** (Math.floor(Math.log10(this.rise)) - 3);
     if (this.told === key && this.facts.children.length) return;
     this.told = key;
     this.facts.replaceChildren(...shown.map(([, order, name]) => {
       const [least, , leastAt, , most, mostAt, total, rough, rougher] = doubles(this.page.rust.fractal_facts([order, ...numbersOf(this.shape)]));
       const dimension = rougher - rough < 1e-6 ? numeral(rough) : `${numeral(rough)} to ${numeral(rougher)}`;
-      return element('p', {}, `${name} lies between ${numeral(least, this.rise)}, at ${numeral(leastAt, 1)}, and ${numeral(most, this.rise)}, at ${numeral(mostAt, 1)}; its integral is ${numeral(total, this.rise)}, and its graph has dimension ${dimension}.`);
+      // What is proven is rounded outwards.
+      const outwards = (end, round) => String(+(round(end / unit) * unit).toPrecision(12)).replace('-', '−');
+      const ends = k => { const [lo, hi] = this.bounds(order, x[k - 1], x[k], 1e-3 * this.rise); return `${outwards(lo, Math.floor)} to ${outwards(hi, Math.ceil)}`; };
+      const between = bounds ? ` Proven between knots: ${x.slice(1).map((_, k) => ends(k + 1)).join('; ')}.` : '';
+      return element('p', {}, `${name} lies between ${numeral(least, this.rise)}, at ${numeral(leastAt, 1)}, and ${numeral(most, this.rise)}, at ${numeral(mostAt, 1)}; its integral is ${numeral(total, this.rise)}, and its graph has dimension ${dimension}.${between}`);
     }));
   }
 
@@ -216,8 +214,8 @@ export class Plot {
 
   handle(at) {
     const k = at >> 1, isKnot = at % 2 === 0;
-    const shapes = isKnot ? [svgElement('circle', { r: 6 })] : [svgElement('path', { class: 'stem' }), svgElement('path', { d: 'M0-7L6 0 0 7-6 0Z' })];
-    const handle = svgElement('g', { class: isKnot ? 'knot' : 'factor', tabindex: 0, role: 'slider' }, ...shapes, svgElement('circle', { class: 'reach', r: 15 }));
+    const shapes = isKnot ? [drawn('circle', { r: 6 })] : [drawn('path', { class: 'stem' }), drawn('path', { d: 'M0-7L6 0 0 7-6 0Z' })];
+    const handle = drawn('g', { class: isKnot ? 'knot' : 'factor', tabindex: 0, role: 'slider' }, ...shapes, drawn('circle', { class: 'reach', r: 15 }));
     if (!isKnot) { handle.setAttribute('aria-valuemin', -0.999); handle.setAttribute('aria-valuemax', 0.999); }
     const move = (dx, dy) => this.change(this.pulled(at, dx, dy));
     handle.addEventListener('focus', () => { if (isKnot) this.selected = k; });

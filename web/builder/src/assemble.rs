@@ -26,12 +26,12 @@ const MODULES: &[(&str, &str)] = &[
     ("painting.mjs", include_str!("../../page/painting.mjs")),
     ("camera.mjs", include_str!("../../page/camera.mjs")),
     ("bumps.mjs", include_str!("../../page/bumps.mjs")),
+    ("charts.mjs", include_str!("../../page/charts.mjs")),
     ("plot.mjs", include_str!("../../page/plot.mjs")),
     ("fractals.mjs", include_str!("../../page/fractals.mjs")),
     ("light.mjs", include_str!("../../page/light.mjs")),
     ("scenery.mjs", include_str!("../../page/scenery.mjs")),
     ("materials.mjs", include_str!("../../page/materials.mjs")),
-    ("charts.mjs", include_str!("../../page/charts.mjs")),
     ("noise.mjs", include_str!("../../page/noise.mjs")),
     ("main.mjs", include_str!("../../page/main.mjs")),
 ];

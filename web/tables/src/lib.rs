@@ -11,6 +11,7 @@ mod materials;
 #[cfg(target_family = "wasm")]
 mod module;
 mod noise;
+mod surfaces;
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -26,9 +27,9 @@ pub const QUESTIONS: &[(&str, Question)] = &[
     ("fractal_curve", fractals::fractal_curve),
     ("fractal_bounds", fractals::fractal_bounds),
     ("fractal_facts", fractals::fractal_facts),
-    ("fractal_ground", fractals::fractal_ground),
-    ("fractal_hit", fractals::fractal_hit),
-    ("fractal_rays", fractals::fractal_rays),
+    ("fractal_ground", surfaces::fractal_ground),
+    ("fractal_hit", surfaces::fractal_hit),
+    ("fractal_rays", surfaces::fractal_rays),
     ("material_paint", materials::paint),
     ("material_carpet", materials::carpet),
     ("material_glass", materials::glass),
@@ -38,6 +39,7 @@ pub const QUESTIONS: &[(&str, Question)] = &[
     ("material_marble", materials::marble),
     ("material_steam", materials::steam),
     ("noise_uniform", noise::noise_uniform),
+    ("noise_moments", noise::noise_moments),
     ("noise_samples", noise::noise_samples),
 ];
 

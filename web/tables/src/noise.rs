@@ -362,6 +362,20 @@ pub(crate) fn noise_uniform(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, Stri
     })
 }
 
+/// The mean and the deviation of one octave, in 32 bits.
+pub(crate) fn noise_moments(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    fn moments<const N: usize>(kind: Kind) -> Vec<u32> {
+        [Measured::<N>::mean(&kind), Measured::<N>::standard_deviation(&kind)].map(f32::to_bits).to_vec()
+    }
+    let spec = Spec::new(numbers)?;
+    let kind = spec.noise(spec.seed)?;
+    Ok(match spec.dimension {
+        2 => moments::<2>(kind),
+        3 => moments::<3>(kind),
+        _ => moments::<4>(kind),
+    })
+}
+
 /// The value of a field and its slopes at each of the points in bulk: of sums of Perlin noise in space, not warped.
 ///
 /// All the others, which the graphics card has, would be a quarter of the page.

@@ -1,0 +1,149 @@
+//! Surfaces of fractal interpolation functions, and their rays: products.
+
+use alloc::{boxed::Box, string::String, vec::Vec};
+use core::ptr;
+use core::sync::atomic::{AtomicPtr, Ordering};
+
+use asperity_fif::glam::{DVec2, DVec3};
+use asperity_fif::{Fif, HeightField, Intersect, Interval, Ray, Surface};
+
+use crate::fractals::{function, knots, words};
+use crate::number;
+
+type Product = HeightField<Fif<3>, Fif<3>>;
+
+/// A surface and the numbers that it was made of.
+struct Built {
+    numbers: Vec<f64>,
+    surface: Product,
+}
+
+/// The last surface: its tables serve all rays of a picture.
+static LAST: AtomicPtr<Built> = AtomicPtr::new(ptr::null_mut());
+
+fn taken() -> Option<Box<Built>> {
+    let last = LAST.swap(ptr::null_mut(), Ordering::AcqRel);
+    // SAFETY: what is there came from a box, and whoever swaps it out is alone to have it.
+    (!last.is_null()).then(|| unsafe { Box::from_raw(last) })
+}
+
+fn put_back(built: Box<Built>) {
+    let other = LAST.swap(Box::into_raw(built), Ordering::AcqRel);
+    // SAFETY: as above.
+    drop((!other.is_null()).then(|| unsafe { Box::from_raw(other) }));
+}
+
+/// The surface of numbers, the order of integration and a function; and what follows them.
+fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&Product, &[f64]) -> T) -> Result<T, String> {
+    let (lists, rest) = knots(numbers.get(1..).unwrap_or_default());
+    let own = numbers.get(..numbers.len() - rest.len()).unwrap_or_default();
+    let built = match taken().filter(|built| built.numbers == own) {
+        Some(built) => built,
+        None => {
+            let f = function(number(own, 0), lists)?;
+            Box::new(Built { numbers: own.to_vec(), surface: HeightField::new(f.clone(), f).tabulated() })
+        }
+    };
+    let answered = answer(&built.surface, rest);
+    put_back(built);
+    Ok(answered)
+}
+
+/// The ends of the domain and of the heights.
+pub(crate) fn fractal_ground(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    with_surface(numbers, |surface, _| {
+        let ([x, y], z) = (surface.domain(), surface.range());
+        words(&[x.lo, x.hi, y.lo, y.hi, z.lo, z.hi])
+    })
+}
+
+fn vector(numbers: &[f64], at: usize) -> DVec3 {
+    DVec3::new(number(numbers, at), number(numbers, at + 1), number(numbers, at + 2))
+}
+
+/// Where a ray first meets the surface, nothing where it does not: of the surface, what its heights are multiplied by, the ray's
+/// origin and direction, a tolerance.
+pub(crate) fn fractal_hit(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
+    with_surface(numbers, |surface, rest| {
+        let heights = number(rest, 0);
+        let [origin, direction] = [1, 4].map(|at| vector(rest, at) / DVec3::new(1.0, 1.0, heights));
+        let hit = surface.first_hit_within(&Ray { origin, direction }, ALL, number(rest, 7));
+        hit.map_or_else(Vec::new, |hit| words(&[hit.x, hit.y, heights * hit.height]))
+    })
+}
+
+const ALL: Interval = Interval { lo: 0.0, hi: f64::INFINITY };
+
+/// Rays through pixels, column and row in a word of bulk each: 5 words a pixel, what it shows, the normal, the height over the focus
+/// in units of the eye's distance.
+///
+/// What it shows is 0 for nothing, else 1, with 2 where the hit is not certain to be the first, 4 in shadow.
+/// Numbers are those of the surface, what its heights are multiplied by, the focus, the eye from there, the axes to the right, up
+/// and forward, the lamp's direction, whether it casts shadows, pixels along a side.
+pub(crate) fn fractal_rays(numbers: &[f64], pixels: &[u32]) -> Result<Vec<u32>, String> {
+    with_surface(numbers, |surface, rest| {
+        let heights = number(rest, 0);
+        let [focus, eye, right, up, forward, lamp] = [1, 4, 7, 10, 13, 16].map(|at| vector(rest, at));
+        let (casts_shadows, side) = (number(rest, 19) > 0.0, number(rest, 20));
+        let unit = DVec3::new(1.0, 1.0, heights);
+        let (origin, pixel) = ((focus + eye) / unit, 2.0 * right.length() / side);
+        let tolerance = 0.25 * pixel * eye.length();
+        let mut answer = Vec::with_capacity(5 * pixels.len());
+        for &at in pixels {
+            let place = |k: u32| (2.0 * f64::from(k) + 1.0) / side - 1.0;
+            let direction = forward + right * place(at & 0xffff) - up * place(at >> 16);
+            let seen = surface.first_hit_within(&Ray { origin, direction: direction / unit }, ALL, tolerance);
+            let Some(hit) = seen else {
+                answer.extend([0; 5]);
+                continue;
+            };
+            // Where there is no slope, the mean one over the pixel.
+            let reach = 0.75 * pixel * hit.t;
+            let across = |step: DVec2| {
+                let [up, down] = [step, -step]
+                    .map(|step| surface.evaluate(hit.x + step.x, hit.y + step.y, 0.01 * reach).value);
+                (up - down) / (2.0 * reach)
+            };
+            let slope = hit
+                .gradient
+                .unwrap_or_else(|| DVec2::new(across(DVec2::X * reach), across(DVec2::Y * reach)));
+            let upward = (-heights * slope).extend(1.0).normalize();
+            let normal = if upward.dot(direction) > 0.0 { -upward } else { upward };
+            let mut shows = 1 + 2 * u32::from(!hit.certain);
+            if casts_shadows && normal.dot(lamp) > 0.0 {
+                let above = DVec3::new(hit.x, hit.y, heights * hit.height) + 2.0 * reach * normal;
+                let ray = Ray { origin: above / unit, direction: lamp / unit };
+                shows += 4 * u32::from(surface.hits_any(&ray, ALL));
+            }
+            answer.push(shows);
+            answer.extend(normal.as_vec3().to_array().map(f32::to_bits));
+            answer.push((((heights * hit.height - focus.z) / eye.length()) as f32).to_bits());
+        }
+        answer
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fractals::tests::{F, doubles};
+
+    #[test]
+    fn surfaces_are_met_where_they_are() {
+        for surface in [[&[0.0], &F[..]].concat(), [&[1.0], &F[..]].concat()] {
+            let kind = surface[0];
+            let ground = doubles(&fractal_ground(&surface, &[]).unwrap());
+            let [x, y] = [0.6 * ground[1], 0.3 * ground[3]];
+            let down = [&surface[..], &[0.5, x, y, 9.0, 0.0, 0.0, -1.0, 1e-9]].concat();
+            let hit = doubles(&fractal_hit(&down, &[]).unwrap());
+            assert!(hit[0] == x && hit[1] == y && hit[2] <= 0.5 * ground[5] + 1e-9, "{kind}: {hit:?}");
+            let focus = [hit[0], hit[1], hit[2], 0.0, 0.0, 9.0];
+            let axes = [1e-3, 0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+            let rays = [&surface[..], &[0.5], &focus, &axes].concat();
+            let seen = fractal_rays(&rays, &[0]).unwrap();
+            assert!(seen[0] & 1 == 1 && f32::from_bits(seen[3]) > 0.0, "{kind}: {seen:?}");
+            // Hits are told to a quarter of a pixel.
+            assert!(f32::from_bits(seen[4]).abs() < 5e-4, "{kind}: {seen:?}");
+        }
+    }
+}
