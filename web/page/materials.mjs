@@ -274,7 +274,7 @@ const metric = mesh => new Mesh(mesh.corners.map(corner => ({ ...corner, uv: cor
 class Materials extends Looking {
   constructor(page) {
     super(page, {
-      car: { field: 0.52, distance: 7.6, target: [0, 0, 0.62], made: carBody, metres: 1, kind: 1, ground: [6, 2.2, 0.95] },
+      car: { field: 0.52, distance: 8.4, target: [0, 0, 0.62], made: carBody, metres: 1, kind: 1, ground: [6, 2.2, 0.95] },
       room: { field: 0.7, distance: 8.2, target: [0, 0.1, 0.9], metres: 1, kind: 2 },
       teapot: { field: 0.62, distance: 8.6, target: [0.35, 0, 1.35], made: () => metric(teapot(page.data.teapot)), metres: 0.04, kind: 0, ground: [9, 2.1, 1.9] },
       sphere: { field: 0.5, distance: 5.2, target: [0, 0, 1], made: sphere, metres: 0.1, kind: 0, ground: [4, 0.7, 0.7] },
@@ -446,7 +446,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cells: f32 = ${rust('cells')};
     let steam = Steam::new(Vec3::ZERO, ${rust('radius')} * cells, ${rust('height')} * cells)?;
     let (eye, direction) = (Vec3::new(0.0, -10.0, 1.0), Vec3::Y);
-    let extinction = |p| ${rust('extinction')} * steam.share(p) * gas.clamped_density(p * Vec3::new(1.0, 1.0, 0.5), Footprint::from_width(0.1));
+    let extinction = |p: Vec3| ${rust('extinction')} * steam.share(p) * gas.clamped_density(p * Vec3::new(1.0, 1.0, 0.5), Footprint::from_width(0.1));
     let seen = march(eye, direction, steam.interval(eye, direction), 0.35, 0.5, extinction, |_| Vec3::splat(${rust('albedo')}));
     println!("{} {}", seen.light, seen.transmittance);
     Ok(())

@@ -17,8 +17,8 @@ fn material_seen(point: SurfacePoint, frame: Frame, wo: vec3<f32>) -> MaterialSe
         let outside = max(abs(at.xy) - materials_view.ground.yz * 0.6, vec2<f32>(0.0)) / (materials_view.ground.yz * 0.55);
         let shade = 1.0 - 0.85 * exp(-dot(outside, outside));
         let r = sqrt(dot(at.xy, at.xy)) / materials_view.ground.x;
-        let dark = select(1.0, 0.3, materials_view.ground.w < 0.0);
-        return MaterialSeen(vec3<f32>(0.42, 0.41, 0.4) * dark, 0.0, 1.0, shade, 1.0 - smoothstep(0.45, 1.0, r));
+        let dark = select(1.0, 0.2, materials_view.ground.w < 0.0);
+        return MaterialSeen(vec3<f32>(0.6, 0.59, 0.575) * dark, 0.0, 1.0, shade, 1.0 - smoothstep(0.45, 1.0, r));
     }
     if place == 1u {
         return MaterialSeen(vec3<f32>(0.015), 0.5 * gloss, 0.5, 1.0, 1.0);
