@@ -5,34 +5,38 @@ import { open } from './launch.mjs';
 /** Frames in a tenth of a zoom's power of ten. */
 const FINE = 4;
 
-/** Mean brightness of the middle of the picture of bumps, all the way from × 1 to × 10,000. */
+/** The middle of the picture of bumps, all the way from × 1 to × 10,000: its mean brightness, and its correlation with the frame before. */
 async function walked(page) {
   return page.evaluate(async steps => {
-    const page = globalThis.asperity, SIZE = 96, means = [];
+    const page = globalThis.asperity, SIZE = 96, frames = [];
     page.settings.at = page.instance.named(page.instance.focus(page.settings));
+    let before = null;
     for (let k = 0; k <= steps; k++) {
       page.settings.zoom = 4 * k / steps;
       await page.picture(SIZE, SIZE, () => false);
-      const data = await page.gpu.pixels(page.target);
-      let [sum, count] = [0, 0];
+      const data = await page.gpu.pixels(page.target), values = [];
       for (let y = 0; y < SIZE; y++) {
-        for (let x = 0; x < SIZE; x++) {
-          if (Math.hypot(x + 0.5 - SIZE / 2, y + 0.5 - SIZE / 2) < SIZE / 3) { sum += data[4 * (y * SIZE + x) + 1]; count++; }
-        }
+        for (let x = 0; x < SIZE; x++) if (Math.hypot(x + 0.5 - SIZE / 2, y + 0.5 - SIZE / 2) < SIZE / 6) values.push(data[4 * (y * SIZE + x) + 1]);
       }
-      means.push(sum / count);
+      const mean = values.reduce((sum, x) => sum + x, 0) / values.length, apart = values.map(x => x - mean);
+      const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+      frames.push({ mean, correlation: before ? dot(apart, before) / Math.sqrt(dot(apart, apart) * dot(before, before)) : 1 });
+      before = apart;
     }
-    return means;
+    return frames;
   }, 40 * FINE);
 }
 
-/** Bumps have no seam: what changes by a step of the zoom changes less by a quarter of it, and a jump does not. */
+/**
+ * Bumps have no seam: the mean changes less by a quarter of a step of the zoom than by the step, where a jump would be as large, and what
+ * a frame shows is for more than half of its variance in the next one too, where other bumps would not be.
+ */
 export async function seams(browser, api, address, tell) {
   const { page } = await open(browser, address(api, 96, '#bumps'));
-  const means = await walked(page), most = apart => Math.max(...means.slice(apart).map((mean, k) => Math.abs(mean - means[k])));
-  const [whole, part] = [most(FINE), most(1)];
-  const text = `${means.length} frames; at most ${whole.toFixed(1)} of 255 in a tenth of a power of ten, ${part.toFixed(1)} in a quarter of that`;
-  tell(`${api}: bumps come nearer without a seam`, part < whole / 2 && whole > 1, text);
+  const frames = await walked(page), most = apart => Math.max(...frames.slice(apart).map(({ mean }, k) => Math.abs(mean - frames[k].mean)));
+  const [whole, part] = [most(FINE), most(1)], alike = Math.min(...frames.map(({ correlation }) => correlation));
+  const text = `${frames.length} frames; at most ${whole.toFixed(1)} of 255 in a tenth of a power of ten, ${part.toFixed(1)} in a quarter of that; correlation at least ${alike.toFixed(2)}`;
+  tell(`${api}: bumps come nearer without a seam`, part < whole / 2 && whole > 1 && alike > Math.SQRT1_2, text);
   await page.context().close();
 }
 
