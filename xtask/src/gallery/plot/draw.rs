@@ -28,7 +28,9 @@ impl Plot {
     pub(super) fn draw(&self, area: &Area<'_>) -> Drawing {
         let named: Vec<_> = self.named().collect();
         let longest = named.iter().map(|(_, _, n)| width_of(n)).fold(0.0, f64::max);
-        let right = if self.names == Names::AtEnds { longest + 10.0 } else { 12.0 };
+        // Half of the last tick's text lies beyond the axis.
+        let beyond = self.x.ticks.last().map_or(0.0, |(_, text)| 0.5 * width_of(text) + 4.0);
+        let right = if self.names == Names::AtEnds { longest + 10.0 } else { beyond.max(12.0) };
         let left = self.y.ticks.iter().map(|(_, t)| width_of(t)).fold(0.0, f64::max) + 12.0;
         let rows = if self.names == Names::Above { self.legend(&named, left) } else { Vec::new() };
         let head = rows.last().map_or(0, |row| row.1 + 1) + u32::from(!self.y.label.is_empty());
