@@ -261,6 +261,31 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
   await browser.close();
 }
 
+{
+  // A browser without graphics: a picture and a sentence, and what needs none.
+  const browser = await launch('neither');
+  const { page, said } = await open(browser, `${file}?size=64#bumps`);
+  const image = page.locator('.missing img');
+  const whole = await image.isVisible() && await image.evaluate(async image => { await image.decode(); return image.naturalWidth > 0 && image.alt !== ''; });
+  tell('neither: a picture stands in for what cannot be drawn', whole && !await page.locator('#view').isVisible());
+  const sentence = await page.locator('.missing figcaption').innerText();
+  tell('neither: a sentence says why', /neither WebGPU nor WebGL 2/.test(sentence), sentence);
+  await page.screenshot({ path: join(out, 'bumps-neither.png') });
+  for (const scene of SCENES) {
+    await page.click(`#scenes [data-scene=${scene}]`);
+    await page.waitForFunction(scene => globalThis.asperity.scene.id === scene, scene);
+    await page.evaluate(() => globalThis.asperity.rest());
+    const stands = await image.isVisible();
+    tell(`neither: ${scene} ${scene === 'fractals' ? 'moves' : 'stands still'}`, stands === (scene !== 'fractals') && await state(page) !== '' === !stands, await state(page));
+    if (stands) continue;
+    const spread = deviation(await pixelsOf(page));
+    tell(`neither: ${scene} is a picture`, spread > 5, `deviation ${spread.toFixed(1)} of 255`);
+  }
+  // Chromium says by itself that it has no adapter.
+  tell('neither: nothing on the console', said.every(line => /No available adapters/.test(line)), said.join(' | '));
+  await browser.close();
+}
+
 writeFileSync(join(out, 'program.txt'), `${program}\n`);
 console.log(failed ? `${failed} checks failed` : 'all checks passed');
 process.exit(failed ? 1 : 0);

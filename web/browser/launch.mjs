@@ -10,6 +10,7 @@ const SOFTWARE = {
     '--use-angle=vulkan', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog', '--disable-gpu-process-crash-limit',
   ],
   webgl2: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog', '--disable-gpu-process-crash-limit'],
+  neither: ['--disable-gpu', '--disable-3d-apis'],
 };
 const QUIET = ['--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic'];
 
@@ -17,7 +18,7 @@ const QUIET = ['--no-first-run', '--disable-background-networking', '--disable-c
 export const program = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']
   .find(path => path && existsSync(path));
 
-/** A browser with one of the two. */
+/** A browser with one of the two, or with neither. */
 export async function launch(api) {
   return chromium.launch({ executablePath: program, args: ['--no-sandbox', ...QUIET, ...SOFTWARE[api]] });
 }

@@ -29,7 +29,7 @@ export const bumps = {
     { name: 'density', kind: 'choice', label: 'Density', value: 'ggx', options: [['ggx', 'GGX'], ['beckmann', 'Beckmann'], ['student-t', 'Student’s t'], ['painted', 'Painted below']] },
     { name: 'alphaX', kind: 'range', label: 'Roughness α along', min: 0.01, max: 1, step: 0.01, value: 0.2 },
     { name: 'alphaY', kind: 'range', label: 'and across', min: 0.01, max: 1, step: 0.01, value: 0.4 },
-    { name: 'gamma', kind: 'range', label: 'Tails γ of Student’s t', min: 1.5, max: 40, step: 0.1, value: 3 },
+    { name: 'gamma', kind: 'range', label: 'Tails γ of Student’s t', min: 1.6, max: 40, step: 0.1, value: 3 },
     { name: 'painting', kind: 'text', label: 'Painting', value: '', pattern: /^[\w-]*$/ },
     { kind: 'own', element: () => bumps.painting.element() },
     { kind: 'group', label: 'Bumps' },
@@ -176,7 +176,7 @@ class Bumps extends Looking {
     return `// asperity-shading with its default features
 use asperity_shading::ndf_sampling::${kind};
 use asperity_shading::noise::{Gaussian, GaussianOctaves, Spectrum, glam::{DVec3, Vec3}};
-use asperity_shading::{BumpField, Footprint, LevelOfDetail, level_of_detail::GaussianField};
+use asperity_shading::{BumpField, Footprint, LevelOfDetail};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
 ${painted}    let density = ${density};
@@ -186,7 +186,7 @@ ${painted}    let density = ${density};
     let focus = DVec3::new(${this.focus(settings).map(x => number(x)).join(', ')});
     let bumps = BumpField::new(octaves.anchored(focus * ${number(settings.frequency)}), ${number(settings.frequency)})?;
     // A point of the surface from the focus on, and the width of a pixel there.
-    let coordinates = bumps.coordinates(Vec3::new(1e-3, 2e-3, 0.0), Footprint::new(1e-3));
+    let coordinates = bumps.coordinates(Vec3::new(1e-3, 2e-3, 0.0), Footprint::from_width(1e-3));
     let half_vector = Vec3::new(0.1, 0.05, 1.0).normalize();
     println!("{}", LevelOfDetail::${rule}.radiance(&density, half_vector, coordinates));
     Ok(())

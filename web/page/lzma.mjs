@@ -107,6 +107,9 @@ export function unpacked(from) {
 
 // The page of one file: unpacks its parts, and begins its scripts.
 const inside = id => unpacked(Uint8Array.from(atob(document.getElementById(id).textContent), c => c.charCodeAt(0)));
-const textInside = id => new TextDecoder().decode(inside(id));
-globalThis.asperityParts = { data: textInside('asperity-data'), wasm: inside('asperity-tables') };
-document.body.append(Object.assign(document.createElement('script'), { type: 'module', textContent: textInside('asperity-scripts') }));
+const [scripts, described, glsl, sources] = new TextDecoder().decode(inside('asperity-texts')).split('\x01');
+const data = JSON.parse(described), parts = sources.split('\x02');
+data.glsl = glsl.split('\x02');
+data.parts = Object.fromEntries(data.parts.map((name, k) => [name, parts[k]]));
+globalThis.asperityParts = { ...data, wasm: inside('asperity-tables') };
+document.body.append(Object.assign(document.createElement('script'), { type: 'module', textContent: scripts }));

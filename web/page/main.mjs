@@ -34,7 +34,6 @@ class Page {
     this.gpu = await openGpu(this.data, canvas, asked.get('api'));
     this.target = null;
     if (!this.gpu) {
-      document.body.classList.add('no-gpu');
       by('state').textContent = '';
       return;
     }
@@ -63,6 +62,11 @@ class Page {
     }
     this.setFields = fields(scene, this.form, settings, (name, value) => this.set({ [name]: value }, true));
     this.canvas.hidden = Boolean(this.instance.element);
+    const still = !this.gpu && !this.instance.element;
+    document.body.classList.toggle('no-gpu', still);
+    if (still) by('state').textContent = '';
+    by('save').hidden = !this.gpu && !this.instance.pixels;
+    document.body.classList.remove('waiting');
     by('own').replaceChildren(...(this.instance.element ? [this.instance.element] : []));
     this.changed();
   }

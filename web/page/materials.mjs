@@ -208,7 +208,7 @@ const MATERIALS = {
     title: 'Steam over a cup', view: { shape: 'cup', size: 0, behind: 'dark' },
     parameters: [
       between('lacunarity', 'Noise: lacunarity', 2.17, 1.5, 4),
-      share('gain', 'Noise: gain', 0.5),
+      between('gain', 'Noise: gain', 0.5, 0.05, 1),
       seed(0),
       between('octaves', 'Noise: octaves', 5, 1, 8),
       between('max_density', 'Greatest density', 2, 0.1, 4),

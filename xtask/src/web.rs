@@ -34,10 +34,10 @@ pub(crate) fn run(wanted: &Web, root: &Path, interrupted: &AtomicBool) -> Result
 }
 
 /// The gate: the page is built and no larger than it may be; in headless Chromium it draws, by both ways to the graphics card alike, as
-/// the crates do, and stands wrong input; one line of what there is, or lacks.
+/// the crates do, and stands wrong input; the programs it gives to copy run; one line of what there is, or lacks.
 pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     let tell = |line: &str| progress::say(&format!("  {line}"));
-    cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked --workspace"))?;
+    cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked"))?;
     let module = match module(root) {
         Ok(module) => module,
         Err(why) => {
@@ -66,6 +66,10 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     if checked.starts_with("skipped") {
         return Ok(());
     }
+    let snippets = out.join("snippets.rs");
+    told(node("snippets.mjs").arg(&out).arg(&snippets))?.lines().for_each(tell);
+    let run = "run --quiet --locked --package asperity-web-snippets --message-format short";
+    told(cargo(&root.join(FOLDER), run).env("ASPERITY_SNIPPETS", &snippets))?;
     told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
     told(program(root, "page").arg(&screens))?.lines().for_each(tell);
     let wgsl = root.join("target/asperity/wgsl");
@@ -114,7 +118,7 @@ fn module(root: &Path) -> Result<PathBuf, Failure> {
 
 /// The page's builder with a command.
 fn builder(root: &Path, command: impl AsRef<OsStr>) -> Command {
-    let mut run = cargo(&root.join(FOLDER), "run --quiet --release --locked --package asperity-web --");
+    let mut run = cargo(&root.join(FOLDER), "run --quiet --locked --package asperity-web --");
     run.arg(command);
     run
 }

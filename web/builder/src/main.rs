@@ -1,7 +1,9 @@
 //! The builder of the live page.
 
 mod assemble;
+mod glsl;
 mod programs;
+mod scripts;
 mod serve;
 mod shaders;
 

@@ -37,6 +37,7 @@ fn content_type(file: &Path) -> Header {
         Some("json") => "application/json",
         Some("wasm") => "application/wasm",
         Some("png") => "image/png",
+        Some("webp") => "image/webp",
         _ => "application/octet-stream",
     };
     let Ok(header) = Header::from_bytes("Content-Type", kind) else { unreachable!("the words are ASCII") };

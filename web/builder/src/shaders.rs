@@ -10,6 +10,7 @@ use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use serde_json::{Value, json};
 
+use crate::glsl::{pieces_of, renamed, shortened, words_of};
 use crate::programs::Program;
 
 /// Pieces of text, each once, in the order of their first use.
@@ -40,7 +41,11 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
         let parts = ordered(&[program.part]);
         let wgsl = compose(&[program.part], Bindings::Textures { group: 0 });
         for part in &parts {
-            sources.insert(part.name(), uncommented(part.source()));
+            let source = uncommented(part.source());
+            if ["ptr<", "var<private>", "var<workgroup>"].iter().any(|word| source.contains(word)) {
+                return Err(format!("{}: functions without effects only, see `put_in_place`", part.name()));
+            }
+            sources.insert(part.name(), source);
         }
         let first = parts.first().map_or("", |part| part.name());
         let head = wgsl.split(&format!("\n// {first}\n")).next().unwrap_or_default();
@@ -68,7 +73,7 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
         .map(|(name, source)| {
             (name, items(source).filter(|item| item.name().is_none_or(|f| called.contains(f))))
         })
-        .map(|(name, items)| (name, items.map(|item| item.0).collect::<String>()))
+        .map(|(name, items)| (name, without_gaps(&items.map(|item| item.0).collect::<String>())))
         .collect();
     Ok(json!({ "parts": sources, "heads": heads.texts, "glsl": pieces.texts, "programs": described }))
 }
@@ -132,11 +137,6 @@ fn described_binding(binding: &Binding) -> Value {
     }
 }
 
-/// A text in pieces that end where a function or a structure does.
-fn pieces_of(text: &str) -> impl Iterator<Item = &str> {
-    text.split_inclusive("\n}\n").flat_map(|piece| piece.split_inclusive("\n};\n"))
-}
-
 /// Short names of functions, structures and constants: nobody reads the GLSL.
 fn short_names(programs: &[&Program]) -> BTreeMap<&'static str, String> {
     let parts = programs.iter().flat_map(|program| ordered(&[program.part]));
@@ -146,76 +146,18 @@ fn short_names(programs: &[&Program]) -> BTreeMap<&'static str, String> {
     names.into_iter().enumerate().map(|(k, name)| (name, format!("q{k}"))).collect()
 }
 
-/// A text with other names; fields keep theirs.
-fn renamed(text: &str, names: &BTreeMap<&str, String>) -> String {
-    let words = words_of(text);
-    let renamed = words.iter().enumerate().map(|(k, word)| match names.get(word) {
-        Some(short) if k == 0 || words[k - 1] != "." => short.as_str(),
-        _ => word,
-    });
-    renamed.collect()
-}
-
 /// WGSL without its comments, which stand in the repository.
 fn uncommented(source: &str) -> String {
     let lines = source.lines().filter(|line| !line.trim_start().starts_with("//"));
     lines.map(|line| line.trim_end().to_owned() + "\n").collect::<String>().trim_start().to_owned()
 }
 
-/// A piece without indentation, its own variables named by the order of their declarations: a function is the same in every program.
-///
-/// naga numbers names that several functions use by the order in which it meets them.
-fn shortened(piece: &str) -> String {
-    let words = words_of(piece);
-    let mut names: Vec<&str> = Vec::new();
-    for (k, window) in words.windows(3).enumerate() {
-        let [kind, " ", name] = *window else { continue };
-        let declares = matches!(words.get(k + 3), Some(&("," | ")" | ";" | "[" | " ")));
-        let is_assigned = words.get(k + 3) != Some(&" ") || words.get(k + 4) == Some(&"=");
-        if is_word(kind)
-            && is_word(name)
-            && declares
-            && is_assigned
-            && kind != "return"
-            && !names.contains(&name)
-        {
-            names.push(name);
-        }
-    }
-    // Structures, blocks, globals and stages' inputs keep their names.
-    if !piece.contains(") {\n") || piece.contains("uniform ") || piece.contains("void main() {") {
-        names.clear();
-    }
-    let mut text = String::new();
-    for (k, word) in words.iter().enumerate() {
-        let is_field = k > 0 && words[k - 1] == ".";
-        match names.iter().position(|name| name == word).filter(|_| !is_field) {
-            Some(number) => text += &format!("v{number}"),
-            None => text += word,
-        }
-    }
-    text.lines().map(str::trim_start).collect::<Vec<_>>().join("\n") + "\n"
-}
-
-/// A text as words, and as single characters between them.
-fn words_of(text: &str) -> Vec<&str> {
-    let mut words = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let length = match rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
-            Some(0) => first.len_utf8(),
-            Some(length) => length,
-            None => rest.len(),
-        };
-        let (word, further) = rest.split_at(length);
-        words.push(word);
-        rest = further;
-    }
-    words
-}
-
-fn is_word(word: &str) -> bool {
-    word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+/// A text with one empty line at most between others.
+fn without_gaps(text: &str) -> String {
+    let lines: Vec<&str> = text.trim_start().lines().collect();
+    let kept =
+        lines.iter().enumerate().filter(|&(k, line)| !line.is_empty() || k == 0 || !lines[k - 1].is_empty());
+    kept.map(|(_, line)| format!("{line}\n")).collect()
 }
 
 /// Both stages in GLSL ES 3.00, in which resources have their own names, and uniform blocks those of their variables.
@@ -262,17 +204,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_function_is_the_same_text_whatever_its_variables_are_called() {
-        let a = "float lobe(vec2 x_3, float t) {\n    float _e4 = (x_3.x * t);\n    return (_e4 + lobe_at.x);\n}\n";
-        let b = "float lobe(vec2 x_17, float t_2) {\n    float _e9 = (x_17.x * t_2);\n    return (_e9 + lobe_at.x);\n}\n";
-        assert_eq!(shortened(a), shortened(b));
-        assert_eq!(
-            shortened(a),
-            "float lobe(vec2 v0, float v1) {\nfloat v2 = (v0.x * v1);\nreturn (v2 + lobe_at.x);\n}\n"
-        );
-    }
-
-    #[test]
     fn functions_of_parts_that_stand_for_one_another_are_all_followed() {
         let part = |callee: &str| format!("fn lobe() {{\n    {callee}();\n}}\n\nfn {callee}() {{\n}}\n");
         let sources = BTreeMap::from([("ggx", part("smooth")), ("beckmann", part("rough"))]);
@@ -293,11 +224,6 @@ mod tests {
             !kept.contains("unused") && kept.contains("struct S {") && kept.contains("@fragment\nfn entry()")
         );
         assert!(items(source).map(|item| item.0).collect::<String>() == source);
-    }
-
-    #[test]
-    fn what_belongs_to_all_functions_keeps_its_name() {
-        let block = "layout(std140) uniform view_block { View view_; };\n\nconst float LEAST = 1e-3;\n";
-        assert_eq!(shortened(block), block);
+        assert_eq!(without_gaps("\n\na\n\n\n\nb\nc\n"), "a\n\nb\nc\n");
     }
 }
