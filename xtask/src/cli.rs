@@ -53,6 +53,18 @@ pub(crate) enum Command {
 The picture appears at once, coarse, and is written anew as it grows finer: watch the file, stop with Ctrl-C at will.
 --ndf, --normal-map, --rule, --octaves, --frequency, --gain and --bump-noise are of bumps; what another material would pass over is refused.")]
     Render(Render),
+    /// Bake a noise, a density, a fractal surface or a material to the textures of a material, for engines.
+    #[command(after_help = "Examples:
+  cargo xtask bake --noise perlin --tileable --size 4096
+  cargo xtask bake --noise cellular --cells 16 --octaves 1 --height 0.01 --tint d9a066 --low-tint 3a2f28
+  cargo xtask bake --material brick --side 1.04 --set depth=0.01 --format png,ktx2
+  cargo xtask bake --ndf ggx:0.1,0.4 --metallic 1 --tint e4c07a --tileable
+  cargo xtask bake --fractal torus --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
+
+Base colour, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion are written, with a glTF and a
+MaterialX material and a record of all parameters. Tiles are kept until the set is whole: a run that was stopped goes on when it is called again, and memory is
+that of one tile. A map that is the same everywhere has 4 × 4 texels.")]
+    Bake(Bake),
     /// Run the crates' benches, or time our noises beside those of other libraries.
     #[command(after_help = "Examples:
   cargo xtask bench
@@ -278,6 +290,84 @@ pub(crate) struct Render {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Bake {
+    /// A height field of octaves of this noise [default: gaussian].
+    #[arg(long, group = "surface", value_parser = one_of(BAKED_NOISES))]
+    pub(crate) noise: Option<BakedNoise>,
+    /// Bumps whose normals have this density, in the words of `tables`: they have normals, but no heights.
+    #[arg(long, group = "surface")]
+    pub(crate) ndf: Option<String>,
+    /// A fractal surface.
+    #[arg(long, group = "surface", value_enum)]
+    pub(crate) fractal: Option<BakedFractal>,
+    /// A material of `render`, on a flat square.
+    #[arg(long, group = "surface", value_enum)]
+    pub(crate) material: Option<Material>,
+    /// Set a parameter of the material; may be given again. `render --help-material` lists them.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, requires = "material")]
+    pub(crate) set: Vec<(String, String)>,
+    /// Side of the square that a material is seen on, in metres.
+    #[arg(long, default_value_t = 0.25, value_parser = positive, requires = "material")]
+    pub(crate) side: f32,
+    #[command(flatten)]
+    pub(crate) images: Images,
+    /// Texels along a side, a power of two.
+    #[arg(long, default_value_t = 1024, value_parser = whole(64, 65_536))]
+    pub(crate) size: u32,
+    /// Texels along the side of a tile, a power of two: what is in memory at once.
+    #[arg(long, default_value_t = 1024, value_parser = whole(64, 4096))]
+    pub(crate) tile: u32,
+    /// Samples along the side of a texel, 1 or an even number.
+    #[arg(long, default_value_t = 2, value_parser = whole(1, 16))]
+    pub(crate) samples: u32,
+    /// Let opposite edges meet without a seam, or say why they cannot.
+    #[arg(long)]
+    pub(crate) tileable: bool,
+    /// Lattice cells, or nodes of a fractal surface, along a side.
+    #[arg(long, default_value_t = 8, value_parser = whole(1, 65_536))]
+    pub(crate) cells: u32,
+    /// Octaves of noise, up to 16.
+    #[arg(long, default_value_t = 6, value_parser = whole(1, 16))]
+    pub(crate) octaves: u32,
+    /// Frequency of each octave over that of the one before [default: 2 if tileable, else 2.17].
+    #[arg(long, value_parser = positive)]
+    pub(crate) lacunarity: Option<f32>,
+    /// Amplitude of each octave over that of the one before, above 0, at most 1.
+    #[arg(long, default_value_t = 0.5, value_parser = share)]
+    pub(crate) gain: f32,
+    /// Vertical factor of a fractal surface, its roughness: below 0.447.
+    #[arg(long, default_value_t = 0.375, value_parser = share)]
+    pub(crate) factor: f32,
+    /// Standard deviation of the heights, in sides of the texture.
+    #[arg(long, default_value_t = 0.01, value_parser = positive)]
+    pub(crate) height: f32,
+    /// Distance up to which other parts take light away, in sides of the texture.
+    #[arg(long, default_value_t = 0.015_625, value_parser = share)]
+    pub(crate) occlusion: f32,
+    /// Colour, sRGB in hexadecimal [default: b4b0a8].
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub(crate) tint: Option<u32>,
+    /// Colour of low parts, where it is another.
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub(crate) low_tint: Option<u32>,
+    /// Roughness √α of the surface between its bumps [default: 0.6; of a density 0].
+    #[arg(long, value_parser = share)]
+    pub(crate) roughness: Option<f32>,
+    /// Metal: 0 or 1, or between.
+    #[arg(long, default_value_t = 0.0, value_parser = fraction)]
+    pub(crate) metallic: f32,
+    /// Seed of every random choice.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+    /// Formats of the maps, with commas between them.
+    #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]
+    pub(crate) format: Vec<BakedFormat>,
+    /// Folder of the set.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/bake")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Bench {
     /// Time our noises beside those of other libraries, in one process, all contenders in turn.
     #[arg(long, group = "page")]
@@ -399,6 +489,25 @@ const NOISES: &Words<NoiseKind> = &[
     ("simplex", "Simplex noise through its measured distribution", NoiseKind::Simplex),
 ];
 
+const BAKED_NOISES: &Words<BakedNoise> = &[
+    ("gaussian", "Exactly Gaussian value-gradient noise", BakedNoise::Gaussian),
+    ("perlin", "Perlin's noise of 2002", BakedNoise::Perlin),
+    (
+        "simplex",
+        "Simplex noise; tileable by a slice of space, with a multiple of 3 cells",
+        BakedNoise::Simplex,
+    ),
+    ("value", "Value noise", BakedNoise::Value),
+    ("sparse", "Sparse convolution noise", BakedNoise::Sparse),
+    ("cellular", "Worley's cellular noise", BakedNoise::Cellular),
+];
+
+const BAKED_FORMATS: &Words<BakedFormat> = &[
+    ("png", "16 bits a channel, with a glTF material", BakedFormat::Png),
+    ("exr", "OpenEXR in tiles, half floats, with all levels", BakedFormat::Exr),
+    ("ktx2", "Blocks of graphics cards, with all levels: BC7, BC5, BC4", BakedFormat::Ktx2),
+];
+
 /// A parser of the words of a table into what they mean.
 fn one_of<T: Copy + Send + Sync>(words: &'static Words<T>) -> impl TypedValueParser<Value = T> {
     let values = words.iter().map(|(word, help, _)| PossibleValue::new(*word).help(*help));
@@ -406,6 +515,32 @@ fn one_of<T: Copy + Send + Sync>(words: &'static Words<T>) -> impl TypedValuePar
         let meant = words.iter().find(|(word, ..)| *word == said);
         meant.map(|(_, _, meaning)| *meaning).ok_or("an unknown word")
     })
+}
+
+/// The noises of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BakedNoise {
+    Gaussian,
+    Perlin,
+    Simplex,
+    Value,
+    Sparse,
+    Cellular,
+}
+
+/// The formats of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BakedFormat {
+    Png,
+    Exr,
+    Ktx2,
+}
+
+/// The fractal surfaces of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BakedFractal {
+    /// The torus surface: periodic, and no product of curves.
+    Torus,
 }
 
 /// The materials of `render`.
@@ -499,6 +634,11 @@ fn numbers(text: &str) -> Result<[u32; 2], &'static str> {
 fn positive(text: &str) -> Result<f32, &'static str> {
     let number = text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0);
     number.ok_or("must be a number above 0")
+}
+
+fn fraction(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| (0.0..=1.0).contains(x));
+    number.ok_or("must be a number from 0 to 1")
 }
 
 fn share(text: &str) -> Result<f32, &'static str> {

@@ -1,5 +1,6 @@
 //! The builder of Asperity: `cargo xtask gallery` and its smaller sisters.
 
+mod bake;
 mod bench;
 mod cargo;
 mod check;
@@ -78,6 +79,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             Ok(())
         }
         Command::Render(wanted) => render::render(&wanted, interrupted),
+        Command::Bake(wanted) => bake::bake(&wanted, interrupted),
         Command::Bench(wanted) => bench::run(&wanted, root, interrupted),
         Command::Shaders(wanted) => shaders::run(&wanted, root, interrupted),
         Command::Web(wanted) => web::run(&wanted, root, interrupted),
@@ -109,6 +111,7 @@ mod tests {
             "gallery",
             "tables",
             "render",
+            "bake",
             "bench",
             "shaders",
             "web",
@@ -167,6 +170,13 @@ mod tests {
             ("render --out src", "`src` is a folder; "),
             ("render --out a.gif", "picture `a.gif`: its name must end in .png, .jpg, .webp or .exr"),
             ("render --out Cargo.toml/a.png", "cannot write "),
+            ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("bake --size 1000", "`--size` must be a power of two from 64 on, got 1000"),
+            ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
+            ("bake --tileable --lacunarity 2.17", "`--tileable`: `periods[0]` times `lacunarity` "),
+            ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
+            ("bake --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("bake --fractal torus --factor 0.5", "`factor` must be under 0.447"),
         ];
         for (line, said) in refused.into_iter().chain(unlinked) {
             let cli = Cli::try_parse_from(["xtask"].into_iter().chain(line.split(' '))).unwrap();

@@ -1,12 +1,12 @@
 //! Files that appear whole or not at all: written under a temporary name, then renamed.
 
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use sha2::{Digest, Sha256};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Interrupted};
 
 /// A folder that is known to be writable.
 #[derive(Clone, Debug)]
@@ -30,6 +30,11 @@ impl Output {
         std::path::absolute(&path).unwrap_or(path).display().to_string()
     }
 
+    /// The path of a file in it.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
     /// A folder inside this one.
     pub(crate) fn inside(&self, name: &str) -> Result<Self, Failure> {
         Self::new(self.folder.join(name))
@@ -45,6 +50,27 @@ impl Output {
         open_to_readers(file.as_file()).map_err(fail)?;
         file.persist(&path).map_err(|e| fail(e.error))?;
         Ok(sha256(bytes))
+    }
+
+    /// Writes `name` piece by piece; where that fails, there is no file of the name, or the one from before.
+    pub(crate) fn stream(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut BufWriter<fs::File>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let path = self.folder.join(name);
+        let fail = unwritten(&path);
+        let file = tempfile::Builder::new().prefix(".asperity-").tempfile_in(&self.folder).map_err(fail)?;
+        let mut buffer = BufWriter::with_capacity(1 << 18, file.reopen().map_err(fail)?);
+        // Where the disk is full it may be the last bytes that have no room.
+        let written = write(&mut buffer).and_then(|()| Ok(buffer.flush()?));
+        written.map_err(|cause| {
+            let stopped = cause.is::<Interrupted>();
+            if stopped { cause } else { Failure::from(format!("cannot write {}: {cause}", path.display())) }
+        })?;
+        open_to_readers(file.as_file()).map_err(fail)?;
+        file.persist(&path).map_err(|e| fail(e.error))?;
+        Ok(())
     }
 
     /// Reads `name` if it is there.

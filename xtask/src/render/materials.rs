@@ -29,6 +29,14 @@ pub(crate) struct Parameters {
     roughness: &'static str,
 }
 
+/// Options for all materials, and parameters by name.
+pub(crate) struct Chosen<'a> {
+    pub(crate) tint: Option<u32>,
+    pub(crate) roughness: Option<f32>,
+    pub(crate) seed: u32,
+    pub(crate) set: &'a [(String, String)],
+}
+
 /// A material for a scene.
 pub(crate) struct Made<'a> {
     pub(crate) surface: Box<Surface<'a>>,
@@ -107,8 +115,19 @@ impl Parameters {
         Ok(Self { values, fields, tint, roughness })
     }
 
-    /// The parameters with those that are asked for.
+    /// The parameters with those that are asked for of `render`.
     pub(crate) fn of(wanted: &Render, material: Material) -> Result<Self> {
+        let Render { tint, roughness, seed, .. } = *wanted;
+        Self::chosen(material, &Chosen { tint, roughness, seed, set: &wanted.set })
+    }
+
+    /// The values by name.
+    pub(crate) const fn values(&self) -> &Value {
+        &self.values
+    }
+
+    /// The parameters with those that are asked for.
+    pub(crate) fn chosen(material: Material, wanted: &Chosen<'_>) -> Result<Self> {
         let mut own = Self::usual(material)?;
         if own.values.get("seed").is_some() {
             own.values["seed"] = json!(wanted.seed);
@@ -121,7 +140,7 @@ impl Parameters {
         if let Some(roughness) = wanted.roughness.filter(|_| !own.roughness.is_empty()) {
             own.values[own.roughness] = json!(roughness);
         }
-        for (name, text) in &wanted.set {
+        for (name, text) in wanted.set {
             let place = own.values.pointer_mut(&format!("/{}", name.replace('.', "/")));
             let Some(place) = place else {
                 let names: Vec<_> = own.fields.iter().map(|field| field.0).collect();

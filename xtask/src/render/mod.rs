@@ -2,7 +2,7 @@
 
 mod files;
 mod frames;
-mod materials;
+pub(crate) mod materials;
 mod options;
 mod picture;
 

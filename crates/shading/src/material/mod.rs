@@ -7,6 +7,7 @@ mod form;
 mod glass;
 mod glossy;
 mod interface;
+mod metallic_roughness;
 mod normal_mapped;
 mod paint;
 mod plain;
@@ -25,6 +26,7 @@ pub use fbm::{Fbm, half_mean};
 pub use form::Form;
 pub use glass::{GlassBody, GlassWaves, TemperedGlass, TemperedGlassParameters, wave_gradient, wave_height};
 pub use interface::Material;
+pub use metallic_roughness::MetallicRoughness;
 pub use normal_mapped::NormalMapped;
 pub use paint::{
     Elimination, FlakePatch, GlintField, GlintFlake, MetallicPaint, MetallicPaintParameters, OrangePeel,

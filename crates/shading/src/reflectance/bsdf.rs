@@ -7,7 +7,7 @@ use crate::bump::{Facet, facing};
 use crate::math::clamp_to;
 use crate::reflectance::brdf::{Brdf, are_above, finite, have_sides};
 use crate::reflectance::coat::{Coat, Delta};
-use crate::reflectance::lobe::Lobe;
+use crate::reflectance::lobe::{Lobe, LobePart};
 
 /// The greatest number of facets; further ones are merged with the nearest.
 const FACETS: usize = 32;
@@ -234,6 +234,21 @@ impl<'a> Bsdf<'a> {
             sum += if layer.in_coat { light } else { light * through };
         }
         Vec3::from_array(sum.to_array().map(finite))
+    }
+
+    /// The facets of each layer with their shares and each of their lobes; of a lobe without colours none. A smooth coat is one of them.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (f32, Vec3, Option<LobePart>)> {
+        let layers = self.layers().iter().flat_map(move |layer| {
+            self.lobes_of(layer).flat_map(move |lobe| {
+                self.facets_of(layer).iter().map(move |(share, frame)| (*share, frame.normal, lobe.part()))
+            })
+        });
+        let smooth = self.coat.filter(|coat| !coat.is_rough());
+        layers.chain(
+            smooth.into_iter().flat_map(|coat| {
+                coat.facets().map(move |facet| (facet.share, facet.normal, coat.smooth_part()))
+            }),
+        )
     }
 
     fn layers(&self) -> &[Layer] {

@@ -11,7 +11,7 @@ use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
 use crate::reflectance::absorption::through_wall;
 use crate::reflectance::cook_torrance::CookTorrance;
 use crate::reflectance::fresnel::{Dielectric, Fresnel};
-use crate::reflectance::lobe::Lobe;
+use crate::reflectance::lobe::{Lobe, LobePart};
 use crate::reflectance::rough_dielectric::RoughDielectric;
 
 /// A smooth surface over the layers of a [`Bsdf`](crate::reflectance::Bsdf), or one without any: varnish, a pane, a body of glass, a polished metal.
@@ -163,6 +163,20 @@ impl Coat {
 
     fn is_pane(&self) -> bool {
         matches!(self.behind, Behind::Pane(..))
+    }
+
+    /// The part of a smooth coat that is no rough one's lobe; none where it transmits.
+    pub(super) fn smooth_part(&self) -> Option<LobePart> {
+        match self.behind {
+            Behind::Layers(_) => Some(LobePart::Varnish(0.0)),
+            Behind::Metal(colour) => Some(LobePart::Glossy(colour, 0.0)),
+            Behind::Pane(..) | Behind::Body(_) | Behind::Veil(_) => None,
+        }
+    }
+
+    /// Whether it is a rough one, whose lobe is a layer.
+    pub(super) fn is_rough(&self) -> bool {
+        self.roughness > 0.0
     }
 
     /// The lobe of a rough coat.

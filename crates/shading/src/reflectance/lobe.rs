@@ -66,6 +66,17 @@ enum Kind<'a> {
     Other(&'a dyn Brdf),
 }
 
+/// A lobe as layers of other models have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum LobePart {
+    /// A diffuse lobe: its albedo.
+    Diffuse(Vec3),
+    /// A glossy lobe: its reflectance at normal incidence, and α².
+    Glossy(Vec3, f32),
+    /// A rough varnish: α².
+    Varnish(f32),
+}
+
 /// Facets of which a pixel sees a number: how many of a normal, over their mean.
 pub(crate) trait CountedFacets {
     /// `D̂(h)/D(h)`.
@@ -130,6 +141,21 @@ impl<'a> Lobe<'a> {
     #[must_use]
     pub fn weighted(self, by: Vec3) -> Self {
         Self { weight: self.weight * by.max(Vec3::ZERO), ..self }
+    }
+
+    /// Its colour and α², where it has those.
+    pub(super) fn part(&self) -> Option<LobePart> {
+        let alpha2 = |facets: &Beckmann| {
+            0.5 * (facets.alpha_x() * facets.alpha_x() + facets.alpha_y() * facets.alpha_y())
+        };
+        match &self.kind {
+            Kind::Diffuse(diffuse) => Some(LobePart::Diffuse(self.weight * diffuse.albedo())),
+            Kind::Glossy(lobe) | Kind::Counted { all: lobe, .. } | Kind::Sparkling { base: lobe, .. } => {
+                Some(LobePart::Glossy(self.weight * *lobe.fresnel(), alpha2(lobe.facets())))
+            }
+            Kind::Varnish(lobe) => Some(LobePart::Varnish(alpha2(lobe.facets()))),
+            Kind::Resolved { .. } | Kind::Slopes(_) | Kind::Frosted(_) | Kind::Other(_) => None,
+        }
     }
 
     /// About how much light it sends anywhere, by which lobes are sampled.

@@ -21,6 +21,7 @@ pub use cook_torrance::{CookTorrance, Masking};
 pub use diffuse::{EnergyPreservingOrenNayar, Lambert, OrenNayar, OrenNayarForm};
 pub use fresnel::{Conductor, Dielectric, Fresnel, Schlick, SchlickF82};
 pub use lobe::Lobe;
+pub(crate) use lobe::LobePart;
 pub use phong::{BlinnPhongFactor, BlinnPhongLobe, Phong};
 pub use rough_dielectric::RoughDielectric;
 pub use torrance_sparrow::TorranceSparrow;

@@ -1,0 +1,35 @@
+//! The finish of a surface that is nothing but relief: its colours, its roughness, whether it is a metal.
+
+use asperity_render::image::tone::srgb;
+use glam::Vec3;
+use serde_json::{Value, json};
+
+/// Colours and gloss of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Finish {
+    /// Linear colour of the highest and of the lowest parts.
+    pub(crate) colours: [Vec3; 2],
+    /// α of the surface between its slopes.
+    pub(crate) alpha: f32,
+    pub(crate) metallic: f32,
+}
+
+impl Finish {
+    /// Whether high and low parts differ in colour.
+    pub(super) fn is_coloured(&self) -> bool {
+        self.colours[0] != self.colours[1]
+    }
+
+    /// The colour at a height in standard deviations: from one colour to the other between −2 and 2.
+    pub(super) fn colour(&self, height: f32) -> Vec3 {
+        self.colours[1].lerp(self.colours[0], (0.5 + 0.25 * height).clamp(0.0, 1.0))
+    }
+
+    pub(super) fn describe(&self) -> Value {
+        let hex = self.colours.map(|colour| {
+            let [r, g, b] = colour.to_array().map(|x| (255.0 * srgb(x)).round() as u8);
+            format!("{r:02x}{g:02x}{b:02x}")
+        });
+        json!({ "colour": hex[0], "low_colour": hex[1], "alpha": self.alpha, "metallic": self.metallic })
+    }
+}

@@ -1,0 +1,116 @@
+//! Means over the square of a texel: what a level of a texture is made of, and what the level above joins.
+
+use asperity_shading::normal_map::SlopeMoments;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+/// Numbers of a texel in a file.
+const NUMBERS: usize = 12;
+
+/// Bytes of a texel in a file.
+pub(crate) const BYTES: usize = 4 * NUMBERS;
+
+/// Means of a surface over a square.
+///
+/// Slopes are `(n_x, n_y)/n_z` of the normals, or the Gaussian coordinates that a density's normals come from: whatever its source
+/// says, first and second moments, which are all that levels join.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Texel {
+    pub(crate) slopes: SlopeMoments,
+    /// The mean of α² of the surface between the slopes.
+    pub(crate) alpha2: f32,
+    /// In sides of the texture.
+    pub(crate) height: f32,
+    /// Base colour, linear.
+    pub(crate) colour: Vec3,
+    pub(crate) metallic: f32,
+    /// The share of even light that reaches the surface.
+    pub(crate) occlusion: f32,
+}
+
+impl Texel {
+    /// The mean of parts with shares of the square.
+    pub(crate) fn mixed(parts: impl IntoIterator<Item = (f32, Self)>) -> Self {
+        let (mut all, mut mixed) = (0.0, Self::default());
+        for (share, part) in parts {
+            all += share;
+            mixed.slopes = SlopeMoments::mixed([(all - share, mixed.slopes), (share, part.slopes)]);
+            mixed.alpha2 += share * part.alpha2;
+            mixed.height += share * part.height;
+            mixed.colour += share * part.colour;
+            mixed.metallic += share * part.metallic;
+            mixed.occlusion += share * part.occlusion;
+        }
+        mixed
+    }
+
+    /// The texel above four.
+    pub(crate) fn above(four: [Self; 4]) -> Self {
+        Self::mixed(four.map(|part| (0.25, part)))
+    }
+
+    pub(crate) fn to_bytes(self) -> [u8; BYTES] {
+        let ([xx, xy, yy], mean) = (self.slopes.covariance, self.slopes.mean);
+        let Vec3 { x: r, y: g, z: b } = self.colour;
+        let numbers: [f32; NUMBERS] =
+            [mean.x, mean.y, xx, xy, yy, self.alpha2, self.height, r, g, b, self.metallic, self.occlusion];
+        let mut bytes = [0; BYTES];
+        for (place, number) in bytes.chunks_exact_mut(4).zip(numbers) {
+            place.copy_from_slice(&number.to_le_bytes());
+        }
+        bytes
+    }
+
+    pub(crate) fn from_bytes(bytes: &[u8; BYTES]) -> Self {
+        let mut numbers = [0.0; NUMBERS];
+        for (number, place) in numbers.iter_mut().zip(bytes.chunks_exact(4)) {
+            *number = f32::from_le_bytes([place[0], place[1], place[2], place[3]]);
+        }
+        let [x, y, xx, xy, yy, alpha2, height, r, g, b, metallic, occlusion] = numbers;
+        let slopes = SlopeMoments { mean: Vec2::new(x, y), covariance: [xx, xy, yy] };
+        Self { slopes, alpha2, height, colour: Vec3::new(r, g, b), metallic, occlusion }
+    }
+}
+
+/// A square of texels, half as wide: level by level up to a single one.
+pub(crate) fn halved(texels: &[Texel], side: usize) -> Vec<Texel> {
+    let half = side / 2;
+    (0..half * half)
+        .into_par_iter()
+        .map(|k| {
+            let first = 2 * (k / half) * side + 2 * (k % half);
+            Texel::above([0, 1, side, side + 1].map(|step| texels[first + step]))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn some(k: f32) -> Texel {
+        Texel {
+            slopes: SlopeMoments { mean: Vec2::new(0.1 * k, -0.3), covariance: [0.2, 0.01 * k, 0.4] },
+            alpha2: 0.3 + k,
+            height: -k,
+            colour: Vec3::new(0.1, k, 0.9),
+            metallic: 0.25,
+            occlusion: 0.75,
+        }
+    }
+
+    #[test]
+    fn bytes_keep_every_number() {
+        assert_eq!(Texel::from_bytes(&some(0.7).to_bytes()), some(0.7));
+    }
+
+    #[test]
+    fn variance_that_a_level_loses_is_kept_as_covariance() {
+        let level = halved(&[0.0, 1.0, 2.0, 3.0].map(some), 2);
+        assert_eq!(level.len(), 1);
+        // The mean of (0, 0.1, 0.2, 0.3), and its variance beside that of the parts.
+        let [xx, ..] = level[0].slopes.covariance;
+        assert!((level[0].slopes.mean.x - 0.15).abs() < 1e-6 && (xx - 0.2125).abs() < 1e-6, "{level:?}");
+        assert!((level[0].alpha2 - 1.8).abs() < 1e-6 && (level[0].height + 1.5).abs() < 1e-6, "{level:?}");
+    }
+}
