@@ -59,7 +59,9 @@ The picture appears at once, coarse, and is written anew as it grows finer: watc
   cargo xtask bake --noise cellular --cells 16 --octaves 1 --height 0.01 --tint d9a066 --low-tint 3a2f28
   cargo xtask bake --material brick --side 1.04 --set depth=0.01 --format png,ktx2
   cargo xtask bake --ndf ggx:0.1,0.4 --metallic 1 --tint e4c07a --tileable
-  cargo xtask bake --fractal torus --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
+  cargo xtask bake --fractal torus --tileable --size 2048 --height 0.03
+  cargo xtask bake --noise perlin --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
+  cargo xtask bake --noise perlin --tileable --size 16384 --out /shared/rock --job rock.yaml
 
 Base colour, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion are written, with a glTF and a
 MaterialX material and a record of all parameters. Tiles are kept until the set is whole: a run that was stopped goes on when it is called again, and memory is
@@ -362,6 +364,12 @@ pub(crate) struct Bake {
     /// Formats of the maps, with commas between them.
     #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]
     pub(crate) format: Vec<BakedFormat>,
+    /// Bake these tiles alone, counted from 1 row by row; a run without it writes the set when all are there.
+    #[arg(long, value_name = "N|N-N", value_parser = numbers)]
+    pub(crate) tiles: Option<[u32; 2]>,
+    /// Write the tiles as a job for many machines in place of baking them: a template of Open Job Description, .yaml or .json.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) job: Option<PathBuf>,
     /// Folder of the set.
     #[arg(long, value_name = "DIR", default_value = "target/asperity/bake")]
     pub(crate) out: PathBuf,

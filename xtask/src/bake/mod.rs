@@ -3,6 +3,7 @@
 mod files;
 mod formats;
 mod gltf;
+mod job;
 mod maps;
 mod materialx;
 mod occlusion;
@@ -30,10 +31,21 @@ use crate::progress;
 /// Bakes what was asked for and tells where it lies.
 pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
     let plan = options::plan(wanted)?;
+    if let Some(file) = &wanted.job {
+        return job::write(wanted, &plan, file);
+    }
+    let some = plan.some(wanted.tiles)?;
     let output = Output::new(&wanted.out)?;
     let program = std::env::current_exe().and_then(std::fs::read)?;
     let started = Instant::now();
-    let fresh = fill(&plan, &output, &program, &wanted.format, interrupted)?;
+    let scratch = Scratch::new(&plan, &output, &program)?;
+    let fresh = fill(&plan, &scratch, some, interrupted)?;
+    if wanted.tiles.is_some() {
+        let ([first, last], all) = (some, plan.tiles() * plan.tiles());
+        progress::say(&format!("tiles {first}–{last} of {all}: {}", output.place("")));
+        return Ok(());
+    }
+    write(&plan, scratch, &output, &wanted.format, interrupted)?;
     let seconds = started.elapsed().as_secs_f64();
     let megatexels = f64::from(plan.size) * f64::from(plan.size) / 1e6;
     let kept = if fresh < 1.0 {
@@ -48,25 +60,23 @@ pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
     Ok(())
 }
 
-/// Bakes the tiles that are missing, writes the set, and returns the share of tiles that were missing.
+/// Bakes the tiles of a range that are missing, and returns the share of them that were.
 fn fill(
     plan: &Plan,
-    output: &Output,
-    program: &[u8],
-    formats: &[BakedFormat],
+    scratch: &Scratch<'_>,
+    [first, last]: [u32; 2],
     interrupted: &AtomicBool,
 ) -> Result<f64> {
-    let scratch = Scratch::new(plan, output, program)?;
-    let missing = scratch.missing();
-    let bar = progress::bar("bake");
-    let all = u64::from(plan.tiles()).pow(2);
-    bar.set_length(all);
-    bar.set_position(all - missing.len() as u64);
+    let missing = scratch.missing([first, last]);
+    let (bar, wanted) = (progress::bar("bake"), last + 1 - first);
+    bar.set_length(wanted.into());
+    bar.set_position(u64::from(wanted) - missing.len() as u64);
     for (done, &at) in missing.iter().enumerate() {
         scratch.bake(at, interrupted).map_err(|error| {
-            let kept = all - (missing.len() - done) as u64;
+            let (kept, all) = (wanted as usize + done - missing.len(), plan.tiles() * plan.tiles());
+            let of = if wanted == all { format!("{all}") } else { format!("these {wanted}") };
             if error.is::<Interrupted>() {
-                format!("interrupted; {kept} of {all} tiles are kept, run the same command to go on").into()
+                format!("interrupted; {kept} of {of} tiles are kept, run the same command to go on").into()
             } else {
                 error
             }
@@ -74,13 +84,23 @@ fn fill(
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let tops = scratch.tops()?;
-    let bar = progress::bar("write");
+    Ok(missing.len() as f64 / f64::from(wanted))
+}
+
+/// Writes the set from all tiles, and removes them.
+fn write(
+    plan: &Plan,
+    scratch: Scratch<'_>,
+    output: &Output,
+    formats: &[BakedFormat],
+    interrupted: &AtomicBool,
+) -> Result<()> {
+    let (tops, bar) = (scratch.tops()?, progress::bar("write"));
     let levels = Levels { scratch: &scratch, tops: &tops };
     files::write(&Set { plan, levels: &levels, formats, interrupted, bar: &bar }, output)?;
     bar.finish_and_clear();
     scratch.remove();
-    Ok(missing.len() as f64 / all as f64)
+    Ok(())
 }
 
 #[cfg(test)]

@@ -50,6 +50,15 @@ impl Plan {
         Row { size: self.size, samples: self.samples, row, column }
     }
 
+    /// The first and the last of the wanted tiles, counted from 1; all if none are named.
+    pub(crate) fn some(&self, wanted: Option<[u32; 2]>) -> Result<[u32; 2]> {
+        let all = self.tiles() * self.tiles();
+        match wanted {
+            Some([_, last]) if last > all => Err(format!("tile {last}: there are {all} tiles").into()),
+            wanted => Ok(wanted.unwrap_or([1, all])),
+        }
+    }
+
     /// Parameters of everything that the texels follow from, whatever the tiles.
     pub(crate) fn describe(&self) -> Value {
         json!({

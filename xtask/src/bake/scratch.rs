@@ -39,10 +39,10 @@ impl<'a> Scratch<'a> {
         found.is_ok_and(|found| found.len() == tile::length(self.plan) as u64)
     }
 
-    /// Tiles that are not there yet, row by row.
-    pub(super) fn missing(&self) -> Vec<[u32; 2]> {
+    /// Tiles of a range, counted from 1 row by row, that are not there yet.
+    pub(super) fn missing(&self, [first, last]: [u32; 2]) -> Vec<[u32; 2]> {
         let tiles = self.plan.tiles();
-        let all = (0..tiles * tiles).map(|k| [k % tiles, k / tiles]);
+        let all = (first - 1..last).map(|k| [k % tiles, k / tiles]);
         all.filter(|&at| !self.has(at)).collect()
     }
 

@@ -32,9 +32,16 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
+/// Bakes what is missing and writes the set; the share that was missing.
+fn whole(plan: &Plan, output: &Output, flag: &AtomicBool) -> Result<f64> {
+    let scratch = Scratch::new(plan, output, b"program")?;
+    let fresh = fill(plan, &scratch, plan.some(None)?, flag)?;
+    write(plan, scratch, output, &ALL, flag).map(|()| fresh)
+}
+
 fn baked(line: &str, folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let output = Output::new(folder).unwrap();
-    fill(&planned(line).unwrap(), &output, b"program", &ALL, &GO).unwrap();
+    whole(&planned(line).unwrap(), &output, &GO).unwrap();
     files(folder)
 }
 
@@ -73,23 +80,23 @@ fn bytes_are_those_of_any_tiles_and_any_threads() {
 fn a_bake_that_was_stopped_goes_on_to_the_same_bytes() {
     let scratch = tempfile::tempdir().unwrap();
     let line = format!("{SMALL} --tile 64");
-    let whole = baked(&line, &scratch.path().join("whole"));
+    let expected = baked(&line, &scratch.path().join("whole"));
     let (plan, output) = (planned(&line).unwrap(), Output::new(scratch.path().join("stopped")).unwrap());
     let tiles = Scratch::new(&plan, &output, b"program").unwrap();
-    assert_eq!(tiles.missing().len(), 4);
-    for at in [[1, 0], [0, 1]] {
-        tiles.bake(at, &GO).unwrap();
-    }
-    let stopped = fill(&plan, &output, b"program", &ALL, &AtomicBool::new(true)).unwrap_err().to_string();
+    assert_eq!(tiles.missing([1, 4]).len(), 4);
+    // As the tasks of a job do: the second and the third.
+    assert_eq!(fill(&plan, &tiles, [2, 3], &GO).unwrap(), 1.0);
+    assert_eq!(fill(&plan, &tiles, [3, 3], &GO).unwrap(), 0.0);
+    let stopped = whole(&plan, &output, &AtomicBool::new(true)).unwrap_err().to_string();
     assert_eq!(stopped, "interrupted; 2 of 4 tiles are kept, run the same command to go on");
     assert!(files(&scratch.path().join("stopped")).is_empty(), "a file of an unfinished set");
     // A tile that was cut off is baked again.
     let cut = output.path(&format!(".tiles-{}", plan.key(b"program"))).join("1-0.tile");
     let bytes = fs::read(&cut).unwrap();
     fs::write(&cut, &bytes[..bytes.len() / 2]).unwrap();
-    assert_eq!(tiles.missing(), [[0, 0], [1, 0], [1, 1]]);
-    assert_eq!(fill(&plan, &output, b"program", &ALL, &GO).unwrap(), 0.75);
-    assert!(files(&scratch.path().join("stopped")) == whole);
+    assert_eq!(tiles.missing([1, 4]), [[0, 0], [1, 0], [1, 1]]);
+    assert_eq!(whole(&plan, &output, &GO).unwrap(), 0.75);
+    assert!(files(&scratch.path().join("stopped")) == expected);
     // Other parameters, and another program, share no tile.
     let other = planned(&line.replace("0.02", "0.03")).unwrap();
     assert!(other.key(b"program") != plan.key(b"program") && plan.key(b"newer") != plan.key(b"program"));
@@ -233,7 +240,7 @@ fn a_folder_that_cannot_be_written_to_is_named() {
     // A folder in the place of a file: it cannot be renamed onto it.
     fs::create_dir_all(scratch.path().join("height.png/in")).unwrap();
     let plan = planned(&format!("{SMALL} --tile 64")).unwrap();
-    let said = fill(&plan, &output, b"program", &ALL, &GO).unwrap_err().to_string();
+    let said = whole(&plan, &output, &GO).unwrap_err().to_string();
     assert!(
         said.starts_with("cannot write ") && said.contains("height.png: ") && said.lines().count() == 1,
         "{said}"
