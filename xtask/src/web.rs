@@ -103,7 +103,11 @@ fn module(root: &Path) -> Result<PathBuf, Failure> {
     let mut build = toolchain.build(&folder, TARGET, "core,alloc");
     build
         .args(["--package", "asperity-web-tables", "--lib", "--target-dir", TARGETS])
-        .env("RUSTFLAGS", "-C target-feature=+simd128")
+        // Panics name files: the page is the same wherever it was built.
+        .env(
+            "CARGO_ENCODED_RUSTFLAGS",
+            format!("-Ctarget-feature=+simd128\u{1f}--remap-path-prefix={}=", root.display()),
+        )
         // Small, and of one piece: builds of the page's builder are neither.
         .env("CARGO_PROFILE_RELEASE_LTO", "true")
         .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1")
