@@ -8,6 +8,8 @@ use asperity_shading::LevelOfDetail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::quality::Quality;
+
 /// The builder of Asperity: tables, gallery, single pictures and every check.
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, disable_help_subcommand = true)]
@@ -26,6 +28,7 @@ pub(crate) enum Command {
     #[command(after_help = "Examples:
   cargo xtask gallery
   cargo xtask gallery --only teapot --size 768 --spp 16
+  cargo xtask gallery --only car --quality book
   cargo xtask gallery --list")]
     Gallery(Gallery),
     /// Build the tables alone: lattices, noise CDFs, densities, normal tables, fractal interpolation functions.
@@ -39,7 +42,7 @@ pub(crate) enum Command {
     /// Render a scene or a mesh with a chosen material and light to a PNG, JPEG, WebP or OpenEXR file.
     #[command(after_help = "Examples:
   cargo xtask render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
-  cargo xtask render --scene car --material paint --noise 0.02
+  cargo xtask render --scene car --material paint --quality draft
   cargo xtask render --scene room --material carpet --tone plain --out carpet.exr
   cargo xtask render --scene sphere --material glass --light studio.exr
   cargo xtask render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024
@@ -144,12 +147,15 @@ pub(crate) struct Gallery {
     /// List the figures and stop.
     #[arg(long)]
     pub(crate) list: bool,
-    /// Side of a square panel in pixels.
-    #[arg(long, default_value_t = 384, value_parser = clap::value_parser!(u32).range(16..=4096))]
-    pub(crate) size: u32,
-    /// Samples per pixel; some figures take a multiple.
-    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=4096))]
-    pub(crate) spp: u32,
+    /// Fineness of the pictures; --size and --spp set it one by one.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) quality: Quality,
+    /// Side of a square panel in pixels [default: 384; of a draft 192, for a book 1024].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    pub(crate) size: Option<u32>,
+    /// Samples per pixel; some figures take a multiple, still lifes as many as they need [default: 4; of a draft 1, for a book 32].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) spp: Option<u32>,
     /// Seed of every random choice.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u32,
@@ -258,13 +264,16 @@ pub(crate) struct Render {
     /// Exposure [default: 1.45, of an image of the surroundings what suits its brightness].
     #[arg(long, value_parser = positive)]
     pub(crate) exposure: Option<f32>,
-    /// Side of the picture in pixels, from 16 to 8192.
-    #[arg(long, default_value_t = 512, value_parser = whole(16, 8192))]
-    pub(crate) size: u32,
-    /// The most samples per pixel, up to 65536; alone, exactly so many [default: 1024].
+    /// Fineness of the picture; --size, --spp and --noise set it one by one.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) quality: Quality,
+    /// Side of the picture in pixels, from 16 to 8192 [default: 512; of a draft 256, for a book 2048].
+    #[arg(long, value_parser = whole(16, 8192))]
+    pub(crate) size: Option<u32>,
+    /// The most samples per pixel, up to 65536; alone, exactly so many [default: 1024; of a draft 128, for a book 8192].
     #[arg(long, value_parser = whole(1, 65_536))]
     pub(crate) spp: Option<u32>,
-    /// Grain at which the picture is done: its standard deviation, where white is 1 [default: 0.008].
+    /// Grain at which the picture is done: its standard deviation, where white is 1 [default: 0.008; of a draft 0.03, for a book 0.004].
     #[arg(long, value_parser = share)]
     pub(crate) noise: Option<f32>,
     /// Seed of every random choice.

@@ -12,6 +12,7 @@ mod input;
 mod job;
 mod output;
 mod progress;
+mod quality;
 mod render;
 mod shaders;
 mod tables;

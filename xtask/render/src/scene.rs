@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity_shading::{
-    Environment, SurfacePoint,
+    SurfacePoint,
     material::Material,
     reflectance::{Absorption, Bsdf},
 };
@@ -15,7 +15,7 @@ use crate::{
         ray::{Hit, Ray},
         shape::{Met, Shape},
     },
-    light::{background, lamps::Lamps},
+    light::{background, environments::Surroundings, lamps::Lamps},
     materials::Shaded,
 };
 
@@ -68,7 +68,7 @@ pub enum Light<'a> {
     /// Lamps, by [`direct`](crate::integrator::direct), and the room that mirrors show.
     Lamps { lamps: Vec<Lamps>, room: &'a (dyn Fn(&Ray) -> Vec3 + Sync) },
     /// Light from all around, by [`path_tracer`](crate::integrator::path_tracer).
-    Around(&'a (dyn Environment + Sync)),
+    Around(&'a dyn Surroundings),
 }
 
 impl Light<'_> {

@@ -2,7 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
+use asperity_render::integrator::adaptive::{Goal, Grain, render_until};
 use asperity_render::integrator::pixels::{Sampling, render, rows};
+use asperity_render::sampling::sampler::Sampler;
 use asperity_render::{geometry::camera::Camera, image::Image, scene::Scene};
 use glam::Vec3;
 use indicatif::ProgressBar;
@@ -33,6 +35,8 @@ pub(crate) struct Context<'a> {
     pub(crate) size: u32,
     /// Samples per pixel; a figure may multiply it.
     pub(crate) samples_per_pixel: u32,
+    /// Grain of still lifes.
+    pub(crate) goal: Goal,
     /// Seed of every random choice.
     pub(crate) seed: u32,
     /// The figure's progress; hidden when no terminal looks on.
@@ -74,6 +78,25 @@ impl Context<'_> {
     /// A picture of a scene, in linear radiance.
     pub(crate) fn draw(&self, scene: &Scene<'_, '_>, sampling: Sampling, camera: &Camera) -> Result<Image> {
         scene.draw(sampling, camera, self.progress, self.interrupted)
+    }
+
+    /// A picture of a scene without grain, in linear radiance.
+    pub(crate) fn still(
+        &self,
+        scene: &Scene<'_, '_>,
+        sampling: Sampling,
+        camera: &Camera,
+    ) -> Result<(Image, Grain)> {
+        scene.draw_until(sampling, &self.goal, camera, self.progress, self.interrupted)
+    }
+
+    /// The mean of a radiance over each pixel without grain, at points in pixels from the top left.
+    pub(crate) fn still_of(
+        &self,
+        sampling: Sampling,
+        radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+    ) -> Result<(Image, Grain)> {
+        render_until(sampling, &self.goal, self.progress, self.interrupted, radiance)
     }
 
     /// A picture of a scene from an eye towards a target, over this angle in radians.
@@ -134,6 +157,17 @@ impl Drawn {
     pub(crate) fn fact(mut self, name: &str, value: impl ToString) -> Self {
         self.parameters.push((name.to_owned(), value.to_string()));
         self
+    }
+
+    /// With the grain of its pictures, from the finest to the coarsest.
+    pub(crate) fn grain(self, grains: &[Grain]) -> Self {
+        let range = |of: fn(&Grain) -> f32| {
+            let ends = grains.iter().map(of).fold([f32::INFINITY, 0.0_f32], |[a, b], x| [a.min(x), b.max(x)]);
+            let [low, high] = ends.map(|end| format!("{end:.1}"));
+            if low == high { low } else { format!("{low} to {high}") }
+        };
+        self.fact("relative error of a pixel as shown, median", range(|grain| 100.0 * grain.median) + " %")
+            .fact("samples per pixel, mean", range(|grain| grain.samples))
     }
 
     /// With a table of measured values.

@@ -18,6 +18,7 @@ use crate::gallery::figure::{Context, Drawn, Figure, Panel, Picture};
 use crate::gallery::page::{LIVE, Record, Stored, TABLES};
 use crate::output::{Output, sha256};
 use crate::progress;
+use crate::quality::Fineness;
 
 /// The figures whose names contain one of the words; every word must match one.
 pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>> {
@@ -47,10 +48,14 @@ pub(crate) fn draw(
     output: &Output,
     interrupted: &AtomicBool,
 ) -> Result<()> {
-    let &Gallery { size, spp: samples_per_pixel, seed, .. } = wanted;
+    let &Gallery { quality, seed, .. } = wanted;
+    let usual = quality.fineness();
+    let samples_per_pixel = wanted.spp.unwrap_or(usual.samples_per_pixel);
+    let size = wanted.size.unwrap_or(usual.size);
+    let goal = Fineness { samples_per_pixel, ..usual }.goal();
     // A picture is up to date only if this very program drew it.
     let program = sha256(&std::fs::read(std::env::current_exe()?)?);
-    let key = format!("{program} size {size} spp {samples_per_pixel} seed {seed}");
+    let key = format!("{program} size {size} spp {samples_per_pixel} error {} seed {seed}", goal.error);
     let figures = chosen(all, &wanted.only)?;
     for (index, figure) in figures.iter().enumerate() {
         let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
@@ -59,7 +64,7 @@ pub(crate) fn draw(
             continue;
         }
         let bar = progress::bar(&place);
-        let context = Context { size, samples_per_pixel, seed, progress: &bar, interrupted };
+        let context = Context { size, samples_per_pixel, goal, seed, progress: &bar, interrupted };
         let start = Instant::now();
         let drawn = (figure.draw)(&context);
         bar.finish_and_clear();

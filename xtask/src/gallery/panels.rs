@@ -51,11 +51,13 @@ mod tests {
     use indicatif::ProgressBar;
 
     use super::*;
+    use crate::quality::Quality;
 
     #[test]
     fn the_disk_shows_n_y_upwards() {
         let (progress, interrupted) = (&ProgressBar::hidden(), &AtomicBool::new(false));
-        let context = Context { size: 64, samples_per_pixel: 1, seed: 1, progress, interrupted };
+        let goal = Quality::Draft.fineness().goal();
+        let context = Context { size: 64, samples_per_pixel: 1, goal, seed: 1, progress, interrupted };
         let image = disk(&context, 1.0, |m| m.y.max(0.0)).unwrap();
         let row = |y: usize| image.pixels[64 * y + 32].x;
         assert!(row(8) > 4.0 * row(56));

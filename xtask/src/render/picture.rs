@@ -5,14 +5,15 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use asperity_render::geometry::{camera::Camera, shape::Shape};
-use asperity_render::image::tone::{filmic, hex, shoulder, srgb};
+use asperity_render::image::tone::{filmic, hex, srgb};
 use asperity_render::image::{Format, Image};
+use asperity_render::integrator::pixels::Sampling;
+use asperity_render::light::environments::{Studio, Surroundings};
 use asperity_render::materials::Facets;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
-use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
-use asperity_shading::{Environment, LevelOfDetail, material::BumpMapped};
+use asperity_shading::{LevelOfDetail, material::BumpMapped};
 use glam::{DVec3, Vec3};
 use indicatif::ProgressBar;
 
@@ -20,14 +21,11 @@ use crate::cli::{Background, Material, Render, Tone};
 use crate::failure::Result;
 use crate::input::density::{Density, NORMAL_MAP};
 use crate::progress;
+use crate::quality::Fineness;
 use crate::render::files::{opened, surroundings};
 use crate::render::materials::{Made, Parameters};
 use crate::render::options::refuse_idle;
 
-/// Grain below notice.
-const NOISE: f32 = 0.008;
-/// The most samples of a pixel, if no other number is asked for.
-const SAMPLES: u32 = 1024;
 /// Exposure that suits the studio, and the mean radiance of what has it.
 const EXPOSURE: f32 = 1.45;
 const BRIGHTNESS: f32 = 0.5;
@@ -37,7 +35,7 @@ const TINT: u32 = 0xf2_b184;
 /// Light of the picture.
 enum Lit {
     Lamps,
-    Around(Box<dyn Environment + Sync>),
+    Around(Box<dyn Surroundings>),
 }
 
 /// A request that was checked, with its files read.
@@ -140,10 +138,11 @@ impl<'a> Picture<'a> {
         interrupted: &AtomicBool,
         pass: &mut dyn FnMut(Image, u32, f32) -> Result<()>,
     ) -> Result<()> {
-        let &Render { size, spp, noise, seed, .. } = self.wanted;
-        let sampling =
-            Sampling { width: size, height: size, samples_per_pixel: spp.unwrap_or(SAMPLES), seed };
-        let goal = noise.unwrap_or(if spp.is_some() { 0.0 } else { NOISE });
+        let &Render { quality, size, spp, noise, seed, .. } = self.wanted;
+        let Fineness { side, grain: (grain, most), .. } = quality.fineness();
+        let side = size.unwrap_or(side);
+        let sampling = Sampling { width: side, height: side, samples_per_pixel: spp.unwrap_or(most), seed };
+        let goal = noise.unwrap_or(if spp.is_some() { 0.0 } else { grain });
         let mut draw = |scene: &Scene<'_, '_>, camera: Camera| {
             let goal = (goal, |x| self.shown(x));
             scene.refine(sampling, &camera, goal, bar, interrupted, &mut *pass)
@@ -181,7 +180,7 @@ impl<'a> Picture<'a> {
     /// Any material in light from all around, with shadows.
     fn staged(
         &self,
-        light: &(dyn Environment + Sync),
+        light: &dyn Surroundings,
         sampling: Sampling,
         draw: &mut dyn FnMut(&Scene<'_, '_>, Camera) -> Result<()>,
     ) -> Result<()> {
@@ -256,9 +255,9 @@ impl<'a> Picture<'a> {
         let exposed = radiance * self.exposure;
         srgb(
             match (&self.light, self.wanted.tone) {
-                // The lamps' exposure is chosen for the soft shoulder, and in their brightness.
+                // The lamps' exposure is in their brightness.
                 (Lit::Lamps, Some(Tone::Plain)) => radiance,
-                (Lit::Lamps, _) => shoulder(radiance),
+                (Lit::Lamps, _) => filmic(radiance),
                 (Lit::Around(_), Some(Tone::Plain)) => exposed,
                 (Lit::Around(_), _) => filmic(exposed),
             }
@@ -271,7 +270,7 @@ impl<'a> Picture<'a> {
         match (&self.light, self.wanted.tone) {
             _ if self.format == Format::Exr => image,
             (Lit::Lamps, Some(Tone::Plain)) => image,
-            (Lit::Lamps, _) => image.exposed(1.0),
+            (Lit::Lamps, _) => image.filmic(1.0),
             (Lit::Around(_), Some(Tone::Plain)) => image.map(|p| p * self.exposure),
             (Lit::Around(_), _) => image.filmic(self.exposure),
         }

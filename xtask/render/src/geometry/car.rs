@@ -83,6 +83,46 @@ pub fn window(position: Vec3, normal: Vec3) -> f32 {
     }
 }
 
+/// Half the width of the gaps between doors, bonnet and bumper, in metres.
+const GAP: f32 = 0.004;
+
+/// Whether a point of the body is in a gap between its sheets.
+pub fn gap(position: Vec3, normal: Vec3) -> bool {
+    let Vec3 { x, z, .. } = position;
+    let aside = position.y.abs();
+    let within = |x: f32, range: [f32; 2]| x > range[0] && x < range[1];
+    let at = |x: f32, place: f32| (x - place).abs() < GAP;
+    if normal.y.abs() > 0.55 {
+        // Two doors, whose front edge leans with the screen.
+        let front = 0.78 - 0.2 * (z - BELT);
+        let upright = [front, -0.42, -1.04].iter().any(|&edge| at(x, edge)) && within(z, [0.33, BELT]);
+        upright || at(z, 0.33) && within(x, [-1.04, front])
+    } else if normal.z > 0.3 && x > 0.0 {
+        let bonnet = [1.08, 1.93];
+        at(aside, 0.60) && within(x, bonnet) || aside < 0.60 && bonnet.iter().any(|&edge| at(x, edge))
+    } else {
+        normal.x.abs() > 0.3 && at(z, 0.53)
+    }
+}
+
+/// Depth of a point of the body within a lamp of its nose, in metres; negative outside of them.
+pub fn headlamp(position: Vec3, normal: Vec3) -> f32 {
+    let Vec3 { x, y, z } = position;
+    let lower = 0.575 + 0.12 * (y.abs() - 0.45);
+    let across = (y.abs() - 0.40).min(0.74 - y.abs());
+    if normal.x > 0.1 && x > 1.6 { across.min(z - lower).min(lower + 0.085 - z) } else { -1.0 }
+}
+
+/// Whether a point of the body is in the dark of its grille.
+pub fn grille(position: Vec3) -> bool {
+    let Vec3 { x, y, z } = position;
+    // Bars across.
+    x > 1.8
+        && y.abs() < 0.46 - 0.5 * (z - 0.46).abs()
+        && (z - 0.42).abs() < 0.065
+        && (z * 32.0).fract() > 0.25
+}
+
 /// Places of the wheels along the car and above the ground, and their radius.
 pub const WHEELS: [[f32; 2]; 2] = [[-1.28, 0.325], [1.32, 0.325]];
 

@@ -1,5 +1,6 @@
 //! Two integrators over one scene: direct light of lamps, and paths in light from all around.
 
+pub mod adaptive;
 pub mod direct;
 pub mod path_tracer;
 pub mod pixels;

@@ -1,10 +1,11 @@
 //! Paths in light from all around: samples of the light and of the material, and one bounce from object to object.
 
-use asperity_shading::{Brdf, Environment};
+use asperity_shading::Brdf;
 use glam::Vec3;
 
 use crate::{
     integrator::{MIRRORS, Spot},
+    light::environments::{SoftPanel, Surroundings},
     sampling::sampler::Sampler,
     scene::Scene,
 };
@@ -13,30 +14,32 @@ use crate::{
 const BRIGHTEST: f32 = 2.5;
 
 impl Scene<'_, '_> {
-    /// Multiple importance sampling by the balance heuristic: one sample of the light and one of the layers.
+    /// Multiple importance sampling by the balance heuristic: one sample of every panel, or of the light, and one of the layers, which
+    /// alone find the light between panels.
     ///
     /// Veach 1997, §9.2.
     pub(super) fn lit_by_paths(
         &self,
-        light: &dyn Environment,
+        light: &dyn Surroundings,
         spot: &Spot<'_>,
         sampler: &mut Sampler,
         [mirrors, bounces]: [u32; 2],
     ) -> Vec3 {
         let Spot { ray, hit, frame, wo, bsdf, .. } = spot;
-        let mut sum = Vec3::ZERO;
-        let wi = light.sample(sampler.point());
-        let local = frame.to_local(wi);
-        // Light comes into a body through another place of its surface, not straight.
-        let scattered = if spot.inside(local) { Vec3::ZERO } else { spot.scattered(wi) };
-        // Seen by way of another object, samples of the light alone will do.
-        let other = if bounces > 0 { bsdf.density(local, *wo) } else { 0.0 };
-        if scattered.max_element() > 0.0 {
-            let density = light.density(wi) + other;
-            sum += self.open(spot.start(local), wi) * scattered * light.radiance(wi) / density;
-        }
+        let panels = light.panels();
+        // Seen by way of another object, one sample of the light will do.
         if bounces == 0 {
-            return sum;
+            let wi = light.sample(sampler.point());
+            return self.scattered_from(spot, wi, light.radiance(wi), light.density(wi), false);
+        }
+        let mut sum = Vec3::ZERO;
+        for panel in panels {
+            let wi = panel.sample(sampler.point());
+            sum += self.scattered_from(spot, wi, panel.radiance(wi), panel.density(wi), true);
+        }
+        if panels.is_empty() {
+            let wi = light.sample(sampler.point());
+            sum += self.scattered_from(spot, wi, light.radiance(wi), light.density(wi), true);
         }
         let local = bsdf.sample(*wo, sampler.point());
         let scattered = bsdf.scattered(local, *wo);
@@ -46,7 +49,11 @@ impl Scene<'_, '_> {
         let (density, wi) = (bsdf.density(local, *wo), frame.to_world(local).normalize());
         let start = spot.start(local);
         match self.first_hit(start, wi) {
-            None => sum + scattered * light.radiance(wi) / (density + light.density(wi)),
+            None if panels.is_empty() => sum + scattered * light.radiance(wi) / (density + light.density(wi)),
+            None => {
+                let weighted = |panel: &SoftPanel| panel.radiance(wi) / (density + panel.density(wi));
+                sum + scattered * (light.between(wi) / density + panels.iter().map(weighted).sum::<Vec3>())
+            }
             Some(meeting) => {
                 let next = ray.scattered(hit, wi, (1.0 / density).sqrt().min(0.5), start);
                 // Behind rough glass, a body or a pane, light is on its way still.
@@ -59,5 +66,20 @@ impl Scene<'_, '_> {
                 sum + scattered / density * sent.min(Vec3::splat(BRIGHTEST))
             }
         }
+    }
+
+    /// What is scattered of a radiance from a sampled direction, weighted beside samples of the layers, if there are such.
+    fn scattered_from(&self, spot: &Spot<'_>, wi: Vec3, radiance: Vec3, density: f32, layers: bool) -> Vec3 {
+        let local = spot.frame.to_local(wi);
+        // Light comes into a body through another place of its surface, not straight.
+        if spot.inside(local) || radiance == Vec3::ZERO {
+            return Vec3::ZERO;
+        }
+        let scattered = spot.scattered(wi);
+        if scattered.max_element() <= 0.0 {
+            return Vec3::ZERO;
+        }
+        let other = if layers { spot.bsdf.density(local, spot.wo) } else { 0.0 };
+        self.open(spot.start(local), wi) * scattered * radiance / (density + other)
     }
 }

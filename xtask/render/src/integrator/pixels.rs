@@ -9,10 +9,7 @@ use rayon::prelude::*;
 use crate::{
     failure::{Failure, Interrupted},
     image::Image,
-    sampling::{
-        low_discrepancy::r2_from,
-        sampler::{Sampler, hash},
-    },
+    sampling::{low_discrepancy::r2_from, sampler::hash},
 };
 
 /// Size and samples of a picture.
@@ -39,23 +36,6 @@ pub fn render(
         move |k| {
             let place = sample(k, shift);
             radiance(x as f32 + place.x, y as f32 + place.y)
-        }
-    })
-}
-
-/// The mean of `radiance` over the samples of each pixel, each with random points of its own; the first is its place in the pixel.
-pub fn render_paths(
-    sampling: Sampling,
-    progress: &ProgressBar,
-    interrupted: &AtomicBool,
-    radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
-) -> Result<Image, Failure> {
-    pixels(sampling, progress, interrupted, |x, y| {
-        let (seed, radiance) = (pixel_hash(x, y, sampling.seed), &radiance);
-        move |k| {
-            let mut sampler = Sampler::new(k, seed);
-            let place = sampler.point();
-            radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler)
         }
     })
 }

@@ -2,10 +2,37 @@
 
 use std::f32::consts::{PI, TAU};
 
-use asperity_shading::Environment;
+use asperity_shading::{Environment, EnvironmentMap};
 use glam::{Vec2, Vec3};
 
 use crate::{image::tone::hex, interpolation::smoothstep, light::lamps::direction};
+
+/// Light from all around, of which a part may come from soft boxes.
+pub trait Surroundings: Environment + Sync {
+    /// The soft boxes.
+    fn panels(&self) -> &[SoftPanel] {
+        &[]
+    }
+
+    /// The radiance without them.
+    fn between(&self, direction: Vec3) -> Vec3 {
+        self.radiance(direction)
+    }
+}
+
+impl Surroundings for Vec3 {}
+
+impl Surroundings for EnvironmentMap {}
+
+impl Surroundings for Studio {
+    fn panels(&self) -> &[SoftPanel] {
+        &self.panels
+    }
+
+    fn between(&self, direction: Vec3) -> Vec3 {
+        self.room(direction)
+    }
+}
 
 /// A room with soft boxes: area lights far away.
 pub struct Studio {
@@ -15,7 +42,7 @@ pub struct Studio {
 }
 
 /// A rectangle of light at distance 1 whose border is soft.
-struct SoftPanel {
+pub struct SoftPanel {
     centre: Vec3,
     /// Half the width and half the height.
     half: [Vec3; 2],
@@ -29,7 +56,10 @@ struct SoftPanel {
 const BORDER: f32 = 0.12;
 
 /// The share of samples that go to the room instead of the panels.
-const ROOM: f32 = 0.15;
+const ROOM: f32 = 0.25;
+
+/// The share of those that go upwards; the others go all around.
+const ABOVE: f32 = 0.85;
 
 impl SoftPanel {
     /// A panel about an azimuth and an elevation, of two full angles, in degrees; a white matte surface that faces it has this colour.
@@ -55,19 +85,22 @@ impl SoftPanel {
         (x.abs() < 1.0 && y.abs() < 1.0).then_some(Vec2::new(x, y))
     }
 
-    fn radiance(&self, direction: Vec3) -> Vec3 {
+    /// The radiance from a direction.
+    pub fn radiance(&self, direction: Vec3) -> Vec3 {
         self.place(direction).map_or(Vec3::ZERO, |p| {
             let soft = (Vec2::ONE - p.abs()) / BORDER;
             self.radiance * soft.x.min(1.0) * soft.y.min(1.0)
         })
     }
 
-    fn sample(&self, u: Vec2) -> Vec3 {
+    /// A direction to the panel with the density [`density`](Self::density), from a uniform point of the unit square.
+    pub fn sample(&self, u: Vec2) -> Vec3 {
         let [x, y] = self.half;
         (self.centre + x * (2.0 * u.x - 1.0) + y * (2.0 * u.y - 1.0)).normalize()
     }
 
-    fn density(&self, direction: Vec3) -> f32 {
+    /// Density of samples by solid angle.
+    pub fn density(&self, direction: Vec3) -> f32 {
         let depth = direction.dot(self.centre);
         if self.place(direction).is_some() { 1.0 / (self.area * depth * depth * depth) } else { 0.0 }
     }
@@ -93,6 +126,17 @@ impl Studio {
         Self::lit(panels, hex(0x4a_4642) * 0.35 * brightness, hex(0xb4_bcc8) * 0.55 * brightness)
     }
 
+    /// A hall for a car: a long sheet of light above it, a strip along its flank and one behind, over a dark floor.
+    pub fn hall(brightness: f32) -> Self {
+        let panel = |place, size, colour: Vec3| SoftPanel::new(place, size, colour * brightness);
+        let panels = vec![
+            panel([-150.0, 70.0], [60.0, 60.0], hex(0xff_f6ea) * 0.8),
+            panel([-70.0, 10.0], [110.0, 8.0], hex(0xd4_e2ff) * 0.3),
+            panel([20.0, 30.0], [60.0, 14.0], hex(0xff_e2c0) * 0.5),
+        ];
+        Self::lit(panels, hex(0x30_3236) * 0.15 * brightness, hex(0x8a_93a0) * 0.9 * brightness)
+    }
+
     /// The sky of a bright day behind a sun 3 degrees wide, for what lies out of doors.
     pub fn day(brightness: f32) -> Self {
         let sun = SoftPanel::new([-140.0, 38.0], [3.0, 3.0], hex(0xff_f0d8) * 1.1 * brightness);
@@ -111,7 +155,9 @@ impl Environment for Studio {
 
     fn sample(&self, u: Vec2) -> Vec3 {
         if u.x < ROOM {
-            let z = 1.0 - 2.0 * u.x / ROOM;
+            // From above comes the most.
+            let x = u.x / ROOM;
+            let z = if x < ABOVE { x / ABOVE } else { 1.0 - 2.0 * (x - ABOVE) / (1.0 - ABOVE) };
             let (sin, cos) = (TAU * u.y).sin_cos();
             return Vec3::new(cos, sin, 0.0) * (1.0 - z * z).max(0.0).sqrt() + Vec3::Z * z;
         }
@@ -129,7 +175,8 @@ impl Environment for Studio {
 
     fn density(&self, direction: Vec3) -> f32 {
         let panels: f32 = self.panels.iter().map(|panel| panel.share * panel.density(direction)).sum();
-        ROOM / (4.0 * PI) + panels
+        let above = if direction.z > 0.0 { 2.0 * ABOVE } else { 0.0 };
+        ROOM * (above + 1.0 - ABOVE) / (4.0 * PI) + panels
     }
 }
 
@@ -142,7 +189,7 @@ mod tests {
 
     #[test]
     fn samples_bring_the_light_of_all_directions() {
-        for studio in [Studio::new(1.0), Studio::day(1.0)] {
+        for studio in [Studio::new(1.0), Studio::hall(1.0), Studio::day(1.0)] {
             let irradiance = |by: &dyn Environment, seed| -> Vec3 {
                 let samples = (0..1 << 16).map(|index| by.sample(Sampler::new(index, seed).point()));
                 samples.map(|w| studio.radiance(w) * w.z.max(0.0) / by.density(w) / 65_536.0).sum()

@@ -1,5 +1,7 @@
 //! A surface whose bumps and shading come from a density of normals.
 
+use std::f32::consts::PI;
+
 use asperity_ndf_sampling::NormalTable;
 use asperity_shading::level_of_detail::{Coordinates, shade_facet};
 use asperity_shading::{
@@ -49,12 +51,27 @@ pub struct Printed<'a> {
     pub facets: Facets<'a>,
     pub bumps: BumpField<Field>,
     pub lamps: Vec<Lamp>,
+    /// The most of the variance that counts as resolved: facets closer to one another show one image of a lamp.
+    pub most: f32,
     pub diffuse: Vec3,
+}
+
+/// The share of the variance that facets have which show different images of a lamp: the rest lies within the lamp's disc.
+///
+/// ```text
+/// s = 1 − p(n) π ρ²/8
+/// ```
+///
+/// Half vectors of a disc of radius ρ fill π ρ²/4, which is 2π p(n) times that in Gaussian coordinates at their middle, and a disc has
+/// its area over 4π for its variance. The mean over the surface is that of all shares: p_s(h | z) has the mean p(h).
+pub fn share_beyond(peak: f32, radius: f32) -> f32 {
+    (1.0 - peak * PI * radius * radius / 8.0).max(0.0)
 }
 
 impl Material for Printed<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let coordinates = self.bumps.coordinates(point.position, point.footprint());
+        let coordinates = Coordinates { share: coordinates.share.min(self.most), ..coordinates };
         let (frame, facet) = (point.frame(), self.facets.facet(self.ndf, coordinates));
         let mut lit = Vec3::ZERO;
         for lamps in self.lamps.chunks(TOGETHER) {
@@ -88,4 +105,51 @@ pub fn sky(m: Vec3) -> Vec3 {
     const ZENITH: Vec3 = Vec3::new(-0.42, -0.47, 0.776);
     let t = 0.5 + 0.5 * m.dot(ZENITH);
     Vec3::new(0.10, 0.09, 0.11).lerp(Vec3::new(0.98, 0.95, 0.92), t * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+    use asperity_ndf_sampling::Ggx;
+    use asperity_shading::Footprint;
+    use glam::DVec3;
+
+    use super::*;
+    use crate::materials::field::{Bumps, NoiseKind};
+
+    /// Mean and greatest radiance of a fine patch under a lamp that its flat normal mirrors, for lamps of this radius.
+    fn seen(radius: f32) -> (f32, f32) {
+        const SIDE: u16 = 200;
+        let ndf = Ggx::new(0.2, 0.4).unwrap();
+        let bumps = Bumps { kind: NoiseKind::Gaussian, frequency: 1.0, octaves: 16, gain: 0.8 };
+        let material = Printed {
+            ndf: &ndf,
+            facets: Facets::Consistent(LevelOfDetail::Exact),
+            bumps: bumps.field(3, DVec3::ZERO).unwrap(),
+            lamps: vec![Lamp { direction: Vec3::Z, colour: Vec3::ONE }],
+            most: share_beyond(ndf.density(Vec3::Z), radius),
+            diffuse: Vec3::ZERO,
+        };
+        let (mut sum, mut greatest) = (0.0, 0.0_f32);
+        for k in 0..SIDE * SIDE {
+            let place = Vec3::new(f32::from(k % SIDE), f32::from(k / SIDE), 0.3) * 0.37;
+            let point = SurfacePoint::new(place, Vec3::Z, Footprint::from_width(1e-4));
+            let radiance = material.bsdf(&point, Vec3::Z).emitted().x;
+            (sum, greatest) = (sum + radiance, greatest.max(radiance));
+        }
+        (sum / f32::from(SIDE).powi(2), greatest)
+    }
+
+    #[test]
+    fn a_lamp_of_some_size_lights_as_much_as_a_point_and_blinds_less() {
+        let far = Ggx::new(0.2, 0.4).unwrap().density(Vec3::Z);
+        let [(point, brightest), (disc, bright)] = [0.02, 0.14].map(seen);
+        // 40,000 points of 5500 cells, of a standard deviation of 4 means for the disc, of 30 for the point.
+        assert_relative_eq!(disc, far, max_relative = 0.12);
+        assert_relative_eq!(point, far, max_relative = 0.8);
+        // p_s(h | z) is at most p(h)/(1 − s), here at the peak.
+        let most = far / (1.0 - share_beyond(far, 0.14));
+        assert!(bright <= 1.001 * most && bright > 0.5 * most, "{bright} of {most}");
+        assert!(brightest > 3.0 * bright, "{brightest} of a point, {bright} of a disc");
+    }
 }

@@ -7,6 +7,6 @@ pub mod pattern;
 mod projected;
 mod shader;
 
-pub use bumped::{Facets, Printed, SharedNdf, sky};
+pub use bumped::{Facets, Printed, SharedNdf, share_beyond, sky};
 pub use projected::Projected;
 pub use shader::{InMetres, Layers, Shaded, chalk, glazed};

@@ -14,6 +14,7 @@ use crate::{
     materials::{
         Facets, Printed, SharedNdf,
         field::{Bumps, NoiseKind},
+        share_beyond,
     },
     scene::{Backdrop, Light, Object, Scene},
     scenes::sets::{Set, View},
@@ -21,6 +22,9 @@ use crate::{
 
 /// The share of the tint that is diffuse.
 const DIFFUSE: f32 = 0.13;
+
+/// Radius of every lamp of the studio, twice their distance from one another.
+const LAMP: f32 = 0.25;
 
 /// Direction of the point that pictures of the sphere come close to.
 const SPHERE_FOCUS: Vec3 = Vec3::new(-0.30, -0.80, 0.52);
@@ -81,9 +85,11 @@ impl<'a> RenderRequest<'a> {
     pub fn scene(&self, shape: &Arc<Shape>) -> Result<Scene<'a, 'a>, Failure> {
         let focus = self.view.focus.as_dvec3();
         let bumps = self.bumps.field(self.sampling.seed, focus)?;
-        let lamps = studio(self.tint * (self.exposure / peak(|m| self.ndf.density(m))));
+        let peak = peak(|m| self.ndf.density(m));
+        let lamps = studio(self.tint * (self.exposure / peak));
         let (ndf, facets) = (self.ndf, self.facets);
-        let material = Printed { ndf, facets, bumps, lamps, diffuse: self.tint * DIFFUSE };
+        let (most, diffuse) = (share_beyond(peak, LAMP), self.tint * DIFFUSE);
+        let material = Printed { ndf, facets, bumps, lamps, most, diffuse };
         let objects = vec![Object::new(Arc::clone(shape), material).anchored(focus)];
         Ok(Scene::new(objects, Light::lamps(Vec::new()), Backdrop::Studio).about(focus))
     }

@@ -13,7 +13,7 @@ use crate::{
     failure::Failure,
     geometry::{
         camera::Camera,
-        car::{WHEELS, arch, car_body, wheel, window},
+        car::{WHEELS, arch, car_body, gap, grille, headlamp, wheel, window},
         mesh::{Mesh, TracedMesh},
         revolution::revolved,
         shape::Shape,
@@ -215,10 +215,13 @@ fn faded_disc(
     Ok(Object::shaded(disc, move |point, wo| {
         let distance = point.position.truncate().length();
         let kept = (-((distance - from).max(0.0) / over).powi(2)).exp();
-        let lobe = Lobe::from(cloth).weighted(Vec3::splat(kept));
-        Bsdf::new(wo)
-            .with([Facet::FLAT], [lobe])
-            .with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)))
+        let sent = Bsdf::new(wo).with_emitted((1.0 - kept) * behind(-point.frame().to_world(wo)));
+        // What is hardly there is not sampled: its weight is lost in the roundings of its density.
+        if kept < 1e-4 {
+            sent
+        } else {
+            sent.with([Facet::FLAT], [Lobe::from(cloth).weighted(Vec3::splat(kept))])
+        }
     }))
 }
 
@@ -243,15 +246,23 @@ struct Body<'a> {
     paint: Box<Surface<'a>>,
     pane: TemperedGlass,
     seal: Lambert,
+    /// The inside of the lamps.
+    mirror: Lambert,
 }
 
 impl Material for Body<'_> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let depth = window(point.position, point.normal);
-        if depth > 0.012 {
-            let seal = Lobe::from(&self.seal as &dyn Brdf);
-            self.pane.bsdf(point, wo).with([Facet::FLAT], [seal])
-        } else if depth > 0.0 || arch(point.position) {
+        let lamp = headlamp(point.position, point.normal);
+        if depth > 0.012 || lamp > 0.006 {
+            let behind = if lamp > 0.006 { &self.mirror } else { &self.seal };
+            self.pane.bsdf(point, wo).with([Facet::FLAT], [Lobe::from(behind as &dyn Brdf)])
+        } else if depth > 0.0
+            || lamp > 0.0
+            || arch(point.position)
+            || gap(point.position, point.normal)
+            || grille(point.position)
+        {
             self.seal.bsdf(point, wo)
         } else {
             self.paint.bsdf(point, wo)
@@ -262,7 +273,12 @@ impl Material for Body<'_> {
 /// The car: paint, windows and tyres.
 fn car<'a>(paint: Box<Surface<'a>>, behind: Behind<'a>) -> Result<Vec<Object<'a>>, Failure> {
     let dark = TemperedGlassParameters { tint: Vec3::ZERO, ..Default::default() };
-    let body = Body { paint, pane: TemperedGlass::new(dark)?, seal: Lambert::new(hex(0x16_1618))? };
+    let body = Body {
+        paint,
+        pane: TemperedGlass::new(dark)?,
+        seal: Lambert::new(hex(0x16_1618))?,
+        mirror: Lambert::new(hex(0x9a_9ca2))?,
+    };
     let (mut tyres, mut discs) = (Mesh::default(), Mesh::default());
     for [x, z] in WHEELS {
         for side in [-1.0, 1.0] {

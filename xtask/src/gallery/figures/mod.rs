@@ -26,6 +26,7 @@ const FIGURES: &[&[Figure]] = &[
         figure("cochran-dimension", cochran::curves::draw_dimension),
         figure("cochran-4-bounds", cochran::bounds::draw_bounds),
         figure("cochran-4-descent", cochran::bounds::draw_descent),
+        figure("cochran-5-orders", cochran::orders::draw),
         figure("cochran-6-mirrors", cochran::mirrors::draw),
         figure("cochran-7-corner", cochran::corner::draw),
         figure("cochran-models", cochran::models::draw),

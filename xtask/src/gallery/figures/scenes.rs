@@ -5,7 +5,7 @@ use asperity_render::materials::InMetres;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{PLAIN, Set, View, backdrop};
-use asperity_render::{integrator::pixels::Sampling, light::environments::Studio};
+use asperity_render::{integrator::adaptive::Grain, light::environments::Studio};
 use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
 };
@@ -19,14 +19,29 @@ use glam::{DVec3, Vec3};
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn, Panel};
+use crate::quality::EXPOSURE;
 
 type Subject = Box<Surface<'static>>;
 
-/// A picture of objects in the studio.
-fn picture(context: &Context<'_>, objects: Vec<Object<'_>>, view: View, sampling: Sampling) -> Result<Image> {
-    let studio = Studio::new(1.0);
-    let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
-    Ok(context.draw(&scene, sampling, &view.camera(1.0, sampling))?.filmic(1.45))
+/// Pictures of objects in the studio, of which the grain is kept.
+struct Stills<'a> {
+    context: &'a Context<'a>,
+    studio: Studio,
+    grains: Vec<Grain>,
+}
+
+impl<'a> Stills<'a> {
+    fn new(context: &'a Context<'a>) -> Self {
+        Self { context, studio: Studio::new(1.0), grains: Vec::new() }
+    }
+
+    fn picture(&mut self, objects: Vec<Object<'_>>, view: View, size: [u32; 2]) -> Result<Image> {
+        let scene = Scene::new(objects, Light::Around(&self.studio), Backdrop::Colour(backdrop()));
+        let sampling = self.context.sampling(size, 1);
+        let (image, grain) = self.context.still(&scene, sampling, &view.camera(1.0, sampling))?;
+        self.grains.push(grain);
+        Ok(image.filmic(EXPOSURE))
+    }
 }
 
 pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
@@ -38,14 +53,16 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
     let from_nearby = "Blue paint from nearby with points of light";
     let flaked = "The same with counted flakes, 0.3 mm apart";
     let pictures = [
-        (["whole", "The car", "A blue car from the front and the side"], (whole, [24, 11], paint)),
-        (["sparkles", "Its door: sparkles of two pixels", from_nearby], (door, [12, 8], paint)),
-        (["flakes", flaked, from_nearby], (door, [12, 8], counted)),
+        (["whole", "The car", "A blue car from the front and the side"], (whole, [36, 17], paint)),
+        (["sparkles", "Its door: sparkles of two pixels", from_nearby], (door, [16, 11], paint)),
+        (["flakes", flaked, from_nearby], (door, [16, 11], counted)),
     ];
+    let mut stills = Stills { studio: Studio::hall(1.0), ..Stills::new(context) };
     let mut drawn = Drawn::pictures(2, pictures, |(view, size, paint)| {
         let objects = Set::Car.objects(Box::new(MetallicPaint::new(paint)?), PLAIN)?;
-        picture(context, objects, view, context.sampling(size, 5))
-    })?;
+        stills.picture(objects, view, size)
+    })?
+    .grain(&stills.grains);
     drawn.panels[0].span = 2;
     let sparkles = format!(
         "pixel size {}, physical size {}, variation {}, boost {}, elimination {}",
@@ -65,6 +82,8 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
 pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let lines = CarpetParameters {
         diffuse: Vec3::new(0.24, 0.21, 0.19),
+        dark_area_strength: 0.3,
+        dark_area_size: 0.7,
         fake_rim_light_colour: Vec3::splat(0.5),
         ..Default::default()
     };
@@ -78,10 +97,12 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
         (["grid", "Seams in a grid, from 20 cm", "Threads and crossing seams"], ((Set::Room, near), grid)),
         (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim)),
     ];
+    let mut stills = Stills::new(context);
     let drawn = Drawn::pictures(3, pictures, |((set, view), carpet)| {
         let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())), PLAIN)?;
-        picture(context, objects, view, context.sampling([12, 12], 6))
-    })?;
+        stills.picture(objects, view, [24, 24])
+    })?
+    .grain(&stills.grains);
     let light = format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width);
     Ok(drawn
         .fact("seam_distance", lines.seam_distance)
@@ -98,9 +119,11 @@ pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
         (["bricks", "Bricks of 25 by 8 cm", away], Box::new(BrickWall::default())),
         (["stars", "Stars in cells of 10 cm", pale], Box::new(stars)),
     ];
-    Drawn::pictures(2, pictures, |subject| {
-        picture(context, Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), context.sampling([16, 12], 4))
-    })
+    let mut stills = Stills::new(context);
+    let drawn = Drawn::pictures(2, pictures, |subject| {
+        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [20, 15])
+    })?;
+    Ok(drawn.grain(&stills.grains))
 }
 
 pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
@@ -119,11 +142,11 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
         ..Default::default()
     })?;
     let scratches = Scratches::new(ScratchesParameters {
-        scratch_size: 0.25,
-        scratch_width: 0.012,
+        scratch_size: 0.4,
+        scratch_width: 0.02,
         scratch_cover: 3.0,
         specular: hex(0xc8_ccd2),
-        roughness: 0.2,
+        roughness: 0.14,
         ..Default::default()
     })?;
     let glass = TemperedGlassParameters { body: GlassBody::Solid, ..Default::default() };
@@ -142,7 +165,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
         ("marble", "Blue marble", Box::new(InMetres(marble, 0.8))),
         ("glass", "Glass", Box::new(InMetres(TemperedGlass::new(glass)?, metres))),
     ];
-    let mut panels = Vec::new();
+    let (mut panels, mut stills) = (Vec::new(), Stills::new(context));
     for (stem, label, subject) in subjects {
         let mut objects = Set::Teapot.objects(subject, PLAIN)?;
         if stem == "glass" {
@@ -150,8 +173,8 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
         let view = View { field: 21.5, ..Set::Teapot.view() };
-        let image = picture(context, objects, view, context.sampling([11, 9], 5))?;
+        let image = stills.picture(objects, view, [18, 15])?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
-    Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")))
+    Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")).grain(&stills.grains))
 }

@@ -1,5 +1,6 @@
 //! The reflectances on spheres.
 
+use asperity_render::geometry::camera::Camera;
 use asperity_render::materials::Layers;
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{geometry::shape::Shape, image::tone::hex, light::environments::Studio};
@@ -15,6 +16,7 @@ use glam::Vec3;
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn};
+use crate::quality::EXPOSURE;
 
 type Lobes = Vec<Box<dyn Brdf + Sync>>;
 
@@ -56,13 +58,17 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let words = |label| format!("A sphere in a room with three lamps: {label}");
     let balls = balls
         .map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], (stem, layers)));
-    let (sampling, studio) = (context.sampling([8, 8], 12), Studio::new(1.0));
+    let (sampling, studio) = (context.sampling([12, 12], 1), Studio::new(1.0));
+    let mut grains = Vec::new();
     let drawn = Drawn::pictures(3, balls, |(stem, layers)| {
         let ball = Object::new(Shape::Sphere, Layers(layers));
         let body = ["glass", "frosted"].contains(&stem).then_some(inside);
         let ball = Object { body, passes: if body.is_some() { 1.0 } else { 0.0 }, ..ball };
         let scene = Scene::new(vec![ball], Light::Around(&studio), Backdrop::Studio);
-        Ok(context.look(&scene, sampling, [Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO], 0.4)?.exposed(1.0))
+        let camera = Camera::new(Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO, 0.4, sampling.width, sampling.height);
+        let (image, grain) = context.still(&scene, sampling, &camera)?;
+        grains.push(grain);
+        Ok(image.filmic(EXPOSURE))
     })?;
-    Ok(drawn.fact("samples per pixel", sampling.samples_per_pixel))
+    Ok(drawn.grain(&grains))
 }

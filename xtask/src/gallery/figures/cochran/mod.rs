@@ -7,4 +7,5 @@ pub(super) mod curves;
 pub(super) mod landscape;
 pub(super) mod mirrors;
 pub(super) mod models;
+pub(super) mod orders;
 pub(super) mod zoom;

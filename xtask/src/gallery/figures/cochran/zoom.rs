@@ -2,11 +2,16 @@
 
 use asperity_fif::glam::{DVec2, DVec3};
 use asperity_fif::{HeightField, Table, paper};
+use asperity_render::image::tone::{hex, shoulder, srgb};
 use asperity_render::light::lamps::{Lamps, direction};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::{
-    geometry::fractal::Fractal, geometry::ray::Ray, geometry::shape::Shape, image::tone::hex,
-    integrator::pixels::Sampling, materials::chalk,
+    geometry::camera::Camera,
+    geometry::fractal::Fractal,
+    geometry::ray::Ray,
+    geometry::shape::Shape,
+    integrator::{adaptive::Goal, pixels::Sampling},
+    materials::chalk,
 };
 use asperity_shading::SurfacePoint;
 use glam::Vec3;
@@ -26,13 +31,17 @@ const AWAY: Vec3 = Vec3::new(-1.9, -2.7, 3.5);
 
 const FIELD: f32 = 0.7;
 
+const EXPOSURE: f32 = 1.1;
+
 pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let values = paper::f()?.table(1e-14)?;
-    // Seven panels side by side are small, and mean slopes are smooth already.
-    let sampling = context.square();
-    let side = sampling.width - sampling.width / 4;
-    let samples_per_pixel = sampling.samples_per_pixel.div_ceil(2);
-    let sampling = Sampling { width: side, height: side, samples_per_pixel, ..sampling };
+    // Seven panels side by side are small.
+    let side = context.size - context.size / 4;
+    let sampling = Sampling { width: side, height: side, ..context.square() };
+    // Mean slopes are smooth already: many samples are for edges of the surface and of its shadows.
+    let goal =
+        Goal { error: 3.0 * context.goal.error, shown: |x| srgb(shoulder(EXPOSURE * x)), ..context.goal };
+    let goal = Goal { samples: [goal.samples[0].div_ceil(2), goal.samples[1].div_ceil(4)], ..goal };
     let pixel = 2.0 * (0.5 * FIELD).tan() / side as f32;
     let zooms = ["1", "10", "100", "1000", "10⁴", "10⁵", "10⁶"];
     let pictures = zooms.into_iter().zip(0..).map(|(zoom, power)| {
@@ -40,10 +49,13 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ([format!("e{power}"), format!("×{zoom}"), alt], 10.0_f64.powi(-power))
     });
     let target = POINT.extend(height(&values, POINT));
+    let mut grains = Vec::new();
     let drawn = Drawn::pictures(4, pictures, |scale| {
         // Rays meet it about the point, in lengths of the zoom: directions and colours stay what they are.
         let shape = Fractal::new(HeightField::new(paper::f()?, paper::f()?).tabulated(), RISE, 0.0);
-        let shape = Shape::Fractal(shape.within(0.0).magnified(target, scale));
+        // A tenth of a pixel.
+        let shape = shape.within(0.1 * f64::from(pixel * AWAY.length()));
+        let shape = Shape::Fractal(shape.magnified(target, scale));
         let rock = |point: &SurfacePoint, wo: Vec3| {
             let p = point.position;
             let reach = 0.75 * pixel * p.distance(AWAY);
@@ -59,13 +71,17 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let light = Light::Lamps { lamps, room: &room };
         let mut scene = Scene::new(vec![Object::shaded(shape, rock)], light, Backdrop::Light);
         scene.start = 1.125 * pixel;
-        Ok(context.look(&scene, sampling, [AWAY, Vec3::ZERO], FIELD)?.exposed(1.1))
+        let camera = Camera::new(AWAY, Vec3::ZERO, FIELD, side, side);
+        let stop = (context.progress, context.interrupted);
+        let (image, grain) = scene.draw_until(sampling, &goal, &camera, stop.0, stop.1)?;
+        grains.push(grain);
+        Ok(image.exposed(EXPOSURE))
     })?;
     Ok(drawn
         .fact("heights times", RISE)
         .fact("point", "(38/63, 10/9)")
         .fact("distance at ×1", format!("{:.2}", AWAY.length()))
-        .fact("samples per pixel", sampling.samples_per_pixel))
+        .grain(&grains))
 }
 
 fn height(values: &Table<2>, p: DVec2) -> f64 {

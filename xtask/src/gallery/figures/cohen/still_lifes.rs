@@ -4,9 +4,7 @@ use asperity_render::geometry::camera::Camera;
 use asperity_render::geometry::revolution::{revolved, ring};
 use asperity_render::scene::{Backdrop, Light, Object, Scene};
 use asperity_render::scenes::{PLAIN, Set, backdrop, ground};
-use asperity_render::{
-    image::tone::hex, integrator::pixels::render_paths, light::environments::Studio, materials::glazed,
-};
+use asperity_render::{image::tone::hex, light::environments::Studio, materials::glazed};
 use asperity_shading::noise::{Normalisation, Octaves, Perlin2002, Spectrum, Turbulence};
 use asperity_shading::texture::{Gas, Steam, march};
 use asperity_shading::{Marble, material::PolishedMarble};
@@ -14,6 +12,7 @@ use glam::Vec3;
 
 use crate::failure::Result;
 use crate::gallery::figure::{Context, Drawn};
+use crate::quality::EXPOSURE;
 
 const CUP_PROFILE: [[f32; 2]; 11] = [
     [0.0, 0.05],
@@ -38,7 +37,7 @@ const TEA: f32 = 0.84;
 const STEP: f32 = 0.06;
 
 pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
-    let sampling = context.sampling([12, 12], 4);
+    let sampling = context.sampling([24, 24], 1);
     let studio = Studio::new(1.0);
     let marble = PolishedMarble { marble: Marble::default(), tint: Vec3::splat(2.6), polish: 0.12 };
     let objects = Set::Vase.objects(Box::new(marble), PLAIN)?;
@@ -48,13 +47,18 @@ pub(crate) fn draw_vase(context: &Context<'_>) -> Result<Drawn> {
         (["vase", "The vase", alt], [Vec3::new(0.0, -7.2, 2.6), Vec3::new(0.0, 0.0, 1.12)]),
         (["neck", "Its neck, from nearby", alt], [Vec3::new(0.7, -2.6, 3.1), Vec3::new(0.0, 0.0, 1.95)]),
     ];
-    let drawn =
-        Drawn::pictures(2, views, |view| Ok(context.look(&scene, sampling, view, 0.44)?.filmic(1.45)))?;
-    Ok(drawn.fact("cells of the first octave per unit", "2.5"))
+    let mut grains = Vec::new();
+    let drawn = Drawn::pictures(2, views, |[eye, target]| {
+        let camera = Camera::new(eye, target, 0.44, sampling.width, sampling.height);
+        let (image, grain) = context.still(&scene, sampling, &camera)?;
+        grains.push(grain);
+        Ok(image.filmic(EXPOSURE))
+    })?;
+    Ok(drawn.fact("cells of the first octave per unit", "2.5").grain(&grains))
 }
 
 pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
-    let sampling = context.sampling([12, 16], 3);
+    let sampling = context.sampling([21, 28], 1);
     let (eye, target) = (Vec3::new(1.2, -6.6, 3.0), Vec3::new(0.1, 0.0, 1.15));
     let camera = Camera::new(eye, target, 0.56, sampling.width, sampling.height);
     let studio = Studio::new(1.0);
@@ -76,6 +80,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
         let words = [format!("exponent-{exponent}"), format!("Exponent {exponent}"), alt.to_owned()];
         (words, Gas::new(octaves.with_shape(Turbulence), 5.0, densest, exponent))
     });
+    let mut grains = Vec::new();
     let drawn = Drawn::pictures(3, pictures, |gas| {
         let gas = gas?;
         let extinction = |p: Vec3| {
@@ -86,7 +91,7 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
             // Steam rises in streaks: its noise is drawn out upwards.
             3.2 * share * share * gas.density(p * Vec3::new(1.5, 1.5, 0.8)).min(3.0)
         };
-        let image = render_paths(sampling, context.progress, context.interrupted, |x, y, sampler| {
+        let (image, grain) = context.still_of(sampling, |x, y, sampler| {
             let ray = camera.ray(x, y);
             let behind = scene.seen(&ray, [0.0; 2], sampler);
             let [near, far] = steam.interval(ray.origin, ray.direction);
@@ -97,7 +102,8 @@ pub(crate) fn draw_cup(context: &Context<'_>) -> Result<Drawn> {
             });
             seen.light + seen.transmittance * behind.radiance
         })?;
-        Ok(image.filmic(1.45))
+        grains.push(grain);
+        Ok(image.filmic(EXPOSURE))
     })?;
-    Ok(drawn.fact("steps", STEP).fact("height of the steam", "1.9"))
+    Ok(drawn.grain(&grains).fact("steps", STEP).fact("height of the steam", "1.9"))
 }

@@ -22,7 +22,7 @@ fn object(
     shape: &Arc<Shape>,
     [stem, label, alt]: [&str; 3],
 ) -> Result<Panel> {
-    let image = context.draw(&request.scene(shape)?, request.sampling, &request.camera())?.exposed(1.0);
+    let image = context.draw(&request.scene(shape)?, request.sampling, &request.camera())?.filmic(1.0);
     Ok(Panel::new(stem, label, alt, image))
 }
 

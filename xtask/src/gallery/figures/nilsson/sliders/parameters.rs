@@ -33,6 +33,16 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
     let plain = CarpetParameters { seams_pattern: SeamPattern::None, ..base };
     let shining = CarpetParameters { specular_thread_strength: 0.6, ..plain };
     let crossing = CarpetParameters { seams_amplitude: 0.9, ..base };
+    let crossed = CarpetParameters {
+        seam_crossover_strength: 1.0,
+        dark_area_strength: 0.0,
+        diffuse_thread_strength: 0.0,
+        ..crossing
+    };
+    let bald = CarpetParameters { fibre_strength: 0.0, fibre_bump_strength: 0.0, ..plain };
+    let glossy = CarpetParameters { specular_thread_strength: 0.6, ..bald };
+    let threads = View::patch(0.045).exposed(2.6);
+    let field = View::patch(0.3).exposed(2.2);
     let soft = CarpetParameters { fake_rim_light: 0.6, ..plain };
     let near = View::patch(0.01).exposed(3.0);
     let seamed = View::patch(0.14).exposed(2.2);
@@ -58,10 +68,10 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         seamed base diffuse: [Vec3::new(0.02, 0.02, 0.03), base.diffuse, Vec3::new(0.25, 0.2, 0.13),
             Vec3::new(0.2, 0.05, 0.04), Vec3::new(0.04, 0.08, 0.2)];
         seamed plain specular: [0.0, 0.05, 0.1, 0.2, 0.4].map(grey);
-        seamed plain diffuse_thread_size: [0.002, 0.004, 0.006, 0.012, 0.03];
+        threads bald diffuse_thread_size: [0.002, 0.004, 0.006, 0.012, 0.03];
         seamed plain diffuse_thread_strength: [0.0, 0.06, 0.12, 0.25, 0.5];
         seamed plain diffuse_thread_bump_strength: [0.0, 0.06, 0.12, 0.3, 0.7];
-        seamed shining specular_thread_size: [0.004, 0.008, 0.016, 0.03, 0.06];
+        threads glossy specular_thread_size: [0.002, 0.004, 0.008, 0.016, 0.04];
         seamed plain specular_thread_strength: [0.0, 0.12, 0.3, 0.6, 1.0];
         wide plain dark_area_size: [0.05, 0.1, 0.15, 0.3, 0.6];
         wide plain dark_area_strength: [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -71,7 +81,7 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         seamed base seam_distance: [0.007, 0.012, 0.02, 0.035, 0.07];
         seamed base seams_amplitude: [0.0, 0.15, 0.3, 0.6, 1.0];
         seamed base seams_bump_strength: [0.0, 0.2, 0.4, 0.7, 1.0];
-        seamed crossing seam_crossover_size: [0.005, 0.012, 0.025, 0.05, 0.1];
+        field crossed seam_crossover_size: [0.01, 0.025, 0.05, 0.1, 0.25];
         seamed crossing seam_crossover_strength: [0.0, 0.25, 0.5, 0.75, 1.0];
         near even fibre_strength: [0.0, 0.25, 0.5, 0.8, 1.0];
         near even fibre_bump_strength: [0.0, 0.15, 0.3, 0.6, 1.0];
@@ -82,7 +92,7 @@ pub(super) fn carpet() -> Vec<Strip<CarpetParameters>> {
         rim soft fake_rim_light_colour: [Vec3::splat(0.4), Vec3::ONE, hex(0xff_d6a8), hex(0xb9_d0ff),
             Vec3::new(1.0, 0.3, 0.2)];
         seamed shining specular_roughness: [0.1, 0.2, 0.45, 0.7, 1.0];
-        seamed base seed: [1, 2, 3, 4, 5];
+        wide base seed: [1, 2, 3, 4, 5];
     }
 }
 
@@ -94,6 +104,9 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
     let bead = View { mirrored: studio, ..View::ball(0.02, 0.013) }.lit(0.5);
     let sparkling =
         MetallicPaintParameters { flake_sparkle_boost: 0.8, flake_sparkle_elimination: 0.0, ..base };
+    // So large that each is seen, in the light of one lamp.
+    let large = MetallicPaintParameters { flake_sparkle_pixel_size: 3.0, ..sparkling };
+    let tilted = View::ball(0.016, 0.008).lit_from_the_eye().lit(0.5);
     let sparse = MetallicPaintParameters { flake_sparkle_elimination: 0.9, ..sparkling };
     let counted = |spacing| PaintFlakes::Counted { spacing, bin: 0.12 };
     let smart = |unit| Elimination::Adaptive { unit };
@@ -112,7 +125,7 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
         peel with_orange_peel_size orange_peel_size: [0.004, 0.006, 0.012, 0.024, 0.048];
         bead sparkling flake_sparkle_pixel_size: [1.0, 1.5, 2.0, 3.0, 4.0];
         bead sparkling flake_sparkle_physical_size: [0.0005, 0.0007, 0.001, 0.0015, 0.002];
-        bead sparkling flake_sparkle_variation: [0.1, 0.25, 0.5, 0.75, 1.0];
+        tilted large flake_sparkle_variation: [0.1, 0.25, 0.5, 0.75, 1.0];
         bead sparkling flake_sparkle_boost: [0.0, 0.15, 0.3, 0.6, 1.0];
         bead sparkling flake_sparkle_boost_target: [Vec3::ONE, Vec3::new(1.0, 0.5, 0.1),
             Vec3::new(1.0, 0.1, 0.05), Vec3::new(0.1, 1.0, 0.2), Vec3::new(0.05, 0.15, 1.0)];
@@ -128,7 +141,7 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
             Vec3::new(0.02, 0.1, 0.03), Vec3::splat(0.3)];
         ball base coat_index: [1.0, 1.3, 1.5, 2.0, 3.0];
         ball base coat_roughness: [0.0, 0.05, 0.1, 0.2, 0.4];
-        bead sparkling seed: [1, 2, 3, 4, 5];
+        tilted large seed: [1, 2, 3, 4, 5];
     }
 }
 
@@ -239,10 +252,11 @@ pub(super) fn scratches() -> Vec<Strip<ScratchesParameters>> {
 pub(super) fn fibres() -> Vec<Strip<FibresParameters>> {
     let base = FibresParameters::default();
     let view = View::patch(0.012).exposed(1.3);
+    let combed = FibresParameters { fibre_length: 0.008, fibre_width: 0.06, fibre_spread: 0.0, ..base };
     strips! {
         view base fibre_length: [0.002, 0.003, 0.004, 0.006, 0.01];
         view base fibre_width: [0.07, 0.09, 0.12, 0.2, 0.3];
-        view base fibre_bend: [0.0, 0.08, 0.15, 0.22, 0.3];
+        view combed fibre_bend: [0.0, 0.08, 0.15, 0.22, 0.3];
         view base fibre_direction: [Vec2::X, Vec2::ONE, Vec2::Y, Vec2::new(-1.0, 1.0), Vec2::NEG_X];
         view base fibre_spread: [0.0, 0.15, 0.3, 0.6, 1.0];
         view base fibre_contrast: [0.0, 0.3, 0.6, 0.8, 1.0];

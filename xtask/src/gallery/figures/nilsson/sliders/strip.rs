@@ -90,8 +90,7 @@ pub(super) fn draw<P: Copy + Debug + Default, M: Material + Sync>(
     strips: &[Strip<P>],
     material: impl Fn(P) -> Result<M, ParameterError>,
 ) -> Result<Drawn> {
-    // Twice those of other pictures, for detail as fine as pixels.
-    let samples_per_pixel = context.samples_per_pixel.saturating_mul(2);
+    let samples_per_pixel = context.samples_per_pixel;
     let (across, gap) = (context.size * 3 / 2, (context.size / 96).max(1));
     let words = strips.iter().map(Strip::words);
     let drawn = Drawn::pictures(2, words.zip(strips), |Strip { options, view, .. }| {

@@ -1,0 +1,318 @@
+//! Samples where they are needed: every pixel until the standard error of its mean is small beside it.
+
+use std::sync::atomic::AtomicBool;
+
+use glam::Vec3;
+use indicatif::ProgressBar;
+
+use crate::{
+    failure::Failure,
+    geometry::camera::Camera,
+    image::Image,
+    integrator::pixels::{Sampling, pixel_hash, rows},
+    sampling::sampler::Sampler,
+    scene::Scene,
+};
+
+/// The grain at which a picture is done.
+#[derive(Clone, Copy, Debug)]
+pub struct Goal {
+    /// Standard error of what is shown of a pixel's luminance, over what is shown.
+    pub error: f32,
+    /// The number that is shown of a linear luminance, by the tone curve and the screen's.
+    pub shown: fn(f32) -> f32,
+    /// Shown luminance below which errors are told over it instead: what is darker is seen no better.
+    pub dark: f32,
+    /// Numbers of samples that a pixel has at least and at most.
+    pub samples: [u32; 2],
+}
+
+/// The grain of a picture that is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grain {
+    /// Standard error of what is shown of a pixel's luminance, over what is shown: the median over the pixels that have any.
+    pub median: f32,
+    /// Mean number of samples of a pixel.
+    pub samples: f32,
+}
+
+/// Half the side of the square of pixels whose variances are pooled.
+const REACH: usize = 3;
+
+/// Factor by which the samples of a pixel grow in one pass at most: variances of few samples are told by few.
+const GROWTH: u32 = 4;
+
+/// Weights of a pixel and of its two neighbours along each axis: with the pixel's own square a filter of deviation 0.58 pixels, about
+/// that of a Gaussian as renderers have it.
+const FILTER: [f32; 2] = [0.75, 0.125];
+
+/// The share of the variance of pixels that their filtered mean has.
+const KEPT: f32 = {
+    let along = FILTER[0] * FILTER[0] + 2.0 * FILTER[1] * FILTER[1];
+    along * along
+};
+
+/// Samples of one pixel in two halves, each with points of its own, so that their difference tells the error of their mean.
+#[derive(Clone, Copy, Default)]
+struct Halves {
+    sums: [Vec3; 2],
+    /// Samples in each half.
+    count: u32,
+}
+
+impl Halves {
+    fn mean(&self) -> Vec3 {
+        (self.sums[0] + self.sums[1]) / (2 * self.count).max(1) as f32
+    }
+
+    /// Variance of one sample, of luminance: an estimate of one degree of freedom.
+    fn variance(&self) -> f32 {
+        let difference = luminance(self.sums[0] - self.sums[1]);
+        difference * difference / (2 * self.count).max(1) as f32
+    }
+}
+
+/// Luminance of linear RGB of ITU-R BT.709.
+fn luminance(colour: Vec3) -> f32 {
+    colour.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+}
+
+/// The mean of `radiance` over the samples of each pixel, as many as bring its standard error to the goal.
+///
+/// The samples of a pixel are two sequences of [`Sampler`] in turn, which are independent: a quarter of the square of the difference
+/// of their means is the variance of the mean of all, whatever order there is in each. Over squares of pixels these are averaged; a
+/// pixel that has met nothing bright by chance is judged by its neighbours as well. Rousselle, Knaus and Zwicker 2012, "Adaptive
+/// Rendering with Non-Local Means Filtering", has the two halves.
+///
+/// One image whatever the number of threads.
+pub fn render_until(
+    sampling: Sampling,
+    goal: &Goal,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+) -> Result<(Image, Grain), Failure> {
+    let Sampling { width, height, .. } = sampling;
+    let pixels = sampled(sampling, goal, progress, interrupted, radiance)?;
+    let grain = Grain::of(&pixels, width as usize, goal.shown);
+    let pixels = pixels.iter().map(Halves::mean).collect();
+    Ok((reconstructed(&Image { width, height, pixels }), grain))
+}
+
+/// The samples of every pixel.
+fn sampled(
+    Sampling { width, height, seed, .. }: Sampling,
+    goal: &Goal,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+) -> Result<Vec<Halves>, Failure> {
+    let [least, most] = goal.samples.map(|count| count.div_ceil(2).max(1));
+    let columns = width as usize;
+    let mut pixels = vec![Halves::default(); columns * height as usize];
+    let mut wanted = vec![least; pixels.len()];
+    while pixels.iter().zip(&wanted).any(|(pixel, &wanted)| pixel.count < wanted) {
+        let more = |x: u32, y: u32| {
+            let index = (y * width + x) as usize;
+            let (mut pixel, wanted) = (pixels[index], wanted[index]);
+            let hashed = [0, 1].map(|half| pixel_hash(x, y, pixel_hash(seed, half, 0)));
+            for k in pixel.count..wanted {
+                for (sum, hashed) in pixel.sums.iter_mut().zip(hashed) {
+                    let mut sampler = Sampler::new(k, hashed);
+                    let place = sampler.point();
+                    *sum += radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler);
+                }
+            }
+            Halves { count: pixel.count.max(wanted), ..pixel }
+        };
+        let row = |y: usize| (0..width).map(|x| more(x, y as u32)).collect::<Vec<_>>();
+        pixels = rows(height as usize, progress, interrupted, row)?;
+        let (variances, means) = pooled(&pixels, columns);
+        for (((pixel, wanted), variance), mean) in pixels.iter().zip(&mut wanted).zip(variances).zip(means) {
+            let error = goal.error * (goal.shown)(mean).max(goal.dark) / slope(goal.shown, mean);
+            let enough = (0.5 * KEPT * variance / (error * error)).ceil();
+            *wanted =
+                (enough as u32).min(pixel.count.saturating_mul(GROWTH)).clamp(pixel.count, most.max(least));
+        }
+    }
+    Ok(pixels)
+}
+
+/// Standard errors of what is shown of the pixels' luminance, over what is shown.
+fn errors(pixels: &[Halves], columns: usize, shown: fn(f32) -> f32) -> Vec<f32> {
+    let (variances, means) = pooled(pixels, columns);
+    let error = |((pixel, variance), mean): ((&Halves, f32), f32)| {
+        (KEPT * variance / (2 * pixel.count).max(1) as f32).sqrt() * slope(shown, mean) / shown(mean)
+    };
+    pixels.iter().zip(variances).zip(means).map(error).collect()
+}
+
+/// The slope of a curve at a luminance, over a tenth of it: where light is cut off errors are not seen.
+fn slope(shown: fn(f32) -> f32, luminance: f32) -> f32 {
+    let step = 0.05 * luminance.max(1e-4);
+    (shown(luminance + step) - shown(luminance - step)) / (2.0 * step)
+}
+
+impl Grain {
+    fn of(pixels: &[Halves], columns: usize, shown: fn(f32) -> f32) -> Self {
+        let errors = errors(pixels, columns, shown).into_iter();
+        let mut errors: Vec<f32> = errors.filter(|error| error.is_finite() && *error > 0.0).collect();
+        let middle = errors.len() / 2;
+        let median =
+            if errors.is_empty() { 0.0 } else { *errors.select_nth_unstable_by(middle, f32::total_cmp).1 };
+        let samples = pixels.iter().map(|pixel| 2.0 * f64::from(pixel.count)).sum::<f64>();
+        Self { median, samples: (samples / pixels.len().max(1) as f64) as f32 }
+    }
+}
+
+/// The picture by its filter; beyond the border it goes on as it ends.
+fn reconstructed(image: &Image) -> Image {
+    let along = |image: &Image, [dx, dy]: [u32; 2]| {
+        let at = |x: u32, y: u32| {
+            let [x, y] = [x.min(image.width - 1), y.min(image.height - 1)];
+            image.pixels[(y * image.width + x) as usize]
+        };
+        Image::from_fn(image.width, image.height, |x, y| {
+            let beside = at(x.saturating_sub(dx), y.saturating_sub(dy)) + at(x + dx, y + dy);
+            FILTER[0] * at(x, y) + FILTER[1] * beside
+        })
+    };
+    along(&along(image, [1, 0]), [0, 1])
+}
+
+/// Variance of a sample and mean luminance about every pixel.
+fn pooled(pixels: &[Halves], columns: usize) -> (Vec<f32>, Vec<f32>) {
+    let variances = pixels.iter().map(Halves::variance).collect::<Vec<_>>();
+    let means = pixels.iter().map(|pixel| luminance(pixel.mean())).collect::<Vec<_>>();
+    (averaged(&variances, columns, REACH), averaged(&means, columns, 1))
+}
+
+/// The means over squares of pixels, of what of them is in the picture.
+fn averaged(values: &[f32], columns: usize, reach: usize) -> Vec<f32> {
+    let along = |values: &[f32], count: usize, step: usize, index: usize| {
+        let place = index / step % count;
+        let range = place.saturating_sub(reach)..=(place + reach).min(count - 1);
+        let sum: f32 = range.clone().map(|other| values[index - place * step + other * step]).sum();
+        sum / range.count() as f32
+    };
+    let rows = values.len() / columns.max(1);
+    let across: Vec<f32> = (0..values.len()).map(|index| along(values, columns, 1, index)).collect();
+    (0..values.len()).map(|index| along(&across, rows, columns, index)).collect()
+}
+
+impl Scene<'_, '_> {
+    /// Draws it in linear radiance until it has the grain of a goal.
+    pub fn draw_until(
+        &self,
+        sampling: Sampling,
+        goal: &Goal,
+        camera: &Camera,
+        progress: &ProgressBar,
+        interrupted: &AtomicBool,
+    ) -> Result<(Image, Grain), Failure> {
+        let camera = camera.about(self.focus);
+        render_until(sampling, goal, progress, interrupted, |x, y, sampler| {
+            let place = [x / sampling.width as f32, y / sampling.height as f32];
+            self.seen(&camera.ray(x, y), place, sampler).radiance
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_shading::Lambert;
+
+    use super::*;
+    use crate::{
+        light::environments::Studio,
+        sampling::sampler::hash,
+        scene::{Backdrop, Light},
+        scenes::{PLAIN, Set, backdrop},
+    };
+
+    const SIDE: u32 = 32;
+
+    const SAMPLING: Sampling = Sampling { width: SIDE, height: SIDE, samples_per_pixel: 1024, seed: 3 };
+
+    /// Light that few samples meet on the left and all on the right, with a mean of 1 on both sides.
+    fn speckled(x: f32, _: f32, sampler: &mut Sampler) -> Vec3 {
+        // Without any order, as hashes of points are.
+        let bits = sampler.point().to_array().map(f32::to_bits);
+        let [u, v] = [0, 1].map(|k| (hash(bits[k] ^ hash(bits[1 - k])) >> 8) as f32 / 16_777_216.0);
+        let share = if x < 16.0 { 0.02 } else { 1.0 };
+        Vec3::splat(if u < share { (0.5 + v) / share } else { 0.0 })
+    }
+
+    fn sampled_by(
+        goal: &Goal,
+        threads: usize,
+        radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync + Send,
+    ) -> Vec<Halves> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| sampled(SAMPLING, goal, &ProgressBar::hidden(), &AtomicBool::new(false), radiance))
+            .unwrap()
+    }
+
+    #[test]
+    fn the_error_told_is_that_of_a_picture_against_its_limit() {
+        let studio = Studio::new(1.0);
+        let chalk = Lambert::new(Vec3::splat(0.5)).unwrap();
+        let objects = Set::Sphere.objects(Box::new(chalk), PLAIN).unwrap();
+        let scene = Scene::new(objects, Light::Around(&studio), Backdrop::Colour(backdrop()));
+        let camera = Set::Sphere.view().camera(1.0, SAMPLING);
+        let limit = scene.draw(SAMPLING, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+        let limit = reconstructed(&limit).pixels;
+        let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [4, 256] };
+        let pixels =
+            sampled_by(&goal, 2, |x, y, sampler| scene.seen(&camera.ray(x, y), [0.0; 2], sampler).radiance);
+        let told = errors(&pixels, SIDE as usize, goal.shown);
+        let pixels = pixels.iter().map(Halves::mean).collect();
+        let pixels = reconstructed(&Image { width: SIDE, height: SIDE, pixels }).pixels;
+        let pairs = pixels.iter().zip(&limit).zip(told).filter(|(_, told)| *told > 0.0);
+        let mut ratios: Vec<f32> = pairs
+            .map(|((pixel, limit), told)| (luminance(*pixel) / luminance(*limit) - 1.0).abs() / told)
+            .collect();
+        ratios.sort_by(f32::total_cmp);
+        assert!(ratios.len() > 700);
+        // Half of all Gaussian errors are below 0.674 of their deviation.
+        let median = ratios[ratios.len() / 2];
+        assert!((0.5..0.85).contains(&median), "half of all errors are below {median} of what is told");
+    }
+
+    #[test]
+    fn samples_go_where_few_meet_light_and_pixels_that_met_none_are_not_taken_for_black() {
+        let goal = Goal { error: 0.25, shown: |x| x, dark: 0.0, samples: [4, 4096] };
+        let pixels = sampled_by(&goal, 2, speckled);
+        let counts = |left: bool| {
+            let own =
+                pixels.iter().zip(0..).filter(|(_, k)| (k % SIDE < 10) == left && (k % SIDE > 22) != left);
+            own.map(|(pixel, _)| f64::from(2 * pixel.count)).collect::<Vec<_>>()
+        };
+        let [left, right] = [true, false].map(counts);
+        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35.
+        let mean = left.iter().sum::<f64>() / left.len() as f64;
+        assert!((200.0..500.0).contains(&mean), "{mean}");
+        assert!(left.iter().all(|&count| count > 60.0), "{left:?}");
+        assert!(right.iter().all(|&count| count == 4.0), "{right:?}");
+    }
+
+    #[test]
+    fn the_filter_keeps_the_light_and_the_share_of_variance_that_is_told() {
+        let noise = |x: u32, y: u32| (hash(x ^ hash(y)) >> 8) as f32 / 16_777_216.0 - 0.5;
+        let image = reconstructed(&Image::from_fn(128, 128, |x, y| Vec3::splat(noise(x, y))));
+        let variance = image.pixels.iter().map(|p| p.x * p.x).sum::<f32>() / 16_384.0;
+        // 16384 squares of 7 dependent each: three standard errors are 6 %.
+        assert!((variance * 12.0 / KEPT - 1.0).abs() < 0.06, "{variance}");
+        assert!(
+            reconstructed(&Image::from_fn(9, 9, |_, _| Vec3::ONE)).pixels.iter().all(|p| *p == Vec3::ONE)
+        );
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit_and_no_pixel_leaves_its_bounds() {
+        let goal = Goal { error: 0.1, shown: |x| x, dark: 0.0, samples: [6, 64] };
+        let [one, three] = [1, 3].map(|threads| sampled_by(&goal, threads, speckled));
+        assert!(one.iter().zip(&three).all(|(a, b)| a.sums == b.sums && a.count == b.count));
+        assert!(one.iter().all(|pixel| (3..=32).contains(&pixel.count)));
+    }
+}
