@@ -52,7 +52,7 @@ export const bumps = {
 class Bumps extends Looking {
   constructor(page) {
     super(page, {
-      teapot: { field: 0.62, distance: 8.6, target: [-0.55, 0, 1.35], made: () => teapot(page.data.teapot) },
+      teapot: { field: 0.62, distance: 10.4, target: [0.2, 0, 1.35], made: () => teapot(page.data.teapot) },
       sphere: { field: 0.5, distance: 5.2, target: [0, 0, 1], made: sphere },
       plane: { field: 0.9, distance: 1 },
       own: { field: 0.62, distance: 8, target: [0, 0, 1], otherwise: 'teapot' },
