@@ -50,7 +50,7 @@ impl Quality {
 impl Fineness {
     /// The grain of a still life: errors of what is darker than a tenth of white are told over that.
     pub(crate) const fn goal(&self) -> Goal {
-        let samples = [self.samples_per_pixel, 12 * self.samples_per_pixel];
+        let samples = [self.samples_per_pixel, 8 * self.samples_per_pixel];
         Goal { error: self.error, shown: |luminance| srgb(filmic(EXPOSURE * luminance)), dark: 0.1, samples }
     }
 }

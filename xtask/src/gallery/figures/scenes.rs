@@ -93,14 +93,17 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let (room, ball) = ((Set::Room, Set::Room.view()), (Set::Sphere, Set::Sphere.view()));
     let corner = "The corner of a room with a red ball";
     let pictures = [
-        (["corner", "A floor of carpet", corner], (room, lines)),
-        (["grid", "Seams in a grid, from 20 cm", "Threads and crossing seams"], ((Set::Room, near), grid)),
-        (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim)),
+        (["corner", "A floor of carpet", corner], (room, lines, 24)),
+        (
+            ["grid", "Seams in a grid, from 20 cm", "Threads and crossing seams"],
+            ((Set::Room, near), grid, 16),
+        ),
+        (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim, 16)),
     ];
     let mut stills = Stills::new(context);
-    let drawn = Drawn::pictures(3, pictures, |((set, view), carpet)| {
+    let drawn = Drawn::pictures(3, pictures, |((set, view), carpet, side)| {
         let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())), PLAIN)?;
-        stills.picture(objects, view, [24, 24])
+        stills.picture(objects, view, [side, side])
     })?
     .grain(&stills.grains);
     let light = format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width);

@@ -58,7 +58,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let words = |label| format!("A sphere in a room with three lamps: {label}");
     let balls = balls
         .map(|(stem, label, layers)| ([stem.to_owned(), label.to_owned(), words(label)], (stem, layers)));
-    let (sampling, studio) = (context.sampling([12, 12], 1), Studio::new(1.0));
+    let (sampling, studio) = (context.sampling([10, 10], 1), Studio::new(1.0));
     let mut grains = Vec::new();
     let drawn = Drawn::pictures(3, balls, |(stem, layers)| {
         let ball = Object::new(Shape::Sphere, Layers(layers));
