@@ -1,7 +1,7 @@
 //! Templates of Open Job Description, the format in which farms of machines take work: steps, each with a task for every number of a
 //! range, every task one call of this program.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde_json::{Value, json};
 
@@ -113,11 +113,7 @@ pub(crate) fn arguments(
     let whole = |text: &str| -> Result<String> {
         let path = Path::new(text);
         let there = path.is_relative() && path.is_file();
-        Ok(if there {
-            PathBuf::from(std::path::absolute(path)?).display().to_string()
-        } else {
-            text.to_owned()
-        })
+        Ok(if there { std::path::absolute(path)?.display().to_string() } else { text.to_owned() })
     };
     let (mut arguments, mut given) = (Vec::new(), given);
     while let Some(argument) = given.next() {

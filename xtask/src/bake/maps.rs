@@ -150,7 +150,7 @@ impl Map {
                 out.extend(heights(planes[0]).map(|height| unorm((height - low) * scale)));
             }
             Self::BaseColour | Self::Roughness | Self::Metallic | Self::Occlusion => {
-                out.extend(words(planes[0]))
+                out.extend(words(planes[0]));
             }
             Self::Packed => {
                 let [o, r, m] = [0, 1, 2].map(|k| words(planes[k]));

@@ -119,7 +119,7 @@ mod tests {
         // 3 of 4 slices are half hidden, of the integral over azimuth a half is.
         assert!((lit - 0.625).abs() < 1e-3, "{lit}");
         // At the bottom of a cone of 45° the sky is a cap: sin² 45° of the light.
-        let cone = around(|x, y| x.hypot(y));
+        let cone = around(f32::hypot);
         let lit = Places::new(&cone).occlusion(&cone, [0, 0], Vec3::Z);
         assert!((lit - 0.5).abs() < 1e-3, "{lit}");
     }

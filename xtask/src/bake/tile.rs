@@ -20,7 +20,7 @@ pub(super) const TAIL: usize = 8 + crate::bake::texel::BYTES;
 /// Place of a plane's level within a tile's file; of the level beyond the last, the end of all planes.
 pub(super) fn offset(plan: &Plan, plane: usize, level: u32) -> usize {
     let texels = |level: u32| (plan.tile as usize >> level).pow(2);
-    let level_bytes = |level| plan.planes().map(|plane| plane.bytes()).sum::<usize>() * texels(level);
+    let level_bytes = |level| plan.planes().map(super::maps::Plane::bytes).sum::<usize>() * texels(level);
     let before: usize = (0..level).map(level_bytes).sum();
     before + plan.planes().take(plane).map(|plane| plane.bytes() * texels(level)).sum::<usize>()
 }
@@ -42,7 +42,7 @@ impl Tile {
         })?;
         let shades = plan.source.varies().height && plan.reach > 0;
         let around = shades.then(|| surroundings(plan, [first_column, first_row]));
-        let places = around.as_ref().map(|around| Places::new(around));
+        let places = around.as_ref().map(Places::new);
         texels.par_chunks_mut(side).enumerate().try_for_each(|(row, texels)| {
             for (column, texel) in texels.iter_mut().enumerate() {
                 let normal = plan.source.shown(texel).0;

@@ -68,7 +68,7 @@ impl Scene<'_, '_> {
         }
     }
 
-    /// What is scattered of a radiance from a sampled direction, weighted beside samples of the layers, if there are such.
+    /// The part of a radiance from a sampled direction that is scattered, weighted beside samples of the layers, if there are such.
     fn scattered_from(&self, spot: &Spot<'_>, wi: Vec3, radiance: Vec3, density: f32, layers: bool) -> Vec3 {
         let local = spot.frame.to_local(wi);
         // Light comes into a body through another place of its surface, not straight.

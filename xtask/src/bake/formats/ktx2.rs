@@ -118,7 +118,7 @@ pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
                     file.write_all(&bytes)?;
                 }
                 Texels::Blocks(variant) => {
-                    file.write_all(&compressed(&rows, map.map.channels(), side, variant))?
+                    file.write_all(&compressed(&rows, map.map.channels(), side, variant))?;
                 }
             }
         }

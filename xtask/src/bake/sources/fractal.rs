@@ -33,6 +33,9 @@ pub(crate) struct Fractal {
     scale: f64,
 }
 
+/// Heights along a side that tell their variance.
+const GRID: usize = 128;
+
 impl Fractal {
     /// The surface of these parameters.
     pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
@@ -49,7 +52,6 @@ impl Fractal {
         let d: Vec<[f64; 2]> =
             (0..count).map(|k| [1, 2].map(|part| steep * random(part * count + k))).collect();
         let torus = Torus::new(nodes as usize, [[2, -1], [1, 2]], f64::from(factor), &z, &d)?.narrowed();
-        const GRID: usize = 128;
         let heights: Vec<f64> = (0..GRID * GRID)
             .map(|k| [k % GRID, k / GRID].map(|i| (i as f64 + 0.5) / GRID as f64))
             .map(|[x, y]| torus.evaluate(x, y, 1e-4).value)

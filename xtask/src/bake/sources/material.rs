@@ -20,6 +20,9 @@ pub(crate) struct Flat {
     coat: Option<f32>,
 }
 
+/// Places along a side that tell what varies; no period of patterns is a whole part of it.
+const GRID: usize = 61;
+
 impl Flat {
     /// The material on the square.
     pub(crate) fn new(
@@ -30,8 +33,6 @@ impl Flat {
     ) -> Result<Self> {
         let varies = Varies { colour: true, metallic: true, height: false };
         let mut flat = Self { name, parameters, surface, side, varies, coat: None };
-        // No period of patterns is a whole part of it.
-        const GRID: usize = 61;
         let (mut colours, mut metals) = (Vec::new(), Vec::new());
         for k in 0..GRID * GRID {
             let at = [k % GRID, k / GRID].map(|i| (i as f64 + 0.381_966) / GRID as f64);

@@ -64,7 +64,7 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: "failure cli progress output cargo drivers toolchain job → input → render gallery → gallery/figures → tables → check bake bench \
+        rooms: "failure cli quality progress output cargo drivers toolchain job → input → render gallery → gallery/figures → tables → check bake bench \
                 shaders web",
         face: None,
     },
