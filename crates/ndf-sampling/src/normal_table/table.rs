@@ -52,8 +52,9 @@ use crate::numeric::binary16::to_half;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside and looks up the nearest
-/// entry; this table is indexed by `z`, so that one table serves every noise. [`NormalTable::from_fn`] makes the paper's.
+/// Kautz, Heidrich, Seidel 2001, section 4. The paper indexes by the noise value with G inside, and leaves open what is
+/// between entries; this table is indexed by `z`, so that one table serves every noise, and interpolated. [`NormalTable::from_fn`]
+/// makes the paper's.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "lut")]
 #[doc(alias = "texture")]

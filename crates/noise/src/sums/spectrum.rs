@@ -63,7 +63,7 @@ impl Spectrum {
     /// The most octaves that a sum can have.
     pub const MAX_OCTAVES: u32 = 16;
 
-    /// Clouds: lacunarity 2, gain 0.5, ten octaves, after Nilsson 2008, section 4.1.5.
+    /// Clouds: lacunarity 2 and gain 0.5, after Nilsson 2008, section 4.1.5, which leaves the number of octaves open; here ten.
     pub const CLOUD: Self = Self { lacunarity: 2.0, gain: 0.5, max_octaves: 10 };
 
     /// Threads of a carpet: lacunarity 2, gain 1, three octaves, after Nilsson 2008, section 4.2.2.

@@ -47,7 +47,7 @@ pub struct StarWallpaper {
 /// Scatter of a star's centre about that of its cell, in cells.
 const SCATTER: f32 = 0.6;
 
-/// The lecture's: ten cells per unit, stars of five points, radii 0.01 and 0.03, in 55 of 100 cells.
+/// The lecture's: ten cells per unit, stars of five points, radii 0.01 and 0.03, by a chance of 0.55 for each cell.
 impl Default for StarWallpaper {
     fn default() -> Self {
         Self { points: 5, r_min: 0.01, r_max: 0.03, cells: 10.0, chance: 0.55, seed: 0 }
