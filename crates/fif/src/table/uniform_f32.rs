@@ -257,4 +257,15 @@ mod tests {
         let (y, alpha) = ([0.0, 1.0, -1.0, 0.5, 0.25, 1.5, 0.0], [0.3, -0.4, 0.2, 0.5, -0.1, 0.6]);
         check(&Fif::affine(&x, &y, &alpha).unwrap(), 1e-6);
     }
+
+    #[test]
+    fn lists_of_any_length_have_the_bits_of_values() {
+        let table = paper::g().unwrap().table(1e-6).unwrap().to_f32();
+        let x: Vec<f32> = (0_u16..300).map(|k| 0.01 + 0.006_61 * f32::from(k)).collect();
+        for n in [0, 1, 16, 17, 63, 64, 65, 127, 128, 144, 145, 192, 209, 300] {
+            let mut y = alloc::vec![f32::NAN; n];
+            table.values(&x[..n], &mut y).unwrap();
+            assert!(x.iter().zip(&y).all(|(x, y)| y.to_bits() == table.value(*x).to_bits()), "{n}");
+        }
+    }
 }
