@@ -141,9 +141,14 @@ impl<const C: usize> Jets<C> {
         let (t, mut rest) = self.place(x)?;
         let mut sums = Sums::new(self.chord_jet(t), 1.0);
         let [integral, value, slope] = self.terms;
-        for _ in 1..integral {
+        // The first term apart, whose products with ones the compiler leaves out.
+        if integral > 1 {
             let (row, index, z) = self.next(&mut rest)?;
             sums.all(&row.c, row.a, *self.primitive.middles.get(index)?, z, &self.scales);
+            for _ in 2..integral {
+                let (row, index, z) = self.next(&mut rest)?;
+                sums.all(&row.c, row.a, *self.primitive.middles.get(index)?, z, &self.scales);
+            }
         }
         let (row, index, z) = self.next(&mut rest)?;
         sums.end_integral(&row.c, *self.primitive.middles.get(index)?, z, &self.scales);
