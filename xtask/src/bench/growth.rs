@@ -90,6 +90,7 @@ pub(crate) fn crates(curves: &[Curve]) -> Vec<&str> {
 pub(crate) fn markdown(machine: &[String], curves: &[Curve]) -> String {
     let mut text = format!(
         "# What things cost\n\n\
+         - What is wanted and what is, row by row, and where the trials stand: [wanted](wanted.md).\n\
          - Beside other libraries: [noise](peers.md), [maps and densities](ndf.md), [rays](rays.md).\n\
          - Alone: [pixels, materials and textures](shading.md), [fractal functions](fif.md); `cargo bench` in any crate for the rest.\n\
          - How cost grows: below, by `cargo xtask bench --growth --ship`. Medians by criterion, one thread. The slope is the exponent \
