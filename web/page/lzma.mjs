@@ -111,5 +111,13 @@ const [scripts, described, glsl, sources] = new TextDecoder().decode(inside('asp
 const data = JSON.parse(described), parts = sources.split('\x02');
 data.glsl = glsl.split('\x02');
 data.parts = Object.fromEntries(data.parts.map((name, k) => [name, parts[k]]));
-globalThis.asperityParts = { ...data, wasm: inside('asperity-tables') };
+const tables = inside('asperity-tables'), words = new DataView(tables.buffer, data.levels ?? 0);
+// Levels are packed as second differences, the negative half not at all.
+for (let k = 0, level = 0, slope = 0; data.levels && k < 2048; k++) {
+  slope = slope + words.getInt32(8192 + 4 * k, true) | 0;
+  level = level + slope | 0;
+  words.setInt32(8192 + 4 * k, level, true);
+  words.setInt32(8188 - 4 * k, level ^ 1 << 31, true);
+}
+globalThis.asperityParts = { ...data, wasm: tables };
 document.body.append(Object.assign(document.createElement('script'), { type: 'module', textContent: scripts }));
