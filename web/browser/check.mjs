@@ -5,6 +5,8 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { drops } from './dropped.mjs';
+import { copies, nonsense, smooth } from './given.mjs';
 import { launch, open, program } from './launch.mjs';
 import { pinches, rests, seams, strip } from './motion.mjs';
 import { noises } from './noises.mjs';
@@ -197,6 +199,7 @@ for (const api of ['webgpu', 'webgl2']) {
   });
   tell(`${api}: wrong input says nothing on the console`, said.every(line => /lost|Destroyed|destroyed/i.test(line)), said.join(' | '));
   await page.context().close();
+  if (api === 'webgpu') await copies(browser, address, tell);
   await browser.close();
 }
 for (const [name, [a, b]] of Object.entries(drawn)) {
@@ -253,6 +256,9 @@ for (const [name, [a, b]] of Object.entries(drawn)) {
     tell('keys: a density is painted', painted !== await page.evaluate(() => globalThis.asperity.settings.painting));
     await page.context().close();
   }
+  await nonsense(browser, 'webgl2', address, tell, async page => deviation(await pixelsOf(page)));
+  await drops(browser, 'webgl2', address, tell);
+  await smooth(browser, file, tell);
   await noises(browser, 'webgl2', address, tell);
   await seams(browser, 'webgl2', address, tell);
   await strip(browser, 'webgl2', address, tell);

@@ -4,14 +4,17 @@ import { floats } from './rust.mjs';
 import { direction, towards } from './vector.mjs';
 import { readGlb, readObj, sphere, teapot } from './mesh.mjs';
 import { Looking, times } from './camera.mjs';
+import { fitting } from './controls.mjs';
 import { Painting } from './painting.mjs';
 
 const MAX_OCTAVES = 16;
 const ZOOMS = [1, 10, 100, 1000, 10000];
+const analytic = ({ density }) => density !== 'painted';
 
 /** The scene, opened on a page. */
 export const bumps = {
   id: 'bumps',
+  short: 'Bumps',
   title: 'Bumps at every zoom',
   about: 'One density of normals shades the surface from afar and makes its bumps near by. Come ten thousand times nearer: the exact rule keeps the mean brightness, the rule of 2001 does not.',
   keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to come nearer, double-click to look at a place.',
@@ -22,14 +25,14 @@ export const bumps = {
     { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
     { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -66.8, says: x => `${Math.round(x)}°` },
     { name: 'height', kind: 'range', label: 'Height', min: -89, max: 89, step: 0.1, value: 17.9, says: x => `${Math.round(x)}°` },
-    { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+(,-?[\d.e-]+){2})?$/ },
+    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 3 },
     { name: 'lamp', kind: 'range', label: 'Lamp, around', min: -180, max: 180, step: 1, value: -132.5, says: x => `${Math.round(x)}°` },
     { name: 'lampHeight', kind: 'range', label: 'Lamp, height', min: 0, max: 90, step: 1, value: 42.6, says: x => `${Math.round(x)}°` },
     { kind: 'group', label: 'Density of normals' },
     { name: 'density', kind: 'choice', label: 'Density', value: 'ggx', options: [['ggx', 'GGX'], ['beckmann', 'Beckmann'], ['student-t', 'Student’s t'], ['painted', 'Painted below']] },
-    { name: 'alphaX', kind: 'range', label: 'Roughness α along', min: 0.01, max: 1, step: 0.01, value: 0.2 },
-    { name: 'alphaY', kind: 'range', label: 'and across', min: 0.01, max: 1, step: 0.01, value: 0.4 },
-    { name: 'gamma', kind: 'range', label: 'Tails γ of Student’s t', min: 1.6, max: 40, step: 0.1, value: 3 },
+    { name: 'alphaX', kind: 'range', label: 'Roughness α along', min: 0.01, max: 1, step: 0.01, value: 0.2, when: analytic },
+    { name: 'alphaY', kind: 'range', label: 'and across', min: 0.01, max: 1, step: 0.01, value: 0.4, when: analytic },
+    { name: 'gamma', kind: 'range', label: 'Tails γ of Student’s t', min: 1.6, max: 40, step: 0.1, value: 3, when: ({ density }) => density === 'student-t' },
     { name: 'painting', kind: 'text', label: 'Painting', value: '', pattern: /^[\w-]*$/ },
     { kind: 'own', element: () => bumps.painting.element() },
     { kind: 'group', label: 'Bumps' },
@@ -71,8 +74,8 @@ class Bumps extends Looking {
 
   /** A file of the visitor's: a mesh, or a picture as density. */
   async drop(file) {
-    const name = file.name.toLowerCase();
     try {
+      const name = fitting(file).name.toLowerCase();
       if (name.endsWith('.obj')) this.shapes.set('own', readObj(await file.text(), file.name));
       else if (name.endsWith('.glb')) this.shapes.set('own', readGlb(await file.arrayBuffer(), file.name));
       else if (file.type.startsWith('image/')) return await bumps.painting.read(file);

@@ -42,7 +42,7 @@ export function ticksOf(from, to, count = 4) {
   const rough = (to - from) / count, ten = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map(k => k * ten).find(step => step >= rough) ?? ten;
   const ticks = [];
-  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) ticks.push([k * step, String(+(k * step).toPrecision(6))]);
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) ticks.push([k * step, String(+(k * step).toPrecision(6)).replace('-', '−')]);
   return ticks;
 }
 

@@ -15,6 +15,10 @@ export function settled(control, text) {
   if (control.kind === 'choice') return control.options.some(([value]) => value === text) ? text : control.value;
   if (control.kind === 'check') return text === true || text === 'true';
   if (control.kind === 'colour') return /^#[0-9a-f]{6}$/.test(text) ? text : control.value;
+  if (control.kind === 'place') {
+    const words = String(text).split(',');
+    return words.length === control.axes && words.every(word => word !== '' && Math.abs(word) < 1e5) ? words.join() : control.value;
+  }
   if (control.kind === 'text') return (control.pattern ?? /^.*$/).test(text) ? String(text) : control.value;
   return control.value;
 }
@@ -34,6 +38,12 @@ export function settingsOf(scene, words) {
   return Object.fromEntries(scene.controls.filter(({ name }) => name).map(c => [c.name, settled(c, known.get(c.name))]));
 }
 
+/** A file of the visitor's, unless it is larger than this page reads. */
+export function fitting(file) {
+  if (file.size > 2e8) throw new Error(`${file.name} has ${Math.round(file.size / 1e6)} MB; 200 at most.`);
+  return file;
+}
+
 export const element = (tag, attributes = {}, ...children) => {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -42,7 +52,6 @@ export const element = (tag, attributes = {}, ...children) => {
   made.append(...children);
   return made;
 };
-
 
 /**
  * Fields of a scene's settings in a form; `heard(name, value)` hears of each input. The result sets the fields to settings. A control
@@ -69,13 +78,13 @@ export function fields(scene, form, settings, heard) {
       if (control.when) shown.push([group, control.when]);
       continue;
     }
-    if (kind === 'hidden' || kind === 'text') continue;
+    if (kind === 'place' || kind === 'text') continue;
     const id = `${scene.id}-${name}`;
     if (kind === 'range') {
       const shown = element('output', { for: id });
       const input = element('input', { type: 'range', id, min: control.min, max: control.max, step: control.step ?? 'any' });
       const say = value => {
-        const text = control.says ? control.says(value) : String(+value.toPrecision(4));
+        const text = (control.says ? control.says(value) : String(+value.toPrecision(4))).replace('-', '−');
         shown.textContent = text;
         input.setAttribute('aria-valuetext', text);
       };

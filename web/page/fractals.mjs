@@ -36,6 +36,7 @@ const LISTS = /^[-+.\deE,;]{0,900}$/;
 /** The scene, opened on a page. */
 export const fractals = {
   id: 'fractals',
+  short: 'Fractals',
   title: 'Fractal functions',
   about: 'A curve through a few points that is made of smaller copies of itself; its integrals are exact and smooth, and so are the normals of the surface that they make. Come a million times nearer.',
   keys: 'Curve: drag knots and factors, or reach them with Tab and use the arrow keys, Shift for larger steps; Insert and Delete add and remove knots; drag or scroll beside them to move and come nearer, double-click to add a knot. Surface: drag or use the arrow keys to turn, Shift with them to move along it, scroll, pinch or plus and minus to come nearer, double-click to look at a place.',
@@ -50,14 +51,14 @@ export const fractals = {
     { name: 'integral', kind: 'check', label: 'f̂, its integral', value: true },
     { name: 'bounds', kind: 'check', label: 'Proven bounds between knots', value: false },
     { name: 'nearer', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
-    { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+)?$/ },
+    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 1 },
     { kind: 'group', label: 'Surface' },
     { name: 'surface', kind: 'choice', label: 'Surface', value: 'integral', options: [...Object.entries(SURFACES).map(([value, [, text]]) => [value, text]), ['none', 'None']] },
     { name: 'relief', kind: 'range', label: 'Height', min: 0.05, max: 2, step: 0.05, value: 0.7 },
     { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 6, step: 0.01, value: 0, says: zoomed },
     { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -62, says: degrees },
     { name: 'height', kind: 'range', label: 'Height of the eye', min: 5, max: 89, step: 0.1, value: 34, says: degrees },
-    { name: 'place', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+,-?[\d.e-]+)?$/ },
+    { name: 'place', kind: 'place', label: 'Place', value: '', axes: 2 },
     { name: 'colours', kind: 'choice', label: 'Colours', value: 'light', options: [['light', 'Lamp and sky'], ['normals', 'Normals'], ['contrast', 'Normals, their differences enlarged'], ['heights', 'Bands of height'], ['proof', 'Hits that are proven to be first']] },
     { name: 'lamp', kind: 'range', label: 'Lamp, around', min: -180, max: 180, step: 1, value: -130, says: degrees },
     { name: 'lampHeight', kind: 'range', label: 'Lamp, height', min: 1, max: 90, step: 1, value: 32, says: degrees },
@@ -115,6 +116,8 @@ class Fractals {
     const places = x.map((x, k) => `(${x}, ${y[k]})`).join(', ');
     return `The fractal function through ${places} with the factors ${d.join(', ')}${surface === 'none' ? '' : `, and a surface: ${SURFACES[surface][1]}`}.`;
   }
+
+  program() { return 'fractals'; }
 
   pixels() { return this.surface.canvas.hidden ? this.plot.pixels() : this.surface.pixels(); }
 

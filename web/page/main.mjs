@@ -15,6 +15,8 @@ const PAPER = [236 / 255, 234 / 255, 228 / 255];
 const FRAME = 25;
 /** The longest that a band of a picture at rest may take. */
 const BAND = 120;
+/** The longest that a picture may take that is finer than the screen. */
+const REST = 500;
 
 const by = id => document.getElementById(id);
 const asked = new URLSearchParams(location.search);
@@ -116,16 +118,18 @@ class Page {
       await instance.paint(settings, stop);
       if (!stop()) this.say('');
     } else if (this.gpu) {
-      const full = this.full();
+      const full = this.full(), fine = asked.has('size') || devicePixelRatio > 1 ? full : 2 * full;
       const quick = Math.min(full, Math.max(64, 32 * Math.floor(Math.sqrt(FRAME / this.perPixel) / 32)));
       await this.picture(quick, quick, stop);
-      // Nothing has changed for a while: the whole picture, in bands.
-      if (quick < full && !stop()) await new Promise(resolve => setTimeout(resolve, 150));
-      if (quick < full && !stop()) await this.picture(full, Math.max(16, Math.floor(BAND / this.perPixel / full)), stop);
+      for (const size of [full, fine]) {
+        // Nothing has changed for a while: the whole picture, in bands; edges are smooth where twice as many pixels are quick.
+        if (size <= this.target.width || (size > full && size * size * this.perPixel > REST)) continue;
+        if (!stop()) await new Promise(resolve => setTimeout(resolve, 150));
+        if (!stop()) await this.picture(size, Math.max(16, Math.floor(BAND / this.perPixel / size)), stop);
+      }
     }
-    const { api } = this.gpu ?? {};
     if (this.canvas && instance.alt) (instance.element ?? this.canvas).setAttribute('aria-label', instance.alt(settings));
-    by('wgsl').hidden = !instance.program || !api;
+    by('wgsl').hidden = !instance.program;
     by('rust').hidden = !instance.rustCode;
     if (!stop()) await instance.after?.(settings, stop);
     this.drawn = { scene: scene.id, change };
@@ -248,7 +252,7 @@ async function begin() {
     const link = document.createElement('a');
     link.href = `#${scene.id}`;
     link.dataset.scene = scene.id;
-    link.textContent = scene.title;
+    link.textContent = scene.short;
     by('scenes').append(link);
   }
   await page.openGpu();
@@ -258,11 +262,23 @@ async function begin() {
   addEventListener('drop', event => {
     event.preventDefault();
     const file = event.dataTransfer.files[0];
-    if (file) page.instance.drop?.(file);
+    if (file && page.instance.drop) page.instance.drop(file);
+    else if (file) page.complain(new Error(`${file.name}: this scene takes no files.`));
   });
-  by('link').addEventListener('click', () => copied(location.href.split('#')[0] + linkOf(page.scene, page.settings), 'The link'));
-  by('wgsl').addEventListener('click', () => copied(wgslOf(data, page.instance.program(page.settings)), 'The WGSL'));
-  by('rust').addEventListener('click', () => copied(page.instance.rustCode(page.settings), 'The Rust'));
+  const copies = {
+    link: ['The link', () => location.href.split('#')[0] + linkOf(page.scene, page.settings)],
+    wgsl: ['The WGSL', () => wgslOf(data, page.instance.program(page.settings))],
+    rust: ['The Rust', () => page.instance.rustCode(page.settings)],
+  };
+  for (const [id, [what, text]] of Object.entries(copies)) {
+    by(id).addEventListener('click', () => {
+      try {
+        copied(text(), what);
+      } catch (refused) {
+        page.complain(refused);
+      }
+    });
+  }
   by('reset').addEventListener('click', () => page.show(page.scene, settingsOf(page.scene, '')));
   by('save').addEventListener('click', async () => {
     const { width, height, data: pixels } = await page.pixels();

@@ -2,6 +2,7 @@
 
 import { Mesh, sphere, teapot } from './mesh.mjs';
 import { Looking, times } from './camera.mjs';
+import { fitting } from './controls.mjs';
 import { carBody, cup, ground, room, sky, wheels } from './scenery.mjs';
 import { encoded, lightFor, linear, readLight } from './light.mjs';
 
@@ -227,6 +228,7 @@ const OF = Object.keys(MATERIALS);
 /** The scene, opened on a page. */
 export const materials = {
   id: 'materials',
+  short: 'Materials',
   title: 'Materials',
   about: 'Car paint, carpet, tempered glass, wear and tear with all parameters of Nilsson’s thesis; a wall, marble and steam of Cohen’s lectures. Each fades to its own mean with the width of a pixel: come nearer.',
   keys: 'Drag or use the arrow keys to turn, Shift with them to move along the surface, scroll, pinch or use plus and minus to come nearer, double-click to look at a place.',
@@ -261,7 +263,7 @@ export const materials = {
     { name: 'zoom', kind: 'range', label: 'Nearer', min: 0, max: 4, step: 0.01, value: 0, says: z => times(10 ** z) },
     { name: 'turn', kind: 'range', label: 'Turn', min: -180, max: 180, step: 0.1, value: -52, says: x => `${Math.round(x)}°` },
     { name: 'height', kind: 'range', label: 'Height', min: -89, max: 89, step: 0.1, value: 14, says: x => `${Math.round(x)}°` },
-    { name: 'at', kind: 'text', label: 'Place', value: '', pattern: /^(-?[\d.e-]+(,-?[\d.e-]+){2})?$/ },
+    { name: 'at', kind: 'place', label: 'Place', value: '', axes: 3 },
   ],
   async open(page) {
     return new Materials(page);
@@ -288,7 +290,7 @@ class Materials extends Looking {
   /** A picture of light, of the visitor's. */
   async drop(file) {
     try {
-      this.own = await readLight(file);
+      this.own = await readLight(fitting(file));
       this.page.set({ light: 'own' });
     } catch (error) {
       this.page.complain(error);

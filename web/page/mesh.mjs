@@ -170,7 +170,12 @@ export function readGlb(buffer, name) {
   if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name} is no binary glTF file.`);
   const jsonLength = view.getUint32(12, true);
   if (20 + jsonLength > view.byteLength) throw new Error(`${name} ends in the middle of its description.`);
-  const gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, jsonLength)));
+  let gltf;
+  try {
+    gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 20, jsonLength)));
+  } catch {
+    throw new Error(`${name} has a description that is no JSON.`);
+  }
   if (gltf.extensionsRequired?.length) throw new Error(`${name} needs ${gltf.extensionsRequired.join(', ')}, which this page does not read.`);
   const binaryAt = 20 + jsonLength + 8;
   const sizes = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 }, widths = { SCALAR: 1, VEC2: 2, VEC3: 3 };

@@ -31,6 +31,7 @@ const SUMS = {
 };
 const BASES = ['F1', 'F2', 'F2MinusF1', 'Cell'], METRICS = ['Euclidean', 'Manhattan', 'Chebyshev'];
 const NOISE_OCTAVES = 16;
+const summed = ({ sum }) => sum !== 'one', moving = ({ dimension }) => dimension !== '4';
 const ARROWS = 17;
 /** Points along a side of the squares that are measured; the step between points that see every place of a cell alike; cells of a spectrum. */
 const MEASURED_SIDE = 256, MEASURED_STEP = 2.618034, SPECTRUM_CELLS = 32;
@@ -41,6 +42,7 @@ const signed = x => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2).replace('-', '−')
 /** The scene, opened on a page. */
 export const noise = {
   id: 'noise',
+  short: 'Noise',
   title: 'Noise',
   about: 'Functions that are random and smooth: every kind, in two, three and four dimensions, alone, summed in octaves, warped, as a flow; with what they are in figures.',
   keys: 'Drag or use the arrow keys to move, Shift with them to move along the third and fourth axis, scroll, pinch or use plus and minus to come nearer.',
@@ -51,24 +53,24 @@ export const noise = {
     { name: 'seed', kind: 'range', label: 'Seed', min: 0, max: 99, step: 1, value: 7 },
     { kind: 'group', label: 'Sum' },
     { name: 'sum', kind: 'choice', label: 'Octaves', value: 'octaves', options: titled(SUMS) },
-    { name: 'octaves', kind: 'range', label: 'How many, a real number', min: 0, max: 12, step: 0.05, value: 6 },
-    { name: 'lacunarity', kind: 'range', label: 'Lacunarity', min: 1.5, max: 4, step: 0.01, value: 2.17 },
-    { name: 'gain', kind: 'range', label: 'Gain', min: 0.2, max: 1, step: 0.01, value: 0.5 },
-    { name: 'feedback', kind: 'range', label: 'Feedback of the multifractal', min: 0, max: 8, step: 0.1, value: 2 },
-    { name: 'normalised', kind: 'choice', label: 'Divided so that it has', value: 'variance', options: [['variance', 'variance 1'], ['range', 'the range of one octave']] },
+    { name: 'octaves', kind: 'range', label: 'How many, a real number', min: 0, max: 12, step: 0.05, value: 6, when: summed },
+    { name: 'lacunarity', kind: 'range', label: 'Lacunarity', min: 1.5, max: 4, step: 0.01, value: 2.17, when: summed },
+    { name: 'gain', kind: 'range', label: 'Gain', min: 0.2, max: 1, step: 0.01, value: 0.5, when: summed },
+    { name: 'feedback', kind: 'range', label: 'Feedback of the multifractal', min: 0, max: 8, step: 0.1, value: 2, when: ({ sum }) => sum === 'multifractal' },
+    { name: 'normalised', kind: 'choice', label: 'Divided so that it has', value: 'variance', options: [['variance', 'variance 1'], ['range', 'the range of one octave']], when: summed },
     { name: 'clamp', kind: 'check', label: 'Leave out what is finer than a pixel', value: false },
-    { name: 'warp', kind: 'range', label: 'Warp by sums like it, in cells', min: 0, max: 2, step: 0.01, value: 0 },
-    { name: 'show', kind: 'choice', label: 'Shown', value: 'value', options: [['value', 'Value'], ['flow', 'Flow without divergence, its curl']] },
+    { name: 'warp', kind: 'range', label: 'Warp by sums like it, in cells', min: 0, max: 2, step: 0.01, value: 0, when: moving },
+    { name: 'show', kind: 'choice', label: 'Shown', value: 'value', options: [['value', 'Value'], ['flow', 'Flow without divergence, its curl']], when: moving },
     { kind: 'group', label: 'Place' },
     { name: 'near', kind: 'range', label: 'Cells across', min: -2, max: 8, step: 0.01, value: 3, says: x => String(+(2 ** x).toPrecision(3)) },
-    { name: 'at', kind: 'text', label: 'Middle', value: '0,0', pattern: /^-?\d{1,5}(\.\d{1,6})?,-?\d{1,5}(\.\d{1,6})?$/ },
-    { name: 'third', kind: 'range', label: 'Place along the third axis', min: -4, max: 4, step: 0.01, value: 0.5 },
-    { name: 'time', kind: 'range', label: 'Time, the fourth axis', min: -4, max: 4, step: 0.01, value: 0.5 },
+    { name: 'at', kind: 'place', label: 'Middle', value: '0,0', axes: 2 },
+    { name: 'third', kind: 'range', label: 'Place along the third axis', min: -4, max: 4, step: 0.01, value: 0.5, when: ({ dimension }) => dimension !== '2' },
+    { name: 'time', kind: 'range', label: 'Time, the fourth axis', min: -4, max: 4, step: 0.01, value: 0.5, when: ({ dimension }) => dimension === '4' },
     { name: 'contrast', kind: 'range', label: 'Contrast', min: 0.2, max: 4, step: 0.05, value: 1 },
     { kind: 'group', label: 'Measured' },
     { name: 'arrows', kind: 'check', label: 'Gradients as arrows, of a flow its velocities', value: false },
     { name: 'charts', kind: 'check', label: 'Distribution and spectrum', value: true },
-    { kind: 'group', label: 'Of cellular noise' },
+    { kind: 'group', label: 'Of cellular noise', when: ({ kind }) => kind === 'cellular' },
     { name: 'basis', kind: 'choice', label: 'Shown is', value: 'F1', options: [['F1', 'F₁, the distance to the nearest point'], ['F2', 'F₂, to the second nearest'], ['F2MinusF1', 'F₂ − F₁, their difference'], ['Cell', 'a number of the nearest']] },
     { name: 'metric', kind: 'choice', label: 'Distances are', value: 'Euclidean', options: METRICS.map(name => [name, name]) },
     { name: 'jitter', kind: 'range', label: 'Jitter', min: 0, max: 1, step: 0.01, value: 1 },

@@ -2,7 +2,7 @@
 
 mod materials;
 
-use asperity_shaders::{Binding, Part, ndf, noise as noise_parts, shading};
+use asperity_shaders::{Binding, Part, fif, ndf, noise as noise_parts, shading};
 
 /// A vertex and a fragment entry of one composition.
 pub(crate) struct Program {
@@ -86,6 +86,13 @@ static OF_BUMPS: &[Program] = &[
     program("scattered-student-t", &bumps::STUDENT_T, SCATTERED),
     program("scattered-painted", &bumps::PAINTED, SCATTERED),
 ];
+
+/// What is copied alone, as the page draws it by the module: its name, its part, the functions to call.
+pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[(
+    "fractals",
+    &fif::FIRST_HIT,
+    &["height_field_first_hit", "height_field_height", "height_field_normal"],
+)];
 
 /// Every program of the page.
 pub(crate) fn all() -> impl Iterator<Item = &'static Program> {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use asperity_shaders::{Binding, Bindings, Element, compose, ordered};
+use asperity_shaders::{Binding, Bindings, Element, Part, compose, ordered};
 use naga::ShaderStage;
 use naga::back::glsl;
 use naga::compact::{KeepUnused, compact};
@@ -11,7 +11,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use serde_json::{Value, json};
 
 use crate::glsl::{pieces_of, renamed, shortened, words_of};
-use crate::programs::Program;
+use crate::programs::{COPIED, Program};
 
 /// Pieces of text, each once, in the order of their first use.
 #[derive(Default)]
@@ -37,9 +37,15 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
     let mut described = serde_json::Map::new();
     let programs: Vec<_> = programs.collect();
     let short = short_names(&programs);
+    for (name, part, entries) in COPIED {
+        let Composed { parts, head, .. } = composed(part);
+        sources.extend(parts.iter().map(|part| (part.name(), uncommented(part.source()))));
+        let parts: Vec<_> = parts.iter().map(|part| part.name()).collect();
+        let value = json!({ "parts": parts, "head": heads.number(&head), "entries": entries });
+        described.insert((*name).into(), value);
+    }
     for program in programs {
-        let parts = ordered(&[program.part]);
-        let wgsl = compose(&[program.part], Bindings::Textures { group: 0 });
+        let Composed { parts, head, wgsl } = composed(program.part);
         for part in &parts {
             let source = uncommented(part.source());
             if ["ptr<", "var<private>", "var<workgroup>"].iter().any(|word| source.contains(word)) {
@@ -47,8 +53,6 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
             }
             sources.insert(part.name(), source);
         }
-        let first = parts.first().map_or("", |part| part.name());
-        let head = wgsl.split(&format!("\n// {first}\n")).next().unwrap_or_default();
         let bindings: Vec<&Binding> = parts.iter().flat_map(|part| part.bindings()).collect();
         let named = |error: String| format!("{}: {error}", program.name);
         let [vertex, fragment] = stages(program, &wgsl).map_err(named)?;
@@ -59,7 +63,7 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
         };
         let value = json!({
             "parts": parts.iter().map(|part| part.name()).collect::<Vec<_>>(),
-            "head": heads.number(head),
+            "head": heads.number(&head),
             "bindings": bindings.iter().map(|binding| described_binding(binding)).collect::<Vec<_>>(),
             "entries": [program.vertex, program.fragment],
             "glsl": [numbers(&vertex), numbers(&fragment)],
@@ -76,6 +80,21 @@ pub(crate) fn data(programs: impl Iterator<Item = &'static Program>) -> Result<V
         .map(|(name, items)| (name, without_gaps(&items.map(|item| item.0).collect::<String>())))
         .collect();
     Ok(json!({ "parts": sources, "heads": heads.texts, "glsl": pieces.texts, "programs": described }))
+}
+
+/// A part with all that it needs: as parts, as one text, and what stands before the first part there.
+struct Composed {
+    parts: Vec<&'static Part>,
+    head: String,
+    wgsl: String,
+}
+
+fn composed(part: &'static Part) -> Composed {
+    let parts = ordered(&[part]);
+    let wgsl = compose(&[part], Bindings::Textures { group: 0 });
+    let first = parts.first().map_or("", |part| part.name());
+    let head = wgsl.split(&format!("\n// {first}\n")).next().unwrap_or_default().to_owned();
+    Composed { parts, head, wgsl }
 }
 
 /// A function with its attributes, or lines between functions.
