@@ -43,3 +43,31 @@ pub struct ShadersInEngines;
 /// The guide to fits.
 #[doc = include_str!("../../docs/guide/fractal-fit.md")]
 pub struct FractalFit;
+
+/// The guide from a painting to a material.
+#[doc = include_str!("../../docs/guide/painted-density.md")]
+pub struct PaintedDensity;
+
+/// The guide to kinds of noise.
+#[doc = include_str!("../../docs/guide/which-noise.md")]
+pub struct WhichNoise;
+
+/// The guide to level of detail.
+#[doc = include_str!("../../docs/guide/exact-zoom.md")]
+pub struct ExactZoom;
+
+/// The guide to fractal functions.
+#[doc = include_str!("../../docs/guide/fractal-functions.md")]
+pub struct FractalFunctions;
+
+/// The guide to reproducible values.
+#[doc = include_str!("../../docs/guide/determinism.md")]
+pub struct Determinism;
+
+/// The guide to tables in flash.
+#[doc = include_str!("../../docs/guide/embedded.md")]
+pub struct Embedded;
+
+/// The guide to the command line, which has no Rust as yet.
+#[doc = include_str!("../../docs/guide/command-line.md")]
+pub struct CommandLine;
