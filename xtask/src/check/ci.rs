@@ -4,7 +4,7 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
-use super::{bare_metal, no_std, packages, tidy, wasm};
+use super::{bare_metal, dependencies, no_std, packages, tidy, wasm};
 use crate::cargo::{cargo, run};
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, shaders, tables, web};
@@ -31,9 +31,10 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 15] = [
+const GATES: [Gate; 16] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
+    ("dependencies", dependencies::dependencies),
     ("generated tables", tables::check),
     ("clippy", clippy),
     ("no float backend is one clear error", neither_backend),

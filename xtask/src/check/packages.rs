@@ -6,9 +6,31 @@ use cargo_metadata::{Metadata, MetadataCommand, Package};
 
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::progress;
 
 /// Files that every package holds.
 const FILES: [&str; 5] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/lib.rs"];
+
+/// Places that a package may hold: what builds, runs, is read or is a duty, and nothing of the repository's checks.
+const PLACES: [&str; 11] = [
+    ".cargo_vcs_info.json",
+    "Cargo.lock",
+    "Cargo.toml",
+    "Cargo.toml.orig",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "benches",
+    "examples",
+    "src",
+    "tests",
+];
+
+/// Pages of a crate that its documentation includes.
+const PAGES: &str = "docs/pictures/";
+
+/// The most bytes of a packed package: twice the largest of today, a twentieth of what the registry takes.
+const LARGEST: u64 = 500_000;
 
 /// Builds every package as it is uploaded, after a look at what is in it.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
@@ -27,6 +49,9 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         if !output.status.success() || !missing.is_empty() {
             return Err(format!("the package of {name} lacks {}", missing.join(", ")).into());
         }
+        if let Some(file) = listed.iter().find(|file| !belongs(file)) {
+            return Err(format!("the package of {name} holds {file}, which nobody needs there").into());
+        }
         words += &format!(" --package {name}");
     }
     forget_unpacked(&metadata)?;
@@ -35,7 +60,25 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     if builds.is_dir() {
         fs::remove_dir_all(&builds)?;
     }
-    run(cargo(root, &words).arg("--target-dir").arg(builds))
+    run(cargo(root, &words).arg("--target-dir").arg(&builds))?;
+    let members: Vec<&Package> = published(&metadata).collect();
+    for package in &members {
+        let file = builds.join(format!("package/{}-{}.crate", package.name, package.version));
+        let bytes = fs::metadata(&file)?.len();
+        if bytes > LARGEST {
+            return Err(
+                format!("the package of {} has {bytes} bytes, more than {LARGEST}", package.name).into()
+            );
+        }
+        progress::say(&format!("  {} {}: {} kB packed", package.name, package.version, bytes.div_ceil(1000)));
+    }
+    Ok(())
+}
+
+/// Whether a file is among what a package may hold.
+fn belongs(file: &str) -> bool {
+    let place = file.split(['/', '\\']).next().unwrap_or(file);
+    PLACES.contains(&place) || file.replace('\\', "/").starts_with(PAGES) && file.ends_with(".md")
 }
 
 /// Removes what an earlier run unpacked of the packages.
@@ -98,7 +141,7 @@ fn faults(root: &Path, package: &Package) -> Vec<String> {
 }
 
 /// Relative links and pictures of a page, without their anchors.
-fn links(page: &str) -> impl Iterator<Item = &str> {
+pub(super) fn links(page: &str) -> impl Iterator<Item = &str> {
     let marked = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
     let tagged = page.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next());
     let paths = marked.chain(tagged).filter_map(|link| link.split('#').next());
@@ -113,6 +156,16 @@ mod tests {
     fn links_are_found_and_addresses_passed_over() {
         let page = "[a](docs/a.md#part) ![b](b.png) [c](https://c.org/c) [d](#d) <img src=\"e.png\">";
         assert_eq!(links(page).collect::<Vec<_>>(), ["docs/a.md", "b.png", "e.png"]);
+    }
+
+    #[test]
+    fn only_what_a_stranger_needs_belongs() {
+        for file in ["src/lib.rs", "README.md", "docs/pictures/white.md", "examples/zoom.rs"] {
+            assert!(belongs(file), "{file}");
+        }
+        for file in ["docs/pictures/white.png", "notes.md", "proptest-regressions/a.txt", "target/debug/x"] {
+            assert!(!belongs(file), "{file}");
+        }
     }
 
     #[test]

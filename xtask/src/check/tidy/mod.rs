@@ -11,7 +11,7 @@ mod words;
 
 use std::{collections::BTreeMap, fs, io, path::Path};
 
-use cargo_metadata::{DependencyKind, MetadataCommand};
+use cargo_metadata::{DependencyKind, MetadataCommand, Target};
 
 use crate::failure::Failure;
 use graph::Survey;
@@ -35,6 +35,9 @@ pub(crate) fn report() -> Result<Report, Failure> {
         }));
         if package.edition.as_str() != "2024" || package.rust_version.is_none() {
             report.offences.push(format!("{name}: edition and rust-version come from the workspace"));
+        }
+        if package.targets.iter().any(Target::is_custom_build) {
+            report.offences.push(format!("{name}: no package runs a program while it is built"));
         }
         if !fs::read_to_string(&package.manifest_path)?.contains("[lints]\nworkspace = true") {
             report.offences.push(format!("{name}: the lints come from the workspace"));
