@@ -11,6 +11,7 @@
 pub mod failure;
 pub mod geometry;
 pub mod image;
+pub mod input_file;
 pub mod integrator;
 pub mod interpolation;
 pub mod light;

@@ -1,14 +1,18 @@
 //! Fractal interpolation functions from the outside: a JSON file with `knots`, `alpha` and `q`.
 
-use std::{fs, path::Path};
+use std::path::Path;
 
 use asperity_fif::{Fif, Map, system::Piece};
+use asperity_render::input_file;
 use serde::Deserialize;
 
 use crate::failure::Failure;
 
 /// The most coefficients of a polynomial in a file: degree 7.
 pub(crate) const COEFFICIENTS: usize = 8;
+
+/// Of a system of a million maps, with all digits of its numbers.
+const MOST_BYTES: u64 = 1 << 28;
 
 /// A validated system with its name.
 pub(crate) struct System {
@@ -57,11 +61,14 @@ impl System {
     /// Reads a system from a file; every error names the file.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.file_stem().map_or_else(|| "system".into(), |stem| stem.to_string_lossy());
-        let read = || -> Result<Self, Failure> { Self::parse(&fs::read_to_string(path)?, &name) };
+        let read = || -> Result<Self, Failure> {
+            Self::parse(&String::from_utf8(input_file::read(path, MOST_BYTES)?)?, &name)
+        };
         read().map_err(|error| format!("system `{}`: {error}", path.display()).into())
     }
 
-    fn parse(text: &str, name: &str) -> Result<Self, Failure> {
+    /// The system of a file's text, with a name in case it has none.
+    pub(crate) fn parse(text: &str, name: &str) -> Result<Self, Failure> {
         let file: File = serde_json::from_str(text)?;
         let mut q = Vec::new();
         for (j, polynomial) in file.q.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Images from files, PNG of 8 and 16 bits, JPEG, WebP, Radiance HDR and OpenEXR, as data: no transfer curve, alpha left out.
 
-use std::{fs, io::Cursor, path::Path};
+use std::{io::Cursor, path::Path};
 
 use exr::{
     meta::MetaData,
@@ -12,12 +12,16 @@ use zune_jpeg::{
     zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions},
 };
 
-use crate::{failure::Failure, image::radiance};
+use crate::{failure::Failure, image::radiance, input_file};
 
 /// Pixels of surroundings of 16k by 8k.
 const MOST_PIXELS: usize = 1 << 27;
-/// No deflated data grows by more than this: a header that claims more than its file could hold is wrong.
+/// A file of as many bytes as its greatest picture has as `f32`.
+const MOST_BYTES: u64 = 1 << 31;
+/// No deflated data grows by more than this: a header that claims more than its file could hold is wrong. Other codings could
+/// repeat one colour for ever; what grows by more than this is taken for an attack, unless it is small.
 const MOST_INFLATED: usize = 1032;
+const SMALL: usize = 1 << 22;
 
 /// An image by planes, each row by row from the top left.
 #[derive(Debug, PartialEq)]
@@ -33,7 +37,9 @@ pub struct ImageFile {
 impl ImageFile {
     /// Reads a file.
     pub fn open(path: &Path) -> Result<Self, ImageFileError> {
-        Self::decode(fs::read(path).map_err(|error| ImageFileError::Unreadable { error })?)
+        Self::decode(
+            input_file::read(path, MOST_BYTES).map_err(|error| ImageFileError::Unreadable { error })?,
+        )
     }
 
     /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
@@ -78,24 +84,28 @@ impl ImageFile {
     }
 }
 
-/// Refuses sizes beyond reason, before anything is allocated.
-fn check_size(width: usize, height: usize) -> Result<(), ImageFileError> {
-    let right = width.checked_mul(height).is_some_and(|pixels| (1..=MOST_PIXELS).contains(&pixels));
-    if right { Ok(()) } else { Err(ImageFileError::Size { width, height }) }
+/// Refuses sizes beyond reason, and beyond what a file of so many `bytes` can hold in pixels of so many, before anything is allocated.
+fn check_size(width: usize, height: usize, pixel: usize, bytes: usize) -> Result<(), ImageFileError> {
+    let pixels = width.checked_mul(height).filter(|pixels| (1..=MOST_PIXELS).contains(pixels));
+    let all = pixels.ok_or(ImageFileError::Size { width, height })?.saturating_mul(pixel);
+    if all > bytes.saturating_mul(MOST_INFLATED).max(SMALL) {
+        return Err(ImageFileError::Truncated { width, height, bytes });
+    }
+    Ok(())
 }
 
 fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let broken = |error: png::DecodingError| ImageFileError::Broken { format: "PNG", error: error.into() };
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
     let mut reader = decoder.read_info().map_err(broken)?;
     let (width, height) = (reader.info().width as usize, reader.info().height as usize);
-    check_size(width, height)?;
-    let length = reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?;
-    if length > bytes.len().saturating_mul(MOST_INFLATED) {
-        return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
-    }
-    let mut samples = vec![0; length];
+    let (color, depth) = reader.output_color_type();
+    let pixel = color.samples() * if depth == png::BitDepth::Sixteen { 2 } else { 1 };
+    check_size(width, height, pixel, bytes.len())?;
+    let mut samples = vec![0; reader.output_buffer_size().ok_or(ImageFileError::Size { width, height })?];
     let info = reader.next_frame(&mut samples).map_err(broken)?;
     let step = if info.bit_depth == png::BitDepth::Sixteen { 2 } else { 1 };
     Ok(ImageFile::of_integers(width, height, info.color_type.samples(), step, &samples))
@@ -110,7 +120,7 @@ fn decode_jpeg(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(broken)?;
     let (width, height) = decoder.info().map_or((0, 0), |info| (info.width.into(), info.height.into()));
-    check_size(width, height)?;
+    check_size(width, height, 3, bytes.len())?;
     let samples = decoder.decode().map_err(broken)?;
     Ok(ImageFile::of_integers(width, height, 3, 1, &samples))
 }
@@ -121,7 +131,7 @@ fn decode_webp(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let mut decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(broken)?;
     let (width, height) = decoder.dimensions();
     let (width, height) = (width as usize, height as usize);
-    check_size(width, height)?;
+    check_size(width, height, 4, bytes.len())?;
     let mut samples = vec![0; decoder.output_buffer_size().ok_or(ImageFileError::Size { width, height })?];
     decoder.read_image(&mut samples).map_err(broken)?;
     Ok(ImageFile::of_integers(width, height, if decoder.has_alpha() { 4 } else { 3 }, 1, &samples))
@@ -130,7 +140,7 @@ fn decode_webp(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
 fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let mut size = Ok(());
     let check = |width, height| {
-        size = check_size(width, height);
+        size = check_size(width, height, 4, bytes.len());
         size.is_ok()
     };
     let read = radiance::decode(bytes, check);
@@ -148,7 +158,7 @@ fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
     let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
     for header in &meta.headers {
         let (width, height) = (header.layer_size.0, header.layer_size.1);
-        check_size(width, height)?;
+        check_size(width, height, header.channels.bytes_per_pixel, bytes.len())?;
         // Every chunk has its place in a table of eight bytes each.
         if header.chunk_count.saturating_mul(8) > bytes.len() {
             return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });

@@ -51,8 +51,8 @@ pub(super) const HOUSES: &[House] = &[
     House {
         name: "render",
         sources: "xtask/render/src",
-        rooms: "failure interpolation sampling → image → geometry → light → materials → scene integrator → scenes → \
-                shaded",
+        rooms: "failure input_file interpolation sampling → image → geometry → light → materials → scene integrator → \
+                scenes → shaded",
         face: None,
     },
     House {

@@ -19,15 +19,10 @@ pub enum MeshFileError {
         #[source]
         error: io::Error,
     },
-    /// The path names a folder, a pipe or a device.
-    #[error("this is not a file")]
-    NotAFile,
     #[error("the name of a mesh file ends in .obj, .ply, .stl, .glb or .gltf")]
     UnknownExtension,
     #[error("the file is empty")]
     Empty,
-    #[error("a mesh file has at most {MOST_BYTES} bytes, got {bytes}")]
-    TooLong { bytes: u64 },
     /// The file breaks its format, as the library that reads it has it.
     #[error("the {format} cannot be read: {}", one_line(error))]
     Broken {
@@ -46,6 +41,9 @@ pub enum MeshFileError {
     /// Perhaps in itself.
     #[error("node {node} of the glTF is in the scene more than once")]
     NodeTwice { node: usize },
+    /// Each names all that there are, again and again.
+    #[error("the glTF's buffers have more than {MOST_BYTES} bytes")]
+    BuffersTooLong,
     /// The glTF accessor is of a kind that is not read, or its data are not in the file.
     #[error("accessor {accessor} of the glTF must be {wanted}")]
     Accessor { accessor: usize, wanted: &'static str },

@@ -1,6 +1,10 @@
 //! glTF 2.0, in one file or with its buffers beside it, by `gltf`.
 
-use std::{borrow::Cow, fs, path::Path};
+use std::{
+    borrow::Cow,
+    cell::Cell,
+    path::{Component, Path},
+};
 
 use base64::{Engine, prelude::BASE64_STANDARD};
 use glam::{DMat3, DMat4, Vec2, Vec3};
@@ -16,10 +20,13 @@ use gltf::{
 };
 use serde_json::{Value, json};
 
-use crate::geometry::mesh_file::{
-    draco::{self, Arrays},
-    error::{MOST_BYTES, MOST_TRIANGLES, MeshFileError},
-    triangle_soup::{Corner, TriangleSoup},
+use crate::{
+    geometry::mesh_file::{
+        draco::{self, Arrays},
+        error::{MOST_BYTES, MOST_TRIANGLES, MeshFileError},
+        triangle_soup::{Corner, TriangleSoup},
+    },
+    input_file,
 };
 
 /// All triangles of the default scene, or else of the first, where its nodes put them. Skins, morph targets and
@@ -35,6 +42,10 @@ struct Scene {
     buffers: Vec<Vec<u8>>,
     /// Accessors that have no buffer view: their items are zero.
     empty: Vec<bool>,
+    /// Bytes of the document and its buffers: no accessor has as many items, be they zero.
+    bytes: usize,
+    /// Bytes that may still be read: any number of primitives may name the same accessor.
+    left: Cell<usize>,
 }
 
 impl Scene {
@@ -79,12 +90,19 @@ impl Scene {
             error => container(error),
         })?;
         let mut bin = bin.map(Cow::into_owned);
-        let buffers = document.buffers().map(|buffer| match buffer.source() {
-            Source::Bin => Ok(bin.take().unwrap_or_default()),
-            Source::Uri(uri) => fetched(uri, folder),
-        });
-        let buffers = buffers.collect::<Result<_, _>>()?;
-        Ok(Self { document, buffers, empty })
+        let (mut buffers, mut all) = (Vec::new(), bytes.len());
+        for buffer in document.buffers() {
+            let buffer = match buffer.source() {
+                Source::Bin => bin.take().unwrap_or_default(),
+                Source::Uri(uri) => fetched(uri, folder)?,
+            };
+            all += buffer.len();
+            if all as u64 > MOST_BYTES {
+                return Err(MeshFileError::BuffersTooLong);
+            }
+            buffers.push(buffer);
+        }
+        Ok(Self { document, buffers, empty, bytes: all, left: Cell::new(MOST_BYTES as usize) })
     }
 
     fn soup(&self) -> Result<TriangleSoup, MeshFileError> {
@@ -127,10 +145,12 @@ impl Scene {
                 let view =
                     compressed["bufferView"].as_u64().and_then(|k| self.document.views().nth(k as usize));
                 let bytes = view.and_then(|view| self.within(&view));
-                draco::decode(
+                let arrays = draco::decode(
                     bytes.ok_or(MeshFileError::Lacks { what: "buffer of its Draco mesh" })?,
                     &compressed["attributes"],
-                )?
+                )?;
+                self.charge(12 * arrays.positions.len())?;
+                arrays
             }
             None => {
                 let positions = self.floats::<3>(&positions)?;
@@ -223,9 +243,10 @@ impl Scene {
         let (size, count) = (accessor.size(), accessor.count());
         let mut items = match accessor.view().filter(|_| !self.empty[accessor.index()]) {
             Some(view) => self.run(&view, accessor.offset(), size, count).ok_or_else(outside)?,
-            None if count <= 3 * MOST_TRIANGLES => vec![0; count * size],
+            None if count <= self.bytes => vec![0; count * size],
             None => return Err(MeshFileError::TooLarge),
         };
+        self.charge(items.len())?;
         if let Some(sparse) = accessor.sparse() {
             let (at, values) = (sparse.indices(), sparse.values());
             let width = at.index_type().size();
@@ -238,6 +259,12 @@ impl Scene {
             }
         }
         Ok(items)
+    }
+
+    /// Takes so many bytes off those that may still be read.
+    fn charge(&self, bytes: usize) -> Result<(), MeshFileError> {
+        self.left.set(self.left.get().checked_sub(bytes).ok_or(MeshFileError::TooLarge)?);
+        Ok(())
     }
 
     /// So many items of this size from an offset in a view.
@@ -321,13 +348,14 @@ fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     }
     let name = String::from_utf8(unescaped(uri))
         .ok()
-        .filter(|name| !name.contains(':') && !Path::new(name).is_absolute());
+        .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below));
     let file = name.map(|name| folder.join(name)).ok_or_else(|| MeshFileError::Elsewhere { uri: shown() })?;
-    let missing = |error| MeshFileError::Buffer { uri: shown(), error };
-    if fs::metadata(&file).map_err(missing)?.len() > MOST_BYTES {
-        return Err(MeshFileError::TooLarge);
-    }
-    fs::read(file).map_err(missing)
+    input_file::read(&file, MOST_BYTES).map_err(|error| MeshFileError::Buffer { uri: shown(), error })
+}
+
+/// Whether a step of a path leads nowhere but to what is below.
+fn is_below(step: Component<'_>) -> bool {
+    matches!(step, Component::Normal(_) | Component::CurDir)
 }
 
 /// The bytes of a URI, `%20` being a space.

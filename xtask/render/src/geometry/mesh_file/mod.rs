@@ -11,11 +11,12 @@ mod stl;
 mod tests;
 mod triangle_soup;
 
-use std::{fs::File, io::Read, path::Path};
+use std::path::Path;
 
 pub use self::error::MeshFileError;
 pub use self::triangle_soup::{MeshFile, MeshReading, Up};
 use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
+use crate::input_file;
 
 /// Reads the mesh of a file by its extension, and turns what is up to z.
 ///
@@ -23,28 +24,50 @@ use self::{error::MOST_BYTES, triangle_soup::TriangleSoup};
 /// apart, tangents along ∂P/∂u. Triangles without area are left out. Texture coordinates are scaled so that their
 /// unit is a unit of length, in the mean over the surface.
 pub fn open(path: &Path, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let format = Format::of(path).ok_or(MeshFileError::UnknownExtension)?;
+    let bytes = input_file::read(path, MOST_BYTES).map_err(|error| MeshFileError::Unreadable { error })?;
+    decode(format, &bytes, path.parent().unwrap_or(Path::new("")), reading)
+}
+
+/// The formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Obj,
+    Ply,
+    Stl,
+    /// In one file or with its buffers beside it.
+    Gltf,
+}
+
+impl Format {
+    /// That of a file by its extension.
+    fn of(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_string_lossy().to_ascii_lowercase();
+        Some(match &*extension {
+            "obj" => Self::Obj,
+            "ply" => Self::Ply,
+            "stl" => Self::Stl,
+            "glb" | "gltf" => Self::Gltf,
+            _ => return None,
+        })
+    }
+}
+
+/// [`open`] for the bytes of a file, beside which others are in `folder`.
+pub fn decode(
+    format: Format,
+    bytes: &[u8],
+    folder: &Path,
+    reading: MeshReading,
+) -> Result<MeshFile, MeshFileError> {
     let gltf = |bytes: &[u8]| glb::parse(bytes, folder);
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let parse: &Parser<'_> = match extension.as_deref() {
-        Some("obj") => &obj::parse,
-        Some("ply") => &ply::parse,
-        Some("stl") => &stl::parse,
-        Some("glb" | "gltf") => &gltf,
-        _ => return Err(MeshFileError::UnknownExtension),
+    let parse: &Parser<'_> = match format {
+        Format::Obj => &obj::parse,
+        Format::Ply => &ply::parse,
+        Format::Stl => &stl::parse,
+        Format::Gltf => &gltf,
     };
-    let unreadable = |error| MeshFileError::Unreadable { error };
-    let file = File::open(path).map_err(unreadable)?;
-    let metadata = file.metadata().map_err(unreadable)?;
-    if !metadata.is_file() {
-        return Err(MeshFileError::NotAFile);
-    }
-    let mut bytes = Vec::new();
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(MeshFileError::TooLong { bytes: metadata.len() });
-    }
-    mesh(parse, &bytes, reading)
+    mesh(parse, bytes, reading)
 }
 
 type Parser<'a> = dyn Fn(&[u8]) -> Result<TriangleSoup, MeshFileError> + 'a;
