@@ -25,15 +25,18 @@ pub enum Bindings {
 /// The parts and all that they need, each once, what is needed before what needs it.
 #[must_use]
 pub fn ordered(parts: &[&'static Part]) -> Vec<&'static Part> {
-    fn add(part: &'static Part, found: &mut Vec<&'static Part>) {
-        if found.iter().all(|other| other.name() != part.name()) {
-            part.needs().iter().for_each(|needed| add(needed, found));
-            found.push(part);
-        }
-    }
-    let mut found = Vec::new();
-    parts.iter().for_each(|part| add(part, &mut found));
+    let (mut begun, mut found) = (Vec::new(), Vec::new());
+    parts.iter().for_each(|part| add(part, &mut begun, &mut found));
     found
+}
+
+/// Appends all that a part needs and then itself, unless a part of its name is there or on the way.
+pub(crate) fn add(part: &'static Part, begun: &mut Vec<&'static str>, found: &mut Vec<&'static Part>) {
+    if !begun.contains(&part.name()) {
+        begun.push(part.name());
+        part.needs().iter().for_each(|needed| add(needed, begun, found));
+        found.push(part);
+    }
 }
 
 /// One WGSL module of parts and all that they need, with their bindings.
@@ -67,6 +70,7 @@ pub(crate) fn declared(resource: &Binding, bindings: Bindings, index: usize) -> 
         Binding::Table { name, element, width } => {
             let element = element.wgsl();
             if textures {
+                let width = width.max(1);
                 let (last, shift) = (width - 1, width.trailing_zeros());
                 format!(
                     "{at} var {name}_table: texture_2d<{element}>;\n\
@@ -103,6 +107,28 @@ mod tests {
             |parts: &[&'static Part]| ordered(parts).iter().map(|part| part.name()).collect::<Vec<_>>();
         assert_eq!(names(&[&RIGHT]), ["base", "left", "right"]);
         assert_eq!(names(&[&LEFT, &RIGHT, &BASE]), ["base", "left", "right"]);
+    }
+
+    /// Two parts that need one another, and one that needs itself.
+    static HEN: Part = Part::new("hen", "fn hen() {}\n", &[&EGG]);
+    static EGG: Part = Part::new("egg", "fn egg() {}\n", &[&EGG, &HEN]);
+
+    #[test]
+    fn circles_of_needs_come_to_an_end() {
+        let names = |parts: &[&'static Part]| ordered(parts).iter().map(|p| p.name()).collect::<Vec<_>>();
+        assert_eq!(names(&[&HEN]), ["egg", "hen"]);
+        assert_eq!(names(&[&EGG, &HEN]), ["hen", "egg"]);
+        assert_eq!(compose(&[&HEN], Bindings::Buffers { group: 0 }).matches("fn egg").count(), 1);
+    }
+
+    #[test]
+    fn a_table_without_texels_in_a_row_is_declared_too() {
+        static NONE: Part = Part::new("none", "", &[]).with_bindings(&[Binding::Table {
+            name: "none",
+            element: Element::Word,
+            width: 0,
+        }]);
+        assert!(compose(&[&NONE], Bindings::Textures { group: 0 }).contains("i32(i & 0u), i32(i >> 0u)"));
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Parts as modules of their own, for those who join shaders by imports.
 
-use alloc::{format, string::String, vec::Vec};
+use alloc::{format, string::String, vec, vec::Vec};
 
 use crate::{
-    compose::{Bindings, declared},
+    compose::{Bindings, add, declared},
     part::Part,
 };
 
@@ -32,8 +32,9 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
         Imports::NagaOil => format!("#define_import_path asperity::{}\n", path(part)),
         Imports::Wesl => String::new(),
     };
-    let mut needs = Vec::new();
-    all_needs(part, &mut needs);
+    // Not the part itself, where it is in a circle of needs.
+    let (mut begun, mut needs) = (vec![part.name()], Vec::new());
+    part.needs().iter().for_each(|needed| add(needed, &mut begun, &mut needs));
     for needed in needs {
         let used: Vec<&str> = needed.names().filter(|name| mentions(part.source(), name)).collect();
         let used = used.join(", ");
@@ -48,16 +49,6 @@ pub fn module(part: &Part, imports: Imports, bindings: Bindings) -> String {
         wgsl += &declared(resource, bindings, index);
     }
     format!("{wgsl}\n{}", part.source())
-}
-
-/// The parts that a part needs, and those that they need, each once.
-fn all_needs(part: &Part, found: &mut Vec<&'static Part>) {
-    for &needed in part.needs() {
-        if found.iter().all(|other| other.name() != needed.name()) {
-            all_needs(needed, found);
-            found.push(needed);
-        }
-    }
 }
 
 /// Whether a source has a word.
@@ -94,6 +85,15 @@ mod tests {
         let oil = module(&TOP, Imports::NagaOil, Bindings::Textures { group: 0 });
         let imports = "#import asperity::a::low::{lower}\n#import asperity::b::high::{high}\n";
         assert!(oil.starts_with(&format!("#define_import_path asperity::c::top\n{imports}")), "{oil}");
+    }
+
+    static HEN: Part = Part::new("hen", "fn hen() { egg(); }\n", &[&EGG]);
+    static EGG: Part = Part::new("egg", "fn egg() { hen(); }\n", &[&HEN]);
+
+    #[test]
+    fn a_part_in_a_circle_of_needs_does_not_import_itself() {
+        let wesl = module(&HEN, Imports::Wesl, Bindings::Buffers { group: 0 });
+        assert_eq!(wesl, format!("import package::asperity::egg::{{egg}};\n\n{}", HEN.source()));
     }
 
     #[test]
