@@ -88,8 +88,9 @@ pub trait Ndf {
     #[must_use]
     #[doc(alias = "pdf")]
     fn sample_density(&self, m: Vec3) -> f32 {
-        // Below the horizon and for NaN the density is 0, and `max` takes the number.
-        self.density(m) * m.z.max(0.0)
+        // Below the horizon and for NaN the density is 0, and `max` takes the number; 0 times infinity is read as 0.
+        let density = self.density(m) * m.z.max(0.0);
+        if density >= 0.0 { density.min(f32::MAX) } else { 0.0 }
     }
 
     /// `p_s(h | z_b)`: what is left of the density where a part of it is resolved, in sr⁻¹; see
@@ -168,6 +169,16 @@ pub(crate) fn unit_square(u: Vec2) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn infinite_vectors_have_the_density_zero_for_samples() {
+        let (ggx, beckmann) = (crate::Ggx::new(0.2, 0.4).unwrap(), crate::Beckmann::new(0.2, 0.4).unwrap());
+        for ndf in [&ggx as &dyn Ndf, &beckmann] {
+            for m in [Vec3::new(0.0, 0.0, f32::INFINITY), Vec3::INFINITY, Vec3::new(1.0, f32::NAN, 1.0)] {
+                assert_eq!(ndf.sample_density(m), 0.0, "{m}");
+            }
+        }
+    }
 
     #[test]
     fn numbers_are_moved_to_the_square() {

@@ -173,10 +173,10 @@ impl Microfacet for StudentT {
         // Along x if the view has no azimuth.
         let (cos, sin) = if lateral > 0.0 { (x / lateral, y / lateral) } else { (1.0, 0.0) };
         let view = if lateral > 0.0 { SQRT_2 * f64::from(w.z) / lateral } else { f64::INFINITY };
-        let along = self.along.visible_slope(view, f64::from(u.x));
+        let along = self.along.visible_slope(view, f64::from(u.x)).clamp(-STEEPEST, STEEPEST);
         let freedom = 2.0 * f64::from(self.gamma) - 2.0;
         let spread = math::sqrt_f64((freedom + along * along) / (freedom + 1.0));
-        let across = self.across.quantile(f64::from(u.y)) * spread;
+        let across = (self.across.quantile(f64::from(u.y)) * spread).clamp(-STEEPEST, STEEPEST);
         let (x, y) = (along * cos - across * sin, along * sin + across * cos);
         let (x, y) = (x * f64::from(self.alpha.x), y * f64::from(self.alpha.y));
         let up = 1.0 / math::sqrt_f64(0.5 * (x * x + y * y) + 1.0);
@@ -192,9 +192,27 @@ impl Radial for StudentT {
     }
 }
 
+/// The steepest slope over the roughness, at the horizon in `f32`: with the least γ some are greater, and their squares leave the
+/// range of `f64`.
+const STEEPEST: f64 = 1e100;
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn visible_normals_of_the_heaviest_tail_are_unit() {
+        let ends = [0.0, f32::from_bits(1), 0.5, 1.0_f32.next_down(), 1.0];
+        for (alpha, gamma) in [(1e-6, 1.51), (0.3, 1.51), (1e6, 1.51), (1e6, 1.6)] {
+            let facets = StudentT::new(alpha, alpha, gamma).unwrap();
+            for v in [Vec3::NEG_X, Vec3::Y, Vec3::new(0.6, 0.0, 0.8), Vec3::Z] {
+                for u in ends.iter().flat_map(|&x| ends.map(|y| Vec2::new(x, y))) {
+                    let m = facets.sample_visible(v, u);
+                    assert_abs_diff_eq!(m.length(), 1.0, epsilon = 1e-5, "{facets:?} {v} {u}: {m}");
+                }
+            }
+        }
+    }
     use crate::{Beckmann, Ggx};
 
     #[test]
