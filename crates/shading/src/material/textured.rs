@@ -95,9 +95,11 @@ pub struct BevelledTiles {
 impl Material for BevelledTiles {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
-        let (at, width) = (point.uv / self.side, point.texture().width(&point.pixel) / self.side);
-        let far = removed_share(width, 1.0);
         let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
+        let side =
+            if self.side > 0.0 { self.side } else { return Bsdf::new(wo).with([Facet::FLAT], [lobe]) };
+        let (at, width) = (point.uv / side, point.texture().width(&point.pixel) / side);
+        let far = removed_share(width, 1.0);
         Bsdf::new(wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, 1.0, add);
             let nearest = Edge::nearest(&TILE, at - at.floor());
@@ -190,5 +192,25 @@ impl<M: Material> Material for Perturbed<M> {
         let pixel = PixelEllipse::from_derivatives(along * sides.x, across * sides.y);
         let pixel = if there.spread == Vec2::ZERO { point.pixel } else { pixel };
         self.material.bsdf(&SurfacePoint { uv: there.uv, pixel, ..*point }, wo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pixel::Footprint;
+
+    #[test]
+    fn tiles_whose_side_is_not_positive_have_no_edge() {
+        let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
+        let lobe = EnergyPreservingOrenNayar::clamped(Vec3::ONE, 0.5);
+        let flat = Bsdf::new(wo).with([Facet::FLAT], [lobe.into()]).scattered(wi, wo);
+        let bevel = Bevel::new(0.03, 0.2, 0.2, 0.9).expect("a ridge");
+        for (side, width) in [(0.0, 0.1), (-0.2, 0.0), (-0.2, 0.1), (-0.2, 10.0), (f32::NAN, 0.1)] {
+            let tiles = BevelledTiles { bevel, side, colour: Vec3::ONE, roughness: 0.5 };
+            let point = SurfacePoint::new(Vec3::ZERO, Vec3::Z, Footprint::from_width(width))
+                .with_uv(Vec2::new(0.31, 0.17), [Vec3::X, Vec3::Y]);
+            assert_eq!(tiles.bsdf(&point, wo).scattered(wi, wo), flat, "side {side}, pixel {width}");
+        }
     }
 }
