@@ -114,7 +114,7 @@ fn student_distribution_excess(t: StudentDistribution, z: f32) -> f32 {
 }
 
 // exp(x) - 1, for x at most 80.
-fn student_distribution_exp_m1(x: f32) -> f32 {
+fn student_distribution_exp_less_one(x: f32) -> f32 {
     let y = min(abs(x), 80.0);
     let share = y * elementary_one_minus_exp_ratio(y, elementary_exp(-0.5 * y));
     return select(-share, share * elementary_exp(y), x > 0.0);
@@ -124,7 +124,7 @@ fn student_distribution_exp_m1(x: f32) -> f32 {
 fn student_distribution_guess(t: StudentDistribution, u: f32) -> f32 {
     let nu = t.freedom;
     let z = normal_distribution_inverse_phi(u) * (8.0 * nu + 3.0) / (8.0 * nu + 1.0);
-    let x = min(sqrt(nu * student_distribution_exp_m1(z * z / nu)), 1e15);
+    let x = min(sqrt(nu * student_distribution_exp_less_one(z * z / nu)), 1e15);
     return select(x, -x, z < 0.0);
 }
 
@@ -133,7 +133,7 @@ fn student_distribution_middle(low: f32, high: f32) -> f32 {
     let bent_low = select(elementary_ln_1p(max(low, 0.0)), -elementary_ln_1p(max(-low, 0.0)), low < 0.0);
     let bent_high = select(elementary_ln_1p(max(high, 0.0)), -elementary_ln_1p(max(-high, 0.0)), high < 0.0);
     let m = 0.5 * (bent_low + bent_high);
-    let middle = student_distribution_exp_m1(abs(m));
+    let middle = student_distribution_exp_less_one(abs(m));
     return select(middle, -middle, m < 0.0);
 }
 
@@ -192,7 +192,7 @@ fn student_distribution_solve(t: StudentDistribution, is_seen: bool, b: f32, u: 
         } else {
             high = x;
         }
-        let grown = student_distribution_exp_m1(clamp(change, -30.0, 30.0));
+        let grown = student_distribution_exp_less_one(clamp(change, -30.0, 30.0));
         let half_sum = 0.5 * grown * grown / (1.0 + grown);
         let half_difference = 0.5 * (grown + grown / (1.0 + grown));
         var next = x + x * half_sum + stretch * half_difference;

@@ -3,7 +3,7 @@
 // D G/(4 cos cos) in 1/sr, and the cosine of either direction with the half vector, where Fresnel's reflectance is to be taken:
 //
 //     let facets = cook_torrance_ggx(alpha, wi, wo);
-//     let f_r = facets.x * schlick_reflectance(f0, facets.y);
+//     let f_r = facets.x * schlick_reflectance(normal_incidence, facets.y);
 fn cook_torrance_ggx(alpha: vec2<f32>, wi: vec3<f32>, wo: vec3<f32>) -> vec2<f32> {
     if !direction_are_above(wi, wo) {
         return vec2<f32>(0.0);
