@@ -204,30 +204,24 @@ fn float3(f: impl Fn(f32, f32, f32) -> f32) -> impl Fn(u32, u32, u32) -> u32 {
 // see that lanes are of a constant number, or that they do not overlap.
 
 #[inline(always)]
-fn map1<const N: usize>([a]: [&[u32; N]; 1], f: impl Fn(u32) -> u32) -> [u32; N] {
-    let mut result = [0; N];
+fn map1<const N: usize>([a]: [&[u32; N]; 1], to: &mut [u32; N], f: impl Fn(u32) -> u32) {
     for lane in 0..N {
-        result[lane] = f(a[lane]);
+        to[lane] = f(a[lane]);
     }
-    result
 }
 
 #[inline(always)]
-fn map2<const N: usize>([a, b]: [&[u32; N]; 2], f: impl Fn(u32, u32) -> u32) -> [u32; N] {
-    let mut result = [0; N];
+fn map2<const N: usize>([a, b]: [&[u32; N]; 2], to: &mut [u32; N], f: impl Fn(u32, u32) -> u32) {
     for lane in 0..N {
-        result[lane] = f(a[lane], b[lane]);
+        to[lane] = f(a[lane], b[lane]);
     }
-    result
 }
 
 #[inline(always)]
-fn map3<const N: usize>([a, b, c]: [&[u32; N]; 3], f: impl Fn(u32, u32, u32) -> u32) -> [u32; N] {
-    let mut result = [0; N];
+fn map3<const N: usize>([a, b, c]: [&[u32; N]; 3], to: &mut [u32; N], f: impl Fn(u32, u32, u32) -> u32) {
     for lane in 0..N {
-        result[lane] = f(a[lane], b[lane], c[lane]);
+        to[lane] = f(a[lane], b[lane], c[lane]);
     }
-    result
 }
 
 /// Denormals as zero of the same sign.
@@ -277,123 +271,123 @@ fn extract_signed(word: u32, offset: u32, count: u32) -> u32 {
 }
 
 impl Unary {
-    /// The operation on all lanes.
+    /// The operation on all lanes, into `to`.
     #[inline]
-    pub(super) fn lanes<const N: usize>(self, a: [&[u32; N]; 1]) -> [u32; N] {
+    pub(super) fn lanes<const N: usize>(self, a: [&[u32; N]; 1], to: &mut [u32; N]) {
         match self {
-            Self::Copy => *a[0],
-            Self::Negate => map1(a, float1(|x| -x)),
-            Self::Abs => map1(a, float1(f32::abs)),
-            Self::Ceil => map1(a, float1(f32::ceil)),
-            Self::Floor => map1(a, float1(f32::floor)),
-            Self::Round => map1(a, float1(f32::round_ties_even)),
-            Self::Trunc => map1(a, float1(f32::trunc)),
-            Self::Fract => map1(a, float1(|x| x - x.floor())),
-            Self::Sign => map1(a, float1(sign)),
-            Self::Sqrt => map1(a, float1(f32::sqrt)),
-            Self::InverseSqrt => map1(a, float1(|x| 1.0 / x.sqrt())),
-            Self::Exp => map1(a, float1(f32::exp)),
-            Self::Exp2 => map1(a, float1(f32::exp2)),
-            Self::Log => map1(a, float1(f32::ln)),
-            Self::Log2 => map1(a, float1(f32::log2)),
-            Self::Sin => map1(a, float1(f32::sin)),
-            Self::Cos => map1(a, float1(f32::cos)),
-            Self::Tan => map1(a, float1(f32::tan)),
-            Self::Sinh => map1(a, float1(f32::sinh)),
-            Self::Cosh => map1(a, float1(f32::cosh)),
-            Self::Tanh => map1(a, float1(f32::tanh)),
-            Self::Asin => map1(a, float1(f32::asin)),
-            Self::Acos => map1(a, float1(f32::acos)),
-            Self::Atan => map1(a, float1(f32::atan)),
-            Self::Asinh => map1(a, float1(f32::asinh)),
-            Self::Acosh => map1(a, float1(f32::acosh)),
-            Self::Atanh => map1(a, float1(f32::atanh)),
-            Self::Radians => map1(a, float1(f32::to_radians)),
-            Self::Degrees => map1(a, float1(f32::to_degrees)),
-            Self::Flush => map1(a, flushed),
-            Self::NegateInteger => map1(a, u32::wrapping_neg),
-            Self::AbsInteger => map1(a, |x| x.cast_signed().wrapping_abs().cast_unsigned()),
-            Self::SignInteger => map1(a, |x| x.cast_signed().signum().cast_unsigned()),
-            Self::Not => map1(a, |x| !x),
-            Self::LogicalNot => map1(a, |x| x ^ 1),
-            Self::CountOneBits => map1(a, u32::count_ones),
-            Self::CountLeadingZeros => map1(a, u32::leading_zeros),
-            Self::CountTrailingZeros => map1(a, u32::trailing_zeros),
-            Self::ReverseBits => map1(a, u32::reverse_bits),
-            Self::FirstLeadingBitSigned => map1(a, |x| {
+            Self::Copy => *to = *a[0],
+            Self::Negate => map1(a, to, float1(|x| -x)),
+            Self::Abs => map1(a, to, float1(f32::abs)),
+            Self::Ceil => map1(a, to, float1(f32::ceil)),
+            Self::Floor => map1(a, to, float1(f32::floor)),
+            Self::Round => map1(a, to, float1(f32::round_ties_even)),
+            Self::Trunc => map1(a, to, float1(f32::trunc)),
+            Self::Fract => map1(a, to, float1(|x| x - x.floor())),
+            Self::Sign => map1(a, to, float1(sign)),
+            Self::Sqrt => map1(a, to, float1(f32::sqrt)),
+            Self::InverseSqrt => map1(a, to, float1(|x| 1.0 / x.sqrt())),
+            Self::Exp => map1(a, to, float1(f32::exp)),
+            Self::Exp2 => map1(a, to, float1(f32::exp2)),
+            Self::Log => map1(a, to, float1(f32::ln)),
+            Self::Log2 => map1(a, to, float1(f32::log2)),
+            Self::Sin => map1(a, to, float1(f32::sin)),
+            Self::Cos => map1(a, to, float1(f32::cos)),
+            Self::Tan => map1(a, to, float1(f32::tan)),
+            Self::Sinh => map1(a, to, float1(f32::sinh)),
+            Self::Cosh => map1(a, to, float1(f32::cosh)),
+            Self::Tanh => map1(a, to, float1(f32::tanh)),
+            Self::Asin => map1(a, to, float1(f32::asin)),
+            Self::Acos => map1(a, to, float1(f32::acos)),
+            Self::Atan => map1(a, to, float1(f32::atan)),
+            Self::Asinh => map1(a, to, float1(f32::asinh)),
+            Self::Acosh => map1(a, to, float1(f32::acosh)),
+            Self::Atanh => map1(a, to, float1(f32::atanh)),
+            Self::Radians => map1(a, to, float1(f32::to_radians)),
+            Self::Degrees => map1(a, to, float1(f32::to_degrees)),
+            Self::Flush => map1(a, to, flushed),
+            Self::NegateInteger => map1(a, to, u32::wrapping_neg),
+            Self::AbsInteger => map1(a, to, |x| x.cast_signed().wrapping_abs().cast_unsigned()),
+            Self::SignInteger => map1(a, to, |x| x.cast_signed().signum().cast_unsigned()),
+            Self::Not => map1(a, to, |x| !x),
+            Self::LogicalNot => map1(a, to, |x| x ^ 1),
+            Self::CountOneBits => map1(a, to, u32::count_ones),
+            Self::CountLeadingZeros => map1(a, to, u32::leading_zeros),
+            Self::CountTrailingZeros => map1(a, to, u32::trailing_zeros),
+            Self::ReverseBits => map1(a, to, u32::reverse_bits),
+            Self::FirstLeadingBitSigned => map1(a, to, |x| {
                 31_u32.wrapping_sub((x ^ (x.cast_signed() >> 31).cast_unsigned()).leading_zeros())
             }),
-            Self::FirstLeadingBitUnsigned => map1(a, |x| 31_u32.wrapping_sub(x.leading_zeros())),
-            Self::FirstTrailingBit => map1(a, |x| if x == 0 { u32::MAX } else { x.trailing_zeros() }),
-            Self::FloatFromSigned => map1(a, |x| (x.cast_signed() as f32).to_bits()),
-            Self::FloatFromUnsigned => map1(a, |x| (x as f32).to_bits()),
-            Self::SignedFromFloat => map1(a, |x| (f32::from_bits(x) as i32).cast_unsigned()),
-            Self::UnsignedFromFloat => map1(a, |x| f32::from_bits(x) as u32),
-            Self::BoolFromFloat => map1(a, |x| (f32::from_bits(x) != 0.0).into()),
-            Self::BoolFromInteger => map1(a, |x| (x != 0).into()),
+            Self::FirstLeadingBitUnsigned => map1(a, to, |x| 31_u32.wrapping_sub(x.leading_zeros())),
+            Self::FirstTrailingBit => map1(a, to, |x| if x == 0 { u32::MAX } else { x.trailing_zeros() }),
+            Self::FloatFromSigned => map1(a, to, |x| (x.cast_signed() as f32).to_bits()),
+            Self::FloatFromUnsigned => map1(a, to, |x| (x as f32).to_bits()),
+            Self::SignedFromFloat => map1(a, to, |x| (f32::from_bits(x) as i32).cast_unsigned()),
+            Self::UnsignedFromFloat => map1(a, to, |x| f32::from_bits(x) as u32),
+            Self::BoolFromFloat => map1(a, to, |x| (f32::from_bits(x) != 0.0).into()),
+            Self::BoolFromInteger => map1(a, to, |x| (x != 0).into()),
         }
     }
 }
 
 impl Binary {
-    /// The operation on all lanes.
+    /// The operation on all lanes, into `to`.
     #[inline]
-    pub(super) fn lanes<const N: usize>(self, ab: [&[u32; N]; 2]) -> [u32; N] {
+    pub(super) fn lanes<const N: usize>(self, ab: [&[u32; N]; 2], to: &mut [u32; N]) {
         match self {
-            Self::Add => map2(ab, float2(|a, b| a + b)),
-            Self::Subtract => map2(ab, float2(|a, b| a - b)),
-            Self::Multiply => map2(ab, float2(|a, b| a * b)),
-            Self::Divide => map2(ab, float2(|a, b| a / b)),
-            Self::Remainder => map2(ab, float2(|a, b| a % b)),
-            Self::Min => map2(ab, float2(f32::min)),
-            Self::Max => map2(ab, float2(f32::max)),
-            Self::Pow => map2(ab, float2(f32::powf)),
-            Self::Atan2 => map2(ab, float2(f32::atan2)),
-            Self::Step => map2(ab, float2(|edge, x| f32::from(u8::from(edge <= x)))),
-            Self::Ldexp => map2(ab, |a, b| ldexp(f32::from_bits(a), b.cast_signed()).to_bits()),
-            Self::Equal => map2(ab, compare(|a, b| a == b)),
-            Self::NotEqual => map2(ab, compare(|a, b| a != b)),
-            Self::Less => map2(ab, compare(|a, b| a < b)),
-            Self::LessEqual => map2(ab, compare(|a, b| a <= b)),
-            Self::AddInteger => map2(ab, u32::wrapping_add),
-            Self::SubtractInteger => map2(ab, u32::wrapping_sub),
-            Self::MultiplyInteger => map2(ab, u32::wrapping_mul),
+            Self::Add => map2(ab, to, float2(|a, b| a + b)),
+            Self::Subtract => map2(ab, to, float2(|a, b| a - b)),
+            Self::Multiply => map2(ab, to, float2(|a, b| a * b)),
+            Self::Divide => map2(ab, to, float2(|a, b| a / b)),
+            Self::Remainder => map2(ab, to, float2(|a, b| a % b)),
+            Self::Min => map2(ab, to, float2(f32::min)),
+            Self::Max => map2(ab, to, float2(f32::max)),
+            Self::Pow => map2(ab, to, float2(f32::powf)),
+            Self::Atan2 => map2(ab, to, float2(f32::atan2)),
+            Self::Step => map2(ab, to, float2(|edge, x| f32::from(u8::from(edge <= x)))),
+            Self::Ldexp => map2(ab, to, |a, b| ldexp(f32::from_bits(a), b.cast_signed()).to_bits()),
+            Self::Equal => map2(ab, to, compare(|a, b| a == b)),
+            Self::NotEqual => map2(ab, to, compare(|a, b| a != b)),
+            Self::Less => map2(ab, to, compare(|a, b| a < b)),
+            Self::LessEqual => map2(ab, to, compare(|a, b| a <= b)),
+            Self::AddInteger => map2(ab, to, u32::wrapping_add),
+            Self::SubtractInteger => map2(ab, to, u32::wrapping_sub),
+            Self::MultiplyInteger => map2(ab, to, u32::wrapping_mul),
             // As WGSL has it: `x / 0 = x` and `x % 0 = 0`.
-            Self::DivideSigned => map2(ab, signed2(|a, b| if b == 0 { a } else { a.wrapping_div(b) })),
-            Self::DivideUnsigned => map2(ab, |a, b| a.checked_div(b).unwrap_or(a)),
-            Self::RemainderSigned => map2(ab, signed2(|a, b| if b == 0 { 0 } else { a.wrapping_rem(b) })),
-            Self::RemainderUnsigned => map2(ab, |a, b| a.checked_rem(b).unwrap_or(0)),
-            Self::MinSigned => map2(ab, signed2(i32::min)),
-            Self::MinUnsigned => map2(ab, u32::min),
-            Self::MaxSigned => map2(ab, signed2(i32::max)),
-            Self::MaxUnsigned => map2(ab, u32::max),
-            Self::EqualInteger => map2(ab, |a, b| (a == b).into()),
-            Self::NotEqualInteger => map2(ab, |a, b| (a != b).into()),
-            Self::LessSigned => map2(ab, |a, b| (a.cast_signed() < b.cast_signed()).into()),
-            Self::LessUnsigned => map2(ab, |a, b| (a < b).into()),
-            Self::LessEqualSigned => map2(ab, |a, b| (a.cast_signed() <= b.cast_signed()).into()),
-            Self::LessEqualUnsigned => map2(ab, |a, b| (a <= b).into()),
-            Self::And => map2(ab, |a, b| a & b),
-            Self::Or => map2(ab, |a, b| a | b),
-            Self::Xor => map2(ab, |a, b| a ^ b),
-            Self::ShiftLeft => map2(ab, u32::wrapping_shl),
-            Self::ShiftRightSigned => map2(ab, |a, b| a.cast_signed().wrapping_shr(b).cast_unsigned()),
-            Self::ShiftRightUnsigned => map2(ab, u32::wrapping_shr),
+            Self::DivideSigned => map2(ab, to, signed2(|a, b| if b == 0 { a } else { a.wrapping_div(b) })),
+            Self::DivideUnsigned => map2(ab, to, |a, b| a.checked_div(b).unwrap_or(a)),
+            Self::RemainderSigned => map2(ab, to, signed2(|a, b| if b == 0 { 0 } else { a.wrapping_rem(b) })),
+            Self::RemainderUnsigned => map2(ab, to, |a, b| a.checked_rem(b).unwrap_or(0)),
+            Self::MinSigned => map2(ab, to, signed2(i32::min)),
+            Self::MinUnsigned => map2(ab, to, u32::min),
+            Self::MaxSigned => map2(ab, to, signed2(i32::max)),
+            Self::MaxUnsigned => map2(ab, to, u32::max),
+            Self::EqualInteger => map2(ab, to, |a, b| (a == b).into()),
+            Self::NotEqualInteger => map2(ab, to, |a, b| (a != b).into()),
+            Self::LessSigned => map2(ab, to, |a, b| (a.cast_signed() < b.cast_signed()).into()),
+            Self::LessUnsigned => map2(ab, to, |a, b| (a < b).into()),
+            Self::LessEqualSigned => map2(ab, to, |a, b| (a.cast_signed() <= b.cast_signed()).into()),
+            Self::LessEqualUnsigned => map2(ab, to, |a, b| (a <= b).into()),
+            Self::And => map2(ab, to, |a, b| a & b),
+            Self::Or => map2(ab, to, |a, b| a | b),
+            Self::Xor => map2(ab, to, |a, b| a ^ b),
+            Self::ShiftLeft => map2(ab, to, u32::wrapping_shl),
+            Self::ShiftRightSigned => map2(ab, to, |a, b| a.cast_signed().wrapping_shr(b).cast_unsigned()),
+            Self::ShiftRightUnsigned => map2(ab, to, u32::wrapping_shr),
         }
     }
 }
 
 impl Ternary {
-    /// The operation on all lanes.
+    /// The operation on all lanes, into `to`.
     #[inline]
-    pub(super) fn lanes<const N: usize>(self, abc: [&[u32; N]; 3]) -> [u32; N] {
+    pub(super) fn lanes<const N: usize>(self, abc: [&[u32; N]; 3], to: &mut [u32; N]) {
         match self {
-            Self::MultiplyAdd => map3(abc, float3(f32::mul_add)),
-            Self::MultiplySubtract => map3(abc, float3(|a, b, c| a.mul_add(b, -c))),
-            Self::NegatedMultiplyAdd => map3(abc, float3(|a, b, c| (-a).mul_add(b, c))),
-            Self::Select => map3(abc, |a, b, c| if a != 0 { b } else { c }),
-            Self::ExtractBitsSigned => map3(abc, extract_signed),
-            Self::ExtractBitsUnsigned => map3(abc, extract_unsigned),
+            Self::MultiplyAdd => map3(abc, to, float3(f32::mul_add)),
+            Self::MultiplySubtract => map3(abc, to, float3(|a, b, c| a.mul_add(b, -c))),
+            Self::NegatedMultiplyAdd => map3(abc, to, float3(|a, b, c| (-a).mul_add(b, c))),
+            Self::Select => map3(abc, to, |a, b, c| if a != 0 { b } else { c }),
+            Self::ExtractBitsSigned => map3(abc, to, extract_signed),
+            Self::ExtractBitsUnsigned => map3(abc, to, extract_unsigned),
         }
     }
 }

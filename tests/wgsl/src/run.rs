@@ -203,28 +203,42 @@ impl<'p> Machine<'p> {
         &self.memory[slot as usize]
     }
 
+    /// Computes a word from others. What is computed lies behind what it is computed from, but where operands are flushed.
+    #[inline(always)]
+    fn apply<const K: usize>(
+        &mut self,
+        to: Slot,
+        from: [Slot; K],
+        lanes: impl FnOnce([&Lanes; K], &mut Lanes),
+    ) {
+        let copies: [Lanes; K];
+        let (from, to) = if from.iter().all(|slot| *slot < to) {
+            let (before, rest) = self.memory.split_at_mut(to as usize);
+            (from.map(|slot| &before[slot as usize]), &mut rest[0])
+        } else {
+            copies = from.map(|slot| self.memory[slot as usize]);
+            (copies.each_ref(), &mut self.memory[to as usize])
+        };
+        lanes(from, to);
+    }
+
     /// An operation on all lanes. Only variables keep the words of lanes that wait: nothing else is read by a lane
     /// without being computed again before.
     #[inline]
     fn compute(&mut self, operation: &Operation, mask: Mask) -> Result<(), String> {
         match *operation {
-            Operation::Unary(unary, to, [a]) => {
-                self.memory[to as usize] = unary.lanes([self.at(a)]);
-            }
-            Operation::Binary(binary, to, [a, b]) => {
-                self.memory[to as usize] = binary.lanes([self.at(a), self.at(b)]);
-            }
-            Operation::Ternary(ternary, to, [a, b, c]) => {
-                self.memory[to as usize] = ternary.lanes([self.at(a), self.at(b), self.at(c)]);
-            }
+            Operation::Unary(unary, to, from) => self.apply(to, from, |from, to| unary.lanes(from, to)),
+            Operation::Binary(binary, to, from) => self.apply(to, from, |from, to| binary.lanes(from, to)),
+            Operation::Ternary(ternary, to, from) => self.apply(to, from, |from, to| ternary.lanes(from, to)),
             Operation::Nudge { to, ulps } => {
                 self.memory[to as usize] = self.at(to).map(|word| nudged(word, ulps));
             }
             Operation::Store { to, from } => {
-                let from = *self.at(from);
-                let to = &mut self.memory[to as usize];
-                for ((to, from), mask) in to.iter_mut().zip(from).zip(mask.0) {
-                    *to = (*to & !mask) | (from & mask);
+                // A variable that is written to itself stays as it is.
+                if let Ok([to, from]) = self.memory.get_disjoint_mut([to as usize, from as usize]) {
+                    for lane in 0..LANES {
+                        to[lane] = (to[lane] & !mask.0[lane]) | (from[lane] & mask.0[lane]);
+                    }
                 }
             }
             _ => self.address(operation, mask)?,
