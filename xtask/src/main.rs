@@ -68,9 +68,19 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             let pictures = output.inside("gallery")?;
             gallery::draw(&figures(), &wanted, &pictures, interrupted)
         }
-        Command::Tables(wanted) if wanted.check => tables::check(root).map(|()| {
-            progress::say("the tables that the crates ship are what the builder makes");
-        }),
+        Command::Tables(wanted) if wanted.check => {
+            let sets = tables::chosen_sets(&wanted)?;
+            if wanted.makes_the_usual() {
+                tables::check(root)?;
+                progress::say("the tables that the crates ship are what the builder makes");
+            }
+            if wanted.makes_the_usual() && !wanted.out.exists() {
+                return Ok(());
+            }
+            tables::compare(&sets, &wanted.out, interrupted)?;
+            progress::say(&format!("the tables in {} are what the builder makes", wanted.out.display()));
+            Ok(())
+        }
         Command::Tables(wanted) if wanted.ship => tables::ship(root),
         Command::Tables(wanted) => {
             let sets = tables::chosen_sets(&wanted)?;

@@ -118,7 +118,11 @@ fn main() {
     text += &rough(&effort);
     std::io::stdout().write_all(text.as_bytes()).expect("standard output takes text");
     if let Some(file) = ship {
-        std::fs::write(file, text).expect("the page can be written");
+        // Written beside and renamed, so that the page is whole or the old one.
+        let part = format!("{file}.part");
+        std::fs::write(&part, text)
+            .and_then(|()| std::fs::rename(part, file))
+            .expect("the page can be written");
     }
 }
 

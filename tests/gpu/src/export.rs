@@ -59,7 +59,6 @@ impl Folder<'_> {
 
     fn put(&self, file: &str, data: &[u8]) -> Result<(), String> {
         let path = self.out.join(file);
-        let failed = |error| format!("cannot write {}: {error}", path.display());
         if self.check {
             match fs::read(&path) {
                 Ok(there) if there == data => {}
@@ -68,8 +67,7 @@ impl Folder<'_> {
             }
             return Ok(());
         }
-        fs::create_dir_all(path.parent().unwrap_or(self.out)).map_err(failed)?;
-        fs::write(&path, data).map_err(failed)
+        crate::write(&path, data)
     }
 
     /// Writes a shader in the languages, and has what is written read by the validators that are installed.

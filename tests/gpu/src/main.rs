@@ -1,7 +1,11 @@
 //! The shaders on whatever drivers there are.
 
-use std::{path::PathBuf, process::ExitCode};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
+use asperity_output::Output;
 use asperity_shader_tests::{case::Case, cases};
 use clap::{Parser, Subcommand};
 
@@ -132,6 +136,13 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Writes a file whole or not at all, and its folder if need be.
+fn write(path: &Path, data: &[u8]) -> Result<(), String> {
+    let (folder, name) = (path.parent().unwrap_or(Path::new("")), path.file_name().unwrap_or_default());
+    let written = Output::new(folder).and_then(|folder| folder.write(&name.to_string_lossy(), data));
+    written.map_err(|error| error.to_string())
 }
 
 /// Cases whose names, or those of the parts they need, contain a text; all without it.

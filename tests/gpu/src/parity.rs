@@ -91,7 +91,7 @@ pub(crate) fn run(cases: &[Case], adapter: Option<&str>, out: Option<&Path>) -> 
     }
     if let Some(path) = out {
         let text = format!("{HEAD}{table}");
-        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        crate::write(path, text.as_bytes())?;
         println!("the table: {}", path.display());
     }
     if broken.is_empty() { Ok(()) } else { Err(format!("bounds are broken:\n{}", broken.join("\n"))) }

@@ -1,9 +1,10 @@
 //! The page as a folder to host, and as one file that opens anywhere.
 
 use std::fs;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 
+use asperity_output::Output;
 use asperity_shaders::noise::gaussian_levels;
 use base64::{Engine, prelude::BASE64_STANDARD};
 use flate2::{Compression, write::GzEncoder};
@@ -63,28 +64,33 @@ pub(crate) fn build(wasm: &Path, out: &Path) -> Result<(), String> {
         "vertices": teapot["vertices_xyz_z_up"],
     });
 
-    let hosted = out.join("hosted");
-    fs::create_dir_all(&hosted).map_err(|error| format!("{}: {error}", hosted.display()))?;
-    write(&hosted.join("index.html"), INDEX.as_bytes())?;
-    write(&hosted.join("style.css"), STYLE.as_bytes())?;
-    write(&hosted.join("bumps.webp"), PICTURE)?;
-    write(&hosted.join("data.json"), data.to_string().as_bytes())?;
-    write(&hosted.join("tables.wasm"), &wasm)?;
-    for (name, source) in MODULES {
-        write(&hosted.join(name), source.as_bytes())?;
+    let told = |error: io::Error| error.to_string();
+    let page = Output::new(out).map_err(told)?;
+    let hosted = page.inside("hosted").map_err(told)?;
+    let data_text = data.to_string();
+    let fixed: [(&str, &[u8]); 5] = [
+        ("index.html", INDEX.as_bytes()),
+        ("style.css", STYLE.as_bytes()),
+        ("bumps.webp", PICTURE),
+        ("data.json", data_text.as_bytes()),
+        ("tables.wasm", &wasm),
+    ];
+    let modules = MODULES.iter().map(|&(name, source)| (name, source.as_bytes()));
+    for (name, bytes) in fixed.into_iter().chain(modules) {
+        hosted.write(name, bytes).map_err(told)?;
     }
 
     let single = single_file(data, &wasm)?;
     let sent = compressed(single.as_bytes())?.len();
-    write(&out.join("index.html"), single.as_bytes())?;
+    page.write("index.html", single.as_bytes()).map_err(told)?;
     println!(
         "the live page: {} ({} kB, {} kB compressed; module {} kB)",
-        out.join("index.html").display(),
+        page.path("index.html").display(),
         single.len() / 1000,
         sent / 1000,
         wasm.len() / 1000,
     );
-    println!("to host it: {}", hosted.display());
+    println!("to host it: {}", page.path("hosted").display());
     if sent > MOST {
         return Err(format!("the page has {sent} bytes compressed, {MOST} at most"));
     }
@@ -192,14 +198,6 @@ fn packed(data: &[u8], alignment: u32) -> Result<Vec<u8>, String> {
     let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(data.len() as u64))
         .map_err(|error| error.to_string())?;
     writer.write_all(data).and_then(|()| writer.finish()).map_err(|error| error.to_string())
-}
-
-/// Writes a file whole or not at all.
-fn write(path: &Path, data: &[u8]) -> Result<(), String> {
-    let partial = path.with_extension("partial");
-    fs::write(&partial, data)
-        .and_then(|()| fs::rename(&partial, path))
-        .map_err(|error| format!("{}: {error}", path.display()))
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
         return Ok(());
     }
     let text = serde_json::to_vec_pretty(&document(set)?)?;
-    output.write("material.gltf", &text).map(|_| ())
+    Ok(output.write("material.gltf", &text)?)
 }
 
 fn document(set: &Set<'_>) -> Result<Value> {

@@ -14,7 +14,7 @@ pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
     else {
         return Ok(());
     };
-    output.write("material.mtlx", document(set, format)?.as_bytes()).map(|_| ())
+    Ok(output.write("material.mtlx", document(set, format)?.as_bytes())?)
 }
 
 fn document(set: &Set<'_>, format: Format) -> Result<String> {

@@ -12,7 +12,7 @@ type Fields = serde_json::Map<String, Value>;
 /// Writes `provenance.json`.
 pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
     let text = serde_json::to_vec_pretty(&document(set))?;
-    output.write("provenance.json", &text).map(|_| ())
+    Ok(output.write("provenance.json", &text)?)
 }
 
 fn document(set: &Set<'_>) -> Value {

@@ -1,7 +1,7 @@
 //! Tiles on disk: each is written whole, so that a bake that was stopped goes on where it was.
 
 use std::fs::{self, File};
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::{Read, Seek, SeekFrom};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
@@ -10,7 +10,7 @@ use crate::bake::plan::Plan;
 use crate::bake::texel::{self, Texel, halved};
 use crate::bake::tile::{self, Tile};
 use crate::failure::Result;
-use crate::output::Output;
+use crate::output::{Output, Shared};
 
 /// Rows of texels that are handed on at once; a multiple of the 4 rows of a compressed block.
 pub(super) const BAND: usize = 64;
@@ -20,13 +20,16 @@ pub(super) struct Scratch<'a> {
     plan: &'a Plan,
     output: Output,
     folder: PathBuf,
+    /// Other runs may read and write the same tiles.
+    held: Shared,
 }
 
 impl<'a> Scratch<'a> {
     /// The folder of the plan's tiles, in that of the set.
     pub(super) fn new(plan: &'a Plan, output: &Output, program: &[u8]) -> Result<Self> {
         let name = format!(".tiles-{}", plan.key(program));
-        Ok(Self { plan, output: output.inside(&name)?, folder: output.path(&name) })
+        let held = Shared::new(output, &format!("{name}.lock"))?;
+        Ok(Self { plan, output: output.inside(&name)?, folder: output.path(&name), held })
     }
 
     fn name([column, row]: [u32; 2]) -> String {
@@ -49,12 +52,14 @@ impl<'a> Scratch<'a> {
     /// Bakes a tile and writes it.
     pub(super) fn bake(&self, at: [u32; 2], interrupted: &AtomicBool) -> Result<()> {
         let Tile { bytes } = Tile::baked(self.plan, at, interrupted)?;
-        self.output.stream(&Self::name(at), |file| Ok(file.write_all(&bytes)?))
+        Ok(self.output.write(&Self::name(at), &bytes)?)
     }
 
-    /// Removes the tiles.
+    /// Removes the tiles, if no other run needs them any more.
     pub(super) fn remove(self) {
-        let _ = fs::remove_dir_all(self.folder);
+        self.held.release(|| {
+            let _ = fs::remove_dir_all(self.folder);
+        });
     }
 
     fn read(&self, at: [u32; 2], offset: usize, bytes: &mut [u8]) -> Result<()> {

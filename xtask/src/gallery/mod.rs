@@ -102,8 +102,8 @@ fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>
             Picture::Vector(svg) => (svg.into_bytes(), "svg", None),
         };
         let file = format!("{}-{stem}.{ending}", figure.name);
-        let sha256 = output.write(&file, &bytes)?;
-        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256, pixels } })
+        output.write(&file, &bytes)?;
+        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256: sha256(&bytes), pixels } })
     };
     let Drawn { columns, panels, parameters, table } = drawn;
     let panels = panels.into_iter().map(stored).collect::<Result<_>>()?;

@@ -11,6 +11,8 @@ mod noise_means;
 mod noise_pictures;
 mod shipped;
 
+use std::fs;
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use serde_json::json;
@@ -20,7 +22,7 @@ use crate::failure::{Failure, Interrupted};
 use crate::gallery::page;
 use crate::input::density::{Density, NORMAL_MAP};
 use crate::input::fif_system::System;
-use crate::output::Output;
+use crate::output::{Output, sha256};
 use crate::progress;
 use made::Made;
 pub(crate) use shipped::{check, ship};
@@ -77,30 +79,63 @@ impl Set {
 
 /// Makes the sets, writes their files and the page over them.
 pub(crate) fn build(sets: &[Set], output: &Output, interrupted: &AtomicBool) -> Result<(), Failure> {
+    each(sets, interrupted, |folder, name, bytes| {
+        let into = if folder.is_empty() { output.clone() } else { output.inside(folder)? };
+        Ok(into.write(name, bytes)?)
+    })?;
+    progress::say(&format!("tables: {} sets", sets.len()));
+    Ok(())
+}
+
+/// Makes the sets anew, compares every file of theirs in a folder with them, byte by byte, and names those that differ.
+pub(crate) fn compare(sets: &[Set], place: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let mut others = Vec::new();
+    each(sets, interrupted, |folder, name, bytes| {
+        let path = place.join(folder).join(name);
+        if fs::read(&path).ok().as_deref() != Some(bytes) {
+            others.push(path.display().to_string());
+        }
+        Ok(())
+    })?;
+    if others.is_empty() {
+        return Ok(());
+    }
+    let hint = "the same command without `--check` makes them";
+    Err(format!("missing, or not what the builder makes: {}; {hint}", others.join(", ")).into())
+}
+
+/// Hands on every file of the sets, and the page over them: its folder, its name, its bytes.
+fn each(
+    sets: &[Set],
+    interrupted: &AtomicBool,
+    mut hand: impl FnMut(&str, &str, &[u8]) -> Result<(), Failure>,
+) -> Result<(), Failure> {
     let bar = progress::bar("tables");
     bar.set_length(sets.len() as u64);
     let mut rows = String::new();
     for set in sets {
         Interrupted::check(interrupted)?;
-        rows += &store(set, &(set.make)()?, output)?;
+        rows += &files(set, &(set.make)()?, &mut hand)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
     let about = "Textures are OpenEXR with 32-bit floats, arrays are NumPy's .npy, parameters and checksums are JSON. The \
                  same inputs give the same bytes, on any number of threads.";
     let rest = format!("<main class=\"wide\">\n{rows}</main>\n");
-    let page = page::page("Asperity tables", "Tables", about, &rest);
-    output.write("index.html", page.as_bytes())?;
-    progress::say(&format!("tables: {} sets", sets.len()));
-    Ok(())
+    hand("", "index.html", page::page("Asperity tables", "Tables", about, &rest).as_bytes())
 }
 
-fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
-    let folder = output.inside(&set.folder)?;
+/// Hands on the files of a set; returns its row of the page.
+fn files(
+    set: &Set,
+    made: &Made,
+    hand: &mut impl FnMut(&str, &str, &[u8]) -> Result<(), Failure>,
+) -> Result<String, Failure> {
     let mut digests = serde_json::Map::new();
     let mut links = String::new();
     for (name, bytes) in &made.files {
-        digests.insert(name.clone(), folder.write(name, bytes)?.into());
+        hand(&set.folder, name, bytes)?;
+        digests.insert(name.clone(), sha256(bytes).into());
         let size = match bytes.len() {
             few @ ..10_000 => format!("{few} bytes"),
             many => format!("{} kB", many.div_ceil(1000)),
@@ -108,14 +143,14 @@ fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
         let folder = page::escape(&set.folder);
         links += &format!("<a href=\"{folder}/{name}\">{name}</a> <span>{size}</span><br>");
     }
-    folder.write("picture.png", &made.picture.png()?)?;
+    hand(&set.folder, "picture.png", &made.picture.png()?)?;
     let provenance = json!({
         "title": set.title,
         "made_by": format!("asperity {}", env!("CARGO_PKG_VERSION")),
         "parameters": made.parameters,
         "sha256": digests,
     });
-    folder.write("parameters.json", &serde_json::to_vec_pretty(&provenance)?)?;
+    hand(&set.folder, "parameters.json", &serde_json::to_vec_pretty(&provenance)?)?;
     Ok(format!(
         "<article><h3>{}</h3><p class=\"caption\">{}</p><div class=\"panels\" style=\"grid-template-columns: \
          minmax(0, 1fr) minmax(0, 2fr)\"><figure><img src=\"{folder}/picture.png\" alt=\"{0}\" width=\"{}\" \
@@ -127,4 +162,40 @@ fn store(set: &Set, made: &Made, output: &Output) -> Result<String, Failure> {
         made.picture.height,
         folder = page::escape(&set.folder),
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    static GO: AtomicBool = AtomicBool::new(false);
+
+    #[test]
+    fn a_flipped_byte_in_any_file_is_found() {
+        let scratch = tempfile::tempdir().unwrap();
+        let sets = [
+            Set::new("noise/lattice".into(), "Noise lattice".into(), || noise::lattice(1)),
+            Set::system(System::of_the_gallery().unwrap().remove(0)),
+        ];
+        build(&sets, &Output::new(scratch.path()).unwrap(), &GO).unwrap();
+        compare(&sets, scratch.path(), &GO).unwrap();
+        let folders = ["noise/lattice", &sets[1].folder, ""].map(|folder| scratch.path().join(folder));
+        let files: Vec<_> = folders
+            .iter()
+            .flat_map(|folder| fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()))
+            .filter(|path| path.is_file())
+            .collect();
+        assert!(files.len() > 8);
+        for (turn, file) in files.iter().enumerate() {
+            let mut bytes = fs::read(file).unwrap();
+            let at = turn * 7919 % bytes.len();
+            bytes[at] ^= 1 << (turn % 8);
+            fs::write(file, bytes).unwrap();
+        }
+        fs::remove_file(&files[0]).unwrap();
+        let said = compare(&sets, scratch.path(), &GO).unwrap_err().to_string();
+        for file in &files {
+            assert!(said.contains(file.to_str().unwrap()), "{} is missing in {said}", file.display());
+        }
+    }
 }

@@ -44,23 +44,44 @@ pub(crate) fn ship(root: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Compares every generated file in the source tree at `root` with a newly made one.
+/// Compares every generated file in the source tree at `root` with a newly made one, and names those that differ.
 pub(crate) fn check(root: &Path) -> Result<(), Failure> {
-    for (folder, name, make) in SHIPPED {
-        compare(root, folder, name, make().as_bytes())?;
+    let sources = SHIPPED.map(|(folder, name, make)| (folder, name.to_owned(), make().into_bytes()));
+    let pictures = noise_pictures()?.into_iter().map(|(name, bytes)| (PICTURES, name, bytes));
+    let made = sources.into_iter().chain(pictures);
+    let others = made.filter(|(folder, name, bytes)| !is_there(&root.join(folder).join(name), bytes));
+    let others: Vec<_> = others.map(|(folder, name, _)| format!("{folder}/{name}")).collect();
+    if others.is_empty() {
+        return Ok(());
     }
-    noise_pictures()?.iter().try_for_each(|(name, bytes)| compare(root, PICTURES, name, bytes))
+    let hint = "`cargo xtask tables --ship` makes them anew";
+    Err(format!("missing or drifted: {}; {hint}", others.join(", ")).into())
 }
 
-fn compare(root: &Path, folder: &str, name: &str, made: &[u8]) -> Result<(), Failure> {
-    let mut there =
-        fs::read(root.join(folder).join(name)).map_err(|error| format!("{folder}/{name}: {error}"))?;
-    if !name.ends_with(".png") {
+fn is_there(path: &Path, made: &[u8]) -> bool {
+    let Ok(mut there) = fs::read(path) else { return false };
+    if path.extension().is_none_or(|ending| ending != "png") {
         // A checkout may have turned the line ends.
         there.retain(|&byte| byte != b'\r');
     }
-    if there != made {
-        return Err(format!("{folder}/{name} has drifted: `cargo xtask tables --ship` makes it anew").into());
+    there == made
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_flipped_bit_is_found_and_turned_line_ends_are_none() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (text, path) = (b"const A: [u8; 2] = [1, 2];\n// M\n", scratch.path().join("a.rs"));
+        fs::write(&path, "const A: [u8; 2] = [1, 2];\r\n// M\r\n").unwrap();
+        assert!(is_there(&path, text) && !is_there(&scratch.path().join("b.rs"), text));
+        for bit in 0..8 * text.len() {
+            let mut flipped = text.to_vec();
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            fs::write(&path, flipped).unwrap();
+            assert!(!is_there(&path, text), "bit {bit}");
+        }
     }
-    Ok(())
 }

@@ -47,7 +47,7 @@ pub(crate) fn run(adapter: Option<&str>, size: u32, out: Option<&Path>) -> Resul
     }
     print!("{page}");
     if let Some(path) = out {
-        std::fs::write(path, page).map_err(|error| format!("{}: {error}", path.display()))?;
+        crate::write(path, page.as_bytes())?;
         println!("the page: {}", path.display());
     }
     Ok(())

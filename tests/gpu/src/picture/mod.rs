@@ -297,15 +297,11 @@ fn png(path: &Path, size: u32, rows: &[Vec<&[[u8; 3]]>]) -> Result<(), String> {
     });
     let bytes: Vec<u8> = lines.flatten().copied().collect();
     let [columns, rows] = [rows.first().map_or(0, Vec::len), rows.len()].map(|count| count as u32);
-    let write = || -> Result<(), Box<dyn std::error::Error>> {
-        let partial = path.with_extension("png.partial");
-        let file = std::io::BufWriter::new(std::fs::File::create(&partial)?);
-        let mut encoder = png::Encoder::new(file, size * columns, size * rows);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.write_header()?.write_image_data(&bytes)?;
-        std::fs::rename(&partial, path)?;
-        Ok(())
-    };
-    write().map_err(|error| format!("{}: {error}", path.display()))
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, size * columns, size * rows);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let encoded = encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes));
+    encoded.map_err(|error| format!("{}: {error}", path.display()))?;
+    crate::write(path, &file)
 }

@@ -2,7 +2,7 @@
 
 /// Every edge that the house rules allow out of a published crate and the interpreter of shaders, in tests and benches the latter too; nothing else may
 /// be there.
-const EDGES: [(&str, &[&str], &[&str]); 6] = [
+const EDGES: [(&str, &[&str], &[&str]); 7] = [
     ("asperity-noise", &["approx", "fearless_simd", "glam", "libm", "serde"], &["criterion", "png"]),
     (
         "asperity-ndf-sampling",
@@ -21,6 +21,7 @@ const EDGES: [(&str, &[&str], &[&str]); 6] = [
         &[],
     ),
     ("asperity-wgsl", &["naga", "rayon"], &["asperity-noise"]),
+    ("asperity-output", &["tempfile"], &[]),
 ];
 
 /// The members that may use everything and that nothing may use.
