@@ -35,10 +35,22 @@ use output::Output;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    // Gates quote what other programs said.
+    let quotes = matches!(
+        cli.command,
+        Command::Ci(_)
+            | Command::Tidy
+            | Command::NoStd
+            | Command::BareMetal
+            | Command::Wasm
+            | Command::Shaders(_)
+            | Command::Web(_)
+    );
     match run(cli) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            let _ = writeln!(std::io::stderr(), "error: {error}");
+            let said = if quotes { error.to_string() } else { progress::one_line(&error.to_string()) };
+            let _ = writeln!(std::io::stderr(), "error: {said}");
             ExitCode::FAILURE
         }
     }

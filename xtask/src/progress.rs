@@ -21,10 +21,26 @@ pub(crate) fn bar(label: &str) -> ProgressBar {
 
 /// Prints one line to standard error: what was done with a file that others would do otherwise.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "note: {line}");
+    let _ = writeln!(io::stderr().lock(), "note: {}", one_line(line));
+}
+
+/// A text in one line: names of files may have any characters, those that end lines and steer terminals among them.
+pub(crate) fn one_line(text: &str) -> String {
+    let shown = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    text.chars().map(shown).collect()
 }
 
 /// Prints one line to standard output; a reader that has gone away is no error.
 pub(crate) fn say(line: &str) {
     let _ = writeln!(io::stdout().lock(), "{line}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_with_a_line_in_it_is_one_line() {
+        assert_eq!(one_line("mesh `a\nb\u{1b}[31m.obj`: é"), "mesh `a\\nb\\u{1b}[31m.obj`: é");
+    }
 }

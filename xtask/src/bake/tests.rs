@@ -29,6 +29,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     entries
         .filter(|path| path.is_file())
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(&path).unwrap()))
+        .filter(|(name, _)| !name.starts_with(".tiles-"))
         .collect()
 }
 
@@ -97,6 +98,10 @@ fn a_bake_that_was_stopped_goes_on_to_the_same_bytes() {
     assert_eq!(tiles.missing([1, 4]), [[0, 0], [1, 0], [1, 1]]);
     assert_eq!(whole(&plan, &output, &GO).unwrap(), 0.75);
     assert!(files(&scratch.path().join("stopped")) == expected);
+    // The last run that needs the tiles removes them.
+    assert!(cut.exists());
+    tiles.remove();
+    assert!(!cut.exists());
     // Other parameters, and another program, share no tile.
     let other = planned(&line.replace("0.02", "0.03")).unwrap();
     assert!(other.key(b"program") != plan.key(b"program") && plan.key(b"newer") != plan.key(b"program"));

@@ -47,7 +47,9 @@ fn name(pattern: &str, frame: u32) -> Option<String> {
     let begin = pattern.find('#')?;
     let digits = pattern[begin..].bytes().take_while(|&byte| byte == b'#').count();
     let (before, after) = (&pattern[..begin], &pattern[begin + digits..]);
-    (!after.contains('#')).then(|| format!("{before}{frame:0digits$}{after}"))
+    let number = frame.to_string();
+    let zeros = "0".repeat(digits.saturating_sub(number.len()));
+    (!after.contains('#')).then(|| format!("{before}{zeros}{number}{after}"))
 }
 
 /// Draws the frames that were asked for, each written whole, or writes them as a job.
@@ -122,6 +124,8 @@ mod tests {
         assert_eq!(name("frame-####.png", 7).as_deref(), Some("frame-0007.png"));
         assert_eq!(name("#.png", 123).as_deref(), Some("123.png"));
         assert_eq!((name("a.png", 1), name("#-#.png", 1)), (None, None));
+        // More than the width of a formatted number may be.
+        assert_eq!(name(&"#".repeat(70_000), 1).map(|name| name.len()), Some(70_000));
     }
 
     #[test]
