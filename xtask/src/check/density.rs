@@ -15,10 +15,17 @@ pub(crate) fn check(wanted: &cli::Check) -> Result<(), Failure> {
         let density = Density::parse(spec, wanted.images)?;
         let report = ndf(density.ndf.as_ref(), settings);
         progress::say(&format!("{}\n{report}", density.name()));
+        if !report.passed() && density.is_in_steps() {
+            progress::note(
+                "an image is a density in steps, whose map has a kink at the edge of every texel; \
+                 `--reconstruction bilinear` has none",
+            );
+        }
         failed += report.failures().count();
     }
     match failed {
         0 => Ok(()),
+        1 => Err("1 check failed".into()),
         _ => Err(format!("{failed} checks failed").into()),
     }
 }

@@ -75,6 +75,11 @@ impl Density {
         Ok(self.map.clone().map_or_else(from_ndf, Ok)?)
     }
 
+    /// Whether it is constant on each texel of its map.
+    pub(crate) fn is_in_steps(&self) -> bool {
+        self.map.as_ref().is_some_and(|map| map.cdf().reconstruction() == Reconstruction::Constant)
+    }
+
     /// For people: `GGX 0.2, 0.4`.
     pub(crate) fn name(&self) -> String {
         let file = |path: &str| {
