@@ -52,7 +52,7 @@ impl Output {
     /// A folder inside this one.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn inside(&self, name: &str) -> io::Result<Self> {
         Self::new(self.folder.join(name))
     }
@@ -68,7 +68,7 @@ impl Output {
     /// Writes `name` piece by piece.
     ///
     /// # Errors
-    /// Those of [`write`](Self::write), and what `write` itself returns.
+    /// The errors of [`write`](Self::write), and what `write` itself returns.
     pub fn stream<E: From<io::Error>>(
         &self,
         name: &str,
