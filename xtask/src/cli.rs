@@ -112,6 +112,14 @@ index.html opens from the disk; the folder `hosted` is for a web server. Nothing
     Tidy,
     /// Run every gate that stands before `main`.
     Ci(Ci),
+    /// Attack every constructor, evaluation and reader with what a fuzzer makes up.
+    #[command(after_help = "Examples:
+  cargo xtask fuzz
+  cargo xtask fuzz --only gltf --seconds 600
+  cargo xtask fuzz --runs 10000000 --seconds 3600 --ship
+
+The attacks are in tests/fuzz; libFuzzer is C++ and is built with them. What breaks a promise is kept in tests/fuzz/target/findings.")]
+    Fuzz(Fuzz),
     /// Link the crates without std and without an allocator, and call them.
     NoStd,
     /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
@@ -137,6 +145,22 @@ pub(crate) struct Ci {
     /// Run only the gates whose name contains NAME; may be given again.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Fuzz {
+    /// Run only the attacks whose name contains NAME; may be given again.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
+    /// Seconds of every attack.
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) seconds: u32,
+    /// The most executions of every attack.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: Option<u32>,
+    /// Write the table into `docs/trust`, where it is checked in.
+    #[arg(long, conflicts_with = "only")]
+    pub(crate) ship: bool,
 }
 
 #[derive(Debug, Args)]

@@ -27,7 +27,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Parser;
 
-use check::{bare_metal, ci, no_std, tidy, wasm};
+use check::{bare_metal, ci, fuzz, no_std, tidy, wasm};
 use cli::{Cli, Command};
 use failure::Failure;
 use gallery::figures::figures;
@@ -113,6 +113,7 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             report.verdict().map(|()| progress::say("tidy"))
         }
         Command::Ci(wanted) => ci::gates(&wanted.only, root, interrupted),
+        Command::Fuzz(wanted) => fuzz::fuzz(&wanted, root, interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
         Command::Wasm => wasm::probe(root).map(|line| progress::say(&line)),
@@ -141,6 +142,7 @@ mod tests {
             "check",
             "tidy",
             "ci",
+            "fuzz",
             "no-std",
             "bare-metal",
             "wasm",

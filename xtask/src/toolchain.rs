@@ -52,6 +52,11 @@ pub(crate) fn rust_lld() -> Option<PathBuf> {
     Some(Path::new(&sysroot).join(name)).filter(|linker| linker.is_file())
 }
 
+/// The machine that this program's compiler builds for by itself.
+pub(crate) fn host() -> Option<String> {
+    print(&own().1, &["host-tuple"])
+}
+
 /// The output of a command, if it can be run and succeeds.
 pub(crate) fn output(command: &mut Command) -> Option<String> {
     let output = command.output().ok()?;

@@ -1,0 +1,208 @@
+//! Every density: parameters are taken or refused, and all that it tells is finite, for any numbers and directions.
+
+use asperity_ndf_sampling::level_of_detail::{ConditionalNdf, OffsetBeckmann};
+use asperity_ndf_sampling::normal_map::NormalMapFormat;
+use asperity_ndf_sampling::normal_table::{Chart, Spacing};
+use asperity_ndf_sampling::{
+    AshikhminShirley, Beckmann, Blend, BlinnPhong, Frame, GaussianNoise, GaussianSplit, Ggx, KurtoticNoise,
+    Microfacet, Mixture, Ndf, NoiseDistribution, RangeError, Rotated, StudentT, Ward, detailed,
+    detailed_normal, inverse_phi, phi,
+};
+
+use crate::numbers::Numbers;
+
+/// The promises of every density.
+pub(crate) fn ndf(ndf: &dyn Ndf, numbers: &mut Numbers<'_>) {
+    let (z, u, m) = (numbers.pair(), numbers.pair(), numbers.direction());
+    for normal in [ndf.from_gaussian(z), ndf.sample(u)] {
+        assert!((normal.length() - 1.0).abs() < 1e-5 && normal.z >= 0.0, "{normal} from {z} {u}");
+        let back = ndf.to_gaussian(normal);
+        assert!(back.is_finite(), "{back} of {normal}");
+        density(ndf.density(normal));
+        density(ndf.sample_density(normal));
+    }
+    assert!(ndf.to_gaussian(m).is_finite(), "{m}");
+    density(ndf.density(m));
+    density(ndf.sample_density(m));
+    density(ndf.slope_density(numbers.pair()));
+    let split = GaussianSplit::new(numbers.pair(), numbers.float());
+    assert!((0.0..=1.0).contains(&split.share()), "{split:?}");
+    density(ndf.conditional_density(m, split));
+    let many = [m, numbers.direction(), numbers.vector()];
+    let mut densities = [0.0; 3];
+    ndf.conditional_densities(&many, split, &mut densities);
+    for (m, got) in many.into_iter().zip(densities) {
+        assert_eq!(got.to_bits(), ndf.conditional_density(m, split).to_bits(), "{m} {split:?}");
+        density(got);
+    }
+    let bumped = detailed_normal(&ndf, m, z, numbers.float());
+    assert!((bumped.length() - 1.0).abs() < 1e-5, "{bumped}");
+}
+
+#[track_caller]
+fn density(density: f32) {
+    assert!(density >= 0.0 && density.is_finite(), "{density}");
+}
+
+/// The promises of densities with masking.
+pub(crate) fn microfacet(facets: &impl Microfacet, numbers: &mut Numbers<'_>) {
+    let (v, w, u) = (numbers.direction(), numbers.direction(), numbers.pair());
+    assert!(facets.lambda(v) >= 0.0, "{v}");
+    for share in [facets.g1(v), facets.g2(v, w), facets.g2_separable(v, w)] {
+        assert!((0.0..=1.0).contains(&share), "{share} {v} {w}");
+    }
+    density(facets.projected_area(v));
+    let m = facets.sample_visible(v, u);
+    let name = std::any::type_name_of_val(facets);
+    assert!((m.length() - 1.0).abs() < 1e-4 && m.z >= 0.0, "{name}: {m} from {v} {u}");
+    density(facets.visible_density(v, m));
+    density(facets.visible_density(v, w));
+}
+
+fn refused(error: &RangeError) {
+    assert_eq!(error.to_string().lines().count(), 1);
+}
+
+/// A density with masking, if it is one.
+fn both<N: Microfacet + Copy>(made: Result<N, RangeError>, numbers: &mut Numbers<'_>) {
+    match made {
+        Ok(facets) => {
+            ndf(&facets, numbers);
+            microfacet(&facets, numbers);
+            match Rotated::new(facets, numbers.float()) {
+                Ok(turned) => {
+                    ndf(&turned, numbers);
+                    microfacet(&turned, numbers);
+                }
+                Err(error) => refused(&error),
+            }
+        }
+        Err(error) => refused(&error),
+    }
+}
+
+fn roughness(numbers: &mut Numbers<'_>) -> f32 {
+    match numbers.byte() {
+        0..=199 => numbers.between(1e-6, 1e6),
+        _ => numbers.float(),
+    }
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    let (x, y) = (roughness(numbers), roughness(numbers));
+    match numbers.byte() % 12 {
+        0 => both(Ggx::new(x, y), numbers),
+        1 => both(Beckmann::new(x, y), numbers),
+        2 => both(Ward::new(x, y), numbers),
+        3 => {
+            let gamma = if numbers.byte() < 200 { numbers.between(1.51, 1e12) } else { numbers.float() };
+            both(StudentT::new(x, y, gamma), numbers);
+        }
+        4 => match BlinnPhong::new(numbers.between(1e-3, 1e13)) {
+            Ok(blinn) => ndf(&blinn, numbers),
+            Err(error) => refused(&error),
+        },
+        5 => both(AshikhminShirley::new(1e3 * x, 1e3 * y), numbers),
+        6 => {
+            let clamped = [numbers.float(), numbers.float(), numbers.float()];
+            let [a, b, c] = clamped;
+            both(Ok(Ggx::clamped(a, b)), numbers);
+            both(Ok(StudentT::clamped(a, b, c)), numbers);
+            both(Ok(AshikhminShirley::clamped(a, b)), numbers);
+            ndf(&BlinnPhong::clamped(c), numbers);
+        }
+        7 => {
+            let (Ok(a), Ok(b)) = (Ggx::isotropic(x), Beckmann::isotropic(y)) else { return };
+            match Mixture::new(a, b, numbers.float()) {
+                Ok(mixture) => {
+                    ndf(&mixture, numbers);
+                    microfacet(&mixture, numbers);
+                }
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+            }
+        }
+        8 => {
+            let (Ok(a), Ok(b)) = (Ggx::new(x, y), Beckmann::new(y, x)) else { return };
+            match Blend::new(a, b, numbers.float()) {
+                Ok(blend) => {
+                    density(blend.density(numbers.direction()));
+                    assert!(blend.sample(numbers.pair()).is_finite());
+                    let v = numbers.direction();
+                    assert!(blend.lambda(v) >= 0.0);
+                    density(blend.projected_area(v));
+                    let m = blend.sample_visible(v, numbers.pair());
+                    assert!(m.is_finite());
+                    density(blend.visible_density(v, m));
+                }
+                Err(error) => refused(&error),
+            }
+        }
+        9 => {
+            let Ok(ggx) = Ggx::new(x, y) else { return };
+            ndf(&ConditionalNdf::new(ggx, numbers.pair(), numbers.float()), numbers);
+            let Ok(beckmann) = Beckmann::new(x, y) else { return };
+            ndf(&OffsetBeckmann::conditional(beckmann, numbers.pair(), numbers.float()), numbers);
+            match OffsetBeckmann::new(numbers.pair(), [numbers.float(), numbers.float(), numbers.float()]) {
+                Ok(offset) => ndf(&offset, numbers),
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+            }
+        }
+        10 => distributions(numbers),
+        _ => rest(numbers),
+    }
+}
+
+fn distributions(numbers: &mut Numbers<'_>) {
+    if let Ok(noise) = GaussianNoise::new(numbers.float()) {
+        distribution(&noise, numbers);
+    }
+    match KurtoticNoise::new(numbers.float(), numbers.float()) {
+        Ok(noise) => distribution(&noise, numbers),
+        Err(error) => refused(&error),
+    }
+    let (z, u) = (numbers.double(), numbers.double());
+    let share = phi(z);
+    assert!((0.0..=1.0).contains(&share) || z.is_nan(), "{z}: {share}");
+    assert!(!inverse_phi(u).is_nan() || u.is_nan() || !(0.0..=1.0).contains(&u), "{u}");
+}
+
+/// The promises of every distribution of a noise.
+pub(crate) fn distribution(noise: &dyn NoiseDistribution, numbers: &mut Numbers<'_>) {
+    let (r, z, u) = (numbers.float(), numbers.float(), numbers.float());
+    assert!(noise.gaussian(r).is_finite(), "{r}");
+    assert!(!noise.from_gaussian(z).is_nan(), "{z}");
+    assert!((0.0..=1.0).contains(&noise.uniform(r)), "{r}");
+    assert!(!noise.inverse(u).is_nan(), "{u}");
+}
+
+fn rest(numbers: &mut Numbers<'_>) {
+    let frame = Frame::from_normal(numbers.direction());
+    orthonormal(&frame);
+    orthonormal(&Frame::from_normal_tangent(numbers.direction(), numbers.vector()));
+    assert!(detailed(numbers.pair(), numbers.pair(), numbers.float()).is_finite());
+    let texel = [numbers.byte(), numbers.byte(), numbers.byte()];
+    let n = NormalMapFormat::default().decode_u8(texel);
+    assert!((n.length() - 1.0).abs() < 1e-5, "{n}");
+    let n = NormalMapFormat::default().decode_signed(numbers.vector().to_array());
+    assert!((n.length() - 1.0).abs() < 1e-5, "{n}");
+    let _ = NormalMapFormat::default().encode_u16(numbers.vector());
+    for chart in [Chart::Projected, Chart::Slopes, Chart::Stereographic] {
+        let m = chart.to_normal(numbers.pair());
+        assert!((m.length() - 1.0).abs() < 1e-5, "{m}");
+        assert!(chart.to_point(numbers.direction()).is_finite());
+    }
+    for spacing in [Spacing::Coordinates, Spacing::Quantiles, Spacing::Warped] {
+        assert!(spacing.coordinate(numbers.float()).is_finite());
+        assert!((0.0..=1.0).contains(&spacing.place(numbers.float())));
+    }
+}
+
+fn orthonormal(frame: &Frame) {
+    let Frame { normal, tangent, bitangent } = *frame;
+    for unit in [normal, tangent, bitangent] {
+        assert!((unit.length() - 1.0).abs() < 1e-5, "{frame:?}");
+    }
+    for dot in [normal.dot(tangent), tangent.dot(bitangent), bitangent.dot(normal)] {
+        assert!(dot.abs() < 1e-5, "{frame:?}");
+    }
+}

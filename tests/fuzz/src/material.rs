@@ -1,0 +1,270 @@
+//! Materials and textures of any parameters, at any point, from anywhere.
+
+use asperity_shading::glam::Vec3;
+use asperity_shading::level_of_detail::{RemappedOctaves, facet_coordinates, shade_facet};
+use asperity_shading::material::{
+    Elimination, Fibres, FibresParameters, GlassBody, GlassWaves, GlintField, PaintFlakes, SeamPattern,
+    Seams, flake_patch, sparkle_width,
+};
+use asperity_shading::noise::{Gaussian, GaussianOctaves, Perlin2002, Spectrum};
+use asperity_shading::texture::{Bevel, Edge, Gas, PerturbedTexture, StarWallpaper, Steam, march};
+use asperity_shading::{
+    Beckmann, Brdf, Brick, BumpField, BumpMapped, Carpet, CarpetParameters, Footprint, Frame, Ggx,
+    LevelOfDetail, Marble, Material, MetallicPaint, MetallicPaintParameters, ParameterError, PixelEllipse,
+    Scratches, ScratchesParameters, SurfacePoint, TemperedGlass, TemperedGlassParameters, Variations,
+    VariationsParameters,
+};
+
+use crate::numbers::Numbers;
+
+/// A size, mostly in range.
+fn size(numbers: &mut Numbers<'_>) -> f32 {
+    if numbers.byte() < 250 { numbers.between(1e-6, 1e6) } else { numbers.float() }
+}
+
+fn share(numbers: &mut Numbers<'_>) -> f32 {
+    if numbers.byte() < 250 { numbers.share() } else { numbers.float() }
+}
+
+fn point(numbers: &mut Numbers<'_>) -> SurfacePoint {
+    let pixel = PixelEllipse::from_derivatives(numbers.vector(), numbers.vector());
+    let pixel = if numbers.byte() < 128 { Footprint::from_width(numbers.float()).into() } else { pixel };
+    SurfacePoint::new(numbers.vector(), numbers.unit(), pixel)
+        .with_uv(numbers.pair(), [numbers.vector(), numbers.vector()])
+}
+
+/// The promises of every material.
+fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<'_>) {
+    let material = match made {
+        Ok(material) => material,
+        Err(error) => return assert_eq!(error.to_string().lines().count(), 1),
+    };
+    let (point, wo) = (point(numbers), numbers.direction());
+    let bsdf = material.bsdf(&point, wo);
+    let light = |c: Vec3| assert!(c.is_finite() && c.min_element() >= 0.0, "{c} at {point:?} from {wo}");
+    light(bsdf.emitted());
+    let u = numbers.pair();
+    for wi in [numbers.direction(), bsdf.sample(wo, u)] {
+        light(bsdf.value(wi, wo));
+        let density = bsdf.density(wi, wo);
+        assert!(density >= 0.0 && density.is_finite(), "{density} for {wi} {wo} at {point:?}");
+    }
+    for delta in bsdf.deltas(wo, u) {
+        assert!(delta.wi.is_finite() && delta.weight.min_element() >= 0.0, "{delta:?}");
+        assert!(delta.weight.max_element() <= 1.0 + 1e-5, "{delta:?}");
+    }
+}
+
+fn carpet(numbers: &mut Numbers<'_>) {
+    let fibres = FibresParameters {
+        fibre_length: size(numbers),
+        fibre_width: numbers.between(0.01, 0.3),
+        fibre_bend: 0.3 * share(numbers),
+        fibre_direction: numbers.pair(),
+        fibre_spread: share(numbers),
+        fibre_contrast: share(numbers),
+        seed: numbers.word(),
+    };
+    if let Ok(fibres) = Fibres::new(fibres) {
+        let fibre = fibres.sample(numbers.pair(), Footprint::from_width(numbers.float()));
+        assert!(fibre.factor >= 0.0 && fibre.factor.is_finite() && fibre.slope.is_finite(), "{fibre:?}");
+    }
+    let parameters = CarpetParameters {
+        diffuse: numbers.colour(),
+        specular: numbers.colour(),
+        diffuse_thread_size: size(numbers),
+        diffuse_thread_strength: share(numbers),
+        specular_thread_size: size(numbers),
+        specular_thread_strength: share(numbers),
+        dark_area_size: size(numbers),
+        dark_area_strength: share(numbers),
+        seams_propagation: numbers.pair(),
+        seams_pattern: numbers.pick(&[SeamPattern::None, SeamPattern::Lines, SeamPattern::Grid]),
+        seam_distance: size(numbers),
+        seams_amplitude: share(numbers),
+        roughness: share(numbers),
+        fake_rim_light: share(numbers),
+        fake_rim_light_width: share(numbers),
+        fibres,
+        ..CarpetParameters::default()
+    };
+    material(Carpet::new(parameters), numbers);
+    let pattern = numbers.pick(&[SeamPattern::Lines, SeamPattern::Grid]);
+    if let Ok(seams) = Seams::new(numbers.pair(), pattern, size(numbers), share(numbers)) {
+        let _ = seams.filtered(numbers.pair(), PixelEllipse::aligned(numbers.pair()));
+        let _ = seams.rounded(numbers.pair(), numbers.float());
+    }
+}
+
+fn paint(numbers: &mut Numbers<'_>) {
+    let unit = size(numbers);
+    let parameters = MetallicPaintParameters {
+        specular: numbers.colour(),
+        orange_peel_strength: share(numbers),
+        orange_peel_size: size(numbers),
+        flake_sparkle_pixel_size: 1000.0 * share(numbers),
+        flake_sparkle_physical_size: size(numbers),
+        flake_sparkle_variation: share(numbers),
+        flake_sparkle_boost: share(numbers),
+        flake_sparkle_elimination: share(numbers),
+        smart_flake_sparkle: numbers.pick(&[Elimination::Fixed, Elimination::Adaptive { unit }]),
+        passive_flake_size: size(numbers),
+        passive_flake_strength: share(numbers),
+        passive_flake_detail: numbers.word() % 10,
+        flake_roughness: share(numbers),
+        flakes: numbers.pick(&[PaintFlakes::Sparkling, PaintFlakes::Counted { spacing: unit, bin: 0.05 }]),
+        coat_index: 1.0 + share(numbers),
+        coat_roughness: share(numbers),
+        seed: numbers.word(),
+        ..MetallicPaintParameters::default()
+    };
+    material(MetallicPaint::new(parameters), numbers);
+    if let Ok(field) =
+        GlintField::new(Beckmann::clamped(0.3, 0.3), size(numbers), share(numbers), numbers.word())
+    {
+        let density =
+            field.density(numbers.direction(), numbers.vector(), Footprint::from_width(numbers.float()));
+        assert!(density >= 0.0 && density.is_finite(), "{density}");
+        if let Some(flake) = field.flake(numbers.vector()) {
+            assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.centre.is_finite(), "{flake:?}");
+        }
+    }
+    let width = sparkle_width(numbers.float(), numbers.vector(), numbers.vector());
+    let _ = flake_patch(numbers.vector(), numbers.float(), width, numbers.float(), 3);
+}
+
+fn glass(numbers: &mut Numbers<'_>) {
+    let parameters = TemperedGlassParameters {
+        wave_frequency: size(numbers),
+        wave_amplitude: size(numbers),
+        wave_propagation_vector: numbers.direction(),
+        waves: numbers.pick(&[GlassWaves::Sine, GlassWaves::Noise]),
+        body: numbers.pick(&[GlassBody::Pane, GlassBody::Solid]),
+        index: 1.0 + numbers.share(),
+        tint: numbers.colour(),
+        roughness: share(numbers),
+        seed: numbers.word(),
+    };
+    material(TemperedGlass::new(parameters), numbers);
+}
+
+fn wear(numbers: &mut Numbers<'_>) {
+    let parameters = VariationsParameters {
+        diffuse: numbers.colour(),
+        specular: numbers.colour(),
+        roughness: share(numbers),
+        small_blemish_size: size(numbers),
+        small_blemish_bump_strength: share(numbers),
+        small_blemish_colour_strength: share(numbers),
+        dent_strength: share(numbers),
+        dent_size: size(numbers),
+        dent_cover: share(numbers),
+        dent_detail: numbers.word() % 10,
+        gloss_roughness: share(numbers),
+        seed: numbers.word(),
+    };
+    material(Variations::new(parameters), numbers);
+    let parameters = ScratchesParameters {
+        scratch_size: size(numbers),
+        scratch_length: share(numbers),
+        scratch_width: 0.5 * share(numbers),
+        scratch_strength: share(numbers),
+        scratch_cover: 4.0 * share(numbers),
+        scratch_direction: numbers.pair(),
+        scratch_spread: share(numbers),
+        specular: numbers.colour(),
+        roughness: share(numbers),
+        seed: numbers.word(),
+    };
+    material(Scratches::new(parameters), numbers);
+}
+
+fn textures(numbers: &mut Numbers<'_>) {
+    let (uv, p, footprint) = (numbers.pair(), numbers.vector(), Footprint::from_width(numbers.float()));
+    let pixel = PixelEllipse::aligned(numbers.pair());
+    if let Ok(wall) = Brick::new(size(numbers), size(numbers), size(numbers)) {
+        for got in [wall.sample(uv), wall.filtered(uv, pixel)] {
+            assert!((0.0..=1.0).contains(&got.brick) && (0.0..=1.0).contains(&got.height), "{got:?}");
+            assert!(got.slope.is_finite(), "{got:?}");
+        }
+        let mut shares = 0.0;
+        wall.facets(uv, pixel, |share, _, slope| shares += if slope.is_finite() { share } else { f32::NAN });
+        assert!((shares - 1.0).abs() < 1e-4, "{shares}");
+    }
+    let radii = [numbers.share(), numbers.share()];
+    if let Ok(stars) = StarWallpaper::new(numbers.word() % 1100, radii, size(numbers), share(numbers), 1) {
+        let covered = stars.coverage(uv, footprint);
+        assert!((0.0..=1.0).contains(&covered) && (0.0..=1.0).contains(&stars.mean()), "{covered}");
+        let _ = stars.as_listed(uv);
+    }
+    if let Ok(marble) = Marble::new(Perlin2002::default(), size(numbers), 1) {
+        let colour = marble.colour(p, footprint);
+        assert!(colour.min_element() >= 0.0 && colour.max_element() <= 1.0, "{colour}");
+    }
+    let _ = PerturbedTexture::default().filtered(p, uv, footprint);
+    for density in [Gas::default().density(p), Gas::default().with_veins().clamped_density(p, footprint)] {
+        assert!((0.0..=Gas::default().densest()).contains(&density), "{density}");
+    }
+    if let Ok(steam) = Steam::new(numbers.vector(), numbers.float(), numbers.float()) {
+        assert!((0.0..=1.0).contains(&steam.share(p)));
+        let _ = steam.interval(numbers.vector(), numbers.direction());
+    }
+    if let Ok(bevel) = Bevel::new(numbers.float(), numbers.float(), numbers.float(), numbers.float()) {
+        let [height, slope] = bevel.profile(numbers.float());
+        assert!(height.is_finite() && slope.is_finite(), "{height} {slope}");
+        bevel.facets(numbers.float(), numbers.float(), |_, _| {});
+    }
+    let corners = numbers.list(6, Numbers::pair);
+    if let Some(edge) = Edge::nearest(&corners, uv) {
+        assert!(edge.distance >= 0.0 && (edge.away.length() - 1.0).abs() < 1e-5, "{edge:?}");
+    }
+    let step = if numbers.byte() < 220 { numbers.between(1e-2, 1e3) } else { numbers.float() };
+    let (extinction, light) = (numbers.float(), numbers.colour());
+    let seen = march(
+        p,
+        numbers.vector(),
+        [numbers.float(), numbers.float()],
+        step,
+        numbers.float(),
+        |_| extinction,
+        |_| light,
+    );
+    assert!((0.0..=1.0).contains(&seen.transmittance) && seen.light.is_finite(), "{seen:?}");
+    assert!(seen.light.min_element() >= 0.0, "{seen:?}");
+}
+
+fn bumps(numbers: &mut Numbers<'_>) {
+    let ndf = Ggx::clamped(numbers.float(), numbers.float());
+    let spectrum = Spectrum::new(2.0 + numbers.share(), numbers.between(0.1, 1.0), 1 + numbers.word() % 16);
+    let spectrum = spectrum.unwrap_or_default();
+    let Ok(field) = BumpField::new(GaussianOctaves::<3>::new(Gaussian::new(3), spectrum), size(numbers))
+    else {
+        return;
+    };
+    let seen = field.coordinates(numbers.vector(), Footprint::from_width(numbers.float()));
+    assert!(
+        seen.z.is_finite() && (0.0..=1.0).contains(&seen.share) && (0.0..=1.0).contains(&seen.fade),
+        "{seen:?}"
+    );
+    for rule in [LevelOfDetail::Exact, LevelOfDetail::Fractal] {
+        let radiance = rule.radiance(&ndf, numbers.direction(), seen);
+        assert!(radiance >= 0.0 && radiance.is_finite(), "{radiance}");
+        assert!((rule.normal(&ndf, seen).length() - 1.0).abs() < 1e-5);
+        material(Ok(BumpMapped { ndf, bumps: field, rule, colour: Vec3::ONE }), numbers);
+    }
+    assert!(facet_coordinates(&ndf, seen).is_finite());
+    let shaded = shade_facet(&ndf, &Frame::from_normal(numbers.direction()), numbers.direction());
+    assert!(shaded >= 0.0 && shaded.is_finite(), "{shaded}");
+    let _ = RemappedOctaves::new(Perlin2002::new(1), spectrum, numbers.word());
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    match numbers.byte() % 6 {
+        0 => carpet(numbers),
+        1 => paint(numbers),
+        2 => glass(numbers),
+        3 => wear(numbers),
+        4 => textures(numbers),
+        _ => bumps(numbers),
+    }
+}

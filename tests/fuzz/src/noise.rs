@@ -1,0 +1,254 @@
+//! Every kind of noise, sum and transform, at every point: finite, in range, and with the same bits in lists and grids.
+
+use asperity_noise::glam::{Vec2, Vec3, Vec4};
+use asperity_noise::simd::Kernel;
+use asperity_noise::{
+    Add, Affine, Basis, Billow, Blend, Cellular, Clamp, Curved, Field, Gaussian, GaussianOctaves, Grid,
+    IntegerHash, Metric, Multiply, Noise, Normalisation, Octaves, Perlin1985, Perlin2002, Plasma, Point,
+    Power, Ridged, RidgedMultifractal, Rotation, Sample, Simplex, Sparse, Spectrum, Tiled, TiledSimplex,
+    Turbulence, Unit, Value, ValueCatmullRom, ValueGradient, Warp, White, curl, pixel_footprint,
+    removed_share,
+};
+
+use crate::numbers::Numbers;
+
+fn point<V: Point>(numbers: &mut Numbers<'_>) -> V {
+    V::from_axes(|_| numbers.float())
+}
+
+/// Whether samples are finite, in the range that the field tells, and the same as values.
+fn field<V: Point>(field: &impl Field<V>, slack: f32, numbers: &mut Numbers<'_>) {
+    checked(&|p| (field.sample(p), field.value(p)), field.range(), slack, numbers);
+}
+
+/// [`field`], compiled once for each dimension.
+fn checked<V: Point>(
+    at: &dyn Fn(V) -> (Sample<V>, f32),
+    [low, high]: [f32; 2],
+    slack: f32,
+    numbers: &mut Numbers<'_>,
+) {
+    assert!(low <= high, "[{low}, {high}]");
+    for _ in 0..=numbers.count(3) {
+        let p: V = point(numbers);
+        let (sample, value) = at(p);
+        assert_eq!(sample.value.to_bits(), value.to_bits(), "{p:?}");
+        assert!(value.is_finite(), "{value} at {p:?}");
+        let slack = slack * (high - low).max(1.0);
+        assert!((low - slack..=high + slack).contains(&value), "{value} in [{low}, {high}] at {p:?}");
+        let gradient = sample.gradient.coordinates();
+        assert!(gradient.as_ref().iter().all(|x| x.is_finite()), "{sample:?} at {p:?}");
+        if !p.coordinates().as_ref().iter().all(|x| x.is_finite()) {
+            assert!(gradient.as_ref().iter().all(|&x| x == 0.0), "{sample:?} at {p:?}");
+        }
+    }
+}
+
+/// A field of lists and grids, which have the bits of single points.
+fn many(numbers: &mut Numbers<'_>) {
+    let field = Octaves::<_, 3>::new(Perlin2002::new(numbers.word()), Spectrum::CLOUD).first(numbers.float());
+    let points: Vec<Vec3> = (0..1 + numbers.count(17)).map(|_| numbers.vector()).collect();
+    let mut values = vec![0.0; points.len()];
+    field.values(&points, &mut values).expect("as many");
+    for (&p, value) in points.iter().zip(values) {
+        assert_eq!(field.value(p).to_bits(), value.to_bits(), "{p}");
+    }
+    let (origin, step) = (numbers.vector(), numbers.vector());
+    let grid =
+        Grid { origin, step, size: [1 + numbers.count(9), 1 + numbers.count(2), 1 + numbers.count(2)] };
+    let mut values = vec![0.0; grid.len()];
+    field.grid_values(&grid, &mut values).expect("as many");
+    let [columns, rows, _] = grid.size;
+    for (k, value) in values.into_iter().enumerate() {
+        let p = grid.point([k % columns, k / columns % rows, k / columns / rows]);
+        assert_eq!(field.value(p).to_bits(), value.to_bits(), "{grid:?} at {p}");
+    }
+}
+
+fn spectrum(numbers: &mut Numbers<'_>) -> Spectrum {
+    let given = Spectrum::new(numbers.float(), numbers.float(), numbers.word() % 20);
+    given.unwrap_or_else(|error| {
+        assert_eq!(error.to_string().lines().count(), 1);
+        Spectrum::default()
+    })
+}
+
+/// The share that rounding adds to the range, in its width: far out that of the corners of simplices up to all of it.
+const fn slack(simplicial: bool) -> f32 {
+    if simplicial { 1.0 } else { 1e-4 }
+}
+
+/// A kind.
+fn kind<V: Point<Coordinates = [f32; N]>, K: Kernel<N> + Noise<V>, const N: usize>(
+    noise: K,
+    numbers: &mut Numbers<'_>,
+) {
+    field::<V>(&noise, slack(K::SIMPLICIAL), numbers);
+}
+
+/// A sum and transforms of a kind.
+fn transformed<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
+    let noise = Perlin2002::new(numbers.word());
+    let (low, high, power) = (numbers.share(), numbers.share(), numbers.byte() % 9);
+    let (unit, slack) = (Unit(noise), slack(false));
+    match numbers.byte() % 4 {
+        0 => field::<V>(&Clamp(Affine(unit, low, high), -1.0, high), slack, numbers),
+        1 => {
+            field::<V>(&Blend(Add(noise, noise), Multiply(noise, noise), Power(unit, power)), slack, numbers)
+        }
+        2 => {
+            if let Some(sum) = sum::<_, N>(noise, numbers) {
+                field::<V>(&sum, slack, numbers);
+            }
+        }
+        _ => {
+            if let Some(sum) = sum::<_, N>(Gaussian::new(numbers.word()), numbers) {
+                field::<V>(&sum, slack, numbers);
+            }
+        }
+    }
+}
+
+/// The sum of a kind's octaves, unless its gradients may leave the range of floats.
+fn sum<K: Kernel<N> + Copy, const N: usize>(noise: K, numbers: &mut Numbers<'_>) -> Option<Octaves<K, N>> {
+    let (spectrum, octaves) = (spectrum(numbers), numbers.float());
+    for share in [spectrum.share(octaves), spectrum.weight(octaves, numbers.word() % 20)] {
+        assert!((0.0..=1.0).contains(&share), "{share}");
+    }
+    let sum = Octaves::<K, N>::new(noise, spectrum)
+        .with_rotation(numbers.pick(&[Rotation::Aligned, Rotation::Random]))
+        .with_seed(numbers.word())
+        .with_normalisation(numbers.pick(&[Normalisation::Range, Normalisation::Variance]));
+    (spectrum.frequency(spectrum.max_octaves() - 1) < 1e30).then(|| sum.first(octaves))
+}
+
+/// Octaves through shapes.
+fn shaped<V: Point<Coordinates = [f32; N]>, const N: usize>(numbers: &mut Numbers<'_>) {
+    let Some(sum) = sum::<_, N>(Perlin2002::new(numbers.word()), numbers) else { return };
+    match numbers.byte() % 5 {
+        0 => field::<V>(&sum.with_shape(Turbulence), 1e-4, numbers),
+        1 => field::<V>(&sum.with_shape(Plasma), 1e-4, numbers),
+        2 => field::<V>(&sum.with_shape(Billow), 1e-4, numbers),
+        3 => field::<V>(&sum.with_shape(Ridged), 1e-4, numbers),
+        _ => {
+            if let Ok(ridged) = RidgedMultifractal::of(sum, numbers.float()) {
+                field::<V>(&ridged.first(numbers.float()), 1e-4, numbers);
+            }
+        }
+    }
+}
+
+/// A kind with second derivatives.
+fn curved<V: Point>(noise: &impl Curved<V>, numbers: &mut Numbers<'_>)
+where
+    V::Matrix: AsRef<[V::Coordinates]>,
+{
+    let p = point(numbers);
+    let (second, first) = (noise.second_order(p), noise.sample(p));
+    assert_eq!((second.value, second.gradient), (first.value, first.gradient), "{p:?}");
+    let finite = |row: &V::Coordinates| row.as_ref().iter().all(|x| x.is_finite());
+    assert!(second.hessian.as_ref().iter().all(finite), "{second:?} at {p:?}");
+}
+
+macro_rules! dimension {
+    ($name:ident, $vector:ty, $n:literal) => {
+        fn $name(numbers: &mut Numbers<'_>) {
+            let seed = numbers.word();
+            match numbers.byte() % 15 {
+                0 => kind::<$vector, _, $n>(White::new(seed), numbers),
+                1 => kind::<$vector, _, $n>(Value::new(seed), numbers),
+                2 => kind::<$vector, _, $n>(ValueCatmullRom::new(seed), numbers),
+                3 => kind::<$vector, _, $n>(Perlin1985::new(seed), numbers),
+                4 => kind::<$vector, _, $n>(Perlin2002::new(seed), numbers),
+                5 => kind::<$vector, _, $n>(Gaussian::new(seed), numbers),
+                6 => match ValueGradient::new(seed).with_weight(numbers.float()) {
+                    Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                    Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+                },
+                7 => kind::<$vector, _, $n>(Simplex::new(seed), numbers),
+                8 => kind::<$vector, _, $n>(Simplex::wide(seed), numbers),
+                9 => match Sparse::new(seed).with_impulses(numbers.word() % 7) {
+                    Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                    Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+                },
+                10 => {
+                    let noise = Cellular::new(seed)
+                        .with_basis(numbers.pick(&[Basis::F1, Basis::F2, Basis::F2MinusF1, Basis::Cell]))
+                        .with_metric(numbers.pick(&[Metric::Euclidean, Metric::Manhattan, Metric::Chebyshev]))
+                        .with_jitter(numbers.float());
+                    match noise {
+                        Ok(noise) => kind::<$vector, _, $n>(noise, numbers),
+                        Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+                    }
+                }
+                11 => {
+                    curved::<$vector>(&Perlin2002::new(seed), numbers);
+                    curved::<$vector>(&Simplex::new(seed), numbers);
+                    curved::<$vector>(&Gaussian::new(seed), numbers);
+                    curved::<$vector>(&Octaves::<_, $n>::new(Value::new(seed), Spectrum::CLOUD), numbers);
+                    let sum = GaussianOctaves::<$n>::new(Gaussian::new(seed), Spectrum::default());
+                    let p: $vector = point(numbers);
+                    for sample in
+                        sum.detail(numbers.float()).pair(p).into_iter().chain(Gaussian::new(seed).pair(p))
+                    {
+                        let finite = sample.gradient.coordinates().iter().all(|x| x.is_finite());
+                        assert!(sample.value.is_finite() && finite, "{sample:?} at {p:?}");
+                    }
+                }
+                12 => shaped::<$vector, $n>(numbers),
+                13 => transformed::<$vector, $n>(numbers),
+                _ => {
+                    let periods =
+                        core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 5, 8, 2_097_152, u32::MAX]));
+                    let Ok(lattice) = Tiled::<_, $n>::new(IntegerHash, periods) else { return };
+                    let noise = Perlin2002::new(seed).with_lattice(lattice);
+                    field::<$vector>(&noise, 1e-5, numbers);
+                    if let Ok(sum) = Octaves::<_, $n>::tiled(noise, spectrum(numbers)) {
+                        field::<$vector>(&sum, 1e-4, numbers);
+                    }
+                }
+            }
+        }
+    };
+}
+
+dimension!(line, f32, 1);
+dimension!(plane, Vec2, 2);
+dimension!(space, Vec3, 3);
+dimension!(hyperspace, Vec4, 4);
+
+fn rest(numbers: &mut Numbers<'_>) {
+    let seed = numbers.word();
+    let periods = core::array::from_fn(|_| numbers.pick(&[0, 1, 3, 9, 2_097_150, u32::MAX]));
+    if let Ok(noise) = TiledSimplex::new(Simplex::new(seed), periods) {
+        field::<Vec3>(&noise, slack(true), numbers);
+    }
+    let share = removed_share(numbers.float(), numbers.float());
+    assert!((0.0..=1.0).contains(&share), "{share}");
+    assert!(pixel_footprint(numbers.vector(), numbers.vector()) >= 0.0);
+    let noise = Octaves::new(Perlin2002::new(seed), Spectrum::CLOUD);
+    if let Ok(warp) = Warp::new(noise, [Simplex::new(1), Simplex::new(2), Simplex::new(3)], numbers.share()) {
+        field::<Vec3>(&warp, 1e-4, numbers);
+    }
+    let p = numbers.vector();
+    assert!(curl::Curl2(noise_2(seed)).velocity(p.truncate()).is_finite());
+    let flow = curl::CurlPotential([Simplex::new(seed), Simplex::new(1), Simplex::new(2)]);
+    assert!(flow.velocity(p).is_finite(), "{p}");
+    let flow = curl::Curl3(noise, Simplex::new(seed)).velocity_and_jacobian(p);
+    assert!(flow.velocity.is_finite() && flow.jacobian.as_flattened().iter().all(|x| x.is_finite()), "{p}");
+}
+
+fn noise_2(seed: u32) -> Octaves<Perlin2002, 2> {
+    Octaves::new(Perlin2002::new(seed), Spectrum::CLOUD)
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    match numbers.byte() % 6 {
+        0 => line(numbers),
+        1 => plane(numbers),
+        2 => space(numbers),
+        3 => hyperspace(numbers),
+        4 => many(numbers),
+        _ => rest(numbers),
+    }
+}

@@ -1,0 +1,166 @@
+//! Reflectances of any parameters: light that leaves is finite and not negative, samples have a direction and a density.
+
+use asperity_shading::bump::{
+    bumped_normal, displace, facing, gradient_of_normal, lecture_normal, slope_facets, surface_gradient,
+    tangential,
+};
+use asperity_shading::glam::Vec3;
+use asperity_shading::pixel::FrequencyClamp;
+use asperity_shading::reflectance::{
+    Absorption, BlinnPhongFactor, BlinnPhongLobe, Brdf, Conductor, CookTorrance, Dielectric,
+    EnergyPreservingOrenNayar, Fresnel, Lambert, Masking, OrenNayar, OrenNayarForm, Phong, RoughDielectric,
+    Schlick, SchlickF82, TorranceSparrow, WardForm, WardReflection,
+};
+use asperity_shading::{Beckmann, Footprint, Frame, Ggx, ParameterError, PixelEllipse, half_vector, reflect};
+
+use crate::numbers::Numbers;
+
+/// The promises of every reflectance.
+fn brdf<B: Brdf>(made: Result<B, ParameterError>, numbers: &mut Numbers<'_>) {
+    let brdf = match made {
+        Ok(brdf) => brdf,
+        Err(error) => return assert_eq!(error.to_string().lines().count(), 1),
+    };
+    let (wi, wo) = (numbers.direction(), numbers.direction());
+    let sampled = brdf.sample(wo, numbers.pair());
+    if (wo.length() - 1.0).abs() < 1e-5 && wo.z > 0.0 {
+        assert!((sampled.length() - 1.0).abs() < 1e-3, "{sampled} from {wo}");
+    }
+    for wi in [wi, sampled] {
+        let (value, density) = (brdf.value(wi, wo), brdf.density(wi, wo));
+        assert!(value.is_finite() && value.min_element() >= 0.0, "{value} for {wi} {wo}");
+        assert!(density >= 0.0 && density.is_finite(), "{density} for {wi} {wo}");
+    }
+}
+
+/// A number that is mostly in a range.
+fn number(numbers: &mut Numbers<'_>, low: f32, high: f32) -> f32 {
+    if numbers.byte() < 230 { numbers.between(low, high) } else { numbers.float() }
+}
+
+fn colour(numbers: &mut Numbers<'_>) -> Vec3 {
+    if numbers.byte() < 230 { numbers.colour() } else { numbers.vector() }
+}
+
+fn fresnel(made: Result<impl Fresnel, ParameterError>, numbers: &mut Numbers<'_>) {
+    if let Ok(fresnel) = made {
+        let share = fresnel.reflectance_rgb(numbers.float());
+        assert!(share.cmpge(Vec3::ZERO).all() && share.cmple(Vec3::ONE).all(), "{share}");
+    }
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    let (x, y) = (number(numbers, 1e-6, 1e6), number(numbers, 1e-6, 1e6));
+    match numbers.byte() % 12 {
+        0 => brdf(Lambert::new(colour(numbers)), numbers),
+        1 => {
+            let form = numbers.pick(&[OrenNayarForm::Full, OrenNayarForm::Qualitative, OrenNayarForm::Fujii]);
+            brdf(OrenNayar::new(colour(numbers), number(numbers, 1e-6, 2.0), form), numbers);
+        }
+        2 => brdf(EnergyPreservingOrenNayar::new(colour(numbers), number(numbers, 1e-6, 1.0)), numbers),
+        3 => brdf(Phong::new(colour(numbers), number(numbers, 1e-6, 1e7)), numbers),
+        4 => {
+            let factor = numbers.pick(&[
+                BlinnPhongFactor::Albedo,
+                BlinnPhongFactor::Approximate,
+                BlinnPhongFactor::Density,
+            ]);
+            brdf(BlinnPhongLobe::new(colour(numbers), number(numbers, 1e-6, 1e7), factor), numbers);
+        }
+        5 => {
+            let form = numbers.pick(&[WardForm::Ward, WardForm::Dur, WardForm::Bounded]);
+            brdf(WardReflection::new(colour(numbers), x, y, form), numbers);
+        }
+        6 => {
+            let (Ok(ggx), Ok(glass)) = (Ggx::new(x, y), Dielectric::new(number(numbers, 1e-3, 1e3))) else {
+                return;
+            };
+            let masking = numbers.pick(&[Masking::Separable, Masking::Correlated]);
+            brdf(Ok(CookTorrance::new(ggx, glass).with_masking(masking)), numbers);
+            brdf(Ok(TorranceSparrow::new(ggx, glass)), numbers);
+        }
+        7 => {
+            let metal = Conductor::new(number(numbers, 1e-3, 1e3), number(numbers, 1e-3, 1e3));
+            let (Ok(beckmann), Ok(metal)) = (Beckmann::new(x, y), metal) else { return };
+            brdf(Ok(CookTorrance::new(beckmann, metal)), numbers);
+        }
+        8 => {
+            let made = SchlickF82::new(numbers.share(), number(numbers, 1e-6, 1.0));
+            let (Ok(ggx), Ok(tinted)) = (Ggx::new(x, y), made) else { return };
+            brdf(Ok(CookTorrance::new(ggx, tinted)), numbers);
+        }
+        9 => {
+            let (Ok(ggx), Ok(glass)) = (Ggx::new(x, y), Dielectric::new(number(numbers, 1e-3, 1e3))) else {
+                return;
+            };
+            for glass in
+                [RoughDielectric::new(ggx, glass), RoughDielectric::thin(ggx, glass, numbers.vector())]
+            {
+                let (wi, wo) = (numbers.direction(), numbers.direction());
+                let sampled = glass.sample(wo, numbers.pair());
+                for wi in [wi, sampled] {
+                    let (value, density) = (glass.value(wi, wo), glass.density(wi, wo));
+                    assert!(value.is_finite() && value.min_element() >= 0.0, "{value} for {wi} {wo}");
+                    assert!(density >= 0.0 && density.is_finite(), "{density} for {wi} {wo}");
+                }
+            }
+        }
+        10 => {
+            fresnel(Conductor::new(numbers.float(), numbers.float()), numbers);
+            fresnel(Dielectric::new(numbers.float()), numbers);
+            fresnel(Ok(Dielectric::clamped(numbers.float()).reversed()), numbers);
+            fresnel(Schlick::new(numbers.share()), numbers);
+            fresnel(SchlickF82::new(numbers.share(), numbers.float()), numbers);
+            let made =
+                [Absorption::new(numbers.vector()), Absorption::of_colour(numbers.colour(), numbers.float())];
+            for absorption in made.into_iter().flatten() {
+                let left = absorption.transmittance(numbers.float());
+                assert!(left.cmpge(Vec3::ZERO).all() && left.cmple(Vec3::ONE).all(), "{left}");
+            }
+            if let Ok(clamp) = FrequencyClamp::new(numbers.float(), numbers.float(), numbers.float()) {
+                let octaves = clamp.octaves(Footprint::from_width(numbers.float()));
+                assert!(octaves >= 0.0 && octaves <= clamp.max_octaves(), "{octaves}");
+                assert!(clamp.footprint(numbers.float()).width() >= 0.0);
+            }
+        }
+        _ => bumps(numbers),
+    }
+}
+
+fn bumps(numbers: &mut Numbers<'_>) {
+    let n = numbers.unit();
+    let (g, slope, p) = (numbers.vector(), numbers.pair(), [numbers.vector(), numbers.vector()]);
+    let frame = Frame::from_normal(n);
+    for gradient in [g, surface_gradient(n, p, slope), tangential(n, g), gradient_of_normal(&frame, p[0])] {
+        let bumped = bumped_normal(n, gradient);
+        assert!((bumped.length() - 1.0).abs() < 1e-5 && bumped.dot(n) > 0.0, "{bumped} of {n} {gradient}");
+        let seen = facing(n, bumped, p[1]);
+        assert!((seen.length() - 1.0).abs() < 1e-5, "{seen}");
+        let mut shares = 0.0;
+        for facet in slope_facets(n, bumped, numbers.float()) {
+            assert!((facet.normal.length() - 1.0).abs() < 1e-4);
+            shares += facet.share;
+        }
+        assert!((shares - 1.0).abs() < 1e-4, "{shares}");
+    }
+    for normal in [lecture_normal(n, p, slope), displace(g, n, p, p, slope.x, slope).normal] {
+        assert!((normal.length() - 1.0).abs() < 1e-5, "{normal}");
+    }
+    let h = half_vector(numbers.direction(), numbers.direction());
+    assert!(h.is_finite() && h.length() < 1.0 + 1e-5, "{h}");
+    let _ = reflect(numbers.direction(), numbers.direction());
+    let pixel = PixelEllipse::from_derivatives(p[0], p[1]);
+    assert!(pixel.long().width() >= pixel.short().width() && pixel.change(g) >= 0.0, "{pixel:?}");
+    let most = numbers.word() % 40;
+    assert!((1..=most.max(1) as usize).contains(&pixel.taps(most).count()), "{pixel:?}");
+    for footprint in [
+        Footprint::from_distance(numbers.float(), numbers.float(), numbers.float()),
+        Footprint::from_derivatives(p[0], p[1]),
+        Footprint::from_width(numbers.float()),
+    ] {
+        assert!(
+            footprint.width() >= 0.0 && (0.0..=1.0).contains(&footprint.kept(numbers.float())),
+            "{footprint:?}"
+        );
+    }
+}

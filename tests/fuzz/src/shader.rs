@@ -1,0 +1,61 @@
+//! The composer: any parts, with needs in circles, are joined, each once.
+
+use std::sync::OnceLock;
+
+use asperity_shaders::{
+    Binding, Bindings, Element, Imports, Part, compose, fif, module, ndf, noise, ordered, shading,
+};
+
+use crate::numbers::Numbers;
+
+/// Parts of one's own that need one another in circles.
+static FIRST: Part = Part::new("first", "fn first() {}\n", &[&SECOND, &noise::INTEGER_HASH]);
+static SECOND: Part = Part::new("second", "fn second() {}\n", &[&THIRD, &SECOND]);
+static THIRD: Part = Part::new("first", "const THIRD = 1;\n", &[&FIRST]);
+
+/// Tables of any width.
+static TABLES: Part = Part::new("tables", "fn tables() {}\n", &[]).with_bindings(&[
+    Binding::Table { name: "none", element: Element::Word, width: 0 },
+    Binding::Table { name: "odd", element: Element::Float, width: 3 },
+    Binding::Table { name: "most", element: Element::Float, width: u32::MAX },
+]);
+
+fn parts() -> &'static [&'static Part] {
+    static PARTS: OnceLock<Vec<&'static Part>> = OnceLock::new();
+    PARTS.get_or_init(|| {
+        vec![
+            &FIRST,
+            &SECOND,
+            &THIRD,
+            &TABLES,
+            &noise::INTEGER_HASH,
+            &noise::GAUSSIAN,
+            &noise::PERLIN_2002,
+            &noise::SIMPLEX,
+            &ndf::GGX,
+            &ndf::BECKMANN,
+            &shading::texture::STAR_WALLPAPER,
+            &shading::material::METALLIC_PAINT,
+            &shading::material::BRICK_WALL,
+            &fif::TABLE,
+        ]
+    })
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    let group = numbers.word();
+    let bindings = numbers.pick(&[Bindings::Textures { group }, Bindings::Buffers { group }]);
+    let imports = numbers.pick(&[Imports::NagaOil, Imports::Wesl]);
+    let chosen: Vec<&'static Part> = numbers.list(6, |numbers| numbers.pick(parts()));
+    let all = ordered(&chosen);
+    for (k, part) in all.iter().enumerate() {
+        assert!(all[..k].iter().all(|other| other.name() != part.name()), "{} is there twice", part.name());
+    }
+    for part in &chosen {
+        assert!(all.iter().any(|other| other.name() == part.name()), "{} is missing", part.name());
+        assert!(module(part, imports, bindings).ends_with(part.source()));
+    }
+    let wgsl = compose(&chosen, bindings);
+    let length: usize = all.iter().map(|part| part.source().len()).sum();
+    assert!(wgsl.len() >= length);
+}

@@ -1,0 +1,122 @@
+//! Fractal surfaces and rays: heights are within their bounds, and every ray ends.
+
+use asperity_fif::{
+    Curvature, Fif, Folded, HeightField, Intersect, Interval, Ray, RoughFolded, Surface, Torus,
+};
+use glam::DVec3;
+
+use crate::numbers::Numbers;
+
+fn direction(numbers: &mut Numbers<'_>) -> DVec3 {
+    match numbers.byte() {
+        0..=219 => DVec3::new(numbers.share().into(), numbers.share().into(), -f64::from(numbers.share())),
+        _ => DVec3::new(numbers.double(), numbers.double(), numbers.double()),
+    }
+}
+
+fn check(surface: &(impl Surface + Intersect), numbers: &mut Numbers<'_>) {
+    let [x, y] = surface.domain();
+    assert!(x.lo < x.hi && y.lo < y.hi);
+    let range = surface.range();
+    let at = [x, y].map(|axis| match numbers.byte() {
+        0..=199 => axis.lo + axis.width() * f64::from(numbers.share()),
+        _ => numbers.double(),
+    });
+    let got = surface.evaluate(at[0], at[1], numbers.double());
+    assert!(
+        at.iter().any(|x| !x.is_finite()) || range.inflated(got.bound).contains(got.value),
+        "{got:?} at {at:?} in {range}"
+    );
+    let box_ = [(); 2].map(|()| Interval::new(numbers.double(), numbers.double()));
+    let _ = surface.bounds(box_[0], box_[1]);
+    let _ = surface.gradient_near(at[0], at[1], numbers.double());
+    let target = DVec3::new(x.middle(), y.middle(), range.middle());
+    let direction = direction(numbers);
+    let origin = if numbers.byte() < 220 { target - 2.0 * direction } else { direction };
+    let ray = Ray { origin, direction };
+    for hit in [surface.first_hit(&ray), surface.first_hit_within(&ray, box_[0], numbers.double())]
+        .into_iter()
+        .flatten()
+    {
+        assert!(hit.t >= 0.0 && x.contains(hit.x) && y.contains(hit.y), "{ray:?}: {hit:?}");
+    }
+    let _ = surface.hits_any(&ray, box_[1]);
+}
+
+/// A system of three maps with slopes, whose data are ordinary, or any.
+fn curve(numbers: &mut Numbers<'_>) -> Option<Fif<4>> {
+    let width = if numbers.byte() < 200 { 1.0 } else { numbers.between(1e-9, 1e9).into() };
+    let x = [0.0, 0.3 * width, 0.6 * width, width];
+    let data: [f64; 8] = std::array::from_fn(|_| match numbers.byte() {
+        0..=239 => 4.0 * f64::from(numbers.share()) - 2.0,
+        _ => numbers.double(),
+    });
+    let alpha: [f64; 3] = std::array::from_fn(|_| 0.58 * f64::from(numbers.share()) - 0.29);
+    Fif::hermite(&x, &data[..4], &data[4..], &alpha).ok()
+}
+
+fn nodes<const N: usize>(numbers: &mut Numbers<'_>) -> ([f64; N], [[f64; 2]; N]) {
+    let mut number = || match numbers.byte() {
+        0..=239 => 4.0 * f64::from(numbers.share()) - 2.0,
+        _ => numbers.double(),
+    };
+    (std::array::from_fn(|_| number()), std::array::from_fn(|_| [number(), number()]))
+}
+
+pub(crate) fn attack(numbers: &mut Numbers<'_>) {
+    let factor = if numbers.byte() < 220 { 1.2 * f64::from(numbers.share()) - 0.6 } else { numbers.double() };
+    match numbers.byte() % 4 {
+        0 => {
+            let (Some(f), Some(g)) = (curve(numbers), curve(numbers)) else { return };
+            let surface = HeightField::new(f, g);
+            check(&surface, numbers);
+            let _ = surface.normal(numbers.double(), numbers.double());
+            let _ = surface.area_means(Interval::new(0.1, 0.4), Interval::new(0.0, 0.2));
+            if numbers.byte() < 20 {
+                check(&surface.tabulated_with(16), numbers);
+            }
+        }
+        1 => {
+            let (z, d) = nodes::<4>(numbers);
+            let matrix = [(); 2].map(|()| {
+                [(); 2].map(|()| {
+                    if numbers.byte() < 220 { numbers.count(4) as i32 - 2 } else { numbers.word() as i32 }
+                })
+            });
+            match Torus::new(2, matrix, factor, &z, &d) {
+                Ok(torus) => {
+                    check(&torus, numbers);
+                    let _ = torus.evaluate_ratio(
+                        [i64::from(numbers.word()), -3],
+                        numbers.word(),
+                        numbers.double(),
+                    );
+                    let _ = torus.mean_over(Interval::new(0.0, 0.3), Interval::new(0.1, 0.2), 4);
+                }
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+            }
+        }
+        2 => {
+            let (z, d) = nodes::<9>(numbers);
+            let knots =
+                [(); 2].map(|()| [0.0, 0.5, if numbers.byte() < 220 { 1.0 } else { numbers.double() }]);
+            match Folded::new(&knots[0], &knots[1], factor, &z, &d) {
+                Ok(folded) => check(&folded, numbers),
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+            }
+        }
+        _ => {
+            let (z, d) = nodes::<9>(numbers);
+            let factors: [f64; 9] = std::array::from_fn(|_| 1.8 * f64::from(numbers.share()) - 0.9);
+            match RoughFolded::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &d) {
+                Ok(folded) => check(&folded, numbers),
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1),
+            }
+        }
+    }
+    let curvature = Curvature::of_graph(
+        glam::DVec2::new(numbers.double(), numbers.double()),
+        [numbers.double(), numbers.double(), numbers.double()],
+    );
+    let _ = curvature.principal();
+}
