@@ -90,15 +90,18 @@ fn frames_in_one_process_keep_no_memory_and_no_thread() {
     );
     // Half of what would be kept if every frame after that left one image of three floats a pixel behind.
     let image = 256 * 256 * 12 / 1024;
-    assert!(last[0] - early[0] < (frames - frames / 10) * image / 2, "{early:?} and {last:?} kB");
-    assert_eq!(early[1], last[1]);
+    assert!(
+        last[0].saturating_sub(early[0]) < (frames - frames / 10) * image / 2,
+        "{early:?} and {last:?} kB"
+    );
+    assert!(last[1] <= early[1], "{early:?} and {last:?} threads");
     assert_eq!(names(scratch.path()).len(), frames);
 }
 
 #[test]
 fn tiles_in_one_process_keep_no_memory_and_no_thread() {
     let scratch = tempfile::tempdir().unwrap();
-    let words = "--jobs 2 bake --noise perlin --size 2048 --tile 128 --samples 1 --octaves 1 --out {}";
+    let words = "--jobs 2 bake --noise perlin --size 1024 --tile 64 --samples 1 --octaves 1 --out {}";
     let tiles = || {
         names(scratch.path())
             .iter()
@@ -112,10 +115,10 @@ fn tiles_in_one_process_keep_no_memory_and_no_thread() {
     );
     // Half of what would be kept if every tile after that stayed: 20 bytes a texel, and a third for its levels.
     assert!(
-        last[0].saturating_sub(early[0]) < 231 * 128 * 128 * 20 * 4 / 3 / 1024 / 2,
+        last[0].saturating_sub(early[0]) < 231 * 64 * 64 * 20 * 4 / 3 / 1024 / 2,
         "{early:?} and {last:?} kB"
     );
-    assert_eq!(early[1], last[1]);
+    assert!(last[1] <= early[1], "{early:?} and {last:?} threads");
 }
 
 #[test]
