@@ -33,7 +33,7 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
         page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | ")).map(|(name, _)| name);
     let gone = rows.filter(|name| !direct.contains_key(*name) && !name.starts_with("asperity-"));
     gone.for_each(|name| {
-        progress::note(&format!("docs/dependencies.md has `{name}`, on which nothing depends"))
+        progress::note(&format!("docs/dependencies.md has `{name}`, on which nothing depends"));
     });
     if !offences.is_empty() {
         return Err(offences.join("\n       ").into());
