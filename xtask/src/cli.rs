@@ -124,6 +124,8 @@ The attacks are in tests/fuzz; libFuzzer is C++ and is built with them. What bre
     NoStd,
     /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
     BareMetal,
+    /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it with this machine's, or say what is missing for that.
+    Firmware(Firmware),
     /// Compute the bits of every crate in WebAssembly, with and without SIMD128, or say what is missing for that.
     Wasm,
 }
@@ -138,6 +140,13 @@ pub(crate) struct Check {
     /// Seed of the samples.
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Firmware {
+    /// Write the table, and the page with what functions cost into `docs/trust`.
+    #[arg(long)]
+    pub(crate) ship: bool,
 }
 
 #[derive(Debug, Args)]

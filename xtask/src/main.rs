@@ -27,7 +27,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Parser;
 
-use check::{bare_metal, ci, fuzz, no_std, tidy, wasm};
+use check::{bare_metal, ci, firmware, fuzz, no_std, tidy, wasm};
 use cli::{Cli, Command};
 use failure::Failure;
 use gallery::figures::figures;
@@ -115,6 +115,10 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
         Command::Ci(wanted) => ci::gates(&wanted.only, root, interrupted),
         Command::Fuzz(wanted) => fuzz::fuzz(&wanted, root, interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
+        Command::Firmware(wanted) => {
+            let drawn = if wanted.ship { firmware::ship } else { firmware::check };
+            drawn(root).map(|line| progress::say(&line))
+        }
         Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
         Command::Wasm => wasm::probe(root).map(|line| progress::say(&line)),
     }
@@ -145,6 +149,7 @@ mod tests {
             "fuzz",
             "no-std",
             "bare-metal",
+            "firmware",
             "wasm",
         ] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");

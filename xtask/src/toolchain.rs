@@ -4,6 +4,19 @@ use std::{ffi::OsString, path::Path, path::PathBuf, process::Command};
 
 use crate::cargo::cargo_program;
 
+/// A machine that is emulated.
+pub(crate) struct Emulated {
+    pub(crate) target: &'static str,
+    /// The emulator and its arguments, before the program.
+    pub(crate) runner: &'static str,
+}
+
+/// Arm's board MPS2 with the image AN386: a Cortex-M4 with a unit for single precision.
+pub(crate) const CORTEX_M4: Emulated = Emulated {
+    target: "thumbv7em-none-eabihf",
+    runner: "qemu-system-arm -cpu cortex-m4 -machine mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel",
+};
+
 /// A cargo and a rustc that can build for a target.
 pub(crate) struct Toolchain {
     pub(crate) cargo: OsString,
@@ -55,6 +68,11 @@ pub(crate) fn rust_lld() -> Option<PathBuf> {
 /// The machine that this program's compiler builds for by itself.
 pub(crate) fn host() -> Option<String> {
     print(&own().1, &["host-tuple"])
+}
+
+/// Whether a program is installed.
+pub(crate) fn is_there(program: &str) -> bool {
+    output(Command::new(program).arg("--version")).is_some()
 }
 
 /// The output of a command, if it can be run and succeeds.

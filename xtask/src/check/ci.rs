@@ -4,7 +4,7 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
-use super::{bare_metal, dependencies, no_std, packages, tidy, wasm};
+use super::{bare_metal, dependencies, firmware, no_std, packages, tidy, wasm};
 use crate::cargo::{cargo, run};
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, shaders, tables, web};
@@ -31,7 +31,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 16] = [
+const GATES: [Gate; 17] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -51,6 +51,7 @@ const GATES: [Gate; 16] = [
     ("shaders on drivers", shaders::on_drivers),
     ("live page", web::in_browsers),
     ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
+    ("firmware", |root| firmware::check(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 
 /// Runs the gates whose names contain one of `only`, or all, in order, and stops at the first that fails.

@@ -22,7 +22,8 @@ impl PackedMapRef<'_> {
             |line: u32| if target >= top { sum(line) >= top } else { sum(line) > target.max(bottom) };
         // In growing steps, then by halving. Line 0 does not reach, the last does.
         let (mut low, mut high, mut step) = (0, rows, 2);
-        let mut line = from.clamp(1, rows);
+        // Not `clamp`, which has the code of a panic where compilers do not see the order of its bounds.
+        let mut line = from.max(1).min(rows);
         if reaches(line) {
             while line > 0 && reaches(line) {
                 (high, line, step) = (line, line.saturating_sub(step), 2 * step);
@@ -54,7 +55,8 @@ impl PackedMapRef<'_> {
         }
         let Grid { density, size, origin, last_row, margin, .. } = self.grid;
         let chord = math::sqrt((1.0 - x * x).max(0.0)) * (1.0 - 4.0 * f32::EPSILON);
-        let end = y.clamp(-chord, chord);
+        let on_chord = |y: f32| y.max(-chord).min(chord);
+        let end = on_chord(y);
         let sum = self.sums::<SIDES>(column, t);
         let has_weight = |row: &u32| sum(*row) < sum(*row + 1);
         let row_at = |y: f32| ((y * density[1] + origin[1]) as u32).min(last_row);
@@ -63,7 +65,7 @@ impl PackedMapRef<'_> {
         match nearest {
             Some(row) if row != row_at(end) => {
                 let within = if y < 0.0 { margin } else { 1.0 - margin };
-                ((row as f32 - origin[1] + within) * size[1]).clamp(-chord, chord)
+                on_chord((row as f32 - origin[1] + within) * size[1])
             }
             _ => end,
         }

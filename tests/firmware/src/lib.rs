@@ -1,0 +1,126 @@
+//! A bump-mapped patch above a fractal curve, drawn row by row from tables in flash, without an allocator.
+#![no_std]
+
+#[cfg(feature = "device")]
+pub mod stack;
+mod tables;
+
+use asperity_fif::FixedFif;
+use asperity_ndf_sampling::{Frame, PackedMapRef};
+use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::reflectance::{OrenNayar, OrenNayarForm};
+use asperity_shading::{Brdf, BumpField, Footprint, LevelOfDetail};
+
+pub const WIDTH: usize = 128;
+/// Rows of the patch.
+const PATCH: usize = 96;
+/// Rows of the curve.
+const CURVE: usize = 48;
+/// The bytes before the pixels of a portable grey map.
+pub const HEADER: &[u8] = b"P5 128 144 255\n";
+
+/// The density that the table in flash holds: steeper along x than along y.
+#[must_use]
+pub fn density(m: Vec3) -> f32 {
+    let (x, y) = (m.x * 3.0, m.y * 7.0);
+    let sum = 1.0 + x * x + y * y;
+    m.z / (sum * sum)
+}
+
+/// Knots, ordinates and vertical factors of the curve.
+static KNOTS: [f64; 6] = [0.0, 1.0, 2.5, 4.0, 4.75, 6.0];
+static ORDINATES: [f64; 6] = [0.1, 0.75, 0.3, 0.95, 0.5, 0.2];
+static FACTORS: [f64; 5] = [0.3, -0.35, 0.4, 0.25, -0.3];
+
+/// The normals of the table in flash.
+#[must_use]
+pub fn normals() -> Option<PackedMapRef<'static>> {
+    PackedMapRef::new(&tables::DENSITY).ok()
+}
+
+/// The curve of the tables in flash.
+#[must_use]
+pub fn curve() -> Option<FixedFif<5, 2>> {
+    FixedFif::affine(&KNOTS, &ORDINATES, &FACTORS).ok()
+}
+
+/// The bump map: exactly Gaussian noise of five octaves.
+#[must_use]
+pub fn bumps() -> Option<BumpField<GaussianOctaves<3>>> {
+    let spectrum = Spectrum::new(2.17, 0.6, 5).ok()?;
+    BumpField::new(GaussianOctaves::new(Gaussian::new(19), spectrum), 5.0).ok()
+}
+
+/// The reflectance of the patch.
+#[must_use]
+pub fn clay() -> Option<OrenNayar> {
+    OrenNayar::new(Vec3::splat(0.9), 0.3, OrenNayarForm::Full).ok()
+}
+
+/// Tells the rows of the picture from the top down; false if a table is refused.
+pub fn draw(tell: &mut dyn FnMut(&[u8; WIDTH])) -> bool {
+    patch(tell).is_some() && graph(tell).is_some()
+}
+
+fn patch(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
+    let (normals, bumps, clay) = (normals()?, bumps()?, clay()?);
+    let light = Vec3::new(-0.48, 0.36, 0.8);
+    let mut row = [0; WIDTH];
+    for y in 0..PATCH {
+        for (x, grey) in row.iter_mut().enumerate() {
+            let p = Vec2::new(x as f32, y as f32) / PATCH as f32;
+            let seen = bumps.coordinates(p.extend(0.0), Footprint::from_width(1.0 / PATCH as f32));
+            let m = LevelOfDetail::Exact.normal(&normals, seen);
+            let bump = Frame::from_normal(m);
+            let radiance = clay.value(bump.to_local(light), bump.to_local(Vec3::Z)).x * m.dot(light).max(0.0);
+            *grey = level(3.2 * radiance);
+        }
+        tell(&row);
+    }
+    Some(())
+}
+
+fn graph(tell: &mut dyn FnMut(&[u8; WIDTH])) -> Option<()> {
+    let curve = curve()?;
+    let domain = curve.domain();
+    let mut heights = [0.0_f32; WIDTH];
+    for (x, height) in heights.iter_mut().enumerate() {
+        let at = domain.lo + domain.width() * (x as f64 + 0.5) / WIDTH as f64;
+        *height = curve.evaluate(at, 1e-6).value as f32;
+    }
+    let mut row = [0; WIDTH];
+    for y in 0..CURVE {
+        let top = 1.3 - 1.5 * y as f32 / CURVE as f32;
+        let bottom = top - 1.5 / CURVE as f32;
+        for (grey, height) in row.iter_mut().zip(heights) {
+            // The part of the pixel that is under the curve.
+            let part = ((height - bottom) / (top - bottom)).clamp(0.0, 1.0);
+            *grey = level(0.95 - 0.8 * part);
+        }
+        tell(&row);
+    }
+    Some(())
+}
+
+fn level(x: f32) -> u8 {
+    (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+/// The FNV-1a hash of bytes (Fowler, Noll, Vo).
+#[must_use]
+pub fn hash(from: u32, bytes: &[u8]) -> u32 {
+    bytes.iter().fold(from, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
+/// The hash of nothing.
+pub const START: u32 = 0x811c_9dc5;
+
+/// A word in hexadecimal, as `{:08x}` without the machinery of formatting.
+#[must_use]
+pub fn hexadecimal(word: u32) -> [u8; 8] {
+    core::array::from_fn(|k| {
+        let digit = (word >> (28 - 4 * k) & 15) as u8;
+        if digit < 10 { b'0' + digit } else { b'a' + digit - 10 }
+    })
+}
