@@ -176,7 +176,8 @@ impl Microfacet for StudentT {
         let along = self.along.visible_slope(view, f64::from(u.x)).clamp(-STEEPEST, STEEPEST);
         let freedom = 2.0 * f64::from(self.gamma) - 2.0;
         let spread = math::sqrt_f64((freedom + along * along) / (freedom + 1.0));
-        let across = (self.across.quantile(f64::from(u.y)) * spread).clamp(-STEEPEST, STEEPEST);
+        // In proportion to the slope along, be that cut off or not.
+        let across = (self.across.quantile(f64::from(u.y)) * spread).clamp(-1e40 * STEEPEST, 1e40 * STEEPEST);
         let (x, y) = (along * cos - across * sin, along * sin + across * cos);
         let (x, y) = (x * f64::from(self.alpha.x), y * f64::from(self.alpha.y));
         let up = 1.0 / math::sqrt_f64(0.5 * (x * x + y * y) + 1.0);
