@@ -122,13 +122,12 @@ fn article(words: &Caption, record: &Record, drawing: &impl Fn(&str) -> String) 
         let (file, alt) = (escape(&panel.picture.file), escape(&panel.alt));
         let picture = match panel.picture.pixels {
             Some((width, height)) => format!(
-                "<a href=\"{file}\"><img src=\"{file}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" \
-                 alt=\"{alt}\"></a>"
+                "<img src=\"{file}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" alt=\"{alt}\">"
             ),
             None => drawing(&panel.picture.file),
         };
         format!(
-            "<figure{} style=\"grid-column: span {}\">{picture}<figcaption>{}</figcaption></figure>\n",
+            "<figure{} style=\"grid-column: span {}\"><a href=\"{file}\">{picture}</a><figcaption>{}</figcaption></figure>\n",
             if panel.span > 1 { " class=\"broad\"" } else { "" },
             panel.span.max(1),
             escape(&panel.label)
@@ -213,6 +212,18 @@ mod tests {
             let has = |text: &str, name: &str| page.contains(&format!("{text}=\"{name}\""));
             assert!(has("id", own) && !has("id", foreign) && has("href", other), "{other}");
         }
+    }
+
+    #[test]
+    fn every_picture_leads_to_its_file() {
+        let (mut raster, mut vector) = (record("kautz-1-sphere"), record("kautz-2-ndf"));
+        raster.drawn.panels[0].picture.file = "far.png".into();
+        vector.drawn.panels[0].picture = Stored { file: "far.svg".into(), sha256: "00".into(), pixels: None };
+        let page = CAPTIONS.pages[0].gallery(&[raster, vector], [None; 2], |_| "<svg></svg>".into());
+        assert!(
+            page.contains("<a href=\"far.png\"><img ")
+                && page.contains("<a href=\"far.svg\"><svg></svg></a>")
+        );
     }
 
     #[test]
