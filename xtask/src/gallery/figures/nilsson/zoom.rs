@@ -24,7 +24,7 @@ use crate::gallery::figure::{Context, Drawn};
 const LAMP: f32 = 0.35;
 
 /// The share of the bumps' colour that a dim sky lights.
-const SKY: f32 = 0.05;
+const SKY: f32 = 0.25;
 
 /// Near the middle of every picture, off the lattices of noises.
 const ANCHOR: Vec2 = Vec2::new(1.371, 0.843);
@@ -63,7 +63,6 @@ fn surfaces() -> Result<[Surface; 6]> {
         diffuse_thread_strength: 0.17,
         dark_area_size: 0.5,
         dark_area_strength: 0.3,
-        // So thin that their square ends are not seen for what they are.
         fibres: FibresParameters { fibre_length: 0.006, fibre_width: 0.05, ..Default::default() },
         ..Default::default()
     })?;
