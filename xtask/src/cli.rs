@@ -65,6 +65,7 @@ The picture appears at once, coarse, and is written anew as it grows finer: watc
   cargo xtask bake --fractal torus --tileable --size 2048 --height 0.03
   cargo xtask bake --noise perlin --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
   cargo xtask bake --noise perlin --tileable --size 16384 --out /shared/rock --job rock.yaml
+  cargo xtask bake --noise perlin --cells 512 --size 4096 --parts 16 --part 1-3 --out land
 
 Base colour, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion are written, with a glTF and a
 MaterialX material and a record of all parameters. Tiles are kept until the set is whole: a run that was stopped goes on when it is called again, and memory is
@@ -375,27 +376,27 @@ pub(crate) struct Bake {
     /// Let opposite edges meet without a seam, or say why they cannot.
     #[arg(long)]
     pub(crate) tileable: bool,
-    /// Lattice cells, or nodes of a fractal surface, along a side.
-    #[arg(long, default_value_t = 8, value_parser = whole(1, 65_536))]
-    pub(crate) cells: u32,
-    /// Octaves of noise, up to 16.
-    #[arg(long, default_value_t = 6, value_parser = whole(1, 16))]
-    pub(crate) octaves: u32,
+    /// Lattice cells, or nodes of a fractal surface, along a side [default: 8].
+    #[arg(long, value_parser = whole(1, 65_536))]
+    pub(crate) cells: Option<u32>,
+    /// Octaves of noise, up to 16 [default: 6].
+    #[arg(long, value_parser = whole(1, 16))]
+    pub(crate) octaves: Option<u32>,
     /// Frequency of each octave over that of the one before [default: 2 if tileable, else 2.17].
     #[arg(long, value_parser = positive)]
     pub(crate) lacunarity: Option<f32>,
-    /// Amplitude of each octave over that of the one before, above 0, at most 1.
-    #[arg(long, default_value_t = 0.5, value_parser = share)]
-    pub(crate) gain: f32,
-    /// Vertical factor of a fractal surface, its roughness: below 0.447.
-    #[arg(long, default_value_t = 0.375, value_parser = share)]
-    pub(crate) factor: f32,
-    /// Standard deviation of the heights, in sides of the texture.
-    #[arg(long, default_value_t = 0.01, value_parser = positive)]
-    pub(crate) height: f32,
-    /// Distance up to which other parts take light away, in sides of the texture.
-    #[arg(long, default_value_t = 0.015_625, value_parser = share)]
-    pub(crate) occlusion: f32,
+    /// Amplitude of each octave over that of the one before, above 0, at most 1 [default: 0.5].
+    #[arg(long, value_parser = share)]
+    pub(crate) gain: Option<f32>,
+    /// Vertical factor of a fractal surface, its roughness: below 0.447 [default: 0.375].
+    #[arg(long, value_parser = share)]
+    pub(crate) factor: Option<f32>,
+    /// Standard deviation of the heights, in sides of the texture [default: 0.01].
+    #[arg(long, value_parser = positive)]
+    pub(crate) height: Option<f32>,
+    /// Distance up to which the surroundings take light away, in sides of the texture, or of each of its --parts [default: 0.015625].
+    #[arg(long, value_parser = share)]
+    pub(crate) occlusion: Option<f32>,
     /// Colour, sRGB in hexadecimal [default: b4b0a8].
     #[arg(long, value_name = "RRGGBB", value_parser = colour)]
     pub(crate) tint: Option<u32>,
@@ -405,9 +406,9 @@ pub(crate) struct Bake {
     /// Roughness √α of the surface between its bumps [default: 0.6; of a density 0].
     #[arg(long, value_parser = share)]
     pub(crate) roughness: Option<f32>,
-    /// Metal: 0 or 1, or between.
-    #[arg(long, default_value_t = 0.0, value_parser = fraction)]
-    pub(crate) metallic: f32,
+    /// Metal: 0 or 1, or between [default: 0].
+    #[arg(long, value_parser = fraction)]
+    pub(crate) metallic: Option<f32>,
     /// Seed of every random choice.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u32,
@@ -417,7 +418,15 @@ pub(crate) struct Bake {
     /// Bake these tiles alone, counted from 1 row by row; a run without it writes the set when all are there.
     #[arg(long, value_name = "N|N-N", value_parser = numbers)]
     pub(crate) tiles: Option<[u32; 2]>,
-    /// Write the tiles as a job for many machines in place of baking them: a template of Open Job Description, .yaml or .json.
+    /// Cut the texture into so many parts along a side, each of --size texels and a set of its own in a folder of its own, `u1_v1`
+    /// the lower left; cells, heights and metres are those of the whole.
+    #[arg(long, value_name = "N", value_parser = whole(2, 16_384), conflicts_with = "tiles")]
+    pub(crate) parts: Option<u32>,
+    /// Bake these parts alone, counted from 1 row by row.
+    #[arg(long, value_name = "N|N-N", requires = "parts", value_parser = numbers)]
+    pub(crate) part: Option<[u32; 2]>,
+    /// Write the tiles, or the parts, as a job for many machines in place of baking them: a template of Open Job Description, .yaml or
+    /// .json.
     #[arg(long, value_name = "FILE")]
     pub(crate) job: Option<PathBuf>,
     /// Folder of the set.

@@ -30,22 +30,36 @@ use crate::progress;
 
 /// Bakes what was asked for and tells where it lies.
 pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
-    let plan = options::plan(wanted)?;
+    let [first, last] = options::parts(wanted)?;
+    let plan = options::plan(wanted, first)?;
     if let Some(file) = &wanted.job {
         return job::write(wanted, &plan, file);
     }
+    part(wanted, &plan, interrupted)?;
+    for number in first + 1..=last {
+        part(wanted, &options::plan(wanted, number)?, interrupted).map_err(|error| {
+            progress::say(&format!("{} parts are done; `--part {number}-{last}` goes on", number - first));
+            error
+        })?;
+    }
+    Ok(())
+}
+
+/// Bakes a part, or the texture that is whole.
+fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
     let some = plan.some(wanted.tiles)?;
     let output = Output::new(&wanted.out)?;
+    let output = plan.part.folder().map_or(Ok(output.clone()), |folder| output.inside(&folder))?;
     let program = std::env::current_exe().and_then(std::fs::read)?;
     let started = Instant::now();
-    let scratch = Scratch::new(&plan, &output, &program)?;
-    let fresh = fill(&plan, &scratch, some, interrupted)?;
+    let scratch = Scratch::new(plan, &output, &program)?;
+    let fresh = fill(plan, &scratch, some, interrupted)?;
     if wanted.tiles.is_some() {
         let ([first, last], all) = (some, plan.tiles() * plan.tiles());
         progress::say(&format!("tiles {first}–{last} of {all}: {}", output.place("")));
         return Ok(());
     }
-    write(&plan, scratch, &output, &wanted.format, interrupted)?;
+    write(plan, scratch, &output, &wanted.format, interrupted)?;
     let seconds = started.elapsed().as_secs_f64();
     let megatexels = f64::from(plan.size) * f64::from(plan.size) / 1e6;
     let kept = if fresh < 1.0 {

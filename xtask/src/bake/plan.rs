@@ -10,13 +10,39 @@ use crate::output::sha256;
 /// The least side of a tile in texels.
 pub(crate) const LEAST_TILE: u32 = 64;
 
+/// Texels along the side of all parts, at most: a place in `f32` is then a sixteenth of a texel.
+pub(crate) const MOST_TEXELS: u32 = 1 << 20;
+
 /// Format of the tiles' files; another number for another one.
 const FORMAT: u32 = 1;
+
+/// Which of the parts that a texture is cut into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Part {
+    /// Parts along a side of the texture; 1 of one that is whole.
+    pub(crate) of: u32,
+    /// Column and row, from the upper left.
+    pub(crate) at: [u32; 2],
+}
+
+impl Part {
+    /// The part of a number, counted from 1 row by row.
+    pub(crate) const fn numbered(number: u32, of: u32) -> Self {
+        Self { of, at: [(number - 1) % of, (number - 1) / of] }
+    }
+
+    /// The name of its folder: `u1_v1` is the one at the lower left.
+    pub(crate) fn folder(self) -> Option<String> {
+        let [column, row] = self.at;
+        (self.of > 1).then(|| format!("u{}_v{}", column + 1, self.of - row))
+    }
+}
 
 /// All that the texels follow from.
 pub(crate) struct Plan {
     pub(crate) source: Box<dyn Source>,
-    /// Texels along a side.
+    pub(crate) part: Part,
+    /// Texels along a side of the part.
     pub(crate) size: u32,
     /// Texels along the side of a tile.
     pub(crate) tile: u32,
@@ -24,7 +50,7 @@ pub(crate) struct Plan {
     pub(crate) samples: u32,
     /// The distance up to which horizons are looked for, in texels.
     pub(crate) reach: u32,
-    /// Whether the square continues on its other side.
+    /// Whether the texture continues on its other side.
     pub(crate) tileable: bool,
 }
 
@@ -45,29 +71,51 @@ impl Plan {
         Plane::ALL.into_iter().filter(move |plane| plane.differs(varies))
     }
 
-    /// A row of texels from a column on, on the square's other side where it continues there.
-    pub(crate) const fn row(&self, row: i64, column: i64) -> Row {
-        Row { size: self.size, samples: self.samples, row, column }
+    /// Texels along the side of all parts.
+    pub(crate) const fn whole(&self) -> u32 {
+        self.size * self.part.of
+    }
+
+    /// The part's first column and row among the texels of all parts.
+    pub(crate) fn origin(&self) -> [i64; 2] {
+        self.part.at.map(|k| i64::from(k) * i64::from(self.size))
+    }
+
+    /// A row of texels from a column on, both of the part.
+    pub(crate) fn row(&self, row: i64, column: i64) -> Row {
+        let [first_column, first_row] = self.origin();
+        let (row, column) = (first_row + row, first_column + column);
+        Row { size: self.whole(), samples: self.samples, row, column }
+    }
+
+    /// The lowest and the highest point that all parts share, of one that is cut into them.
+    pub(crate) fn shared_range(&self) -> Option<[f32; 2]> {
+        self.source.range().filter(|_| self.part.of > 1)
     }
 
     /// The first and the last of the wanted tiles, counted from 1; all if none are named.
     pub(crate) fn some(&self, wanted: Option<[u32; 2]>) -> Result<[u32; 2]> {
         let all = self.tiles() * self.tiles();
         match wanted {
-            Some([_, last]) if last > all => Err(format!("tile {last}: there are {all} tiles").into()),
+            Some([_, last]) if last > all => Err(format!("tile {last}: the last one is {all}").into()),
             wanted => Ok(wanted.unwrap_or([1, all])),
         }
     }
 
     /// Parameters of everything that the texels follow from, whatever the tiles.
     pub(crate) fn describe(&self) -> Value {
-        json!({
+        let mut all = json!({
             "source": self.source.describe(),
             "size": self.size,
             "samples_per_texel": self.samples * self.samples,
             "occlusion_reach_in_texels": self.reach,
             "tileable": self.tileable,
-        })
+        });
+        if self.part.of > 1 {
+            let [column, row] = self.part.at;
+            all["part"] = json!({ "column": column, "row": row, "along_a_side": self.part.of });
+        }
+        all
     }
 
     /// A name that the plan shares with no other, nor with another build of the program.
@@ -79,7 +127,7 @@ impl Plan {
     /// The greatest difference between opposite edges, at as many points as an edge has texels, up to 4096: of heights, colours and
     /// other values, and of slopes.
     pub(crate) fn seam(&self) -> [f32; 2] {
-        let points = self.size.min(4096);
+        let points = self.whole().min(4096);
         let (mut value, mut slope) = (0.0_f32, 0.0_f32);
         for k in 0..points {
             let t = (f64::from(k) + 0.5) / f64::from(points);
@@ -94,8 +142,11 @@ impl Plan {
         [value, slope]
     }
 
-    /// Refuses a square that does not continue on its other side.
+    /// Refuses parts that would not fit together, and a square that does not continue on its other side.
     pub(crate) fn checked(self) -> Result<Self> {
+        if self.part.of > 1 && self.source.varies().height && self.source.range().is_none() {
+            return Err("`--parts`: the lowest and the highest point of all parts are not known beforehand of this surface".into());
+        }
         if self.tileable {
             let seam = self.seam();
             if seam != [0.0; 2] {

@@ -91,13 +91,13 @@ impl<'a> Scratch<'a> {
             levels.extend(levels.last().map(|finest| halved(finest, side)));
             side /= 2;
         }
-        Ok(Tops { range, levels })
+        Ok(Tops { range: self.plan.shared_range().unwrap_or(range), levels })
     }
 }
 
 /// Levels above the tiles.
 pub(super) struct Tops {
-    /// The lowest and the highest point of the surface.
+    /// The lowest and the highest point of the surface; of parts, those that all share.
     pub(super) range: [f32; 2],
     /// From that of one texel a tile to that of one texel.
     levels: Vec<Vec<Texel>>,

@@ -82,6 +82,11 @@ pub(crate) trait Source: Sync {
         "the surface has no period"
     }
 
+    /// The lowest and the highest point that there may be, in sides, where they are known.
+    fn range(&self) -> Option<[f32; 2]> {
+        None
+    }
+
     /// α of a clear coat over the surface.
     fn coat(&self) -> Option<f32> {
         None

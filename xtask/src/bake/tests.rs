@@ -20,7 +20,7 @@ static GO: AtomicBool = AtomicBool::new(false);
 fn planned(line: &str) -> Result<Plan> {
     let cli = Cli::try_parse_from(["xtask", "bake"].into_iter().chain(line.split_whitespace())).unwrap();
     let Command::Bake(wanted) = cli.command else { panic!("another command") };
-    options::plan(&wanted)
+    options::plan(&wanted, options::parts(&wanted)?[0])
 }
 
 /// Files of a set, without its tiles.
@@ -105,6 +105,55 @@ fn a_bake_that_was_stopped_goes_on_to_the_same_bytes() {
     // Other parameters, and another program, share no tile.
     let other = planned(&line.replace("0.02", "0.03")).unwrap();
     assert!(other.key(b"program") != plan.key(b"program") && plan.key(b"newer") != plan.key(b"program"));
+}
+
+#[test]
+fn parts_are_the_texels_of_the_whole() {
+    let scratch = tempfile::tempdir().unwrap();
+    for (k, all) in [SMALL.replace(" --tileable", ""), SMALL.to_owned()].iter().enumerate() {
+        let folder = scratch.path().join(k.to_string());
+        // As far in texels.
+        let together = baked(&format!("{all} --occlusion 0.0625"), &folder.join("together"));
+        let record = |set: &BTreeMap<String, Vec<u8>>| -> Value {
+            serde_json::from_slice(&set["provenance.json"]).unwrap()
+        };
+        let line = all.replace("--size 128", "--size 64 --parts 2 --occlusion 0.125");
+        for number in 1..=4_u32 {
+            let cli =
+                Cli::try_parse_from(["xtask", "bake"].into_iter().chain(line.split_whitespace())).unwrap();
+            let Command::Bake(wanted) = cli.command else { panic!("another command") };
+            let plan = options::plan(&wanted, number).unwrap();
+            let [column, row] = [(number - 1) % 2, (number - 1) / 2].map(|k| k as usize);
+            assert_eq!(plan.part.folder().unwrap(), format!("u{}_v{}", column + 1, 2 - row));
+            let folder = folder.join(number.to_string());
+            whole(&plan, &Output::new(&folder).unwrap(), &GO).unwrap();
+            let set = files(&folder);
+            for map in ["base_color", "normal_opengl", "roughness", "ambient_occlusion"] {
+                let file = format!("{map}.png");
+                let ((side, channels, part), (_, _, of)) = (png(&set[&file]), png(&together[&file]));
+                let width = side * channels;
+                for (k, texels) in part.chunks_exact(width).enumerate() {
+                    let at = (row * side + k) * 2 * width + column * width;
+                    assert!(texels == &of[at..at + width], "{map}, part {number}, row {k}");
+                }
+            }
+            // Heights of all parts are on one scale, which has room for all.
+            let range = |of: &Value| [0, 1].map(|end| of["height_range_in_sides"][end].as_f64().unwrap());
+            let ([low, high], [lowest, highest]) = (range(&record(&set)), range(&record(&together)));
+            assert!(low == -high && low < lowest && highest < high, "{low} to {high}");
+        }
+    }
+    for (line, said) in [
+        ("--fractal torus --parts 2", "`--parts`: the lowest and the highest point"),
+        (
+            "--size 65536 --parts 32",
+            "`--parts`: 32 × 65536 texels along a side, places are told apart up to 1048576",
+        ),
+        ("--size 64 --parts 3 --part 9-10", "part 10: the last one is 9"),
+    ] {
+        let error = planned(line).err().map(|error| error.to_string()).unwrap_or_default();
+        assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
+    }
 }
 
 #[test]
@@ -367,6 +416,10 @@ fn materials_have_their_colours_and_those_without_a_period_are_refused() {
         ("--material frosted", "frosted is no surface that has a base colour: light goes through it"),
         ("--material bumps", "bumps are baked by `--ndf`"),
         ("--material chrome --low-tint 000000", "--low-tint would change nothing of chrome; see "),
+        ("--material brick --height 0.1", "--height would change nothing of brick; see "),
+        ("--ndf ggx:0.2 --occlusion 0.1", "--occlusion would change nothing of bumps of a density"),
+        ("--fractal torus --octaves 3", "--octaves would change nothing of a fractal surface"),
+        ("--noise perlin --factor 0.3", "--factor would change nothing of noise"),
     ] {
         match planned(line) {
             Ok(_) => assert_eq!(said, "", "{line}"),

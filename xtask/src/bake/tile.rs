@@ -82,7 +82,7 @@ impl Tile {
 
 /// Heights of the tile and of what its horizons reach.
 fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings {
-    let (margin, size) = (plan.reach as usize, i64::from(plan.size));
+    let (margin, whole, origin) = (plan.reach as usize, i64::from(plan.whole()), plan.origin());
     let side = plan.tile as usize + 2 * margin;
     let mut heights = vec![0.0; side * side];
     heights.par_chunks_mut(side).enumerate().for_each(|(k, heights)| {
@@ -93,11 +93,12 @@ fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings {
         // In pieces that lie in the square, where every number is that of the texel itself.
         let mut done = 0;
         while done < heights.len() {
-            let at = (first + done as i64).rem_euclid(size);
-            let count = (heights.len() - done).min((size - at) as usize);
-            plan.source.heights(&plan.row(row.rem_euclid(size), at), &mut heights[done..done + count]);
+            let [column, row] = [(first + done as i64, origin[0]), (row, origin[1])]
+                .map(|(at, origin)| (at + origin).rem_euclid(whole) - origin);
+            let count = (heights.len() - done).min((whole - origin[0] - column) as usize);
+            plan.source.heights(&plan.row(row, column), &mut heights[done..done + count]);
             done += count;
         }
     });
-    Surroundings { heights, side, margin, texel: 1.0 / plan.size as f32 }
+    Surroundings { heights, side, margin, texel: 1.0 / plan.whole() as f32 }
 }

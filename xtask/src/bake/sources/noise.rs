@@ -89,6 +89,10 @@ impl<F: Field<Vec3>> Field<Vec2> for Slice<F> {
         let Sample { value, gradient } = self.0.sample(p.extend(0.0));
         Sample { value, gradient: gradient.truncate() }
     }
+
+    fn range(&self) -> [f32; 2] {
+        self.0.range()
+    }
 }
 
 impl Source for Noise {
@@ -102,6 +106,11 @@ impl Source for Noise {
 
     fn varies(&self) -> Varies {
         Varies { colour: self.finish.is_coloured(), metallic: false, height: true }
+    }
+
+    fn range(&self) -> Option<[f32; 2]> {
+        let range = self.field.range().map(|value| self.parameters.height * value);
+        range.iter().all(|height| height.is_finite()).then_some(range)
     }
 
     fn texels(&self, row: &Row, texels: &mut [Texel]) {
