@@ -201,7 +201,7 @@ mod tests {
             ("render --out a.gif", "picture `a.gif`: its name must end in .png, .jpg, .webp or .exr"),
             ("render --out Cargo.toml/a.png", "cannot write "),
             ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
-            ("bake --tiles 2", "tile 2: there are 1 tiles"),
+            ("bake --tiles 2", "tile 2: the last one is 1"),
             ("bake --job rock.txt", "job `rock.txt`: its name must end in .yaml or .json"),
             ("bake --size 1000", "`--size` must be a power of two from 64 on, got 1000"),
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),

@@ -63,6 +63,7 @@ fn surfaces() -> Result<[Surface; 6]> {
         diffuse_thread_strength: 0.17,
         dark_area_size: 0.5,
         dark_area_strength: 0.3,
+        // So thin that their square ends are not seen for what they are.
         fibres: FibresParameters { fibre_length: 0.006, fibre_width: 0.05, ..Default::default() },
         ..Default::default()
     })?;
