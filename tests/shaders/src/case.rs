@@ -161,6 +161,19 @@ pub fn between(i: u32, k: u32, low: f32, high: f32) -> f32 {
     low + (high - low) * (any(i, k) >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
+/// A denormal number, the one among all inputs: a card may take it for 0.
+pub const DENORMAL: f32 = 1e-40;
+
 /// Coordinates that no function may stumble over.
-pub const BAD: [f32; 10] =
-    [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 3e9, -3e9, -0.0, 1e-40, 2_147_483_648.0];
+pub const BAD: [f32; 10] = [
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::MAX,
+    f32::MIN,
+    3e9,
+    -3e9,
+    -0.0,
+    DENORMAL,
+    2_147_483_648.0,
+];

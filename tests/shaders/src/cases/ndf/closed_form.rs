@@ -86,10 +86,6 @@ impl<N: ClosedForm + Microfacet + 'static> Density<N> {
                 for ((input, good), k) in inputs.iter_mut().zip(good).zip(0..) {
                     *input = number(i, k, good).to_bits();
                 }
-                // A share that drivers flush, times coordinates that are none.
-                if f32::from_bits(inputs[7]) == 1e-40 {
-                    inputs[7] = 0;
-                }
                 // Every other point gives other functions.
                 inputs[12] = i % 2;
                 inputs

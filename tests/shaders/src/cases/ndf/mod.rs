@@ -1,6 +1,6 @@
 //! Densities of normals: elementary functions, closed forms, maps, tables, level of detail.
 
-use crate::case::{Case, INPUTS, OUTPUTS, between};
+use crate::case::{Case, DENORMAL, INPUTS, OUTPUTS, between};
 
 mod closed_form;
 mod conditional_table;
@@ -35,7 +35,7 @@ const BAD: [f32; 16] = [
     3e9,
     -3e9,
     -0.0,
-    1e-40,
+    DENORMAL,
     0.0,
     1.0,
     -1.0,

@@ -5,7 +5,7 @@ use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::reflectance::Coat;
 use asperity_shading::{Bsdf, Dielectric, Lambert, bump::Facet};
 
-use super::{direction, floats, inputs, normal, number, share, vec2, vec3, words};
+use super::{direction, floats, inputs, number, share, vec2, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -38,7 +38,7 @@ fn input(i: u32, roughness: f32, u: [f32; 2]) -> [u32; INPUTS] {
         all[10] *= if i % 2 == 1 { -1.0 } else { 1.0 };
         all[6] *= if i % 3 == 1 { -1.0 } else { 1.0 };
     }
-    let mut words = super::material::units(normal(inputs(i, &all)));
+    let mut words = super::material::units(inputs(i, &all));
     words[..4].copy_from_slice(&[tilt[0], tilt[1], variance, roughness].map(f32::to_bits));
     words[15] = i;
     words

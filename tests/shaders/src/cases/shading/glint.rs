@@ -7,7 +7,7 @@ use asperity_shading::material::{GlintField, PaintFlakes};
 use asperity_shading::{Beckmann, Footprint, MetallicPaint, MetallicPaintParameters, Ndf};
 
 use super::material::{material, paint_parameters, sums};
-use super::{floats, inputs, normal, number, vec2, vec3, words};
+use super::{floats, inputs, number, vec2, vec3, words};
 use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -41,7 +41,7 @@ fn glint_field() -> Case {
             let p = [0, 1, 2].map(|k| number(i, k, [-1.0, 1.0]));
             let width = SPACING * number(i, 3, [-0.5, 8.0]).exp();
             let z = [4, 5].map(|k| number(i, k, [-2.5, 2.5]));
-            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, z[0], z[1]]));
+            let mut words = inputs(i, &[p[0], p[1], p[2], width, z[0], z[1]]);
             words[3] = Footprint::from_width(f32::from_bits(words[3])).width().min(f32::MAX).to_bits();
             words[4..6].copy_from_slice(&z.map(f32::to_bits));
             words

@@ -10,7 +10,7 @@ use asperity_shading::glam::Vec3;
 use asperity_shading::reflectance::{BlinnPhongFactor, BlinnPhongLobe, WardForm, WardReflection};
 use asperity_shading::{Beckmann, Brdf, CookTorrance, Ggx, Phong, Schlick, TorranceSparrow};
 
-use super::{direction, equal, floats, inputs, normal, number, share, vec3, words};
+use super::{direction, equal, floats, inputs, number, share, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -27,7 +27,7 @@ fn directions(i: u32, good: [f32; 8]) -> [u32; INPUTS] {
     let wi = if i.is_multiple_of(2) && mirrored.z > 0.0 { mirrored.normalize() } else { wi };
     let mut all = [0.0; 14];
     all[8..].copy_from_slice(&[wi.x, wi.y, wi.z, wo.x, wo.y, wo.z]);
-    let mut words = normal(inputs(i, &all));
+    let mut words = inputs(i, &all);
     words[..8].copy_from_slice(&good.map(f32::to_bits));
     words
 }

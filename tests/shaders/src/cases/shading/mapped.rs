@@ -17,7 +17,7 @@ use asperity_shading::normal_map::{SlopeLobe, SlopeMoments, SlopePyramidRef};
 use asperity_shading::{Beckmann, BumpField, BumpMapped, Ggx, PixelEllipse, SlopePyramid};
 
 use super::material::{material, sums};
-use super::{equal, floats, inputs, normal, number, vec2, words};
+use super::{equal, floats, inputs, number, vec2, words};
 use crate::case::{Bound, Case, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -138,7 +138,7 @@ fn pyramid() -> Case {
                 0 => 0.0,
                 _ => number(i, k, [-6.0, 1.0]).exp(),
             });
-            let mut words = normal(inputs(i, &[uv[0], uv[1], widths[0], widths[1]]));
+            let mut words = inputs(i, &[uv[0], uv[1], widths[0], widths[1]]);
             words[12..14].copy_from_slice(&[i, i / 4 % 7]);
             words
         }),
@@ -191,7 +191,7 @@ fn moments() -> Case {
             let z = [9, 10].map(|k| n(k, [-2.0, 2.0]));
             let share = super::share(i, 11);
             let mut words =
-                normal(inputs(i, &[mean[0], mean[1], xx, xy, yy, alpha[0], alpha[1], h.x, z[0], z[1], share, 0.0, h.y, h.z]));
+                inputs(i, &[mean[0], mean[1], xx, xy, yy, alpha[0], alpha[1], h.x, z[0], z[1], share, 0.0, h.y, h.z]);
             // Roughnesses are valid ones.
             words[5..7].copy_from_slice(&alpha.map(f32::to_bits));
             // A half vector is one, or none at all.

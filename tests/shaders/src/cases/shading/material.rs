@@ -14,7 +14,7 @@ use asperity_shading::{
     VariationsParameters,
 };
 
-use super::{direction, floats, inputs, normal, number, vec3, words};
+use super::{direction, floats, inputs, number, vec3, words};
 use crate::case::{Bound, Case, INPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -88,7 +88,7 @@ pub(super) fn material(
                 // A flat surface.
                 all[7] = 0.0;
             }
-            let mut words = normal(inputs(i, &all));
+            let mut words = inputs(i, &all);
             if name_of_glass {
                 // Waves far out have no phase.
                 for word in &mut words[..3] {
@@ -243,7 +243,7 @@ fn delta(name: &str, parameters: TemperedGlassParameters) -> Case {
             let width = if i % 8 == 0 { 0.0 } else { number(i, 9, [-8.0, 0.0]).exp() };
             let u = [7, 8].map(|k| number(i, k, [0.0, 1.0]));
             // Bad numbers stand alone: directions are checked, what waves there are far out is not.
-            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, wo.x, wo.y, wo.z, 0.0, u[0], u[1]]));
+            let mut words = inputs(i, &[p[0], p[1], p[2], width, wo.x, wo.y, wo.z, 0.0, u[0], u[1]]);
             words[..3].copy_from_slice(&p.map(f32::to_bits));
             units(words)
         }),
@@ -301,7 +301,7 @@ fn rim() -> Case {
         resources: vec![("carpet_uniform", uniform.words().to_vec()), sums(&uniform.sums())],
         input: Box::new(|i| {
             let wo = direction(i, 0);
-            normal(inputs(i, &wo.to_array()))
+            inputs(i, &wo.to_array())
         }),
         reference: Box::new(move |inputs| {
             let pixel = PixelEllipse::from(asperity_shading::Footprint::from_width(0.1));

@@ -47,11 +47,6 @@ fn inputs(i: u32, good: &[f32]) -> [u32; INPUTS] {
     })
 }
 
-/// The words, with what is not normal a little larger: drivers may flush it, which leaps count where a function has them at 0.
-fn normal(words: [u32; INPUTS]) -> [u32; INPUTS] {
-    words.map(|word| if f32::from_bits(word).is_subnormal() { 1e-30_f32.to_bits() } else { word })
-}
-
 /// A number, the k-th of the i-th input.
 fn number(i: u32, k: u32, [low, high]: [f32; 2]) -> f32 {
     between(i, k, low, high)

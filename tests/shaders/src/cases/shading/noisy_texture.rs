@@ -10,7 +10,7 @@ use asperity_shading::texture::{Gas, PerturbedTexture, StarWallpaper, Steam, mar
 use asperity_shading::{Footprint, Marble};
 
 use super::material::sums;
-use super::{floats, inputs, normal, number, vec3, words};
+use super::{floats, inputs, number, vec3, words};
 use crate::case::{Bound, Case, OUTPUTS, Output};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -36,7 +36,7 @@ fn texture(
         input: Box::new(move |i| {
             let p = [0, 1, 2, 3, 4].map(|k| number(i, k, [-extent, extent]));
             let width = if i % 4 == 0 { 0.0 } else { widest * number(i, 5, [-9.0, 0.0]).exp() };
-            let mut words = normal(inputs(i, &[p[0], p[1], p[2], width, p[3], p[4]]));
+            let mut words = inputs(i, &[p[0], p[1], p[2], width, p[3], p[4]]);
             // Far out a rounding more or less is another cell.
             for word in &mut words[4..6] {
                 let x = f32::from_bits(*word);
@@ -184,7 +184,7 @@ fn gas_march() -> Case {
             let [a, b, c] = origin;
             let [d, e, f] = direction;
             let all = [a, b, c, number(i, 9, [0.0, 1.0]), d, e, f, width, near, near + length, 0.5];
-            let mut words = normal(inputs(i, &all));
+            let mut words = inputs(i, &all);
             // From far away a rounding more or less is another place in the steam.
             for word in &mut words[..11] {
                 let x = f32::from_bits(*word);

@@ -4,7 +4,7 @@ use asperity_shaders::shading::pixel::PIXEL_ELLIPSE;
 use asperity_shading::glam::{Vec2, Vec3};
 use asperity_shading::{Footprint, PixelEllipse};
 
-use super::{equal, floats, inputs, normal, number, vec3, vector, words};
+use super::{equal, floats, inputs, number, vec3, vector, words};
 use crate::case::{Bound, Case};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -30,7 +30,7 @@ fn footprint() -> Case {
         input: Box::new(|i| {
             let (dx, dy) = derivatives(i);
             let (distance, cosine) = (number(i, 6, [-2.0, 2.0]), number(i, 7, [-1.0, 1.0]));
-            normal(inputs(i, &[dx.x, dx.y, dx.z, distance, dy.x, dy.y, dy.z, cosine, number(i, 8, [0.0, 1.0])]))
+            inputs(i, &[dx.x, dx.y, dx.z, distance, dy.x, dy.y, dy.z, cosine, number(i, 8, [0.0, 1.0])])
         }),
         reference: Box::new(|inputs| {
             let (dx, dy) = (vec3(inputs, 0), vec3(inputs, 4));
@@ -78,7 +78,7 @@ fn ellipse() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let (dx, dy) = derivatives(i);
-            let words = normal(inputs(i, &[dx.x, dx.y, dx.z, 0.0, dy.x, dy.y, dy.z]));
+            let words = inputs(i, &[dx.x, dx.y, dx.z, 0.0, dy.x, dy.y, dy.z]);
             // A quotient that is off by its last bit makes the largest number infinite.
             words.map(|word| if f32::from_bits(word).abs() == f32::MAX { 1e30_f32.to_bits() } else { word })
         }),
@@ -122,7 +122,7 @@ fn taps() -> Case {
             let widths = [0, 1].map(|k| number(i, k, [-6.0, 1.0]).exp());
             let gradient = vector(i, 2, 3.0);
             let mut words =
-                normal(inputs(i, &[widths[0], widths[1], 0.0, 0.0, gradient.x, gradient.y, gradient.z]));
+                inputs(i, &[widths[0], widths[1], 0.0, 0.0, gradient.x, gradient.y, gradient.z]);
             if i >= 24 && i % 8 == 0 {
                 words[1] = 0;
             }

@@ -5,7 +5,7 @@ use asperity_shading::glam::Vec2;
 use asperity_shading::texture::{Bevel, BrickSample, Edge};
 use asperity_shading::{Brick, PixelEllipse};
 
-use super::{equal, floats, inputs, normal, number, vec2, words};
+use super::{equal, floats, inputs, number, vec2, words};
 use crate::case::{Bound, Case, OUTPUTS};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -94,7 +94,6 @@ fn bevel() -> Case {
             // A place in the tile.
             words[4..6].copy_from_slice(&at.map(f32::to_bits));
             words[..4].copy_from_slice(&BevelUniform::new(&ridge(i)).words());
-            let mut words = normal(words);
             words[8] = i;
             words
         }),
