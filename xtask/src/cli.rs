@@ -95,7 +95,7 @@ index.html in the folder, target/asperity/shaders if none is named, has every pa
 three.js, Godot, Unity and Metal.
 
 Drivers in software are Debian's mesa-vulkan-drivers, and SwiftShader, which comes with Chromium; validators are those of
-spirv-tools and glslang-tools. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
+spirv-tools and glslang-tools, and g++. What is missing is said. The program is built in tests/gpu, which takes minutes the first time.")]
     Shaders(Shaders),
     /// Write the live page: bumps, noise, fractal functions and materials under one's hands, in one file.
     #[command(after_help = "Examples:

@@ -90,7 +90,7 @@ impl Dialect {
             Self::Hlsl => hlsl(checked),
             Self::Msl => msl(checked),
             Self::Spirv => spirv(checked).map(words),
-            Self::SpirvNoContraction => spirv(checked).map(|module| words(without_contraction(&module))),
+            Self::SpirvNoContraction => unfused(checked).map(words),
         }
     }
 }
@@ -173,6 +173,11 @@ fn spirv(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
     let mut options = back::spv::Options { lang_version: (1, 3), ..Default::default() };
     options.flags |= back::spv::WriterFlags::DEBUG;
     back::spv::write_vec(&checked.module, &checked.info, &options, None).map_err(|error| error.to_string())
+}
+
+/// SPIR-V whose sums, products and quotients must not be fused.
+pub(crate) fn unfused(checked: &Checked<'_>) -> Result<Vec<u32>, String> {
+    spirv(checked).map(|module| without_contraction(&module))
 }
 
 /// SPIR-V of all functions with their names, without the counters by which naga bounds loops: every operation is one that is written.

@@ -22,6 +22,7 @@ mod page;
 mod parity;
 mod picture;
 mod resources;
+mod unfused;
 
 use dialect::Dialect;
 use picture::Subject;

@@ -45,7 +45,7 @@ const ENGINES = [
   },
   {
     name: "Metal",
-    said: "For Metal 2.4 and later, in Swift. Not run, and read by no compiler: only Apple's reads MSL.",
+    said: "For Metal 2.4 and later, in Swift. Not run: g++ accepts names and types, as C++; no compiler but Apple's reads MSL.",
     language: "swift",
     text: metal,
   },

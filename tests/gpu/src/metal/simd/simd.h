@@ -1,0 +1,1 @@
+// What naga's modules include of Metal beside its standard library: they use nothing of it.
