@@ -35,15 +35,15 @@ impl Column {
         }
     }
 
-    /// The bound for inputs that are numbers, which drivers may take all for: unfused in software, quotients and roots are a processor's.
+    /// The bound for inputs that are numbers, which drivers may take all for: unfused in software, quotients and roots are a
+    /// processor's, and what has the crate's bits as written has them there.
     fn bound_of_numbers(&self, case: &Case, output: &Output) -> Bound {
-        match self {
-            Self::Adapter(gpu, Sums::Unfused) if gpu.is_software() && !has_logarithm(case) => {
-                match [output.written, output.adapter] {
-                    // 0 may stand for a denormal result.
-                    [Bound::Equal, Bound::Absolute(_) | Bound::Relative(_)] => Bound::Absolute(0.0),
-                    [written, _] => written,
-                }
+        match (self, output.written, output.adapter) {
+            // 0 may stand for a denormal result.
+            (Self::Adapter(gpu, Sums::Unfused), Bound::Equal, Bound::Absolute(_) | Bound::Relative(_))
+                if gpu.is_software() && !has_logarithm(case) =>
+            {
+                Bound::Absolute(0.0)
             }
             _ => self.bound(output),
         }
@@ -130,7 +130,7 @@ const HEAD: &str = "\
 Every function on ten thousand inputs, bad ones among them: \"=\" where all bits are equal; else the share of equal ones and the largest
 error, absolute or relative as the bound. Without a driver an interpreter computes each operation as it is written, or every product that
 is added fused with the sum. An adapter *unfused* has been handed SPIR-V whose sums, products and quotients are decorated with
-`NoContraction`: for all inputs that are numbers a driver in software must then be as near as the interpreter, but where a function calls
+`NoContraction`: a driver in software must then have the crate's numbers wherever the interpreter has its bits, but where a function calls
 WGSL's own logarithm.
 `cargo run -- parity --out ../../docs/shaders/parity.md` in `tests/gpu` makes this page.
 
