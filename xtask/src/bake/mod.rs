@@ -37,9 +37,8 @@ pub(crate) fn bake(wanted: &Bake, interrupted: &AtomicBool) -> Result<()> {
     }
     part(wanted, &plan, interrupted)?;
     for number in first + 1..=last {
-        part(wanted, &options::plan(wanted, number)?, interrupted).map_err(|error| {
+        part(wanted, &options::plan(wanted, number)?, interrupted).inspect_err(|_| {
             progress::say(&format!("{} parts are done; `--part {number}-{last}` goes on", number - first));
-            error
         })?;
     }
     Ok(())
