@@ -12,9 +12,9 @@ use crate::{
 /// Rounding of sums of products on a driver.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sums {
-    /// As the driver likes.
+    /// Fused or not, the way the driver likes.
     Free,
-    /// As they are written.
+    /// Rounded one by one, the way they are written.
     Unfused,
 }
 

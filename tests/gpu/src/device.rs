@@ -56,7 +56,7 @@ pub(crate) fn find(named: Option<&str>, backends: Backends) -> Vec<Gpu> {
     gpus
 }
 
-/// What a device needs to take SPIR-V as it is.
+/// Features of a device that takes SPIR-V as it is.
 fn unfused(adapter: &Adapter) -> wgpu::Features {
     match adapter.get_info().backend {
         wgpu::Backend::Vulkan => wgpu::Features::PASSTHROUGH_SHADERS,

@@ -145,7 +145,7 @@ fn bound(bound: Bound) -> String {
     }
 }
 
-/// What the crates give for an input.
+/// Outcomes of the crates for an input.
 struct Expected {
     written: [u32; OUTPUTS],
     /// For the input with 0 in place of its denormal numbers, where it has any: WGSL allows a card to take them for 0.
