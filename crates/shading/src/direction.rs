@@ -52,9 +52,41 @@ pub fn reflect(w: Vec3, m: Vec3) -> Vec3 {
     2.0 * w.dot(m) * m - w
 }
 
+/// `v` times the power of two that brings its longest component near 1: the same digits, and products that stay in range.
+pub(crate) fn near_one(v: Vec3) -> Vec3 {
+    const EXPONENT: u32 = 0xff << 23;
+    let longest = v.abs().max_element().to_bits() & EXPONENT;
+    // The exponents add up to that of 1, but for the largest, whose partner is subnormal.
+    v * f32::from_bits((254 << 23) - longest.min(253 << 23))
+}
+
+/// The unit vector along `v`, however long; `None` for zero, NaN and infinity.
+pub(crate) fn along(v: Vec3) -> Option<Vec3> {
+    let v = near_one(v);
+    (v.is_finite() && v != Vec3::ZERO).then(|| v.normalize())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn vectors_of_any_length_have_a_unit_vector() {
+        for length in [f32::from_bits(1), 1e-40, 1e-23, 1e-15, 1.0, 1e15, 1e23, 0.5 * f32::MAX] {
+            for v in [Vec3::new(0.6, 0.0, -0.8), Vec3::new(1.0, -1.0, 1.0), Vec3::X] {
+                let unit = along(length * v).unwrap();
+                assert_abs_diff_eq!(unit.length(), 1.0, epsilon = 2e-7);
+                // A subnormal number has too few digits for a direction.
+                let few = if length < 1e-38 { 1.0 } else { 1e-6 };
+                assert_abs_diff_eq!(unit, v.normalize(), epsilon = few);
+            }
+        }
+        for v in
+            [Vec3::ZERO, -Vec3::ZERO, Vec3::NAN, Vec3::new(f32::NAN, 1.0, 0.0), f32::INFINITY * Vec3::ONE]
+        {
+            assert_eq!(along(v), None, "{v}");
+        }
+    }
 
     #[test]
     fn half_vector_halves_the_angle() {

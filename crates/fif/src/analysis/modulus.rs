@@ -105,7 +105,8 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             gentle &= alpha < a * (1.0 - NEAR);
             even &= alpha <= a * (1.0 + NEAR);
             lipschitz = lipschitz.max(slope / (a - alpha));
-            if alpha > 0.0 {
+            // Others have an exponent of 1 or more. A map of all the domain, but for what rounds away, has ln a = 0.
+            if alpha > a {
                 exponent = exponent.min(ln(alpha) / ln(a));
             }
         }
@@ -180,40 +181,68 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     fn parting(&self, h: f64) -> (f64, f64) {
         let last = self.pieces().len().saturating_sub(1);
         let [y0, y_end] = self.end_values();
-        let (mut steep, mut widest, mut narrowest, mut rise) = (0.0_f64, 0.0_f64, 1.0_f64, 0.0_f64);
+        let (mut steep, mut narrowest, mut rise) = (0.0_f64, 1.0_f64, 0.0_f64);
+        let mut widest = Share { part: 0.0, rest: 1.0 };
         // max |f − y_0| / t^h over the cells right of the first one, and the same from the right.
         let mut away = [0.0_f64; 2];
-        let mut first = [(0.5, 0.0); 2];
+        let mut first = [(widest, 0.0); 2];
         for (j, piece) in self.pieces().iter().enumerate() {
             let (a, _, slope) = measures(piece);
+            let share = Share { part: a, rest: piece.s[0] + (1.0 - piece.s[1]) };
             steep = steep.max(slope / pow(a, h));
-            widest = widest.max(a);
+            if share.rest < widest.rest {
+                widest = share;
+            }
             narrowest = narrowest.min(a);
             rise = rise.max((piece.y()[1] - piece.y()[0]).abs() / a);
             let range = crate::system::cell::Cell::root().child(piece).range(self.range());
             if j > 0 {
                 away[0] = away[0].max(range.sum(Interval::new(-y0, -y0)).magnitude() / pow(piece.s[0], h));
             } else {
-                first[0] = (a, slope);
+                first[0] = (share, slope);
             }
             if j < last {
                 away[1] = away[1]
                     .max(range.sum(Interval::new(-y_end, -y_end)).magnitude() / pow(1.0 - piece.s[1], h));
             } else {
-                first[1] = (a, slope);
+                first[1] = (share, slope);
             }
         }
-        // A sum over shared levels: Σ (a^{1−h})^i, or their number over ln(1/d).
-        let levels = |a: f64| if h < 1.0 { 1.0 / (1.0 - pow(a, 1.0 - h)) } else { -1.0 / ln(a) };
         let ends: f64 = (0..2)
             .map(|side| {
-                let (a, slope) = first[side];
-                away[side] + slope / pow(a, h) * levels(a) + steep
+                let (share, slope) = first[side];
+                // No slope on no width is none.
+                let over = if slope == 0.0 { 0.0 } else { slope / pow(share.part, h) };
+                away[side] + share.levels(h, over) + steep
             })
             .sum();
         let between =
             (ends + rise).min(if h < 1.0 { self.range().width() / pow(narrowest, h) } else { f64::INFINITY });
-        (ends.max(between), steep * levels(widest))
+        (ends.max(between), widest.levels(h, steep))
+    }
+}
+
+/// A piece's share of the domain, and what is left of it, which a share of nearly all does not tell.
+#[derive(Clone, Copy)]
+struct Share {
+    part: f64,
+    rest: f64,
+}
+
+impl Share {
+    /// A term for every level that two points share: `term Σ (a^{1−h})^i`, or for `h = 1` their number over `ln(1/d)`.
+    ///
+    /// By Bernoulli's inequality `1 − (1 − r)^{1−h} ≥ (1 − h) r`, and `−ln(1 − r) ≥ r`: for small `r` the bounds, which do not
+    /// cancel.
+    fn levels(self, h: f64, term: f64) -> f64 {
+        let Self { part, rest } = self;
+        let left = match (h < 1.0, rest > 1.0 / 1_048_576.0) {
+            (true, true) => 1.0 - pow(part, 1.0 - h),
+            (true, false) => (1.0 - h) * rest,
+            (false, true) => -ln(part),
+            (false, false) => rest,
+        };
+        if term == 0.0 { 0.0 } else { term * (1.0 / left) }
     }
 }
 
@@ -250,6 +279,28 @@ mod tests {
         for modulus in [paper::f().unwrap().modulus(), paper::g().unwrap().modulus()] {
             assert!(modulus.at(0.0) == 0.0 && modulus.at(f64::NAN).is_nan(), "{modulus:?}");
             assert!(modulus.at(100.0) >= modulus.at(2.0) && modulus.at(2.0) >= modulus.at(1e-300));
+        }
+    }
+
+    #[test]
+    fn nearly_all_of_the_domain_in_one_map_leaves_a_bound() {
+        for narrow in [1e-3, 1e-9, 1e-15, 1e-20, 1e-300] {
+            for alpha in [[0.5, 0.3], [0.3, -0.9], [0.0, 0.0]] {
+                for x in [[0.0, narrow, 1.0], [-1.0, -narrow, 0.0]] {
+                    let f = FixedFif::<2, 2>::affine(&x, &[0.0, 1.0, 0.25], &alpha).unwrap();
+                    let modulus = f.modulus();
+                    assert!((0.0..=1.0).contains(&modulus.exponent()), "{x:?} {alpha:?}: {modulus:?}");
+                    for distance in [1e-300, 1e-12, 0.1, 1.0, -8_388_608.0, f64::MAX] {
+                        assert!(modulus.at(distance) >= 0.0, "{x:?} {alpha:?}: {modulus:?} at {distance}");
+                    }
+                    // The narrow map's width is known exactly at the left end alone.
+                    assert!(x[0] < 0.0 || modulus.at(1.0).is_finite(), "{x:?} {alpha:?}: {modulus:?}");
+                    let (y, z) =
+                        (f.evaluate(0.3 * (x[0] + x[2]), 1e-9), f.evaluate(0.31 * (x[0] + x[2]), 1e-9));
+                    let (moved, bounds) = ((y.value - z.value).abs(), y.bound + z.bound);
+                    assert!(moved <= modulus.at(0.01) + bounds, "{x:?} {alpha:?}: {modulus:?}");
+                }
+            }
         }
     }
 

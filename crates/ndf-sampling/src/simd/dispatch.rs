@@ -19,6 +19,10 @@ pub(crate) fn best_level() -> fearless_simd::Level {
 
 /// The best instructions for so many numbers: what does not fill long registers waits less for shorter ones.
 #[cfg(feature = "simd")]
+#[cfg_attr(
+    not(target_arch = "x86_64"),
+    expect(unused_variables, reason = "registers elsewhere have one length")
+)]
 pub(crate) fn level_for(count: usize) -> fearless_simd::Level {
     let best = best_level();
     #[cfg(target_arch = "x86_64")]

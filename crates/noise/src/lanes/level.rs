@@ -138,10 +138,10 @@ pub(crate) fn run_at_point(task: impl Task) -> Option<()> {
     }
     #[cfg(feature = "simd")]
     {
-        use fearless_simd::Simd;
         let level = machine();
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         {
+            use fearless_simd::Simd;
             let simd = level.as_avx2()?;
             simd.vectorize(
                 #[inline(always)]

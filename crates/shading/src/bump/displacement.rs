@@ -2,6 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::direction::{along, near_one};
+
 /// A point of a displaced surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displaced {
@@ -35,15 +37,17 @@ pub struct Displaced {
 pub fn displace(position: Vec3, n: Vec3, p: [Vec3; 2], dn: [Vec3; 2], height: f32, slope: Vec2) -> Displaced {
     let [p_u, p_v] = p;
     let [n_u, n_v] = dn;
-    let cross = (p_u + slope.x * n + height * n_u).cross(p_v + slope.y * n + height * n_v);
-    let oriented = if p_u.cross(p_v).dot(n) < 0.0 { -cross } else { cross };
-    let normal = oriented.normalize_or_zero();
-    let is_normal = normal.is_finite() && normal.dot(n) > 0.0;
-    Displaced { position: position + height * n, normal: if is_normal { normal } else { n } }
+    let [d_u, d_v] = [p_u + slope.x * n + height * n_u, p_v + slope.y * n + height * n_v].map(near_one);
+    let is_left_handed = near_one(p_u).cross(near_one(p_v)).dot(n) < 0.0;
+    let oriented = if is_left_handed { d_v.cross(d_u) } else { d_u.cross(d_v) };
+    let normal = along(oriented).filter(|normal| normal.dot(n) > 0.0);
+    Displaced { position: position + height * n, normal: normal.unwrap_or(n) }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2Swizzles;
+
     use super::*;
     use crate::bump::surface_gradient::{bumped_normal, surface_gradient};
 
@@ -55,6 +59,21 @@ mod tests {
             let bumped = bumped_normal(Vec3::Z, surface_gradient(Vec3::Z, p, slope));
             assert_abs_diff_eq!(exact.normal, bumped, epsilon = 1e-6);
             assert_eq!(exact.position, 0.7 * Vec3::Z);
+        }
+    }
+
+    #[test]
+    fn surfaces_of_any_size_have_unit_normals() {
+        let (p, slope) = ([Vec3::new(0.8, 0.1, 0.2), Vec3::new(-0.1, 0.7, 0.3)], Vec2::new(0.3, -0.4));
+        // Of either hand.
+        for (p, slope) in [(p, slope), ([p[1], p[0]], slope.yx())] {
+            let normal = |size: f32| {
+                displace(Vec3::ZERO, Vec3::Z, p.map(|p| size * p), [Vec3::ZERO; 2], size, size * slope).normal
+            };
+            for size in [1e-36, 1e-22, 1e-11, 1e11, 1e22, 1e38] {
+                assert_abs_diff_eq!(normal(size).length(), 1.0, epsilon = 2e-7, "{size}");
+                assert_abs_diff_eq!(normal(size), normal(1.0), epsilon = 1e-6, "{size}");
+            }
         }
     }
 

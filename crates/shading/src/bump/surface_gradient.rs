@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use crate::direction::reflect;
+use crate::direction::{along, reflect};
 use crate::math::sqrt;
 
 /// The gradient along a surface of a height that is given by its derivatives in two parameters.
@@ -128,7 +128,7 @@ const MAX_SLOPE: f32 = 1e4;
 /// ```
 ///
 /// Cohen, *Procedural Bump Mapping and Noise*. Where the parameters stretch the surface its bumps get steeper with it, and in a
-/// left-handed parametrisation bumps are dents: [`surface_gradient`] has neither. `N` is returned where the sum is not finite.
+/// left-handed parametrisation bumps are dents: [`surface_gradient`] has neither. `N` is returned where the sum is zero or not finite.
 ///
 /// ```
 /// use asperity_shading::bump::lecture_normal;
@@ -140,8 +140,7 @@ const MAX_SLOPE: f32 = 1e4;
 #[must_use]
 pub fn lecture_normal(n: Vec3, p: [Vec3; 2], slope: Vec2) -> Vec3 {
     let [p_u, p_v] = p;
-    let normal = (n + slope.x * n.cross(p_v) - slope.y * n.cross(p_u)).normalize_or_zero();
-    if normal.is_finite() && normal != Vec3::ZERO { normal } else { n }
+    along(n + slope.x * n.cross(p_v) - slope.y * n.cross(p_u)).unwrap_or(n)
 }
 
 /// The derivatives of a height by its neighbours, where they are not known otherwise.
@@ -201,8 +200,8 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
     }
     let level = tangential(n, mirrored);
     let length = sqrt(level.dot(level));
-    let along = if length > 0.0 { level / length } else { Vec3::ZERO };
-    let turned = (wo + along).normalize_or_zero();
+    let level = if length > 0.0 { level / length } else { Vec3::ZERO };
+    let turned = (wo + level).normalize_or_zero();
     if turned.is_finite() && turned != Vec3::ZERO { turned } else { n }
 }
 
@@ -245,6 +244,19 @@ mod tests {
         assert_eq!(differences(|uv| uv.x, Vec2::ZERO, 0.0), Vec2::ZERO);
         assert_eq!(lecture_normal(Vec3::Z, [bad, Vec3::Y], Vec2::ONE), Vec3::Z);
         assert_eq!(facing(Vec3::Z, bad, Vec3::Z), Vec3::Z);
+    }
+
+    #[test]
+    fn the_lectures_normal_is_right_for_tangents_of_any_length() {
+        let n = Vec3::new(0.48, 0.6, 0.64);
+        let (p, slope) = ([Vec3::new(0.3, 0.4, -0.9), Vec3::new(0.7, -0.2, 0.5)], Vec2::new(1.0, -0.7));
+        let d = slope.x * n.cross(p[1]) - slope.y * n.cross(p[0]);
+        for (length, steep) in [(1e-30, 1e-10), (1.0, 1.0), (1e22, 1.0), (1e30, 1e-3), (1e18, 1e18)] {
+            let by = length * steep;
+            let sum = if by > 1.0 { n / by + d } else { n + by * d };
+            let normal = lecture_normal(n, p.map(|p| length * p), steep * slope);
+            assert_abs_diff_eq!(normal, sum.normalize(), epsilon = 1e-6, "{length}");
+        }
     }
 
     #[test]
