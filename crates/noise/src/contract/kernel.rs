@@ -87,6 +87,15 @@ pub trait Kernel<const N: usize>: Measured<N> {
         None
     }
 
+    /// The noise again for lists of values, where it has parameters to keep in registers and a lattice that takes no memory.
+    #[inline(always)]
+    fn copied(&self) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// The values at points, and the gradients if `GRADIENTS`; else those are of no meaning.
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N>;
 
@@ -246,8 +255,8 @@ pub(crate) fn by_lanes<K: Kernel<N> + ?Sized, S: Lanes, const N: usize, const GR
     }
 }
 
-/// The values at points of a list, and the gradients if `GRADIENTS`. One lane has too few registers for gradients and for simplices; it takes
-/// the way of a single point, where corners have the lanes.
+/// The values at points of a list, and the gradients if `GRADIENTS`. One lane takes the way of a single point, where corners have the lanes:
+/// in a loop it has too few registers.
 #[inline(always)]
 fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     s: S,
@@ -255,7 +264,7 @@ fn in_lanes<K: Kernel<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
     p: [S::F; N],
     seed: u32,
 ) -> LaneSample<S, N> {
-    if S::LEN > 1 || !(GRADIENTS || K::SIMPLICIAL) {
+    if S::LEN > 1 {
         return kernel.evaluate::<S, GRADIENTS>(s, p, seed);
     }
     let (value, gradient) = kernel.lone::<GRADIENTS>(p.map(|x| s.lane(x, 0)), seed);
@@ -371,47 +380,70 @@ impl<const N: usize, const GRADIENTS: bool> Blocks<'_, N, GRADIENTS> {
     #[inline(always)]
     fn fill<K: Kernel<N>, S: Lanes>(mut self, s: S, kernel: &K, seed: u32) {
         let count = self.values.len();
+        let copy = if GRADIENTS { None } else { kernel.copied() };
+        let kernel = copy.as_ref().unwrap_or(kernel);
         let mut copies = None;
         for start in (0..count).step_by(BLOCK) {
             let mut block = self.part(start, count.min(start + BLOCK));
             let len = block.values.len();
-            let whole = len == BLOCK && is_near(s, &block.points, len, K::REACH);
-            let mut known = u128::MAX;
-            if !whole {
-                let copies = copies.get_or_insert_with(Copies::empty);
-                copies.copy(&block.points);
-                if !is_near(s, &copies.points.each_ref().map(|x| &x[..]), len, K::REACH) {
-                    known = copies.read(&block.points, K::REACH);
-                }
-            }
-            let direct = match &mut copies {
-                Some(copies) if !whole => copies.block(),
-                _ => block.reborrow(),
-            };
-            // Arrays, and an index that is told to leave room for a vector, or every list would be asked every time.
-            let points = direct.points.map(|x| x.first_chunk::<BLOCK>().unwrap_or(&NOTHING));
-            let mut gradients = direct.gradients.map(|g| g.first_chunk_mut::<BLOCK>());
-            let Some(values) = direct.values.first_chunk_mut::<BLOCK>() else { return };
-            let mut i = 0;
-            while i < len {
-                let at = i & (BLOCK - S::LEN);
-                let mut p = [s.float(0.0); N];
-                for axis in 0..N {
-                    p[axis] = s.load(&points[axis][at..]);
-                }
-                let (value, gradient) = in_lanes::<K, S, N, GRADIENTS>(s, kernel, p, seed);
-                s.store(value, &mut values[at..]);
-                for axis in 0..if GRADIENTS { N } else { 0 } {
-                    if let Some(g) = &mut gradients[axis] {
-                        s.store(gradient[axis], &mut g[at..]);
+            // A whole block first as it lies. Its points are asked whether they are near while they are in registers; few are not.
+            let mut direct = len == BLOCK;
+            loop {
+                let mut known = u128::MAX;
+                if !direct {
+                    let copies = copies.get_or_insert_with(Copies::empty);
+                    copies.copy(&block.points);
+                    if !is_near(s, &copies.points.each_ref().map(|x| &x[..]), len, K::REACH) {
+                        known = copies.read(&block.points, K::REACH);
                     }
                 }
-                i += S::LEN;
-            }
-            if let Some(copies) = copies.as_ref().filter(|_| !whole) {
-                copies.write(&mut block, known);
+                let part = match &mut copies {
+                    Some(copies) if !direct => copies.block(),
+                    _ => block.reborrow(),
+                };
+                let near = part.evaluate(s, kernel, seed, len);
+                if near || !direct {
+                    if let Some(copies) = copies.as_ref().filter(|_| !direct) {
+                        copies.write(&mut block, known);
+                    }
+                    break;
+                }
+                direct = false;
             }
         }
+    }
+
+    /// The first points of a block, at least `len`, and whether all of them are within reach; they may be and seem not where they are far
+    /// from the origin.
+    #[inline(always)]
+    fn evaluate<K: Kernel<N>, S: Lanes>(self, s: S, kernel: &K, seed: u32, len: usize) -> bool {
+        // Arrays, and an index that is told to leave room for a vector, or every list would be asked every time.
+        let points = self.points.map(|x| x.first_chunk::<BLOCK>().unwrap_or(&NOTHING));
+        let mut gradients = self.gradients.map(|g| g.first_chunk_mut::<BLOCK>());
+        let Some(values) = self.values.first_chunk_mut::<BLOCK>() else { return true };
+        // One question in place of one for each store. Simplices keep more in registers than there are, and lose by it.
+        if GRADIENTS && !K::SIMPLICIAL && gradients.iter().any(Option::is_none) {
+            return true;
+        }
+        let mut sum = s.float(0.0);
+        let mut i = 0;
+        while i < len {
+            let at = i & (BLOCK - S::LEN);
+            let mut p = [s.float(0.0); N];
+            for axis in 0..N {
+                p[axis] = s.load(&points[axis][at..]);
+                sum = sum + s.abs(p[axis]);
+            }
+            let (value, gradient) = in_lanes::<K, S, N, GRADIENTS>(s, kernel, p, seed);
+            s.store(value, &mut values[at..]);
+            for axis in 0..if GRADIENTS { N } else { 0 } {
+                if let Some(g) = &mut gradients[axis] {
+                    s.store(gradient[axis], &mut g[at..]);
+                }
+            }
+            i += S::LEN;
+        }
+        s.all(s.less(sum, s.float(K::REACH)))
     }
 
     #[inline(always)]

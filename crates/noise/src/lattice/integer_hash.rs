@@ -68,6 +68,11 @@ impl Lattice for IntegerHash {
         upper_word_by_terms(self, cell, seed)
     }
 
+    #[inline(always)]
+    fn copied(&self) -> Option<Self> {
+        Some(*self)
+    }
+
     /// SplitMix64's finaliser of the seed.
     #[inline(always)]
     fn key(&self, seed: u32) -> u32 {

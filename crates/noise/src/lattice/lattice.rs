@@ -59,6 +59,17 @@ pub trait Lattice {
         None
     }
 
+    /// The lattice again, where that takes no memory. Parameters of a noise of one's own stay in registers; of a borrowed one, what is
+    /// written may lie over them for all that the compiler knows.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn copied(&self) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Whether all octaves of a sum draw from the lattice itself.
     #[doc(hidden)]
     const SHARED: bool = true;

@@ -82,6 +82,11 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
     }
 
     #[inline(always)]
+    fn copied(&self) -> Option<Self> {
+        self.lattice().copied().map(|lattice| self.on(lattice))
+    }
+
+    #[inline(always)]
     fn evaluate<S: Lanes, const GRADIENTS: bool>(&self, s: S, p: [S::F; N], seed: u32) -> LaneSample<S, N> {
         let (mut value, mut gradient) = (s.float(0.0), [s.float(0.0); N]);
         self.terms_at::<_, N, GRADIENTS>(

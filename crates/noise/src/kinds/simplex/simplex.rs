@@ -177,6 +177,12 @@ impl<L: Lattice> Simplex<L> {
         });
     }
 
+    /// The noise on a lattice.
+    #[inline(always)]
+    pub(crate) fn on(&self, lattice: L) -> Self {
+        Self { lattice, ..*self }
+    }
+
     #[inline(always)]
     fn lengths<const N: usize>(&self) -> &'static Lengths {
         &LENGTHS[N - 1][usize::from(self.kernel == Radius::Wide)]
