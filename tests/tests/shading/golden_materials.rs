@@ -38,7 +38,7 @@ fn lit(name: &str, material: &dyn Material, width: f32, expected: [f64; 3]) {
 #[test]
 fn carpets() {
     let carpet = Carpet::new(CarpetParameters::default()).unwrap();
-    lit("Carpet", &carpet, 1e-3, [0.0241969936, 0.0241969936, 0.0259268805]);
+    lit("Carpet", &carpet, 1e-3, [0.0242186207, 0.0242186207, 0.0259498581]);
     let rim = carpet.bsdf(&point(1e-3), Vec3::new(0.96, 0.0, 0.28)).emitted();
     pinned("Carpet, rim", rim, [0.03240001, 0.03240001, 0.03240001], LOOSE);
     let footprint = Footprint::from_width(1e-3);
@@ -78,7 +78,7 @@ fn carpets() {
     pinned("rim_light", rim_light(N, Vec3::X, 0.7), [0.478577256], SINGLE);
     let fibres = Fibres::new(FibresParameters::default()).unwrap();
     let fibre = fibres.sample(UV, Footprint::from_width(1e-4));
-    let expected = [1.09207547, 0.785506785, -0.0322536975];
+    let expected = [1.11548305, 0.785506785, -0.0595688075];
     pinned("Fibres", [fibre.factor, fibre.direction.x, fibre.slope.x], expected, LOOSE);
 }
 
@@ -178,7 +178,7 @@ fn glass_scratches_and_variations() {
     pinned(
         "Fibre, width",
         Fibres::new(FibresParameters::default()).unwrap().sample(UV, Footprint::from_width(1e-4)).slope,
-        [-0.0322536975, 0.0572403781],
+        [-0.0595688075, 0.0357200764],
         LOOSE,
     );
 }

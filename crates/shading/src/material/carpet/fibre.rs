@@ -30,12 +30,12 @@ parameters! {
 
 /// Short bent fibres that cover one another: what a carpet is made of, from very near.
 ///
-/// A fibre is a strip about a hashed segment of the texture, bent aside by a parabola. Where several cover a point the highest is
-/// seen. It has a brightness of its own, and is darker towards its root, its sides and in the gaps:
+/// A fibre is a ridge with round ends about a hashed segment of the texture, bent aside by a parabola. Where several cover a point
+/// the highest is seen. It has a brightness of its own, and is darker towards its root, its sides and in the gaps:
 ///
 /// ```text
 /// factor = (1 + contrast (b − 1))/mean,   b = (½ + ½ own) (0.35 + 0.65 rise),   b = 0.1 in gaps
-/// rise   = (1 − s²) (t + 1)/2,   s across and t along, −1 … 1
+/// rise   = (1 − t⁸ − s²) (t + 1)/2,   s across and t along, −1 … 1
 /// ```
 ///
 /// The mean of the factor over the surface is 1: `mean` is measured when the fibres are made, to 1 %. Where pixels get
@@ -61,6 +61,7 @@ pub struct Fibres {
     segments: Segments,
     half: f32,
     mean: f32,
+    mean_height: f32,
     mean_square_slope: f32,
 }
 
@@ -72,7 +73,9 @@ pub struct Fibre {
     /// The unit direction of the fibre in texture coordinates, from its root to its tip: what it shines along. That in which all
     /// lean where there is none, or where a pixel cannot tell them apart.
     pub direction: Vec2,
-    /// The slope of its round side, in texture coordinates, of a height of half its width.
+    /// Half its width times 1 − t⁸ − s², in texture coordinates; 0 in gaps.
+    pub height: f32,
+    /// The slope of that height.
     pub slope: Vec2,
 }
 
@@ -98,7 +101,8 @@ impl Fibres {
             seed: p.seed,
         };
         let half = 0.5 * length * p.fibre_width;
-        let mut fibres = Self { parameters, segments, half, mean: 1.0, mean_square_slope: 0.0 };
+        let mut fibres =
+            Self { parameters, segments, half, mean: 1.0, mean_height: 0.0, mean_square_slope: 0.0 };
         fibres.measure();
         Ok(fibres)
     }
@@ -118,10 +122,16 @@ impl Fibres {
         let kept = footprint.kept(0.25 / self.half);
         let place = uv / self.segments.cell;
         if kept <= 0.0 || !uv.is_finite() || place.abs().max_element() >= 8_388_608.0 {
-            return Fibre { factor: 1.0, direction: self.segments.direction, slope: Vec2::ZERO };
+            let (direction, height) = (self.segments.direction, self.mean_height);
+            return Fibre { factor: 1.0, direction, height, slope: Vec2::ZERO };
         }
         let near = self.top(uv);
-        Fibre { factor: 1.0 + kept * (near.factor / self.mean - 1.0), slope: near.slope * kept, ..near }
+        Fibre {
+            factor: 1.0 + kept * (near.factor / self.mean - 1.0),
+            height: self.mean_height + kept * (near.height - self.mean_height),
+            slope: near.slope * kept,
+            ..near
+        }
     }
 
     /// The fibre at a point of a surface, its gradient along it, and the variance of the slope along each axis that the footprint
@@ -144,8 +154,8 @@ impl Fibres {
     fn top(&self, uv: Vec2) -> Fibre {
         let p = &self.parameters;
         let brightness = |b: f32| 1.0 + p.fibre_contrast * (b - 1.0);
-        let mut top =
-            Fibre { factor: brightness(GAP), direction: self.segments.direction, slope: Vec2::ZERO };
+        let direction = self.segments.direction;
+        let mut top = Fibre { factor: brightness(GAP), direction, height: 0.0, slope: Vec2::ZERO };
         let mut highest = f32::NEG_INFINITY;
         // Where a bent fibre's side is, at most.
         let aside = p.fibre_bend * self.segments.length + self.half;
@@ -153,33 +163,39 @@ impl Fibres {
             let [own, bend] = near.random;
             let bend = (2.0 * bend - 1.0) * p.fibre_bend * self.segments.length;
             let t = near.along;
+            let t2 = t * t;
+            let t4 = t2 * t2;
             let s = (near.across - bend * t * t) / self.half;
-            if s.abs() >= 1.0 || t.abs() >= 1.0 {
+            let crown = 1.0 - t4 * t4 - s * s;
+            if crown <= 0.0 {
                 return;
             }
-            let rise = (1.0 - s * s) * 0.5 * (t + 1.0);
+            let rise = crown * 0.5 * (t + 1.0);
             // Whose root is hidden and whose tip is on top does not depend on its brightness.
             let spread = own * 618.034;
             let height = rise + (spread - floor(spread));
             if height > highest {
                 highest = height;
-                // The height half · (1 − s²) by s, and s by the distance across and, for the bend, along.
+                // The height half · (1 − t⁸ − s²) by s, and s by the distance across and, for the bend, along; and by t.
                 let by_s = -2.0 * s;
                 let by_along = -2.0 * bend * t / (0.5 * self.segments.length);
+                let by_end = -8.0 * self.half * t4 * t2 * t / (0.5 * self.segments.length);
                 top = Fibre {
                     factor: brightness((0.5 + 0.5 * own) * (0.35 + 0.65 * rise)),
                     direction: near.direction,
-                    slope: (near.direction.perp() + near.direction * by_along) * by_s,
+                    height: self.half * crown,
+                    slope: (near.direction.perp() + near.direction * by_along) * by_s
+                        + near.direction * by_end,
                 };
             }
         });
         top
     }
 
-    /// Mean brightness and mean square slope over 128² points, one to a square of a patch of cells.
+    /// Mean brightness, height and square slope over 128² points, one to a square of a patch of cells.
     fn measure(&mut self) {
         const ACROSS: u16 = 128;
-        let (mut sum, mut squares) = (0.0, 0.0);
+        let (mut sum, mut heights, mut squares) = (0.0, 0.0, 0.0);
         for i in 0..ACROSS {
             for j in 0..ACROSS {
                 // A quarter of a cell and a bit apart: places in cells are evenly spread.
@@ -187,12 +203,14 @@ impl Fibres {
                     * (0.2618 * self.segments.cell);
                 let fibre = self.top(at);
                 sum += fibre.factor;
+                heights += fibre.height;
                 squares += fibre.slope.length_squared();
             }
         }
         let count = f32::from(ACROSS) * f32::from(ACROSS);
         // A brightness is at least 1 − contrast and in gaps 0.1: the mean is not 0.
         self.mean = (sum / count).max(1e-3);
+        self.mean_height = heights / count;
         self.mean_square_slope = squares / count;
     }
 }
@@ -225,6 +243,63 @@ mod tests {
                 assert_abs_diff_eq!(sum / 20_000.0, 1.0, epsilon = 0.02, "{spread}, {width}");
             }
         }
+    }
+
+    #[test]
+    fn ends_are_round() {
+        // All along x, not bent and wide apart.
+        let parameters =
+            FibresParameters { fibre_spread: 0.0, fibre_bend: 0.0, ..FibresParameters::default() };
+        let mut fibres = Fibres::new(parameters).unwrap();
+        fibres.segments.cover = 0.02;
+        let (cell, half, mut seen) = (fibres.segments.cell, fibres.half, [0; 2]);
+        for k in 0..1_600_000_u32 {
+            let uv = Vec2::new((k % 400) as f32 * 0.25 * cell, (k / 400) as f32 * 0.05 * half);
+            fibres.segments.visit(uv, half, |near| {
+                let (t, s) = (near.along.abs(), near.across.abs() / half);
+                let there = fibres.top(uv).slope != Vec2::ZERO;
+                // Its half width is (1 − t⁸)^½: 0.998 at t = 0.5, and 0.58 at 0.95.
+                if t < 0.5 && s < 0.99 {
+                    seen[0] += 1;
+                    assert!(there, "{near:?}");
+                } else if t > 0.95 && s > 0.59 {
+                    seen[1] += 1;
+                    assert!(!there, "{near:?}");
+                }
+            });
+        }
+        assert!(seen.iter().all(|&points| points > 50), "{seen:?}");
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_height() {
+        let mut fibres = Fibres::new(FibresParameters { fibre_width: 0.3, ..Default::default() }).unwrap();
+        // So few that hardly any cover one another.
+        fibres.segments.cover = 0.1;
+        let (half, length) = (fibres.half, fibres.segments.length);
+        let height = |uv: Vec2| {
+            let (mut found, mut all) = (0.0, 0);
+            fibres.segments.visit(uv, fibres.parameters.fibre_bend * length + half, |near| {
+                let bend = (2.0 * near.random[1] - 1.0) * fibres.parameters.fibre_bend * length;
+                let t = near.along;
+                let s = (near.across - bend * t * t) / half;
+                found = half * (1.0 - t.powi(8) - s * s);
+                all += 1;
+            });
+            (all == 1 && found > 0.05 * half).then_some(found)
+        };
+        let (step, mut checked) = (0.01 * half, 0);
+        for k in 0..40_000_u32 {
+            let uv = Vec2::new((k % 200) as f32, (k / 200) as f32) * (0.37 * half);
+            let around = [Vec2::X, -Vec2::X, Vec2::Y, -Vec2::Y].map(|d| height(uv + step * d));
+            let [Some(right), Some(left), Some(up), Some(down)] = around else { continue };
+            let slope = Vec2::new(right - left, up - down) / (2.0 * step);
+            // Second differences of t⁸ and of the bend, and the rounding of places 50 half widths away: 0.02 is the worst.
+            let error = fibres.top(uv).slope.distance(slope);
+            assert!(error < 0.03, "{uv}: {error}");
+            checked += 1;
+        }
+        assert!(checked > 200, "{checked}");
     }
 
     #[test]

@@ -61,10 +61,9 @@ fn surfaces() -> Result<[Surface; 6]> {
     let carpet = Carpet::new(CarpetParameters {
         diffuse: Vec3::new(0.24, 0.21, 0.19),
         diffuse_thread_strength: 0.17,
-        dark_area_size: 0.5,
-        dark_area_strength: 0.3,
-        // So thin that their square ends are not seen for what they are.
-        fibres: FibresParameters { fibre_length: 0.006, fibre_width: 0.05, ..Default::default() },
+        dark_area_size: 1.6,
+        dark_area_strength: 0.2,
+        fibres: FibresParameters { fibre_length: 0.006, fibre_width: 0.06, ..Default::default() },
         ..Default::default()
     })?;
     let paint = MetallicPaint::new(MetallicPaintParameters {

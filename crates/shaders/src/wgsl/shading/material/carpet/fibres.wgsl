@@ -29,21 +29,26 @@ fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
             let near = segments_near(fibres.segments, place, i, k);
             let bend = (2.0 * near.random.y - 1.0) * fibres.bend;
             let t = near.along;
+            let t2 = t * t;
+            let t4 = t2 * t2;
             let s = (near.across - bend * t * t) / half_width;
-            if !near.there || abs(s) >= 1.0 || abs(t) >= 1.0 {
+            let crown = 1.0 - t4 * t4 - s * s;
+            if !near.there || crown <= 0.0 {
                 continue;
             }
-            let rise = (1.0 - s * s) * 0.5 * (t + 1.0);
+            let rise = crown * 0.5 * (t + 1.0);
             // Whose root is hidden and whose tip is on top does not depend on its brightness.
             let spread = near.random.x * 618.034;
             let height = rise + (spread - floor(spread));
             if height > highest {
                 highest = height;
                 let by_along = -2.0 * bend * t / (0.5 * fibres.segments.length);
+                let by_end = -8.0 * half_width * t4 * t2 * t / (0.5 * fibres.segments.length);
                 let brightness = (0.5 + 0.5 * near.random.x) * (0.35 + 0.65 * rise);
                 top = FibresSample(
                     1.0 + fibres.contrast * (brightness - 1.0),
-                    (direction_left_2d(near.direction) + near.direction * by_along) * (-2.0 * s),
+                    (direction_left_2d(near.direction) + near.direction * by_along) * (-2.0 * s)
+                        + near.direction * by_end,
                 );
             }
         }
