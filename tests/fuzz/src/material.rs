@@ -43,6 +43,7 @@ fn material<M: Material>(made: Result<M, ParameterError>, numbers: &mut Numbers<
     let bsdf = material.bsdf(&point, wo);
     let light = |c: Vec3| assert!(c.is_finite() && c.min_element() >= 0.0, "{c} at {point:?} from {wo}");
     light(bsdf.emitted());
+    assert!(material.height(&point).is_finite(), "{} at {point:?}", material.height(&point));
     let u = numbers.pair();
     for wi in [numbers.direction(), bsdf.sample(wo, u)] {
         light(bsdf.value(wi, wo));

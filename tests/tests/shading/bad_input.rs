@@ -103,6 +103,9 @@ fn is_bsdf(material: &dyn Material, point: &SurfacePoint, wo: Vec3, wi: Vec3) ->
     let is_light = |c: Vec3| c.is_finite() && c.cmpge(Vec3::ZERO).all();
     let bsdf = material.bsdf(point, wo);
     prop_assert!(is_light(bsdf.emitted()), "{}", bsdf.emitted());
+    let height = material.height(point);
+    let [low, high] = material.height_range().unwrap_or_default();
+    prop_assert!(low - 1e-5 * high.max(-low) <= height && height <= high + 1e-5 * high.max(-low), "{height}");
     for u in [Vec2::new(0.3, 0.7), Vec2::ONE, Vec2::ZERO, Vec2::NAN] {
         let sampled = bsdf.sample(wo, u);
         for wi in [wi, sampled] {

@@ -8,6 +8,7 @@ mod environment;
 mod fresnel;
 mod golden;
 mod golden_materials;
+mod heights;
 mod image_light;
 mod materials;
 mod mean_radiance;

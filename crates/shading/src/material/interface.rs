@@ -43,11 +43,34 @@ pub trait Material {
     /// BSDF of a point that is seen from the unit direction `wo`, in the frame of the surface; total.
     #[must_use]
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_>;
+
+    /// The height above the surface without bumps, as the pixel sees it; total.
+    ///
+    /// The facets of the BSDF have its slopes. It is in the unit of positions, where texture coordinates are in that unit too; 0 of a
+    /// material without [heights](Self::height_range).
+    #[must_use]
+    fn height(&self, _point: &SurfacePoint) -> f32 {
+        0.0
+    }
+
+    /// Bounds of all heights; none of a material that is flat, or whose normals are those of no height.
+    #[must_use]
+    fn height_range(&self) -> Option<[f32; 2]> {
+        None
+    }
 }
 
 impl<M: Material + ?Sized> Material for &M {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         (**self).bsdf(point, wo)
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        (**self).height(point)
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        (**self).height_range()
     }
 }
 
@@ -55,5 +78,13 @@ impl<M: Material + ?Sized> Material for &M {
 impl<M: Material + ?Sized> Material for alloc::boxed::Box<M> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         (**self).bsdf(point, wo)
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        (**self).height(point)
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        (**self).height_range()
     }
 }

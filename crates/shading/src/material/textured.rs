@@ -68,6 +68,14 @@ impl Material for BrickWall {
             self.bricks.facets(point.uv, pixel, |share, _, slope| lit(share, slope));
         })
     }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        self.depth * self.bricks.filtered(point.uv, point.uv_pixel()).height
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        Some([self.depth.min(0.0), self.depth.max(0.0)])
+    }
 }
 
 /// Visits facets of a height of this depth over texture coordinates, in the frame of the surface.
@@ -92,21 +100,40 @@ pub struct BevelledTiles {
     pub roughness: f32,
 }
 
-impl Material for BevelledTiles {
-    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+/// The stretch across the nearest edge of a tile that a pixel covers, in sides.
+struct Stretch {
+    low: f32,
+    high: f32,
+    /// The share beyond the edge: that is the next tile's ridge.
+    beyond: f32,
+    away: Vec2,
+}
+
+impl BevelledTiles {
+    /// The stretch that a pixel covers, if it tells tiles apart, and the share of what it does not; none without edges.
+    fn stretch(&self, point: &SurfacePoint) -> Option<(Option<Stretch>, f32)> {
         const TILE: [Vec2; 4] = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
-        let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
-        let side =
-            if self.side > 0.0 { self.side } else { return Bsdf::new(wo).with([Facet::FLAT], [lobe]) };
+        let side = Some(self.side).filter(|side| *side > 0.0)?;
         let (at, width) = (point.uv / side, point.texture().width(&point.pixel) / side);
         let far = removed_share(width, 1.0);
+        let nearest = Edge::nearest(&TILE, at - at.floor()).filter(|_| far < 1.0);
+        let stretch = nearest.map(|Edge { distance, away }| {
+            let [low, high] = [distance - 0.5 * width, distance + 0.5 * width];
+            Stretch { low, high, beyond: if width > 0.0 { (-low / width).max(0.0) } else { 0.0 }, away }
+        });
+        Some((stretch, far))
+    }
+}
+
+impl Material for BevelledTiles {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        let lobe = EnergyPreservingOrenNayar::clamped(self.colour, self.roughness).into();
+        let Some((stretch, far)) = self.stretch(point) else {
+            return Bsdf::new(wo).with([Facet::FLAT], [lobe]);
+        };
         Bsdf::new(wo).with_visited([lobe], |add| {
             let mut lit = of_slopes(point, 1.0, add);
-            let nearest = Edge::nearest(&TILE, at - at.floor());
-            if let Some(Edge { distance, away }) = nearest.filter(|_| far < 1.0) {
-                let [low, high] = [distance - 0.5 * width, distance + 0.5 * width];
-                // What lies beyond the edge is the next tile's ridge.
-                let beyond = if width > 0.0 { (-low / width).max(0.0) } else { 0.0 };
+            if let Some(Stretch { low, high, beyond, away }) = stretch {
                 self.bevel.facets(low.max(0.0), high, |share, slope| {
                     lit((1.0 - far) * (1.0 - beyond) * share, slope * away);
                 });
@@ -123,6 +150,21 @@ impl Material for BevelledTiles {
                 });
             }
         })
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        let Some((stretch, far)) = self.stretch(point) else { return 0.0 };
+        let near = stretch.map_or(0.0, |Stretch { low, high, beyond, .. }| {
+            let own = (1.0 - beyond) * self.bevel.mean_height(low.max(0.0), high);
+            own + if beyond > 0.0 { beyond * self.bevel.mean_height(0.0, -low) } else { 0.0 }
+        });
+        self.side * (near + far * (self.bevel.mean_height_of_tile() - near))
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        let [low, high] = self.bevel.range();
+        let side = if self.side > 0.0 { self.side } else { 0.0 };
+        Some([side * low, side * high])
     }
 }
 
@@ -180,8 +222,9 @@ pub struct Perturbed<M> {
     pub material: M,
 }
 
-impl<M: Material> Material for Perturbed<M> {
-    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+impl<M> Perturbed<M> {
+    /// The point of the material that is seen at a point.
+    fn seen(&self, point: &SurfacePoint) -> SurfacePoint {
         let there = self.by.filtered(point.position, point.uv, point.footprint());
         // What the pixel does not resolve of the running blurs it.
         let [u, v] = point.tangents.map(Vec3::length);
@@ -191,7 +234,21 @@ impl<M: Material> Material for Perturbed<M> {
         let [along, across] = point.tangents.map(Vec3::normalize_or_zero);
         let pixel = PixelEllipse::from_derivatives(along * sides.x, across * sides.y);
         let pixel = if there.spread == Vec2::ZERO { point.pixel } else { pixel };
-        self.material.bsdf(&SurfacePoint { uv: there.uv, pixel, ..*point }, wo)
+        SurfacePoint { uv: there.uv, pixel, ..*point }
+    }
+}
+
+impl<M: Material> Material for Perturbed<M> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        self.material.bsdf(&self.seen(point), wo)
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        self.material.height(&self.seen(point))
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        self.material.height_range()
     }
 }
 

@@ -127,7 +127,7 @@ impl Bevel {
         };
         let [from, flank] = within(self.plateau, self.plateau + self.flank);
         if flank > 0.0 {
-            for at in [0.211_324_87, 0.788_675_1] {
+            for at in GAUSS {
                 let [_, slope] = self.profile(from + at * flank);
                 visit(0.5 * flank / width, slope);
             }
@@ -135,15 +135,51 @@ impl Bevel {
         visit((1.0 - flank / width).max(0.0), 0.0);
     }
 
+    /// The mean height between two distances from the edge, the first not below 0; an interval that is empty or no number is its middle.
+    pub(crate) fn mean_height(&self, low: f32, high: f32) -> f32 {
+        let width = high - low;
+        if !(width > 0.0 && width.is_finite()) {
+            return self.profile(0.5 * (low + high))[0];
+        }
+        let cut = |begin: f32, end: f32| [begin.max(low), (end.min(high) - begin.max(low)).max(0.0)];
+        let [_, plateau] = cut(0.0, self.plateau);
+        let [from, flank] = cut(self.plateau, self.plateau + self.flank);
+        let heights = GAUSS.map(|at| self.profile(from + at * flank)[0]);
+        (plateau * self.profile(0.0)[0] + 0.5 * flank * (heights[0] + heights[1])) / width
+    }
+
+    /// The mean height of a whole square tile of the side 1 whose edges have this ridge.
+    pub(crate) fn mean_height_of_tile(&self) -> f32 {
+        rings().map(|[low, high, share]| share * self.mean_height(low, high)).sum()
+    }
+
+    /// The lowest and the highest of the ridge; the ground is 0.
+    pub(crate) fn range(&self) -> [f32; 2] {
+        // Where the slope changes its sign the height turns.
+        let turn = self.top / (self.top - self.bottom);
+        let turn = if turn > 0.0 && turn < 1.0 { turn } else { 0.0 };
+        let heights = [self.profile(0.0)[0], self.profile(self.plateau + turn * self.flank)[0]];
+        heights.into_iter().fold([0.0, 0.0], |[low, high], height| [low.min(height), high.max(height)])
+    }
+
     /// The facets of a whole square tile of the side 1 whose edges have this ridge, in rings about its middle.
     pub(crate) fn tile(&self, mut visit: impl FnMut(f32, f32)) {
-        for k in 0..16_u8 {
-            let d = |k: u8| f32::from(k) / 32.0;
-            let ring =
-                (1.0 - 2.0 * d(k)) * (1.0 - 2.0 * d(k)) - (1.0 - 2.0 * d(k + 1)) * (1.0 - 2.0 * d(k + 1));
-            self.facets(d(k), d(k + 1), |share, slope| visit(ring * share, slope));
+        for [low, high, ring] in rings() {
+            self.facets(low, high, |share, slope| visit(ring * share, slope));
         }
     }
+}
+
+/// The two places of Gauss's rule in an interval of length 1.
+const GAUSS: [f32; 2] = [0.211_324_87, 0.788_675_1];
+
+/// Rings about the middle of a square tile of the side 1: their distances from its edge, and the share of each.
+fn rings() -> impl Iterator<Item = [f32; 3]> {
+    (0..16_u8).map(|k| {
+        let [low, high] = [k, k + 1].map(|k| f32::from(k) / 32.0);
+        let within = |d: f32| (1.0 - 2.0 * d) * (1.0 - 2.0 * d);
+        [low, high, within(low) - within(high)]
+    })
 }
 
 /// The edge of a polygon that is closest to a point.
@@ -204,6 +240,39 @@ mod tests {
             }
             assert_abs_diff_eq!(bevel.profile(0.1 + 1e-6)[1], -top, epsilon = 1e-4);
             assert_abs_diff_eq!(bevel.profile(0.6 - 1e-6)[1], -bottom, epsilon = 1e-4);
+        }
+    }
+
+    #[test]
+    fn mean_heights_are_those_of_many_places() {
+        for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (-0.7, 0.2), (0.7, -0.9)] {
+            let bevel = Bevel::new(0.05, 0.3, top, bottom).unwrap();
+            let [least, most] = bevel.range();
+            for [low, high] in [[0.0, 0.02], [0.01, 0.2], [0.1, 0.9], [0.4, 0.5]] {
+                let places = (0..4000_u16).map(|k| low + (high - low) * (f32::from(k) + 0.5) / 4000.0);
+                let heights: f32 = places.map(|d| bevel.profile(d)[0]).sum();
+                let mean = bevel.mean_height(low, high);
+                // The rule is exact of heights, which are of the second degree; sums of 4000 numbers below 0.2 are rounded.
+                assert_abs_diff_eq!(
+                    mean,
+                    heights / 4000.0,
+                    epsilon = 3e-6,
+                    "{top}, {bottom}: {low} to {high}"
+                );
+                assert!((least - 1e-7..=most + 1e-7).contains(&mean), "{least}, {mean}, {most}");
+            }
+            // A half of a tile, from the middle of an edge: triangles of rings.
+            let side = 512_u16;
+            let middle = |k: u16| (f32::from(k) + 0.5) / f32::from(side);
+            let mut sum = 0.0_f64;
+            for k in 0..u32::from(side) * u32::from(side) {
+                let [x, y] = [k % u32::from(side), k / u32::from(side)].map(|k| middle(k as u16));
+                let edge = x.min(1.0 - x).min(y).min(1.0 - y);
+                sum += f64::from(bevel.profile(edge)[0]);
+            }
+            let mean = (sum / f64::from(side).powi(2)) as f32;
+            // Rings are even: what a share of 1/16 at the inner side weighs less, of heights that turn by 0.2.
+            assert_abs_diff_eq!(bevel.mean_height_of_tile(), mean, epsilon = 1e-3);
         }
     }
 

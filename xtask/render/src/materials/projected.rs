@@ -16,8 +16,9 @@ use crate::sampling::sampler::hash;
 /// so that the samples of a pixel blend them. Up the picture is up in two of the three planes.
 pub struct Projected<M>(pub M);
 
-impl<M: Material> Material for Projected<M> {
-    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+impl<M> Projected<M> {
+    /// The point with the texture coordinates of its plane.
+    fn placed(point: &SurfacePoint) -> SurfacePoint {
         let shares = point.normal.abs().powf(8.0);
         let [x, y, z] = point.position.to_array().map(f32::to_bits);
         let u = (hash(x ^ hash(y ^ hash(z))) >> 8) as f32 / 16_777_216.0 * shares.element_sum();
@@ -28,8 +29,21 @@ impl<M: Material> Material for Projected<M> {
         let uv = Vec2::new(point.position.dot(across), point.position.dot(up));
         // From behind the plane the picture would be mirrored.
         let side = point.normal[axis].signum() * if axis == 1 { -1.0 } else { 1.0 };
-        let here = point.with_uv(Vec2::new(side * uv.x, uv.y), [side * along(across), along(up)]);
-        self.0.bsdf(&here, wo)
+        point.with_uv(Vec2::new(side * uv.x, uv.y), [side * along(across), along(up)])
+    }
+}
+
+impl<M: Material> Material for Projected<M> {
+    fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+        self.0.bsdf(&Self::placed(point), wo)
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        self.0.height(&Self::placed(point))
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        self.0.height_range()
     }
 }
 

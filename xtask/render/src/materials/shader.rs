@@ -39,6 +39,14 @@ impl<M: Material> Material for InMetres<M> {
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         self.0.bsdf(&point.scaled(self.1), wo)
     }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        self.0.height(&point.scaled(self.1)) / self.1
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        self.0.height_range().map(|range| range.map(|height| height / self.1))
+    }
 }
 
 /// A matte colour under a glaze of this roughness.

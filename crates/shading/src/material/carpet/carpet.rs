@@ -9,14 +9,14 @@ use crate::bump::{bumped_normal, tangential};
 use crate::material::carpet::dark_area::DarkAreas;
 use crate::material::carpet::fibre::{Fibres, FibresParameters};
 use crate::material::carpet::rim_light::rim_light;
-use crate::material::carpet::seam::{SeamPattern, Seams};
+use crate::material::carpet::seam::{Crease, SeamPattern, Seams};
 use crate::material::carpet::thread::{DiffuseThreads, SpecularThreads};
 use crate::material::fbm::Fbm;
 use crate::material::form::Form;
 use crate::material::glossy::GlossySurface;
 use crate::material::interface::Material;
-use crate::material::surface_point::SurfacePoint;
-use crate::math::sqrt;
+use crate::material::surface_point::{SurfacePoint, TextureGradients};
+use crate::math::{clamp_to, sqrt};
 use crate::parameter::{ParameterError, as_roughness, as_share, as_size, colour, parameters};
 use crate::reflectance::Bsdf;
 
@@ -95,6 +95,8 @@ parameters! {
 ///
 /// - **Deviations:** the slope of seams does not depend on the scale of the texture, nor that of threads on their size: a
 ///   strength of 0.5 is a slope of about a half. The thesis gives no scale. Creases of seams are rounded, see [`Seams::filtered`].
+/// - **Heights** are those of threads, seams and fibres. Fibres end in steps, and how threads that lean over seams change along these
+///   is in no slope.
 ///
 /// Nilsson 2008, §4.2 and Appendix B.
 ///
@@ -152,6 +154,20 @@ impl Carpet {
         (diffuse_threads, specular_threads, dark_areas, seams, crossover, fibres)
     }
 
+    /// The share of a seam that threads which lean over it fill.
+    fn crossing(&self, point: &SurfacePoint) -> f32 {
+        let crossing = self.crossover.seen(point.position, point.footprint());
+        0.5 * (crossing + 1.0) * self.parameters.seam_crossover_strength
+    }
+
+    /// The seam at a pixel, the gradients of its phases, and how much these change across the pixel.
+    fn crease(&self, point: &SurfacePoint, texture: &TextureGradients) -> (Crease, [Vec3; 2], [f32; 2]) {
+        let across = [self.seams.direction(), self.seams.direction().perp()];
+        let gradients = across.map(|a| texture.of(a * self.seams.frequency()));
+        let widths = gradients.map(|g| point.change(g));
+        (self.seams.crease(point.uv, Vec2::from(widths)), gradients, widths)
+    }
+
     /// Colours, normal and lost slopes at a pixel.
     ///
     /// Total: noises are 0 where a coordinate of the position is not finite, there are no seams where a texture coordinate is
@@ -160,14 +176,10 @@ impl Carpet {
         let (p, n) = (&self.parameters, point.normal);
         let threads = self.diffuse_threads.sample(point.position, point.footprint());
         let shine = self.specular_threads.value(point.position, point.footprint());
-        let crossing = self.crossover.seen(point.position, point.footprint());
-        let disturb = 0.5 * (crossing + 1.0) * p.seam_crossover_strength;
+        let disturb = self.crossing(point);
 
         let texture = point.texture();
-        let across = [self.seams.direction(), self.seams.direction().perp()];
-        let gradients = across.map(|a| texture.of(a * self.seams.frequency()));
-        let widths = gradients.map(|g| point.change(g));
-        let crease = self.seams.crease(point.uv, Vec2::from(widths));
+        let (crease, gradients, widths) = self.crease(point, &texture);
         let amount = self.seams.amount(crease.height);
         let amount = amount + (1.0 - amount) * disturb;
 
@@ -214,6 +226,25 @@ impl Material for Carpet {
         self.surface(point).add_to(&mut bsdf, &frame, p.roughness, p.specular_roughness);
         bsdf.add_emitted(p.fake_rim_light * rim * p.fake_rim_light_colour);
         bsdf
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        let (p, texture) = (&self.parameters, point.texture());
+        let threads =
+            p.diffuse_thread_size * self.diffuse_threads.sample(point.position, point.footprint()).value;
+        let (crease, ..) = self.crease(point, &texture);
+        // Phases far out have no digits, and the height there may be no number.
+        let deep = clamp_to(1.0 - crease.height, 1.0) * (1.0 - self.crossing(point)) / self.seams.frequency();
+        let (fibre, ..) = self.fibres.surface(point.uv, &texture, &point.pixel);
+        p.diffuse_thread_bump_strength * threads - p.seams_bump_strength * deep
+            + p.fibre_bump_strength * fibre.height
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        let p = &self.parameters;
+        let threads = p.diffuse_thread_bump_strength * p.diffuse_thread_size;
+        let fibres = p.fibre_bump_strength * 0.5 * p.fibres.fibre_length * p.fibres.fibre_width;
+        Some([-threads - p.seams_bump_strength / self.seams.frequency(), threads + fibres])
     }
 }
 

@@ -88,6 +88,12 @@ impl Blemishes {
         tangential(n, self.noise.sample(position, footprint).gradient) * strength
     }
 
+    /// The height of the bumps, `strength · size · N(p/size)`; 0 where a coordinate is not finite.
+    #[must_use]
+    pub fn height(&self, strength: f32, position: Vec3, footprint: Footprint) -> f32 {
+        strength * self.noise.seen(position, footprint) / self.noise.frequencies()[0]
+    }
+
     /// The variance of the slope along each axis that a pixel does not resolve.
     #[must_use]
     pub fn removed_slope(&self, strength: f32, footprint: Footprint) -> f32 {

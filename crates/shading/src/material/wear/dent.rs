@@ -97,6 +97,12 @@ impl Dents {
         Sample { value: 0.5 * (a.value + b.value), gradient: 0.5 * (a.gradient + b.gradient) }
     }
 
+    /// The height of dents of this strength.
+    #[must_use]
+    pub fn height(&self, strength: f32, position: Vec3, footprint: Footprint) -> f32 {
+        strength * self.sample(position, footprint).value / self.kept.frequencies()[0]
+    }
+
     /// The gradient of dents of this strength along the surface of unit normal `n`.
     #[must_use]
     pub fn gradient(&self, strength: f32, position: Vec3, n: Vec3, footprint: Footprint) -> Vec3 {

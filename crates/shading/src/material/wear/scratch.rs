@@ -9,7 +9,7 @@ use crate::bump::{Facet, bumped_normal};
 use crate::material::interface::Material;
 use crate::material::segment::Segments;
 use crate::material::surface_point::SurfacePoint;
-use crate::math::{clamp_to, exp_m1, sqrt};
+use crate::math::{clamp_to, exp_m1, floor, sqrt};
 use crate::parameter::{
     ParameterError, as_roughness, as_share, as_size, colour, direction_in_plane, parameters, range,
 };
@@ -254,6 +254,17 @@ impl Material for Scratches {
         let mut bsdf = Bsdf::new(wo);
         bsdf.add_layer(local, [metal.into()]);
         bsdf
+    }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        let width = point.texture().width(&point.pixel);
+        -self.parameters.scratch_strength * self.half * self.grooves(point.uv, width).amount
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        // As many as a cell may have, and its neighbours.
+        let most = 9.0 * (floor(self.segments.cover) + 1.0);
+        Some([-self.parameters.scratch_strength * self.half * most, 0.0])
     }
 }
 

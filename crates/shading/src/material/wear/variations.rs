@@ -115,6 +115,18 @@ impl Material for Variations {
         self.surface(point).add_to(&mut bsdf, &point.frame(), p.roughness, p.gloss_roughness);
         bsdf
     }
+
+    fn height(&self, point: &SurfacePoint) -> f32 {
+        let (p, at, footprint) = (&self.parameters, point.position, point.footprint());
+        self.blemishes.height(p.small_blemish_bump_strength, at, footprint)
+            + self.dents.height(p.dent_strength, at, footprint)
+    }
+
+    fn height_range(&self) -> Option<[f32; 2]> {
+        let p = &self.parameters;
+        let most = p.small_blemish_bump_strength * p.small_blemish_size + p.dent_strength * p.dent_size;
+        Some([-most, most])
+    }
 }
 
 #[cfg(test)]
