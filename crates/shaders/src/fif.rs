@@ -1,9 +1,9 @@
-//! Fractal interpolation functions: values and slopes by tables, height fields with normals, first hits of rays.
+//! Fractal interpolation functions: values and slopes by tables, height fields and folded surfaces with normals, first hits of rays.
 //!
 //! Rows of all functions lie in one table, ranges of all axes in another; a uniform says where its own begin.
 
 #[cfg(feature = "alloc")]
-use asperity_fif::{Table32, surface::Curve, surface::Function};
+use asperity_fif::{Folded, Table32, surface::Curve, surface::Function};
 
 use crate::part::{Binding, Element, Part, part};
 
@@ -22,8 +22,21 @@ pub static TABLE: Part = part!("fif/table/uniform").with_bindings(&[Binding::Tab
 /// Values and slopes of a smooth function by its table: `fif_table_jet`, as [`Table::jet`](asperity_fif::Table::jet).
 pub static JET: Part = part!("fif/table/jet", TABLE);
 
-/// Height, gradient and normal of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
+/// The normal of a gradient: `upward_normal`.
+pub static NORMAL: Part = part!("fif/surface/normal");
+
+/// Height and gradient of `f(x) g(y)`: [`HeightField`](asperity_fif::HeightField).
 pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", JET);
+
+/// Height and gradient of a surface that is no product: `folded_height` and `folded_jet`, as
+/// [`Folded`](asperity_fif::Folded).
+///
+/// Bound to the table `fif_nodes` of [`folded_nodes`]; surfaces are told apart by their [`FoldedUniform`].
+pub static FOLDED: Part = part!("fif/surface/folded").with_bindings(&[Binding::Table {
+    name: "fif_nodes",
+    element: Element::Float,
+    width: WIDTH,
+}]);
 
 /// First hits of rays with a height field: `height_field_first_hit`, as
 /// [`Intersect::first_hit_within`](asperity_fif::Intersect::first_hit_within).
@@ -119,6 +132,77 @@ impl TableUniform {
 #[cfg(feature = "alloc")]
 pub fn table_rows<const C: usize>(table: &Table32<C>) -> impl Iterator<Item = f32> {
     table.rows().into_iter().flat_map(|rows| rows.table.iter().copied().flatten())
+}
+
+/// Words of the structure `FoldedSurface`: constants of a surface, and where its nodes begin.
+///
+/// | words | hold |
+/// |---|---|
+/// | 0, 1 | number of the first word of its nodes in `fif_nodes`, repetitions |
+/// | 2, 3 | cells along both axes |
+/// | 4–7 | lower ends of the domain, reciprocals of its widths |
+/// | 8–10 | middles of what repeats, and of its slopes per width of the domain |
+/// | 11 | vertical factor |
+///
+/// The first four are whole numbers, the others `f32`.
+///
+/// ```
+/// use asperity_fif::Folded;
+/// use asperity_shaders::fif::{FoldedUniform, folded_nodes};
+///
+/// let (knots, z) = ([0.0, 1.0, 2.0], [0.0, 1.0, 0.0, 0.5, 2.0, 0.5, 0.0, 1.0, 0.0]);
+/// let surface = Folded::new(&knots, &knots, 0.25, &z, &[[0.0; 2]; 9])?;
+/// let uniform = FoldedUniform::new(&surface, 0);
+/// assert_eq!(uniform.words()[2..4], [2, 2]);
+/// assert_eq!(folded_nodes(&surface).nth(4 * 8 + 2), Some(2.0)); // the height of the fifth node
+/// # Ok::<(), asperity_fif::SelfAffineError>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FoldedUniform {
+    words: [u32; Self::WORDS],
+}
+
+#[cfg(feature = "alloc")]
+impl FoldedUniform {
+    /// Number of the words.
+    pub const WORDS: usize = 12;
+
+    /// From a surface whose nodes begin at the number `first` of `fif_nodes`.
+    #[must_use]
+    pub fn new(surface: &Folded, first: u32) -> Self {
+        /// Slopes whose repetitions hardly grow smaller lose their last ones, which are smaller than pixels long before.
+        const MOST: u32 = 256;
+        let (contraction, middles) = surface.remainder();
+        // What is left out is less than the rounding of slopes.
+        let (mut left, mut steps) = (1.0, 0);
+        while steps == 0 || (left > 1.0 / 33_554_432.0 && steps < MOST) {
+            left *= contraction;
+            steps += 1;
+        }
+        let ([columns, rows], [x, y], [middle, slope_x, slope_y]) =
+            (surface.cells(), surface.domain(), middles);
+        let per_width = [x, y].map(|side| 1.0 / side.width());
+        let floats = [x.lo, y.lo, per_width[0], per_width[1], middle, slope_x, slope_y, surface.factor()];
+        let mut words = [first, steps, columns as u32, rows as u32, 0, 0, 0, 0, 0, 0, 0, 0];
+        for (word, float) in words.iter_mut().skip(4).zip(floats) {
+            *word = (float as f32).to_bits();
+        }
+        Self { words }
+    }
+
+    /// The words, in the layout of `FoldedSurface`.
+    #[must_use]
+    pub const fn words(&self) -> [u32; Self::WORDS] {
+        self.words
+    }
+}
+
+/// Nodes of a surface for `fif_nodes`, row after row along y, eight numbers each: place, height and slopes, then those of what repeats;
+/// lengths in units of the domain.
+#[cfg(feature = "alloc")]
+pub fn folded_nodes(surface: &Folded) -> impl Iterator<Item = f32> {
+    surface.nodes().flatten().map(|number| number as f32)
 }
 
 /// Words of the structure `FifRanges`: an axis of a height field, as rays need it, and where its ranges begin.

@@ -1,13 +1,15 @@
 //! Fractal interpolation: table functions, height fields, rays.
 
-use asperity_fif::{Fif, HeightField, Intersect, Ray, Table32, glam::DVec3, paper};
-use asperity_shaders::fif::{self, RangesUniform, TableUniform, ranges, table_rows};
+use asperity_fif::{Fif, Folded, HeightField, Intersect, Ray, Table32, glam::DVec3, paper};
+use asperity_shaders::fif::{
+    self, FoldedUniform, RangesUniform, TableUniform, folded_nodes, ranges, table_rows,
+};
 use asperity_shaders::{Binding, Part};
 
 use crate::case::{BAD, Bound, Case, INPUTS, OUTPUTS, Output, any, between};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![values(), jets(), height_field(), first_hit()]
+    vec![values(), jets(), height_field(), folded(), first_hit()]
 }
 
 /// Functions of the case of values, and of that of jets.
@@ -15,10 +17,14 @@ static FUNCTIONS: Part = Part::new("case/fif/functions", "", &[&fif::JET])
     .with_bindings(&[Binding::Uniform { name: "fif_functions", of: "array<FifTable, 4>" }]);
 
 /// A field and its ranges.
-static FIELD: Part = Part::new("case/fif/field", "", &[&fif::FIRST_HIT]).with_bindings(&[
+static FIELD: Part = Part::new("case/fif/field", "", &[&fif::FIRST_HIT, &fif::NORMAL]).with_bindings(&[
     Binding::Uniform { name: "field", of: "HeightField" },
     Binding::Uniform { name: "field_ranges", of: "HeightFieldRanges" },
 ]);
+
+/// Surfaces that are no products.
+static SURFACES: Part = Part::new("case/fif/surfaces", "", &[&fif::FOLDED])
+    .with_bindings(&[Binding::Uniform { name: "fif_surfaces", of: "array<FoldedSurface, 2>" }]);
 
 type Smooth = Fif<3>;
 
@@ -196,7 +202,7 @@ fn height_field() -> Case {
         parts: vec![&FIELD],
         body: "\
     let jet = height_field_jet(field, a.xy);
-    let normal = height_field_normal(jet.gradient);
+    let normal = upward_normal(jet.gradient);
     outcome.a = bits(vec4<f32>(jet.height, jet.gradient, height_field_height(field, a.xy) - jet.height));
     outcome.b = bits(vec4<f32>(normal, 0.0));"
             .into(),
@@ -220,6 +226,54 @@ fn height_field() -> Case {
             Output::new("gradient", 1..3, Bound::Absolute(1.4e-6), Bound::Absolute(3e-6)),
             Output::new("height alone", 3..4, Bound::Equal, Bound::Absolute(1e-6)),
             Output::new("normal", 4..7, Bound::Absolute(5e-7), Bound::Absolute(1e-6)),
+        ],
+    }
+}
+
+/// Surfaces over [0, 2]²: on unequal cells, and on equal ones with a falling factor, whose border has slopes.
+fn surfaces() -> [Folded; 2] {
+    let (x, y) = ([0.0, 0.7, 1.3, 2.0], [0.0, 0.9, 2.0]);
+    let z = [0.0, 1.0, 0.5, -0.5, 0.75, 1.5, 1.0, -1.0, 0.25, 0.5, 0.0, 1.25];
+    let slope = |k: usize| [0.5 - 0.125 * k as f64, 0.25 * (k % 5) as f64 - 0.5];
+    let slopes: Vec<_> = (0..z.len()).map(slope).collect();
+    let unequal = Folded::new(&x, &y, 0.09, &z, &slopes).expect("unequal cells");
+    let quarters = [0.0, 0.5, 1.0, 1.5, 2.0];
+    let heights: Vec<_> = (0..25).map(|k| f64::from(k * 7 % 11) / 8.0 - 0.5).collect();
+    let slopes: Vec<_> = (0..25).map(slope).collect();
+    [unequal, Folded::new(&quarters, &quarters, -0.06, &heights, &slopes).expect("equal cells")]
+}
+
+fn folded() -> Case {
+    let surfaces = surfaces();
+    let (mut nodes, mut uniforms) = (vec![], vec![]);
+    for surface in &surfaces {
+        uniforms.extend(FoldedUniform::new(surface, nodes.len() as u32).words());
+        nodes.extend(folded_nodes(surface).map(f32::to_bits));
+    }
+    Case {
+        name: "fif/surface/folded".into(),
+        parts: vec![&SURFACES],
+        body: "\
+    let jet = folded_jet(fif_surfaces[c.x], a.xy);
+    outcome.a = bits(vec4<f32>(jet, folded_height(fif_surfaces[c.x], a.xy) - jet.x));"
+            .into(),
+        resources: vec![("fif_nodes", nodes), ("fif_surfaces", uniforms)],
+        input: Box::new(|i| place(i, 2)),
+        reference: Box::new(move |words| {
+            let [x, y] = [0, 1].map(|k| f64::from(float(words[k])));
+            let surface = &surfaces[words[8] as usize];
+            let (height, gradient) = (surface.height(x, y), surface.gradient(x, y));
+            let mut outputs = [0; OUTPUTS];
+            let rest = if height.is_nan() { height } else { 0.0 };
+            let floats = [height, gradient.x, gradient.y, rest];
+            outputs.iter_mut().zip(floats).for_each(|(word, float)| *word = (float as f32).to_bits());
+            outputs
+        }),
+        // The crate computes in f64: 4e-7 and 2e-6 are the worst, alike on all drivers.
+        outputs: vec![
+            Output::new("height", 0..1, Bound::Absolute(8e-7), Bound::Absolute(2e-6)),
+            Output::new("gradient", 1..3, Bound::Absolute(4e-6), Bound::Absolute(8e-6)),
+            Output::new("height alone", 3..4, Bound::Equal, Bound::Absolute(1e-6)),
         ],
     }
 }

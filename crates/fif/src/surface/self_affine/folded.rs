@@ -76,6 +76,32 @@ impl SelfAffine<ZigZag> {
         let limits = limits(&fold, factor, [narrowest, widest], contraction).checked(magnitudes)?;
         Ok(Self { fold, factor, limits })
     }
+
+    /// Cells along both axes, for other machines.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn cells(&self) -> [usize; 2] {
+        self.fold.cells
+    }
+
+    /// Nodes, for other machines: x, y, then height and slopes of H, then those of H − G; lengths in units of the domain.
+    #[doc(hidden)]
+    pub fn nodes(&self) -> impl Iterator<Item = [f64; 8]> {
+        let [wide, deep] = self.fold.domain.map(Interval::width);
+        self.fold.nodes.iter().map(move |node| {
+            let ([x, y], [z, z_x, z_y], [own, own_x, own_y]) = (node.at, node.data, node.own);
+            [x, y, z, z_x * wide, z_y * deep, own, own_x, own_y]
+        })
+    }
+
+    /// The factor by which slopes of one repetition more are smaller at least, and the middles of the ranges of w and its slopes, for
+    /// other machines.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn remainder(&self) -> (f64, [f64; 3]) {
+        let [x, y] = self.limits.own_slopes.map(Interval::middle);
+        (self.limits.contraction, [self.limits.own.middle(), x, y])
+    }
 }
 
 impl Fold for ZigZag {

@@ -1,4 +1,4 @@
-// The height field f(x) g(y) of two smooth functions, its gradient and its normal: `asperity_fif::HeightField`.
+// The height field f(x) g(y) of two smooth functions, and its gradient: `asperity_fif::HeightField`.
 
 struct HeightField {
     x: FifTable,
@@ -21,11 +21,4 @@ fn height_field_jet(field: HeightField, p: vec2<f32>) -> HeightFieldJet {
     let f = fif_table_jet(field.x, p.x);
     let g = fif_table_jet(field.y, p.y);
     return HeightFieldJet(f.x * g.x, vec2<f32>(f.y * g.x, f.x * g.y));
-}
-
-// The upward unit normal of a gradient; steep slopes do not overflow.
-fn height_field_normal(gradient: vec2<f32>) -> vec3<f32> {
-    let largest = max(max(abs(gradient.x), abs(gradient.y)), 1.0);
-    let n = vec3<f32>(-gradient.x / largest, -gradient.y / largest, 1.0 / largest);
-    return n / sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
 }
