@@ -9,7 +9,7 @@ use asperity_fif::Fif;
 use crate::number;
 
 /// Rules that data break, in the crate's words.
-fn told(error: impl ToString) -> String {
+pub(crate) fn told(error: impl ToString) -> String {
     error.to_string()
 }
 
@@ -43,18 +43,22 @@ pub(crate) fn words(numbers: &[f64]) -> Vec<u32> {
 /// number of columns, a tolerance, and the function. What is outside the domain is no number.
 pub(crate) fn fractal_curve(numbers: &[f64], _: &[u32]) -> Result<Vec<u32>, String> {
     const SAMPLES: u32 = 6;
-    let f = function(number(numbers, 0), knots(numbers.get(5..).unwrap_or_default()).0)?;
+    let lists = knots(numbers.get(5..).unwrap_or_default()).0;
+    let f = function(number(numbers, 0), lists)?;
     let (from, to, columns) = (number(numbers, 1), number(numbers, 2), number(numbers, 3).min(4096.0));
     let at = |k: u32| from + (to - from) * (f64::from(k) / (columns * f64::from(SAMPLES)));
-    let mut ends = Vec::new();
+    let mut answer = Vec::new();
     for column in 0..columns as u32 {
-        // Columns share the values between them.
-        let values = (0..=SAMPLES).map(|k| at(SAMPLES * column + k)).filter(|x| f.domain().contains(*x));
+        // Columns share the values between them; a rough curve has its knots on spikes that are narrower than samples.
+        let ends = at(SAMPLES * column)..=at(SAMPLES * (column + 1));
+        let spikes = lists[0].iter().copied().filter(|x| ends.contains(x));
+        let samples = (0..=SAMPLES).map(|k| at(SAMPLES * column + k));
+        let values = samples.chain(spikes).filter(|x| f.domain().contains(*x));
         let values = values.map(|x| f.evaluate(x, number(numbers, 4)).value);
         let range = values.fold([f64::NAN; 2], |[lo, hi], y| [y.min(lo), y.max(hi)]);
-        ends.extend(range);
+        answer.extend(range);
     }
-    Ok(words(&ends))
+    Ok(words(&answer))
 }
 
 /// An enclosure of the values over an interval, each end this near to the best one: of the order of integration, the interval's
@@ -104,6 +108,18 @@ pub(crate) mod tests {
         assert!((top - 4.0 / 3.0).abs() < 1e-3, "{top}");
         let facts = doubles(&fractal_facts(&[&[0.0], F.as_slice()].concat(), &[]).unwrap());
         assert!((facts[4] - 4.0 / 3.0).abs() < 2e-6 && (facts[6] - 2.0).abs() < 1e-12, "{facts:?}");
+    }
+
+    #[test]
+    fn a_rough_curve_reaches_its_knots() {
+        let rough = [4.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 0.0, 1.0, 0.7, 0.7, 0.7];
+        let numbers = [&[0.0, -0.0101, 3.0499, 50.0, 1e-9], rough.as_slice()].concat();
+        let ends = doubles(&fractal_curve(&numbers, &[]).unwrap());
+        for (x, y) in [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0), (3.0, 1.0)] {
+            let column = ((x + 0.0101) / 3.06 * 50.0) as usize;
+            let [low, high] = [ends[2 * column], ends[2 * column + 1]];
+            assert!(low <= y + 1e-6 && y - 1e-6 <= high, "{x}: {low} to {high}");
+        }
     }
 
     #[test]
