@@ -30,6 +30,8 @@ const PICTURES = {
   'bumps-painted': '#bumps?shape=sphere&density=painted&zoom=0.5',
   'fractals': '#fractals',
   'fractals-nearest': '#fractals?zoom=6&place=0.8,0.7&colours=contrast',
+  'fractals-folded': '#fractals?surface=folded',
+  'fractals-folded-nearest': '#fractals?surface=folded&zoom=6&place=0.8,0.7&colours=contrast',
   'fractals-curve': '#fractals?surface=none&nearer=6&at=0.634921',
   'noise': '#noise',
   'materials-paint': '#materials',

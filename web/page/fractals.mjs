@@ -30,7 +30,27 @@ const STARTS = {
 const SURFACES = {
   integral: [1, 'f̂(x) f̂(y), smooth'],
   f: [0, 'f(x) f(y), rough'],
+  folded: [2, 'Folded, smooth, no product'],
 };
+/** The folded surface in Rust, as the module makes it. */
+const FOLDED = `// Heights of the knots along diagonals, there and back; slopes from neighbour to neighbour.
+    let last = x.len() - 1;
+    let height = |i: usize, j: usize| y[(i + j).min(2 * last - i - j)];
+    let around = |k: usize| (k.saturating_sub(1), (k + 1).min(last));
+    let (mut heights, mut slopes) = (Vec::new(), Vec::new());
+    for (i, j) in (0..=last).flat_map(|i| (0..=last).map(move |j| (i, j))) {
+        let ((left, right), (near, far)) = (around(i), around(j));
+        heights.push(height(i, j));
+        slopes.push([
+            (height(right, j) - height(left, j)) / (x[right] - x[left]),
+            (height(i, far) - height(i, near)) / (x[far] - x[near]),
+        ]);
+    }
+    // Slopes converge for factors less than the share of the narrowest cell, soon for three quarters of it.
+    let narrowest = x.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
+    let mean = factors.iter().sum::<f64>() / last as f64;
+    let factor = 0.75 * mean * narrowest / (x[last] - x[0]);
+    let surface = Folded::new(&x, &x, factor, &heights, &slopes)?.tabulated();`;
 const LISTS = /^[-+.\deE,;]{0,900}$/;
 
 /** The scene, opened on a page. */
@@ -38,7 +58,7 @@ export const fractals = {
   id: 'fractals',
   short: 'Fractals',
   title: 'Fractal functions',
-  about: 'A curve through a few points that is made of smaller copies of itself; its integrals are exact and smooth, and so are the normals of the surface that they make. Come a million times nearer.',
+  about: 'A curve through a few points that is made of smaller copies of itself; its integrals are exact and smooth, and so are the normals of the surfaces that they make. Come a million times nearer.',
   keys: 'Curve: drag knots and factors, or reach them with Tab and use the arrow keys, Shift for larger steps; Insert and Delete add and remove knots; drag or scroll beside them to move and come nearer, double-click to add a knot. Surface: drag or use the arrow keys to turn, Shift with them to move along it, scroll, pinch or plus and minus to come nearer, double-click to look at a place.',
   controls: [
     { kind: 'group', label: 'Function' },
@@ -117,7 +137,7 @@ class Fractals {
     return `The fractal function through ${places} with the factors ${d.join(', ')}${surface === 'none' ? '' : `, and a surface: ${SURFACES[surface][1]}`}.`;
   }
 
-  program() { return 'fractals'; }
+  program({ surface }) { return surface === 'folded' ? 'fractals-folded' : 'fractals'; }
 
   pixels() { return this.surface.canvas.hidden ? this.plot.pixels() : this.surface.pixels(); }
 
@@ -126,17 +146,19 @@ class Fractals {
     const exact = x => /[.e]/.test(x) ? `${x}` : `${x}.0`;
     const { ray: [origin, along] } = this.surface.camera ?? { ray: [[x[0], x[0], 9], [0.1, 0.1, -1]] };
     const vector = p => `DVec3::new(${p.map(exact).join(', ')})`;
-    const name = settings.surface === 'f' ? 'f' : 'f_hat';
+    const name = settings.surface === 'f' ? 'f' : 'f_hat', isFolded = settings.surface === 'folded';
+    const surface = isFolded ? FOLDED : `let surface = HeightField::new(${name}.clone(), ${name}).tabulated();`;
     return `// asperity-fif with its default features
-use asperity_fif::{Fif, HeightField, Intersect, Ray, glam::DVec3};
+use asperity_fif::{Fif, ${isFolded ? 'Folded' : 'HeightField'}, Intersect, Ray, glam::DVec3};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let f = Fif::affine(&${list(x)}, &${list(y)}, &${list(d)})?;
+    let (x, y, factors) = (${[x, y, d].map(list).join(', ')});
+    let f = Fif::affine(&x, &y, &factors)?;
     println!("{:?}", f.evaluate(${exact(this.plot.window.middle)}, 1e-12));
     println!("{:?}, integral {}", f.extrema(1e-9), f.total_integral());
     let f_hat: Fif<3> = f.integral(0.0)?;
     println!("{:?}", f_hat.extrema(1e-9));
-    let surface = HeightField::new(${name}.clone(), ${name}).tabulated();
+    ${surface}
     // The ray through the middle of the picture, in the units of the heights.
     let origin = ${vector(origin)};
     let ray = Ray { origin, direction: ${vector(along)} };

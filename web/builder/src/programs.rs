@@ -88,11 +88,14 @@ static OF_BUMPS: &[Program] = &[
 ];
 
 /// What is copied alone, as the page draws it by the module: its name, its part, the functions to call.
-pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[(
-    "fractals",
-    &fif::FIRST_HIT,
-    &["height_field_first_hit", "height_field_height", "height_field_normal"],
-)];
+pub(crate) static COPIED: &[(&str, &Part, &[&str])] = &[
+    ("fractals", &FIRST_HIT, &["height_field_first_hit", "height_field_height", "upward_normal"]),
+    ("fractals-folded", &FOLDED, &["folded_height", "folded_jet", "upward_normal"]),
+];
+
+/// Surfaces with their normals.
+static FIRST_HIT: Part = Part::new("page/first_hit", "", &[&fif::FIRST_HIT, &fif::NORMAL]);
+static FOLDED: Part = Part::new("page/folded", "", &[&fif::FOLDED, &fif::NORMAL]);
 
 /// Every program of the page.
 pub(crate) fn all() -> impl Iterator<Item = &'static Program> {

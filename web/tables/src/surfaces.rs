@@ -1,21 +1,19 @@
-//! Surfaces of fractal interpolation functions, and their rays: products.
+//! Surfaces of fractal interpolation functions, and their rays: products, and one that is none.
 
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::ptr;
 use core::sync::atomic::{AtomicPtr, Ordering};
 
 use asperity_fif::glam::{DVec2, DVec3};
-use asperity_fif::{Fif, HeightField, Intersect, Interval, Ray, Surface};
+use asperity_fif::{Folded, HeightField, Intersect, Interval, Ray, Tabulated};
 
-use crate::fractals::{function, knots, words};
+use crate::fractals::{function, knots, told, words};
 use crate::number;
-
-type Product = HeightField<Fif<3>, Fif<3>>;
 
 /// A surface and the numbers that it was made of.
 struct Built {
     numbers: Vec<f64>,
-    surface: Product,
+    surface: Box<dyn Intersect>,
 }
 
 /// The last surface: its tables serve all rays of a picture.
@@ -33,18 +31,48 @@ fn put_back(built: Box<Built>) {
     drop((!other.is_null()).then(|| unsafe { Box::from_raw(other) }));
 }
 
-/// The surface of numbers, the order of integration and a function; and what follows them.
-fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&Product, &[f64]) -> T) -> Result<T, String> {
+/// No product, on the grid of the knots: heights of the knots along diagonals, there and back, slopes from neighbour to neighbour. The
+/// factor is three quarters of the mean of the function's times the share of the narrowest cell, with which slopes converge soon, whatever
+/// they are.
+fn folded([x, y, factors]: [&[f64]; 3]) -> Result<Folded, String> {
+    let last = x.len().saturating_sub(1);
+    let at = |list: &[f64], k: usize| number(list, k);
+    let height = |i: usize, j: usize| at(y, (i + j).min(2 * last - i - j));
+    let (mut heights, mut slopes) = (Vec::new(), Vec::new());
+    for (i, j) in (0..=last).flat_map(|i| (0..=last).map(move |j| (i, j))) {
+        let [[left, right], [near, far]] = [i, j].map(|k| [k.saturating_sub(1), (k + 1).min(last)]);
+        heights.push(height(i, j));
+        slopes.push([
+            (height(right, j) - height(left, j)) / (at(x, right) - at(x, left)),
+            (height(i, far) - height(i, near)) / (at(x, far) - at(x, near)),
+        ]);
+    }
+    let narrowest = x.windows(2).map(|ends| at(ends, 1) - at(ends, 0)).fold(f64::INFINITY, f64::min);
+    let mean = factors.iter().sum::<f64>() / last as f64;
+    let factor = 0.75 * mean * narrowest / (at(x, last) - at(x, 0));
+    Folded::new(x, x, factor, &heights, &slopes).map_err(told)
+}
+
+/// The surface of numbers, and what follows them: 0 or 1 for the product of a function or of its integral, 2 for the folded one, and the
+/// function.
+fn with_surface<T>(numbers: &[f64], answer: impl FnOnce(&dyn Intersect, &[f64]) -> T) -> Result<T, String> {
     let (lists, rest) = knots(numbers.get(1..).unwrap_or_default());
     let own = numbers.get(..numbers.len() - rest.len()).unwrap_or_default();
     let built = match taken().filter(|built| built.numbers == own) {
         Some(built) => built,
         None => {
-            let f = function(number(own, 0), lists)?;
-            Box::new(Built { numbers: own.to_vec(), surface: HeightField::new(f.clone(), f).tabulated() })
+            let kind = number(own, 0);
+            let surface: Box<dyn Intersect> = if kind > 1.0 {
+                // Hands change a surface faster than finer tables are made.
+                Box::new(Tabulated::with_levels(folded(lists)?.narrowed(), 5))
+            } else {
+                let f = function(kind, lists)?;
+                Box::new(HeightField::new(f.clone(), f).tabulated())
+            };
+            Box::new(Built { numbers: own.to_vec(), surface })
         }
     };
-    let answered = answer(&built.surface, rest);
+    let answered = answer(&*built.surface, rest);
     put_back(built);
     Ok(answered)
 }
@@ -130,7 +158,7 @@ mod tests {
 
     #[test]
     fn surfaces_are_met_where_they_are() {
-        for surface in [[&[0.0], &F[..]].concat(), [&[1.0], &F[..]].concat()] {
+        for surface in [0.0, 1.0, 2.0].map(|kind| [&[kind], &F[..]].concat()) {
             let kind = surface[0];
             let ground = doubles(&fractal_ground(&surface, &[]).unwrap());
             let [x, y] = [0.6 * ground[1], 0.3 * ground[3]];
@@ -145,5 +173,40 @@ mod tests {
             // Hits are told to a quarter of a pixel.
             assert!(f32::from_bits(seen[4]).abs() < 5e-4, "{kind}: {seen:?}");
         }
+    }
+
+    /// Height of a folded surface at a point.
+    fn height(function: &[f64], [x, y]: [f64; 2]) -> f64 {
+        let down = [&[2.0], function, &[1.0, x, y, 99.0, 0.0, 0.0, -1.0, 0.0]].concat();
+        doubles(&fractal_hit(&down, &[]).unwrap())[2]
+    }
+
+    #[test]
+    fn the_folded_surface_has_the_knots_along_diagonals_and_is_no_product() {
+        let function = [4.0, 0.0, 1.0, 2.5, 3.0, 0.5, 2.0, -1.0, 1.0, 0.5, -0.25, 0.75];
+        let ([x, y], at) = ([&function[1..5], &function[5..9]], |i: usize, j: usize| {
+            height(&function, [function[1 + i], function[1 + j]])
+        });
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let knot = y[(i + j).min(6 - i - j)];
+            assert!((at(i, j) - knot).abs() < 1e-12, "({i}, {j}): {} for {knot}", at(i, j));
+        }
+        // A product has nothing left here.
+        assert!((at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0)).abs() > 0.5);
+        // From the first neighbour's height to the second one's; slopes change by about ten times the distance, which is 3e-10 of the
+        // domain, to the power ln 4/ln 6.
+        let step = 1e-9;
+        let slope = (height(&function, [x[1] + step, x[1]]) - at(1, 1)) / step;
+        assert!((slope - (y[3] - y[1]) / (x[2] - x[0])).abs() < 1e-4, "{slope}");
+    }
+
+    #[test]
+    fn factors_near_one_leave_a_folded_surface_smooth() {
+        let steep = [3.0, 0.0, 0.01, 2.0, 0.0, 1.0, 0.0, 0.999, 0.999];
+        assert!(height(&steep, [0.005, 1.0]).is_finite());
+        let unordered = [3.0, 0.0, 2.0, 1.0, 0.0, 1.0, 0.0, 0.5, 0.5];
+        let error = fractal_ground(&[&[2.0], &unordered[..]].concat(), &[]).unwrap_err();
+        assert!(error.starts_with("`x[2]` must be"), "{error}");
+        assert!(fractal_ground(&[2.0], &[]).is_err());
     }
 }
