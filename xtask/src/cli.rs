@@ -123,12 +123,25 @@ The attacks are in tests/fuzz; libFuzzer is C++ and is built with them. What bre
     Fuzz(Fuzz),
     /// Link the crates without std and without an allocator, and call them.
     NoStd,
-    /// Compute the golden bits of noise on an emulated Cortex-M4, or say what is missing for that.
-    BareMetal,
+    /// Compute every crate's values on every platform at hand, emulated ones too, and compare their bits with the golden ones.
+    #[command(after_help = "Examples:
+  cargo xtask bits
+  cargo xtask bits --ship
+
+x86-64 at every SIMD level and, built without std, AArch64, big-endian PowerPC, WebAssembly with and without SIMD128, and a Cortex-M4
+on bare metal. Emulators are Debian's qemu-user and qemu-system-arm; linkers are gcc-aarch64-linux-gnu, gcc-powerpc64-linux-gnu and lld;
+WebAssembly runs in node. The table says what is missing.")]
+    Bits(Bits),
+    /// Count the lines of every crate that tests run, and name what they do not.
+    #[command(after_help = "Examples:
+  cargo xtask coverage
+  cargo xtask coverage --tests-of asperity-fif
+
+It builds the tests anew in target/coverage and needs llvm-profdata and llvm-cov of the LLVM that rustc has: the component llvm-tools of
+rustup, or Debian's llvm-22.")]
+    Coverage(Coverage),
     /// Draw a picture from tables in flash on an emulated Cortex-M4 and compare it with this machine's, or say what is missing for that.
     Firmware(Firmware),
-    /// Compute the bits of every crate in WebAssembly, with and without SIMD128, or say what is missing for that.
-    Wasm,
 }
 
 #[derive(Debug, Args)]
@@ -144,6 +157,23 @@ pub(crate) struct Check {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Bits {
+    /// Make this machine's values golden, and write the table into `docs/trust`, if every platform has them.
+    #[arg(long)]
+    pub(crate) ship: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Coverage {
+    /// Packages whose tests run; the published crates and the workspace's own tests if none is named. Repeat it.
+    #[arg(long, value_name = "PACKAGE")]
+    pub(crate) tests_of: Vec<String>,
+    /// Write the table also into `docs/trust`, where it is checked in.
+    #[arg(long, conflicts_with = "tests_of")]
+    pub(crate) ship: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Firmware {
     /// Write the table, and the page with what functions cost into `docs/trust`.
     #[arg(long)]
@@ -155,6 +185,10 @@ pub(crate) struct Ci {
     /// Run only the gates whose name contains NAME; may be given again.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
+    /// Run also the gates that take minutes and seldom fail alone: bits of every platform, features in
+    /// pairs, packages in an empty workspace, attacks.
+    #[arg(long, conflicts_with = "only")]
+    pub(crate) seldom: bool,
 }
 
 #[derive(Debug, Args)]

@@ -27,7 +27,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Parser;
 
-use check::{bare_metal, ci, firmware, fuzz, no_std, tidy, wasm};
+use check::{bits, ci, coverage, firmware, fuzz, no_std, tidy};
 use cli::{Cli, Command};
 use failure::Failure;
 use gallery::figures::figures;
@@ -41,8 +41,8 @@ fn main() -> ExitCode {
         Command::Ci(_)
             | Command::Tidy
             | Command::NoStd
-            | Command::BareMetal
-            | Command::Wasm
+            | Command::Bits(_)
+            | Command::Coverage(_)
             | Command::Shaders(_)
             | Command::Web(_)
     );
@@ -112,15 +112,18 @@ fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
             report.lines.iter().for_each(|line| progress::say(line));
             report.verdict().map(|()| progress::say("tidy"))
         }
-        Command::Ci(wanted) => ci::gates(&wanted.only, root, interrupted),
+        Command::Ci(wanted) => ci::gates(&wanted, root, interrupted),
         Command::Fuzz(wanted) => fuzz::fuzz(&wanted, root, interrupted),
         Command::NoStd => no_std::probe(root).map(|line| progress::say(&line)),
         Command::Firmware(wanted) => {
             let drawn = if wanted.ship { firmware::ship } else { firmware::check };
             drawn(root).map(|line| progress::say(&line))
         }
-        Command::BareMetal => bare_metal::probe(root).map(|line| progress::say(&line)),
-        Command::Wasm => wasm::probe(root).map(|line| progress::say(&line)),
+        Command::Bits(wanted) => {
+            let table = if wanted.ship { bits::ship } else { bits::table };
+            table(root).map(|table| progress::say(&table))
+        }
+        Command::Coverage(wanted) => coverage::report(&wanted, root),
     }
 }
 
@@ -136,21 +139,8 @@ mod tests {
     fn every_command_explains_itself() {
         let said = Cli::command().render_help().to_string();
         for command in [
-            "gallery",
-            "tables",
-            "render",
-            "bake",
-            "bench",
-            "shaders",
-            "web",
-            "check",
-            "tidy",
-            "ci",
-            "fuzz",
-            "no-std",
-            "bare-metal",
-            "firmware",
-            "wasm",
+            "gallery", "tables", "render", "bake", "bench", "shaders", "web", "check", "tidy", "ci", "fuzz",
+            "no-std", "firmware", "bits", "coverage",
         ] {
             assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
         }

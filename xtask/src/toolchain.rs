@@ -59,10 +59,20 @@ impl Toolchain {
 
 /// The linker that toolchains of rustup bring along, for every target that needs no other.
 pub(crate) fn rust_lld() -> Option<PathBuf> {
-    let (_, rustc) = own();
+    let linker = tools()?.join(format!("rust-lld{}", std::env::consts::EXE_SUFFIX));
+    linker.is_file().then_some(linker)
+}
+
+/// The folder of the tools that this program's toolchain brings along.
+pub(crate) fn tools() -> Option<PathBuf> {
+    let rustc = rustc();
     let (sysroot, host) = (print(&rustc, &["sysroot"])?, print(&rustc, &["host-tuple"])?);
-    let name = format!("lib/rustlib/{host}/bin/rust-lld{}", std::env::consts::EXE_SUFFIX);
-    Some(Path::new(&sysroot).join(name)).filter(|linker| linker.is_file())
+    Some(Path::new(&sysroot).join(format!("lib/rustlib/{host}/bin")))
+}
+
+/// The rustc of the cargo that runs this program.
+pub(crate) fn rustc() -> OsString {
+    own().1
 }
 
 /// The machine that this program's compiler builds for by itself.

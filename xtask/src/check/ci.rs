@@ -4,8 +4,9 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
-use super::{bare_metal, dependencies, firmware, no_std, packages, tidy, wasm};
+use super::{bits, dependencies, firmware, no_std, packages, tidy};
 use crate::cargo::{cargo, run};
+use crate::cli::Ci;
 use crate::failure::{Failure, Interrupted};
 use crate::{progress, shaders, tables, web};
 
@@ -31,7 +32,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 17] = [
+const GATES: [Gate; 16] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -45,24 +46,42 @@ const GATES: [Gate; 17] = [
     ("tests under each feature set", tests),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
-    ("oldest glam", packages::oldest_glam),
+    ("oldest packages", packages::oldest_packages),
     ("packages", packages::packages),
-    ("wasm probe", |root| wasm::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("shaders on drivers", shaders::on_drivers),
     ("live page", web::in_browsers),
-    ("bare-metal probe", |root| bare_metal::probe(root).map(|line| progress::say(&format!("  {line}")))),
+    ("the same bits", bits::gate),
     ("firmware", |root| firmware::check(root).map(|line| progress::say(&format!("  {line}")))),
 ];
 
-/// Runs the gates whose names contain one of `only`, or all, in order, and stops at the first that fails.
-pub(crate) fn gates(only: &[String], root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
-    let wanted = |name: &str| only.is_empty() || only.iter().any(|part| name.contains(part.as_str()));
-    if !GATES.iter().any(|(name, _)| wanted(name)) {
-        let names = GATES.map(|(name, _)| name).join(", ");
-        return Err(format!("no gate's name contains `{}`; gates are {names}", only.join("` or `")).into());
+/// Gates that take minutes and seldom say what the others do not: run when they are named, or on a schedule.
+const SELDOM: [Gate; 4] = [
+    ("bits of every platform", |root| bits::table(root).map(|table| progress::say(&table))),
+    ("pairs of features", pairs_of_features),
+    ("packages of a stranger", packages::of_a_stranger),
+    ("attacks", |root| {
+        run(cargo(&root.join("tests/fuzz"), "test --quiet --locked").env_remove("CARGO_TARGET_DIR"))
+    }),
+];
+
+/// Runs the gates whose names contain one of those wanted, or all that are not seldom, or all, in order, and stops at the first
+/// that fails.
+pub(crate) fn gates(wanted: &Ci, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+    let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
+    let mut gates: Vec<Gate> = GATES.into_iter().chain(SELDOM).collect();
+    if !wanted.only.is_empty() {
+        gates.retain(|(name, _)| named(name));
+    } else if !wanted.seldom {
+        gates.truncate(GATES.len());
+    }
+    if gates.is_empty() {
+        let names = GATES.into_iter().chain(SELDOM).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+        return Err(
+            format!("no gate's name contains `{}`; gates are {names}", wanted.only.join("` or `")).into()
+        );
     }
     let all = Instant::now();
-    for (name, gate) in GATES.into_iter().filter(|(name, _)| wanted(name)) {
+    for (name, gate) in gates {
         Interrupted::check(interrupted)?;
         let start = Instant::now();
         gate(root).map_err(|error| format!("gate `{name}`: {error}"))?;
@@ -79,6 +98,32 @@ fn clippy(root: &Path) -> Result<(), Failure> {
         |(name, features)| lint(&format!("--package {name} --no-default-features --features {features}")),
     )?;
     lint("--package asperity-shaders --no-default-features --features libm")
+}
+
+/// The features of a crate one by one on either backend, and two by two on one: none needs another that it does not bring.
+fn pairs_of_features(root: &Path) -> Result<(), Failure> {
+    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    let mut sets = 0;
+    for package in metadata.packages.iter().filter(|package| package.publish.is_none()) {
+        for set in feature_sets(package.features.keys().map(String::as_str)) {
+            let of = format!("--package {} --no-default-features --features {set}", package.name);
+            run(&mut cargo(root, &format!("clippy {of} --lib --quiet -- -D warnings")))?;
+            sets += 1;
+        }
+    }
+    progress::say(&format!("  {sets} sets of features"));
+    Ok(())
+}
+
+/// Sets of at most two of these features beside a backend, commas between.
+fn feature_sets<'a>(features: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let others: Vec<&str> = features.filter(|name| !["default", "std", "libm"].contains(name)).collect();
+    let mut sets = vec![String::from("std"), "libm".into()];
+    for (k, one) in others.iter().enumerate() {
+        sets.extend(["std", "libm"].map(|backend| format!("{backend},{one}")));
+        sets.extend(others[k + 1..].iter().map(|other| format!("libm,{one},{other}")));
+    }
+    sets
 }
 
 fn neither_backend(root: &Path) -> Result<(), Failure> {
@@ -131,4 +176,18 @@ fn examples_and_benches(root: &Path) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn features_are_taken_one_by_one_and_two_by_two() {
+        let sets = feature_sets(["alloc", "default", "libm", "serde", "simd", "std"].into_iter());
+        assert_eq!(sets.len(), 2 + 2 * 3 + 3);
+        for set in ["std,serde", "libm,alloc,simd", "libm"] {
+            assert!(sets.iter().any(|made| made == set), "{set} of {sets:?}");
+        }
+    }
 }

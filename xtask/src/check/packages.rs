@@ -4,6 +4,7 @@ use std::{collections::BTreeSet, fs, path::Path};
 
 use cargo_metadata::{Metadata, MetadataCommand, Package};
 
+use super::stranger;
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
 use crate::progress;
@@ -32,6 +33,9 @@ const PAGES: &str = "docs/pictures/";
 /// The most bytes of a packed package: twice the largest of today, a twentieth of what the registry takes.
 const LARGEST: u64 = 500_000;
 
+/// The folder of packages as they are uploaded, and of what is built of them.
+const BUILDS: &str = "target/packages";
+
 /// Builds every package as it is uploaded, after a look at what is in it.
 pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
@@ -56,7 +60,7 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
     }
     forget_unpacked(&metadata)?;
     // What was compiled of an earlier package of the same version would be taken for this one's.
-    let builds = root.join("target/packages");
+    let builds = root.join(BUILDS);
     if builds.is_dir() {
         fs::remove_dir_all(&builds)?;
     }
@@ -73,6 +77,16 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
         progress::say(&format!("  {} {}: {} kB packed", package.name, package.version, bytes.div_ceil(1000)));
     }
     Ok(())
+}
+
+/// Builds documentation and an example of every package from its file alone, in an empty workspace.
+pub(crate) fn of_a_stranger(root: &Path) -> Result<(), Failure> {
+    let metadata = MetadataCommand::new().no_deps().other_options(vec!["--locked".into()]).exec()?;
+    let members: Vec<&Package> = published(&metadata).collect();
+    let mut package = cargo(root, "package --quiet --allow-dirty --locked --no-verify");
+    package.args(members.iter().flat_map(|member| ["--package", member.name.as_str()]));
+    run(package.arg("--target-dir").arg(root.join(BUILDS)))?;
+    stranger::builds(root, &root.join(BUILDS), &members)
 }
 
 /// Whether a file is among what a package may hold.
@@ -103,8 +117,8 @@ fn forget_unpacked(metadata: &Metadata) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs a program that names the oldest `glam` that the crates allow as its own.
-pub(crate) fn oldest_glam(root: &Path) -> Result<(), Failure> {
+/// Runs a program that names the oldest `glam` that the crates allow as its own, with the oldest of every other package.
+pub(crate) fn oldest_packages(root: &Path) -> Result<(), Failure> {
     let folder = root.join("tests/oldest-glam");
     run(cargo(&folder, "run --quiet --locked --features all").env_remove("CARGO_TARGET_DIR"))
 }
@@ -166,6 +180,28 @@ mod tests {
         for file in ["docs/pictures/white.png", "notes.md", "proptest-regressions/a.txt", "target/debug/x"] {
             assert!(!belongs(file), "{file}");
         }
+    }
+
+    #[test]
+    fn the_oldest_packages_are_the_least_that_the_crates_ask_for() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
+        let metadata = MetadataCommand::new().no_deps().exec().expect("metadata");
+        let lock = fs::read_to_string(root.join("tests/oldest-glam/Cargo.lock")).expect("a lockfile");
+        let mut asked = 0;
+        for package in published(&metadata) {
+            for other in package.dependencies.iter().filter(|other| other.path.is_none()) {
+                if other.kind != cargo_metadata::DependencyKind::Normal {
+                    continue;
+                }
+                let least = other.req.comparators.first().expect("a version");
+                let [minor, patch] = [least.minor, least.patch].map(Option::unwrap_or_default);
+                let entry =
+                    format!("name = \"{}\"\nversion = \"{}.{minor}.{patch}\"", other.name, least.major);
+                assert!(lock.contains(&entry), "{}: {entry}", package.name);
+                asked += 1;
+            }
+        }
+        assert!(asked > 15);
     }
 
     #[test]

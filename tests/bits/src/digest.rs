@@ -1,22 +1,34 @@
 //! Digests of floats, and the points to take them at.
 
-use alloc::string::String;
+use alloc::{format, string::String};
 use core::fmt::Write;
 
+use asperity_noise::simd::Level;
 use asperity_shading::glam::{DVec2, DVec3, Vec2, Vec3};
 
-/// Lines of names and digests.
-#[derive(Default)]
+/// Lines of groups, names and digests, with tabs between.
 pub(crate) struct Report {
     pub(crate) text: String,
+    group: &'static str,
+}
+
+impl Default for Report {
+    fn default() -> Self {
+        Self { text: format!("level\t{}\n", Level::best().name()), group: "" }
+    }
 }
 
 impl Report {
+    /// The lines that follow are of this group.
+    pub(crate) fn group(&mut self, name: &'static str) {
+        self.group = name;
+    }
+
     /// A line for what is pushed.
     pub(crate) fn row(&mut self, name: &str, push: impl FnOnce(&mut Digest)) {
         let mut digest = Digest(0xcbf2_9ce4_8422_2325);
         push(&mut digest);
-        let _ = writeln!(self.text, "{name} {:016x}", digest.0);
+        let _ = writeln!(self.text, "{}\t{name}\t{:016x}", self.group, digest.0);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Densities, maps and tables: the functions of `asperity-ndf-sampling` at many points.
 
-use alloc::vec::Vec;
+use alloc::{format, vec::Vec};
 
 use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, Blend, BlinnPhong, ClosedForm, ConditionalNdf, ConditionalTable, Frame,
@@ -64,15 +64,16 @@ fn painted(m: Vec3) -> f32 {
 }
 
 fn tables(report: &mut Report) -> Option<()> {
+    report.group("ndf: tables and maps");
     let ggx = Ggx::new(0.2, 0.4).ok()?;
     for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
         let map = NdfMap::from_fn(24, 16, Measure::SolidAngle, kind, painted).ok()?;
-        report.row("NdfMap", |bits| maps(bits, &map));
+        report.row(&format!("NdfMap, {kind:?}"), |bits| maps(bits, &map));
         let array = map.pack();
         let packed = PackedMapRef::new(&array).ok()?;
         let (u, n) = (lists(|i| square(i).to_array()), lists(|i| direction(i).truncate().to_array()));
         let mut out = [[0.0; POINTS as usize]; 3];
-        report.row("PackedMapRef", |bits| {
+        report.row(&format!("PackedMapRef, {kind:?}"), |bits| {
             bits.push(&array[..]);
             let [x, y, density] = &mut out;
             let done = packed.densities([&n[0], &n[1]], density).is_ok();
@@ -101,6 +102,7 @@ fn tables(report: &mut Report) -> Option<()> {
 }
 
 fn densities(report: &mut Report) -> Option<()> {
+    report.group("ndf: densities, samples, masking");
     let (ggx, beckmann) = (Ggx::new(0.2, 0.4).ok()?, Beckmann::new(0.5, 0.1).ok()?);
     let student_t = StudentT::new(0.2, 0.4, 3.0).ok()?;
     let blend = Blend::new(ggx, beckmann, 0.3).ok()?;
@@ -132,12 +134,14 @@ fn densities(report: &mut Report) -> Option<()> {
     for (name, ndf) in others {
         report.row(name, |bits| maps(bits, ndf));
     }
+    report.group("ndf: arrays in lanes");
     report.row("Ggx in lanes", |bits| closed_form(bits, &ggx));
     report.row("Beckmann in lanes", |bits| closed_form(bits, &beckmann));
     Some(())
 }
 
 fn distributions(report: &mut Report) -> Option<()> {
+    report.group("ndf: distributions of noise");
     report.row("phi", |bits| {
         for i in 0..POINTS {
             bits.push([phi(f64::from(unit(i, 0)) * 12.0 - 6.0), inverse_phi(f64::from(unit(i, 1)))]);

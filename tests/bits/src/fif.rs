@@ -1,5 +1,7 @@
 //! Fractal interpolation functions, their tables, surfaces and rays at many points.
 
+use alloc::format;
+
 use asperity_fif::{
     Bounded, Fif, HeightField, Hit, Intersect, Interval, Ray, Recurrent, Torus, glam::DVec3, paper,
 };
@@ -33,6 +35,7 @@ fn within(domain: Interval, i: u32) -> f64 {
 }
 
 fn curves(report: &mut Report) -> Option<()> {
+    report.group("fif: curves and tables");
     let uneven = Fif::affine(&[0.0, 0.2, 0.7, 1.0], &[0.3, 1.0, -0.5, 0.25], &[0.4, -0.6, 0.5]).ok()?;
     let [f, g] =
         [paper::f().ok()?, paper::g().ok()?].map(|f| f.table(1e-6).map(|table| table.system().clone()));
@@ -47,7 +50,7 @@ fn curves(report: &mut Report) -> Option<()> {
         });
         let table = f.table(1e-6).ok()?;
         let single = table.to_f32();
-        report.row("table", |bits| {
+        report.row(&format!("table of {name}"), |bits| {
             let x: [f64; POINTS as usize] = core::array::from_fn(|i| within(f.domain(), i as u32));
             let mut y = [0.0; POINTS as usize];
             bits.push(if table.values(&x, &mut y).is_ok() { 1.0_f32 } else { 0.0 });
@@ -82,6 +85,7 @@ fn rays(bits: &mut Digest, surface: &impl Intersect) {
 }
 
 fn surfaces(report: &mut Report) -> Option<()> {
+    report.group("fif: surfaces and rays");
     let smooth = HeightField::new(paper::g_hat().ok()?, paper::g_hat().ok()?).tabulated();
     report.row("height field", |bits| {
         for i in 0..POINTS {

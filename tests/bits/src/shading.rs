@@ -19,6 +19,7 @@ use crate::digest::{Report, direction, plane, space, square, unit};
 const POINTS: u32 = 200;
 
 fn reflectances(report: &mut Report) -> Option<()> {
+    report.group("shading: reflectances");
     let albedo = Vec3::new(0.8, 0.5, 0.1);
     let (ggx, beckmann) = (Ggx::new(0.2, 0.4).ok()?, Beckmann::new(0.2, 0.4).ok()?);
     let (glass, gold) = (Dielectric::new(1.5).ok()?, Conductor::new(0.2, 3.0).ok()?);
@@ -45,6 +46,7 @@ fn reflectances(report: &mut Report) -> Option<()> {
 }
 
 fn materials(report: &mut Report) -> Option<()> {
+    report.group("shading: materials and bumps");
     let all: [(&str, Box<dyn Material>); 5] = [
         ("Carpet", Box::new(Carpet::new(Default::default()).ok()?)),
         ("MetallicPaint", Box::new(MetallicPaint::new(Default::default()).ok()?)),
@@ -82,6 +84,7 @@ fn materials(report: &mut Report) -> Option<()> {
 }
 
 fn images(report: &mut Report) -> Option<()> {
+    report.group("shading: textures, environments, pyramids");
     let (wall, marble, gas, stars) =
         (Brick::default(), Marble::default(), Gas::default(), StarWallpaper::default());
     report.row("textures", |bits| {

@@ -1,0 +1,10 @@
+//! The report of the machine that this program runs on.
+#![cfg_attr(feature = "freestanding", no_std, no_main)]
+
+#[cfg(not(feature = "freestanding"))]
+fn main() {
+    print!("{}", asperity_bits::report());
+}
+
+#[cfg(feature = "freestanding")]
+mod freestanding;

@@ -1,5 +1,0 @@
-//! The report of this machine.
-
-fn main() {
-    print!("{}", asperity_wasm::report());
-}

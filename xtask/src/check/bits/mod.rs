@@ -1,0 +1,63 @@
+//! `cargo xtask bits`: the values of every crate on every platform at hand, beside the golden ones.
+
+mod platform;
+mod report;
+mod table;
+
+use std::path::Path;
+
+use crate::failure::Result;
+use crate::output::Output;
+use crate::progress;
+use platform::Column;
+use report::Report;
+
+/// The program that computes and digests.
+const PROBE: &str = "tests/bits";
+/// The golden digests, in the probe's folder.
+const GOLDEN: &str = "golden.tsv";
+/// Folder of the checked-in table.
+const SHIPPED: &str = "docs/trust";
+const PAGE: &str = "bits.md";
+
+/// The table of every platform; an error if one has other bits than the golden ones.
+pub(crate) fn table(root: &Path) -> Result<String> {
+    let (columns, golden) = compared(root, true)?;
+    Ok(table::markdown(&columns, &golden))
+}
+
+/// The gate: the platforms that take little time, and a line of what ran and what did not.
+pub(crate) fn gate(root: &Path) -> Result<()> {
+    let (columns, golden) = compared(root, false)?;
+    table::in_short(&columns, &golden).iter().for_each(|line| progress::say(&format!("  {line}")));
+    Ok(())
+}
+
+fn compared(root: &Path, all: bool) -> Result<(Vec<Column>, Report)> {
+    let golden = Report::read(&std::fs::read_to_string(root.join(PROBE).join(GOLDEN))?)?;
+    let columns = platform::columns(&root.join(PROBE), all)?;
+    let differences = table::differences(&columns, &golden);
+    let Some(first) = differences.first() else { return Ok((columns, golden)) };
+    progress::say(&table::markdown(&columns, &golden));
+    Err(format!(
+        "{} digests are other than golden; the first is {first}. A change of values is value-breaking: `cargo xtask bits --ship` makes \
+         the new ones golden",
+        differences.len()
+    )
+    .into())
+}
+
+/// Makes this machine's digests golden and writes the table, if every platform has them.
+pub(crate) fn ship(root: &Path) -> Result<String> {
+    let columns = platform::columns(&root.join(PROBE), true)?;
+    let golden =
+        columns.iter().find_map(|column| column.report.as_ref().ok()).ok_or("nothing could be run")?;
+    if let Some(first) = table::differences(&columns, golden).first() {
+        return Err(format!("platforms differ, so nothing is golden: {first}").into());
+    }
+    let page = table::markdown(&columns, golden);
+    Output::new(root.join(PROBE))?.write(GOLDEN, golden.text().as_bytes())?;
+    let output = Output::new(root.join(SHIPPED))?;
+    output.write(PAGE, page.as_bytes())?;
+    Ok(format!("{page}\nthe table: {}", output.place(PAGE)))
+}

@@ -1,0 +1,232 @@
+//! The platforms, and how the probe gets there: by this machine, by an emulator, by node.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::report::Report;
+use crate::cargo::{cargo, run};
+use crate::failure::Result;
+use crate::toolchain::{CORTEX_M4, Toolchain, is_there, rust_lld};
+
+/// A platform, and its digests or why there are none.
+pub(super) struct Column {
+    pub(super) title: &'static str,
+    pub(super) how: String,
+    pub(super) report: Result<Report, String>,
+}
+
+/// Lanes of x86-64 from the least on, as people and as the crates call them, and a processor of them that can be emulated.
+const LANES: [(&str, &str, Option<&str>); 4] = [
+    ("x86-64, SSE2", "sse2", Some("qemu64")),
+    ("x86-64, SSE4.2", "sse4.2", Some("Nehalem")),
+    ("x86-64, AVX2", "avx2", Some("Haswell")),
+    ("x86-64, AVX-512", "avx512", None),
+];
+const X86: &str = "qemu-x86_64";
+
+/// A platform that another compiler builds for.
+struct Foreign {
+    title: &'static str,
+    target: &'static str,
+    level: &'static str,
+    flags: &'static str,
+    linker: Linker,
+    /// A program and its arguments, before the probe.
+    runner: &'static str,
+    /// Folder of its builds.
+    folder: &'static str,
+    /// Among those that the gate runs.
+    often: bool,
+}
+
+/// The linker, and when it must be there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Linker {
+    /// Toolchains with the target's libraries have one; with their sources alone it is this.
+    Lld(&'static str),
+    /// The one that toolchains of rustup bring along.
+    RustLld,
+    /// Always this, with another system's C library.
+    Gcc(&'static str),
+}
+
+/// Linked with the C library that the linker knows.
+const HOSTED: &str = "-C default-linker-libraries=yes";
+
+const FOREIGN: [Foreign; 5] = [
+    Foreign {
+        title: "Cortex-M4",
+        target: CORTEX_M4.target,
+        level: "scalar",
+        flags: "-C link-arg=-Tlink.x",
+        linker: Linker::Lld("ld.lld"),
+        runner: CORTEX_M4.runner,
+        folder: "target/cortex-m4",
+        often: true,
+    },
+    Foreign {
+        title: "AArch64",
+        target: "aarch64-unknown-linux-gnu",
+        level: "neon",
+        flags: HOSTED,
+        linker: Linker::Gcc("aarch64-linux-gnu-gcc"),
+        runner: "qemu-aarch64 -L /usr/aarch64-linux-gnu",
+        folder: "target/aarch64",
+        often: false,
+    },
+    Foreign {
+        // Not s390x: qemu 7.2 multiplies two single numbers to a double one wrongly there (MDEBR).
+        title: "PowerPC, big-endian",
+        target: "powerpc64-unknown-linux-gnu",
+        level: "scalar",
+        flags: HOSTED,
+        linker: Linker::Gcc("powerpc64-linux-gnu-gcc"),
+        runner: "qemu-ppc64 -L /usr/powerpc64-linux-gnu",
+        folder: "target/powerpc64",
+        often: false,
+    },
+    Foreign {
+        title: "wasm32",
+        target: "wasm32-unknown-unknown",
+        level: "scalar",
+        flags: "",
+        linker: Linker::RustLld,
+        runner: "node run.mjs",
+        folder: "target/wasm",
+        often: false,
+    },
+    Foreign {
+        title: "wasm32, SIMD128",
+        target: "wasm32-unknown-unknown",
+        level: "wasm128",
+        flags: "-C target-feature=+simd128",
+        linker: Linker::RustLld,
+        runner: "node run.mjs",
+        folder: "target/wasm128",
+        often: true,
+    },
+];
+
+/// Every platform in order, or those of the gate. What is missing here is told in its column; what is there and fails is an error.
+pub(super) fn columns(folder: &Path, all: bool) -> Result<Vec<Column>> {
+    let mut columns = here(folder)?;
+    for platform in FOREIGN.iter().filter(|platform| all || platform.often) {
+        columns.push(platform.column(folder)?);
+    }
+    Ok(columns)
+}
+
+/// This machine with its lanes and lesser ones.
+fn here(folder: &Path) -> Result<Vec<Column>> {
+    let mut build = cargo(folder, "build --quiet --release --locked --bin bits --features std,libm");
+    build.args(["--target-dir", "target/libm"]).env_remove("RUSTFLAGS");
+    run(&mut build).map_err(|error| format!("the probe of bits: {error}"))?;
+    let program = folder.join(format!("target/libm/release/bits{}", std::env::consts::EXE_SUFFIX));
+    let own = said("here", &mut Command::new(&program))?;
+    let emulated = is_there(X86);
+    let mut columns = Vec::new();
+    for (title, level, processor) in LANES {
+        let (how, report) = match processor {
+            _ if cfg!(not(target_arch = "x86_64")) => {
+                (String::new(), Err("this machine is no x86-64".to_owned()))
+            }
+            _ if own.level == level => ("on this machine".into(), Ok(own.clone())),
+            Some(processor) if emulated => {
+                let report = said(title, Command::new(X86).args(["-cpu", processor]).arg(&program))?;
+                expect(title, &report, level)?;
+                (format!("{X86} as a {processor}"), Ok(report))
+            }
+            Some(_) => (String::new(), Err(format!("{X86} is not installed"))),
+            None => (String::new(), Err("neither this machine nor an emulator has it".to_owned())),
+        };
+        columns.push(Column { title, how, report });
+    }
+    if !LANES.iter().any(|(_, level, _)| own.level == *level) {
+        let how = format!("on this machine, {}", std::env::consts::ARCH);
+        columns.push(Column { title: "this machine", how, report: Ok(own) });
+    }
+    Ok(columns)
+}
+
+impl Foreign {
+    fn column(&self, folder: &Path) -> Result<Column> {
+        let mut runner = self.runner.split(' ');
+        let program = runner.next().unwrap_or_default();
+        let report = match self.missing(program) {
+            Some(why) => Err(why),
+            None => {
+                let built = self.build(folder)?;
+                let report =
+                    said(self.title, Command::new(program).args(runner).arg(built).current_dir(folder))?;
+                expect(self.title, &report, self.level)?;
+                Ok(report)
+            }
+        };
+        let how = format!("{program}, {}, without std", self.target);
+        Ok(Column { title: self.title, how, report })
+    }
+
+    fn toolchain(&self) -> Option<Toolchain> {
+        let has_linker = match self.linker {
+            Linker::Lld(name) | Linker::Gcc(name) => is_there(name),
+            Linker::RustLld => rust_lld().is_some(),
+        };
+        Toolchain::of(self.target, has_linker)
+    }
+
+    /// The first thing that is not installed, in words.
+    fn missing(&self, program: &str) -> Option<String> {
+        if self.toolchain().is_none() {
+            let target = self.target;
+            return Some(format!(
+                "no toolchain has the libraries of {target}, or their sources and a linker; `rustup target add {target}` adds them"
+            ));
+        }
+        let needed = [Some(program), if let Linker::Gcc(name) = self.linker { Some(name) } else { None }];
+        needed
+            .into_iter()
+            .flatten()
+            .find(|name| !is_there(name))
+            .map(|name| format!("{name} is not installed"))
+    }
+
+    fn build(&self, folder: &Path) -> Result<PathBuf> {
+        let fail = |error: &dyn std::fmt::Display| format!("the probe of bits on {}: {error}", self.title);
+        let toolchain = self.toolchain().ok_or_else(|| fail(&"no toolchain"))?;
+        let mut build = toolchain.build(folder, self.target, "core,alloc");
+        build.args(["--bin", "bits", "--features", "freestanding", "--target-dir", self.folder]);
+        let mut flags = self.flags.to_owned();
+        match self.linker {
+            Linker::Lld(name) if toolchain.builds_core => {
+                flags += &format!(" -C linker={name} -C linker-flavor={name}");
+            }
+            Linker::RustLld if toolchain.builds_core => {
+                flags += &format!(" -C linker={}", rust_lld().unwrap_or_default().display());
+            }
+            Linker::Gcc(name) => flags += &format!(" -C linker={name}"),
+            Linker::Lld(_) | Linker::RustLld => {}
+        }
+        run(build.env("RUSTFLAGS", flags.trim())).map_err(|error| fail(&error))?;
+        let ending = if self.target.starts_with("wasm") { ".wasm" } else { "" };
+        Ok(folder.join(self.folder).join(self.target).join(format!("release/bits{ending}")))
+    }
+}
+
+/// The answer of the probe.
+fn said(title: &str, command: &mut Command) -> Result<Report> {
+    let output = command.output()?;
+    if !output.status.success() {
+        let why = String::from_utf8_lossy(&output.stderr);
+        let last = why.trim().lines().last().unwrap_or("it says nothing").to_owned();
+        return Err(format!("the probe of bits on {title} ended with {}: {last}", output.status).into());
+    }
+    Report::read(&String::from_utf8_lossy(&output.stdout))
+}
+
+/// That a platform has the lanes that its column stands for.
+fn expect(title: &str, report: &Report, level: &str) -> Result<()> {
+    if report.level == level {
+        return Ok(());
+    }
+    Err(format!("the probe of bits on {title} found the lanes {}, not {level}", report.level).into())
+}

@@ -1,0 +1,118 @@
+//! Packages in the hands of a stranger: each unpacked from its file, in an empty workspace, with its documentation and an example.
+
+use std::{
+    fmt::Write,
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use cargo_metadata::{DependencyKind, Package};
+
+use crate::cargo::{cargo, run};
+use crate::failure::Failure;
+use crate::progress;
+
+/// Builds a program on every package, out of the sight of this workspace, and runs it.
+///
+/// The packages find one another where they were unpacked, as the registry does not have them yet; all others are those of this
+/// workspace's lockfile.
+pub(super) fn builds(root: &Path, packed: &Path, members: &[&Package]) -> Result<(), Failure> {
+    let away = tempfile::tempdir()?;
+    let target = packed.join("stranger");
+    for package in members {
+        let file = packed.join(format!("package/{}.crate", unpacked(package)));
+        run(Command::new("tar").arg("-xzf").arg(file).arg("-C").arg(away.path()))?;
+    }
+    for package in members {
+        let patches = Patches { folder: away.path(), needed: beneath(package, members) };
+        let source = away.path().join(unpacked(package));
+        let mut docs = cargo(&source, "doc --quiet --no-deps --all-features");
+        run(patches.given(&mut docs).arg("--target-dir").arg(&target).env("RUSTDOCFLAGS", "-D warnings"))?;
+        let example = program(root, away.path(), &source, package, &patches)?;
+        let mut start = cargo(&away.path().join(format!("on-{}", package.name)), "run --quiet");
+        run(start.arg("--target-dir").arg(&target).stdout(std::process::Stdio::null()))?;
+        progress::say(&format!(
+            "  {} in an empty workspace: documentation, and `{example}` runs",
+            package.name
+        ));
+    }
+    Ok(())
+}
+
+/// The folder that a package's file unpacks to.
+fn unpacked(package: &Package) -> String {
+    format!("{}-{}", package.name, package.version)
+}
+
+/// A package and those of this workspace that it needs, directly or not.
+fn beneath<'a>(package: &'a Package, members: &[&'a Package]) -> Vec<&'a Package> {
+    let mut found = vec![package];
+    let mut at = 0;
+    while let Some(next) = found.get(at).copied() {
+        for dependency in next.dependencies.iter().filter(|d| d.kind == DependencyKind::Normal) {
+            let own = members.iter().find(|member| member.name.as_str() == dependency.name);
+            found.extend(own.filter(|own| !found.iter().any(|known| known.name == own.name)).copied());
+        }
+        at += 1;
+    }
+    found
+}
+
+/// Places of packages that the registry does not have.
+struct Patches<'a> {
+    folder: &'a Path,
+    needed: Vec<&'a Package>,
+}
+
+impl Patches<'_> {
+    fn places(&self) -> impl Iterator<Item = (&str, PathBuf)> {
+        self.needed.iter().map(|package| (package.name.as_str(), self.folder.join(unpacked(package))))
+    }
+
+    /// A command that is given them, but for the package that it is about.
+    fn given<'c>(&self, command: &'c mut Command) -> &'c mut Command {
+        for (name, place) in self.places().skip(1) {
+            command.arg("--config").arg(format!("patch.crates-io.{name}.path='{}'", place.display()));
+        }
+        command
+    }
+}
+
+/// Writes a workspace with one program, the package's first example, and returns the example's name.
+fn program(
+    root: &Path,
+    away: &Path,
+    source: &Path,
+    package: &Package,
+    patches: &Patches<'_>,
+) -> Result<String, Failure> {
+    let mut examples: Vec<&str> =
+        package.targets.iter().filter(|t| t.is_example()).map(|t| t.name.as_str()).collect();
+    examples.sort_unstable();
+    let name = *examples.first().ok_or_else(|| format!("{} has no example", package.name))?;
+    let text = fs::read_to_string(source.join(format!("examples/{name}.rs")))?;
+    let mut manifest = String::from(
+        "[workspace]\n[package]\nname = \"stranger\"\nedition = \"2024\"\n[profile.dev]\nopt-level = 1\n[dependencies]\n",
+    );
+    for (own, _) in patches.places().filter(|(own, _)| text.contains(&format!("{}::", own.replace('-', "_"))))
+    {
+        writeln!(manifest, "{own} = \"={}\"", package.version)?;
+    }
+    let others = package.dependencies.iter().filter(|d| d.kind == DependencyKind::Development);
+    for other in others.filter(|other| text.contains(&format!("{}::", other.name.replace('-', "_")))) {
+        writeln!(manifest, "{} = \"{}\"", other.name, other.req)?;
+    }
+    manifest += "[patch.crates-io]\n";
+    for (own, place) in patches.places() {
+        writeln!(manifest, "{own} = {{ path = '{}' }}", place.display())?;
+    }
+    let folder = away.join(format!("on-{}", package.name));
+    fs::create_dir_all(folder.join("src"))?;
+    // Where examples put their pictures.
+    fs::create_dir_all(folder.join("target"))?;
+    fs::write(folder.join("Cargo.toml"), manifest)?;
+    fs::write(folder.join("src/main.rs"), text)?;
+    fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    Ok(name.into())
+}
