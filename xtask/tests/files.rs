@@ -3,7 +3,7 @@
 //!
 //! `ASPERITY_KILLS=200 cargo test --release -p xtask --test files -- --nocapture` is the long form and prints what it found.
 //! `ASPERITY_SHADERS` and `ASPERITY_WEB` name the programs of `tests/gpu` and `web/builder` where they are built, and `ASPERITY_MODULE`
-//! the page's module; without them they are left out.
+//! the page's module; without them they are left out. `ASPERITY_CASES=web,shaders` runs these alone.
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot run a command has failed")]
 
@@ -52,6 +52,9 @@ impl Case {
                 program: program.into(),
                 words: format!("build --wasm {module} --out {{}}"),
             });
+        }
+        if let Some(cases) = named("ASPERITY_CASES") {
+            all.retain(|case| cases.split(',').any(|name| name == case.name));
         }
         all
     }

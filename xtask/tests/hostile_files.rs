@@ -4,7 +4,9 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 use asperity_render::image::{Format, Image, formats::exr};
 use serde_json::{Value, json};
@@ -14,17 +16,25 @@ const MEMORY: u64 = 640 << 10;
 /// Seconds of processor time for a program that is not optimised.
 const SECONDS: u64 = 10;
 
+/// Seconds on the clock, for what waits and takes no processor time; many times what any file here takes.
+const WAITED: u64 = 120;
+
 /// The builder under limits that end it.
 fn limited(folder: &Path, words: &[&str]) -> Output {
     let limits = format!("ulimit -v {MEMORY} && ulimit -t {SECONDS} && exec \"$0\" \"$@\"");
     let builder = env!("CARGO_BIN_EXE_xtask");
-    Command::new("sh")
-        .current_dir(folder)
-        .env("MALLOC_ARENA_MAX", "1")
-        .args(["-c", &limits, builder, "--jobs", "1"])
-        .args(words)
-        .output()
-        .unwrap()
+    let mut command = Command::new("sh");
+    command.current_dir(folder).env("MALLOC_ARENA_MAX", "1").args(["-c", &limits, builder, "--jobs", "1"]);
+    let mut child = command.args(words).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let begun = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if begun.elapsed().as_secs() > WAITED {
+            child.kill().unwrap();
+            panic!("{words:?} does not end");
+        }
+        sleep(Duration::from_millis(5));
+    }
+    child.wait_with_output().unwrap()
 }
 
 /// Asserts that the words are refused in one line that has `said`.
@@ -110,6 +120,41 @@ fn pictures_that_claim_or_hold_too_much() {
         ),
         ("claim.jpg", jpeg(16_000, 8000), "cannot hold the 16000 × 8000 pixels"),
     ]);
+}
+
+/// Zeros as deflate packs them at its simplest: blocks of 12 bytes with 1549 zeros each. It says as many as there are.
+fn deflated_zeros(at_least: usize) -> Vec<u8> {
+    let matched = [1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0];
+    // No last block, of fixed codes; the literal 0; six times 258 bytes from one byte ago; the end.
+    let bits = [&[0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0][..], &matched.repeat(6), &[0; 7]].concat();
+    let block: Vec<u8> =
+        bits.chunks(8).map(|byte| byte.iter().rev().fold(0, |all, bit| all << 1 | bit)).collect();
+    let blocks = at_least.div_ceil(1549);
+    let sum = (((blocks * 1549) % 65_521) as u32) << 16 | 1;
+    [&[0x78, 0x01][..], &block.repeat(blocks), &[0x03, 0x00], &sum.to_be_bytes()].concat()
+}
+
+#[test]
+fn pixels_that_inflate_beyond_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let zeros = deflated_zeros(700 << 20);
+    // Two rows of 16 bytes, each behind its number and its length; the second grows.
+    let mut rows = exr(4, 2, &[("Y", vec![0.5; 8])]).unwrap();
+    let name = b"compression\0compression\0";
+    let at = rows.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 4;
+    // Deflated, a row a block; one that would not shrink stays as it is.
+    rows[at] = 2;
+    rows.truncate(rows.len() - 20);
+    rows.extend((zeros.len() as u32).to_le_bytes());
+    rows.extend(&zeros);
+    std::fs::write(folder.path().join("row.exr"), rows).unwrap();
+    let words =
+        |name: &'static str| ["render", "--scene", "sphere", "--size", "16", "--spp", "1", "--light", name];
+    refused(folder.path(), &words("row.exr"), "the OpenEXR file cannot be decoded");
+    // Of a PNG nothing is inflated beyond its rows.
+    std::fs::write(folder.path().join("pixels.png"), png(8, 8, &chunk(b"IDAT", &zeros))).unwrap();
+    let output = limited(folder.path(), &words("pixels.png"));
+    assert!(output.status.success(), "{:?}: {}", output.status, String::from_utf8_lossy(&output.stderr));
 }
 
 /// The head of a JPEG, with the tables that it must have, and no pixels.
@@ -264,5 +309,28 @@ fn systems_and_devices() {
         ["tables", "--out", "tables", "--normal-map", "/dev/zero"],
     ] {
         refused(folder.path(), &words, "this is not a file");
+    }
+    // A pipe that nobody writes to would be waited for without an end.
+    for name in
+        ["pipe.png", "pipe.exr", "pipe.json", "pipe.obj", "pipe.ply", "pipe.stl", "pipe.gltf", "buffer"]
+    {
+        assert!(Command::new("mkfifo").arg(folder.path().join(name)).status().unwrap().success());
+    }
+    let beside = gltf(&json!([{"mesh": 0}]), |file| file["buffers"][0]["uri"] = "buffer".into());
+    std::fs::write(folder.path().join("beside.gltf"), beside).unwrap();
+    for words in [
+        &["render", "--scene", "sphere", "--light", "pipe.exr"][..],
+        &["render", "--mesh", "pipe.obj"],
+        &["render", "--mesh", "pipe.ply"],
+        &["render", "--mesh", "pipe.stl"],
+        &["render", "--mesh", "pipe.gltf"],
+        &["render", "--mesh", "beside.gltf"],
+        &["tables", "--out", "tables", "--fif", "pipe.json"],
+        &["tables", "--out", "tables", "--ndf", "pipe.png"],
+        &["tables", "--out", "tables", "--normal-map", "pipe.png"],
+        &["check", "--ndf", "pipe.png"],
+        &["bake", "--ndf", "pipe.png"],
+    ] {
+        refused(folder.path(), words, "this is not a file");
     }
 }
