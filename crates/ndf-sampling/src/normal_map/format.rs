@@ -113,8 +113,12 @@ impl NormalMapFormat {
             Blue::Read => z.max(0.0),
             Blue::Reconstructed => math::sqrt((1.0 - r2).max(0.0)),
         };
-        let length = math::sqrt(r2 + z * z);
-        let n = Vec3::new(x / length, y / length, z / length);
+        let squared = r2 + z * z;
+        // Squares of small numbers lose their digits; a power of two keeps those of the numbers.
+        let scale = if squared < 1e-30 { (1_u128 << 100) as f32 } else { 1.0 };
+        let v = Vec3::new(x, y, z) * scale;
+        let length = math::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+        let n = Vec3::new(v.x / length, v.y / length, v.z / length);
         if n.is_finite() { n } else { Vec3::Z }
     }
 
@@ -159,6 +163,18 @@ mod tests {
             zero: zeros[(k >> 1) & 1],
             blue: blues[k >> 2],
         })
+    }
+
+    #[test]
+    fn small_numbers_have_a_unit_normal() {
+        let read = NormalMapFormat { blue: Blue::Read, ..Default::default() };
+        for size in [f32::from_bits(1), 1e-40, 1e-22, 1e-15, 1e-3] {
+            for texel in [[1.0, 0.0, 0.0], [1.0, -1.0, 1.0], [0.0, 0.0, 1.0]] {
+                let n = read.decode_signed(texel.map(|c: f32| c * size));
+                assert_abs_diff_eq!(n, Vec3::from_array(texel).normalize(), epsilon = 2e-7, "{size}");
+            }
+        }
+        assert_eq!(read.decode_signed([0.0; 3]), Vec3::Z);
     }
 
     #[test]

@@ -1,0 +1,135 @@
+//! Functions of one number at every number there is: all 2³² floats, infinities and every NaN among them.
+//!
+//! `ASPERITY_EVERY_FLOAT=1 cargo test --manifest-path tests/fuzz/Cargo.toml --test every_float -- --nocapture` visits all,
+//! some seconds to minutes a function; without it every 65537th is visited.
+
+use std::ops::RangeInclusive;
+use std::time::Instant;
+
+use asperity_fif::paper;
+use asperity_ndf_sampling::{GaussianNoise, KurtoticNoise, NoiseCdfRef, NoiseDistribution};
+use asperity_noise::{Field, Gaussian, Perlin2002, Simplex, Spectrum, Value, ValueCatmullRom};
+use asperity_shading::Footprint;
+use asperity_shading::glam::Vec3;
+use asperity_shading::pixel::FrequencyClamp;
+use asperity_shading::reflectance::{Absorption, Conductor, Dielectric, Schlick, SchlickF82};
+use asperity_shading::texture::{Bevel, Marble};
+
+const UNIT: RangeInclusive<f32> = 0.0..=1.0;
+
+/// Asserts a promise at every number, in as many threads as there are processors.
+fn everywhere(name: &str, holds: impl Fn(f32) -> bool + Sync) {
+    let step = if std::env::var_os("ASPERITY_EVERY_FLOAT").is_some() { 1 } else { 65_537 };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let begun = Instant::now();
+    let broken = std::thread::scope(|scope| {
+        let parts = (0..threads).map(|part| {
+            let holds = &holds;
+            let of = (part * step..=u32::MAX as usize).step_by(threads * step);
+            scope.spawn(move || of.map(|bits| f32::from_bits(bits as u32)).find(|&x| !holds(x)))
+        });
+        let parts: Vec<_> = parts.collect();
+        parts.into_iter().find_map(|part| part.join().expect("a function that does not panic"))
+    });
+    let visited = (1_usize << 32).div_ceil(step);
+    println!("| {name} | {visited} | {:.1} s |", begun.elapsed().as_secs_f64());
+    assert!(broken.is_none(), "{name} at {broken:?}, bits {:08x}", broken.unwrap_or_default().to_bits());
+}
+
+fn finite(v: Vec3) -> bool {
+    v.is_finite()
+}
+
+#[test]
+fn reflectances_are_shares() {
+    let (glass, dense) =
+        (Dielectric::new(1.5).expect("glass"), Dielectric::new(1.0 / 2.4).expect("from within"));
+    everywhere("`Dielectric::reflectance`, 1.5", |x| UNIT.contains(&glass.reflectance(x)));
+    everywhere("`Dielectric::reflectance`, 1/2.4", |x| UNIT.contains(&dense.reflectance(x)));
+    let gold = Conductor::new(0.2, 3.0).expect("gold");
+    everywhere("`Conductor::reflectance`", |x| UNIT.contains(&gold.reflectance(x)));
+    let schlick = Schlick::new(0.04).expect("a share");
+    everywhere("`Schlick::reflectance`", |x| UNIT.contains(&schlick.reflectance(x)));
+    let tinted = SchlickF82::new(0.9, 0.7).expect("shares");
+    everywhere("`SchlickF82::reflectance`", |x| UNIT.contains(&tinted.reflectance(x)));
+    let gas = Absorption::new(Vec3::new(0.0, 0.3, 80.0)).expect("coefficients");
+    everywhere("`Absorption::transmittance`", |x| {
+        let left = gas.transmittance(x);
+        left.cmpge(Vec3::ZERO).all() && left.cmple(Vec3::ONE).all()
+    });
+}
+
+#[test]
+fn footprints_and_textures_are_total() {
+    everywhere("`Footprint::from_width`", |x| Footprint::from_width(x).width() >= 0.0);
+    let pixel = Footprint::from_width(0.01);
+    everywhere("`Footprint::kept`", |x| UNIT.contains(&pixel.kept(x)));
+    let clamp = FrequencyClamp::new(16.0, 2.17, 6.0).expect("a clamp");
+    everywhere("`FrequencyClamp::octaves`", |x| {
+        (0.0..=6.0).contains(&clamp.octaves(Footprint::from_width(x)))
+    });
+    // A library's power of two may round the other way between neighbours.
+    let [finest, widest] = [(6.0, 1.0 - 1e-6), (0.0, 1.0 + 1e-6)]
+        .map(|(octaves, slack)| slack * clamp.footprint(octaves).width());
+    everywhere("`FrequencyClamp::footprint`", |x| (finest..=widest).contains(&clamp.footprint(x).width()));
+    everywhere("`Marble::spline`", |x| finite(<Marble>::spline(x)));
+    let bevel = Bevel::new(0.02, 0.1, 0.0, 1.0).expect("a bevel");
+    everywhere("`Bevel::profile`", |x| {
+        let [height, slope] = bevel.profile(x);
+        (0.0..=0.1).contains(&height) && (-1.0..=0.0).contains(&slope)
+    });
+}
+
+#[test]
+fn distributions_are_monotonic_between_their_ends() {
+    fn distribution(name: &str, noise: &(impl NoiseDistribution + Sync)) {
+        everywhere(&format!("`{name}::gaussian`"), |x| noise.gaussian(x).abs() <= 13.0);
+        everywhere(&format!("`{name}::uniform`"), |x| UNIT.contains(&noise.uniform(x)));
+        everywhere(&format!("`{name}::from_gaussian`"), |x| noise.from_gaussian(x).is_finite());
+        everywhere(&format!("`{name}::inverse`"), |x| noise.inverse(x).is_finite());
+    }
+    distribution("GaussianNoise", &GaussianNoise::new(0.4).expect("a deviation"));
+    distribution("KurtoticNoise", &KurtoticNoise::new(0.4, -0.46).expect("moments"));
+    distribution("NoiseCdfRef", &NoiseCdfRef::new(1.0, &[0.0, 0.2, 0.8, 1.0]).expect("a distribution"));
+}
+
+#[test]
+fn spectra_take_any_number_of_octaves() {
+    let cloud = Spectrum::CLOUD;
+    everywhere("`Spectrum::share`", |x| (0.0..1.0).contains(&cloud.share(x)));
+    everywhere("`Spectrum::kurtosis_ratio`", |x| UNIT.contains(&cloud.kurtosis_ratio(x)));
+    everywhere("`Spectrum::sum_of_amplitudes`", |x| (0.0..=2.0).contains(&cloud.sum_of_amplitudes(x)));
+    everywhere("`Spectrum::root_sum_of_squares`", |x| (0.0..=1.2).contains(&cloud.root_sum_of_squares(x)));
+}
+
+#[test]
+fn noises_of_one_number_stay_in_their_range() {
+    fn noise(name: &str, noise: &(impl Field<f32> + Sync)) {
+        let [low, high] = noise.range();
+        // Far out corners of cells round to others.
+        let slack = 1e-4 * (high - low);
+        everywhere(&format!("`{name}::sample`"), |x| {
+            let sample = noise.sample(x);
+            (low - slack..=high + slack).contains(&sample.value) && sample.gradient.is_finite()
+        });
+    }
+    noise("Value", &Value::new(1));
+    noise("ValueCatmullRom", &ValueCatmullRom::new(1));
+    noise("Perlin2002", &Perlin2002::new(1));
+    noise("Simplex", &Simplex::new(1));
+    noise("Gaussian", &Gaussian::new(1));
+}
+
+#[test]
+fn tables_of_fractal_functions_hold_their_range() {
+    for (name, f) in [("f", paper::f()), ("g", paper::g())] {
+        let table = f.expect("a system").table(1e-4).expect("a table");
+        let range = table.system().range();
+        let table = table.to_f32();
+        let (low, high) = (range.lo - f64::from(table.bound()), range.hi + f64::from(table.bound()));
+        everywhere(&format!("`Table32::value`, {name}"), |x| {
+            let y = table.value(x);
+            if x.is_nan() { y.is_nan() } else { (low..=high).contains(&f64::from(y)) }
+        });
+    }
+}
