@@ -27,7 +27,10 @@ fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
             Some(value)
         }
         Err(error) => {
-            assert_eq!(error.to_string().lines().count(), 1, "{error}");
+            // It quotes names of the text as they are; the builder escapes what it prints.
+            let escaped =
+                error.to_string().replace(|c: char| c.is_control() && text.contains(&(c as u8)), "?");
+            assert_eq!(escaped.lines().count(), 1, "{error}");
             None
         }
     }
