@@ -52,6 +52,9 @@ fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
     let program = std::env::current_exe().and_then(std::fs::read)?;
     let started = Instant::now();
     let scratch = Scratch::new(plan, &output, &program)?;
+    if wanted.tiles.is_none() {
+        scratch.others(&output).iter().for_each(|line| progress::say(line));
+    }
     let fresh = fill(plan, &scratch, some, interrupted)?;
     if wanted.tiles.is_some() {
         let ([first, last], all) = (some, plan.tiles() * plan.tiles());
@@ -66,6 +69,11 @@ fn part(wanted: &Bake, plan: &Plan, interrupted: &AtomicBool) -> Result<()> {
     } else {
         String::new()
     };
+    if !plan.source.varies().height {
+        progress::say(
+            "no height, and all of the light: the surface is flat, or its normals are those of no height",
+        );
+    }
     progress::say(&format!(
         "the set: {} ({megatexels:.1} megatexels in {seconds:.1} s{kept})",
         output.place("provenance.json")

@@ -109,12 +109,13 @@ fn of_material(wanted: &Bake, material: Material) -> Result<Box<dyn Source>> {
     if material == Material::Bumps {
         return Err("bumps are baked by `--ndf`".into());
     }
-    used(wanted, &name, &[])
-        .map_err(|error| format!("{error}; see `cargo xtask render --help-material {name}`"))?;
     let Bake { tint, roughness, seed, .. } = *wanted;
     let parameters = Parameters::chosen(material, &Chosen { tint, roughness, seed, set: &wanted.set })?;
     let values = parameters.values().clone();
     let made = parameters.make(material, 1.0, false)?;
+    let relief = made.surface.height_range().is_some();
+    used(wanted, &name, if relief { &["--occlusion"] } else { &[] })
+        .map_err(|error| format!("{error}; see `cargo xtask render --help-material {name}`"))?;
     if made.body.is_some() {
         return Err(format!("{name} is no surface that has a base colour: light goes through it").into());
     }

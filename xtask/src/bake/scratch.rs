@@ -36,6 +36,27 @@ impl<'a> Scratch<'a> {
         format!("{column}-{row}.tile")
     }
 
+    /// A line that names tiles of other bakes in the folder of the set, which no run of this plan goes on with.
+    pub(super) fn others(&self, output: &Output) -> Option<String> {
+        let folders = fs::read_dir(output.path("")).ok()?.filter_map(Result::ok);
+        let others: Vec<_> = folders
+            .map(|entry| entry.path())
+            .filter(|path| path.is_dir() && *path != self.folder)
+            .filter(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(".tiles-")))
+            .collect();
+        let first = others.first()?;
+        let bytes = |folder: &PathBuf| -> u64 {
+            let files = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+            files.filter_map(|file| file.metadata().ok()).map(|file| file.len()).sum()
+        };
+        let megabytes = others.iter().map(bytes).sum::<u64>() as f64 / 1e6;
+        let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
+        Some(format!(
+            "{megabytes:.1} MB of tiles of other bakes, which go on by their own command and program or can be removed: {}{more}",
+            first.display()
+        ))
+    }
+
     /// Whether a tile is there, whole.
     fn has(&self, at: [u32; 2]) -> bool {
         let found = fs::metadata(self.folder.join(Self::name(at)));

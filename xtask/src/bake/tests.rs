@@ -102,6 +102,15 @@ fn a_bake_that_was_stopped_goes_on_to_the_same_bytes() {
     assert!(cut.exists());
     tiles.remove();
     assert!(!cut.exists());
+    // Tiles that are left behind are named.
+    let left = Scratch::new(&plan, &output, b"older").unwrap();
+    fill(&plan, &left, [1, 1], &GO).unwrap();
+    let own = Scratch::new(&plan, &output, b"program").unwrap();
+    let said = own.others(&output).unwrap();
+    own.remove();
+    assert!(said.starts_with("0.1 MB of tiles of other bakes") && said.contains("/.tiles-"), "{said}");
+    assert_eq!((said.lines().count(), left.others(&output)), (1, None));
+    left.remove();
     // Other parameters, and another program, share no tile.
     let other = planned(&line.replace("0.02", "0.03")).unwrap();
     assert!(other.key(b"program") != plan.key(b"program") && plan.key(b"newer") != plan.key(b"program"));
@@ -395,6 +404,64 @@ fn documents_name_the_files_that_there_are() {
 }
 
 #[test]
+fn materials_have_the_heights_that_their_normals_are_of() {
+    for (line, occluded) in [
+        ("--material brick --side 0.1 --set depth=0.01 --size 256 --occlusion 0.05", true),
+        ("--material plastic --side 0.05 --set dent_size=0.02 --set dent_strength=0.4 --size 256", false),
+        (
+            "--material scratched --side 0.01 --set scratch_size=0.01 --set scratch_width=0.05 --set scratch_cover=4 --size 256",
+            false,
+        ),
+        (
+            "--material carpet --side 0.05 --set fibre_bump_strength=0 --set seam_crossover_strength=0 --size 256",
+            false,
+        ),
+    ] {
+        let plan = planned(line).unwrap();
+        let [low, high] = plan.source.range().unwrap();
+        let side = plan.size as usize;
+        let rows = [100, 101, 102].map(|row| {
+            let mut texels = vec![Texel::default(); side];
+            plan.source.texels(&plan.row(row, 0), &mut texels);
+            texels
+        });
+        // Rises over two texels, of the mean slopes over the one between with a half of those beside it.
+        let (mut error, mut all) = (0.0, 0.0);
+        for (k, texel) in rows[1].iter().enumerate().take(side - 1).skip(1) {
+            assert!((low..=high).contains(&texel.height), "{line}: {}", texel.height);
+            let slope =
+                |a: &Texel, b: &Texel| 0.25 * (a.slopes.mean + b.slopes.mean) + 0.5 * texel.slopes.mean;
+            let across = (rows[1][k + 1].height - rows[1][k - 1].height) * 0.5 * side as f32;
+            let up = (rows[0][k].height - rows[2][k].height) * 0.5 * side as f32;
+            let seen =
+                glam::Vec2::new(slope(&rows[1][k - 1], &rows[1][k + 1]).x, slope(&rows[0][k], &rows[2][k]).y);
+            error += (glam::Vec2::new(across, up) + seen).length();
+            all += seen.length();
+        }
+        println!("{line}: {error} of {all}");
+        assert!(all > 0.0 && error < 0.1 * all, "{line}: {error} of {all}");
+        // The heights that occlude are those of the texels.
+        let mut heights = vec![0.0; side];
+        plan.source.heights(&plan.row(101, 0), &mut heights);
+        let differ = heights.iter().zip(&rows[1]).map(|(height, texel)| (height - texel.height).abs());
+        assert!(differ.sum::<f32>() / (side as f32) < 0.1 * (high - low), "{line}");
+        if occluded {
+            let scratch = tempfile::tempdir().unwrap();
+            let set = baked(line, scratch.path());
+            let (_, _, light) = png(&set["ambient_occlusion.png"]);
+            let (least, most) = (light.iter().min().unwrap(), light.iter().max().unwrap());
+            assert!(*least < 50_000 && *most > 65_000, "{line}: {least} to {most}");
+            let (_, _, heights) = png(&set["height.png"]);
+            assert_eq!([heights.iter().min(), heights.iter().max()], [Some(&0), Some(&u16::MAX)], "{line}");
+        }
+    }
+    let scratch = tempfile::tempdir().unwrap();
+    let flat = baked("--material chrome --size 64", scratch.path());
+    assert!(!flat.contains_key("height.png"));
+    assert_eq!(png(&flat["ambient_occlusion.png"]), (4, 1, vec![u16::MAX; 16]));
+}
+
+#[test]
 fn materials_have_their_colours_and_those_without_a_period_are_refused() {
     let clay = planned("--material brick --side 0.52 --set variation=0 --set clay=0.4,0.2,0.1").unwrap();
     let (mut row, mut found) = (vec![Texel::default(); 1024], false);
@@ -404,6 +471,14 @@ fn materials_have_their_colours_and_those_without_a_period_are_refused() {
         assert_eq!((texel.metallic, texel.alpha2), (0.0, 1.0));
     }
     assert!(found, "no clay in a row of bricks");
+    // Flanks of the mortar as steep as they are: 1.5 · 6 mm over half of 5 mm is 3.6, a texel's mean a little less.
+    let steep = |side: f32| row.iter().map(|texel| side * texel.slopes.mean.x).fold(0.0, f32::max);
+    assert!(
+        (steep(1.0) - 3.45).abs() < 0.2 && (steep(-1.0) - 3.45).abs() < 0.2,
+        "{} {}",
+        steep(1.0),
+        steep(-1.0)
+    );
     let chrome = planned("--material chrome --roughness 0.3 --tileable").unwrap();
     let texel = chrome.source.point([0.3, 0.4]);
     assert_eq!((texel.metallic, texel.slopes.mean), (1.0, glam::Vec2::ZERO));
@@ -415,6 +490,8 @@ fn materials_have_their_colours_and_those_without_a_period_are_refused() {
         ("--material glass", "glass is no surface that has a base colour: light goes through it"),
         ("--material frosted", "frosted is no surface that has a base colour: light goes through it"),
         ("--material bumps", "bumps are baked by `--ndf`"),
+        ("--material brick --parts 2 --occlusion 0.1", ""),
+        ("--material chrome --occlusion 0.1", "--occlusion would change nothing of chrome; see "),
         ("--material chrome --low-tint 000000", "--low-tint would change nothing of chrome; see "),
         ("--material brick --height 0.1", "--height would change nothing of brick; see "),
         ("--ndf ggx:0.2 --occlusion 0.1", "--occlusion would change nothing of bumps of a density"),

@@ -16,6 +16,8 @@ pub(crate) struct Flat {
     parameters: Value,
     surface: Box<Surface<'static>>,
     side: f32,
+    /// The lowest and the highest point that there may be, in sides.
+    range: Option<[f32; 2]>,
     varies: Varies,
     coat: Option<f32>,
 }
@@ -31,8 +33,9 @@ impl Flat {
         surface: Box<Surface<'static>>,
         side: f32,
     ) -> Result<Self> {
-        let varies = Varies { colour: true, metallic: true, height: false };
-        let mut flat = Self { name, parameters, surface, side, varies, coat: None };
+        let range = surface.height_range().map(|range| range.map(|height| height / side));
+        let varies = Varies { colour: true, metallic: true, height: range.is_some_and(|[a, b]| a < b) };
+        let mut flat = Self { name, parameters, surface, side, range, varies, coat: None };
         let (mut colours, mut metals) = (Vec::new(), Vec::new());
         for k in 0..GRID * GRID {
             let at = [k % GRID, k / GRID].map(|i| (i as f64 + 0.381_966) / GRID as f64);
@@ -52,12 +55,22 @@ impl Flat {
         Ok(flat)
     }
 
-    /// The surface at a point, as a sample of this side sees it.
-    fn seen(&self, at: [f64; 2], sample: f32) -> Option<MetallicRoughness> {
+    /// A point of the square with the pixel that a sample of this side is.
+    fn place(&self, at: [f64; 2], sample: f32) -> SurfacePoint {
         let place = Vec2::from(at.map(|x| (x * f64::from(self.side)) as f32));
         let pixel = Footprint::from_width(sample * self.side);
-        let point = SurfacePoint::new(place.extend(0.0), Vec3::Z, pixel).with_uv(place, [Vec3::X, Vec3::Y]);
-        MetallicRoughness::of(&self.surface.bsdf(&point, Vec3::Z))
+        SurfacePoint::new(place.extend(0.0), Vec3::Z, pixel).with_uv(place, [Vec3::X, Vec3::Y])
+    }
+
+    /// The surface at a point, as a sample of this side sees it.
+    fn seen(&self, at: [f64; 2], sample: f32) -> Option<MetallicRoughness> {
+        // From below: from above facets steeper than 45° would be turned towards the eye, and lose their slope.
+        MetallicRoughness::of(&self.surface.bsdf(&self.place(at, sample), Vec3::NEG_Z))
+    }
+
+    /// The height of a point in sides, as a sample of this side sees it.
+    fn height(&self, at: [f64; 2], sample: f32) -> f32 {
+        if self.varies.height { self.surface.height(&self.place(at, sample)) / self.side } else { 0.0 }
     }
 
     fn texel(&self, at: [f64; 2], sample: f32) -> Texel {
@@ -65,7 +78,7 @@ impl Flat {
         seen.map_or(Texel::default(), |seen| Texel {
             slopes: seen.slopes,
             alpha2: seen.alpha2,
-            height: 0.0,
+            height: self.height(at, sample),
             colour: seen.base_colour,
             metallic: seen.metallic,
             occlusion: 1.0,
@@ -86,6 +99,10 @@ impl Source for Flat {
         "the material's lattices have no period"
     }
 
+    fn range(&self) -> Option<[f32; 2]> {
+        self.range
+    }
+
     fn coat(&self) -> Option<f32> {
         self.coat
     }
@@ -94,6 +111,12 @@ impl Source for Flat {
         let share = 1.0 / (row.samples * row.samples) as f32;
         for (k, texel) in texels.iter_mut().enumerate() {
             *texel = Texel::mixed(row.points(k).map(|at| (share, self.texel(at, row.sample()))));
+        }
+    }
+
+    fn heights(&self, row: &Row, heights: &mut [f32]) {
+        for (k, height) in heights.iter_mut().enumerate() {
+            *height = self.height(row.middle(k), row.texel());
         }
     }
 
