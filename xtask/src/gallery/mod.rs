@@ -11,6 +11,8 @@ pub(crate) mod power_spectrum;
 
 use std::{sync::atomic::AtomicBool, time::Instant};
 
+use asperity_render::image::Format;
+
 use crate::cli::Gallery;
 use crate::failure::Result;
 use crate::gallery::captions::CAPTIONS;
@@ -90,20 +92,30 @@ pub(crate) fn draw(
 /// The record of an earlier run, if all of its pictures are still as they were.
 fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
     let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
-    let whole = |p: &Stored| output.read(&p.file).is_some_and(|bytes| sha256(&bytes) == p.sha256);
+    let is = |file: &str, hash: &str| output.read(file).is_some_and(|bytes| sha256(&bytes) == hash);
+    let whole =
+        |p: &Stored| is(&p.file, &p.sha256) && p.light.as_ref().is_none_or(|(file, hash)| is(file, hash));
     record.drawn.panels.iter().all(|panel| whole(&panel.picture)).then_some(record)
 }
 
 /// Writes the pictures of a figure.
 fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>> {
-    let stored = |Panel { stem, label, alt, span, picture }| {
-        let (bytes, ending, pixels) = match picture {
-            Picture::Raster(image) => (image.png()?, "png", Some((image.width, image.height))),
-            Picture::Vector(svg) => (svg.into_bytes(), "svg", None),
-        };
+    let write = |stem: &str, ending: &str, bytes: &[u8]| -> Result<(String, String)> {
         let file = format!("{}-{stem}.{ending}", figure.name);
-        output.write(&file, &bytes)?;
-        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256: sha256(&bytes), pixels } })
+        output.write(&file, bytes)?;
+        Ok((file, sha256(bytes)))
+    };
+    let stored = |Panel { stem, label, alt, span, picture }| {
+        let ((file, sha256), light, pixels) = match picture {
+            Picture::Raster(image) => {
+                let (png, jpeg) = (image.png()?, image.encode(Format::Jpeg)?);
+                // Of few colours the one that loses nothing is the smaller one.
+                let light = (2 * jpeg.len() < png.len()).then(|| write(&stem, "jpg", &jpeg)).transpose()?;
+                (write(&stem, "png", &png)?, light, Some((image.width, image.height)))
+            }
+            Picture::Vector(svg) => (write(&stem, "svg", svg.as_bytes())?, None, None),
+        };
+        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256, light, pixels } })
     };
     let Drawn { columns, panels, parameters, table } = drawn;
     let panels = panels.into_iter().map(stored).collect::<Result<_>>()?;

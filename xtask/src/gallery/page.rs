@@ -30,6 +30,8 @@ pub(crate) struct Record {
 pub(crate) struct Stored {
     pub(crate) file: String,
     pub(crate) sha256: String,
+    /// The file that a page shows in its place, of fewer bytes, and its hash.
+    pub(crate) light: Option<(String, String)>,
     /// Width and height of a raster picture; `None` for a drawing.
     pub(crate) pixels: Option<(u32, u32)>,
 }
@@ -120,9 +122,10 @@ impl Page {
 fn article(words: &Caption, record: &Record, drawing: &impl Fn(&str) -> String) -> String {
     let panel = |panel: &Panel<Stored>| {
         let (file, alt) = (escape(&panel.picture.file), escape(&panel.alt));
+        let shown = panel.picture.light.as_ref().map_or_else(|| file.clone(), |light| escape(&light.0));
         let picture = match panel.picture.pixels {
             Some((width, height)) => format!(
-                "<img src=\"{file}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" alt=\"{alt}\">"
+                "<img src=\"{shown}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" alt=\"{alt}\">"
             ),
             None => drawing(&panel.picture.file),
         };
@@ -162,7 +165,8 @@ mod tests {
     use super::*;
 
     fn record(name: &str) -> Record {
-        let picture = Stored { file: "far.png".into(), sha256: "00".into(), pixels: Some((8, 8)) };
+        let picture =
+            Stored { file: "far.png".into(), sha256: "00".into(), light: None, pixels: Some((8, 8)) };
         let (stem, label, alt) = ("far".into(), "A <sphere>".into(), "bumps & \"zoom\"".into());
         let panels = vec![Panel { stem, label, alt, span: 1, picture }];
         let parameters = vec![("alpha_x".into(), "0.2".into())];
@@ -217,11 +221,12 @@ mod tests {
     #[test]
     fn every_picture_leads_to_its_file() {
         let (mut raster, mut vector) = (record("kautz-1-sphere"), record("kautz-2-ndf"));
-        raster.drawn.panels[0].picture.file = "far.png".into();
-        vector.drawn.panels[0].picture = Stored { file: "far.svg".into(), sha256: "00".into(), pixels: None };
+        raster.drawn.panels[0].picture.light = Some(("far.jpg".into(), "00".into()));
+        vector.drawn.panels[0].picture =
+            Stored { file: "far.svg".into(), sha256: "00".into(), light: None, pixels: None };
         let page = CAPTIONS.pages[0].gallery(&[raster, vector], [None; 2], |_| "<svg></svg>".into());
         assert!(
-            page.contains("<a href=\"far.png\"><img ")
+            page.contains("<a href=\"far.png\"><img src=\"far.jpg\" ")
                 && page.contains("<a href=\"far.svg\"><svg></svg></a>")
         );
     }

@@ -82,8 +82,9 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
 pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let lines = CarpetParameters {
         diffuse: Vec3::new(0.24, 0.21, 0.19),
-        dark_area_strength: 0.3,
-        dark_area_size: 0.7,
+        // So wide and faint that they are threads which lean another way, not stains.
+        dark_area_strength: 0.16,
+        dark_area_size: 1.6,
         fake_rim_light_colour: Vec3::splat(0.5),
         ..Default::default()
     };
@@ -175,7 +176,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             let inside = Absorption::of_colour(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
-        let view = View { field: 21.5, ..Set::Teapot.view() };
+        let view = View { field: 23.5, ..Set::Teapot.view() };
         let image = stills.picture(objects, view, [18, 15])?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }

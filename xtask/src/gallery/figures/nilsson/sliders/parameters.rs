@@ -106,6 +106,9 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
         MetallicPaintParameters { flake_sparkle_boost: 0.8, flake_sparkle_elimination: 0.0, ..base };
     // So large that each is seen, in the light of one lamp.
     let large = MetallicPaintParameters { flake_sparkle_pixel_size: 3.0, ..sparkling };
+    // Smooth flakes shine about the lamp's image alone, and tilted ones as far from it as they are tilted.
+    let polished = MetallicPaintParameters { flake_roughness: 0.12, ..sparkling };
+    let moon = View::ball(0.02, 0.0215).lit_from_the_eye().lit(0.3);
     let tilted = View::ball(0.016, 0.008).lit_from_the_eye().lit(0.5);
     let sparse = MetallicPaintParameters { flake_sparkle_elimination: 0.9, ..sparkling };
     let counted = |spacing| PaintFlakes::Counted { spacing, bin: 0.12 };
@@ -125,7 +128,7 @@ pub(super) fn paint() -> Vec<Strip<MetallicPaintParameters>> {
         peel with_orange_peel_size orange_peel_size: [0.004, 0.006, 0.012, 0.024, 0.048];
         bead sparkling flake_sparkle_pixel_size: [1.0, 1.5, 2.0, 3.0, 4.0];
         bead sparkling flake_sparkle_physical_size: [0.0005, 0.0007, 0.001, 0.0015, 0.002];
-        tilted large flake_sparkle_variation: [0.1, 0.25, 0.5, 0.75, 1.0];
+        moon polished flake_sparkle_variation: [0.05, 0.2, 0.5, 0.75, 1.0];
         bead sparkling flake_sparkle_boost: [0.0, 0.15, 0.3, 0.6, 1.0];
         bead sparkling flake_sparkle_boost_target: [Vec3::ONE, Vec3::new(1.0, 0.5, 0.1),
             Vec3::new(1.0, 0.1, 0.05), Vec3::new(0.1, 1.0, 0.2), Vec3::new(0.05, 0.15, 1.0)];
