@@ -34,7 +34,8 @@ pub(crate) fn run(wanted: &Web, root: &Path, interrupted: &AtomicBool) -> Result
 }
 
 /// The gate: the page is built and no larger than it may be; in headless Chromium it draws, by both ways to the graphics card alike, as
-/// the crates do, and stands wrong input; the programs it gives to copy run; one line of what there is, or lacks.
+/// the crates do, and stands wrong input; the programs it gives to copy run; the gallery's drawings are alone what they are in its pages;
+/// one line of what there is, or lacks.
 pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     let tell = |line: &str| progress::say(&format!("  {line}"));
     cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked"))?;
@@ -72,6 +73,15 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(cargo(&root.join(FOLDER), run).env("ASPERITY_SNIPPETS", &snippets))?;
     told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
     told(program(root, "page").arg(&screens))?.lines().for_each(tell);
+    let gallery = root.join("target/asperity/drawings");
+    // As small as may be, drawings are as large as ever; other figures have none.
+    let mut draw = Command::new(std::env::current_exe()?);
+    draw.args(["gallery", "--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
+    for figures in ["asperity-mean", "asperity-zoom", "cochran", "ndf", "noise"] {
+        draw.args(["--only", figures]);
+    }
+    told(&mut draw)?;
+    told(node("drawings.mjs").arg(gallery.join("gallery")))?.lines().for_each(tell);
     let wgsl = root.join("target/asperity/wgsl");
     told(program(root, "export").args(["--dialect", "wgsl", "--out"]).arg(&wgsl))?;
     told(node("tint.mjs").arg(&wgsl))?.lines().for_each(tell);
@@ -85,7 +95,7 @@ fn told(command: &mut Command) -> Result<String, Failure> {
     if output.status.success() {
         Ok(said)
     } else {
-        Err(format!("the live page is not what it should be:\n{said}").into())
+        Err(format!("the live page, or a drawing of the gallery, is not what it should be:\n{said}").into())
     }
 }
 
