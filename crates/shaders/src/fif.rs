@@ -29,7 +29,7 @@ pub static NORMAL: Part = part!("fif/surface/normal");
 pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", JET);
 
 /// Height and gradient of a surface that is no product: `folded_height` and `folded_jet`, as
-/// [`Folded`](asperity_fif::Folded).
+/// [`asperity_fif::Folded`].
 ///
 /// Bound to the table `fif_nodes` of [`folded_nodes`]; surfaces are told apart by their [`FoldedUniform`].
 pub static FOLDED: Part = part!("fif/surface/folded").with_bindings(&[Binding::Table {
