@@ -29,10 +29,10 @@ fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
             let near = segments_near(fibres.segments, place, i, k);
             let bend = (2.0 * near.random.y - 1.0) * fibres.bend;
             let t = near.along;
-            let t2 = t * t;
-            let t4 = t2 * t2;
+            let squared = t * t;
+            let fourth = squared * squared;
             let s = (near.across - bend * t * t) / half_width;
-            let crown = 1.0 - t4 * t4 - s * s;
+            let crown = 1.0 - fourth * fourth - s * s;
             if !near.there || crown <= 0.0 {
                 continue;
             }
@@ -43,7 +43,7 @@ fn fibres_top(fibres: Fibres, uv: vec2<f32>) -> FibresSample {
             if height > highest {
                 highest = height;
                 let by_along = -2.0 * bend * t / (0.5 * fibres.segments.length);
-                let by_end = -8.0 * half_width * t4 * t2 * t / (0.5 * fibres.segments.length);
+                let by_end = -8.0 * half_width * fourth * squared * t / (0.5 * fibres.segments.length);
                 let brightness = (0.5 + 0.5 * near.random.x) * (0.35 + 0.65 * rise);
                 top = FibresSample(
                     1.0 + fibres.contrast * (brightness - 1.0),
