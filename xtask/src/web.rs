@@ -74,10 +74,10 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(node("others.mjs").arg(&out).arg(&screens))?.lines().for_each(tell);
     told(program(root, "page").arg(&screens))?.lines().for_each(tell);
     let gallery = root.join("target/asperity/drawings");
-    // As small as may be, drawings are as large as ever; other figures have none.
+    // As small as may be, drawings are as large as ever. Means over zooms take as long as all others together; the rest have none.
     let mut draw = Command::new(std::env::current_exe()?);
     draw.args(["gallery", "--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
-    for figures in ["asperity-mean", "asperity-zoom", "cochran", "ndf", "noise"] {
+    for figures in ["asperity-mean-radiance", "cochran", "ndf", "noise"] {
         draw.args(["--only", figures]);
     }
     told(&mut draw)?;

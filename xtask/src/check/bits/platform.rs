@@ -62,7 +62,7 @@ const FOREIGN: [Foreign; 5] = [
         linker: Linker::Lld("ld.lld"),
         runner: CORTEX_M4.runner,
         folder: "target/cortex-m4",
-        often: true,
+        often: false,
     },
     Foreign {
         title: "AArch64",
