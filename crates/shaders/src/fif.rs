@@ -10,10 +10,13 @@ use crate::part::{Binding, Element, Part, part};
 /// Numbers in a row of the textures of rows and of ranges.
 pub const WIDTH: u32 = 1024;
 
+/// Whether a coordinate is a number: `fif_is_number`.
+pub static NUMBER: Part = part!("fif/number");
+
 /// Values of a function by its table: `fif_table_value`, the bits of [`Table32::value`](asperity_fif::Table32::value).
 ///
 /// Bound to the table `fif_rows` of [`table_rows`]; functions are told apart by their [`TableUniform`].
-pub static TABLE: Part = part!("fif/table/uniform").with_bindings(&[Binding::Table {
+pub static TABLE: Part = part!("fif/table/uniform", NUMBER).with_bindings(&[Binding::Table {
     name: "fif_rows",
     element: Element::Float,
     width: WIDTH,
@@ -32,7 +35,7 @@ pub static HEIGHT_FIELD: Part = part!("fif/surface/height_field", JET);
 /// [`asperity_fif::Folded`].
 ///
 /// Bound to the table `fif_nodes` of [`folded_nodes`]; surfaces are told apart by their [`FoldedUniform`].
-pub static FOLDED: Part = part!("fif/surface/folded").with_bindings(&[Binding::Table {
+pub static FOLDED: Part = part!("fif/surface/folded", NUMBER).with_bindings(&[Binding::Table {
     name: "fif_nodes",
     element: Element::Float,
     width: WIDTH,

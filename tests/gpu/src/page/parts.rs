@@ -152,6 +152,7 @@ parts![
     fif::TABLE,
     fif::JET,
     fif::NORMAL,
+    fif::NUMBER,
     fif::HEIGHT_FIELD,
     fif::FOLDED,
     fif::FIRST_HIT,

@@ -119,17 +119,12 @@ fn folded_sum(piece: FoldedPatch, x: vec4<f32>, y: vec4<f32>) -> f32 {
     return x.x * left + x.z * rise_left + (x.y * right + x.w * rise_right);
 }
 
-// Whether x is a number.
-fn folded_is_number(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7fffffffu) <= 0x7f800000u;
-}
-
 // Height at a point that is clamped to the domain; a coordinate that is no number is given back.
 fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
-    if !folded_is_number(p.x) {
+    if !fif_is_number(p.x) {
         return p.x;
     }
-    if !folded_is_number(p.y) {
+    if !fif_is_number(p.y) {
         return p.y;
     }
     var at = clamp((p - surface.origin) * surface.per_width, vec2<f32>(0.0), vec2<f32>(1.0));
@@ -146,10 +141,10 @@ fn folded_height(surface: FoldedSurface, p: vec2<f32>) -> f32 {
 
 // Height and gradient, those of the nearest point of the domain.
 fn folded_jet(surface: FoldedSurface, p: vec2<f32>) -> vec3<f32> {
-    if !folded_is_number(p.x) {
+    if !fif_is_number(p.x) {
         return vec3<f32>(p.x);
     }
-    if !folded_is_number(p.y) {
+    if !fif_is_number(p.y) {
         return vec3<f32>(p.y);
     }
     var at = clamp((p - surface.origin) * surface.per_width, vec2<f32>(0.0), vec2<f32>(1.0));

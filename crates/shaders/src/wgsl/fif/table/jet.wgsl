@@ -3,7 +3,7 @@
 // f(x), the bits of `fif_table_value`, and f'(x), at the domain's ends and outside that of the end; 0 for a function that is not smooth.
 // What is no number is given back.
 fn fif_table_jet(table: FifTable, x: f32) -> vec2<f32> {
-    if !fif_table_is_number(x) {
+    if !fif_is_number(x) {
         return vec2<f32>(x, x);
     }
     let t = (x - table.origin) * table.per_width;

@@ -31,11 +31,6 @@ fn fif_table_row(table: FifTable, digit: u32) -> vec4<f32> {
     return vec4<f32>(fif_rows(i), fif_rows(i + 1u), fif_rows(i + 2u), fif_rows(i + 3u));
 }
 
-// Whether x is a number.
-fn fif_table_is_number(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7fffffffu) <= 0x7f800000u;
-}
-
 // The first 64 bits of t in (0, 1) behind the point, the upper word first.
 fn fif_table_fraction(t: f32) -> vec2<u32> {
     let bits = bitcast<u32>(t);
@@ -69,7 +64,7 @@ fn fif_table_digit(rest: vec2<u32>, radix: u32) -> vec3<u32> {
 // f(x), the bits of `asperity_fif::Table32::value`. Points outside the domain are clamped to it, what is no number is given back.
 // Nearer to the left end than 2^-40 of the domain 64 bits do not hold every bit of a place: the value is that of a place within 2^-64.
 fn fif_table_value(table: FifTable, x: f32) -> f32 {
-    if !fif_table_is_number(x) {
+    if !fif_is_number(x) {
         return x;
     }
     let t = (x - table.origin) * table.per_width;

@@ -1,0 +1,6 @@
+// Numbers, and what is none.
+
+// Whether x is a number.
+fn fif_is_number(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7fffffffu) <= 0x7f800000u;
+}
