@@ -17,18 +17,12 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// ∫ f = Σ a_n ∫ q_n / (1 − Σ a_n α_n),   over [x_0, x_N]
     /// ```
     ///
+    /// Infinite where it is beyond the largest `f64`.
+    ///
     /// Cochran, Lewis, Hart 2000, eq. 30.
     #[must_use]
     pub fn total_integral(&self) -> f64 {
-        let width = self.domain().width();
-        let (mut sum, mut rest) = (0.0, 0.0);
-        for piece in self.pieces() {
-            let a = piece.s[1] - piece.s[0];
-            sum += a * width * mean(&piece.local);
-            // Σ a_n = 1, so the denominator is a sum of positive terms.
-            rest += a * (1.0 - piece.map().alpha);
-        }
-        sum / rest
+        self.domain().width() * self.mean_value().0
     }
 
     /// `∫ f` from `l` to `r`, negative when `l > r`; ends outside the domain are clamped to it.

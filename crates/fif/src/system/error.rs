@@ -293,6 +293,10 @@ mod tests {
         assert!(matches!(error, SystemError::Unbounded { .. } | SystemError::JoinUp { .. }), "{error}");
         let error = affine(&[-1e308, 0.0, 1e308], &Y, &ALPHA);
         assert!(matches!(error, SystemError::Unbounded { .. } | SystemError::JoinUp { .. }), "{error}");
+        // The first polynomial overflows to NaN, the second one is finite.
+        let (x, slopes) = ([-1.5, -0.25, -0.15], [f64::MAX, 1e306, 1e306]);
+        let error = FixedFif::<2, 4>::hermite(&x, &[0.0, -1e9, 1e9], &slopes, &[-0.1, -0.01]).unwrap_err();
+        assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
         let nearest = 1.0_f64.next_down();
         let error = affine(&X, &Y, &[nearest, nearest]);
         assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");

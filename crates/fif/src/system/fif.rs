@@ -127,7 +127,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             Spacing::Uniform => j as f64 / maps as f64,
             Spacing::Nonuniform => (x(j) - domain[0]) / width,
         };
-        let mut noise = 0.0_f64;
+        let (mut noise, mut finite) = (0.0_f64, true);
         let mut steepest = 0.0_f64;
         let (y0, y_end) = (y(0), y(maps));
         for (j, piece) in pieces.as_mut().iter_mut().enumerate() {
@@ -140,14 +140,17 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
                 domain,
                 [y0, y_end],
             )?;
-            noise = noise.max(built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0));
+            let own = built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0);
+            // `max` passes over the NaN of a polynomial that overflowed.
+            finite &= own.is_finite();
+            noise = noise.max(own);
             steepest = steepest.max(alpha.abs());
             *piece = built;
         }
         let gain = (1.0 / (1.0 - steepest)).next_up();
         let unbounded = SystemError::Unbounded { alpha: steepest };
         let range = box_of_range(pieces.as_ref()).ok_or(unbounded)?;
-        if !(noise.is_finite() && width.is_finite() && gain.is_finite()) {
+        if !(finite && width.is_finite() && gain.is_finite()) {
             return Err(unbounded);
         }
         let mut fif = Self { pieces, spacing, range, noise, gain };
