@@ -192,6 +192,8 @@ impl<'a> Bsdf<'a> {
     /// `u` is a uniform point of the unit square that chooses one of the coat's facets; the mean over it is the coat's part of the light.
     /// A path tracer follows either direction, or one of them by its weight.
     ///
+    /// `wo` may have any length; along the surface, zero, infinite and NaN it has no deltas: both have the weight 0.
+    ///
     /// ```
     /// use asperity_shading::reflectance::{Bsdf, Coat};
     /// use asperity_shading::{Dielectric, glam::{Vec2, Vec3}};

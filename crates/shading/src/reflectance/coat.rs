@@ -6,7 +6,7 @@ use asperity_ndf_sampling::Beckmann;
 use glam::{Vec2, Vec3, Vec4};
 
 use crate::bump::{Facet, bumped_normal, facing, slope_facets};
-use crate::direction::reflect;
+use crate::direction::{along, reflect};
 use crate::math::{clamp_to, cos, ln_1p, sin, sqrt};
 use crate::reflectance::absorption::through_wall;
 use crate::reflectance::cook_torrance::CookTorrance;
@@ -54,7 +54,7 @@ enum Behind {
 #[doc(alias = "specular delta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Delta {
-    /// The unit direction to the light, in the frame of the surface.
+    /// The unit direction to the light, in the frame of the surface; of any length, but finite, where the weight is 0.
     pub wi: Vec3,
     /// The share of its radiance, in [0, 1]³.
     pub weight: Vec3,
@@ -243,10 +243,13 @@ impl Coat {
         facing(Vec3::Z, facet, wo)
     }
 
-    /// Delta lobes of reflection and of transmission into `wo`, by the facet for a random point of the unit square.
+    /// Delta lobes of reflection and of transmission into `wo` of any length, by the facet for a random point of the unit square.
     pub(super) fn deltas(&self, wo: Vec3, u: Vec2) -> [Delta; 2] {
         let dark = [Delta::default(); 2];
-        if !wo.is_finite() || wo.z == 0.0 {
+        // What is unit but for its rounding keeps its bits.
+        let unit = (wo.length_squared() - 1.0).abs() < 1e-5;
+        let Some(wo) = (if unit { Some(wo) } else { along(wo) }) else { return dark };
+        if wo.z == 0.0 {
             return dark;
         }
         // From below everything is the other way up.
@@ -283,6 +286,37 @@ impl Coat {
                 let kept = if below > 0.0 && wi.z < 0.0 { (1.0 - share) * smooth } else { 0.0 };
                 [mirrored(Vec3::splat(share)), Delta { wi: wi * side, weight: Vec3::splat(kept) }]
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn views_of_any_length_have_unit_deltas() {
+        let glass = Dielectric::new(1.5).unwrap();
+        let coats =
+            [Coat::varnish(glass), Coat::pane(glass, Vec3::ONE), Coat::body(glass), Coat::metal(Vec3::ONE)];
+        let coats = coats.map(|coat| coat.bumped(Vec3::new(0.28, 0.0, 0.96), 0.0));
+        for wo in [Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 0.6, -0.8)] {
+            for length in [f32::MIN_POSITIVE, 1e-20, 0.5, 3.0, 1e20, f32::MAX] {
+                for coat in coats {
+                    let [of_any, of_unit] = [length * wo, wo].map(|wo| coat.deltas(wo, Vec2::splat(0.5)));
+                    for (any, unit) in of_any.into_iter().zip(of_unit) {
+                        assert_abs_diff_eq!(any.wi, unit.wi, epsilon = 1e-6);
+                        assert_abs_diff_eq!(any.weight, unit.weight, epsilon = 1e-6);
+                        assert!(
+                            unit.weight == Vec3::ZERO || (unit.wi.length() - 1.0).abs() < 1e-6,
+                            "{unit:?}"
+                        );
+                    }
+                }
+            }
+        }
+        for wo in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY, Vec3::X] {
+            assert_eq!(Coat::metal(Vec3::ONE).deltas(wo, Vec2::ZERO), [Delta::default(); 2], "{wo}");
         }
     }
 }

@@ -46,12 +46,15 @@ impl Bevel {
     /// The ridge with a plateau of this width, `ridge` wide in all, and these slopes where its flank begins and ends.
     ///
     /// # Errors
-    /// [`ParameterError`] unless `0 ≤ plateau < ridge` and all four are finite.
+    /// [`ParameterError`] unless `0 ≤ plateau < ridge`, all four are finite, and no slope is beyond `f32::MAX/(4 max(1, ridge))`: heights
+    /// are finite.
     pub fn new(plateau: f32, ridge: f32, top: f32, bottom: f32) -> Result<Self, ParameterError> {
         // A plateau as wide as the ridge leaves no flank.
         within("plateau", plateau, [0.0, positive("ridge", ridge)?.next_down()])?;
+        // Sums of two slopes, and their products with a width, stay in range.
+        let steepest = 0.25 * f32::MAX / ridge.max(1.0);
         for (parameter, slope) in [("top", top), ("bottom", bottom)] {
-            within(parameter, slope, [f32::MIN, f32::MAX])?;
+            within(parameter, slope, [-steepest, steepest])?;
         }
         Ok(Self { plateau, flank: ridge - plateau, top, bottom })
     }
@@ -282,6 +285,22 @@ mod tests {
         assert_eq!(bevel.profile(f32::NAN), [0.0, 0.0]);
         assert_eq!(bevel.profile(f32::INFINITY), [0.0, 0.0]);
         assert_eq!(bevel.profile(-1.0), bevel.profile(0.0));
+    }
+
+    #[test]
+    fn the_steepest_ridges_have_finite_heights() {
+        for ridge in [f32::MIN_POSITIVE, 1e-3, 1.0, 7.3, 1e19, f32::MAX] {
+            let steepest = 0.25 * f32::MAX / ridge.max(1.0);
+            for (top, bottom) in [(steepest, steepest), (-steepest, steepest), (steepest, -steepest)] {
+                let bevel = Bevel::new(0.0, ridge, top, bottom).unwrap();
+                for x in [-1.0, 0.0, 0.1, 0.5, 0.9, 1.0] {
+                    let [height, slope] = bevel.profile(x * ridge);
+                    assert!(height.is_finite() && slope.is_finite(), "{bevel:?} at {x}: {height}, {slope}");
+                }
+            }
+            assert!(Bevel::new(0.0, ridge, 1.01 * steepest, 0.0).is_err(), "{ridge}");
+            assert!(Bevel::new(0.0, ridge, 0.0, -1.01 * steepest).is_err(), "{ridge}");
+        }
     }
 
     #[test]
