@@ -16,6 +16,9 @@ use wgpu::util::{DeviceExt, TextureDataOrder};
 
 const SIZE: u32 = 512;
 const FREQUENCY: f32 = 3.0;
+/// The eye from afar, and what it looks at: the middle between spout and handle.
+const EYE: DVec3 = DVec3::new(4.4, -9.8, 4.8);
+const TARGET: DVec3 = DVec3::new(0.25, 0.0, 1.35);
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
@@ -38,13 +41,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&folder)?;
     let painter = pollster::block_on(Painter::new())?;
     let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::new(2.17, 0.8, 16)?);
-    let (eye, focus) = (DVec3::new(2.2, -6.4, 3.6), focus());
+    let focus = focus();
     for zoom in [1.0, 10.0, 100.0, 10_000.0] {
         // Places in f64 as far as the focus, in f32 from there on.
         let words = OctavesUniform::<3>::uniform(&[OctavesUniform::new(
             &octaves.anchored(focus * f64::from(FREQUENCY)),
         )]);
-        let view = view((eye - focus) / zoom, octaves.spectrum());
+        let view = view((EYE - focus) / zoom, octaves.spectrum());
         let pixels = painter.paint(&corners(focus), &words, &view)?;
         let path = Path::new(&folder).join(format!("teapot-{zoom}.png"));
         let mut encoder = png::Encoder::new(File::create(&path)?, SIZE, SIZE);
@@ -57,18 +60,17 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The place where the ray from the eye through the body's middle meets the mesh.
 fn focus() -> DVec3 {
-    let (eye, target) = (DVec3::new(2.2, -6.4, 3.6), DVec3::new(-0.55, 0.0, 1.35));
-    let direction = (target - eye).normalize();
+    let direction = (TARGET - EYE).normalize();
     let mesh = teapot();
     let hits = mesh.triangles.iter().filter_map(|triangle| {
         let [a, b, c] = triangle.map(|i| mesh.vertices[i as usize].position.as_dvec3());
         let normal = (b - a).cross(c - a);
-        let t = (a - eye).dot(normal) / direction.dot(normal);
-        let p = eye + t * direction;
+        let t = (a - EYE).dot(normal) / direction.dot(normal);
+        let p = EYE + t * direction;
         let inside = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= 0.0;
         (t > 0.0 && inside(a, b) && inside(b, c) && inside(c, a)).then_some(t)
     });
-    eye + hits.fold(f64::INFINITY, f64::min) * direction
+    EYE + hits.fold(f64::INFINITY, f64::min) * direction
 }
 
 /// Corners of all triangles: position from the focus, normal, tangent, and the triangle's plane.
@@ -97,7 +99,7 @@ fn view(eye: DVec3, spectrum: &Spectrum) -> Vec<f32> {
     let forward = -eye.normalize();
     let right = forward.cross(DVec3::Z).normalize();
     let up = right.cross(forward);
-    let light = DVec3::new(-0.55, -0.6, 0.75).normalize();
+    let light = DVec3::new(0.0, -0.8, 0.75).normalize();
     let rows = [
         (eye, (2.0 * half / f64::from(SIZE)) as f32),
         (right * half, FREQUENCY),

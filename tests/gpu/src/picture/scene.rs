@@ -58,7 +58,7 @@ impl View {
 /// The teapot, from so many times nearer to the point of its body that the picture's middle shows.
 pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
     let mesh = teapot();
-    let (eye, target) = (DVec3::new(2.2, -6.4, 3.6), DVec3::new(-0.55, 0.0, 1.35));
+    let (eye, target) = (DVec3::new(4.4, -9.8, 4.8), DVec3::new(0.25, 0.0, 1.35));
     let hit = TracedMesh::new(teapot()).first_hit(eye.as_vec3(), (target - eye).as_vec3().normalize());
     let focus = hit.ok_or("the teapot is not in the middle of its picture")?.position.as_dvec3();
     let triangles = mesh.triangles.iter().map(|corners| {
@@ -70,7 +70,7 @@ pub(crate) fn teapot_scene(zoom: f64, size: u32) -> Result<Scene, String> {
         })
     });
     let from = (eye - focus) / zoom;
-    let view = View::new(from, -from, 0.62, size, DVec3::new(-0.55, -0.6, 0.75));
+    let view = View::new(from, -from, 0.62, size, DVec3::new(0.0, -0.8, 0.75));
     Ok(Scene { triangles: triangles.collect(), view, focus })
 }
 
@@ -101,4 +101,18 @@ pub(crate) fn plane_scene(zoom: f64, size: u32) -> Scene {
     let eye = -down * (1.0 / zoom);
     let view = View::new(eye, down, 0.9, size, DVec3::new(0.1, 0.9, 0.35));
     Scene { triangles: triangles.collect(), view, focus }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_of_the_teapot_is_in_its_picture() {
+        let scene = teapot_scene(1.0, 256).unwrap();
+        for corner in scene.triangles.iter().flatten() {
+            let p = scene.view.project(corner.position);
+            assert!(p.z > 0.0 && p.x.abs().max(p.y.abs()) < 0.97 * p.z, "{p}");
+        }
+    }
 }
