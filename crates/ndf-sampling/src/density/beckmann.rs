@@ -133,18 +133,13 @@ impl Beckmann {
     }
 }
 
-/// The mean excess of slopes; beyond 15 deviations, where it is below any `f32`, 0 at once.
-fn seen_excess(z: f64) -> f64 {
-    if z > 15.0 { 0.0 } else { excess(z) }
-}
-
 impl Microfacet for Beckmann {
     fn lambda(&self, v: Vec3) -> f32 {
-        self.alpha.lambda(v, seen_excess)
+        self.alpha.lambda(v, excess)
     }
 
     fn projected_area(&self, v: Vec3) -> f32 {
-        self.alpha.projected_area(v, seen_excess)
+        self.alpha.projected_area(v, excess)
     }
 
     fn sample_visible(&self, v: Vec3, u: Vec2) -> Vec3 {
