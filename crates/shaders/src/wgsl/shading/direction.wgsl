@@ -20,6 +20,14 @@ fn direction_unit_or_zero(v: vec3<f32>) -> vec3<f32> {
     return v * (1.0 / sqrt(square));
 }
 
+// v times the power of two that brings its longest component near 1: the same digits, and products that stay in range.
+fn direction_near_one(v: vec3<f32>) -> vec3<f32> {
+    let bits = bitcast<vec3<u32>>(v) & vec3<u32>(0x7f800000u);
+    let longest = max(max(bits.x, bits.y), bits.z);
+    // The exponents add up to that of 1, but for the largest, whose partner is subnormal.
+    return v * bitcast<f32>(0x7f000000u - min(longest, 0x7e800000u));
+}
+
 // v over its length in the plane; `otherwise` where v has no direction.
 fn direction_unit_or_2d(v: vec2<f32>, otherwise: vec2<f32>) -> vec2<f32> {
     let square = dot(v, v);

@@ -139,8 +139,10 @@ struct CoatDeltas {
 }
 
 // What a smooth coat mirrors and transmits, by a facet that uniform numbers choose; dark for a rough one, but not for a veil.
-fn coat_deltas(coat: Coat, wo: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
+fn coat_deltas(coat: Coat, view: vec3<f32>, u: vec2<f32>) -> CoatDeltas {
     let dark = CoatDelta(vec3<f32>(0.0), vec3<f32>(0.0));
+    // A view may have any length; one that is unit but for its rounding keeps its bits.
+    let wo = select(direction_unit_or_zero(direction_near_one(view)), view, abs(dot(view, view) - 1.0) < 1e-5);
     if wo.z == 0.0 || !direction_is_finite(wo) {
         return CoatDeltas(dark, dark);
     }
