@@ -12,6 +12,7 @@ pub(crate) mod power_spectrum;
 use std::{sync::atomic::AtomicBool, time::Instant};
 
 use asperity_render::image::Format;
+use rayon::prelude::*;
 
 use crate::cli::Gallery;
 use crate::failure::Result;
@@ -118,6 +119,6 @@ fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>
         Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256, light, pixels } })
     };
     let Drawn { columns, panels, parameters, table } = drawn;
-    let panels = panels.into_iter().map(stored).collect::<Result<_>>()?;
+    let panels = panels.into_par_iter().map(stored).collect::<Result<_>>()?;
     Ok(Drawn { columns, panels, parameters, table })
 }
