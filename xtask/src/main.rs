@@ -34,6 +34,9 @@ use gallery::figures::figures;
 use output::Output;
 
 fn main() -> ExitCode {
+    if let Some(ended) = coverage::compiled() {
+        return ended;
+    }
     let cli = Cli::parse();
     // Gates quote what other programs said.
     let quotes = matches!(
