@@ -186,7 +186,7 @@ pub(crate) struct Ci {
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
     /// Run also the gates that take minutes and seldom fail alone: bits of every platform, features in
-    /// pairs, packages in an empty workspace.
+    /// pairs, packages in an empty workspace, attacks by random numbers.
     #[arg(long, conflicts_with = "only")]
     pub(crate) seldom: bool,
 }

@@ -55,10 +55,14 @@ const GATES: [Gate; 16] = [
 ];
 
 /// Gates that take minutes and seldom say what the others do not: run when they are named, or on a schedule.
-const SELDOM: [Gate; 3] = [
+const SELDOM: [Gate; 4] = [
     ("bits of every platform", |root| bits::table(root).map(|table| progress::say(&table))),
     ("pairs of features", pairs_of_features),
     ("packages of a stranger", packages::of_a_stranger),
+    ("attacks", |root| {
+        run(cargo(&root.join("tests/fuzz"), "test --quiet --locked --test withstood")
+            .env_remove("CARGO_TARGET_DIR"))
+    }),
 ];
 
 /// Runs the gates whose names contain one of those wanted, or all that are not seldom, or all, in order, and stops at the first
