@@ -11,7 +11,7 @@ pub(super) fn markdown(packages: &[String], files: &[File]) -> String {
     crates.dedup();
     let mut text = format!(
         "# Lines that tests run\n\nLines of code of every crate, tests left out, that ran at least once in the tests of {}. `cargo xtask \
-         coverage` counts them.\nExamples in docs are tests too, and are not counted here.\n\n| crate | files | lines | run | |\n|---|---|---|---|---|\n",
+         coverage` counts them.\nExamples in docs are tests too, and are not counted here, nor is `tests/shaders`, which\nruns the shaders and what fills their uniforms under an interpreter.\n\n| crate | files | lines | run | |\n|---|---|---|---|---|\n",
         packages.join(", ")
     );
     let of = |name: &str| files.iter().filter(|file| file.of == name).cloned().collect::<Vec<_>>();
