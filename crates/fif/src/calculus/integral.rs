@@ -114,6 +114,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         for piece in self.pieces() {
             let a = piece.s[1] - piece.s[0];
             sum += a * mean(&piece.local);
+            // Σ a_n = 1, so the denominator is a sum of positive terms.
             rest += a * (1.0 - piece.map().alpha);
             size += a * magnitude(&piece.local, 1.0);
             slack += a * piece.slack;

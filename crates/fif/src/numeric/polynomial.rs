@@ -30,6 +30,11 @@ pub(crate) fn magnitude<const C: usize>(c: &[f64; C], x: f64) -> f64 {
     sum
 }
 
+/// The larger of two numbers, NaN if one of them is: `max` would pass over the polynomial that overflowed to it.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
+}
+
 /// Falling factorial `k (k − 1) … (k − m + 1)`, the factor of the `m`-th derivative of the `k`-th power.
 #[cfg(feature = "alloc")]
 pub(crate) fn falling(k: usize, m: usize) -> f64 {

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, bernstein, hull, magnitude, restrict, restriction_error};
+use crate::numeric::polynomial::{UNIT, bernstein, hull, larger, magnitude, restrict, restriction_error};
 use crate::recurrent::error::RecurrentError;
 use crate::recurrent::link::Link;
 use crate::recurrent::mean::Means;
@@ -112,7 +112,7 @@ impl<const C: usize> Recurrent<C> {
             // Horner's rule, at places in the sources that are off by five units for each map of the orbit.
             let slope: f64 = link.piece.local.iter().enumerate().map(|(k, c)| k as f64 * c.abs()).sum();
             let size = C as f64 * magnitude(&link.piece.local, 1.0);
-            noise = noise.max(link.piece.slack + 8.0 * UNIT * (size + reach * slope));
+            noise = larger(noise, link.piece.slack + 8.0 * UNIT * (size + reach * slope));
         }
         let range = ranges(&mut links, gain).ok_or(SystemError::Unbounded { alpha: steepest })?;
         if !(noise.is_finite() && reach.is_finite() && gain.is_finite()) {
@@ -219,4 +219,18 @@ fn polynomial_ranges<const C: usize>(link: &Link<C>, links: &[Link<C>]) -> Vec<I
         hull(&restrict(&all, l, r)).inflated(error + link.piece.slack)
     };
     within.iter().map(part).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_that_overflow_are_refused() {
+        // x³ over [0, 10²⁰⁰] has coefficients of ∞ and of 0 · ∞; the second polynomial is finite.
+        let (x, cubic) = ([0.0, 1e200, 2e200], [0.0, 0.0, 0.0, 1.0]);
+        let error =
+            Recurrent::new(&x, &[0.0; 3], &[0.1; 2], &[cubic, [0.0; 4]], &[[0, 2], [0, 2]]).unwrap_err();
+        assert!(matches!(error, RecurrentError::System { error: SystemError::Unbounded { .. } }), "{error}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::numeric::double::Double;
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, horner, magnitude, substitute};
+use crate::numeric::polynomial::{UNIT, horner, larger, magnitude, substitute};
 use crate::system::cell::Cell;
 use crate::system::error::{
     SystemError, check_coefficients, check_data, check_factor, check_finite, check_knots, check_length,
@@ -127,7 +127,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             Spacing::Uniform => j as f64 / maps as f64,
             Spacing::Nonuniform => (x(j) - domain[0]) / width,
         };
-        let (mut noise, mut finite) = (0.0_f64, true);
+        let mut noise = 0.0_f64;
         let mut steepest = 0.0_f64;
         let (y0, y_end) = (y(0), y(maps));
         for (j, piece) in pieces.as_mut().iter_mut().enumerate() {
@@ -140,17 +140,14 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
                 domain,
                 [y0, y_end],
             )?;
-            let own = built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0);
-            // `max` passes over the NaN of a polynomial that overflowed.
-            finite &= own.is_finite();
-            noise = noise.max(own);
+            noise = larger(noise, built.slack + 8.0 * C as f64 * UNIT * magnitude(&built.local, 1.0));
             steepest = steepest.max(alpha.abs());
             *piece = built;
         }
         let gain = (1.0 / (1.0 - steepest)).next_up();
         let unbounded = SystemError::Unbounded { alpha: steepest };
         let range = box_of_range(pieces.as_ref()).ok_or(unbounded)?;
-        if !(finite && width.is_finite() && gain.is_finite()) {
+        if !(noise.is_finite() && width.is_finite() && gain.is_finite()) {
             return Err(unbounded);
         }
         let mut fif = Self { pieces, spacing, range, noise, gain };
