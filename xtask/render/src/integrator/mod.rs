@@ -273,7 +273,7 @@ mod tests {
     use std::f32::consts::PI;
 
     use asperity_shading::{
-        Dielectric, Lambert,
+        Dielectric, Environment, Lambert,
         material::Material,
         reflectance::{Absorption, Coat},
     };
@@ -281,7 +281,9 @@ mod tests {
     use super::*;
     use crate::{
         geometry::shape::Shape,
+        light::environments::{Studio, Surroundings},
         scene::{Backdrop, Object},
+        scenes::{PLAIN, Set},
     };
 
     /// The mean over a picture with 4096 samples.
@@ -337,5 +339,39 @@ mod tests {
         let root = (h * h - 1.0).sqrt();
         let hidden = ((1.0 / root).atan() - root / (h * h)) / PI;
         assert_abs_diff_eq!(shadowed, 0.5 * (1.0 - hidden), epsilon = 0.01);
+    }
+
+    #[test]
+    fn light_of_panels_is_the_light_of_the_same_room_without_them() {
+        /// Soft boxes that nothing knows to be such.
+        struct Unknown(Studio);
+        impl Environment for Unknown {
+            fn radiance(&self, direction: Vec3) -> Vec3 {
+                self.0.radiance(direction)
+            }
+            fn sample(&self, u: Vec2) -> Vec3 {
+                self.0.sample(u)
+            }
+            fn density(&self, direction: Vec3) -> f32 {
+                self.0.density(direction)
+            }
+        }
+        impl Surroundings for Unknown {}
+        let studio = || Studio::new(1.0);
+        // Light by way of walls and of a ball of rough gloss is a good part of it.
+        let mean = |light: &dyn Surroundings, samples_per_pixel| {
+            let chalk = Lambert::new(Vec3::splat(0.9)).unwrap();
+            let objects = Set::Room.objects(Box::new(chalk), PLAIN).unwrap();
+            let sampling = Sampling { width: 32, height: 32, samples_per_pixel, seed: 1 };
+            let camera = Set::Room.view().camera(1.0, sampling);
+            let scene = Scene::new(objects, Light::Around(light), Backdrop::Light);
+            let image =
+                scene.draw(sampling, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
+            image.pixels.iter().sum::<Vec3>() / 1024.0
+        };
+        let (known, unknown) = (mean(&studio(), 16), mean(&Unknown(studio()), 64));
+        // Over sixteen seeds they differ by 0.26 %, which the noisier one loses where it is cut off as too bright; their deviations are
+        // 0.28 and 0.16 %.
+        assert_abs_diff_eq!(known, unknown, epsilon = 0.008 * unknown.x);
     }
 }

@@ -41,13 +41,14 @@ pub struct Studio {
     ceiling: Vec3,
 }
 
-/// A rectangle of light at distance 1 whose border is soft.
+/// A rectangle of light whose border is soft.
 pub struct SoftPanel {
     centre: Vec3,
-    /// Half the width and half the height.
-    half: [Vec3; 2],
+    /// Directions of the width and of the height.
+    sides: [Vec3; 2],
+    /// Sines of half the angles.
+    half: [f32; 2],
     radiance: Vec3,
-    area: f32,
     /// The share of the samples, by its light.
     share: f32,
 }
@@ -66,44 +67,76 @@ impl SoftPanel {
     fn new([azimuth, elevation]: [f32; 2], size: [f32; 2], colour: Vec3) -> Self {
         let centre = direction(azimuth, elevation);
         let right = Vec3::Z.cross(centre).normalize();
-        let half = size.map(|angle| (0.5 * angle.to_radians()).tan());
-        let area = 4.0 * half[0] * half[1];
+        let [width, height] = size.map(|angle| (0.5 * angle.to_radians()).tan());
         // The border passes half of its light.
-        let lit = area * (1.0 - 0.5 * BORDER) * (1.0 - 0.5 * BORDER);
-        let half = [right * half[0], centre.cross(right) * half[1]];
-        Self { centre, half, radiance: colour * (PI / lit), area, share: colour.element_sum() }
+        let lit = 4.0 * width * height * (1.0 - 0.5 * BORDER) * (1.0 - 0.5 * BORDER);
+        let half = size.map(|angle| (0.5 * angle.to_radians()).sin());
+        let sides = [right, centre.cross(right)];
+        Self { centre, sides, half, radiance: colour * (PI / lit), share: colour.element_sum() }
     }
 
-    /// Place on the panel that a direction meets, −1 … 1 along both sides.
-    fn place(&self, direction: Vec3) -> Option<Vec2> {
+    /// The share of the panel's light from a direction, and the density of its samples by solid angle: each side's sine has the
+    /// density of the border, so that they differ by little more than a factor.
+    fn seen(&self, direction: Vec3) -> Option<[f32; 2]> {
         let depth = direction.dot(self.centre);
         if depth <= 0.0 {
             return None;
         }
-        let p = direction / depth - self.centre;
-        let [x, y] = self.half.map(|half| p.dot(half) / half.length_squared());
-        (x.abs() < 1.0 && y.abs() < 1.0).then_some(Vec2::new(x, y))
+        let (mut share, mut density) = (1.0, 1.0 / (depth * depth * depth));
+        for (side, half) in self.sides.iter().zip(self.half) {
+            let aside = direction.dot(*side);
+            let secant = 1.0 / (depth * depth + aside * aside).sqrt();
+            let (sin, cos) = (aside * secant, depth * secant);
+            share *= border(sin / half);
+            if share == 0.0 {
+                return None;
+            }
+            density *= cos * cos * cos / (half * (2.0 - BORDER));
+        }
+        Some([share, share * density])
     }
 
     /// The radiance from a direction.
     pub fn radiance(&self, direction: Vec3) -> Vec3 {
-        self.place(direction).map_or(Vec3::ZERO, |p| {
-            let soft = (Vec2::ONE - p.abs()) / BORDER;
-            self.radiance * soft.x.min(1.0) * soft.y.min(1.0)
-        })
+        self.seen(direction).map_or(Vec3::ZERO, |[share, _]| self.radiance * share)
     }
 
     /// A direction to the panel with the density [`density`](Self::density), from a uniform point of the unit square.
     pub fn sample(&self, u: Vec2) -> Vec3 {
-        let [x, y] = self.half;
-        (self.centre + x * (2.0 * u.x - 1.0) + y * (2.0 * u.y - 1.0)).normalize()
+        let [x, y] = [0, 1].map(|k| {
+            let sin = self.half[k] * within_border(u[k]);
+            self.sides[k] * (sin / (1.0 - sin * sin).sqrt())
+        });
+        (self.centre + x + y).normalize()
     }
 
     /// Density of samples by solid angle.
     pub fn density(&self, direction: Vec3) -> f32 {
-        let depth = direction.dot(self.centre);
-        if self.place(direction).is_some() { 1.0 / (self.area * depth * depth * depth) } else { 0.0 }
+        self.seen(direction).map_or(0.0, |[_, density]| density)
     }
+
+    /// The radiance from a direction by a weight that depends on the density of samples there.
+    pub fn weighted(&self, direction: Vec3, weight: impl FnOnce(f32) -> f32) -> Vec3 {
+        self.seen(direction).map_or(Vec3::ZERO, |[share, density]| self.radiance * (share * weight(density)))
+    }
+}
+
+/// The share of light at a place of a panel from −1 to 1 along a side.
+fn border(x: f32) -> f32 {
+    ((1.0 - x.abs()) / BORDER).clamp(0.0, 1.0)
+}
+
+/// A place from −1 to 1 with the density of the [`border`], from a uniform number.
+fn within_border(u: f32) -> f32 {
+    let signed = 2.0 * u - 1.0;
+    // What is left of the half's area beyond the place: a triangle's within the border.
+    let beyond = (1.0 - signed.abs()) * (1.0 - 0.5 * BORDER);
+    let x = if beyond < 0.5 * BORDER {
+        1.0 - (2.0 * BORDER * beyond).sqrt()
+    } else {
+        1.0 - 0.5 * BORDER - beyond
+    };
+    x.copysign(signed)
 }
 
 impl Studio {
@@ -211,5 +244,40 @@ mod tests {
         });
         // Off its centre it is foreshortened: cos⁴ of 7 degrees.
         assert_abs_diff_eq!(light, colour, epsilon = 0.02);
+    }
+
+    #[test]
+    fn samples_of_a_panel_are_as_dense_as_told_and_bring_nearly_the_same_light() {
+        for studio in [Studio::new(1.0), Studio::hall(1.0), Studio::day(1.0)] {
+            for panel in &studio.panels {
+                let count = 1 << 14;
+                // The mean over samples of 1 over their density is the solid angle of the panel.
+                let (mut solid_angle, mut range) = (0.0, [f32::INFINITY, 0.0_f32]);
+                for index in 0..count {
+                    let w = panel.sample(Sampler::new(index, 1).point());
+                    let [share, density] = panel.seen(w).unwrap();
+                    assert_eq!(panel.weighted(w, |_| 2.0), 2.0 * panel.radiance(w));
+                    let sent = share / density;
+                    range = [range[0].min(sent), range[1].max(sent)];
+                    solid_angle += share / density / count as f32;
+                }
+                let [x, y] = panel.half.map(|sin| sin / (1.0 - sin * sin).sqrt());
+                // By quadrature: a cell of the rectangle at depth 1 has depth³ of its area.
+                let side = 400;
+                let middle = |k: u32| (2.0 * k as f32 + 1.0) / side as f32 - 1.0;
+                let expected: f32 = (0..side * side)
+                    .map(|cell| {
+                        let at = [x * middle(cell % side), y * middle(cell / side)];
+                        let w = (panel.centre + panel.sides[0] * at[0] + panel.sides[1] * at[1]).normalize();
+                        let depth = w.dot(panel.centre);
+                        panel.seen(w).map_or(0.0, |[share, _]| share * depth * depth * depth)
+                    })
+                    .sum::<f32>()
+                    * (4.0 * x * y / (side * side) as f32);
+                assert_abs_diff_eq!(solid_angle, expected, epsilon = 2e-3 * expected);
+                let corner = (x * y).powi(2) / (1.0 + x * x + y * y);
+                assert!(range[1] / range[0] < (1.0 + corner).powf(1.5) * 1.001, "{range:?}");
+            }
+        }
     }
 }
