@@ -125,7 +125,7 @@ pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     ];
     let mut stills = Stills::new(context);
     let drawn = Drawn::pictures(2, pictures, |subject| {
-        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [20, 15])
+        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [24, 18])
     })?;
     Ok(drawn.grain(&stills.grains))
 }
@@ -177,7 +177,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
         let view = View { field: 23.5, ..Set::Teapot.view() };
-        let image = stills.picture(objects, view, [18, 15])?;
+        let image = stills.picture(objects, view, [24, 24])?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
     Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")).grain(&stills.grains))

@@ -1,5 +1,5 @@
 //! The mean radiance of every material from afar to very near, from renders, and the pops of slow zooms; and every texture and
-//! material on a plane to the horizon: one sample a pixel, plain and filtered, against 1024.
+//! material on a plane to the horizon: one sample a pixel, plain and filtered, against 256.
 
 use asperity_render::image::Image;
 use asperity_render::shaded::{
@@ -14,7 +14,7 @@ use crate::gallery::panels::side_by_side;
 use crate::gallery::plot::{Axis, Names, Plot, Stroke};
 
 const ZOOMS: [f32; 5] = [1.0, 10.0, 100.0, 1e3, 1e4];
-const SAMPLES: u32 = 256;
+const SAMPLES: u32 = 64;
 
 /// From straight above, and at 60°.
 const VIEWS: [(&str, Vec3); 2] = [("0°", Vec3::Z), ("60°", Vec3::new(0.0, -0.866_025_4, 0.5))];
@@ -51,7 +51,7 @@ pub(crate) fn draw_means(context: &Context<'_>) -> Result<Drawn> {
         ["material", "seen at", "mean at ×1", "×10", "×100", "×1000", "×10,000", "largest pop of the range"];
     Ok(Drawn::new(4, panels)
         .fact("samples per pixel", SAMPLES.to_string())
-        .fact("pixels", "576 of each picture; where details are wider than a pixel 10,816 of 16 samples")
+        .fact("pixels", "576 of each picture; where details are wider than a pixel 10,816 of 8 samples")
         .fact("slow zoom", "1000 frames of 1 % from ×1 to ×20,000, in five pixels of 64 samples")
         .table(head, rows))
 }
@@ -66,8 +66,8 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
             let fine = from_afar || (from_near && zoom > 500.0);
             // Where a pixel sees one flake, one fibre or one wave, so do all of its samples: more pixels of fewer.
             let (pixels, samples) = match zoom {
-                zoom if zoom < 50.0 => (8, SAMPLES),
-                _ if fine => (104, SAMPLES / 16),
+                zoom if zoom < 50.0 => (8, 4 * SAMPLES),
+                _ if fine => (104, SAMPLES / 8),
                 _ => (24, SAMPLES),
             };
             [*mean] = Patch { pixels, samples, view }.means(subject, &[*sky], zoom);
@@ -78,7 +78,7 @@ fn measure(context: &Context<'_>, subject: &Subject, sky: &Sky) -> Result<Means>
 }
 
 fn slow(subject: &Subject, sky: &Sky) -> Vec<Vec<Frame>> {
-    Patch { pixels: 1, samples: SAMPLES / 4, view: VIEWS[1].1 }.slow_zooms(subject, sky)
+    Patch { pixels: 1, samples: SAMPLES, view: VIEWS[1].1 }.slow_zooms(subject, sky)
 }
 
 fn panel(subject: &Subject, means: &Means) -> Result<Panel> {
@@ -139,7 +139,7 @@ fn tick(range: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|step| step * 4.0 > range).unwrap_or(power)
 }
 
-const PICTURE: Horizon = Horizon { width: 60, height: 40, samples: 1024 };
+const PICTURE: Horizon = Horizon { width: 60, height: 40, samples: 256 };
 
 /// Pixels of the page for each of the picture's, and between its parts.
 const SIDE: u32 = 6;
@@ -156,7 +156,7 @@ pub(crate) fn draw_horizon(context: &Context<'_>) -> Result<Drawn> {
         let ratio = format!("{:.2}", filtered / plain);
         let near = format!("{:.2}", grain(&seen, PICTURE.width));
         let name = subject.name;
-        let alt = format!("A plane of {name} to the horizon, plain, filtered, and by 1024 samples");
+        let alt = format!("A plane of {name} to the horizon, plain, filtered, and by 256 samples");
         panels.push(Panel::new(stem(name), format!("{name}: {ratio}"), alt, triple(&seen)));
         rows.push([name.to_owned(), format!("{plain:.4}"), format!("{filtered:.4}"), ratio, near]);
     }

@@ -23,7 +23,7 @@ const TILE: f32 = 1.3;
 /// Groups of slopes.
 const GROUPS: usize = 16;
 /// Samples of the reference.
-const SAMPLES: u32 = 1024;
+const SAMPLES: u32 = 256;
 /// Round footprints of a long pixel, at most.
 const TAPS: u32 = 16;
 /// Roughness of the wet stone.
@@ -64,7 +64,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         ("averaged", "One sample, averaged normals", once, &averaged),
         ("one", "One sample, one group of slopes", once, &one),
         ("groups", "One sample, sixteen groups of slopes", once, &groups),
-        ("reference", "1024 samples a pixel", many, &plain),
+        ("reference", "256 samples a pixel", many, &plain),
     ];
     let draw = |(stem, label, sampling, seen): (_, _, Sampling, &Way<'_>)| {
         let image = context.render(sampling, |x, y| {
@@ -83,7 +83,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         Panel::new(stem, label, alt, image.exposed(1.0))
     };
     let shown = pictures.into_iter().filter(|picture| picture.0 != "one");
-    let head = ["street", "mean radiance over that of 1024 samples", "RMSE", "RMSE over that of one sample"];
+    let head = ["street", "mean radiance over that of 256 samples", "RMSE", "RMSE over that of one sample"];
     Ok(Drawn::new(2, shown.map(panel).collect())
         .fact("normal map", format!("{SIZE} × {SIZE} texels on {TILE} m"))
         .fact("roughness of the wet stone", ALPHA)
