@@ -176,8 +176,7 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             let inside = Absorption::of_colour(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
-        let view = View { field: 23.5, ..Set::Teapot.view() };
-        let image = stills.picture(objects, view, [24, 24])?;
+        let image = stills.picture(objects, Set::Teapot.view(), [24, 24])?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
     Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")).grain(&stills.grains))
