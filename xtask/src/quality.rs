@@ -23,7 +23,7 @@ pub(crate) struct Fineness {
     pub(crate) size: u32,
     /// Samples of a pixel of its plain pictures.
     pub(crate) samples_per_pixel: u32,
-    /// Relative standard error of a pixel of its still lifes.
+    /// Relative standard error of the pixels of its still lifes, in the median.
     pub(crate) error: f32,
     /// Side of a single picture in pixels.
     pub(crate) side: u32,
@@ -38,7 +38,7 @@ impl Quality {
                 Fineness { size: 192, samples_per_pixel: 1, error: 0.08, side: 256, grain: (0.03, 128) }
             }
             Self::Default => {
-                Fineness { size: 384, samples_per_pixel: 4, error: 0.022, side: 512, grain: (0.008, 1024) }
+                Fineness { size: 384, samples_per_pixel: 4, error: 0.02, side: 512, grain: (0.008, 1024) }
             }
             Self::Book => {
                 Fineness { size: 1024, samples_per_pixel: 32, error: 0.008, side: 2048, grain: (0.004, 8192) }
@@ -50,7 +50,8 @@ impl Quality {
 impl Fineness {
     /// The grain of a still life: errors of what is darker than a tenth of white are told over that.
     pub(crate) const fn goal(&self) -> Goal {
-        let samples = [self.samples_per_pixel, 10 * self.samples_per_pixel];
+        // Two tell the error of a pixel; most of a picture needs few more.
+        let samples = [self.samples_per_pixel.div_ceil(2), 10 * self.samples_per_pixel];
         Goal { error: self.error, shown: |luminance| srgb(filmic(EXPOSURE * luminance)), dark: 0.1, samples }
     }
 }
