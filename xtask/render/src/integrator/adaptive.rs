@@ -18,7 +18,7 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
     /// Standard error of what is shown of a pixel's luminance, over what is shown: the median over the pixels. No pixel's is above
-    /// 1.5 times this, but for its number of samples.
+    /// twice this, but for its number of samples.
     pub error: f32,
     /// The number that is shown of a linear luminance, by the tone curve and the screen's.
     pub shown: fn(f32) -> f32,
@@ -38,7 +38,7 @@ pub struct Grain {
 }
 
 /// Errors that every pixel is brought to, over the median that is the goal: the largest that brings it.
-const LENIENCE: [f32; 6] = [1.5, 1.4, 1.3, 1.2, 1.1, 1.0];
+const LENIENCE: [f32; 6] = [2.0, 1.7, 1.5, 1.3, 1.1, 1.0];
 
 /// Half the side of the square of pixels whose variances are pooled.
 const REACH: usize = 3;
@@ -327,10 +327,10 @@ mod tests {
             // Where pixels are the noisiest but for a few.
             let most = errors[errors.len() * 9 / 10] / goal.error;
             let median = grain.median / goal.error;
-            let range = if even { 0.8..1.05 } else { 0.0..0.8 };
+            let range = if even { 0.8..1.05 } else { 0.0..1.0 };
             assert!(range.contains(&median), "{median}, {most}");
             // No less than a tenth of pixels have what all may have.
-            assert!((1.25..1.65).contains(&most), "{median}, {most}");
+            assert!((1.65..2.2).contains(&most), "{median}, {most}");
         }
     }
 
@@ -344,10 +344,11 @@ mod tests {
             own.map(|(pixel, _)| f64::from(2 * pixel.count)).collect::<Vec<_>>()
         };
         let [left, right] = [true, false].map(counts);
-        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35.
+        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35,
+        // down to a quarter where the median is that of the other side.
         let mean = left.iter().sum::<f64>() / left.len() as f64;
-        assert!((200.0..500.0).contains(&mean), "{mean}");
-        assert!(left.iter().all(|&count| count > 60.0), "{left:?}");
+        assert!((75.0..500.0).contains(&mean), "{mean}");
+        assert!(left.iter().all(|&count| count > 20.0), "{left:?}");
         assert!(right.iter().all(|&count| count == 4.0), "{right:?}");
     }
 

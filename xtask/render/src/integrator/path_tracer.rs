@@ -13,6 +13,10 @@ use crate::{
 /// Light that comes by way of another object is cut off here: what is brighter would be speckles.
 const BRIGHTEST: f32 = 2.5;
 
+/// Ways on from where a ray into a body meets its other side: at a roughness of 0.3 they vary nine times as much as
+/// the rays into it.
+const WAYS: u32 = 4;
+
 impl Scene<'_, '_> {
     /// Multiple importance sampling by the power heuristic: one sample of every panel, or of the light, and one of the layers, which
     /// alone find the light between panels.
@@ -62,8 +66,10 @@ impl Scene<'_, '_> {
                 } else {
                     [MIRRORS, bounces - 1]
                 };
-                let sent = self.shade(&next, meeting, sampler, left[0], left[1]);
-                sum + scattered / density * sent.min(Vec3::splat(BRIGHTEST))
+                let ways = if mirrors == 0 && spot.inside(local) { WAYS } else { 1 };
+                let mut way =
+                    || self.shade(&next, meeting, sampler, left[0], left[1]).min(Vec3::splat(BRIGHTEST));
+                sum + scattered / density * (0..ways).map(|_| way()).sum::<Vec3>() / ways as f32
             }
         }
     }
