@@ -1,12 +1,11 @@
 //! The materials on things: a car, a room, walls, and the teapot in each of them.
 
 use asperity_render::image::{Image, tone::hex};
-use asperity_render::integrator::adaptive::{Goal, Grain};
-use asperity_render::light::environments::Studio;
 use asperity_render::materials::InMetres;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{PLAIN, Set, View, backdrop};
+use asperity_render::{integrator::adaptive::Grain, light::environments::Studio};
 use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
 };
@@ -58,12 +57,8 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
         (["sparkles", "Its door: sparkles of two pixels", from_nearby], (door, [16, 11], paint)),
         (["flakes", flaked, from_nearby], (door, [16, 11], counted)),
     ];
-    let [least, most] = context.goal.samples;
-    // Forty samples leave an error above 100 % in points of light: a third of them shows them no worse.
-    let few = Context { goal: Goal { samples: [least, most.div_ceil(3)], ..context.goal }, ..*context };
     let mut stills = Stills { studio: Studio::hall(1.0), ..Stills::new(context) };
     let mut drawn = Drawn::pictures(2, pictures, |(view, size, paint)| {
-        stills.context = if matches!(paint.flakes, PaintFlakes::Counted { .. }) { &few } else { context };
         let objects = Set::Car.objects(Box::new(MetallicPaint::new(paint)?), PLAIN)?;
         stills.picture(objects, view, size)
     })?
