@@ -44,7 +44,7 @@ const LENIENCE: [f32; 6] = [2.0, 1.7, 1.5, 1.3, 1.1, 1.0];
 const REACH: usize = 3;
 
 /// Factor by which the samples of a pixel grow in one pass at most: variances of few samples are told by few.
-const GROWTH: u32 = 4;
+const GROWTH: u32 = 2;
 
 /// Weights of a pixel and of its two neighbours along each axis: with the pixel's own square a filter of deviation 0.58 pixels, about
 /// that of a Gaussian as renderers have it.
