@@ -37,8 +37,8 @@ pub struct Grain {
     pub samples: f32,
 }
 
-/// Errors that every pixel is brought to, over the median that is the goal: the largest that brings it.
-const LENIENCE: [f32; 6] = [2.0, 1.7, 1.5, 1.3, 1.1, 1.0];
+/// Errors that every pixel is brought to, over the median that is the goal: the largest that brings it, or the goal itself.
+const LENIENCE: [f32; 5] = [2.0, 1.7, 1.5, 1.3, 1.1];
 
 /// Half the side of the square of pixels whose variances are pooled.
 const REACH: usize = 3;
@@ -141,36 +141,50 @@ fn sampled(
 
 /// The numbers of samples in each half of every pixel that bring the picture to its goal, and no more than `most`.
 fn enough(pixels: &[Halves], columns: usize, goal: &Goal, most: u32) -> Vec<u32> {
-    let (variances, means) = pooled(pixels, columns);
-    let seen = |(variance, mean): (f32, f32)| {
-        let shown = (goal.shown)(mean);
-        // Variance of what is shown with one sample in each half, and what its errors are told over.
-        (0.5 * KEPT * variance * slope(goal.shown, mean).powi(2), shown.max(goal.dark), shown)
-    };
-    let seen: Vec<(f32, f32, f32)> = variances.into_iter().zip(means).map(seen).collect();
+    let about = shown_of(pixels, columns, goal.shown);
     let counts = |lenience: f32| {
-        pixels.iter().zip(&seen).map(move |(pixel, (variance, over, _))| {
-            let error = lenience * goal.error * over;
-            ((variance / (error * error)).ceil() as u32).clamp(pixel.count, most)
+        pixels.iter().zip(&about).map(move |(pixel, shown)| {
+            let error = lenience * goal.error * shown.value.max(goal.dark);
+            ((shown.variance / (error * error)).ceil() as u32).clamp(pixel.count, most)
         })
     };
-    let brings = |lenience: &f32| {
-        let error = |(count, (variance, _, shown)): (u32, &(f32, f32, f32))| {
-            (variance / count.max(1) as f32).sqrt() / shown
-        };
-        median(counts(*lenience).zip(&seen).map(error)) <= goal.error
+    let misses = |lenience: &f32| {
+        median(counts(*lenience).zip(&about).map(|(count, shown)| shown.error(count))) > goal.error
     };
-    let lenience = LENIENCE.into_iter().find(brings).unwrap_or(1.0);
+    let lenience = LENIENCE.get(LENIENCE.partition_point(misses)).copied().unwrap_or(1.0);
     counts(lenience).collect()
 }
 
-/// Standard errors of what is shown of the pixels' luminance, over what is shown.
-fn errors(pixels: &[Halves], columns: usize, shown: fn(f32) -> f32) -> Vec<f32> {
+/// Luminance about a pixel, by the curve that shows it.
+struct Shown {
+    value: f32,
+    /// Variance of it with one sample in each half.
+    variance: f32,
+}
+
+impl Shown {
+    /// Standard error over what is shown, with so many samples in each half.
+    fn error(&self, count: u32) -> f32 {
+        (self.variance / count.max(1) as f32).sqrt() / self.value
+    }
+}
+
+fn shown_of(pixels: &[Halves], columns: usize, curve: fn(f32) -> f32) -> Vec<Shown> {
     let (variances, means) = pooled(pixels, columns);
-    let error = |((pixel, variance), mean): ((&Halves, f32), f32)| {
-        (KEPT * variance / (2 * pixel.count).max(1) as f32).sqrt() * slope(shown, mean) / shown(mean)
+    let shown = |(variance, mean): (f32, f32)| Shown {
+        value: curve(mean),
+        variance: 0.5 * KEPT * variance * slope(curve, mean).powi(2),
     };
-    pixels.iter().zip(variances).zip(means).map(error).collect()
+    variances.into_iter().zip(means).map(shown).collect()
+}
+
+/// Standard errors of what is shown of the pixels' luminance, over what is shown.
+fn errors(pixels: &[Halves], columns: usize, curve: fn(f32) -> f32) -> Vec<f32> {
+    pixels
+        .iter()
+        .zip(shown_of(pixels, columns, curve))
+        .map(|(pixel, shown)| shown.error(pixel.count))
+        .collect()
 }
 
 /// The slope of a curve at a luminance, over a tenth of it: where light is cut off errors are not seen.
@@ -268,7 +282,7 @@ mod tests {
         // Without any order, as hashes of points are.
         let bits = sampler.point().to_array().map(f32::to_bits);
         let [u, v] = [0, 1].map(|k| (hash(bits[k] ^ hash(bits[1 - k])) >> 8) as f32 / 16_777_216.0);
-        let share = if x < 16.0 { 0.02 } else { 1.0 };
+        let share = if x < 20.0 { 0.02 } else { 1.0 };
         Vec3::splat(if u < share { (0.5 + v) / share } else { 0.0 })
     }
 
@@ -314,7 +328,7 @@ mod tests {
         let rising = |scale: f32| {
             move |x: f32, y: f32, sampler: &mut Sampler| {
                 let deviation = scale * (x / SIDE as f32).powi(3);
-                Vec3::splat(1.0 + deviation * (speckled(x.max(16.0), y, sampler).x - 1.0) * 12.0_f32.sqrt())
+                Vec3::splat(1.0 + deviation * (speckled(x.max(20.0), y, sampler).x - 1.0) * 12.0_f32.sqrt())
             }
         };
         // In the middle eight samples have a filtered error of 0.026 times the scale: half of the pixels need no more, or nearly all do.
@@ -344,11 +358,10 @@ mod tests {
             own.map(|(pixel, _)| f64::from(2 * pixel.count)).collect::<Vec<_>>()
         };
         let [left, right] = [true, false].map(counts);
-        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35,
-        // down to a quarter where the median is that of the other side.
+        // A sample's variance is ((0.5 + v)² over v)/0.02 − 1 = 53: 16 times that for an error of a quarter, of which the filter keeps 0.35.
         let mean = left.iter().sum::<f64>() / left.len() as f64;
-        assert!((75.0..500.0).contains(&mean), "{mean}");
-        assert!(left.iter().all(|&count| count > 20.0), "{left:?}");
+        assert!((200.0..500.0).contains(&mean), "{mean}");
+        assert!(left.iter().all(|&count| count > 60.0), "{left:?}");
         assert!(right.iter().all(|&count| count == 4.0), "{right:?}");
     }
 
