@@ -101,3 +101,42 @@ mod approximately {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(feature = "approx")]
+    #[test]
+    fn every_number_is_compared_by_its_tolerance() {
+        use super::{Sample, SecondOrder};
+        use approx::{abs_diff_eq, relative_eq, ulps_eq};
+        use glam::Vec2;
+
+        let second = |numbers: [f32; 7]| {
+            let [value, x, y, xx, xy, yx, yy] = numbers;
+            SecondOrder { value, gradient: Vec2::new(x, y), hessian: [[xx, xy], [yx, yy]] }
+        };
+        let first = |numbers| {
+            let SecondOrder { value, gradient, .. } = second(numbers);
+            Sample { value, gradient }
+        };
+        let numbers = [4.0; 7];
+        let (a, b) = (first(numbers), second(numbers));
+        assert!(abs_diff_eq!(a, a) && relative_eq!(a, a) && ulps_eq!(a, a));
+        assert!(abs_diff_eq!(b, b) && relative_eq!(b, b));
+        for k in 0..7 {
+            let mut other = numbers;
+            // 2¹⁹ units in the last place.
+            other[k] = 4.25;
+            let (c, d) = (first(other), second(other));
+            assert!(abs_diff_eq!(a, c, epsilon = 0.3) && abs_diff_eq!(b, d, epsilon = 0.3));
+            assert!(relative_eq!(a, c, max_relative = 0.06) && relative_eq!(b, d, max_relative = 0.06));
+            assert!(ulps_eq!(a, c, epsilon = 0.0, max_ulps = 1 << 19));
+            assert!(!abs_diff_eq!(b, d, epsilon = 0.2) && !relative_eq!(b, d, max_relative = 0.05), "{k}");
+            // A sample has no Hessian.
+            let differs = k < 3;
+            assert_eq!(!abs_diff_eq!(a, c, epsilon = 0.2), differs, "{k}");
+            assert_eq!(!relative_eq!(a, c, max_relative = 0.05), differs, "{k}");
+            assert_eq!(!ulps_eq!(a, c, epsilon = 0.0, max_ulps = (1 << 19) - 1), differs, "{k}");
+        }
+    }
+}

@@ -3,6 +3,7 @@
 mod anchors;
 mod checked;
 mod continuity;
+mod errors;
 mod gaussian;
 mod gaussian_tails;
 mod gradient;

@@ -122,3 +122,28 @@ impl fmt::Display for Short {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::ToString;
+
+    #[test]
+    fn a_number_that_is_none_fails_and_every_check_has_its_line() {
+        let mut report = Report::default();
+        assert_eq!((report.passed(), &*report.to_string()), (true, "all 0 checks passed"));
+        report.add("a", "x", f64::NAN, Limit::AtMost(1.0), "");
+        report.add("b", "p", f64::NAN, Limit::AtLeast(1e-6), "at 3");
+        report.add("c", "x", 1e-4, Limit::AtMost(1e-3), "");
+        report.add("d", "y", 2.0, Limit::AtLeast(2e5), "");
+        assert!(report.failures().eq(["a", "b", "d"]) && !report.passed());
+        let lines = [
+            "FAIL  a: x = NaN, must be at most 1",
+            "FAIL  b: p = NaN, must be at least 1.00e-6, at 3",
+            "pass  c: x = 1.00e-4, must be at most 0.001",
+            "FAIL  d: y = 2, must be at least 2.00e5",
+            "3 of 4 checks failed",
+        ];
+        assert!(report.to_string().lines().eq(lines), "{report}");
+    }
+}

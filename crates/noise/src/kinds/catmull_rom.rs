@@ -285,3 +285,74 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        ValueCatmullRom,
+        lanes::level::{Level, Task},
+        row::row::Row,
+    };
+    use approx::assert_abs_diff_eq;
+
+    /// Catmull and Rom's matrix, by rows of the powers of t.
+    const MATRIX: [[f32; 4]; 4] =
+        [[0.0, 1.0, 0.0, 0.0], [-0.5, 0.0, 0.5, 0.0], [1.0, -2.5, 2.0, -0.5], [-0.5, 1.5, -1.5, 0.5]];
+
+    #[test]
+    fn weights_and_cubics_are_those_of_the_matrix() {
+        for i in 0..=16_u8 {
+            let t = f32::from(i) / 16.0;
+            let (w, slope) = (weights(Scalar, t), slopes(Scalar, t));
+            for k in 0..4 {
+                let [c0, c1, c2, c3] = MATRIX.map(|row| row[k]);
+                let mut column = [0.0; 4];
+                column[k] = 1.0;
+                let cubic = Cubic::new(Scalar, column);
+                // Two roundings of numbers below 3, the most that a derivative's terms come to.
+                let (value, derivative) =
+                    (c0 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0 * c2 + t * 3.0 * c3));
+                for got in [w[k], cubic.value(t)] {
+                    assert_abs_diff_eq!(got, value, epsilon = 4e-7);
+                }
+                for got in [slope[k], cubic.derivative(Scalar, t)] {
+                    assert_abs_diff_eq!(got, derivative, epsilon = 4e-7);
+                }
+            }
+        }
+    }
+
+    /// Rows in the plane against their points one by one.
+    struct Rows;
+
+    impl Task for Rows {
+        fn run<S: Lanes>(self, s: S) {
+            const COUNT: usize = 131;
+            let noise = ValueCatmullRom::default();
+            // Ascending and descending, across more columns than are kept at once, and without any.
+            for (x, step) in [(-3.3, 0.07), (2.9, -0.21), (-7.0, 0.9), (7.5, -0.7), (0.4, 1.3), (1e6, 0.25)] {
+                let row = Row::new([x, 0.7], step, 0);
+                let (mut values, mut gradients) = ([f32::NAN; COUNT], [[f32::NAN; COUNT]; 2]);
+                let strip = Strip::<2, true> {
+                    row,
+                    seed: 5,
+                    values: &mut values,
+                    gradients: gradients.each_mut().map(|g| &mut g[..]),
+                };
+                noise.rows(s, &mut (), strip);
+                for i in 0..COUNT {
+                    let expected = Kernel::<2>::lone::<true>(&noise, row.point(i), 5);
+                    assert_eq!((values[i], gradients.map(|g| g[i])), expected, "{x} + {i} · {step}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rows_have_the_values_and_gradients_of_their_points() {
+        for level in Level::available() {
+            level.instructions().run(Rows);
+        }
+    }
+}

@@ -181,3 +181,20 @@ impl Instructions {
         task.run(Scalar);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::ToString;
+
+    #[test]
+    fn levels_are_named_apart_and_ascend_from_the_one_that_every_machine_has() {
+        let names = Level::ALL.map(|level| level.to_string());
+        assert_eq!(names, ["scalar", "sse2", "sse4.2", "avx2", "avx512", "neon", "wasm128"]);
+        assert!(Level::Scalar.is_available());
+        assert_eq!(Level::available().last(), Some(Level::best()));
+        // No machine has the instructions of two.
+        let families = [Level::Sse2, Level::Neon, Level::Wasm128];
+        assert!(families.into_iter().filter(|level| level.is_available()).count() <= 1);
+    }
+}

@@ -214,6 +214,43 @@ mod tests {
     };
     use approx::assert_abs_diff_eq;
 
+    /// The tables again, which the compiler has made.
+    #[test]
+    fn tables_hold_every_direction_once() {
+        let plane = edges_2();
+        for (i, [x, y, z, w]) in plane.into_iter().enumerate() {
+            // √2 times the sine and cosine of 22.5°.
+            let far = [x, y].map(|x| f64::from(x.abs()) / core::f64::consts::SQRT_2);
+            let expected = if i < 4 {
+                [0.923_879_532_511, 0.382_683_432_365]
+            } else {
+                [0.382_683_432_365, 0.923_879_532_511]
+            };
+            assert_abs_diff_eq!(far[0], expected[0], epsilon = 1e-7);
+            assert_abs_diff_eq!(far[1], expected[1], epsilon = 1e-7);
+            assert_eq!((z, w), (0.0, 0.0));
+        }
+        let lengths = Lengths::new(0.7);
+        for (k, [x, y, ..]) in plane.into_iter().cycle().take(LANES).enumerate() {
+            assert_eq!([lengths.plane[0][k], lengths.plane[1][k]], [0.7 * x, 0.7 * y]);
+        }
+        // In space the fourth third is never looked up.
+        let (space, hyperspace) = (edges::<32>(), edges::<64>());
+        let zeros = |edge: &[f32; 4]| edge.iter().filter(|&&x| x == 0.0).count();
+        assert!(space[..24].iter().all(|edge| zeros(edge) == 2 && edge[3] == 0.0));
+        assert!(hyperspace.iter().all(|edge| zeros(edge) == 1));
+        for edges in [&plane[..], &space[..24], &hyperspace[..]] {
+            // Signs of a component that is 0 draw the same direction.
+            let twice = edges.len() / 8 != 1;
+            for edge in edges {
+                let again = edges.iter().filter(|&other| other == edge).count();
+                assert_eq!(again, if twice { 2 } else { 1 }, "{edge:?}");
+                let mirrored = edge.map(|x| -x);
+                assert!(edges.contains(&mirrored), "{edge:?}");
+            }
+        }
+    }
+
     /// Words at both ends of every third, and others.
     fn words() -> impl Iterator<Item = u32> {
         let thirds =

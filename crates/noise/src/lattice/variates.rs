@@ -266,6 +266,33 @@ mod tests {
     }
 
     #[test]
+    fn levels_are_mirrored_about_0() {
+        let levels = signed(&POSITIVE_LEVELS);
+        for k in 0..2048 {
+            assert_eq!([levels[2047 - k], levels[2048 + k]], [-POSITIVE_LEVELS[k], POSITIVE_LEVELS[k]]);
+        }
+        assert_eq!(&levels, gaussian_levels());
+    }
+
+    #[test]
+    fn every_tail_word_lies_on_its_line() {
+        // Of the last exponent the tails end amid.
+        for exponent in 0..22_u32 {
+            for part in [0, 13, 31] {
+                let [a, b] = gaussian_tail_lines()[(exponent << 5 | part) as usize];
+                // The first number of the part that is odd.
+                let x = ((1_u64 << exponent) + (u64::from(part) << exponent >> 5)) as u32 | 1;
+                let m = x as f32 / (1_u32 << exponent) as f32;
+                if f32::to_bits(m) >> 18 & 31 != part {
+                    continue;
+                }
+                let [(value, _), _] = gaussian_corner::<1>(x.wrapping_sub(1 << 19));
+                assert_eq!(value, -(a + b * m), "exponent {exponent}, part {part}");
+            }
+        }
+    }
+
+    #[test]
     fn quantiles_are_odd_and_rise_from_tail_to_tail() {
         let z = |x: i32| quantile(Scalar, Scalar.word((x as u32).wrapping_sub(1 << 19)));
         assert!(z(1) < -6.23 && z(1) > -6.24 && z(-1) == -z(1));

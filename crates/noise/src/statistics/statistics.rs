@@ -37,3 +37,18 @@ pub(crate) const fn mirrored(low: [f32; 128]) -> [f32; 257] {
     }
     cdf
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_mirrored_is_odd_about_one_half() {
+        let low = core::array::from_fn(|k| (k * k) as f32 / 65_536.0);
+        let cdf = mirrored(low);
+        assert_eq!((&cdf[..128], cdf[128]), (&low[..], 0.5));
+        for (below, above) in cdf.iter().zip(cdf.iter().rev()) {
+            assert_eq!(below + above, 1.0);
+        }
+    }
+}

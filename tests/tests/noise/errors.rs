@@ -1,0 +1,51 @@
+//! Every error of a constructor or batch names the parameter, its rule and the value that broke it.
+
+use asperity_noise::{
+    Cellular, Field, IntegerHash, Octaves, Perlin2002, RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled,
+    TiledError, TiledSimplex, ValueGradient, Warp, glam::Vec2, lattice::PermutationTable,
+};
+use std::error::Error;
+
+/// The sentence of a refusal.
+fn says<T, E: Error>(result: Result<T, E>) -> String {
+    result.map(|_| ()).expect_err("a refusal").to_string()
+}
+
+#[test]
+fn errors_name_the_parameter_and_its_value() {
+    let noise = Perlin2002::new(1);
+    let spectrum = |lacunarity, gain, octaves| says(Spectrum::new(lacunarity, gain, octaves));
+    let mut entries: [u8; 256] = std::array::from_fn(|i| i as u8);
+    entries[9] = 3;
+    let untiled = Octaves::<_, 2>::tiled(noise, Spectrum::CLOUD);
+    let cases = [
+        (spectrum(1.0, 0.5, 8), "`lacunarity` must be a finite number above 1, got 1"),
+        (spectrum(2.0, -1.5, 8), "`gain` must be a finite number above 0, got -1.5"),
+        (spectrum(2.0, 0.5, 17), "`max_octaves` must be from 1 to 16, got 17"),
+        (spectrum(1e4, 0.5, 16), "`lacunarity` must leave the last frequency finite, got 10000"),
+        (spectrum(2.0, 1e3, 8), "`gain` must leave the fourth powers of amplitudes finite, got 1000"),
+        (says(Sparse::new(0).with_impulses(5)), "`impulses` must be from 1 to 4, got 5"),
+        (says(Cellular::new(0).with_jitter(1.5)), "`jitter` must be in [0, 1], got 1.5"),
+        (says(ValueGradient::new(0).with_weight(-0.5)), "`weight` must be in [0, 1], got -0.5"),
+        (says(Warp::new(noise, [noise; 2], f32::INFINITY)), "`strength` must be finite, got inf"),
+        (says(PermutationTable::from_entries(entries)), "the entry 3 at position 9 is there a second time"),
+        (says(Tiled::new(IntegerHash, [8, 0])), "`periods[1]` must be from 1 to 2097152, got 0"),
+        (says(TiledSimplex::new(Simplex::new(0), [3, 6, 4])), "`periods[2]` must be a multiple of 3, got 4"),
+        (says(untiled), "`noise` must repeat: put it on a `Tiled` lattice, or take `TiledSimplex`"),
+        (
+            TiledError::NoOctavePeriod { axis: 1, period: 5, lacunarity: 2.5, octave: 3 }.to_string(),
+            "`periods[1]` times `lacunarity` to the power 3 must be a whole number up to 2097152, got 5 · 2.5^3",
+        ),
+        (
+            says(RidgedMultifractal::<_, 2>::new(noise, Spectrum::CLOUD, -1.0)),
+            "`feedback` must be a finite number from 0 on, got -1",
+        ),
+        (
+            says(Field::<Vec2>::values(&noise, &[Vec2::ZERO; 2], &mut [0.0])),
+            "`values` must have 2 elements, got 1",
+        ),
+    ];
+    for (said, sentence) in cases {
+        assert_eq!(said, sentence);
+    }
+}
