@@ -180,6 +180,51 @@ mod tests {
         }
     }
 
+    /// A density with nothing but what the trait asks for.
+    struct Plain(crate::Ggx);
+
+    impl Ndf for Plain {
+        fn density(&self, m: Vec3) -> f32 {
+            self.0.density(m)
+        }
+
+        fn from_gaussian(&self, z: Vec2) -> Vec3 {
+            self.0.from_gaussian(z)
+        }
+
+        fn to_gaussian(&self, m: Vec3) -> Vec2 {
+            self.0.to_gaussian(m)
+        }
+    }
+
+    #[test]
+    fn many_conditional_densities_are_those_of_single_calls_as_many_as_both_slices_have() {
+        let ggx = crate::Ggx::new(0.2, 0.4).unwrap();
+        let (plain, split) = (Plain(ggx), GaussianSplit::new(Vec2::new(0.4, -0.9), 0.6));
+        let halves: [Vec3; 40] = core::array::from_fn(|k| {
+            let across = [7 * k % 11, 5 * k % 13].map(|x| 0.1 * x as f32 - 0.5);
+            Vec3::new(across[0], across[1], 0.2 + 0.02 * k as f32).normalize()
+        });
+        for ndf in [&ggx as &dyn Ndf, &plain, &&plain] {
+            for (len, room) in [(40, 40), (33, 40), (40, 7), (1, 3), (3, 1), (0, 4), (4, 0)] {
+                let mut densities = [f32::NAN; 40];
+                ndf.conditional_densities(&halves[..len], split, &mut densities[..room]);
+                for k in 0..40 {
+                    let expected = ndf.conditional_density(halves[k], split);
+                    let written = k < len.min(room);
+                    assert!(if written { densities[k] == expected } else { densities[k].is_nan() }, "{k}");
+                }
+            }
+        }
+        // p_s(h | z_b) = D(h) weighed at T⁻¹(h).
+        for h in halves {
+            let expected = split.weigh(ggx.density(h), ggx.to_gaussian(h));
+            assert!(expected > 0.0);
+            assert_eq!(plain.conditional_density(h, split), expected);
+            assert_abs_diff_eq!(ggx.conditional_density(h, split), expected, epsilon = 2e-5 * expected);
+        }
+    }
+
     #[test]
     fn numbers_are_moved_to_the_square() {
         assert_eq!(unit_square(Vec2::new(f32::NAN, 1.0)), Vec2::new(0.0, 0.999_999_94));

@@ -115,3 +115,52 @@ impl<'a> PackedMapRef<'a> {
         (floats, words)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(feature = "alloc")]
+    #[test]
+    fn parts_begin_where_the_array_holds_them() {
+        use super::*;
+        use crate::{Measure, NdfMap};
+
+        for kind in [Reconstruction::Constant, Reconstruction::Bilinear] {
+            let array = NdfMap::from_fn(24, 5, Measure::Normals, kind, |n| 1.0 + 0.5 * n.x).unwrap().pack();
+            let map = PackedMapRef::new(&array).unwrap();
+            assert_eq!((map.width(), map.height(), map.reconstruction()), (24, 5, kind));
+            let (floats, words) = map.grid_and_parts();
+            let [by_weight, by_place, heads] =
+                [map.by_weight, map.by_place, map.heads].map(<[[f32; 4]]>::as_flattened);
+            let leaves = map.leaves.as_flattened().as_flattened();
+            let parts = [by_weight, by_place, leaves, heads, map.nodes, map.texels, map.quantiles];
+            let mut end = HEADER;
+            for (&begin, part) in words[5..12].iter().zip(parts) {
+                assert_eq!(begin as usize, end);
+                assert_eq!(array[end..end + part.len()].as_ptr(), part.as_ptr());
+                end += part.len();
+            }
+            assert_eq!((end, words[12] as usize), (array.len(), map.leaves.len()));
+            // Columns and rows per unit from −1 to 1; bilinear maps have one cell more, half a cell earlier.
+            let sides = if kind == Reconstruction::Bilinear { 2 } else { 1 };
+            let more = if kind == Reconstruction::Bilinear { 1 } else { 0 };
+            let half = 0.5 * more as f32;
+            assert_eq!(floats[..4], [12.0, 2.5, 2.0 / 24.0, 0.4]);
+            assert_eq!(floats[4..8], [12.0 + half, 2.5 + half, 23.5 + more as f32, 4.5 + more as f32]);
+            assert_eq!(words[..2], [4 + more, sides]);
+        }
+    }
+
+    #[cfg(feature = "alloc")]
+    #[test]
+    fn arrays_of_another_length_are_refused() {
+        use super::*;
+        use crate::{Measure, NdfMap};
+
+        let array =
+            NdfMap::from_fn(4, 4, Measure::Normals, Reconstruction::Constant, |n| n.z).unwrap().pack();
+        let expected = array.len() as u64;
+        for got in [HEADER, array.len() - 1] {
+            assert_eq!(PackedMapRef::new(&array[..got]), Err(PackedMapError::Length { expected, got }));
+        }
+    }
+}
