@@ -3,6 +3,7 @@
 mod area;
 mod bounds;
 mod calculus;
+mod errors;
 mod fast;
 mod fit;
 mod folded;

@@ -93,3 +93,28 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         Interval::new(below.lo.max(above.lo).max(0.0), below.hi.max(above.hi))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{FixedFif, paper};
+
+    #[test]
+    fn the_supremum_norm_is_a_norm_that_no_value_exceeds() {
+        let f = paper::f_hat().unwrap();
+        let norm = f.supremum_norm(1e-9);
+        for k in 0..=64_u8 {
+            let value = f.evaluate(f64::from(k) / 32.0, 0.0);
+            assert!(value.value.abs() - value.bound <= norm.hi, "{k}: {value:?} beyond {norm:?}");
+        }
+        // The bound of either end's error is that of the width.
+        for factor in [1.0, -1.0, -2.5] {
+            let scaled = f.scaled(factor).unwrap().supremum_norm(1e-9);
+            assert!(scaled.width() <= 1e-9, "{factor}: {scaled:?}");
+            let middle = factor.abs() * norm.middle();
+            assert!((scaled.middle() - middle).abs() < 4e-9, "{factor}: {scaled:?}, {norm:?}");
+        }
+        let nothing = FixedFif::<2, 2>::affine(&[0.0, 1.0, 2.0], &[0.0; 3], &[0.5, 0.25]).unwrap();
+        let norm = nothing.supremum_norm(1e-9);
+        assert!(norm.lo == 0.0 && norm.hi < 1e-9, "{norm:?}");
+    }
+}

@@ -291,6 +291,34 @@ mod tests {
     }
 
     #[test]
+    fn many_rays_hit_what_each_hits_alone() {
+        /// By reference: two surfaces and their copies would not lie on a test's stack.
+        fn check(surface: &impl Intersect) {
+            let rays = [
+                ray([-1.0, -0.9, 3.0], [1.0, 1.0, -1.0]),
+                ray([0.3, 1.7, 9.0], [0.0, 0.0, -2.0]),
+                ray([1.0, -3.0, 1.0], [0.0, 1.0, 0.0]),
+                ray([1.0, 1.0, 3.0], [0.0; 3]),
+                ray([1.5, 1.5, 0.1], [0.1, -0.2, 1.0]),
+                ray([5.0, 5.0, 3.0], [1.0, 1.0, -1.0]),
+            ];
+            let mut hits = [None; 6];
+            surface.first_hits(&rays, Interval::new(0.0, 9.0), 0.0, &mut hits).unwrap();
+            for (ray, hit) in rays.iter().zip(hits) {
+                assert_eq!(hit, between(surface, ray, 0.0, 9.0), "{ray:?}");
+            }
+            assert_eq!(hits.map(|hit| hit.is_some()), [true, true, true, false, true, false]);
+            let mut few = [None; 5];
+            let error = surface.first_hits(&rays, Interval::new(0.0, 9.0), 0.0, &mut few).unwrap_err();
+            assert_eq!((error.parameter, error.expected, error.got), ("hits", 6, 5));
+            assert_eq!(few, [None; 5]);
+        }
+        check(&mirror());
+        #[cfg(feature = "alloc")]
+        check(&mirror().tabulated());
+    }
+
+    #[test]
     fn extreme_rays_end() {
         let surface = mirror();
         let mut found = 0;

@@ -90,6 +90,11 @@ fn hull(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
 mod tests {
     use super::*;
 
+    /// Lengths 1, 2, 4, … of runs among as many cells.
+    fn rows(cells: i32) -> usize {
+        cells.ilog2() as usize + 1
+    }
+
     #[test]
     fn every_run_is_the_hull_of_its_cells() {
         for count in [1, 2, 3, 27, 64] {
@@ -98,6 +103,12 @@ mod tests {
                 .map(|v| [Interval::new(-v, 2.0 - v), Interval::new(0.3 * v, v)])
                 .collect();
             let table = RangeTable::new(&cells);
+            assert_eq!((table.cells(), table.runs().len()), (cells.len(), cells.len() * rows(count)));
+            // The last row's first run: −value, value, −slope and slope of as many cells as fit.
+            let longest = 1 << (rows(count) - 1);
+            let [value, slope] = table.over(0, longest - 1);
+            let run = table.runs()[cells.len() * (rows(count) - 1)].map(f64::from);
+            assert_eq!(run, [-value.lo, value.hi, -slope.lo, slope.hi]);
             // Parts that overlap by nothing but rounding come as a run that ends before it begins.
             assert!(table.over(1, 0).iter().all(|range| range.lo <= range.hi));
             for first in 0..cells.len() {

@@ -214,3 +214,73 @@ impl Fold for ZigZag {
         [cut(x, self.domain[0]), cut(y, self.domain[1])]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    const X: [f64; 4] = [-1.0, 0.0, 1.5, 3.0];
+    const Y: [f64; 3] = [2.0, 3.0, 4.5];
+    const FACTOR: f64 = 0.2;
+
+    /// Heights, raised, and gradients of both signs.
+    fn surface(sign: f64, rise: f64) -> Folded {
+        let z: [f64; 12] = core::array::from_fn(|k| sign * ((5 * k + 2) % 7) as f64 + rise);
+        let d: [[f64; 2]; 12] =
+            core::array::from_fn(|k| [(k % 5) as f64 - 2.0, 1.5 - (k % 4) as f64].map(|slope| sign * slope));
+        Folded::new(&X, &Y, FACTOR, &z, &d).unwrap()
+    }
+
+    #[test]
+    fn nodes_hold_both_parts_per_width_of_the_domain() {
+        let surface = surface(1.0, 0.5);
+        assert_eq!(surface.cells(), [3, 2]);
+        let height = |i: usize, j: usize| surface.height(X[i], Y[j]);
+        let (wide, deep) = (X[3] - X[0], Y[2] - Y[0]);
+        let mut nodes = surface.nodes();
+        for (i, j) in (0..4).flat_map(|i| (0..3).map(move |j| (i, j))) {
+            let [x, y, z, z_x, z_y, own, own_x, own_y] = nodes.next().unwrap();
+            let at = [(X[i] - X[0]) / wide, (Y[j] - Y[0]) / deep];
+            let gradient = surface.gradient(X[i], Y[j]);
+            // The bilinear surface of the corners and its slopes, which G has at all nodes but across the border.
+            let mix = |t: f64, a: f64, b: f64| (1.0 - t) * a + t * b;
+            let (low, high) =
+                (mix(at[0], height(0, 0), height(3, 0)), mix(at[0], height(0, 2), height(3, 2)));
+            let base_x = mix(at[1], height(3, 0) - height(0, 0), height(3, 2) - height(0, 2));
+            let slope_x = if i == 0 || i == 3 { 0.0 } else { gradient.x * wide - base_x };
+            let slope_y = if j == 0 || j == 2 { 0.0 } else { gradient.y * deep - (high - low) };
+            let expected = [
+                at[0],
+                at[1],
+                height(i, j),
+                gradient.x * wide,
+                gradient.y * deep,
+                height(i, j) - mix(at[1], low, high),
+                slope_x,
+                slope_y,
+            ];
+            for (got, expected) in [x, y, z, z_x, z_y, own, own_x, own_y].into_iter().zip(expected) {
+                // A few roundings of numbers below 16.
+                assert_abs_diff_eq!(got, expected, epsilon = 1e-14);
+            }
+        }
+        assert!(nodes.next().is_none());
+    }
+
+    #[test]
+    fn the_remainder_knows_nothing_of_a_rise_and_is_mirrored_with_the_data() {
+        let of = |sign, rise| surface(sign, rise).remainder();
+        let (contraction, middles) = of(1.0, 0.0);
+        // The narrowest cell is a quarter of the domain.
+        assert_abs_diff_eq!(contraction, FACTOR / 0.25, epsilon = 1e-14);
+        // Of slopes the greatest magnitude is known, so that their middles are 0.
+        let [height, ..] = middles;
+        assert_eq!(middles, [height, 0.0, 0.0]);
+        assert!(height.abs() > 1e-3, "{height}");
+        let (raised, mirrored) = (of(1.0, 40.0).1, of(-1.0, 0.0).1);
+        // Roundings of the rise.
+        assert_abs_diff_eq!(raised[0], height, epsilon = 1e-11);
+        assert_abs_diff_eq!(mirrored[0], -height, epsilon = 1e-14);
+    }
+}

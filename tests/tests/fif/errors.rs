@@ -1,0 +1,74 @@
+//! Every refusal names the parameter, its rule and the value that broke it, and leads to the refusal behind it.
+
+use asperity_fif::glam::DVec3;
+use asperity_fif::{
+    CombineError, FixedFif, Folded, HeightField, Intersect, Interval, Ray, Recurrent, RecurrentError,
+    SystemError, Torus, fit, paper,
+};
+use std::error::Error;
+
+#[test]
+fn errors_name_the_parameter_and_its_value() {
+    let torus = |side, matrix, z: &[f64]| Torus::new(side, matrix, 0.3, z, &[[0.0; 2]; 4]).unwrap_err();
+    let folded = |x: &[f64], z: &[f64]| {
+        Folded::new(x, &[0.0, 1.0, 2.0], 0.1, z, &[[0.0; 2]; 9]).unwrap_err().to_string()
+    };
+    let (knots, turning, mut dented) = ([0.0, 1.0, 2.0], [[2, -1], [1, 2]], [0.5; 9]);
+    dented[5] = f64::NAN;
+    let mut high = [1e308; 9];
+    high[4] = -1e308;
+    let ray = Ray { origin: DVec3::Z, direction: DVec3::NEG_Z };
+    let surface = HeightField::new(paper::f().unwrap(), paper::f().unwrap());
+    let batch = surface.first_hits(&[ray; 2], Interval::new(0.0, 1.0), 0.0, &mut [None]);
+    let steep = FixedFif::<2, 20>::new(&knots, &[0.0; 2], &[[0.0; 20]; 2]).unwrap();
+    let cases = [
+        (torus(3, turning, &[0.0; 4]).to_string(), "`side` must be a power of two from 2 to 32768, got 3"),
+        (
+            torus(2, [[1, 1], [1, 2]], &[0.0; 4]).to_string(),
+            "`matrix` must have a determinant of magnitude 2 at least, got 1",
+        ),
+        (torus(2, turning, &[0.0; 3]).to_string(), "`z` must have 4 elements, got 3"),
+        (folded(&knots[1..], &[0.5; 6]), "`x` must have 3 knots at least, got 2"),
+        (folded(&[0.0, 2.0, 1.0], &[0.5; 9]), "`x[2]` must be finite and beyond the knot before, got 1"),
+        (folded(&knots, &dented), "`z` and `d` must be finite, got NaN at node (1, 2)"),
+        (batch.unwrap_err().to_string(), "`hits` must have 2 elements, got 1"),
+        (
+            steep.inner_product(&steep).unwrap_err().to_string(),
+            "`other` must leave a product of degree 32 at most, got 38",
+        ),
+        (
+            fit::knots(&knots, &[0.0; 3], -1.0, 8).unwrap_err().to_string(),
+            "`tolerance` must be a number from 0, got -1",
+        ),
+    ];
+    for (said, sentence) in cases {
+        assert_eq!(said, sentence);
+    }
+    let magnitude = format!("`z` and `d` must leave room for bounds, got a magnitude of {}", 1e308);
+    assert_eq!(folded(&knots, &high), magnitude);
+}
+
+#[test]
+fn a_broken_rule_of_every_system_is_the_source_of_a_refusal() {
+    let (x, y) = ([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 0.0, 1.0]);
+    let fitted = fit::affine(&x, &y[..3], &[0, 1, 3]).unwrap_err();
+    let recurrent = Recurrent::affine(&x, &y, &[0.5; 2], &[[0, 3]; 3]).unwrap_err();
+    let lengths = [("y", 4, 3), ("alpha", 3, 2)];
+    for (error, (parameter, expected, got)) in [&fitted as &dyn Error, &recurrent].into_iter().zip(lengths) {
+        let rule = SystemError::Length { parameter, expected, got };
+        assert_eq!(error.source().unwrap().downcast_ref(), Some(&rule));
+        assert_eq!(error.to_string(), rule.to_string());
+    }
+    let own = [
+        &fit::affine(&x, &y, &[0, 3]).unwrap_err() as &dyn Error,
+        &Recurrent::affine(&x, &y, &[0.5; 3], &[[0, 3], [2, 2], [0, 3]]).unwrap_err(),
+    ];
+    assert!(own.iter().all(|error| error.source().is_none()));
+
+    // A sum of numbers that overflow.
+    let large = paper::f().unwrap().scaled(5e307).unwrap();
+    let error = large.sum(&large).unwrap_err();
+    let CombineError::System { error: rule } = error else { panic!("{error}") };
+    assert_eq!(error.to_string(), rule.to_string());
+    assert_eq!(RecurrentError::from(rule), RecurrentError::System { error: rule });
+}
