@@ -191,7 +191,9 @@ pub(crate) fn direction_in_plane(parameter: &'static str, value: Vec2) -> Result
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
     use super::*;
+    use std::string::ToString;
 
     #[test]
     fn ranges_are_closed_and_hold_no_nan() {
@@ -200,6 +202,24 @@ mod tests {
             assert!(as_share("a", bad).is_err(), "{bad}");
         }
         assert!(colour("c", Vec3::new(0.0, 0.5, f32::NAN)).is_err());
+    }
+
+    #[test]
+    fn refusals_name_the_parameter_and_its_value() {
+        let refused = [
+            (as_share("a", 1.5), "`a` must be within [0, 1], got 1.5"),
+            (positive("b", f32::NAN), "`b` must be finite and positive, got NaN"),
+            (direction("c", Vec3::ZERO).map(|v| v.x), "`c` must have a direction, got [0, 0, 0]"),
+            (
+                direction_in_plane("d", Vec2::new(0.5, f32::INFINITY)).map(|v| v.x),
+                "`d` must have a direction, got [0.5, inf, 0]",
+            ),
+        ];
+        for (result, sentence) in refused {
+            let error = result.unwrap_err();
+            assert_eq!(error.to_string(), sentence);
+            assert_eq!(error.parameter(), &sentence[1..2]);
+        }
     }
 
     #[test]

@@ -92,3 +92,28 @@ impl<F: GaussianField + ?Sized> GaussianField for &F {
         (**self).max_octaves()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::level_of_detail::RemappedOctaves;
+    use asperity_noise::{GaussianOctaves, Simplex, Spectrum};
+
+    #[test]
+    fn fields_have_the_octaves_of_their_spectrum_and_references_are_the_field() {
+        fn compared(field: impl GaussianField, same: impl GaussianField) {
+            let p = Vec3::new(0.3, 1.7, -2.2);
+            assert_eq!((field.lacunarity(), field.max_octaves()), (2.5, 6.0));
+            assert_eq!((same.lacunarity(), same.max_octaves()), (2.5, 6.0));
+            assert_eq!(field.coordinates(p, 3.5), same.coordinates(p, 3.5));
+            // There is no seventh.
+            assert_eq!(field.coordinates(p, 7.0), field.coordinates(p, 6.0));
+            assert_ne!(field.coordinates(p, 6.0), field.coordinates(p, 5.5));
+        }
+        let spectrum = Spectrum::new(2.5, 0.6, 6).unwrap();
+        let gaussian = GaussianOctaves::<3>::new(Gaussian::new(1), spectrum);
+        let remapped = RemappedOctaves::new(Simplex::new(0), spectrum, 3).unwrap();
+        compared(gaussian, &gaussian as &dyn GaussianField);
+        compared(remapped, &remapped as &dyn GaussianField);
+    }
+}

@@ -142,6 +142,17 @@ mod tests {
     }
 
     #[test]
+    fn an_anchored_pair_is_the_pair_there() {
+        let field = RemappedOctaves::new(Simplex::new(0), Spectrum::default(), 3).unwrap();
+        let (at, p) = (Vec3::new(17.0, -4.5, 0.25), Vec3::new(0.3, 0.7, -0.2));
+        let there = field.anchored(at.to_array().map(f64::from)).coordinates(p, 4.0);
+        let expected = field.coordinates(at + p, 4.0);
+        // Places of the fourth octave are rounded at 2.17³ · 17.
+        assert_abs_diff_eq!(there.z, expected.z, epsilon = 1e-3);
+        assert_eq!((there.share, there.fade), (expected.share, expected.fade));
+    }
+
+    #[test]
     fn channels_and_seeds_differ() {
         let p = Vec3::new(0.3, 1.7, -2.2);
         let at = |seed| {

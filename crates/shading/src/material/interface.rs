@@ -88,3 +88,51 @@ impl<M: Material + ?Sized> Material for alloc::boxed::Box<M> {
         (**self).height_range()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bump::Facet;
+    use crate::pixel::Footprint;
+    use crate::reflectance::EnergyPreservingOrenNayar;
+
+    /// A slope along x, the brighter the higher.
+    struct Ramp;
+
+    impl Material for Ramp {
+        fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
+            let lobe = EnergyPreservingOrenNayar::clamped(Vec3::splat(point.position.x), 0.5);
+            Bsdf::new(wo).with([Facet::FLAT], [lobe.into()])
+        }
+
+        fn height(&self, point: &SurfacePoint) -> f32 {
+            0.25 * point.position.x
+        }
+
+        fn height_range(&self) -> Option<[f32; 2]> {
+            Some([0.0, 0.25])
+        }
+    }
+
+    #[test]
+    fn references_and_boxes_are_the_material_with_its_heights() {
+        fn seen(
+            material: impl Material,
+            point: &SurfacePoint,
+            wi: Vec3,
+            wo: Vec3,
+        ) -> (Vec3, f32, Option<[f32; 2]>) {
+            let scattered = material.bsdf(point, wo).scattered(wi, wo);
+            (scattered, material.height(point), material.height_range())
+        }
+        let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.6, 0.8));
+        let point = SurfacePoint::new(Vec3::new(0.5, 0.0, 0.0), Vec3::Z, Footprint::from_width(0.0));
+        let expected = Ramp.bsdf(&point, wo).scattered(wi, wo);
+        assert!(expected.min_element() > 0.0);
+        let of = (expected, 0.125, Some([0.0, 0.25]));
+        assert_eq!(seen(&Ramp, &point, wi, wo), of);
+        assert_eq!(seen(&Ramp as &dyn Material, &point, wi, wo), of);
+        #[cfg(feature = "alloc")]
+        assert_eq!(seen(alloc::boxed::Box::new(Ramp) as alloc::boxed::Box<dyn Material>, &point, wi, wo), of);
+    }
+}

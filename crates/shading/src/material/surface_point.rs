@@ -114,3 +114,32 @@ impl TextureGradients {
         self.pixel(pixel).long().width()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn taps_lie_along_the_pixel_with_the_coordinates_there() {
+        // Half a unit of u and a quarter of v to a unit of length, on a slope.
+        let tangents = [Vec3::new(1.2, 0.0, 1.6), Vec3::new(0.0, 4.0, 0.0)];
+        let normal = Vec3::new(-0.8, 0.0, 0.6);
+        let pixel = PixelEllipse::from_derivatives(Vec3::new(0.24, 0.4, 0.32), Vec3::new(0.06, -0.1, 0.08));
+        let point = SurfacePoint::new(Vec3::ONE, normal, pixel).with_uv(Vec2::new(0.25, 0.75), tangents);
+        let (mut middle, mut count) = (Vec3::ZERO, 0.0);
+        for tap in point.taps(8) {
+            let moved = tap.uv - point.uv;
+            let there = point.position + tangents[0] * moved.x + tangents[1] * moved.y;
+            assert_abs_diff_eq!(tap.position, there, epsilon = 1e-6);
+            assert_eq!((tap.normal, tap.tangents), (point.normal, point.tangents));
+            assert_eq!(tap.footprint(), tap.pixel.short());
+            middle += tap.position;
+            count += 1.0;
+        }
+        assert!(count > 1.0 && count <= 8.0, "{count}");
+        assert_abs_diff_eq!(middle / count, point.position, epsilon = 1e-6);
+        // Tangents that lead nowhere leave the coordinates as they are.
+        let nowhere = point.with_uv(Vec2::X, [Vec3::X, Vec3::X]);
+        assert!(nowhere.taps(8).all(|tap| tap.uv == Vec2::X));
+    }
+}

@@ -150,6 +150,14 @@ mod tests {
     }
 
     #[test]
+    fn a_clamp_tells_what_it_was_made_of() {
+        let clamp = FrequencyClamp::new(16.0, 4.0, 6.0).unwrap();
+        assert_eq!([clamp.frequency(), clamp.lacunarity(), clamp.max_octaves()], [16.0, 4.0, 6.0]);
+        assert_eq!(clamp.log2_lacunarity(), 2.0);
+        assert!(FrequencyClamp::new(16.0, 1.0, 6.0).is_err() && FrequencyClamp::new(0.0, 4.0, 6.0).is_err());
+    }
+
+    #[test]
     fn both_ends_are_reached() {
         assert_eq!(clamp().octaves(Footprint::from_width(0.0)), 6.0);
         assert_eq!(clamp().octaves(Footprint::from_width(f32::INFINITY)), 0.0);

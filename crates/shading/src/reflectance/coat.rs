@@ -319,4 +319,25 @@ mod tests {
             assert_eq!(Coat::metal(Vec3::ONE).deltas(wo, Vec2::ZERO), [Delta::default(); 2], "{wo}");
         }
     }
+
+    #[test]
+    fn parts_are_the_numbers_of_every_kind() {
+        let (glass, red) = (Dielectric::new(1.5).unwrap(), Vec3::new(0.9, 0.2, 0.1));
+        let normal = Vec3::new(0.28, 0.0, 0.96);
+        let kinds = [
+            (Coat::varnish(glass), Vec3::ONE, 1.5),
+            (Coat::pane(glass, red), red, 1.5),
+            (Coat::body(glass), Vec3::ONE, 1.5),
+            (Coat::metal(red), red, 1.0),
+            (Coat::veil(red), red, 1.0),
+        ];
+        for (number, (coat, colour, index)) in (0..).zip(kinds) {
+            let gaussian = coat.bumped(normal, 0.03).rough(0.4).parts();
+            let [slopes, own] = [normal.extend(0.03), Vec3::ZERO.extend(0.4)];
+            assert_eq!(gaussian, ([slopes, own, colour.extend(index)], number));
+            let sine = coat.with_slopes(normal, Slopes::Sine(Vec3::X)).parts();
+            let [slopes, own] = [normal.extend(0.0), Vec3::X.extend(0.0)];
+            assert_eq!(sine, ([slopes, own, colour.extend(index)], number));
+        }
+    }
 }

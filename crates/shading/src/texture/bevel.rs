@@ -247,6 +247,12 @@ mod tests {
     }
 
     #[test]
+    fn a_bevel_tells_what_it_was_made_of() {
+        let bevel = Bevel::new(0.25, 0.75, -0.5, 0.125).unwrap();
+        assert_eq!([bevel.plateau(), bevel.flank(), bevel.top(), bevel.bottom()], [0.25, 0.5, -0.5, 0.125]);
+    }
+
+    #[test]
     fn mean_heights_are_those_of_many_places() {
         for (top, bottom) in [(0.0, 1.0), (1.0, 0.0), (-0.7, 0.2), (0.7, -0.9)] {
             let bevel = Bevel::new(0.05, 0.3, top, bottom).unwrap();

@@ -331,6 +331,33 @@ mod tests {
     }
 
     #[test]
+    fn density_is_a_power_of_the_turbulence_for_every_exponent() {
+        let turbulence = Gas::default().turbulence;
+        for exponent in [0.5, 1.0, 2.0, 3.0, 4.0, 5.5, 8.0] {
+            let gas = Gas::new(turbulence, 3.5, 1.5, exponent).unwrap();
+            let (of, numbers, veins) = gas.parts();
+            assert_eq!((numbers, veins), ([3.5, 1.5, exponent], false));
+            for i in 0..20_u8 {
+                let p = Vec3::new(0.37, 1.1, -0.21) * f32::from(i);
+                let expected = (1.5 * of.value(p)).powf(exponent);
+                assert_abs_diff_eq!(of.value(p), turbulence.detail(3.5).value(p), epsilon = 1e-6);
+                // Roundings of logarithm and exponential, times the exponent.
+                assert_abs_diff_eq!(gas.density(p), expected, epsilon = 5e-6 * expected);
+                assert!(gas.density(p) <= gas.densest());
+            }
+            assert!(gas.with_veins().parts().2);
+        }
+        for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+            for [max_density, exponent] in [[bad, 3.0], [2.0, bad]] {
+                assert!(
+                    Gas::new(turbulence, 5.0, max_density, exponent).is_err(),
+                    "{max_density}, {exponent}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn unresolved_gas_is_even() {
         let gas = Gas::default();
         let far = |x: f32| gas.clamped_density(Vec3::splat(x), Footprint::from_width(100.0));

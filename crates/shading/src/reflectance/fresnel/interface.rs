@@ -74,6 +74,29 @@ mod tests {
     use crate::reflectance::fresnel::{Conductor, Dielectric, Schlick, SchlickF82};
 
     #[test]
+    fn three_interfaces_are_one_for_each_channel() {
+        let glasses = [1.2, 1.5, 2.4].map(|eta| Dielectric::new(eta).unwrap());
+        let metals = [0.2, 0.9, 1.4].map(|eta| Conductor::new(eta, 2.0).unwrap());
+        let (tints, edges) = (
+            [0.1, 0.5, 0.9].map(|f0| Schlick::new(f0).unwrap()),
+            [0.1, 0.5, 0.9].map(|f0| SchlickF82::new(f0, 0.05).unwrap()),
+        );
+        let colours: [(&dyn Fresnel, [&dyn Fresnel; 3]); 4] = [
+            (&glasses, [&glasses[0], &glasses[1], &glasses[2]]),
+            (&metals, [&metals[0], &metals[1], &metals[2]]),
+            (&tints, [&tints[0], &tints[1], &tints[2]]),
+            (&edges, [&edges[0], &edges[1], &edges[2]]),
+        ];
+        for (colour, channels) in colours {
+            for cosine in [0.1, 0.7, 1.0] {
+                let alone = channels.map(|channel| channel.reflectance_rgb(cosine));
+                assert!(alone.iter().all(|grey| grey.x == grey.y && grey.y == grey.z));
+                assert_eq!(colour.reflectance_rgb(cosine).to_array(), alone.map(|grey| grey.x));
+            }
+        }
+    }
+
+    #[test]
     fn every_input_gives_a_share() {
         let odd = [f32::MIN_POSITIVE, 1e-20, 0.3, 1.0 - 1e-7, 1.0, 1.0 + 1e-6, 3.0, 1e10, 1e30, f32::MAX];
         for (eta, k) in odd.into_iter().flat_map(|eta| odd.map(|k| (eta, k))) {
