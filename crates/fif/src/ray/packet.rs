@@ -93,7 +93,8 @@ impl Packet {
 
 impl<F: Function, G: Function> Tracer<'_, F, G> {
     /// Empties a packet: gives each ray its hit, or else to `one_by_one`, where lanes do not serve it.
-    #[inline(always)]
+    ///
+    /// In frames of its own: all of them in the caller's are more than two megabytes where nothing is optimised.
     pub(crate) fn finish<I: Simd>(
         &self,
         simd: I,
@@ -102,10 +103,30 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
         hits: &mut [Option<Hit>],
         one_by_one: &impl Fn(&Ray) -> Option<Hit>,
     ) {
-        if packet.count == 0 {
-            return;
+        if packet.count > 0 {
+            let search = simd.vectorize(
+                #[inline(always)]
+                || self.search(simd, packet),
+            );
+            simd.vectorize(
+                #[inline(always)]
+                || self.hits(simd, packet, &search, rays, hits, one_by_one),
+            );
+            packet.count = 0;
         }
-        let search = self.search(simd, packet);
+    }
+
+    /// The hits that a search has found.
+    #[inline(always)]
+    fn hits<I: Simd>(
+        &self,
+        simd: I,
+        packet: &Packet,
+        search: &Search<I>,
+        rays: &[Ray],
+        hits: &mut [Option<Hit>],
+        one_by_one: &impl Fn(&Ray) -> Option<Hit>,
+    ) {
         let steps = self.slope_steps;
         let ([f, g], _, _) =
             self.above_all(simd, packet, search.found, f64x8::splat(simd, steps as f64), steps);
@@ -131,7 +152,6 @@ impl<F: Function, G: Function> Tracer<'_, F, G> {
                 Some(Hit { t, x, y, height, gradient: Some(gradient), normal: Some(normal), certain: true })
             };
         }
-        packet.count = 0;
     }
 
     /// [`Path::above`] of all rays, `most` steps at most.
