@@ -1,7 +1,7 @@
 //! Fineness of pictures: a draft, what a screen shows, what is printed.
 
 use asperity_render::image::tone::{filmic, srgb};
-use asperity_render::integrator::adaptive::Goal;
+use asperity_render::integrator::adaptive::{Detail, Goal};
 use clap::ValueEnum;
 
 /// Fineness of all pictures of a run.
@@ -52,7 +52,13 @@ impl Fineness {
     pub(crate) const fn goal(&self) -> Goal {
         // Two tell the error of a pixel; most of a picture needs few more.
         let samples = [self.samples_per_pixel.div_ceil(2), 10 * self.samples_per_pixel];
-        Goal { error: self.error, shown: |luminance| srgb(filmic(EXPOSURE * luminance)), dark: 0.1, samples }
+        Goal {
+            error: self.error,
+            shown: |luminance| srgb(filmic(EXPOSURE * luminance)),
+            dark: 0.1,
+            samples,
+            detail: Detail::Coarse,
+        }
     }
 }
 

@@ -9,7 +9,10 @@ use crate::{
     failure::Failure,
     geometry::camera::Camera,
     image::Image,
-    integrator::pixels::{Sampling, pixel_hash, rows},
+    integrator::{
+        non_local_means,
+        pixels::{Sampling, pixel_hash, rows},
+    },
     sampling::sampler::Sampler,
     scene::Scene,
 };
@@ -17,8 +20,8 @@ use crate::{
 /// The grain at which a picture is done.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
-    /// Standard error of what is shown of a pixel's luminance, over what is shown: the median over the pixels. No pixel's is above
-    /// twice this, but for its number of samples.
+    /// Standard error of what the samples of a pixel show of its luminance, over what is shown: the median over the pixels, and at most
+    /// twice that of any but for its number of samples; 1.25 times both where neighbours share them.
     pub error: f32,
     /// The number that is shown of a linear luminance, by the tone curve and the screen's.
     pub shown: fn(f32) -> f32,
@@ -26,12 +29,32 @@ pub struct Goal {
     pub dark: f32,
     /// Numbers of samples that a pixel has at least and at most.
     pub samples: [u32; 2],
+    pub detail: Detail,
+}
+
+/// The size of what there is to be seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// Larger than pixels, or of more contrast than the goal: noise within it is taken out by neighbours that look alike.
+    Coarse,
+    /// As fine as pixels, as fibres and points of light are: pixels stay as their own samples are.
+    Fine,
+}
+
+impl Goal {
+    /// The median of the error of the samples alone.
+    fn of_samples(&self) -> f32 {
+        match self.detail {
+            Detail::Coarse => SHARED * self.error,
+            Detail::Fine => self.error,
+        }
+    }
 }
 
 /// The grain of a picture that is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grain {
-    /// Standard error of what is shown of a pixel's luminance, over what is shown: the median over the pixels that have any.
+    /// Standard error of what the picture shows of a pixel's luminance, over what it shows: the median over the pixels that have any.
     pub median: f32,
     /// Mean number of samples of a pixel.
     pub samples: f32,
@@ -39,6 +62,9 @@ pub struct Grain {
 
 /// Errors that every pixel is brought to, over the median that is the goal: the largest that brings it, or the goal itself.
 const LENIENCE: [f32; 5] = [2.0, 1.7, 1.5, 1.3, 1.1];
+
+/// Errors of samples, over those of the goal, where neighbours share them.
+const SHARED: f32 = 1.25;
 
 /// Half the side of the square of pixels whose variances are pooled.
 const REACH: usize = 3;
@@ -86,7 +112,8 @@ fn luminance(colour: Vec3) -> f32 {
 /// The samples of a pixel are two sequences of [`Sampler`] in turn, which are independent: a quarter of the square of the difference
 /// of their means is the variance of the mean of all, whatever order there is in each. Over squares of pixels these are averaged; a
 /// pixel that has met nothing bright by chance is judged by its neighbours as well. Rousselle, Knaus and Zwicker 2012, "Adaptive
-/// Rendering with Non-Local Means Filtering", has the two halves.
+/// Rendering with Non-Local Means Filtering", has the two halves. From what noise the goal lets them have both are freed by each other,
+/// and the error of the picture is told by their difference after that.
 ///
 /// One image whatever the number of threads.
 pub fn render_until(
@@ -98,9 +125,62 @@ pub fn render_until(
 ) -> Result<(Image, Grain), Failure> {
     let Sampling { width, height, .. } = sampling;
     let pixels = sampled(sampling, goal, progress, interrupted, radiance)?;
-    let grain = Grain::of(&pixels, width as usize, goal.shown);
-    let pixels = pixels.iter().map(Halves::mean).collect();
-    Ok((reconstructed(&Image { width, height, pixels }), grain))
+    let samples = pixels.iter().map(|pixel| 2.0 * f64::from(pixel.count)).sum::<f64>();
+    let halves = pictures(&pixels, [width, height], goal, progress, interrupted)?;
+    let median = median(errors(&halves, goal.shown).into_iter());
+    let grain = Grain { median, samples: (samples / pixels.len().max(1) as f64) as f32 };
+    Ok((mean(&halves), grain))
+}
+
+/// The pictures of both halves.
+fn pictures(
+    pixels: &[Halves],
+    [width, height]: [u32; 2],
+    goal: &Goal,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+) -> Result<[Image; 2], Failure> {
+    let halves = smoothed(pixels, width as usize, goal, progress, interrupted)?;
+    Ok([0, 1].map(|half| {
+        let pixels = halves.iter().map(|halves| halves[half]).collect();
+        reconstructed(&Image { width, height, pixels })
+    }))
+}
+
+fn mean([first, second]: &[Image; 2]) -> Image {
+    let pairs = first.pixels.iter().zip(&second.pixels);
+    let pixels = pairs.map(|(first, second)| 0.5 * (first + second)).collect();
+    Image { pixels, ..*first }
+}
+
+/// The means of both halves; of coarse detail without most of the noise that the goal lets pixels have.
+fn smoothed(
+    pixels: &[Halves],
+    columns: usize,
+    goal: &Goal,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+) -> Result<Vec<[Vec3; 2]>, Failure> {
+    let halves: Vec<_> =
+        pixels.iter().map(|pixel| pixel.sums.map(|sum| sum / pixel.count.max(1) as f32)).collect();
+    if goal.detail == Detail::Fine {
+        return Ok(halves);
+    }
+    let sample = |(pixel, [first, second]): (&Halves, &[Vec3; 2])| {
+        pixel.count as f32 * (first - second).length_squared() / 6.0
+    };
+    let own: Vec<_> = pixels.iter().zip(&halves).map(sample).collect();
+    let variance = |((pixel, shown), variance): ((&Halves, Shown), f32)| {
+        let most = 2.0 * LENIENCE[0] * goal.of_samples() * shown.value.max(goal.dark);
+        let count = pixel.count.max(1) as f32;
+        // What the most samples have left far above the goal are points of light, which smoothing would turn into squares.
+        if shown.variance / count > most * most { 0.0 } else { variance / count }
+    };
+    let about = shown_of(pixels, columns, goal.shown);
+    let variances: Vec<_> =
+        pixels.iter().zip(about).zip(averaged(&own, columns, REACH)).map(variance).collect();
+    non_local_means::Halves { columns, halves: &halves, variances: &variances }
+        .smoothed(progress, interrupted)
 }
 
 /// The samples of every pixel.
@@ -144,12 +224,12 @@ fn enough(pixels: &[Halves], columns: usize, goal: &Goal, most: u32) -> Vec<u32>
     let about = shown_of(pixels, columns, goal.shown);
     let counts = |lenience: f32| {
         pixels.iter().zip(&about).map(move |(pixel, shown)| {
-            let error = lenience * goal.error * shown.value.max(goal.dark);
+            let error = lenience * goal.of_samples() * shown.value.max(goal.dark);
             ((shown.variance / (error * error)).ceil() as u32).clamp(pixel.count, most)
         })
     };
     let misses = |lenience: &f32| {
-        median(counts(*lenience).zip(&about).map(|(count, shown)| shown.error(count))) > goal.error
+        median(counts(*lenience).zip(&about).map(|(count, shown)| shown.error(count))) > goal.of_samples()
     };
     let lenience = LENIENCE.get(LENIENCE.partition_point(misses)).copied().unwrap_or(1.0);
     counts(lenience).collect()
@@ -178,13 +258,15 @@ fn shown_of(pixels: &[Halves], columns: usize, curve: fn(f32) -> f32) -> Vec<Sho
     variances.into_iter().zip(means).map(shown).collect()
 }
 
-/// Standard errors of what is shown of the pixels' luminance, over what is shown.
-fn errors(pixels: &[Halves], columns: usize, curve: fn(f32) -> f32) -> Vec<f32> {
-    pixels
-        .iter()
-        .zip(shown_of(pixels, columns, curve))
-        .map(|(pixel, shown)| shown.error(pixel.count))
-        .collect()
+/// Standard errors of what the mean of two pictures shows of luminance, over what it shows.
+fn errors(halves: &[Image; 2], curve: fn(f32) -> f32) -> Vec<f32> {
+    let pairs =
+        || halves[0].pixels.iter().zip(&halves[1].pixels).map(|(a, b)| [luminance(*a), luminance(*b)]);
+    let columns = halves[0].width as usize;
+    let variances: Vec<_> = pairs().map(|[a, b]| 0.25 * (a - b) * (a - b)).collect();
+    let means: Vec<_> = pairs().map(|[a, b]| 0.5 * (a + b)).collect();
+    let error = |(variance, mean): (f32, f32)| variance.sqrt() * slope(curve, mean) / curve(mean);
+    averaged(&variances, columns, REACH).into_iter().zip(averaged(&means, columns, 1)).map(error).collect()
 }
 
 /// The slope of a curve at a luminance, over a tenth of it: where light is cut off errors are not seen.
@@ -198,14 +280,6 @@ fn median(errors: impl Iterator<Item = f32>) -> f32 {
     let mut errors: Vec<f32> = errors.filter(|error| error.is_finite() && *error > 0.0).collect();
     let middle = errors.len() / 2;
     if errors.is_empty() { 0.0 } else { *errors.select_nth_unstable_by(middle, f32::total_cmp).1 }
-}
-
-impl Grain {
-    fn of(pixels: &[Halves], columns: usize, shown: fn(f32) -> f32) -> Self {
-        let median = median(errors(pixels, columns, shown).into_iter());
-        let samples = pixels.iter().map(|pixel| 2.0 * f64::from(pixel.count)).sum::<f64>();
-        Self { median, samples: (samples / pixels.len().max(1) as f64) as f32 }
-    }
 }
 
 /// The picture by its filter; beyond the border it goes on as it ends.
@@ -305,21 +379,28 @@ mod tests {
         let camera = Set::Sphere.view().camera(1.0, SAMPLING);
         let limit = scene.draw(SAMPLING, &camera, &ProgressBar::hidden(), &AtomicBool::new(false)).unwrap();
         let limit = reconstructed(&limit).pixels;
-        let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [4, 256] };
-        let pixels =
-            sampled_by(&goal, 2, |x, y, sampler| scene.seen(&camera.ray(x, y), [0.0; 2], sampler).radiance);
-        let told = errors(&pixels, SIDE as usize, goal.shown);
-        let pixels = pixels.iter().map(Halves::mean).collect();
-        let pixels = reconstructed(&Image { width: SIDE, height: SIDE, pixels }).pixels;
-        let pairs = pixels.iter().zip(&limit).zip(told).filter(|(_, told)| *told > 0.0);
-        let mut ratios: Vec<f32> = pairs
-            .map(|((pixel, limit), told)| (luminance(*pixel) / luminance(*limit) - 1.0).abs() / told)
-            .collect();
-        ratios.sort_by(f32::total_cmp);
-        assert!(ratios.len() > 700);
-        // Half of all Gaussian errors are below 0.674 of their deviation.
-        let median = ratios[ratios.len() / 2];
-        assert!((0.5..0.85).contains(&median), "half of all errors are below {median} of what is told");
+        let mut told_medians = Vec::new();
+        for detail in [Detail::Fine, Detail::Coarse] {
+            let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [4, 256], detail };
+            let radiance =
+                |x, y, sampler: &mut Sampler| scene.seen(&camera.ray(x, y), [0.0; 2], sampler).radiance;
+            let pixels = sampled_by(&goal, 2, radiance);
+            let stop = (&ProgressBar::hidden(), &AtomicBool::new(false));
+            let halves = pictures(&pixels, [SIDE; 2], &goal, stop.0, stop.1).unwrap();
+            let (told, pixels) = (errors(&halves, goal.shown), mean(&halves).pixels);
+            told_medians.push(median(told.iter().copied()));
+            let pairs = pixels.iter().zip(&limit).zip(told).filter(|(_, told)| *told > 0.0);
+            let mut ratios: Vec<f32> = pairs
+                .map(|((pixel, limit), told)| (luminance(*pixel) / luminance(*limit) - 1.0).abs() / told)
+                .collect();
+            ratios.sort_by(f32::total_cmp);
+            assert!(ratios.len() > 700);
+            // Half of all Gaussian errors are below 0.674 of their deviation.
+            let median = ratios[ratios.len() / 2];
+            assert!((0.5..0.85).contains(&median), "{detail:?}: half are below {median} of what is told");
+        }
+        // Neighbours do more than make up for fewer samples.
+        assert!(told_medians[1] < told_medians[0], "{told_medians:?}");
     }
 
     #[test]
@@ -333,14 +414,16 @@ mod tests {
         };
         // In the middle eight samples have a filtered error of 0.026 times the scale: half of the pixels need no more, or nearly all do.
         for (scale, even) in [(1.5, false), (8.0, true)] {
-            let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 1 << 16] };
+            let goal =
+                Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 1 << 16], detail: Detail::Fine };
             let pixels = sampled_by(&goal, 2, rising(scale));
-            let grain = Grain::of(&pixels, SIDE as usize, goal.shown);
-            let mut errors = errors(&pixels, SIDE as usize, goal.shown);
+            let shown = shown_of(&pixels, SIDE as usize, goal.shown);
+            let errors = pixels.iter().zip(shown).map(|(pixel, shown)| shown.error(pixel.count));
+            let mut errors: Vec<f32> = errors.filter(|error| *error > 0.0).collect();
             errors.sort_by(f32::total_cmp);
             // Where pixels are the noisiest but for a few.
             let most = errors[errors.len() * 9 / 10] / goal.error;
-            let median = grain.median / goal.error;
+            let median = errors[errors.len() / 2] / goal.error;
             let range = if even { 0.8..1.05 } else { 0.0..1.0 };
             assert!(range.contains(&median), "{median}, {most}");
             // No less than a tenth of pixels have what all may have.
@@ -350,7 +433,7 @@ mod tests {
 
     #[test]
     fn samples_go_where_few_meet_light_and_pixels_that_met_none_are_not_taken_for_black() {
-        let goal = Goal { error: 0.25, shown: |x| x, dark: 0.0, samples: [4, 4096] };
+        let goal = Goal { error: 0.25, shown: |x| x, dark: 0.0, samples: [4, 4096], detail: Detail::Fine };
         let pixels = sampled_by(&goal, 2, speckled);
         let counts = |left: bool| {
             let own =
@@ -363,6 +446,28 @@ mod tests {
         assert!((200.0..500.0).contains(&mean), "{mean}");
         assert!(left.iter().all(|&count| count > 60.0), "{left:?}");
         assert!(right.iter().all(|&count| count == 4.0), "{right:?}");
+    }
+
+    #[test]
+    fn points_of_light_stand_where_noise_is_taken_out_beside_them() {
+        let goal = Goal { error: 0.05, shown: |x| x, dark: 0.0, samples: [8, 8], detail: Detail::Coarse };
+        let pixels = sampled_by(&goal, 2, speckled);
+        let stop = (&ProgressBar::hidden(), &AtomicBool::new(false));
+        let [own, shared] = [Detail::Fine, Detail::Coarse].map(|detail| {
+            smoothed(&pixels, SIDE as usize, &Goal { detail, ..goal }, stop.0, stop.1).unwrap()
+        });
+        let columns = |range: std::ops::Range<u32>| {
+            let own = own.iter().zip(&shared).zip(0..).filter(move |(_, k)| range.contains(&(k % SIDE)));
+            own.map(|(pair, _)| pair)
+        };
+        // Errors are 1.5 on the left and 0.06 on the right; up to 0.25 they are taken out.
+        assert!(columns(0..14).all(|(own, shared)| own == shared));
+        let deviation = |of: fn(&([Vec3; 2], [Vec3; 2])) -> f32| {
+            columns(24..SIDE).map(|(own, shared)| of(&(*own, *shared)).powi(2)).sum::<f32>().sqrt()
+        };
+        let [before, after] =
+            [deviation(|(own, _)| own[0].x - 1.0), deviation(|(_, shared)| shared[0].x - 1.0)];
+        assert!(after < 0.5 * before, "{after} of {before}");
     }
 
     #[test]
@@ -379,7 +484,7 @@ mod tests {
 
     #[test]
     fn the_number_of_threads_changes_no_bit_and_no_pixel_leaves_its_bounds() {
-        let goal = Goal { error: 0.1, shown: |x| x, dark: 0.0, samples: [6, 64] };
+        let goal = Goal { error: 0.1, shown: |x| x, dark: 0.0, samples: [6, 64], detail: Detail::Fine };
         let [one, three] = [1, 3].map(|threads| sampled_by(&goal, threads, speckled));
         assert!(one.iter().zip(&three).all(|(a, b)| a.sums == b.sums && a.count == b.count));
         assert!(one.iter().all(|pixel| (3..=32).contains(&pixel.count)));

@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod direct;
+mod non_local_means;
 pub mod path_tracer;
 pub mod pixels;
 

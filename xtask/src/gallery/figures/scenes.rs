@@ -1,11 +1,12 @@
 //! The materials on things: a car, a room, walls, and the teapot in each of them.
 
 use asperity_render::image::{Image, tone::hex};
+use asperity_render::integrator::adaptive::{Detail, Goal, Grain};
+use asperity_render::light::environments::Studio;
 use asperity_render::materials::InMetres;
 use asperity_render::materials::field::{Bumps, NoiseKind};
 use asperity_render::scene::{Backdrop, Light, Object, Scene, Surface};
 use asperity_render::scenes::{PLAIN, Set, View, backdrop};
-use asperity_render::{integrator::adaptive::Grain, light::environments::Studio};
 use asperity_shading::material::{
     BrickWall, BumpMapped, GlassBody, PaintFlakes, PolishedMarble, SeamPattern, Wallpaper,
 };
@@ -35,10 +36,17 @@ impl<'a> Stills<'a> {
         Self { context, studio: Studio::new(1.0), grains: Vec::new() }
     }
 
-    fn picture(&mut self, objects: Vec<Object<'_>>, view: View, size: [u32; 2]) -> Result<Image> {
+    fn picture(
+        &mut self,
+        objects: Vec<Object<'_>>,
+        view: View,
+        size: [u32; 2],
+        detail: Detail,
+    ) -> Result<Image> {
         let scene = Scene::new(objects, Light::Around(&self.studio), Backdrop::Colour(backdrop()));
         let sampling = self.context.sampling(size, 1);
-        let (image, grain) = self.context.still(&scene, sampling, &view.camera(1.0, sampling))?;
+        let context = Context { goal: Goal { detail, ..self.context.goal }, ..*self.context };
+        let (image, grain) = context.still(&scene, sampling, &view.camera(1.0, sampling))?;
         self.grains.push(grain);
         Ok(image.filmic(EXPOSURE))
     }
@@ -53,14 +61,20 @@ pub(crate) fn draw_car(context: &Context<'_>) -> Result<Drawn> {
     let from_nearby = "Blue paint from nearby with points of light";
     let flaked = "The same with counted flakes, 0.3 mm apart";
     let pictures = [
-        (["whole", "The car", "A blue car from the front and the side"], (whole, [36, 17], paint)),
-        (["sparkles", "Its door: sparkles of two pixels", from_nearby], (door, [16, 11], paint)),
-        (["flakes", flaked, from_nearby], (door, [16, 11], counted)),
+        (
+            ["whole", "The car", "A blue car from the front and the side"],
+            (whole, [36, 17], paint, Detail::Coarse),
+        ),
+        (
+            ["sparkles", "Its door: sparkles of two pixels", from_nearby],
+            (door, [16, 11], paint, Detail::Fine),
+        ),
+        (["flakes", flaked, from_nearby], (door, [16, 11], counted, Detail::Fine)),
     ];
     let mut stills = Stills { studio: Studio::hall(1.0), ..Stills::new(context) };
-    let mut drawn = Drawn::pictures(2, pictures, |(view, size, paint)| {
+    let mut drawn = Drawn::pictures(2, pictures, |(view, size, paint, detail)| {
         let objects = Set::Car.objects(Box::new(MetallicPaint::new(paint)?), PLAIN)?;
-        stills.picture(objects, view, size)
+        stills.picture(objects, view, size, detail)
     })?
     .grain(&stills.grains);
     drawn.panels[0].span = 2;
@@ -94,17 +108,20 @@ pub(crate) fn draw_room(context: &Context<'_>) -> Result<Drawn> {
     let (room, ball) = ((Set::Room, Set::Room.view()), (Set::Sphere, Set::Sphere.view()));
     let corner = "The corner of a room with a red ball";
     let pictures = [
-        (["corner", "A floor of carpet", corner], (room, lines, 24)),
+        (["corner", "A floor of carpet", corner], (room, lines, 24, Detail::Coarse)),
         (
             ["grid", "Seams in a grid, from 20 cm", "Threads and crossing seams"],
-            ((Set::Room, near), grid, 16),
+            ((Set::Room, near), grid, 16, Detail::Fine),
         ),
-        (["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"], (ball, rim, 16)),
+        (
+            ["rim", "Rim light on a ball", "A ball of carpet, lighter along its rim"],
+            (ball, rim, 16, Detail::Fine),
+        ),
     ];
     let mut stills = Stills::new(context);
-    let drawn = Drawn::pictures(3, pictures, |((set, view), carpet, side)| {
+    let drawn = Drawn::pictures(3, pictures, |((set, view), carpet, side, detail)| {
         let objects = set.objects(Box::new(InMetres(Carpet::new(carpet)?, set.metres())), PLAIN)?;
-        stills.picture(objects, view, [side, side])
+        stills.picture(objects, view, [side, side], detail)
     })?
     .grain(&stills.grains);
     let light = format!("{}, width {}", rim.fake_rim_light, rim.fake_rim_light_width);
@@ -125,7 +142,7 @@ pub(crate) fn draw_walls(context: &Context<'_>) -> Result<Drawn> {
     ];
     let mut stills = Stills::new(context);
     let drawn = Drawn::pictures(2, pictures, |subject| {
-        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [24, 18])
+        stills.picture(Set::Wall.objects(subject, PLAIN)?, Set::Wall.view(), [24, 18], Detail::Coarse)
     })?;
     Ok(drawn.grain(&stills.grains))
 }
@@ -176,7 +193,8 @@ pub(crate) fn draw_teapots(context: &Context<'_>) -> Result<Drawn> {
             let inside = Absorption::of_colour(Vec3::new(0.80, 0.93, 0.89), 1.0)?;
             (objects[0].body, objects[0].passes) = (Some(inside), 1.0);
         }
-        let image = stills.picture(objects, Set::Teapot.view(), [24, 24])?;
+        let detail = if stem == "bumps" { Detail::Fine } else { Detail::Coarse };
+        let image = stills.picture(objects, Set::Teapot.view(), [24, 24], detail)?;
         panels.push(Panel::new(stem, label, format!("The Utah teapot: {}", label.to_lowercase()), image));
     }
     Ok(Drawn::new(3, panels).fact("a unit of the teapot", format!("{metres} m")).grain(&stills.grains))

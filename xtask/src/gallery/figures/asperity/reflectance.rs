@@ -69,7 +69,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         let camera = Camera::new(Vec3::new(0.0, -6.0, 1.6), Vec3::ZERO, 0.4, sampling.width, sampling.height);
         // Light that is bent twice by rough glass is met by few samples.
         let [least, most] = context.goal.samples;
-        let samples = [least, if body.is_some() { 4 * most } else { most }];
+        let samples = [least, if body.is_some() { 2 * most } else { most }];
         let context = Context { goal: Goal { samples, ..context.goal }, ..*context };
         let (image, grain) = context.still(&scene, sampling, &camera)?;
         grains.push(grain);

@@ -10,7 +10,10 @@ use asperity_render::{
     geometry::fractal::Fractal,
     geometry::ray::Ray,
     geometry::shape::Shape,
-    integrator::{adaptive::Goal, pixels::Sampling},
+    integrator::{
+        adaptive::{Detail, Goal},
+        pixels::Sampling,
+    },
     materials::chalk,
 };
 use asperity_shading::SurfacePoint;
@@ -39,9 +42,9 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     let side = context.size - context.size / 4;
     let sampling = Sampling { width: side, height: side, ..context.square() };
     // Mean slopes are smooth already: many samples are for edges of the surface and of its shadows.
+    let samples = [context.goal.samples[0].div_ceil(2), context.goal.samples[1].div_ceil(4)];
     let goal =
-        Goal { error: 3.0 * context.goal.error, shown: |x| srgb(shoulder(EXPOSURE * x)), ..context.goal };
-    let goal = Goal { samples: [goal.samples[0].div_ceil(2), goal.samples[1].div_ceil(4)], ..goal };
+        Goal { shown: |x| srgb(shoulder(EXPOSURE * x)), samples, detail: Detail::Fine, ..context.goal };
     let pixel = 2.0 * (0.5 * FIELD).tan() / side as f32;
     let zooms = ["1", "10", "100", "1000", "10⁴", "10⁵", "10⁶"];
     let pictures = zooms.into_iter().zip(0..).map(|(zoom, power)| {
