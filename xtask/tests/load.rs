@@ -61,8 +61,10 @@ fn grown(words: &str, folder: &Path, tenth: impl Fn() -> bool) -> [[usize; 2]; 2
     let mut child = start(words, folder);
     let (mut early, mut last) = (None, [0; 2]);
     loop {
+        // Looked for before it is read what the process has: what is read is of then or later.
+        let done = early.is_none() && tenth();
         last = status(&child).unwrap_or(last);
-        if early.is_none() && tenth() {
+        if done {
             early = Some(last);
         }
         if let Some(status) = child.try_wait().unwrap() {

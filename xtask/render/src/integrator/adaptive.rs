@@ -37,7 +37,7 @@ pub struct Goal {
 pub enum Detail {
     /// Larger than pixels, or of more contrast than the goal: noise within it is taken out by neighbours that look alike.
     Coarse,
-    /// As fine as pixels, as fibres and points of light are: pixels stay as their own samples are.
+    /// Of the size of pixels, like that of fibres and points of light: pixels stay as their own samples are.
     Fine,
 }
 
