@@ -289,11 +289,7 @@ fn fill<K: SplineNoise<N>, S: Lanes, const N: usize, const GRADIENTS: bool>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        ValueCatmullRom,
-        lanes::level::{Level, Task},
-        row::row::Row,
-    };
+    use crate::{ValueCatmullRom, contract::rows_alone};
     use approx::assert_abs_diff_eq;
 
     /// Catmull and Rom's matrix, by rows of the powers of t.
@@ -323,36 +319,8 @@ mod tests {
         }
     }
 
-    /// Rows in the plane against their points one by one.
-    struct Rows;
-
-    impl Task for Rows {
-        fn run<S: Lanes>(self, s: S) {
-            const COUNT: usize = 131;
-            let noise = ValueCatmullRom::default();
-            // Ascending and descending, across more columns than are kept at once, and without any.
-            for (x, step) in [(-3.3, 0.07), (2.9, -0.21), (-7.0, 0.9), (7.5, -0.7), (0.4, 1.3), (1e6, 0.25)] {
-                let row = Row::new([x, 0.7], step, 0);
-                let (mut values, mut gradients) = ([f32::NAN; COUNT], [[f32::NAN; COUNT]; 2]);
-                let strip = Strip::<2, true> {
-                    row,
-                    seed: 5,
-                    values: &mut values,
-                    gradients: gradients.each_mut().map(|g| &mut g[..]),
-                };
-                noise.rows(s, &mut (), strip);
-                for i in 0..COUNT {
-                    let expected = Kernel::<2>::lone::<true>(&noise, row.point(i), 5);
-                    assert_eq!((values[i], gradients.map(|g| g[i])), expected, "{x} + {i} · {step}");
-                }
-            }
-        }
-    }
-
     #[test]
     fn rows_have_the_values_and_gradients_of_their_points() {
-        for level in Level::available() {
-            level.instructions().run(Rows);
-        }
+        rows_alone::check(&ValueCatmullRom::default());
     }
 }

@@ -384,11 +384,7 @@ impl Error for SparseError {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        contract::field::Field,
-        lanes::level::{Level, Task},
-        row::row::Row,
-    };
+    use crate::contract::{field::Field, rows_alone};
     use approx::assert_abs_diff_eq;
     use glam::{Vec2, Vec3, Vec4};
 
@@ -449,38 +445,10 @@ mod tests {
         assert_abs_diff_eq!(there, weight(0), epsilon = 1e-4);
     }
 
-    /// Rows in the plane against their points one by one.
-    struct Rows(Sparse);
-
-    impl Task for Rows {
-        fn run<S: Lanes>(self, s: S) {
-            const COUNT: usize = 61;
-            // Ascending and descending, across more columns than are kept at once, and without any.
-            for (x, step) in [(-3.3, 0.07), (2.9, -0.21), (-7.0, 0.5), (7.5, -0.9), (0.4, 1.3), (1e6, 0.25)] {
-                let row = Row::new([x, 0.7], step, 0);
-                let (mut values, mut gradients) = ([f32::NAN; COUNT], [[f32::NAN; COUNT]; 2]);
-                let strip = Strip::<2, true> {
-                    row,
-                    seed: 5,
-                    values: &mut values,
-                    gradients: gradients.each_mut().map(|g| &mut g[..]),
-                };
-                self.0.rows(s, &mut (), strip);
-                for i in 0..COUNT {
-                    let expected = Kernel::<2>::lone::<true>(&self.0, row.point(i), 5);
-                    assert_eq!((values[i], gradients.map(|g| g[i])), expected, "{x} + {i} · {step}");
-                }
-            }
-        }
-    }
-
     #[test]
     fn rows_have_the_values_and_gradients_of_their_points() {
         for impulses in [1, 3] {
-            let noise = Sparse::default().with_impulses(impulses).unwrap();
-            for level in Level::available() {
-                level.instructions().run(Rows(noise));
-            }
+            rows_alone::check(&Sparse::default().with_impulses(impulses).unwrap());
         }
     }
 }
