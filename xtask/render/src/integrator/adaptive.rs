@@ -49,6 +49,11 @@ impl Goal {
             Detail::Fine => self.error,
         }
     }
+
+    /// The error of samples that is so many times the median's, of a pixel that shows this.
+    fn at(&self, shown: f32, lenience: f32) -> f32 {
+        lenience * self.of_samples() * shown.max(self.dark)
+    }
 }
 
 /// The grain of a picture that is done.
@@ -171,7 +176,7 @@ fn smoothed(
     };
     let own: Vec<_> = pixels.iter().zip(&halves).map(sample).collect();
     let variance = |((pixel, shown), variance): ((&Halves, Shown), f32)| {
-        let most = 2.0 * LENIENCE[0] * goal.of_samples() * shown.value.max(goal.dark);
+        let most = goal.at(shown.value, 2.0 * LENIENCE[0]);
         let count = pixel.count.max(1) as f32;
         // What the most samples have left far above the goal are points of light, which smoothing would turn into squares.
         if shown.variance / count > most * most { 0.0 } else { variance / count }
@@ -224,7 +229,7 @@ fn enough(pixels: &[Halves], columns: usize, goal: &Goal, most: u32) -> Vec<u32>
     let about = shown_of(pixels, columns, goal.shown);
     let counts = |lenience: f32| {
         pixels.iter().zip(&about).map(move |(pixel, shown)| {
-            let error = lenience * goal.of_samples() * shown.value.max(goal.dark);
+            let error = goal.at(shown.value, lenience);
             ((shown.variance / (error * error)).ceil() as u32).clamp(pixel.count, most)
         })
     };
