@@ -139,7 +139,7 @@ fn pixels_that_inflate_beyond_the_picture() {
     let folder = tempfile::tempdir().unwrap();
     let zeros = deflated_zeros(700 << 20);
     // Two rows of 16 bytes, each behind its number and its length; the second grows.
-    let mut rows = exr(4, 2, &[("Y", vec![0.5; 8])]).unwrap();
+    let mut rows = exr(4, 2, [("Y", vec![0.5; 8])]).unwrap();
     let name = b"compression\0compression\0";
     let at = rows.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 4;
     // Deflated, a row a block; one that would not shrink stays as it is.
@@ -171,7 +171,7 @@ fn jpeg(width: u16, height: u16) -> Vec<u8> {
 fn textures_that_claim_too_much() {
     let channels: Vec<_> = (0..64).map(|k| (format!("c{k}"), vec![0.5; 8])).collect();
     let named: Vec<_> = channels.iter().map(|(name, samples)| (name.as_str(), samples.clone())).collect();
-    let good = exr(4, 2, &named).unwrap();
+    let good = exr(4, 2, named).unwrap();
     let claiming = |width: i32, height: i32| {
         let mut bytes = good.clone();
         for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {

@@ -101,6 +101,25 @@ fn frames_in_one_process_keep_no_memory_and_no_thread() {
 }
 
 #[test]
+fn a_picture_needs_the_memory_of_its_pixels() {
+    let scratch = tempfile::tempdir().unwrap();
+    let run = |side: usize, ending: &str| {
+        let words = format!("--jobs 2 render --scene plane --size {side} --spp 1 --out {{}}/a.{ending}");
+        peak(&words, scratch.path())[0]
+    };
+    let side = std::env::var("ASPERITY_SIDE").map_or(1024, |text| text.parse().unwrap());
+    let image = side * side * 12 / 1024;
+    for ending in ["exr", "png"] {
+        let [least, all] = [run(32, ending), run(side, ending)];
+        println!(
+            "render, {side}² as {ending}: {all} kB, of which the program has {least} kB and the image {image} kB"
+        );
+        // Once the image; what else grows with it would be another one of it.
+        assert!(all - least < image * 3 / 2, "{ending}: {all} kB, {least} kB for a small one");
+    }
+}
+
+#[test]
 fn tiles_in_one_process_keep_no_memory_and_no_thread() {
     let scratch = tempfile::tempdir().unwrap();
     let words = "--jobs 2 bake --noise perlin --size 1024 --tile 64 --samples 1 --octaves 1 --out {}";

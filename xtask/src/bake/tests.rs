@@ -179,6 +179,12 @@ fn opposite_edges_meet() {
     ] {
         let plan = planned(line).unwrap();
         assert_eq!(plan.seam(), [0.0; 2], "{line}");
+        // What a horizon beyond the edge sees is, to the bit, the texels of the other side.
+        let around = tile::surroundings(&plan, [0, 0]);
+        let (size, before) = (plan.size as usize, around.margin.min(plan.size as usize));
+        for row in around.heights.chunks_exact(around.side) {
+            assert_eq!(row[..before], row[size..size + before], "{line}");
+        }
         // The light that reaches the texels at an edge is that of the surface beyond it: one of a moved surface.
         let mut here = vec![Texel::default(); 8];
         plan.source.texels(&plan.row(3, 0), &mut here);
@@ -263,9 +269,13 @@ fn maps_show_the_surface() {
     let record: Value = serde_json::from_slice(&set["provenance.json"]).unwrap();
     assert_eq!(record["difference_across_edges"]["value"], 0.0);
     let range: [f32; 2] = [0, 1].map(|k| record["height_range_in_sides"][k].as_f64().unwrap() as f32);
-    let mut row = vec![Texel::default(); 128];
+    let (mut row, mut middles) = (vec![Texel::default(); 128], vec![0.0; 128]);
     for j in [0, 63, 64, 127] {
         plan.source.texels(&plan.row(j as i64, 0), &mut row);
+        // What occludes is the same surface, in the middle of texels.
+        plan.source.heights(&plan.row(j as i64, 0), &mut middles);
+        let apart = row.iter().zip(&middles).map(|(texel, middle)| (texel.height - middle).abs());
+        assert!(apart.fold(0.0, f32::max) < 0.02 * (range[1] - range[0]), "{j}");
         for (i, texel) in row.iter().enumerate() {
             let k = j * 128 + i;
             let height = range[0] + f32::from(heights[k]) / 65_535.0 * (range[1] - range[0]);
@@ -288,6 +298,9 @@ fn maps_show_the_surface() {
     let (_, _, light) = png(&set["ambient_occlusion.png"]);
     let (least, most) = (light.iter().min().unwrap(), light.iter().max().unwrap());
     assert!(*least < 63_000 && *most > 65_000, "{least} to {most}");
+    let ((_, _, rough), (_, _, packed)) =
+        (png(&set["roughness.png"]), png(&set["occlusion_roughness_metallic.png"]));
+    assert!(packed.chunks_exact(3).eq(light.iter().zip(&rough).map(|(&light, &rough)| [light, rough, 0])));
     assert!(!set.contains_key("albedo.png"));
     // Heights of a density: none.
     let bumps = baked("--size 64 --ndf ggx:0.2 --cells 4", &scratch.path().join("bumps"));
@@ -320,8 +333,9 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
         plan.source.texels(&plan.row(k as i64, 0), row);
     }
     let (read, heights) =
-        (ktx2::Reader::new(set["roughness.ktx2"].as_slice()).unwrap(), levels(&set["height.exr"]));
-    let rough = levels(&set["roughness.exr"]);
+        (ktx2::Reader::new(set["roughness.ktx2"].as_slice()).unwrap(), channel(&set["height.exr"], "Y"));
+    let rough = channel(&set["roughness.exr"], "Y");
+    let colours = ["R", "G", "B"].map(|name| channel(&set["base_color.exr"], name));
     let blocks: Vec<Vec<u8>> = read.levels().map(|level| level.data.to_vec()).collect();
     assert_eq!((read.header().level_count, read.header().pixel_width, rough.len()), (8, 128, 8));
     assert_eq!(read.header().format, Some(ktx2::Format::BC4_UNORM_BLOCK));
@@ -336,6 +350,9 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
                 rough[level][k]
             );
             assert!((heights[level][k] - texel.height).abs() < 1e-8, "level {level}");
+            // Half floats of 16 bits along the curve, whose step is 1e-4 of its place at most.
+            let seen = Vec3::from(colours.each_ref().map(|levels| levels[level][k]));
+            assert!(seen.abs_diff_eq(texel.colour, 6e-4), "level {level}: {seen} and {}", texel.colour);
             let block = (k / side / 4) * side.div_ceil(4) + k % side / 4;
             let mut decoded = [0; 16];
             block_compression::decode::decode_block_bc4(
@@ -358,13 +375,14 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
     assert_eq!(ktx2::Reader::new(set["metallic.ktx2"].as_slice()).unwrap().header().level_count, 3);
 }
 
-/// The levels of an OpenEXR file of one channel.
-fn levels(bytes: &[u8]) -> Vec<Vec<f32>> {
+/// The levels of a channel of an OpenEXR file.
+fn channel(bytes: &[u8], name: &str) -> Vec<Vec<f32>> {
     use exr::prelude::{ReadChannels, ReadLayers, read};
     let image =
         read().no_deep_data().all_resolution_levels().all_channels().first_valid_layer().all_attributes();
     let image = image.from_buffered(std::io::Cursor::new(bytes)).unwrap();
-    match &image.layer_data.channel_data.list[0].sample_data {
+    let channel = image.layer_data.channel_data.list.iter().find(|channel| channel.name.eq(name));
+    match &channel.unwrap().sample_data {
         exr::image::Levels::Mip { level_data, .. } => {
             level_data.iter().map(|level| level.values_as_f32().collect()).collect()
         }

@@ -81,7 +81,7 @@ impl Tile {
 }
 
 /// Heights of the tile and of what its horizons reach.
-fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings {
+pub(super) fn surroundings(plan: &Plan, [column, row]: [i64; 2]) -> Surroundings {
     let (margin, whole, origin) = (plan.reach as usize, i64::from(plan.whole()), plan.origin());
     let side = plan.tile as usize + 2 * margin;
     let mut heights = vec![0.0; side * side];

@@ -109,7 +109,7 @@ fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>
     let stored = |Panel { stem, label, alt, span, picture }| {
         let ((file, sha256), light, pixels) = match picture {
             Picture::Raster(image) => {
-                let (png, jpeg) = (image.png()?, image.encode(Format::Jpeg)?);
+                let (png, jpeg) = (image.encode(Format::Png)?, image.encode(Format::Jpeg)?);
                 // Of few colours the one that loses nothing is the smaller one.
                 let light = (2 * jpeg.len() < png.len()).then(|| write(&stem, "jpg", &jpeg)).transpose()?;
                 (write(&stem, "png", &png)?, light, Some((image.width, image.height)))

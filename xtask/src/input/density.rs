@@ -182,7 +182,7 @@ mod tests {
     use std::fs;
 
     use approx::assert_abs_diff_eq;
-    use asperity_render::image::{Image, formats::exr, tone::hex};
+    use asperity_render::image::{Format, Image, formats::exr, tone::hex};
 
     use super::*;
 
@@ -200,7 +200,7 @@ mod tests {
 
     /// A PNG with a colour for every row.
     fn png(width: u32, rows: &[u32]) -> Vec<u8> {
-        Image::from_fn(width, rows.len() as u32, |_, y| hex(rows[y as usize])).png().unwrap()
+        Image::from_fn(width, rows.len() as u32, |_, y| hex(rows[y as usize])).encode(Format::Png).unwrap()
     }
 
     #[test]
@@ -258,7 +258,7 @@ mod tests {
             assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
         }
-        let grey = exr(1, 1, &[("Y", vec![0.5])]).unwrap();
+        let grey = exr(1, 1, [("Y", vec![0.5])]).unwrap();
         let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.exr", &grey)));
         assert!(grey.contains("R, G, B"), "{grey}");
     }

@@ -73,7 +73,7 @@ pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
 #[cfg(test)]
 mod tests {
     use approx::assert_abs_diff_eq;
-    use asperity_render::image::Image;
+    use asperity_render::image::{Format, Image};
     use asperity_shading::Environment;
 
     use super::*;
@@ -87,7 +87,7 @@ mod tests {
             1 => Vec3::new(f32::NAN, f32::INFINITY, 0.0),
             _ => Vec3::ONE,
         });
-        std::fs::write(&file, ringing.exr().unwrap()).unwrap();
+        std::fs::write(&file, ringing.encode(Format::Exr).unwrap()).unwrap();
         let map = surroundings(&file).unwrap();
         let all = (0..64).map(|k| {
             map.radiance(Vec3::new((f32::from(k as u8) * 0.1).cos(), (f32::from(k as u8) * 0.1).sin(), 0.0))
@@ -100,7 +100,7 @@ mod tests {
         let scratch = tempfile::tempdir().unwrap();
         let sky = Image::from_fn(16, 8, |_, y| Vec3::new(3.0, 2.0, y as f32));
         let file = scratch.path().join("sky.exr");
-        std::fs::write(&file, sky.exr().unwrap()).unwrap();
+        std::fs::write(&file, sky.encode(Format::Exr).unwrap()).unwrap();
         let map = surroundings(&file).unwrap();
         assert_abs_diff_eq!(map.radiance(Vec3::X), Vec3::new(3.0, 2.0, 3.5), epsilon = 0.01);
         std::fs::write(&file, b"no image").unwrap();

@@ -106,7 +106,8 @@ pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -
             result => result?,
         }
         if let Some(image) = image {
-            output.write(&name(frame)?, &picture.developed(image).encode(picture.format)?)?;
+            let image = picture.developed(image);
+            output.stream(&name(frame)?, |file| image.write(picture.format, file))?;
         }
     }
     let count = last - first + 1;

@@ -29,7 +29,8 @@ pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
     let bar = progress::bar("render");
     let mut drawn = None;
     let result = picture.refined(&bar, interrupted, &mut |image, samples, noise| {
-        output.write(&picture.name, &picture.developed(image).encode(picture.format)?)?;
+        let image = picture.developed(image);
+        output.stream(&picture.name, |file| image.write(picture.format, file))?;
         let grain = if noise.is_finite() { format!(", grain {noise:.4}") } else { String::new() };
         let count = if samples == 1 { "1 sample".into() } else { format!("{samples} samples") };
         let progress = format!("{count} a pixel{grain}");

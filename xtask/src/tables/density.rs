@@ -40,7 +40,7 @@ pub(super) fn tables(density: &Density) -> Result<Made, Failure> {
         seen.view().entries().iter().map(|&[z1, z2, root]| [z1, z2, (root * root) * (root * root)]);
     let packed = map.pack();
     let files = vec![
-        ("density.exr".into(), exr(width, height, &[("Y", texture.clone())])?),
+        ("density.exr".into(), exr(width, height, [("Y", texture.clone())])?),
         ("marginal_cdf.npy".into(), npy(F64, &[width + 1], &marginal)),
         ("conditional_cdf.npy".into(), npy(F64, &[width, height + 1], &conditional)),
         ("normal_table.exr".into(), channels(L_SIZE, names, frames)?),
@@ -139,5 +139,5 @@ fn channels<const N: usize>(
 ) -> Result<Vec<u8>, Failure> {
     let texels: Vec<[f32; N]> = texels.collect();
     let plane = |k: usize| texels.iter().map(|texel| texel[k]).collect();
-    exr(size, size, &std::array::from_fn::<_, N, _>(|k| (names[k], plane(k))))
+    exr(size, size, std::array::from_fn::<_, N, _>(|k| (names[k], plane(k))))
 }

@@ -143,7 +143,7 @@ fn files(
         let folder = page::escape(&set.folder);
         links += &format!("<a href=\"{folder}/{name}\">{name}</a> <span>{size}</span><br>");
     }
-    hand(&set.folder, "picture.png", &made.picture.png()?)?;
+    hand(&set.folder, "picture.png", &made.picture.encode(asperity_render::image::Format::Png)?)?;
     let provenance = json!({
         "title": set.title,
         "made_by": format!("asperity {}", env!("CARGO_PKG_VERSION")),

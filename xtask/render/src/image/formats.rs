@@ -9,10 +9,14 @@ use exr::prelude::{
 use crate::failure::Failure;
 
 /// Named channels of 32-bit floats, row by row from the top, as an uncompressed OpenEXR file.
-pub fn exr(width: usize, height: usize, channels: &[(&str, Vec<f32>)]) -> Result<Vec<u8>, Failure> {
+pub fn exr<'a>(
+    width: usize,
+    height: usize,
+    channels: impl IntoIterator<Item = (&'a str, Vec<f32>)>,
+) -> Result<Vec<u8>, Failure> {
     let list: SmallVec<[_; 4]> = channels
-        .iter()
-        .map(|(name, samples)| AnyChannel::new(*name, FlatSamples::F32(samples.clone())))
+        .into_iter()
+        .map(|(name, samples)| AnyChannel::new(name, FlatSamples::F32(samples)))
         .collect();
     let encoding = Encoding::UNCOMPRESSED;
     let layer = Layer::new((width, height), LayerAttributes::default(), encoding, AnyChannels::sort(list));

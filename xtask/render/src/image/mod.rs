@@ -5,18 +5,17 @@ mod radiance;
 pub mod read;
 pub mod tone;
 
+use std::io::{Cursor, Seek, Write};
 use std::path::Path;
 
+use exr::prelude::{Encoding, Image as EncodedImage, SpecificChannels, Vec2, WritableImage};
 use glam::Vec3;
 use image_webp::WebPEncoder;
-use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 
 use crate::{
     failure::Failure,
-    image::{
-        formats::exr,
-        tone::{filmic, shoulder, srgb_byte},
-    },
+    image::tone::{filmic, shoulder, srgb_byte},
 };
 
 /// Formats that pictures are written in.
@@ -74,48 +73,62 @@ impl Image {
         self
     }
 
-    /// The bytes of an OpenEXR file of 32-bit floats, as they are.
-    pub fn exr(&self) -> Result<Vec<u8>, Failure> {
-        let plane = |axis: usize| self.pixels.iter().map(|p| p[axis]).collect::<Vec<f32>>();
-        exr(self.width as usize, self.height as usize, &[("R", plane(0)), ("G", plane(1)), ("B", plane(2))])
+    /// The bytes of a file of a format, as [`write`](Self::write) writes it.
+    pub fn encode(&self, format: Format) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Cursor::new(Vec::new());
+        self.write(format, &mut bytes)?;
+        Ok(bytes.into_inner())
     }
 
-    /// The bytes of a file of a format: [`exr`](Self::exr), or sRGB of 8 bits, where values outside `[0, 1]` and NaN are clamped.
+    /// Writes a file of a format: OpenEXR of 32-bit floats, as they are, or sRGB of 8 bits, where values outside `[0, 1]` and NaN are
+    /// clamped.
     ///
-    /// JPEG has a quality of 95 without smaller planes of colour, WebP loses nothing.
-    pub fn encode(&self, format: Format) -> Result<Vec<u8>, Failure> {
-        let (mut bytes, &Self { width, height, .. }) = (Vec::new(), self);
+    /// JPEG has a quality of 95 without smaller planes of colour, WebP loses nothing. OpenEXR and PNG are written row by row and need no
+    /// memory but the image's.
+    pub fn write(&self, format: Format, file: &mut (impl Write + Seek)) -> Result<(), Failure> {
+        let &Self { width, height, ref pixels } = self;
         match format {
-            Format::Png => return Ok(self.png()?),
-            Format::Exr => return self.exr(),
+            Format::Png => {
+                let mut encoder = Encoder::new(file, width, height);
+                encoder.set_color(ColorType::Rgb);
+                encoder.set_depth(BitDepth::Eight);
+                encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+                let mut writer = encoder.write_header()?;
+                let mut rows = writer.stream_writer()?;
+                pixels.chunks(width.max(1) as usize).try_for_each(|row| rows.write_all(&srgb_bytes(row)))?;
+                rows.finish()?;
+            }
+            Format::Exr => {
+                let size = (width as usize, height as usize);
+                let pixel = |Vec2(x, y)| <(f32, f32, f32)>::from(pixels[y * size.0 + x]);
+                let image = EncodedImage::from_encoded_channels(
+                    size,
+                    Encoding::UNCOMPRESSED,
+                    SpecificChannels::rgb(pixel),
+                );
+                image.write().non_parallel().to_buffered(file)?;
+            }
             Format::Jpeg => {
-                let mut encoder = jpeg_encoder::Encoder::new(&mut bytes, 95);
+                let mut encoder = jpeg_encoder::Encoder::new(file, 95);
                 encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::F_1_1);
                 let [width, height] = [width, height].map(u16::try_from);
-                encoder.encode(&self.srgb_bytes(), width?, height?, jpeg_encoder::ColorType::Rgb)?;
+                encoder.encode(&srgb_bytes(pixels), width?, height?, jpeg_encoder::ColorType::Rgb)?;
             }
             Format::WebP => {
-                let encoder = WebPEncoder::new(&mut bytes);
-                encoder.encode(&self.srgb_bytes(), width, height, image_webp::ColorType::Rgb8)?;
+                WebPEncoder::new(file).encode(
+                    &srgb_bytes(pixels),
+                    width,
+                    height,
+                    image_webp::ColorType::Rgb8,
+                )?;
             }
         }
-        Ok(bytes)
+        Ok(())
     }
+}
 
-    fn srgb_bytes(&self) -> Vec<u8> {
-        self.pixels.iter().flat_map(|p| p.to_array().map(srgb_byte)).collect()
-    }
-
-    /// The bytes of an 8-bit sRGB PNG; values outside `[0, 1]` and NaN are clamped.
-    pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
-        let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, self.width, self.height);
-        encoder.set_color(ColorType::Rgb);
-        encoder.set_depth(BitDepth::Eight);
-        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        encoder.write_header()?.write_image_data(&self.srgb_bytes())?;
-        Ok(bytes)
-    }
+fn srgb_bytes(pixels: &[Vec3]) -> Vec<u8> {
+    pixels.iter().flat_map(|p| p.to_array().map(srgb_byte)).collect()
 }
 
 #[cfg(test)]

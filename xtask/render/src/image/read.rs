@@ -272,7 +272,7 @@ mod tests {
     #[test]
     fn textures_read_back_and_without_data_are_refused() {
         let texels = vec![0.25, f32::MAX, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0];
-        let good = exr(4, 2, &[("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
+        let good = exr(4, 2, [("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
         let image = ImageFile::decode(good.clone()).unwrap();
         assert_eq!((image.width, image.height, image.planes), (4, 2, vec![("Y".to_owned(), texels)]));
         let claiming = |width: i32, height: i32| {
@@ -284,7 +284,7 @@ mod tests {
             }
             bytes
         };
-        let alpha = exr(1, 1, &[("A", vec![1.0])]).unwrap();
+        let alpha = exr(1, 1, [("A", vec![1.0])]).unwrap();
         for (bytes, message) in [
             (claiming(20_000, 20_000), "an image must have 1 to 134217728 pixels"),
             (claiming(4, 4_000_000), "cannot hold the 4 × 4000000 pixels"),

@@ -67,8 +67,10 @@ impl Scene<'_, '_> {
             let next = self.and(&sums, samples..more, sampling, camera, progress, interrupted)?;
             let noise = next.noise(&sums, &shown);
             (sums, samples) = (next, more);
-            pass(sums.mean(), samples, noise)?;
-            if noise <= goal {
+            let done = noise <= goal || samples == most;
+            let last = if done { std::mem::take(&mut sums) } else { sums.clone() };
+            pass(last.mean(), samples, noise)?;
+            if done {
                 break;
             }
         }

@@ -52,7 +52,7 @@ fn pixels<S: Fn(u32) -> Vec3>(
 }
 
 /// Sums of the samples of pixels, to which more can be added: the same in one go and in several.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Sums {
     sums: Option<Image>,
     samples: u32,
@@ -68,20 +68,27 @@ impl Sums {
         interrupted: &AtomicBool,
         pixel: impl Fn(u32, u32) -> S + Sync,
     ) -> Result<Self, Failure> {
-        let sum = |x: u32, y: u32| {
-            let before = self.sums.as_ref().and_then(|sums| sums.pixels.get((y * width + x) as usize));
-            let sample = pixel(x, y);
-            samples.clone().fold(before.copied().unwrap_or_default(), |sum, k| sum + sample(k))
+        let empty = || Image::from_fn(width, height, |_, _| Vec3::ZERO);
+        let mut sums = self.sums.clone().unwrap_or_else(empty);
+        progress.inc_length(u64::from(height));
+        // In place: of a large picture there is no room for another.
+        let row = |(y, row): (usize, &mut [Vec3])| {
+            Interrupted::check(interrupted)?;
+            for (x, sum) in row.iter_mut().enumerate() {
+                let sample = pixel(x as u32, y as u32);
+                *sum = samples.clone().fold(*sum, |sum, k| sum + sample(k));
+            }
+            progress.inc(1);
+            Ok::<_, Interrupted>(())
         };
-        let row = |y: usize| (0..width).map(|x| sum(x, y as u32)).collect::<Vec<_>>();
-        let pixels = rows(height as usize, progress, interrupted, row)?;
-        Ok(Self { sums: Some(Image { width, height, pixels }), samples: samples.end })
+        sums.pixels.par_chunks_mut(width.max(1) as usize).enumerate().try_for_each(row)?;
+        Ok(Self { sums: Some(sums), samples: samples.end })
     }
 
-    pub(super) fn mean(&self) -> Image {
-        let image = self.sums.clone().unwrap_or(Image { width: 0, height: 0, pixels: Vec::new() });
+    pub(super) fn mean(self) -> Image {
+        let sums = self.sums.unwrap_or(Image { width: 0, height: 0, pixels: Vec::new() });
         let count = self.samples as f32;
-        Image { pixels: image.pixels.into_iter().map(|sum| sum / count).collect(), ..image }
+        sums.map(|sum| sum / count)
     }
 
     /// The standard error of the mean, in the root mean square over what pixels and channels show: by the difference of the samples
@@ -163,7 +170,7 @@ mod tests {
             |sums: &Sums, samples| sums.and(sampling, samples, &bar, &AtomicBool::new(false), pixel).unwrap();
         let first = add(&Sums::default(), 0..4);
         let all = add(&first, 4..12);
-        assert_eq!(all.mean().pixels, add(&Sums::default(), 0..12).mean().pixels);
+        assert_eq!(all.clone().mean().pixels, add(&Sums::default(), 0..12).mean().pixels);
         let expected = (1.0_f32 / 12.0 / 12.0).sqrt();
         // The channels are equal: three standard errors of 4096 squares are a thirtieth.
         assert_abs_diff_eq!(all.noise(&first, |x| x), expected, epsilon = expected / 30.0);

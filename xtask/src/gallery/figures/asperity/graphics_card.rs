@@ -113,7 +113,8 @@ mod tests {
             let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));
             let [before, after] = [
                 ImageFile::open(&path).unwrap(),
-                ImageFile::decode(image(&path).unwrap().png().unwrap()).unwrap(),
+                ImageFile::decode(image(&path).unwrap().encode(asperity_render::image::Format::Png).unwrap())
+                    .unwrap(),
             ];
             assert_eq!(before, after, "{subject}");
         }
