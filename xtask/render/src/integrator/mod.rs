@@ -62,7 +62,7 @@ impl Scene<'_, '_> {
         mut pass: impl FnMut(Image, u32, f32) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let (mut sums, mut samples, most) = (Sums::default(), 0, sampling.samples_per_pixel.max(1));
-        while samples < most {
+        loop {
             let more = (2 * samples).clamp(1, most);
             let next = self.and(&sums, samples..more, sampling, camera, progress, interrupted)?;
             let noise = next.noise(&sums, &shown);
@@ -71,10 +71,9 @@ impl Scene<'_, '_> {
             let last = if done { std::mem::take(&mut sums) } else { sums.clone() };
             pass(last.mean(), samples, noise)?;
             if done {
-                break;
+                return Ok(());
             }
         }
-        Ok(())
     }
 
     /// Sums with more samples.
