@@ -168,6 +168,8 @@ pub(crate) fn run(
     refusals.iter().for_each(|line| println!("{line}"));
     if only.is_none() {
         println!("the page of all parts, with a use in every engine: {}", page.display());
+    } else {
+        println!("the page with a use in every engine is written with all parts: `cargo xtask shaders`");
     }
     if refusals.is_empty() { Ok(()) } else { Err(format!("{} shaders are refused", refusals.len())) }
 }
