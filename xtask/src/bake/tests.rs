@@ -272,7 +272,8 @@ fn maps_show_the_surface() {
     let (mut row, mut middles) = (vec![Texel::default(); 128], vec![0.0; 128]);
     for j in [0, 63, 64, 127] {
         plan.source.texels(&plan.row(j as i64, 0), &mut row);
-        // What occludes is the same surface, in the middle of texels.
+        // What occludes is the same surface, in the middle of texels. Of 8 texels a wave, as the last octave has, means are off by
+        // (2π/8)²/24 an axis, and that octave is a seventh of all.
         plan.source.heights(&plan.row(j as i64, 0), &mut middles);
         let apart = row.iter().zip(&middles).map(|(texel, middle)| (texel.height - middle).abs());
         assert!(apart.fold(0.0, f32::max) < 0.02 * (range[1] - range[0]), "{j}");
@@ -350,9 +351,8 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
                 rough[level][k]
             );
             assert!((heights[level][k] - texel.height).abs() < 1e-8, "level {level}");
-            // Half floats of 16 bits along the curve, whose step is 1e-4 of its place at most.
             let seen = Vec3::from(colours.each_ref().map(|levels| levels[level][k]));
-            assert!(seen.abs_diff_eq(texel.colour, 6e-4), "level {level}: {seen} and {}", texel.colour);
+            assert!(seen.abs_diff_eq(texel.colour, 3e-4), "level {level}: {seen} and {}", texel.colour);
             let block = (k / side / 4) * side.div_ceil(4) + k % side / 4;
             let mut decoded = [0; 16];
             block_compression::decode::decode_block_bc4(

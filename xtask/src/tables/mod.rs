@@ -15,6 +15,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use asperity_render::image::Format;
 use serde_json::json;
 
 use crate::cli::Tables;
@@ -143,7 +144,7 @@ fn files(
         let folder = page::escape(&set.folder);
         links += &format!("<a href=\"{folder}/{name}\">{name}</a> <span>{size}</span><br>");
     }
-    hand(&set.folder, "picture.png", &made.picture.encode(asperity_render::image::Format::Png)?)?;
+    hand(&set.folder, "picture.png", &made.picture.encode(Format::Png)?)?;
     let provenance = json!({
         "title": set.title,
         "made_by": format!("asperity {}", env!("CARGO_PKG_VERSION")),

@@ -11,7 +11,7 @@ use crate::{
     image::Image,
     integrator::{
         non_local_means,
-        pixels::{Sampling, pixel_hash, rows},
+        pixels::{Sampling, each_row, pixel_hash},
     },
     sampling::sampler::Sampler,
     scene::Scene,
@@ -201,21 +201,20 @@ fn sampled(
     let mut pixels = vec![Halves::default(); columns * height as usize];
     let mut wanted = vec![least; pixels.len()];
     while pixels.iter().zip(&wanted).any(|(pixel, &wanted)| pixel.count < wanted) {
-        let more = |x: u32, y: u32| {
-            let index = (y * width + x) as usize;
-            let (mut pixel, wanted) = (pixels[index], wanted[index]);
-            let hashed = [0, 1].map(|half| pixel_hash(x, y, pixel_hash(seed, half, 0)));
-            for k in pixel.count..wanted {
-                for (sum, hashed) in pixel.sums.iter_mut().zip(hashed) {
-                    let mut sampler = Sampler::new(k, hashed);
-                    let place = sampler.point();
-                    *sum += radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler);
+        each_row(&mut pixels, columns, progress, interrupted, |y, row| {
+            for (x, (pixel, &wanted)) in row.iter_mut().zip(&wanted[y * columns..]).enumerate() {
+                let (x, y) = (x as u32, y as u32);
+                let hashed = [0, 1].map(|half| pixel_hash(x, y, pixel_hash(seed, half, 0)));
+                for k in pixel.count..wanted {
+                    for (sum, hashed) in pixel.sums.iter_mut().zip(hashed) {
+                        let mut sampler = Sampler::new(k, hashed);
+                        let place = sampler.point();
+                        *sum += radiance(x as f32 + place.x, y as f32 + place.y, &mut sampler);
+                    }
                 }
+                pixel.count = pixel.count.max(wanted);
             }
-            Halves { count: pixel.count.max(wanted), ..pixel }
-        };
-        let row = |y: usize| (0..width).map(|x| more(x, y as u32)).collect::<Vec<_>>();
-        pixels = rows(height as usize, progress, interrupted, row)?;
+        })?;
         let enough = enough(&pixels, columns, goal, most.max(least));
         for ((pixel, wanted), enough) in pixels.iter().zip(&mut wanted).zip(enough) {
             *wanted = enough.min(pixel.count.saturating_mul(GROWTH)).max(pixel.count);

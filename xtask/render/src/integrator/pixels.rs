@@ -68,20 +68,14 @@ impl Sums {
         interrupted: &AtomicBool,
         pixel: impl Fn(u32, u32) -> S + Sync,
     ) -> Result<Self, Failure> {
-        let empty = || Image::from_fn(width, height, |_, _| Vec3::ZERO);
-        let mut sums = self.sums.clone().unwrap_or_else(empty);
-        progress.inc_length(u64::from(height));
-        // In place: of a large picture there is no room for another.
-        let row = |(y, row): (usize, &mut [Vec3])| {
-            Interrupted::check(interrupted)?;
+        let black = || Image { width, height, pixels: vec![Vec3::ZERO; width as usize * height as usize] };
+        let mut sums = self.sums.clone().unwrap_or_else(black);
+        each_row(&mut sums.pixels, width as usize, progress, interrupted, |y, row| {
             for (x, sum) in row.iter_mut().enumerate() {
                 let sample = pixel(x as u32, y as u32);
                 *sum = samples.clone().fold(*sum, |sum, k| sum + sample(k));
             }
-            progress.inc(1);
-            Ok::<_, Interrupted>(())
-        };
-        sums.pixels.par_chunks_mut(width.max(1) as usize).enumerate().try_for_each(row)?;
+        })?;
         Ok(Self { sums: Some(sums), samples: samples.end })
     }
 
@@ -105,6 +99,24 @@ impl Sums {
     }
 }
 
+/// Works on rows of so many pixels where they are, on all threads: of a large picture there is no room for another.
+pub(super) fn each_row<T: Send>(
+    pixels: &mut [T],
+    columns: usize,
+    progress: &ProgressBar,
+    interrupted: &AtomicBool,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) -> Result<(), Interrupted> {
+    let rows = pixels.par_chunks_mut(columns.max(1)).enumerate();
+    progress.inc_length(rows.len() as u64);
+    rows.try_for_each(|(y, row)| {
+        Interrupted::check(interrupted)?;
+        work(y, row);
+        progress.inc(1);
+        Ok(())
+    })
+}
+
 /// Rows one below the other, made on all threads, in their order whatever the number of threads.
 pub fn rows<T: Send, R: IntoIterator<Item = T>>(
     count: usize,
@@ -112,15 +124,11 @@ pub fn rows<T: Send, R: IntoIterator<Item = T>>(
     interrupted: &AtomicBool,
     row: impl Fn(usize) -> R + Sync,
 ) -> Result<Vec<T>, Failure> {
-    progress.inc_length(count as u64);
-    let made = |k| {
-        Interrupted::check(interrupted)?;
-        let row = row(k).into_iter().collect();
-        progress.inc(1);
-        Ok(row)
-    };
-    let rows: Result<Vec<Vec<T>>, Interrupted> = (0..count).into_par_iter().map(made).collect();
-    Ok(rows?.into_iter().flatten().collect())
+    let mut rows: Vec<Vec<T>> = (0..count).map(|_| Vec::new()).collect();
+    each_row(&mut rows, 1, progress, interrupted, |k, made| {
+        made.iter_mut().for_each(|made| made.extend(row(k)));
+    })?;
+    Ok(rows.into_iter().flatten().collect())
 }
 
 /// The `k`-th point of the R₂ sequence, shifted on the torus.

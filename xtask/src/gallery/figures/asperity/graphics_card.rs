@@ -99,6 +99,8 @@ fn image(path: &Path) -> Result<Image> {
 
 #[cfg(test)]
 mod tests {
+    use asperity_render::image::Format;
+
     use super::*;
 
     #[test]
@@ -113,8 +115,7 @@ mod tests {
             let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));
             let [before, after] = [
                 ImageFile::open(&path).unwrap(),
-                ImageFile::decode(image(&path).unwrap().encode(asperity_render::image::Format::Png).unwrap())
-                    .unwrap(),
+                ImageFile::decode(image(&path).unwrap().encode(Format::Png).unwrap()).unwrap(),
             ];
             assert_eq!(before, after, "{subject}");
         }
