@@ -3,7 +3,7 @@
 use asperity_ndf_sampling::Frame;
 use glam::{Vec2, Vec3};
 
-use crate::direction::{along, reflect};
+use crate::direction::{along, near_one, reflect};
 use crate::math::sqrt;
 
 /// The gradient along a surface of a height that is given by its derivatives in two parameters.
@@ -198,11 +198,11 @@ pub fn facing(n: Vec3, bumped: Vec3, wo: Vec3) -> Vec3 {
     if !(cosine > 0.0 && mirrored.dot(n) < 0.0) {
         return bumped;
     }
-    let level = tangential(n, mirrored);
+    // Squares of a view much shorter than 1 would leave the range.
+    let level = near_one(tangential(n, mirrored));
     let length = sqrt(level.dot(level));
     let level = if length > 0.0 { level / length } else { Vec3::ZERO };
-    let turned = (wo + level).normalize_or_zero();
-    if turned.is_finite() && turned != Vec3::ZERO { turned } else { n }
+    along(wo + level).unwrap_or(n)
 }
 
 #[cfg(test)]
@@ -276,6 +276,16 @@ mod tests {
             } else {
                 assert!(reflect(wo, seen).z < 1e-4, "no further than needed: {wo}, {bumped}: {seen}");
             }
+        }
+    }
+
+    #[test]
+    fn views_of_any_length_see_a_unit_normal() {
+        let bumped = Vec3::new(-0.8, 0.0, 0.6);
+        for length in [f32::from_bits(9), 1e-40, 1e-23, 1e-21, 1e-11, 1.0, 1e11, 1e18] {
+            let wo = length * Vec3::new(0.8, 0.0, 0.6);
+            let seen = facing(Vec3::Z, bumped, wo);
+            assert!(seen != bumped && (seen.length() - 1.0).abs() < 1e-6, "{wo}: {seen}");
         }
     }
 }
