@@ -21,14 +21,31 @@ fn factor(numbers: &mut Numbers<'_>) -> f64 {
     }
 }
 
-/// The promises of every system.
+/// A promise of every system.
 fn system<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
-    let (x, tolerance) = (numbers.double(), numbers.double());
     let (domain, range) = (f.domain(), f.range());
     assert!(
         domain.lo < domain.hi && range.lo <= range.hi && range.magnitude().is_finite(),
         "{domain} {range}"
     );
+    let searches = numbers.is_one_in(8);
+    match (searches, numbers.byte() % 4) {
+        (false, 0) => values(f, numbers),
+        (false, 1) => integrals(f, numbers),
+        (false, 2) => shape(f, numbers),
+        (false, _) => sums(f, numbers),
+        (true, 0 | 1) => extrema(f, numbers),
+        (true, 2) => table(f, numbers),
+        (true, _) => {
+            let x = numbers.double();
+            assert_eq!(f.conditioning(x).is_nan(), x.is_nan(), "{x}");
+        }
+    }
+}
+
+fn values<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    let (x, tolerance) = (numbers.double(), numbers.double());
+    let (domain, range) = (f.domain(), f.range());
     for x in [x, domain.lo + domain.width() * f64::from(numbers.share()), domain.hi] {
         let got = f.evaluate(x, tolerance);
         assert_eq!(got.value.is_nan(), x.is_nan(), "{got:?} at {x}");
@@ -36,31 +53,42 @@ fn system<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
             assert!(got.bound >= 0.0 && got.bound.is_finite(), "{got:?} at {x}");
             assert!(range.inflated(got.bound).contains(got.value), "{got:?} at {x} in {range}");
         }
-        let address: Vec<usize> = f.address(x).take(20).collect();
-        assert!(address.iter().all(|&j| j < f.pieces().len()));
+        assert!(f.address(x).take(20).all(|j| j < f.pieces().len()));
     }
-    let (l, r) = (numbers.double(), numbers.double());
+    let _ = f.algorithm_two(x, tolerance);
+    assert!(f.chaos_game(7).take(20).all(|(x, _)| x.is_finite()));
+}
+
+fn integrals<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    let (x, l, r) = (numbers.double(), numbers.double(), numbers.double());
     for estimate in [f.integral_over(l, r), f.mean(l, r)] {
         assert!(estimate.bound >= 0.0 || estimate.bound.is_nan(), "{estimate:?} over {l} {r}");
     }
     assert!(!f.total_integral().is_nan());
-    let extrema = f.extrema(numbers.double());
-    assert!(
-        extrema.maximum.lo <= extrema.maximum.hi && extrema.minimum.lo <= extrema.minimum.hi,
-        "{extrema:?}"
-    );
-    let _ = f.extrema_over(l, r, numbers.double());
-    let dimension = f.dimension();
-    assert!(dimension.lo >= 1.0 - 1e-12 && dimension.hi <= 2.0 + 1e-12, "{dimension}");
-    let distance = numbers.double();
-    assert!(f.modulus().at(distance) >= 0.0 || distance.is_nan(), "{distance}");
-    assert!(!f.conditioning(x).is_nan());
     let (k, p) = (numbers.count(5), numbers.count(5));
     for moment in [f.moment(k, p), f.moment_over(k, p, l, r), f.nth_integral(k, x)] {
         if let Err(error) = moment {
             assert_eq!(error.to_string().lines().count(), 1);
         }
     }
+}
+
+fn extrema<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    let (range, l, r) = (f.range(), numbers.double(), numbers.double());
+    let extrema = f.extrema(numbers.tolerance(range.width()));
+    assert!(
+        extrema.maximum.lo <= extrema.maximum.hi && extrema.minimum.lo <= extrema.minimum.hi,
+        "{extrema:?}"
+    );
+    let _ = f.extrema_over(l, r, numbers.tolerance(range.width()));
+    let _ = f.supremum_norm(numbers.tolerance(range.magnitude()));
+}
+
+fn shape<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    let (range, distance) = (f.range(), numbers.double());
+    let dimension = f.dimension();
+    assert!(dimension.lo >= 1.0 - 1e-12 && dimension.hi <= 2.0 + 1e-12, "{dimension}");
+    assert!(f.modulus().at(distance) >= 0.0 || distance.is_nan(), "{distance}");
     let mut grid = [0.0; 9];
     match f.grid(&mut grid) {
         Ok(bound) => {
@@ -68,7 +96,19 @@ fn system<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
         }
         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
     }
-    match f.table(numbers.double()) {
+}
+
+fn sums<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    if let Ok(other) = &f.scaled(numbers.double()) {
+        let x = numbers.double();
+        let _ = f.sum(other).map(|sum| sum.evaluate(x, 1e-6));
+        let _ = f.inner_product(other);
+    }
+}
+
+fn table<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
+    let x = numbers.double();
+    match f.table(numbers.tolerance(f.range().width())) {
         Ok(table) => {
             assert!(table.bound() >= 0.0 && table.bound().is_finite());
             let got = table.evaluate(x);
@@ -79,18 +119,13 @@ fn system<const C: usize>(f: &Fif<C>, numbers: &mut Numbers<'_>) {
         }
         Err(error) => assert_eq!(error.to_string().lines().count(), 1),
     }
-    let scaled = f.scaled(numbers.double());
-    if let Ok(other) = &scaled {
-        let _ = f.sum(other).map(|sum| sum.evaluate(x, 1e-6));
-        let _ = f.inner_product(other);
-    }
-    let _ = f.supremum_norm(1e-3);
-    let _ = f.algorithm_two(x, tolerance);
-    assert!(f.chaos_game(7).take(20).all(|(x, _)| x.is_finite()));
 }
 
-fn integrals(f: &Fif<2>, numbers: &mut Numbers<'_>) {
-    if let Ok(integral) = f.integral::<Vec<_>, 3>(numbers.double()) {
+/// A promise of an affine system, or of its integral.
+fn affine(f: &Fif<2>, numbers: &mut Numbers<'_>) {
+    if numbers.byte() < 192 {
+        system(f, numbers);
+    } else if let Ok(integral) = f.integral::<Vec<_>, 3>(numbers.double()) {
         system(&integral, numbers);
         let _ = integral.derivative::<Vec<_>, 2>();
     }
@@ -141,10 +176,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             let y: Vec<f64> = x.iter().map(|_| numbers.double()).collect();
             let alpha: Vec<f64> = x.iter().skip(1).map(|_| factor(numbers)).collect();
             match Fif::affine(&x, &y, &alpha) {
-                Ok(f) => {
-                    system(&f, numbers);
-                    integrals(&f, numbers);
-                }
+                Ok(f) => affine(&f, numbers),
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
         }

@@ -18,8 +18,16 @@ fn texel(numbers: &mut Numbers<'_>) -> f32 {
     }
 }
 
+/// A promise of every map: as a density, of its CDF, or packed.
 fn check(map: &NdfMap, numbers: &mut Numbers<'_>) {
-    ndf(map, numbers);
+    match numbers.byte() % 4 {
+        0 | 1 => ndf(map, numbers),
+        2 => shares(map, numbers),
+        _ => packed(map, numbers),
+    }
+}
+
+fn shares(map: &NdfMap, numbers: &mut Numbers<'_>) {
     let cdf = map.cdf();
     for [x, y] in
         [[numbers.double(), numbers.double()], [f64::from(numbers.share()), f64::from(numbers.share())]]
@@ -33,6 +41,9 @@ fn check(map: &NdfMap, numbers: &mut Numbers<'_>) {
         }
         assert!((0.0..=1.0).contains(&cdf.conditional_inverse(x, y)));
     }
+}
+
+fn packed(map: &NdfMap, numbers: &mut Numbers<'_>) {
     let array = map.pack();
     let packed = PackedMapRef::new(&array).expect("what was packed is a packed map");
     ndf(&packed, numbers);
@@ -53,7 +64,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     let kind = numbers.pick(&[Reconstruction::Constant, Reconstruction::Bilinear]);
     match numbers.byte() % 5 {
         0 | 1 => {
-            let size = [numbers.count(9), numbers.count(9)];
+            let size = [numbers.count(5), numbers.count(5)];
             let measure = numbers.pick(&[Measure::Normals, Measure::SolidAngle]);
             let texels: Vec<f32> = (0..size[0] * size[1]).map(|_| texel(numbers)).collect();
             match NdfMap::from_texels(size[0], size[1], &texels, measure, kind) {
@@ -61,15 +72,16 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
         }
-        2 => {
-            let normals = numbers.list(64, Numbers::direction);
+        // A million texels.
+        2 if numbers.is_one_in(256) => {
+            let normals = normals(numbers);
             match estimate_ndf(&normals) {
                 Ok(map) => ndf(&map, numbers),
                 Err(error) => assert_eq!(error.to_string().lines().count(), 1),
             }
         }
-        3 => {
-            let Ok(mut estimator) = NdfEstimator::new(numbers.count(40), numbers.float()) else { return };
+        2 | 3 => {
+            let Ok(mut estimator) = NdfEstimator::new(numbers.count(12), numbers.float()) else { return };
             estimator.extend(normals(numbers));
             match estimator.finish() {
                 Ok(map) => check(&map, numbers),

@@ -4,7 +4,7 @@ use arbitrary::Unstructured;
 use glam::{Vec2, Vec3};
 
 /// The bytes, which give zeros when they are used up.
-pub(crate) struct Numbers<'a>(Unstructured<'a>);
+pub(crate) struct Numbers<'a>(Unstructured<'a>, &'a [u8]);
 
 /// Places where formulas change, overflow, or lose all digits.
 const SPECIAL: [f64; 32] = [
@@ -44,7 +44,15 @@ const SPECIAL: [f64; 32] = [
 
 impl<'a> Numbers<'a> {
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self(Unstructured::new(bytes))
+        Self(Unstructured::new(bytes), bytes)
+    }
+
+    /// Whether this is one of the few inputs that may do what takes long: one in so many.
+    ///
+    /// All bytes decide together, so that a fuzzer, which keeps what reaches much, does not learn to be slow.
+    pub(crate) fn is_one_in(&self, many: u32) -> bool {
+        let mixed = |hash: u32, byte: &u8| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
+        (self.1.iter().fold(0x811c_9dc5, mixed) >> 8).is_multiple_of(many)
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -154,6 +162,14 @@ impl<'a> Numbers<'a> {
                 if unit == Vec3::ZERO || !unit.is_finite() { v } else { unit }
             }
             _ => self.vector(),
+        }
+    }
+
+    /// A tolerance of a function this wide: mostly one that is soon reached, or any.
+    pub(crate) fn tolerance(&mut self, width: f64) -> f64 {
+        match self.byte() {
+            0..=249 => width * f64::from(self.between(1e-4, 1.0)),
+            _ => self.double(),
         }
     }
 

@@ -1,5 +1,7 @@
 //! Text from outside: systems and parameters in JSON, words of the command line.
 
+use std::cell::RefCell;
+
 use asperity_fif::{Fif, FixedFif};
 use asperity_ndf_sampling::normal_map::NormalMapFormat;
 use asperity_ndf_sampling::normal_table::TableLayout;
@@ -9,7 +11,7 @@ use asperity_shading::{
     Carpet, CarpetParameters, LevelOfDetail, MetallicPaint, MetallicPaintParameters, Scratches,
     ScratchesParameters, TemperedGlass, TemperedGlassParameters, Variations, VariationsParameters,
 };
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -77,13 +79,22 @@ pub(crate) fn json(data: &[u8]) {
     }
 }
 
+thread_local! {
+    /// Made once: that takes longer than to parse a line.
+    static COMMAND: RefCell<clap::Command> = RefCell::new(Cli::command());
+}
+
 /// Words of the command line, one a line, and of densities.
 pub(crate) fn words(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let words = text.split('\n').map(str::to_owned);
-    if let Err(error) = Cli::try_parse_from(["cargo xtask".to_owned()].into_iter().chain(words)) {
-        assert!([0, 2].contains(&error.exit_code()), "{error}");
-    }
+    COMMAND.with_borrow_mut(|command| {
+        let words = ["cargo xtask".to_owned()].into_iter().chain(words);
+        let read = command.try_get_matches_from_mut(words);
+        if let Err(error) = read.and_then(|matches| Cli::from_arg_matches(&matches)) {
+            assert!([0, 2].contains(&error.exit_code()), "{error}");
+        }
+    });
     for word in text.split('\n').filter(|word| word.contains(':') && !word.starts_with("normal-map:")) {
         // A word that is no formula would be the name of a file.
         let formula = ["ggx:", "beckmann:", "ward:", "student-t:", "blinn-phong:", "ashikhmin-shirley:"];

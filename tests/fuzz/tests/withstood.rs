@@ -61,10 +61,10 @@ fn withstood(files: bool, rounds: usize) {
 
 #[test]
 fn files_and_text_of_any_bytes() {
-    withstood(true, 2000);
+    withstood(true, 20_000);
 }
 
 #[test]
 fn numbers_of_every_class() {
-    withstood(false, 4000);
+    withstood(false, 50_000);
 }
