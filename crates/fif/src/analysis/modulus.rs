@@ -157,7 +157,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             Spacing::Nonuniform => 4.0 * f64::EPSILON * domain.width() * levels,
         };
         let reach = 4.0 * f64::EPSILON * domain.magnitude() + orbit;
-        let x = x.clamp(domain.lo, domain.hi);
+        let x = domain.nearest(x);
         let taken = |width: f64| {
             self.enclosure(x - reach, x + reach, width).map_or_else(|| self.range().width(), Interval::width)
         };

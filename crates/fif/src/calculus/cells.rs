@@ -202,6 +202,6 @@ pub(crate) fn directed(l: f64, r: f64, domain: Interval) -> Option<(f64, f64, f6
     if l.is_nan() || r.is_nan() {
         return None;
     }
-    let (l, r) = (l.clamp(domain.lo, domain.hi), r.clamp(domain.lo, domain.hi));
+    let (l, r) = (domain.nearest(l), domain.nearest(r));
     Some(if l <= r { (l, r, 1.0) } else { (r, l, -1.0) })
 }

@@ -60,6 +60,20 @@ impl Interval {
         self.lo <= value && value <= self.hi
     }
 
+    /// The number inside that is nearest to `value`, NaN for NaN; of an empty interval any.
+    ///
+    /// `f64::clamp` would be one of an empty interval's panics, which is linked where it cannot be excluded.
+    #[inline]
+    pub(crate) fn nearest(self, value: f64) -> f64 {
+        if value < self.lo {
+            self.lo
+        } else if value > self.hi {
+            self.hi
+        } else {
+            value
+        }
+    }
+
     /// `hi − lo`, negative when empty.
     #[inline]
     #[must_use]
@@ -199,6 +213,21 @@ mod tests {
         assert_eq!(alloc::format!("{} {third:.2}", Interval::new(-1.0, 0.5)), "[-1, 0.5] [-0.33, 0.50]");
         let value = Bounded { value: 2.0 / 3.0, bound: 2.5e-13 };
         assert_eq!(alloc::format!("{value:.4}, {}", Bounded::NAN), "0.6667 ± 2.5e-13, NaN ± NaN");
+    }
+
+    #[test]
+    fn the_nearest_number_inside_is_that_of_clamp() {
+        let numbers = [f64::NEG_INFINITY, -2.0, -0.0, 0.0, 1e-310, 0.5, 1.0, 3.0, f64::INFINITY, f64::NAN];
+        for (lo, hi) in [(-1.0, 1.0), (0.0, 0.5), (-0.0, 0.0), (f64::NEG_INFINITY, 2.0), (1.0, 1.0)] {
+            for x in numbers {
+                assert_eq!(
+                    Interval::new(lo, hi).nearest(x).to_bits(),
+                    x.clamp(lo, hi).to_bits(),
+                    "{x} in {lo} to {hi}"
+                );
+            }
+        }
+        let _ = Interval::new(1.0, -1.0).nearest(0.0);
     }
 
     #[test]

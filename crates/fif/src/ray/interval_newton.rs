@@ -179,7 +179,7 @@ impl Stretches {
             t = if inside { secant } else { 0.5 * lo + 0.5 * hi };
         }
         let t = if lo < t && t < hi { t } else { 0.5 * lo + 0.5 * hi };
-        t.clamp(span.lo, span.hi)
+        span.nearest(t)
     }
 }
 

@@ -127,6 +127,6 @@ impl Search {
                 }
             }
         }
-        Some(Root { t: t.clamp(self.span.lo, self.span.hi), certain: true })
+        Some(Root { t: self.span.nearest(t), certain: true })
     }
 }

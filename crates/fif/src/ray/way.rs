@@ -99,7 +99,7 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         let slack = above.bound / self.ray.direction.z.abs();
         let near = span.lo - slack <= t && t <= span.hi + slack;
         let certain = span.lo + slack <= t && t <= span.hi - slack;
-        near.then(|| Root { t: t.clamp(span.lo, span.hi), certain })
+        near.then(|| Root { t: span.nearest(t), certain })
     }
 
     /// The root, certain if the signs nearby tell so.
@@ -120,7 +120,7 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
         }
         let [x, y] = self.surface.domain();
         let certain = certain && x.contains(at.x) && y.contains(at.y);
-        let (x, y) = (at.x.clamp(x.lo, x.hi), at.y.clamp(y.lo, y.hi));
+        let (x, y) = (x.nearest(at.x), y.nearest(at.y));
         let (near, height) = if self.exact { (0.0, 0.0) } else { (tolerance, 0.125 * tolerance) };
         let gradient = self.surface.gradient_near(x, y, near);
         let height = self.surface.evaluate(x, y, height).value;

@@ -1,10 +1,16 @@
-//! One function alone, chosen by a feature, with the stack that its call takes.
+//! The functions that features choose, one alone or every one, with the stack that their calls take.
 #![no_std]
 #![no_main]
+#![allow(dead_code, unused_imports, reason = "those of other features")]
 
 use core::hint::black_box;
 
-use asperity_firmware::{hexadecimal, stack};
+use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
+use asperity_firmware::{bumps, clay, curve, hexadecimal, normals, stack};
+use asperity_ndf_sampling::{Ggx, Ndf};
+use asperity_noise::{Cellular, Field, Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
+use asperity_shading::glam::{Vec2, Vec3};
+use asperity_shading::{Brdf, Footprint, LevelOfDetail};
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{
     debug::{self, EXIT_FAILURE, EXIT_SUCCESS},
@@ -15,7 +21,9 @@ use panic_halt as _;
 #[entry]
 fn main() -> ! {
     let depth = stack::depth(&mut || {
-        black_box(function());
+        for probe in PROBES {
+            black_box(probe());
+        }
     });
     let said = hio::hstderr().is_ok_and(|mut err| {
         [&b"stack "[..], &hexadecimal(depth as u32), b"\n"].iter().all(|part| err.write_all(part).is_ok())
@@ -25,62 +33,103 @@ fn main() -> ! {
     loop {}
 }
 
-/// The function that is measured; nothing without a feature.
-#[inline(never)]
-#[allow(unreachable_code, unused_imports, unused_variables, reason = "one feature at a time")]
-fn function() -> Option<[f32; 3]> {
-    use asperity_fif::{HeightField, Intersect, Ray, glam::DVec3};
-    use asperity_firmware::{bumps, clay, curve, normals};
-    use asperity_ndf_sampling::{Ggx, Ndf};
-    use asperity_noise::{Cellular, Field, Gaussian, GaussianOctaves, Perlin2002, Simplex, Spectrum};
-    use asperity_shading::glam::{Vec2, Vec3};
-    use asperity_shading::{Brdf, Footprint, LevelOfDetail};
-
-    let p = black_box(Vec3::new(0.3, -4.2, 7.9));
-    let z = black_box(Vec2::new(0.7, -1.1));
-    let m = black_box(Vec3::new(0.0, 0.6, 0.8));
+/// The functions of the features.
+const PROBES: &[fn() -> Option<[f32; 3]>] = &[
     #[cfg(feature = "perlin")]
-    return Some(Perlin2002::new(7).sample(p).gradient.to_array());
+    perlin,
     #[cfg(feature = "simplex")]
-    return Some(Simplex::new(7).sample(p).gradient.to_array());
+    simplex,
     #[cfg(feature = "cellular")]
-    return Some(Cellular::new(7).sample(p).gradient.to_array());
+    cellular,
     #[cfg(feature = "gaussian")]
-    return Some(Gaussian::new(7).sample(p).gradient.to_array());
+    gaussian,
     #[cfg(feature = "gaussian-octaves")]
-    return Some(
-        GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default())
-            .detail(4.5)
-            .sample(p)
-            .gradient
-            .to_array(),
-    );
+    gaussian_octaves,
     #[cfg(feature = "ggx-normal")]
-    return Some(Ggx::new(0.2, 0.4).ok()?.from_gaussian(z).to_array());
+    ggx_normal,
     #[cfg(feature = "ggx-density")]
-    return Some([Ggx::new(0.2, 0.4).ok()?.density(m); 3]);
+    ggx_density,
     #[cfg(feature = "packed-normal")]
-    return Some(normals()?.from_gaussian(z).to_array());
+    packed_normal,
     #[cfg(feature = "exact-radiance")]
-    return {
-        let seen = bumps()?.coordinates(p, Footprint::from_width(0.02));
-        Some([LevelOfDetail::Exact.radiance(&Ggx::new(0.2, 0.4).ok()?, m, seen); 3])
-    };
+    exact_radiance,
     #[cfg(feature = "oren-nayar")]
-    return Some(clay()?.value(m, Vec3::Z).to_array());
+    oren_nayar,
     #[cfg(feature = "fif-value")]
-    return Some([curve()?.evaluate(f64::from(p.z) * 0.5, 1e-6).value as f32; 3]);
+    fif_value,
     #[cfg(feature = "height-field-normal")]
-    return {
-        // Integrals have slopes.
-        let smooth: asperity_fif::FixedFif<5, 3> = curve()?.integral(0.0).ok()?;
-        Some(HeightField::new(smooth, smooth).normal(f64::from(p.z) * 0.5, 2.0)?.as_vec3().to_array())
-    };
+    height_field_normal,
     #[cfg(feature = "height-field-hit")]
-    return {
-        let field = HeightField::new(curve()?, curve()?);
-        let ray = Ray { origin: DVec3::new(3.0, 2.0, 9.0), direction: m.as_dvec3() * -1.0 };
-        Some([field.first_hit(&ray)?.t as f32; 3])
-    };
-    None
+    height_field_hit,
+];
+
+fn place() -> Vec3 {
+    black_box(Vec3::new(0.3, -4.2, 7.9))
+}
+
+fn gaussian_pair() -> Vec2 {
+    black_box(Vec2::new(0.7, -1.1))
+}
+
+fn facet() -> Vec3 {
+    black_box(Vec3::new(0.0, 0.6, 0.8))
+}
+
+fn perlin() -> Option<[f32; 3]> {
+    Some(Perlin2002::new(7).sample(place()).gradient.to_array())
+}
+
+fn simplex() -> Option<[f32; 3]> {
+    Some(Simplex::new(7).sample(place()).gradient.to_array())
+}
+
+fn cellular() -> Option<[f32; 3]> {
+    Some(Cellular::new(7).sample(place()).gradient.to_array())
+}
+
+fn gaussian() -> Option<[f32; 3]> {
+    Some(Gaussian::new(7).sample(place()).gradient.to_array())
+}
+
+fn gaussian_octaves() -> Option<[f32; 3]> {
+    let octaves = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
+    Some(octaves.detail(4.5).sample(place()).gradient.to_array())
+}
+
+fn ggx_normal() -> Option<[f32; 3]> {
+    Some(Ggx::new(0.2, 0.4).ok()?.from_gaussian(gaussian_pair()).to_array())
+}
+
+fn ggx_density() -> Option<[f32; 3]> {
+    Some([Ggx::new(0.2, 0.4).ok()?.density(facet()); 3])
+}
+
+fn packed_normal() -> Option<[f32; 3]> {
+    Some(normals()?.from_gaussian(gaussian_pair()).to_array())
+}
+
+fn exact_radiance() -> Option<[f32; 3]> {
+    let seen = bumps()?.coordinates(place(), Footprint::from_width(0.02));
+    Some([LevelOfDetail::Exact.radiance(&Ggx::new(0.2, 0.4).ok()?, facet(), seen); 3])
+}
+
+fn oren_nayar() -> Option<[f32; 3]> {
+    Some(clay()?.value(facet(), Vec3::Z).to_array())
+}
+
+fn fif_value() -> Option<[f32; 3]> {
+    Some([curve()?.evaluate(f64::from(place().z) * 0.5, 1e-6).value as f32; 3])
+}
+
+fn height_field_normal() -> Option<[f32; 3]> {
+    // Integrals have slopes.
+    let smooth: FixedFif<5, 3> = curve()?.integral(0.0).ok()?;
+    let field = HeightField::new(smooth, smooth);
+    Some(field.normal(f64::from(place().z) * 0.5, 2.0)?.as_vec3().to_array())
+}
+
+fn height_field_hit() -> Option<[f32; 3]> {
+    let field = HeightField::new(curve()?, curve()?);
+    let ray = Ray { origin: DVec3::new(3.0, 2.0, 9.0), direction: facet().as_dvec3() * -1.0 };
+    Some([field.first_hit(&ray)?.t as f32; 3])
 }

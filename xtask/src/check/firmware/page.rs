@@ -63,21 +63,20 @@ pub(super) fn markdown(drawn: &Drawn, floor: &Cost, costs: &[Cost]) -> String {
          curve from knots and factors in flash. Its hash is `{hash}` there and on the machine that wrote\nthis page; `cargo xtask firmware` \
          draws both again and compares.\n\n| the whole program | bytes |\n|---|---|\n| code (`.text`) | {} |\n| constants (`.rodata`), tables \
          in flash among them | {} |\n| static variables (`.data`, `.bss`) | {} |\n| stack | {stack} |\n\nSymbols of panics \
-         (`core::panicking`, failed `unwrap`, failed slices): none. The check fails on the first.\n\n## What functions cost\n\nEach linked \
+         (`core::panicking`, failed `unwrap`, failed slices): none, here and in each function below. The\ncheck fails on the first.\n\n## What functions cost\n\nEach linked \
          alone, with `opt-level = \"s\"` and `lto = true` for `thumbv7em-none-eabihf`, less the same program without it. Stack is\nmeasured: \
          painted before the call, looked at after it. Constructors are part of it; so is the arithmetic of `f64` in software where a\n\
-         function needs it.\n\n| crate | function | code | constants | stack | symbols of panics |\n|---|---|---|---|---|---|\n",
+         function needs it.\n\n| crate | function | code | constants | stack |\n|---|---|---|---|---|\n",
         program.code, program.constants, program.statics
     );
     for (Function { crate_name, what, .. }, cost) in FUNCTIONS.iter().zip(costs) {
         let less = |of: fn(&Cost) -> u64| of(cost).saturating_sub(of(floor));
         let _ = writeln!(
             text,
-            "| {crate_name} | {what} | {} | {} | {} | {} |",
+            "| {crate_name} | {what} | {} | {} | {} |",
             less(|c| c.program.code),
             less(|c| c.program.constants),
             less(|c| c.stack),
-            cost.program.panics.len()
         );
     }
     text

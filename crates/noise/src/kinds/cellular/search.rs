@@ -193,9 +193,10 @@ impl<L: Lattice> Features<'_, L> {
 
         let last = 2 * self.metric.reach(N);
         let half = 0.5 * self.jitter + MARGIN;
-        let gap = |axis: usize, turn: usize| {
+        // Along an axis whose point is so far from the middle of its cell.
+        let gap = |off_centre: S::F, turn: usize| {
             let cells = turn.div_ceil(2) as f32;
-            let off = if turn % 2 == 1 { -off_centre[axis] } else { off_centre[axis] };
+            let off = if turn % 2 == 1 { -off_centre } else { off_centre };
             s.max(s.float(cells - half) + off, zero)
         };
         let mut turns = [0; N];
@@ -204,14 +205,14 @@ impl<L: Lattice> Features<'_, L> {
         let mut gaps = [zero; 5];
         for axis in (0..N).rev() {
             axes[axis] = near[axis][0];
-            gaps[axis] = self.metric.joined(s, gaps[axis + 1], gap(axis, 0));
+            gaps[axis] = self.metric.joined(s, gaps[axis + 1], gap(off_centre[axis], 0));
         }
         let mut axis = 0;
         while axis < N {
             turns[axis] += 1;
             let turn = turns[axis];
             if turn <= last {
-                let gaps_here = self.metric.joined(s, gaps[axis + 1], gap(axis, turn));
+                let gaps_here = self.metric.joined(s, gaps[axis + 1], gap(off_centre[axis], turn));
                 let sought = nearest.measures[usize::from(second)];
                 if !s.all(s.less(sought, gaps_here)) {
                     gaps[axis] = gaps_here;
@@ -219,7 +220,7 @@ impl<L: Lattice> Features<'_, L> {
                     let step = towards[axis] * s.float(if turn % 2 == 1 { cells } else { -cells });
                     axes[axis] = self.axis(s, place, axis, step);
                     for before in (0..axis).rev() {
-                        gaps[before] = self.metric.joined(s, gaps[before + 1], gap(before, 0));
+                        gaps[before] = self.metric.joined(s, gaps[before + 1], gap(off_centre[before], 0));
                     }
                     axis = 0;
                     if turns.iter().any(|&turn| turn > 1) {
