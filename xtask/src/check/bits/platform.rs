@@ -182,12 +182,11 @@ impl Foreign {
                 "no toolchain has the libraries of {target}, or their sources and a linker; `rustup target add {target}` adds them"
             ));
         }
-        let needed = [Some(program), if let Linker::Gcc(name) = self.linker { Some(name) } else { None }];
-        needed
-            .into_iter()
-            .flatten()
-            .find(|name| !is_there(name))
-            .map(|name| format!("{name} is not installed"))
+        let gcc = if let Linker::Gcc(name) = self.linker { Some(name) } else { None };
+        if let Some(name) = [Some(program), gcc].into_iter().flatten().find(|name| !is_there(name)) {
+            return Some(format!("{name} is not installed"));
+        }
+        gcc.filter(|name| !has_c_library(name)).map(|name| format!("{name} has no C library to link with"))
     }
 
     fn build(&self, folder: &Path) -> Result<PathBuf> {
@@ -212,6 +211,18 @@ impl Foreign {
     }
 }
 
+/// Whether a compiler of C finds the file that programs start with: packages have it apart.
+fn has_c_library(gcc: &str) -> bool {
+    let said = Command::new(gcc).arg("-print-file-name=crt1.o").output();
+    said.is_ok_and(|said| is_found(&String::from_utf8_lossy(&said.stdout)))
+}
+
+/// Of a file that a compiler does not find it says the name alone.
+fn is_found(said: &str) -> bool {
+    let path = Path::new(said.trim());
+    path.is_absolute() && path.is_file()
+}
+
 /// The answer of the probe.
 fn said(title: &str, command: &mut Command) -> Result<Report> {
     let output = command.output()?;
@@ -229,4 +240,16 @@ fn expect(title: &str, report: &Report, level: &str) -> Result<()> {
         return Ok(());
     }
     Err(format!("the probe of bits on {title} found the lanes {}, not {level}", report.level).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_compiler_without_a_c_library_is_seen() {
+        let own = std::env::current_exe().unwrap();
+        assert!(is_found(&format!("{}\n", own.display())));
+        assert!(!is_found("crt1.o\n") && !is_found("") && !has_c_library("no-such-compiler"));
+    }
 }
