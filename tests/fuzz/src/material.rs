@@ -123,9 +123,13 @@ fn paint(numbers: &mut Numbers<'_>) {
     if let Ok(field) =
         GlintField::new(Beckmann::clamped(0.3, 0.3), size(numbers), share(numbers), numbers.word())
     {
-        let density =
-            field.density(numbers.direction(), numbers.vector(), Footprint::from_width(numbers.float()));
-        assert!(density >= 0.0 && density.is_finite(), "{density}");
+        let (h, p, footprint) =
+            (numbers.direction(), numbers.vector(), Footprint::from_width(numbers.float()));
+        let density = field.density(h, p, footprint);
+        assert!(
+            density >= 0.0 && density.is_finite(),
+            "{density} of {field:?} for {h:?} at {p:?}, {footprint:?}"
+        );
         if let Some(flake) = field.flake(numbers.vector()) {
             assert!((flake.normal.length() - 1.0).abs() < 1e-5 && flake.centre.is_finite(), "{flake:?}");
         }

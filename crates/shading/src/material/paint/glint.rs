@@ -117,7 +117,7 @@ impl<N: Ndf> GlintField<N> {
         Some(GlintFlake { normal: self.ndf.from_gaussian(self.tilt(cell)), centre: centre * self.spacing })
     }
 
-    /// Density of the flakes within a pixel, D̂(h), in sr⁻¹: in the place of D(h).
+    /// Density of the flakes within a pixel, D̂(h), in sr⁻¹: in the place of D(h); finite for an `h` of any length.
     #[must_use]
     pub fn density(&self, h: Vec3, position: Vec3, footprint: Footprint) -> f32 {
         let density = self.ndf.density(h);
@@ -133,16 +133,17 @@ impl<N: Ndf> GlintField<N> {
         let upper_share = level - lower;
         let single = (lower == 0.0).then(|| bins.bin(self.tilt(nearest(place, self.seed).0)));
         let base = cell_of(place);
-        density
-            * bins.sum(|bin, q| {
-                let own = single.map(|own| if own == bin { 1.0 / q } else { 0.0 });
-                if let Some(own) = own.filter(|_| upper_share == 0.0) {
-                    return own;
-                }
-                let [fine, coarse] = self.relative_counts(base, bin, q, lower as i32);
-                let fine = own.unwrap_or(fine);
-                fine + upper_share * (coarse - fine)
-            })
+        let relative = bins.sum(|bin, q| {
+            let own = single.map(|own| if own == bin { 1.0 / q } else { 0.0 });
+            if let Some(own) = own.filter(|_| upper_share == 0.0) {
+                return own;
+            }
+            let [fine, coarse] = self.relative_counts(base, bin, q, lower as i32);
+            let fine = own.unwrap_or(fine);
+            fine + upper_share * (coarse - fine)
+        });
+        // Only where h is no unit vector do both factors get large.
+        (density * relative).min(f32::MAX)
     }
 
     /// count/(N q) of a bin in the cells of this level and of the next around that of a single flake.
@@ -350,7 +351,7 @@ fn binomial(n: f32, q: f32, uniform: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_ndf_sampling::Ggx;
+    use asperity_ndf_sampling::{Beckmann, Ggx};
 
     #[test]
     fn counts_have_mean_and_variance_of_a_binomial() {
@@ -369,6 +370,15 @@ mod tests {
             assert_abs_diff_eq!(mean / expected, 1.0, epsilon = 2e-3, "{n}, {q}");
             assert_abs_diff_eq!(variance / (expected * f64::from(1.0 - q)), 1.0, epsilon = 0.01, "{n}, {q}");
         }
+    }
+
+    #[test]
+    fn vectors_of_any_length_have_a_finite_density() {
+        let field = GlintField::new(Beckmann::clamped(0.3, 0.3), 1_208.794_2, 0.756_862_7, 3_250_700_737);
+        let (field, tiny) = (field.unwrap(), 3e-45);
+        let at = Vec3::new(-16_777_213.0, tiny, tiny);
+        let density = field.density(Vec3::new(tiny, -1e-45, tiny), at, Footprint::from_width(tiny));
+        assert!(density > 1e38 && density.is_finite(), "{density}");
     }
 
     #[test]
