@@ -72,8 +72,8 @@ impl<const C: usize> Table<C> {
     }
 }
 
-/// Rows and the bound of their error away from knots; `None` on unequal knots, for more than three coefficients and for
-/// factors too near to one.
+/// Rows and the bound of their error away from knots; `None` on unequal knots, for more than three coefficients, for factors too
+/// near to one and for values near the largest number of `f32`.
 fn rows<const C: usize>(system: &Fif<C>, tolerance: f64) -> Option<(Rows32, f64)> {
     let made = if C > 3 { None } else { Composites::new(system) }?;
     let chord = system.chord();
@@ -89,6 +89,11 @@ fn rows<const C: usize>(system: &Fif<C>, tolerance: f64) -> Option<(Rows32, f64)
         lost: (1..C).fold(f64::from(f32::MIN_POSITIVE), |lost, _| lost / UNIT),
         unit: UNIT,
     };
+    // Sums of thousands of the largest stay in the range of f32.
+    let largest = series.scale + made.largest + made.deviation.magnitude();
+    if largest >= f64::from(f32::MAX) / 4096.0 {
+        return None;
+    }
     let depth = series.depth_of_truncation(tolerance).ok()?;
     let row = |row: &Composite<C>| {
         let mut out = [row.a as f32, 0.0, 0.0, 0.0];
@@ -217,6 +222,21 @@ fn polynomial<const C: usize>(row: &[f32; 4], s: f32) -> f32 {
 mod tests {
     use super::*;
     use crate::{System, paper, system::map::Piece};
+
+    #[test]
+    fn values_near_the_largest_number_are_numbers() {
+        for largest in [1e34, 3e38, 1e39, 1e300] {
+            let y = [largest, 0.0, -largest];
+            let f = Fif::<2>::affine(&[0.0, 0.5, 1.0], &y, &[0.5, -0.5]).unwrap();
+            let table = f.table(1e-3 * largest).unwrap().to_f32();
+            for x in [0.0, 0.1, 0.25, 0.5, 0.886, 1.0] {
+                let (got, want) = (table.value(x), f.evaluate(f64::from(x), 0.0).value);
+                let error = (f64::from(got) - want).abs();
+                let within = error <= f64::from(table.bound());
+                assert!(!got.is_nan() && (within || got == want as f32), "{largest} at {x}: {got}, {want}");
+            }
+        }
+    }
 
     fn check<S: AsRef<[Piece<C>]>, const C: usize>(f: &System<S, C>, tolerance: f64) {
         let table = f.table(tolerance).unwrap().to_f32();
