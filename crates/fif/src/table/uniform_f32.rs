@@ -17,8 +17,8 @@ const UNIT: f64 = 1.0 / 16_777_216.0;
 
 /// A function with a table in `f32`, from [`Table::to_f32`]: single values, and many in the lanes of SIMD registers.
 ///
-/// On equally spaced knots and up to three coefficients the table holds 16 bytes a row, 1024 rows at most, made in `f64` and
-/// rounded once; digits are exact there. Other systems round the values of their [`Table`].
+/// On equally spaced knots, up to three coefficients and values below 8·10³⁴ the table holds 16 bytes a row, 1024 rows at most, made
+/// in `f64` and rounded once; digits are exact there. Other systems round the values of their [`Table`], to infinity beyond `f32`.
 ///
 /// ```
 /// use asperity_fif::paper;
