@@ -96,7 +96,8 @@ pub enum SystemError {
         /// The end that it has.
         found: f64,
     },
-    /// No finite bound of the function could be proved: the numbers overflow, or a factor is a rounding error from 1.
+    /// No finite bound of the function could be proved: the numbers or the width of their range overflow, or a factor is a rounding
+    /// error from 1.
     Unbounded {
         /// The largest `|α_j|`.
         alpha: f64,
@@ -296,6 +297,9 @@ mod tests {
         // The first polynomial overflows to NaN, the second one is finite.
         let (x, slopes) = ([-1.5, -0.25, -0.15], [f64::MAX, 1e306, 1e306]);
         let error = FixedFif::<2, 4>::hermite(&x, &[0.0, -1e9, 1e9], &slopes, &[-0.1, -0.01]).unwrap_err();
+        assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
+        // Both ends of the range are numbers, its width is not.
+        let error = affine(&[0.0, 0.5, 1.0], &[1.8e307, -1.62e307, 1.8e306], &[0.9, -0.9]);
         assert!(matches!(error, SystemError::Unbounded { .. }), "{error}");
         let nearest = 1.0_f64.next_down();
         let error = affine(&X, &Y, &[nearest, nearest]);

@@ -152,7 +152,8 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
         }
         let mut fif = Self { pieces, spacing, range, noise, gain };
         fif.tighten();
-        Ok(fif)
+        // Bounds are multiples of it.
+        if fif.range.width().is_finite() { Ok(fif) } else { Err(unbounded) }
     }
 
     /// Replaces the box by the hull of its images under all composites of a few maps, while that pays.
