@@ -62,7 +62,7 @@ impl Interval {
 
     /// The number inside that is nearest to `value`, NaN for NaN; of an empty interval any.
     ///
-    /// `f64::clamp` would be one of an empty interval's panics, which is linked where it cannot be excluded.
+    /// `f64::clamp` panics for an empty interval, and its panic is linked wherever the compiler cannot exclude one.
     #[inline]
     pub(crate) fn nearest(self, value: f64) -> f64 {
         if value < self.lo {

@@ -26,7 +26,7 @@ impl<const C: usize> Recurrent<C> {
             return Bounded::NAN;
         }
         let (domain, range) = (self.domain(), self.range());
-        let x = x.max(domain.lo).min(domain.hi);
+        let x = domain.nearest(x);
         let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
         let Some(first) = self.links.get(index) else { return Bounded::NAN };
         for (knot, value) in first.piece.x().into_iter().zip(first.piece.y()) {
@@ -88,7 +88,7 @@ impl<const C: usize> Recurrent<C> {
         if x.is_nan() {
             return Bounded::NAN;
         }
-        let x = x.max(domain.lo).min(domain.hi);
+        let x = domain.nearest(x);
         let (scale, width) = (self.range().magnitude(), domain.width());
         let at = |knot: usize| self.means.integrals.get(knot).copied().unwrap_or(0.0);
         let mut index = self.links.partition_point(|link| link.piece.x()[0] <= x).saturating_sub(1);
