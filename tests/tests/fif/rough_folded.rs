@@ -1,7 +1,12 @@
 //! The folded surface with a factor at every node: its nodes, its equation, its edges, bounds, rays.
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its surface has failed")]
 
-use asperity_fif::{Folded, Intersect, Interval, Ray, RoughFolded, SelfAffineError};
+use std::cell::Cell;
+
+use asperity_fif::glam::DVec2;
+use asperity_fif::{
+    Bounded, Folded, Intersect, Interval, Ray, RoughFolded, SelfAffineError, Surface, SurfaceBounds,
+};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 
@@ -214,6 +219,60 @@ fn hits_of_a_rough_surface_are_those_of_a_march() {
     }
     // Of 60 rays and both forms 52 and 32: near others the budget of evaluations ends.
     assert!(hits >= 30 && certain >= 15, "{certain} of {hits}");
+}
+
+/// Counts what a ray asks of a surface.
+struct Counted<'a> {
+    surface: &'a RoughFolded,
+    evaluations: Cell<u32>,
+    bounds: Cell<u32>,
+}
+
+impl Surface for Counted<'_> {
+    fn domain(&self) -> [Interval; 2] {
+        self.surface.domain()
+    }
+
+    fn range(&self) -> Interval {
+        self.surface.range()
+    }
+
+    fn evaluate(&self, x: f64, y: f64, tolerance: f64) -> Bounded {
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.surface.evaluate(x, y, tolerance)
+    }
+
+    fn bounds(&self, x: Interval, y: Interval) -> SurfaceBounds {
+        self.bounds.set(self.bounds.get() + 1);
+        Surface::bounds(self.surface, x, y)
+    }
+
+    fn gradient_near(&self, _: f64, _: f64, _: f64) -> Option<DVec2> {
+        None
+    }
+}
+
+impl Intersect for Counted<'_> {}
+
+#[test]
+fn a_ray_ends_at_its_limit_on_the_roughest_surface() {
+    const LIMIT: u32 = 1 << 16;
+    // All squares of five levels, and two heights to their rounding at every smallest one.
+    const AFTER: u32 = 2 * (1 + 4 + 16 + 64 + 256 + 1024) + 6 * 1024;
+    let mut random = Random(4);
+    let z: Vec<f64> = (0..9).map(|_| 4.0 * random.uniform() - 2.0).collect();
+    let factors: Vec<f64> = (0..9).map(|_| if random.uniform() < 0.5 { 0.9 } else { -0.9 }).collect();
+    let surface = RoughFolded::new(&[0.0, 0.4, 1.0], &[0.0, 0.5, 1.0], &factors, &z, &[[0.0; 2]; 9]).unwrap();
+    let mut most = 0;
+    for ray in random_rays(&surface, 12) {
+        let counted = Counted { surface: &surface, evaluations: Cell::new(0), bounds: Cell::new(0) };
+        let hit = counted.first_hit(&ray);
+        let asked = counted.evaluations.get() + 2 * counted.bounds.get();
+        assert!(asked <= LIMIT + AFTER, "{ray:?}: {asked}");
+        assert!(asked < LIMIT || hit.is_none_or(|hit| !hit.certain), "{ray:?}: {asked}, {hit:?}");
+        most = most.max(asked);
+    }
+    assert!(most > LIMIT, "no ray came to the limit: {most}");
 }
 
 #[test]

@@ -48,7 +48,7 @@ pub trait Intersect: Surface {
     /// without one is split on, down to 10⁻¹² of the domain, until its bounds exclude that the ray dips in and out
     /// again; where they do not, the hit behind it is not certain, or the stretch itself is an uncertain one. So a certain hit
     /// lies within `tolerance` of a root before which there is none. 0, negative and NaN stand for a root to the
-    /// rounding error. A ray takes at most 2¹⁶ evaluations; beyond, no hit is certain.
+    /// rounding error. A ray takes at most 2¹⁶ evaluations, of which bounds of a stretch count as two; beyond, no hit is certain.
     ///
     /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
     #[must_use]

@@ -15,6 +15,9 @@ const SPLITS: u32 = 8;
 /// Evaluations that one search for a single root makes at most.
 const EVALUATIONS: u32 = 100;
 
+/// Evaluations that bounds count as.
+const BOUNDS: u32 = 2;
+
 /// A stretch, a bound of the rate over it, and what is known of the height at its ends.
 #[derive(Clone, Copy)]
 struct Stretch {
@@ -114,7 +117,7 @@ impl Stretches {
     }
 
     /// Both halves, with new bounds once they are much smaller than what the old ones are for.
-    fn split<S: Surface + ?Sized>(&mut self, way: &Way<'_, S>, stretch: Stretch) {
+    fn split<S: Surface + ?Sized>(&mut self, way: &mut Way<'_, S>, stretch: Stretch) {
         let Stretch { span, rate, clear, splits } = stretch;
         let middle = span.middle();
         let halves = [
@@ -201,7 +204,8 @@ fn distance<S: Surface + ?Sized>(way: &mut Way<'_, S>, t: f64, tolerance: f64) -
 }
 
 /// The stretch with bounds over its own rectangle; `None` where the ray is over or under all of that.
-fn bounded<S: Surface + ?Sized>(way: &Way<'_, S>, stretch: Stretch) -> Option<Stretch> {
+fn bounded<S: Surface + ?Sized>(way: &mut Way<'_, S>, stretch: Stretch) -> Option<Stretch> {
+    way.budget = way.budget.saturating_sub(BOUNDS);
     let (a, b) = (way.ray.at(stretch.span.lo), way.ray.at(stretch.span.hi));
     let side = |a: f64, b: f64, pad: f64| {
         if a < b { Interval::new(a - pad, b + pad) } else { Interval::new(b - pad, a + pad) }

@@ -73,6 +73,12 @@ impl Patch {
         ([value(low), value(high)], [slope(low), slope(high)])
     }
 
+    /// An enclosure of the value over the part `u × v` of the patch.
+    pub(crate) fn range(&self, u: [f64; 2], v: [f64; 2]) -> Interval {
+        let net = self.control_net();
+        restriction(&net, u, v, greatest(&net))
+    }
+
     /// Enclosures of the value and both slopes over the part `u × v` of the patch.
     pub(crate) fn ranges(&self, u: [f64; 2], v: [f64; 2]) -> [Interval; 3] {
         let net = self.control_net();
@@ -83,7 +89,7 @@ impl Patch {
             }
         }
         let along_v = net.map(|[a, b, c, d]| [b - a, c - b, d - c].map(|difference| 3.0 * difference));
-        let scale = net.iter().flatten().fold(0.0_f64, |scale, point| scale.max(point.abs()));
+        let scale = greatest(&net);
         [
             restriction(&net, u, v, scale),
             restriction(&along_u, u, v, 6.0 * scale),
@@ -103,6 +109,10 @@ impl Patch {
         }
         net
     }
+}
+
+fn greatest(net: &[[f64; 4]; 4]) -> f64 {
+    net.iter().flatten().fold(0.0, |scale, point| scale.max(point.abs()))
 }
 
 /// The range of the control points of a part of a patch of degrees `A − 1` and `B − 1`, moved out by their rounding.
@@ -192,6 +202,7 @@ mod tests {
     fn ranges_hold_and_shrink_to_the_point() {
         for [u, v] in [[[0.0, 1.0], [0.0, 1.0]], [[0.2, 0.7], [0.55, 0.6]], [[0.9, 1.0], [0.3, 0.31]]] {
             let ranges = PATCH.ranges(u, v);
+            assert_eq!(PATCH.range(u, v), ranges[0]);
             for i in 0..=10 {
                 for j in 0..=10 {
                     let at = |[a, b]: [f64; 2], k: i32| a + (b - a) * f64::from(k) / 10.0;
