@@ -265,7 +265,7 @@ fn bumps(numbers: &mut Numbers<'_>) {
 
 pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     // Its fibres are measured at 16384 points.
-    if numbers.is_one_in(256) {
+    if numbers.is_one_in(1024) {
         return carpet(numbers);
     }
     match numbers.byte() % 5 {

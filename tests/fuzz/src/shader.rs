@@ -54,7 +54,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
     for part in &chosen {
         assert!(names.contains(part.name()), "{} is missing", part.name());
     }
-    if let Some(part) = chosen.first().filter(|_| numbers.byte() < 64) {
+    if let Some(part) = chosen.first().filter(|_| numbers.byte() < 16) {
         assert!(module(part, imports, bindings).ends_with(part.source()));
     }
     let wgsl = compose(&chosen, bindings);

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use crate::math::{clamp_to, floor};
-use crate::parameter::{ParameterError, not_negative, positive};
+use crate::parameter::{ParameterError, not_negative, positive, within};
 use crate::pixel::PixelEllipse;
 
 /// Bricks in running bond: every other row is shifted by half a brick.
@@ -63,11 +63,15 @@ impl Brick {
     /// Bricks of this width and height, with mortar of this thickness between them.
     ///
     /// # Errors
-    /// [`ParameterError`] unless all are finite, width and height above 0 and the mortar at least 0.
+    /// [`ParameterError`] unless all are finite, width and height at least 10⁻³⁰ and the mortar at least 0. Mortar that is thinner
+    /// than 10⁻³⁰, or than twice this part of a brick, counts as none, so that all slopes are finite.
     pub fn new(width: f32, height: f32, mortar: f32) -> Result<Self, ParameterError> {
-        let mortar = not_negative("mortar", mortar)?;
-        let cell = Vec2::new(positive("width", width)? + mortar, positive("height", height)? + mortar);
-        Ok(Self { cell, margin: 0.5 * mortar / cell })
+        let side = |parameter, side| within(parameter, positive(parameter, side)?, [THINNEST, f32::MAX]);
+        let present = |mortar: f32| if mortar < THINNEST { 0.0 } else { mortar };
+        let mortar = present(not_negative("mortar", mortar)?);
+        let cell = Vec2::new(side("width", width)? + mortar, side("height", height)? + mortar);
+        let margin = 0.5 * mortar / cell;
+        Ok(Self { cell, margin: Vec2::new(present(margin.x), present(margin.y)) })
     }
 
     /// The share of the wall that is brick.
@@ -156,6 +160,9 @@ impl Brick {
         Some((p.x - column, p.y - row, [column as i32, row as i32]))
     }
 }
+
+/// The least side of a brick and thickness of mortar, and half of this as a share of a brick.
+const THINNEST: f32 = 1e-30;
 
 pub(super) const LEAST: f32 = 1.0 / 1024.0;
 const MOST: f32 = 65536.0;
@@ -355,6 +362,30 @@ mod tests {
                 assert!(far.slope.length() < 1e-3);
             }
         }
+    }
+
+    #[test]
+    fn the_thinnest_mortar_has_finite_slopes() {
+        let sizes = [1e-30, 1e-20, 1e-6, 1.0, 1e6, 1e20, 3e38];
+        let mortars = [1e-45, 1e-41, 1e-38, 1e-30, 1e-10, 1.0, 3e38];
+        for (width, mortar) in sizes.into_iter().flat_map(|size| mortars.map(|mortar| (size, mortar))) {
+            let wall = Brick::new(width, width, mortar).unwrap();
+            for share in [0.0, 1e-45, 1e-38, 1e-30, 1e-20, 1e-7, 0.25, 0.5] {
+                for of in [width, mortar] {
+                    let uv = Vec2::new(share * of, -share * of);
+                    for widths in [Vec2::ZERO, wall.cell * LEAST, wall.cell] {
+                        let got = wall.filtered(uv, PixelEllipse::aligned(widths));
+                        assert!(got.slope.is_finite(), "{wall:?} at {uv}: {got:?}");
+                        wall.facets(uv, PixelEllipse::aligned(widths), |_, _, slope| {
+                            assert!(slope.is_finite(), "{wall:?} at {uv}");
+                        });
+                    }
+                    assert!(wall.sample(uv).slope.is_finite(), "{wall:?} at {uv}");
+                }
+            }
+        }
+        let error = Brick::new(1e-31, 1.0, 0.0).unwrap_err();
+        assert_eq!(error.parameter(), "width");
     }
 
     #[test]
