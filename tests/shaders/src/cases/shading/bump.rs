@@ -115,6 +115,8 @@ fn normals() -> Case {
         resources: vec![],
         input: Box::new(|i| {
             let (n, wo) = (direction(i, 0), direction(i, 2));
+            // Squares of a short view leave the range.
+            let wo = if i % 16 == 5 { 1e-21 * wo } else { wo };
             let gradient = vector(i, 4, if i % 8 == 0 { 1e5 } else { 1.5 });
             inputs(i, &[n.x, n.y, n.z, 0.0, gradient.x, gradient.y, gradient.z, 0.0, wo.x, wo.y, wo.z])
         }),

@@ -55,7 +55,8 @@ fn surface_gradient_facing(n: vec3<f32>, bumped: vec3<f32>, wo: vec3<f32>) -> ve
     if max(sides.x, sides.y) >= 0x7f800000u {
         return bumped;
     }
-    let level = surface_gradient_tangential(n, mirrored);
+    // Squares of a view much shorter than 1 would leave the range.
+    let level = direction_near_one(surface_gradient_tangential(n, mirrored));
     let square = dot(level, level);
     var along = vec3<f32>(0.0);
     if square > 0.0 {
