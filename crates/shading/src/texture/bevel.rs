@@ -1,7 +1,8 @@
 //! Ridges along the edges of a figure.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
+use crate::direction;
 use crate::math::sqrt;
 use crate::parameter::{ParameterError, positive, within};
 
@@ -220,7 +221,8 @@ impl Edge {
         let apart = offset - t * along;
         let distance = sqrt(apart.dot(apart));
         // Twice: a distance near 1e-22 has lost digits, because its square is subnormal.
-        let away = (apart / distance).normalize_or(along.perp().normalize_or(Vec2::Y));
+        let across = || direction::along(along.perp().extend(0.0)).map_or(Vec2::Y, Vec3::truncate);
+        let away = (apart / distance).try_normalize().unwrap_or_else(across);
         Self { distance, away }
     }
 }
@@ -243,6 +245,18 @@ mod tests {
             }
             assert_abs_diff_eq!(bevel.profile(0.1 + 1e-6)[1], -top, epsilon = 1e-4);
             assert_abs_diff_eq!(bevel.profile(0.6 - 1e-6)[1], -bottom, epsilon = 1e-4);
+        }
+    }
+
+    #[test]
+    fn points_on_edges_of_any_length_have_a_unit_direction() {
+        for length in [f32::from_bits(1), 1e-40, 1e-23, 1e-20, 1.0, 1e18] {
+            let corners = [Vec2::ZERO, length * Vec2::new(0.8, 0.6)];
+            for p in [Vec2::ZERO, corners[1]] {
+                let edge = Edge::nearest(&corners, p).unwrap();
+                assert_eq!(edge.distance, 0.0, "{length}");
+                assert_abs_diff_eq!(edge.away.length(), 1.0, epsilon = 2e-7, "{length}");
+            }
         }
     }
 
