@@ -73,7 +73,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             }
         }
         // A million texels.
-        2 if numbers.is_one_in(2048) => {
+        2 if numbers.is_one_in(16384) => {
             let normals = normals(numbers);
             match estimate_ndf(&normals) {
                 Ok(map) => ndf(&map, numbers),

@@ -34,7 +34,7 @@ fn check(surface: &impl Intersect, numbers: &mut Numbers<'_>) {
             let _ = surface.bounds(box_[0], box_[1]);
         }
         // On a surface that is nearly as rough as can be, 2¹⁶ evaluations.
-        kind if numbers.is_one_in(128) => ray(surface, kind == 14, numbers),
+        kind if numbers.is_one_in(512) => ray(surface, kind == 14, numbers),
         _ => {}
     }
 }
@@ -90,7 +90,7 @@ pub(crate) fn attack(numbers: &mut Numbers<'_>) {
             }
         }
         // Of which ranges take long.
-        1 if numbers.is_one_in(64) => {
+        1 if numbers.is_one_in(256) => {
             let (z, d) = nodes::<4>(numbers);
             let matrix = [(); 2].map(|()| {
                 [(); 2].map(|()| {
