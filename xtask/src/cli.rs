@@ -185,10 +185,10 @@ pub(crate) struct Ci {
     /// Run only the gates whose name contains NAME; may be given again.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// Run also the gates that take minutes and seldom fail alone: bits of every platform, features in
-    /// pairs, packages in an empty workspace, attacks by random numbers.
+    /// Run the weekly gates too, which take minutes: feature sets, shaders on drivers, the live page, firmware,
+    /// bits of every platform, packages in an empty workspace, fuzz targets.
     #[arg(long, conflicts_with = "only")]
-    pub(crate) seldom: bool,
+    pub(crate) weekly: bool,
 }
 
 #[derive(Debug, Args)]

@@ -32,7 +32,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 16] = [
+const GATES: [Gate; 11] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -43,19 +43,19 @@ const GATES: [Gate; 16] = [
         let mut docs = cargo(root, "doc --workspace --no-deps --document-private-items --quiet");
         run(docs.env("RUSTDOCFLAGS", "-D warnings"))
     }),
-    ("tests under each feature set", tests),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("oldest packages", packages::oldest_packages),
     ("packages", packages::packages),
+];
+
+/// Gates that take minutes: run every week, before a release, and by name when a change touches what they check.
+const WEEKLY: [Gate; 9] = [
+    ("tests under each feature set", tests),
     ("shaders on drivers", shaders::on_drivers),
     ("live page", web::in_browsers),
     ("the same bits", bits::gate),
     ("firmware", |root| firmware::check(root).map(|line| progress::say(&format!("  {line}")))),
-];
-
-/// Gates that take minutes and seldom say what the others do not: run when they are named, or on a schedule.
-const SELDOM: [Gate; 4] = [
     ("bits of every platform", |root| bits::table(root).map(|table| progress::say(&table))),
     ("pairs of features", pairs_of_features),
     ("packages of a stranger", packages::of_a_stranger),
@@ -65,18 +65,18 @@ const SELDOM: [Gate; 4] = [
     }),
 ];
 
-/// Runs the gates whose names contain one of those wanted, or all that are not seldom, or all, in order, and stops at the first
+/// Runs the gates whose names contain one of those wanted, or all that are not weekly, or all, in order, and stops at the first
 /// that fails.
 pub(crate) fn gates(wanted: &Ci, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
     let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
-    let mut gates: Vec<Gate> = GATES.into_iter().chain(SELDOM).collect();
+    let mut gates: Vec<Gate> = GATES.into_iter().chain(WEEKLY).collect();
     if !wanted.only.is_empty() {
         gates.retain(|(name, _)| named(name));
-    } else if !wanted.seldom {
+    } else if !wanted.weekly {
         gates.truncate(GATES.len());
     }
     if gates.is_empty() {
-        let names = GATES.into_iter().chain(SELDOM).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+        let names = GATES.into_iter().chain(WEEKLY).map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err(
             format!("no gate's name contains `{}`; gates are {names}", wanted.only.join("` or `")).into()
         );
