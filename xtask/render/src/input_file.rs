@@ -1,6 +1,7 @@
 //! Files from outside, read whole.
 
 use std::{
+    borrow::Cow,
     fs::{self, File},
     io::{self, Read},
     path::Path,
@@ -20,6 +21,39 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// The bytes as UTF-8 without a byte order mark; UTF-16 is converted, with or without a mark.
+pub fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let (order, rest): (fn([u8; 2]) -> u16, _) = match bytes {
+        [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
+        [0xff, 0xfe, rest @ ..] => (u16::from_le_bytes, rest),
+        [0xfe, 0xff, rest @ ..] => (u16::from_be_bytes, rest),
+        [1..=127, 0, 1..=127, 0, ..] => (u16::from_le_bytes, bytes),
+        [0, 1..=127, 0, 1..=127, ..] => (u16::from_be_bytes, bytes),
+        _ => return bytes.into(),
+    };
+    let units = rest.as_chunks::<2>().0.iter().map(|&unit| order(unit));
+    let decoded = char::decode_utf16(units).map(|unit| unit.unwrap_or(char::REPLACEMENT_CHARACTER));
+    decoded.collect::<String>().into_bytes().into()
+}
+
+/// The bytes as text; names and comments may be in any encoding.
+pub fn text(bytes: &[u8]) -> Cow<'_, str> {
+    match utf8(bytes) {
+        Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
+        Cow::Owned(bytes) => String::from_utf8_lossy(&bytes).into_owned().into(),
+    }
+}
+
+/// The number that a word stands for; NaN for what C libraries print where there is none, such as `-nan(ind)` and `1.#QNAN`.
+pub fn number(word: &str) -> Option<f64> {
+    let undefined = || {
+        let lower = word.to_ascii_lowercase();
+        let digits = lower.trim_start_matches(['+', '-']);
+        (digits.starts_with("nan") || digits.starts_with("1.#")).then_some(f64::NAN)
+    };
+    word.parse().ok().or_else(undefined)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -33,5 +67,34 @@ mod tests {
         assert_eq!(read(&path, 2).unwrap_err().to_string(), "it is longer than 2 bytes");
         assert_eq!(read(folder.path(), 3).unwrap_err().to_string(), "this is not a file");
         assert_eq!(read(&folder.path().join("none"), 3).unwrap_err().kind(), io::ErrorKind::NotFound);
+    }
+
+    #[test]
+    fn utf8_byte_order_marks_and_utf16() {
+        let utf16 =
+            |order: fn(u16) -> [u8; 2]| "v\u{e9} 1".encode_utf16().flat_map(order).collect::<Vec<u8>>();
+        let (little, big) = (utf16(u16::to_le_bytes), utf16(u16::to_be_bytes));
+        for bytes in [
+            "v\u{e9} 1".into(),
+            "\u{feff}v\u{e9} 1".into(),
+            [&[0xff, 0xfe], &little[..]].concat(),
+            [&[0xfe, 0xff], &big[..]].concat(),
+        ] {
+            assert_eq!(text(&bytes), "v\u{e9} 1", "{bytes:x?}");
+        }
+        assert_eq!(text(b"v\0 \0"), "v ");
+        assert_eq!(text(b"\0v\0 "), "v ");
+        assert_eq!(text(b"v \xe9"), "v \u{fffd}");
+    }
+
+    #[test]
+    fn number_reads_what_c_prints() {
+        for (word, value) in [("-1.5e3", -1500.0), ("+2", 2.0), ("1e400", f64::INFINITY)] {
+            assert_eq!(number(word), Some(value));
+        }
+        for word in ["nan", "-nan(ind)", "1.#QNAN", "-1.#IND", "NaN"] {
+            assert!(number(word).is_some_and(f64::is_nan), "{word}");
+        }
+        assert_eq!([number("two"), number("1,5"), number("")], [None; 3]);
     }
 }

@@ -20,12 +20,18 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
     let stl = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
     let up = wanted.up.unwrap_or(if stl { mesh_file::Up::Z } else { mesh_file::Up::Y });
     let crease = wanted.crease.unwrap_or(CREASE);
-    let mesh_file::MeshFile { mesh, normals, uv } =
+    let mesh_file::MeshFile { mesh, normals, uv, thin, left_out } =
         mesh_file::open(file, mesh_file::MeshReading { up, crease }).map_err(|error| failed(&error))?;
     if normals && wanted.crease.is_some() {
         return Err(failed(&"it has normals of its own, so --crease would change nothing"));
     }
     let name = file.display();
+    if thin {
+        progress::note(&format!("mesh `{name}`: its points and lines are not drawn"));
+    }
+    if left_out {
+        progress::note(&format!("mesh `{name}`: triangles with indices that do not exist are not drawn"));
+    }
     if !normals {
         progress::note(&format!(
             "mesh `{name}` has no normals: smooth up to edges of {crease}°; --crease sets it"

@@ -41,6 +41,16 @@ pub enum MeshFileError {
     /// Perhaps in itself.
     #[error("node {node} of the glTF is in the scene more than once")]
     NodeTwice { node: usize },
+    /// A list of the glTF is shorter than an index into it.
+    #[error("the glTF has no {what} {index}, counted from 0, there are {count}")]
+    NoSuchItem { what: &'static str, index: usize, count: usize },
+    /// Without a version the file is not a glTF.
+    #[error("{}", if version.is_empty() { "the JSON has no `asset.version`, so it is not a glTF 2.0".into() } else {
+        format!("glTF {version} is not supported: convert the file to glTF 2.0")
+    })]
+    GltfVersion { version: String },
+    #[error("the glTF requires the extension {extension}, which is not supported")]
+    Extension { extension: String },
     /// Each names all that there are, again and again.
     #[error("the glTF's buffers have more than {MOST_BYTES} bytes")]
     BuffersTooLong,
@@ -57,7 +67,7 @@ pub enum MeshFileError {
     #[error("the buffers of a glTF must be in it or beside it, got `{uri}`")]
     Elsewhere { uri: String },
     #[error(
-        "the glTF is compressed by {extension}, which is not read: export it without, by Draco, or as OBJ, PLY or STL"
+        "the glTF is compressed by {extension}, which is not supported: export it uncompressed or with Draco"
     )]
     Compressed { extension: String },
     #[error("{corners} corners do not make whole triangles")]
@@ -73,6 +83,10 @@ pub enum MeshFileError {
     TooLarge,
     #[error("no triangle has an area")]
     NoTriangles,
+    #[error("the file has no triangles, only points or lines")]
+    OnlyPointsAndLines,
+    #[error("the file has no triangles")]
+    Nothing,
 }
 
 impl MeshFileError {

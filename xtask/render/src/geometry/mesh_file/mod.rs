@@ -2,10 +2,12 @@
 
 mod draco;
 mod error;
-mod glb;
+mod gltf;
 mod obj;
 mod ply;
 mod polygon;
+#[cfg(test)]
+mod real_files;
 mod stl;
 #[cfg(test)]
 mod tests;
@@ -60,7 +62,7 @@ pub fn decode(
     folder: &Path,
     reading: MeshReading,
 ) -> Result<MeshFile, MeshFileError> {
-    let gltf = |bytes: &[u8]| glb::parse(bytes, folder);
+    let gltf = |bytes: &[u8]| gltf::parse(bytes, folder);
     let parse: &Parser<'_> = match format {
         Format::Obj => &obj::parse,
         Format::Ply => &ply::parse,

@@ -1,131 +1,324 @@
-//! PLY, by `ply-rs-bw`: text and both binary kinds.
+//! PLY: text and both binary kinds.
+//!
+//! Format: Turk 1994, "The PLY Polygon File Format".
 
-use std::io::Cursor;
+use std::collections::HashMap;
 
-use gltf::mesh::Mode;
-use ply_rs_bw::{
-    parser::{ParseError, Parser, Reader},
-    ply::{DefaultElement, Property, PropertyAccess, PropertyAccessResult},
-};
+use glam::{DVec3, Vec2};
 
 use crate::geometry::mesh_file::{
     error::MeshFileError,
-    glb::triangles,
+    polygon::strip,
     triangle_soup::{Corner, TriangleSoup},
 };
+use crate::input_file::{number, utf8};
 
-/// The element `vertex` with `x`, `y`, `z`, perhaps `nx`, `ny`, `nz` and texture coordinates under one of the usual
-/// names, and the element `face` with a list of corners, or `tristrips` with lists of strips that −1 ends. All others are passed
-/// over.
+/// Reads the element `vertex` with `x`, `y`, `z`, optionally normals and texture coordinates, and the element `face` with a
+/// list of corners and optionally a list `texcoord` for them, or `tristrips` with strips that −1 ends. Other elements are skipped.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
-    let broken = |error: ParseError| {
-        // The library's words, without its parser's state behind them.
-        let said = error.to_string();
-        MeshFileError::broken("PLY", said.split(" Error: ").next().unwrap_or(&said))
-    };
-    let mut reader = Reader::new(Cursor::new(bytes));
-    let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(broken)?;
-    let element = |name, what| header.elements.get(name).ok_or(MeshFileError::Lacks { what });
-    let vertex = element("vertex", "element `vertex`")?;
-    let strips = !header.elements.contains_key("face") && header.elements.contains_key(STRIPS);
-    let faces_name = if strips { STRIPS } else { "face" };
-    let face = element(faces_name, "element `face`")?;
+    let bytes = utf8(bytes);
+    let (encoding, elements, mut rest) = header(&bytes)?;
+    let element = |name| elements.iter().find(|element| element.name == name);
+    let vertices = element("vertex").ok_or(MeshFileError::Lacks { what: "element `vertex`" })?;
+    let faces = ["face", "tristrips"].iter().find_map(|&name| element(name));
+    let faces = faces.ok_or(MeshFileError::Lacks { what: "element `face`" })?;
     for (name, what) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
-        vertex.properties.get(name).ok_or(MeshFileError::Lacks { what })?;
+        vertices.scalar(&[name]).ok_or(MeshFileError::Lacks { what })?;
     }
-    if !CORNERS.iter().any(|&name| face.properties.contains_key(name)) {
-        return Err(MeshFileError::Lacks { what: "property `vertex_indices`" });
-    }
+    let of_corners = faces.list(&["vertex_indices", "vertex_index"]);
+    let of_corners = of_corners.ok_or(MeshFileError::Lacks { what: "property `vertex_indices`" })?;
+    let per_corner = faces.list(&["texcoord"]);
     let mut soup = TriangleSoup::default();
-    let mut faces: Vec<Face> = Vec::new();
-    for (name, element) in &header.elements {
-        let left = bytes.len().saturating_sub(reader.get_ref().position() as usize);
-        // Each property takes a byte at least, and an element without any would never come to an end.
-        if element.count.saturating_mul(element.properties.len().max(1)) > left {
-            let (element, count) = (name.chars().take(40).collect(), element.count);
-            return Err(MeshFileError::PlyTruncated { element, count, bytes: left });
-        }
-        if name == "vertex" {
-            soup.corners =
-                Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
+    let (mut polygons, mut wedges) = (Vec::new(), Vec::new());
+    for element in &elements {
+        element.check_count(rest.len())?;
+        if std::ptr::eq(element, vertices) {
+            soup.corners = corners(element, encoding, &mut rest)?;
         } else {
-            let read =
-                Parser::new().read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
-            if name == faces_name {
-                faces = read;
+            for row in 0..element.count {
+                let (mut polygon, mut wedge) = (Vec::new(), Vec::new());
+                element.row(row, encoding, &mut rest, |k, values| {
+                    if std::ptr::eq(element, faces) && k == of_corners {
+                        polygon = values.to_vec();
+                    } else if std::ptr::eq(element, faces) && Some(k) == per_corner {
+                        wedge = values.to_vec();
+                    }
+                })?;
+                if std::ptr::eq(element, faces) {
+                    polygons.push(polygon.into_iter().map(index).collect::<Result<Vec<u32>, _>>()?);
+                    wedges.push(wedge);
+                }
             }
         }
     }
-    if !strips {
-        faces.iter().try_for_each(|Face(corners)| soup.push_polygon(corners))?;
+    if faces.name == "tristrips" {
+        for strip_corners in polygons.iter().flat_map(|all| all.split(|&corner| corner == END)) {
+            strip(strip_corners).into_iter().try_for_each(|triangle| soup.push(triangle))?;
+        }
         return Ok(soup);
     }
-    for strip in faces.iter().flat_map(|Face(corners)| corners.split(|&corner| corner == u32::MAX)) {
-        for triangle in triangles(Mode::TriangleStrip, strip)? {
-            soup.push(triangle)?;
+    let mut known = HashMap::new();
+    for (mut polygon, wedge) in polygons.into_iter().zip(wedges) {
+        if wedge.len() == 2 * polygon.len() {
+            for (corner, &[u, v]) in polygon.iter_mut().zip(wedge.as_chunks().0) {
+                *corner = with_uv(&mut soup, &mut known, *corner, Vec2::new(u as f32, v as f32))?;
+            }
         }
+        soup.push_polygon(&polygon)?;
     }
     Ok(soup)
 }
 
-/// The element of triangle strips.
-const STRIPS: &str = "tristrips";
+/// The end of a strip.
+const END: u32 = u32::MAX;
 
-const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
+/// A whole number from −1 on.
+fn index(value: f64) -> Result<u32, MeshFileError> {
+    if value == -1.0 {
+        return Ok(END);
+    }
+    let whole = value >= 0.0 && value < f64::from(END) && value.fract() == 0.0;
+    whole.then_some(value as u32).ok_or_else(|| broken(format!("a face has corner {value}")))
+}
 
-impl PropertyAccess for Corner {
-    fn new() -> Self {
-        Self::default()
+/// The vertex with these texture coordinates: a vertex may have others in each of its faces.
+fn with_uv(
+    soup: &mut TriangleSoup,
+    known: &mut HashMap<(u32, [u32; 2]), u32>,
+    vertex: u32,
+    uv: Vec2,
+) -> Result<u32, MeshFileError> {
+    let corner = *soup.corner(vertex)?;
+    Ok(*known.entry((vertex, uv.to_array().map(f32::to_bits))).or_insert_with(|| {
+        soup.corners.push(Corner { uv, ..corner });
+        soup.corners.len() as u32 - 1
+    }))
+}
+
+fn corners(element: &Element, encoding: Encoding, rest: &mut &[u8]) -> Result<Vec<Corner>, MeshFileError> {
+    const NAMES: [&[&str]; 8] = [
+        &["x"],
+        &["y"],
+        &["z"],
+        &["nx"],
+        &["ny"],
+        &["nz"],
+        &["u", "s", "texture_u", "texcoord_u"],
+        &["v", "t", "texture_v", "texcoord_v"],
+    ];
+    let mut place_of = vec![None; element.properties.len()];
+    for (place, names) in NAMES.iter().enumerate() {
+        if let Some(k) = element.scalar(names) {
+            place_of[k] = Some(place);
+        }
+    }
+    let mut corners = Vec::new();
+    for row in 0..element.count {
+        let mut values = [0.0; 8];
+        element.row(row, encoding, rest, |k, read| {
+            if let (Some(place), &[value]) = (place_of[k], read) {
+                values[place] = value;
+            }
+        })?;
+        let [x, y, z, nx, ny, nz, u, v] = values;
+        corners.push(Corner {
+            position: DVec3::new(x, y, z),
+            normal: DVec3::new(nx, ny, nz).as_vec3(),
+            uv: Vec2::new(u as f32, v as f32),
+        });
+    }
+    Ok(corners)
+}
+
+#[derive(Clone, Copy)]
+enum Encoding {
+    Text,
+    LittleEndian,
+    BigEndian,
+}
+
+/// The types of numbers.
+#[derive(Clone, Copy)]
+enum Type {
+    Signed(usize),
+    Unsigned(usize),
+    Float,
+    Double,
+}
+
+impl Type {
+    fn of(name: &str) -> Result<Self, MeshFileError> {
+        Ok(match name {
+            "char" | "int8" => Self::Signed(1),
+            "uchar" | "uint8" => Self::Unsigned(1),
+            "short" | "int16" => Self::Signed(2),
+            "ushort" | "uint16" => Self::Unsigned(2),
+            "int" | "int32" => Self::Signed(4),
+            "uint" | "uint32" => Self::Unsigned(4),
+            "int64" => Self::Signed(8),
+            "uint64" => Self::Unsigned(8),
+            "float" | "float32" => Self::Float,
+            "double" | "float64" => Self::Double,
+            _ => return Err(broken(format!("`{name}` is not a type of its header"))),
+        })
     }
 
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let value = match property {
-            Property::Double(value) => Some(value),
-            other => other.to_f32_lossy().map(f64::from),
-        };
-        let Some(value) = value else { return PropertyAccessResult::Ignored };
-        match name {
-            "x" => self.position.x = value,
-            "y" => self.position.y = value,
-            "z" => self.position.z = value,
-            "nx" => self.normal.x = value as f32,
-            "ny" => self.normal.y = value as f32,
-            "nz" => self.normal.z = value as f32,
-            "u" | "s" | "texture_u" => self.uv.x = value as f32,
-            "v" | "t" | "texture_v" => self.uv.y = value as f32,
-            _ => return PropertyAccessResult::Ignored,
+    const fn size(self) -> usize {
+        match self {
+            Self::Signed(size) | Self::Unsigned(size) => size,
+            Self::Float => 4,
+            Self::Double => 8,
         }
-        PropertyAccessResult::Set
+    }
+
+    /// A number off the front of the body.
+    fn take(self, encoding: Encoding, rest: &mut &[u8]) -> Option<f64> {
+        if matches!(encoding, Encoding::Text) {
+            *rest = rest.trim_ascii_start();
+            let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+            let (word, behind) = rest.split_at(end);
+            *rest = behind;
+            return number(std::str::from_utf8(word).ok()?);
+        }
+        let (bytes, behind) = rest.split_at_checked(self.size())?;
+        *rest = behind;
+        let join = |bits: u64, &byte: &u8| bits << 8 | u64::from(byte);
+        let bits = match encoding {
+            Encoding::BigEndian => bytes.iter().fold(0, join),
+            _ => bytes.iter().rev().fold(0, join),
+        };
+        let unused = 64 - 8 * self.size() as u32;
+        Some(match self {
+            Self::Signed(_) => ((bits << unused).cast_signed() >> unused) as f64,
+            Self::Unsigned(_) => bits as f64,
+            Self::Float => f32::from_bits(bits as u32).into(),
+            Self::Double => f64::from_bits(bits),
+        })
     }
 }
 
-/// Corners of a face; an element that nothing is taken from has none.
-struct Face(Vec<u32>);
+struct Property {
+    name: String,
+    /// The type of the count, of a list.
+    count: Option<Type>,
+    of: Type,
+}
 
-impl PropertyAccess for Face {
-    fn new() -> Self {
-        Self(Vec::new())
+struct Element {
+    name: String,
+    count: usize,
+    properties: Vec<Property>,
+}
+
+impl Element {
+    fn find(&self, list: bool, names: &[&str]) -> Option<usize> {
+        self.properties.iter().position(|p| names.contains(&&*p.name) && p.count.is_some() == list)
     }
 
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if !CORNERS.contains(&name) {
-            return PropertyAccessResult::Ignored;
+    /// The place of the first property of these names that is a number.
+    fn scalar(&self, names: &[&str]) -> Option<usize> {
+        self.find(false, names)
+    }
+
+    /// The place of the first property of these names that is a list.
+    fn list(&self, names: &[&str]) -> Option<usize> {
+        self.find(true, names)
+    }
+
+    /// Refuses a count that so many bytes cannot hold: each property takes at least one.
+    fn check_count(&self, left: usize) -> Result<(), MeshFileError> {
+        if self.count.saturating_mul(self.properties.len().max(1)) > left {
+            let element = self.name.chars().take(40).collect();
+            return Err(MeshFileError::PlyTruncated { element, count: self.count, bytes: left });
         }
-        let strips = || {
-            // The end of a strip is the greatest number; nothing else is below 0.
-            let Property::ListInt(corners) = &property else { return None };
-            corners
-                .iter()
-                .all(|&corner| corner >= -1)
-                .then(|| corners.iter().map(|&corner| corner as u32).collect())
-        };
-        match property.to_u32_list().or_else(strips) {
-            Some(corners) => {
-                self.0 = corners;
-                PropertyAccessResult::Set
+        Ok(())
+    }
+
+    /// Takes a row off the body and hands over the numbers of each property.
+    fn row(
+        &self,
+        row: usize,
+        encoding: Encoding,
+        rest: &mut &[u8],
+        mut to: impl FnMut(usize, &[f64]),
+    ) -> Result<(), MeshFileError> {
+        let mut values = Vec::new();
+        for (k, property) in self.properties.iter().enumerate() {
+            let ends = || {
+                let (row, element, property) = (row + 1, &self.name, &property.name);
+                broken(format!("`{property}` of `{element}` {row} of {} is not in the file", self.count))
+            };
+            values.clear();
+            let count = match property.count {
+                None => 1.0,
+                Some(count) => count.take(encoding, rest).ok_or_else(ends)?,
+            };
+            // A byte at least for each.
+            if !(0.0..=rest.len() as f64).contains(&count) {
+                return Err(ends());
             }
-            // Numbers with a fraction, or below 0.
-            None => PropertyAccessResult::UnsupportedType,
+            for _ in 0..count as usize {
+                values.push(property.of.take(encoding, rest).ok_or_else(ends)?);
+            }
+            to(k, &values);
+        }
+        Ok(())
+    }
+}
+
+/// The encoding, the elements, and the bytes behind the header. Lines that are not of the format are ignored, as comments are.
+fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), MeshFileError> {
+    let not_ply = || broken("it does not begin with `ply`");
+    let mut rest = bytes.strip_prefix(b"ply").ok_or_else(not_ply)?;
+    let blanks = rest.iter().take_while(|&&byte| byte == b' ' || byte == b'\t').count();
+    let end: &[u8] = match &rest[blanks..] {
+        [b'\r', b'\n', ..] => b"\r\n",
+        [b'\r', ..] => b"\r",
+        [b'\n', ..] => b"\n",
+        _ => return Err(not_ply()),
+    };
+    let (mut encoding, mut elements) = (None, Vec::<Element>::new());
+    loop {
+        let length = rest.windows(end.len()).position(|window| window == end);
+        let length = length.ok_or_else(|| broken("its header has no line `end_header`"))?;
+        let line = String::from_utf8_lossy(&rest[..length]).into_owned();
+        rest = &rest[length + end.len()..];
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            ["format", name, ..] => {
+                encoding = Some(match name {
+                    "ascii" => Encoding::Text,
+                    "binary_little_endian" => Encoding::LittleEndian,
+                    "binary_big_endian" => Encoding::BigEndian,
+                    _ => return Err(broken(format!("its format `{name}` does not exist"))),
+                });
+            }
+            ["element", name, count] => {
+                let count = count.parse().map_err(|_| broken(format!("`{name}` has `{count}` rows")))?;
+                elements.push(Element { name: name.into(), count, properties: Vec::new() });
+            }
+            ["property", "list", count, of, name] => {
+                let of = Property { name: name.into(), count: Some(Type::of(count)?), of: Type::of(of)? };
+                elements.last_mut().ok_or_else(|| out_of_place(name))?.properties.push(of);
+            }
+            ["property", of, name] => {
+                let of = Property { name: name.into(), count: None, of: Type::of(of)? };
+                elements.last_mut().ok_or_else(|| out_of_place(name))?.properties.push(of);
+            }
+            ["element" | "property" | "format", ..] => {
+                return Err(broken(format!("its header has the line `{}`", line.trim())));
+            }
+            ["end_header", ..] => break,
+            _ => {}
         }
     }
+    Ok((encoding.ok_or_else(|| broken("its header has no line `format`"))?, elements, rest))
+}
+
+fn out_of_place(name: &str) -> MeshFileError {
+    broken(format!("property `{name}` comes before every element"))
+}
+
+fn broken(error: impl Into<String>) -> MeshFileError {
+    MeshFileError::broken("PLY", error.into())
 }

@@ -46,6 +46,18 @@ pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, MeshFile
     Ok(triangles)
 }
 
+/// The triangles of a strip, all in the sense of the first.
+pub(super) fn strip(corners: &[u32]) -> Vec<[u32; 3]> {
+    let triangle = |(i, &[a, b, c]): (usize, &[u32; 3])| if i % 2 == 0 { [a, b, c] } else { [b, a, c] };
+    corners.array_windows().enumerate().map(triangle).collect()
+}
+
+/// The triangles of a fan about the first corner.
+pub(super) fn fan(corners: &[u32]) -> Vec<[u32; 3]> {
+    let Some((&first, others)) = corners.split_first() else { return Vec::new() };
+    others.array_windows().map(|&[b, c]| [b, c, first]).collect()
+}
+
 /// The corners along the axis that Newell's normal is longest on, turning to the left.
 fn flattened(corners: &[DVec3]) -> Vec<DVec2> {
     let next = corners.iter().cycle().skip(1);

@@ -1,69 +1,110 @@
 //! STL, binary and text.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::geometry::mesh_file::{
     error::MeshFileError,
     triangle_soup::{Corner, TriangleSoup},
 };
+use crate::input_file::{number, text};
 
 /// Bytes before the triangles of a binary file.
 const HEADER: usize = 84;
 /// Bytes of a triangle.
 const TRIANGLE: usize = 50;
 
-/// All triangles; the normals of the file are passed over, because they follow from its corners.
-///
-/// A file is binary if it is as long as its number of triangles asks: many begin with `solid` as text does.
+/// Reads all facets; their normals are ignored, because they follow from the corners.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
-    let count =
-        bytes.get(80..HEADER).and_then(|n| n.try_into().ok()).map(u32::from_le_bytes).unwrap_or(0) as usize;
-    let left = bytes.len().checked_sub(HEADER);
-    let whole = left.zip(count.checked_mul(TRIANGLE)).is_some_and(|(left, length)| left >= length);
-    let text = bytes.trim_ascii_start().starts_with(b"solid");
-    // Some programs write blanks behind the last triangle.
-    let binary = whole && (!text || bytes.len() == HEADER + count * TRIANGLE);
-    if binary {
-        let number = |bytes: &[u8]| bytes.try_into().map_or(f32::NAN, f32::from_le_bytes);
-        let triangles = bytes[HEADER..].chunks_exact(TRIANGLE).take(count);
-        // A normal comes before the corners.
-        return soup(triangles.flat_map(|triangle| triangle[12..48].chunks_exact(4).map(number)));
+    let count = bytes.get(80..HEADER).map_or(0, |n| n.iter().rev().fold(0, |n, &b| n << 8 | usize::from(b)));
+    let holds = bytes.len().saturating_sub(HEADER) / TRIANGLE;
+    let long_enough = bytes.len() >= HEADER && holds >= count;
+    // Many binary files begin with `solid`, and some have blanks behind their last triangle.
+    let exact = long_enough && bytes.len() == HEADER + count * TRIANGLE;
+    let as_text = text(bytes);
+    if !exact && is_text(&as_text) {
+        return facets(&as_text);
     }
-    if !text {
-        return Err(MeshFileError::broken(
-            "STL",
-            format!("{} bytes do not hold {count} triangles", bytes.len()),
-        ));
+    if bytes.len() < HEADER {
+        let error = "it neither begins with `solid` nor has a header of 84 bytes";
+        return Err(MeshFileError::broken("STL", error));
     }
-    let text = String::from_utf8_lossy(bytes);
-    let (mut words, mut numbers) = (text.split_whitespace(), Vec::new());
-    while let Some(word) = words.next() {
-        if word.eq_ignore_ascii_case("vertex") {
-            let vertex = numbers.len() / 3;
-            for _ in 0..3 {
-                let number = words.next().and_then(|word| word.parse::<f32>().ok());
-                let broken = || {
-                    MeshFileError::broken(
-                        "STL",
-                        format!("vertex {vertex}, counted from 0, is not three numbers"),
-                    )
+    if !long_enough {
+        let held = format!("{} bytes hold {holds} of the {count} triangles that it claims", bytes.len());
+        return Err(MeshFileError::broken("STL", held));
+    }
+    // Streaming writers leave the count at 0.
+    let count = if count == 0 { holds } else { count };
+    let mut soup = TriangleSoup::default();
+    for triangle in bytes[HEADER..].chunks_exact(TRIANGLE).take(count) {
+        let corners = triangle[12..48].as_chunks::<12>().0;
+        let coordinate = |corner: &[u8; 12], k: usize| {
+            f32::from_le_bytes([corner[k], corner[k + 1], corner[k + 2], corner[k + 3]])
+        };
+        let place = |corner| Vec3::from_array([0, 4, 8].map(|k| coordinate(corner, k))).as_dvec3();
+        push(&mut soup, corners.iter().map(place))?;
+    }
+    Ok(soup)
+}
+
+/// Whether the file begins with the word `solid` and goes on with `facet` or ends.
+fn is_text(text: &str) -> bool {
+    let begins = |line: &str, word: &str| {
+        line.trim_start().get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
+    };
+    let mut lines = text.trim_start().split(['\n', '\r']).filter(|line| !line.trim().is_empty());
+    let first = lines.next().unwrap_or_default();
+    let goes_on = lines.next().is_none_or(|line| ["facet", "end", "vertex"].iter().any(|w| begins(line, w)));
+    begins(first, "solid") && !first.contains('\0') && (goes_on || one_line(first).is_some())
+}
+
+/// The facets behind the name of a solid in the same line.
+fn one_line(line: &str) -> Option<&str> {
+    let lower = line.to_ascii_lowercase();
+    lower.match_indices("facet").map(|(at, _)| at).find_map(|at| {
+        let mut words = lower[at..].split_whitespace().skip(1);
+        let facet = words.next() == Some("normal") && words.next().and_then(number).is_some();
+        facet.then(|| &line[at..])
+    })
+}
+
+/// The facets of a text. Names of solids may contain every word.
+fn facets(text: &str) -> Result<TriangleSoup, MeshFileError> {
+    let mut soup = TriangleSoup::default();
+    let (mut corners, mut vertices) = (Vec::new(), 0_usize);
+    for line in text.split(['\n', '\r']) {
+        let first = line.split_whitespace().next().unwrap_or_default();
+        let named = ["solid", "endsolid"].iter().any(|word| first.eq_ignore_ascii_case(word));
+        let line = if named { one_line(line).unwrap_or_default() } else { line };
+        let mut words = line.split_whitespace();
+        while let Some(word) = words.next() {
+            if word.eq_ignore_ascii_case("vertex") {
+                let place = [(); 3].map(|()| words.next().and_then(number));
+                let [Some(x), Some(y), Some(z)] = place else {
+                    let error = format!("vertex {vertices}, counted from 0, is not three numbers");
+                    return Err(MeshFileError::broken("STL", error));
                 };
-                numbers.push(number.ok_or_else(broken)?);
+                corners.push(DVec3::new(x, y, z));
+                vertices += 1;
+            } else if ["endloop", "endfacet", "facet"].iter().any(|end| word.eq_ignore_ascii_case(end)) {
+                finish(&mut soup, &mut corners)?;
             }
         }
     }
-    soup(numbers)
+    finish(&mut soup, &mut corners)?;
+    Ok(soup)
 }
 
-/// Triangles of coordinates by nines.
-fn soup(coordinates: impl IntoIterator<Item = f32>) -> Result<TriangleSoup, MeshFileError> {
-    let coordinates: Vec<f32> = coordinates.into_iter().collect();
-    let (places, _) = coordinates.as_chunks::<3>();
-    let corners = places.iter().map(|&p| Corner { position: Vec3::from(p).as_dvec3(), ..Default::default() });
-    let mut soup = TriangleSoup { corners: corners.collect(), triangles: Vec::new() };
-    if places.len() % 3 != 0 {
-        return Err(MeshFileError::CornersLeft { corners: places.len() });
+/// Appends a facet; some programs write polygons.
+fn finish(soup: &mut TriangleSoup, corners: &mut Vec<DVec3>) -> Result<(), MeshFileError> {
+    match corners.len() {
+        0 => Ok(()),
+        n @ 1..=2 => Err(MeshFileError::CornersLeft { corners: n }),
+        _ => push(soup, corners.drain(..)),
     }
-    (0..places.len() as u32 / 3).try_for_each(|k| soup.push([0, 1, 2].map(|i| 3 * k + i)))?;
-    Ok(soup)
+}
+
+fn push(soup: &mut TriangleSoup, places: impl Iterator<Item = DVec3>) -> Result<(), MeshFileError> {
+    let first = soup.corners.len() as u32;
+    soup.corners.extend(places.map(|position| Corner { position, ..Default::default() }));
+    soup.push_polygon(&(first..soup.corners.len() as u32).collect::<Vec<_>>())
 }

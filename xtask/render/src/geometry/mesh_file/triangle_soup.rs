@@ -37,6 +37,10 @@ pub struct MeshFile {
     pub normals: bool,
     /// Nine tenths of the surface have texture coordinates.
     pub uv: bool,
+    /// The file also has points or lines, which are not drawn.
+    pub thin: bool,
+    /// Some triangles are not drawn: their corners are not finite, do not exist, or are not three.
+    pub left_out: bool,
 }
 
 /// A vertex as read; zero stands for what is not given.
@@ -52,12 +56,16 @@ pub(super) struct Corner {
 pub(super) struct TriangleSoup {
     pub(super) corners: Vec<Corner>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// The file also has points or lines.
+    pub(super) thin: bool,
+    /// The file has triangles that cannot be drawn.
+    pub(super) left_out: bool,
 }
 
 impl TriangleSoup {
     /// Appends a triangle of vertices that exist.
     pub(super) fn push(&mut self, triangle: [u32; 3]) -> Result<(), MeshFileError> {
-        triangle.iter().try_for_each(|&i| self.place(i).map(drop))?;
+        triangle.iter().try_for_each(|&i| self.corner(i).map(drop))?;
         if self.triangles.len() >= MOST_TRIANGLES {
             return Err(MeshFileError::TooLarge);
         }
@@ -70,29 +78,34 @@ impl TriangleSoup {
         if let &[a, b, c] = corners {
             return self.push([a, b, c]);
         }
-        let places = corners.iter().map(|&i| self.place(i)).collect::<Result<Vec<_>, _>>()?;
+        let places = corners.iter().map(|&i| Ok(self.corner(i)?.position)).collect::<Result<Vec<_>, _>>()?;
         triangulate(&places)?.into_iter().try_for_each(|triangle| self.push(triangle.map(|k| corners[k])))
     }
 
-    fn place(&self, index: u32) -> Result<DVec3, MeshFileError> {
-        let (corner, count) = (self.corners.get(index as usize), self.corners.len());
-        corner.map(|c| c.position).ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
+    pub(super) fn corner(&self, index: u32) -> Result<&Corner, MeshFileError> {
+        let count = self.corners.len();
+        self.corners.get(index as usize).ok_or(MeshFileError::NoSuchVertex { index: index.into(), count })
     }
 
     /// The mesh, turned so that `up` is z, and into the unit ball.
     pub(super) fn into_mesh(self, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
         self.check_numbers()?;
-        let (centre, radius) = self.ball().ok_or(MeshFileError::NoTriangles)?;
+        let nothing = || match self.thin {
+            true => MeshFileError::OnlyPointsAndLines,
+            false if self.triangles.is_empty() => MeshFileError::Nothing,
+            false => MeshFileError::NoTriangles,
+        };
+        let (center, radius) = self.ball().ok_or_else(nothing)?;
         let turned = |v: DVec3| match reading.up {
             Up::Y => DVec3::new(v.x, -v.z, v.y),
             Up::Z => v,
         };
-        let place = |i: u32| turned((self.corners[i as usize].position - centre) / radius).as_vec3();
+        let place = |i: u32| turned((self.corners[i as usize].position - center) / radius).as_vec3();
         let mut mesh = Mesh::default();
         let mut own = vec![u32::MAX; self.corners.len()];
         for &triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| place(i).as_dvec3());
-            if (b - a).cross(c - a) == DVec3::ZERO {
+            if self.is_line(triangle) || (b - a).cross(c - a) == DVec3::ZERO {
                 continue;
             }
             mesh.triangles.push(triangle.map(|i| {
@@ -107,7 +120,7 @@ impl TriangleSoup {
             }));
         }
         if mesh.triangles.is_empty() {
-            return Err(MeshFileError::NoTriangles);
+            return Err(nothing());
         }
         let normals = mesh.vertices.iter().all(|v| v.normal != Vec3::ZERO);
         if !normals {
@@ -115,27 +128,46 @@ impl TriangleSoup {
         }
         let uv = scale_uv(&mut mesh);
         lay_tangents(&mut mesh);
-        Ok(MeshFile { mesh, normals, uv })
+        Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out })
     }
 
+    /// Refuses numbers that are not finite in corners of triangles; unused vertices may have any.
     fn check_numbers(&self) -> Result<(), MeshFileError> {
-        let check = |what, finite: fn(&Corner) -> bool| {
-            let first = self.corners.iter().position(|corner| !finite(corner));
-            first.map_or(Ok(()), |index| Err(MeshFileError::NotFinite { what, index }))
+        let used = || self.triangles.iter().flatten().map(|&i| (i as usize, &self.corners[i as usize]));
+        let check = |what, finite: fn(&Corner) -> bool| match used().find(|(_, corner)| !finite(corner)) {
+            Some((index, _)) => Err(MeshFileError::NotFinite { what, index }),
+            None => Ok(()),
         };
         check("vertex", |c| c.position.as_vec3().is_finite())?;
-        check("normal", |c| c.normal.is_finite())?;
         check("texture coordinate", |c| c.uv.is_finite())
     }
 
-    /// Centre of the box around all corners, and the distance of the farthest.
+    /// Center of the box around all triangles that have an area, and the distance of the farthest corner.
     fn ball(&self) -> Option<(DVec3, f64)> {
-        let corners = || self.triangles.iter().flatten().map(|&i| self.corners[i as usize].position);
-        let low = corners().reduce(DVec3::min)?;
-        let high = corners().reduce(DVec3::max)?;
-        let centre = 0.5 * (low + high);
-        let radius = corners().map(|p| p.distance(centre)).fold(0.0, f64::max);
-        (radius > 0.0).then_some((centre, radius))
+        let corners: Vec<DVec3> = self
+            .triangles
+            .iter()
+            .filter(|triangle| !self.is_line(**triangle))
+            .flatten()
+            .map(|&i| self.corners[i as usize].position)
+            .collect();
+        let low = corners.iter().copied().reduce(DVec3::min)?;
+        let high = corners.iter().copied().reduce(DVec3::max)?;
+        let center = 0.5 * (low + high);
+        let radius = corners.iter().map(|p| p.distance(center)).fold(0.0, f64::max);
+        (radius > 0.0).then_some((center, radius))
+    }
+
+    /// Whether the corners are on a line, within the rounding of coordinates in `f32`: modelers hide parts by scaling them to 0.
+    fn is_line(&self, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = triangle.map(|i| self.corners[i as usize].position);
+        let edges = [b - a, c - b, a - c];
+        let scale = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
+        let edges = edges.map(|edge| edge / scale);
+        let longest = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
+        let height = edges[0].cross(edges[2]).length() / longest;
+        // All three in one place: NaN.
+        height.is_nan() || height <= f64::from(f32::EPSILON)
     }
 }
 

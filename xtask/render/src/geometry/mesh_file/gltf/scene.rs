@@ -1,0 +1,205 @@
+//! The triangles of a glTF scene, where its nodes put them.
+
+use glam::{DMat3, DMat4, DQuat, DVec3, Vec3, Vec4};
+
+use crate::geometry::mesh_file::{
+    error::{MOST_TRIANGLES, MeshFileError},
+    gltf::{
+        buffers::Gltf,
+        document::{Document, Node, item, trs},
+        primitive::{Geometry, geometry, is_thin},
+    },
+    triangle_soup::{Corner, TriangleSoup},
+};
+
+pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
+    let document = &gltf.document;
+    let placed = Placed::of(document)?;
+    let mut soup = TriangleSoup::default();
+    for &index in &placed.drawn {
+        let node = &document.nodes[index];
+        let Some(mesh) = node.mesh.map(|mesh| item(&document.meshes, "mesh", mesh)).transpose()? else {
+            continue;
+        };
+        let weights = node.weights.as_ref().or(mesh.weights.as_ref()).map_or(&[][..], Vec::as_slice);
+        let joints = node.skin.map(|skin| joints(gltf, skin, &placed)).transpose()?;
+        let instances = instances(gltf, node)?;
+        for primitive in &mesh.primitives {
+            if is_thin(primitive) {
+                soup.thin = true;
+                continue;
+            }
+            let Some(geometry) = geometry(gltf, primitive, weights, joints.is_some())? else { continue };
+            soup.left_out |= geometry.left_out;
+            for instance in &instances {
+                let place = placed.world[index] * *instance;
+                append(&mut soup, &geometry, |vertex| match &joints {
+                    // The node's own place does not count: glTF 2.0, section 3.7.3.3.
+                    Some(joints) => skinned(joints, &geometry, vertex).unwrap_or(place),
+                    None => place,
+                })?;
+            }
+        }
+    }
+    Ok(soup)
+}
+
+/// The nodes of a scene and the places of all nodes.
+struct Placed {
+    /// Nodes of the scene that are not hidden, parents first.
+    drawn: Vec<usize>,
+    /// From each node to the world; joints of a skin may be outside the scene.
+    world: Vec<DMat4>,
+}
+
+impl Placed {
+    fn of(document: &Document) -> Result<Self, MeshFileError> {
+        let nodes = &document.nodes;
+        let mut placed = Self { drawn: Vec::new(), world: vec![DMat4::IDENTITY; nodes.len()] };
+        let mut seen = vec![false; nodes.len()];
+        let roots = document.roots()?.iter().map(|&node| (node, DMat4::IDENTITY, true));
+        placed.descend(nodes, roots.rev().collect(), &mut seen)?;
+        let mut is_child = vec![false; nodes.len()];
+        for &child in nodes.iter().flat_map(|node| &node.children) {
+            *is_child.get_mut(child).ok_or_else(|| no_node(child, nodes.len()))? = true;
+        }
+        let others = (0..nodes.len()).filter(|&node| !is_child[node] && !seen[node]);
+        placed.descend(nodes, others.map(|node| (node, DMat4::IDENTITY, false)).collect(), &mut seen)?;
+        Ok(placed)
+    }
+
+    /// Places the nodes below some, each with its parent's place and whether it is drawn.
+    fn descend(
+        &mut self,
+        nodes: &[Node],
+        mut open: Vec<(usize, DMat4, bool)>,
+        seen: &mut [bool],
+    ) -> Result<(), MeshFileError> {
+        while let Some((index, above, drawn)) = open.pop() {
+            let node = nodes.get(index).ok_or_else(|| no_node(index, nodes.len()))?;
+            // A node has at most one parent; without that rule the scene could be endless.
+            if std::mem::replace(&mut seen[index], true) {
+                return Err(MeshFileError::NodeTwice { node: index });
+            }
+            let visible = node.extensions.visibility.as_ref().and_then(|v| v.visible).unwrap_or(true);
+            let (place, drawn) = (above * node.transform(), drawn && visible);
+            self.world[index] = place;
+            if drawn {
+                self.drawn.push(index);
+            }
+            open.extend(node.children.iter().map(|&child| (child, place, drawn)));
+        }
+        Ok(())
+    }
+}
+
+fn no_node(index: usize, count: usize) -> MeshFileError {
+    MeshFileError::NoSuchItem { what: "node", index, count }
+}
+
+/// From a skinned mesh in its bind pose to the world, for each joint.
+fn joints(gltf: &Gltf, skin: usize, placed: &Placed) -> Result<Vec<DMat4>, MeshFileError> {
+    let skin = item(&gltf.document.skins, "skin", skin)?;
+    let binds = skin.inverse_bind_matrices.map(|accessor| gltf.floats::<16>(accessor)).transpose()?;
+    let bind = |k: usize| {
+        let bind = binds.as_ref().and_then(|all| all.get(k));
+        bind.map_or(DMat4::IDENTITY, |bind| DMat4::from_cols_array(&bind.map(f64::from)))
+    };
+    let world = |&joint: &usize| item(&placed.world, "node", joint).copied();
+    skin.joints.iter().enumerate().map(|(k, joint)| Ok(world(joint)? * bind(k))).collect()
+}
+
+/// The blend of joints at a vertex; none where no joint has a weight.
+fn skinned(joints: &[DMat4], geometry: &Geometry, vertex: usize) -> Option<DMat4> {
+    let (mut blend, mut sum) = (DMat4::ZERO, 0.0);
+    for set in &geometry.influences {
+        let (own, weights) = (set.joints.get(vertex)?, set.weights.get(vertex)?);
+        for (&joint, &weight) in own.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+            blend += *joints.get(joint as usize)? * f64::from(weight);
+            sum += f64::from(weight);
+        }
+    }
+    (sum != 0.0).then(|| blend * sum.recip())
+}
+
+/// The places of a node's instances; one, where it has no list of them.
+fn instances(gltf: &Gltf, node: &Node) -> Result<Vec<DMat4>, MeshFileError> {
+    let Some(instancing) = &node.extensions.instancing else { return Ok(vec![DMat4::IDENTITY]) };
+    let accessor = |name: &str| instancing.attributes.get(name).copied();
+    let vectors = |name: &str| accessor(name).map(|accessor| gltf.floats::<3>(accessor)).transpose();
+    let (translations, scales) = (vectors("TRANSLATION")?, vectors("SCALE")?);
+    let rotations = accessor("ROTATION").map(|accessor| gltf.floats::<4>(accessor)).transpose()?;
+    let counts = [
+        translations.as_ref().map(Vec::len),
+        rotations.as_ref().map(Vec::len),
+        scales.as_ref().map(Vec::len),
+    ];
+    // By the extension all have the same count.
+    let count = counts.into_iter().flatten().min().unwrap_or(1);
+    let vector = |all: &Option<Vec<[f32; 3]>>, k: usize, usual| {
+        all.as_ref().map_or(usual, |all| Vec3::from(all[k]).as_dvec3())
+    };
+    let rotation = |k: usize| {
+        rotations.as_ref().map_or(DQuat::IDENTITY, |all| DQuat::from_vec4(Vec4::from(all[k]).as_dvec4()))
+    };
+    let place = |k| trs(vector(&translations, k, DVec3::ZERO), rotation(k), vector(&scales, k, DVec3::ONE));
+    Ok((0..count).map(place).collect())
+}
+
+/// Appends a primitive whose vertices are where `place` puts them.
+fn append(
+    soup: &mut TriangleSoup,
+    geometry: &Geometry,
+    place: impl Fn(usize) -> DMat4,
+) -> Result<(), MeshFileError> {
+    let Geometry { positions, normals, uv, triangles, .. } = geometry;
+    let first = soup.corners.len();
+    let count = if normals.is_some() { positions.len() } else { 3 * triangles.len() };
+    if first + count > 3 * MOST_TRIANGLES {
+        return Err(MeshFileError::TooLarge);
+    }
+    let corner = |i: usize| {
+        let place = place(i);
+        let normal = normals.as_ref().and_then(|all| all.get(i));
+        Corner {
+            position: place.transform_point3(positions[i].as_dvec3()),
+            normal: normal.map_or(Vec3::ZERO, |&normal| turned(place, normal)),
+            // v grows downwards in the file.
+            uv: uv
+                .as_ref()
+                .and_then(|all| all.get(i))
+                .map_or_else(Default::default, |uv| glam::Vec2::new(uv.x, 1.0 - uv.y)),
+        }
+    };
+    // A mirrored triangle turns the other way.
+    let upright = |&[a, b, c]: &[u32; 3]| {
+        let mirrored = DMat3::from_mat4(place(a as usize)).determinant() < 0.0;
+        if mirrored { [a, c, b] } else { [a, b, c] }
+    };
+    if normals.is_some() {
+        soup.corners.extend((0..count).map(corner));
+        return triangles.iter().map(upright).try_for_each(|t| soup.push(t.map(|i| first as u32 + i)));
+    }
+    // Triangles without normals are flat, by the standard: each has corners of its own.
+    for triangle in triangles.iter().map(upright) {
+        let corners = triangle.map(|i| corner(i as usize));
+        let [a, b, c] = corners.map(|c| c.position);
+        let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3();
+        let first = soup.corners.len() as u32;
+        soup.corners.extend(corners.map(|corner| Corner { normal, ..corner }));
+        soup.push([first, first + 1, first + 2])?;
+    }
+    Ok(())
+}
+
+/// A normal where a vertex is placed.
+fn turned(place: DMat4, normal: Vec3) -> Vec3 {
+    let linear = DMat3::from_mat4(place);
+    // The inverse transpose, but for its length and sign, is the matrix of cofactors.
+    let cofactors = DMat3::from_cols(
+        linear.y_axis.cross(linear.z_axis),
+        linear.z_axis.cross(linear.x_axis),
+        linear.x_axis.cross(linear.y_axis),
+    ) * linear.determinant().signum();
+    (cofactors * normal.as_dvec3()).normalize_or_zero().as_vec3()
+}
