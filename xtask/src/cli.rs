@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use asperity_ndf_sampling::{Measure, Reconstruction, normal_map::TangentSpace};
+use asperity_ndf_sampling::{
+    Measure, Reconstruction,
+    normal_map::{Blue, TangentSpace},
+};
 use asperity_render::{geometry::mesh_file::Up, materials::field::NoiseKind, scenes::Set};
 use asperity_shading::LevelOfDetail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -541,11 +544,15 @@ pub(crate) struct Images {
     /// Which way the green channel of a normal map points [default: opengl].
     #[arg(long, value_parser = one_of(TANGENT_SPACES))]
     pub(crate) tangent_space: Option<TangentSpace>,
+    /// Content of the blue channel of a normal map [default: z, unless blue is constant].
+    #[arg(long, value_parser = one_of(BLUES))]
+    pub(crate) blue: Option<Blue>,
 }
 
 impl Images {
     /// Values of options that are not given.
-    pub(crate) const USUAL: Self = Self { measure: None, reconstruction: None, tangent_space: None };
+    pub(crate) const USUAL: Self =
+        Self { measure: None, reconstruction: None, tangent_space: None, blue: None };
 }
 
 /// Words that an option takes: each with its help and its meaning.
@@ -558,6 +565,11 @@ const RECONSTRUCTIONS: &Words<Reconstruction> = &[
 
 const TANGENT_SPACES: &Words<TangentSpace> =
     &[("opengl", "Up the image", TangentSpace::OpenGl), ("directx", "Down the image", TangentSpace::DirectX)];
+
+const BLUES: &Words<Blue> = &[
+    ("z", "The third coordinate", Blue::Read),
+    ("unused", "Nothing: the third coordinate is computed from two", Blue::Reconstructed),
+];
 
 const MEASURES: &Words<Measure> = &[
     ("normals", "Over (n_x, n_y): the value is D itself, up to a factor", Measure::Normals),

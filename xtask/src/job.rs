@@ -32,6 +32,7 @@ pub(crate) fn write(file: &Path, name: &str, steps: &[Step]) -> Result<String> {
     let (Some(folder), Some(of)) = (place.parent(), place.file_name()) else {
         return Err(format!("job `{}`: it must be a file", file.display()).into());
     };
+    refuse_braces(steps)?;
     let template = template(name, &std::env::current_exe()?, steps);
     let text = match place.extension().and_then(|ending| ending.to_str()) {
         Some("yaml" | "yml") => yaml(&template),
@@ -41,6 +42,19 @@ pub(crate) fn write(file: &Path, name: &str, steps: &[Step]) -> Result<String> {
     let output = Output::new(folder)?;
     output.write(&of.to_string_lossy(), text.as_bytes())?;
     Ok(output.place(&of.to_string_lossy()))
+}
+
+/// Refuses arguments that the format would take for parameters; it has no way to escape them.
+fn refuse_braces(steps: &[Step]) -> Result<()> {
+    for step in steps {
+        let own = step.tasks.as_ref().map(|(parameter, _)| number(parameter));
+        let braces = |text: &&String| text.contains("{{") || text.contains("}}");
+        let found = step.arguments.iter().filter(|text| Some(*text) != own.as_ref()).find(braces);
+        if let Some(argument) = found {
+            return Err(format!("argument `{argument}`: a job cannot have `{{{{` or `}}}}` in a name").into());
+        }
+    }
+    Ok(())
 }
 
 fn template(name: &str, program: &Path, steps: &[Step]) -> Value {
@@ -157,6 +171,20 @@ mod tests {
         assert_eq!(second["dependencies"][0]["dependsOn"], "Tiles");
         assert!(first.get("dependencies").is_none() && second.get("parameterSpace").is_none());
         assert_eq!(template["parameterDefinitions"][0]["default"], "/bin/asperity");
+    }
+
+    #[test]
+    fn write_refuses_double_braces_in_arguments() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.yaml");
+        for name in ["a{{b", "a}}b", "{{Param.Program}}", "--out={{"] {
+            let mut steps = steps();
+            steps[1].arguments.push(name.into());
+            let said = write(&file, "asperity", &steps).unwrap_err().to_string();
+            assert!(said.contains(&format!("`{name}`")) && !said.contains('\n'), "{said}");
+            assert!(!file.exists());
+        }
+        assert!(write(&file, "asperity", &steps()).is_ok());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use asperity_render::geometry::mesh_file::{self, Format, MeshFileError, MeshReading, Up};
-use asperity_render::image::read::ImageFile;
+use asperity_render::image::read::{Content, ImageFile};
 
 use crate::within;
 
@@ -13,7 +13,7 @@ fn image(bytes: Vec<u8>) {
     // The samples that a reader admits, once as bytes, once as planes, and once as the decoder has them in between; a sample of a
     // byte becomes four.
     let most = 16 * MIB + 12 * (1032 * bytes.len()).max(4 * MIB);
-    match within(most, || ImageFile::decode(bytes)) {
+    match within(most, || ImageFile::decode(bytes, Content::Colors)) {
         Ok(image) => {
             assert!(image.width > 0 && image.height > 0 && !image.planes.is_empty());
             let all = |plane: &(String, Vec<f32>)| plane.1.len() == image.width * image.height;

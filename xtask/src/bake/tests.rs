@@ -368,6 +368,16 @@ fn levels_of_every_format_are_the_levels_of_the_surface() {
             side /= 2;
         }
     }
+    // Half floats, which loaders for the web read.
+    let height = ktx2::Reader::new(set["height.ktx2"].as_slice()).unwrap();
+    assert_eq!(height.header().format, Some(ktx2::Format::R16_SFLOAT));
+    let halves = height.levels().next().unwrap().data.chunks_exact(2);
+    let halves = halves.map(|bytes| exr::prelude::f16::from_le_bytes([bytes[0], bytes[1]]).to_f32());
+    let (low, high) = heights[0].iter().fold((f32::MAX, f32::MIN), |(l, h), &x| (l.min(x), h.max(x)));
+    for (half, height) in halves.zip(&heights[0]) {
+        // Half a step of half floats below 1, and one of 16 bits.
+        assert!((half - (height - low) / (high - low)).abs() < 2.6e-4, "{half}");
+    }
     let base = ktx2::Reader::new(set["base_color.ktx2"].as_slice()).unwrap();
     assert_eq!(base.header().format, Some(ktx2::Format::BC7_SRGB_BLOCK));
     let normal = ktx2::Reader::new(set["normal_directx.ktx2"].as_slice()).unwrap();

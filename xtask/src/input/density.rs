@@ -6,14 +6,15 @@ use asperity_ndf_sampling::{
     AshikhminShirley, Beckmann, BlinnPhong, Ggx, Measure, NdfMap, Reconstruction, StudentT, Ward,
     estimate_ndf,
     glam::Vec3,
-    normal_map::{NormalMapFormat, TangentSpace},
+    normal_map::{Blue, NormalMapFormat},
 };
-use asperity_render::image::read::{ImageFile, ImageFileError};
+use asperity_render::image::read::{Content, ImageFile, ImageFileError};
 use asperity_render::materials::SharedNdf;
 
 use crate::cli::Images;
 use crate::failure::Failure;
 use crate::output::sha256;
+use crate::progress;
 
 /// Texels per side of the maps that are made from functions.
 pub(crate) const SIZE: usize = 256;
@@ -49,9 +50,7 @@ impl Density {
                 }
                 _ if text == "painted" => painted()?,
                 _ => match text.strip_prefix(NORMAL_MAP) {
-                    Some(file) => {
-                        estimated(Path::new(file), reading.tangent_space.unwrap_or(TangentSpace::OpenGl))?
-                    }
+                    Some(file) => estimated(Path::new(file), reading)?,
                     None => image_density(Path::new(text), reading)?,
                 },
             };
@@ -146,7 +145,7 @@ fn formula(word: &str, text: &str) -> Result<Arc<SharedNdf>, Failure> {
 
 /// The density of an image; the error names the formulas, for a mistyped one is taken for a file.
 fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
-    let image = ImageFile::open(path).map_err(|error| match error {
+    let image = ImageFile::open(path, Content::Colors).map_err(|error| match error {
         ImageFileError::Unreadable { error } => {
             let formulas = FORMULAS.map(|(word, _, numbers)| format!("`{word}:{numbers}`")).join(", ");
             format!("neither {formulas} nor `painted`, and as an image file it cannot be read: {error}")
@@ -162,19 +161,41 @@ fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
 }
 
 /// The density of a normal map's normals: integers unsigned, floats signed.
-fn estimated(path: &Path, tangent_space: TangentSpace) -> Result<NdfMap, Failure> {
-    let image = ImageFile::open(path)?;
-    let format = NormalMapFormat { tangent_space, ..NormalMapFormat::default() };
-    let [x, y, z] = image
-        .components(&[["R", "G", "B"], ["n.X", "n.Y", "n.Z"], ["X", "Y", "Z"]])
-        .ok_or("a normal map needs the channels R, G, B or X, Y, Z")?;
+fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
+    let image = ImageFile::open(path, Content::Normals)?;
     let scale = if image.floats { 1.0 } else { 2.0 };
     let signed = |c: f32| c * scale - (scale - 1.0);
-    let normals: Vec<Vec3> = (0..image.width * image.height)
-        .map(|i| [x, y, z].map(|plane| signed(plane.get(i).copied().unwrap_or(0.0))))
-        .map(|n| format.decode_signed(n))
-        .collect();
+    let texel = |i: usize| {
+        let value = |k: usize| image.planes.get(k).map(|plane| signed(plane[i]));
+        Some([value(0)?, value(1)?, value(2).unwrap_or(0.0)])
+    };
+    let texels: Option<Vec<[f32; 3]>> = (0..image.width * image.height).map(texel).collect();
+    let texels = texels.ok_or("a normal map needs the channels R, G, B or X, Y, Z, got gray")?;
+    let blue = match reading.blue {
+        Some(blue) => blue,
+        None if image.planes.len() == 2 => Blue::Reconstructed,
+        None if is_unused(texels.iter().map(|texel| texel[2]), &texels) => {
+            progress::note(&format!(
+                "normal map `{}`: blue is constant, so z follows from x and y; --blue sets it",
+                path.display()
+            ));
+            Blue::Reconstructed
+        }
+        None => Blue::Read,
+    };
+    let tangent_space = reading.tangent_space.unwrap_or_default();
+    let format = NormalMapFormat { tangent_space, blue, ..NormalMapFormat::default() };
+    let normals: Vec<Vec3> = texels.into_iter().map(|texel| format.decode_signed(texel)).collect();
     Ok(estimate_ndf(&normals)?)
+}
+
+/// Whether z is constant although x and y vary, and makes no unit normals with them: a map of two channels.
+fn is_unused(mut z: impl Iterator<Item = f32>, texels: &[[f32; 3]]) -> bool {
+    let first = z.next();
+    let constant = z.all(|other| Some(other) == first);
+    let off = |&[x, y, z]: &[f32; 3]| ((x * x + y * y + z * z).sqrt() - 1.0).abs();
+    // Eight bits move the length by at most 0.007.
+    constant && texels.iter().map(off).sum::<f32>() > 0.02 * texels.len() as f32
 }
 
 #[cfg(test)]
@@ -182,6 +203,7 @@ mod tests {
     use std::fs;
 
     use approx::assert_abs_diff_eq;
+    use asperity_ndf_sampling::normal_map::TangentSpace;
     use asperity_render::image::{Format, Image, formats::exr, tone::hex};
 
     use super::*;
@@ -257,6 +279,22 @@ mod tests {
             let density = Density::parse(&spec, reading).unwrap();
             assert!(density.ndf.density(high) > 1.0 && density.ndf.density(low) == 0.0);
             assert_eq!(density.name(), "Normals of leaning.png");
+        }
+        // Without blue, in a PNG and as two channels, and with a blue that is not z.
+        let lean = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+        let flat = [0x80_cc00, 0x80_80_00, 0x80_cc00, 0x80_80_00];
+        for (name, bytes) in [
+            ("zero.png", png(2, &flat)),
+            ("half.png", png(2, &flat.map(|rgb| rgb | 0x80))),
+            ("one.png", png(2, &flat.map(|rgb| rgb | 0xff))),
+            ("two.exr", exr(1, 2, [("N.X", vec![0.0; 2]), ("N.Y", vec![0.6, 0.0])]).unwrap()),
+        ] {
+            let spec = format!("{NORMAL_MAP}{}", file(&folder, name, &bytes));
+            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+            assert!(got > 0.3 * lean && got < lean, "{name}: {got} of {lean}");
+            let read = Images { blue: Some(Blue::Read), ..Images::USUAL };
+            let rim = Density::parse(&spec, read).unwrap().ndf.density(up);
+            assert!(name == "half.png" || rim != got, "{name}: {rim}");
         }
         let grey = exr(1, 1, [("Y", vec![0.5])]).unwrap();
         let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.exr", &grey)));

@@ -62,7 +62,8 @@ impl System {
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.file_stem().map_or_else(|| "system".into(), |stem| stem.to_string_lossy());
         let read = || -> Result<Self, Failure> {
-            Self::parse(&String::from_utf8(input_file::read(path, MOST_BYTES)?)?, &name)
+            let bytes = input_file::read(path, MOST_BYTES)?;
+            Self::parse(std::str::from_utf8(&input_file::utf8(&bytes))?, &name)
         };
         read().map_err(|error| format!("system `{}`: {error}", path.display()).into())
     }
@@ -145,6 +146,15 @@ mod tests {
         let system = System::parse(text, "g").unwrap();
         assert_abs_diff_eq!(system.fif.evaluate(1.0, 1e-12).value, 1.0, epsilon = 1e-12);
         assert_eq!(system.fif.pieces()[0].map().alpha, 0.85);
+    }
+
+    #[test]
+    fn read_accepts_a_byte_order_mark() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("line.json");
+        let text = r#"{"knots": [0, 1, 2], "alpha": [0.5, 0.5], "q": [[0, 0.5], [1, -0.5]]}"#;
+        std::fs::write(&file, format!("\u{feff}{text}")).unwrap();
+        assert_eq!(System::read(&file).unwrap().name, "line");
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use asperity_render::geometry::{mesh::TracedMesh, mesh_file};
-use asperity_render::image::{read::ImageFile, tone::linear};
+use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::tone::linear;
 use asperity_shading::EnvironmentMap;
 use glam::Vec3;
 
@@ -53,9 +54,14 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
 pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     let name = file.display();
     let fail = |error: &dyn std::fmt::Display| Failure::from(format!("light `{name}`: {error}"));
-    let image = ImageFile::open(file).map_err(|error| fail(&error))?;
-    let grey = image.grey();
-    let [r, g, b] = image.components(&[["R", "G", "B"]]).unwrap_or([&grey, &grey, &grey]);
+    let image = ImageFile::open(file, Content::Colors).map_err(|error| fail(&error))?;
+    let [r, g, b] = image.colors();
+    let (width, height) = (image.width, image.height);
+    if width.abs_diff(2 * height) > height / 50 {
+        progress::note(&format!(
+            "light `{name}`: its {width} × {height} pixels cover the whole sphere; latitude\u{2013}longitude images are 2 : 1"
+        ));
+    }
     // Numbers of an 8-bit image are those of a screen.
     let light = |x: f32| if image.floats { x } else { linear(x) };
     let mut wrong = 0;

@@ -17,7 +17,7 @@ pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, form
     }
     let exr = format == Format::Exr;
     let image = wanted.ndf.as_ref().is_some_and(|ndf| ndf != "painted" && !ndf.contains(':'));
-    let Images { measure, reconstruction, tangent_space } = wanted.images;
+    let Images { measure, reconstruction, tangent_space, blue } = wanted.images;
     let given = [
         ("--ndf", wanted.ndf.is_some(), bumps, "it is of bumps"),
         ("--normal-map", wanted.normal_map.is_some(), bumps, "it is of bumps"),
@@ -29,6 +29,7 @@ pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, form
         ("--measure", measure.is_some(), bumps && image, "it is of an image given by --ndf"),
         ("--reconstruction", reconstruction.is_some(), bumps && image, "it is of an image given by --ndf"),
         ("--tangent-space", tangent_space.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
+        ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
         ("--set", !wanted.set.is_empty(), !bumps, "bumps are set by options of their own"),
         ("--scale", wanted.scale.is_some(), material != Material::Chrome, "chrome has no pattern"),
         ("--tone", wanted.tone.is_some(), !exr, "an OpenEXR file has the radiance itself"),

@@ -1,6 +1,7 @@
 //! An image of linear radiance, row by row from the top left, and its way to a file.
 
 pub mod formats;
+mod layers;
 mod radiance;
 pub mod read;
 pub mod tone;
@@ -136,7 +137,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     use super::*;
-    use crate::image::read::ImageFile;
+    use crate::image::read::{Content, ImageFile};
 
     #[test]
     fn a_written_picture_reads_back_in_the_format_of_its_name() {
@@ -149,7 +150,7 @@ mod tests {
         ] {
             let bytes = image.encode(Format::of(Path::new(name)).unwrap()).unwrap();
             assert!(bytes.starts_with(first), "{name}");
-            let planes = ImageFile::decode(bytes).unwrap().planes.into_iter().flat_map(|(_, plane)| plane);
+            let planes = ImageFile::decode(bytes, Content::Colors).unwrap().planes.into_iter().flatten();
             let expected =
                 [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]].concat();
             // libjpeg is off by 3 here at this quality.
@@ -157,8 +158,9 @@ mod tests {
                 assert_abs_diff_eq!(value * 255.0, expected, epsilon = off + 1e-4);
             }
         }
-        let exr = ImageFile::decode(image.encode(Format::of(Path::new("e.exr")).unwrap()).unwrap()).unwrap();
-        assert_eq!(exr.components(&[["R", "G", "B"]]).unwrap()[0], [0.0, 0.5, 1.0].repeat(2));
+        let exr = image.encode(Format::of(Path::new("e.exr")).unwrap()).unwrap();
+        let exr = ImageFile::decode(exr, Content::Colors).unwrap();
+        assert_eq!(exr.colors()[0], [0.0, 0.5, 1.0].repeat(2));
         assert_eq!(["x.gif", "png", "x"].map(|name| Format::of(Path::new(name))), [None; 3]);
         assert_eq!(image.pixels[3 + 1].y, 1.0);
     }

@@ -19,8 +19,14 @@ pub(super) fn decode(
             Some(("FORMAT", format)) if format != "32-bit_rle_rgbe" => {
                 return Err("its colours are not RGB: only 32-bit_rle_rgbe is read");
             }
-            // Every program on the way multiplied the picture by its own.
-            Some(("EXPOSURE", value)) => scale *= value.parse().unwrap_or(1.0_f32),
+            // Every program on the way multiplied the picture by its own. FreeImage writes 0 where it knows none.
+            Some(("EXPOSURE", value)) => {
+                let exposure: f32 = value.parse().unwrap_or(1.0);
+                let factor = scale * exposure;
+                if exposure > 0.0 && factor > 0.0 && factor.is_finite() {
+                    scale = factor;
+                }
+            }
             _ => {}
         }
     }
@@ -145,6 +151,19 @@ mod tests {
             String::from_utf8_lossy(&file("-Y 1 +X 1", b"")).replace("# made", "EXPOSURE=2\nEXPOSURE= 4");
         let bytes = [exposed.as_bytes(), &[127, 127, 127, 128 + 4]].concat();
         assert_eq!(decode(&bytes, |_, _| true).unwrap().1, [[127.5 / 128.0; 3]]);
+    }
+
+    #[test]
+    fn exposures_that_are_not_positive_are_ignored() {
+        let of = |exposure: &str| {
+            let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE={exposure}\n\n-Y 1 +X 1\n");
+            decode(&[head.as_bytes(), &[128, 128, 128, 129]].concat(), |_, _| true).unwrap().1
+        };
+        for exposure in ["0", "0.0", "-0", "-1", "nan", "inf", "-inf", "1e-46", "1e39", "none", ""] {
+            assert_eq!(of(exposure), of("1"), "{exposure}");
+        }
+        assert_eq!(of("1e-30\nEXPOSURE=1e-30"), of("1e-30"));
+        assert_eq!(of("2")[0][0], of("1")[0][0] / 2.0);
     }
 
     #[test]

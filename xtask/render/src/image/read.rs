@@ -2,17 +2,17 @@
 
 use std::{io::Cursor, path::Path};
 
-use exr::{
-    meta::MetaData,
-    prelude::{ReadChannels, ReadLayers},
-};
 use image_webp::WebPDecoder;
 use zune_jpeg::{
     JpegDecoder,
     zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions},
 };
 
-use crate::{failure::Failure, image::radiance, input_file};
+use crate::{
+    failure::Failure,
+    image::{layers, radiance},
+    input_file,
+};
 
 /// Pixels of surroundings of 16k by 8k.
 const MOST_PIXELS: usize = 1 << 27;
@@ -23,31 +23,39 @@ const MOST_BYTES: u64 = 1 << 31;
 const MOST_INFLATED: usize = 1032;
 const SMALL: usize = 1 << 22;
 
+/// The content of an image: OpenEXR files have channels of both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Red, green and blue, or gray.
+    Colors,
+    /// Coordinates of normals: three, or x and y.
+    Normals,
+}
+
 /// An image by planes, each row by row from the top left.
 #[derive(Debug, PartialEq)]
 pub struct ImageFile {
     pub width: usize,
     pub height: usize,
-    /// The channels but alpha, by name: `Y`, or `R`, `G`, `B`; integers in [0, 1], floats as they are.
-    pub planes: Vec<(String, Vec<f32>)>,
+    /// One plane of gray, two of x and y, or three; integers in [0, 1], floats as they are.
+    pub planes: Vec<Vec<f32>>,
     /// Samples are floats: light as it is, and signed coordinates of normals.
     pub floats: bool,
 }
 
 impl ImageFile {
     /// Reads a file.
-    pub fn open(path: &Path) -> Result<Self, ImageFileError> {
-        Self::decode(
-            input_file::read(path, MOST_BYTES).map_err(|error| ImageFileError::Unreadable { error })?,
-        )
+    pub fn open(path: &Path, content: Content) -> Result<Self, ImageFileError> {
+        let bytes = input_file::read(path, MOST_BYTES);
+        Self::decode(bytes.map_err(|error| ImageFileError::Unreadable { error })?, content)
     }
 
     /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
-    pub fn decode(bytes: Vec<u8>) -> Result<Self, ImageFileError> {
+    pub fn decode(bytes: Vec<u8>, content: Content) -> Result<Self, ImageFileError> {
         match bytes[..] {
             [] => Err(ImageFileError::Empty),
             [0x89, b'P', b'N', b'G', ..] => decode_png(&bytes),
-            [0x76, 0x2f, 0x31, 0x01, ..] => decode_exr(bytes),
+            [0x76, 0x2f, 0x31, 0x01, ..] => layers::decode(bytes, content),
             [0xff, 0xd8, 0xff, ..] => decode_jpeg(&bytes),
             [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(&bytes),
             [b'#', b'?', ..] => decode_radiance(&bytes),
@@ -57,35 +65,36 @@ impl ImageFile {
 
     /// An image of integers that are interleaved, so many bytes each, with the greatest first.
     fn of_integers(width: usize, height: usize, channels: usize, step: usize, bytes: &[u8]) -> Self {
-        let names: &[&str] = if channels > 2 { &["R", "G", "B"] } else { &["Y"] };
         let top = if step == 2 { 65_535.0 } else { 255.0 };
         let value =
             |sample: &[u8]| sample.iter().fold(0, |sum, &byte| sum << 8 | u32::from(byte)) as f32 / top;
         let plane = |channel| bytes.chunks_exact(step).skip(channel).step_by(channels).map(value).collect();
-        let planes = names.iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
+        let planes = (0..if channels > 2 { 3 } else { 1 }).map(plane).collect();
         Self { width, height, planes, floats: false }
     }
 
-    /// The mean of all planes.
-    pub fn grey(&self) -> Vec<f32> {
-        let count = self.planes.len().max(1) as f32;
-        (0..self.width * self.height)
-            .map(|i| self.planes.iter().filter_map(|(_, plane)| plane.get(i)).sum::<f32>() / count)
-            .collect()
+    /// Red, green and blue, which are the same of a gray image.
+    pub fn colors(&self) -> [&[f32]; 3] {
+        [0, 1, 2].map(|k| self.planes.get(k).or(self.planes.first()).map_or(&[][..], Vec::as_slice))
     }
 
-    /// The planes of three components, by the first set of names that the file has.
-    pub fn components(&self, names: &[[&str; 3]]) -> Option<[&[f32]; 3]> {
-        let plane = |name: &str| {
-            let found = self.planes.iter().find(|(own, _)| own.eq_ignore_ascii_case(name))?;
-            Some(found.1.as_slice())
-        };
-        names.iter().find_map(|&[x, y, z]| Some([plane(x)?, plane(y)?, plane(z)?]))
+    /// The mean of red, green and blue.
+    pub fn grey(&self) -> Vec<f32> {
+        let [r, g, b] = self.colors();
+        if self.planes.len() == 1 {
+            return r.to_vec();
+        }
+        r.iter().zip(g).zip(b).map(|((r, g), b)| (r + g + b) / 3.0).collect()
     }
 }
 
 /// Refuses sizes beyond reason, and beyond what a file of so many `bytes` can hold in pixels of so many, before anything is allocated.
-fn check_size(width: usize, height: usize, pixel: usize, bytes: usize) -> Result<(), ImageFileError> {
+pub(super) fn check_size(
+    width: usize,
+    height: usize,
+    pixel: usize,
+    bytes: usize,
+) -> Result<(), ImageFileError> {
     let pixels = width.checked_mul(height).filter(|pixels| (1..=MOST_PIXELS).contains(pixels));
     let all = pixels.ok_or(ImageFileError::Size { width, height })?.saturating_mul(pixel);
     if all > bytes.saturating_mul(MOST_INFLATED).max(SMALL) {
@@ -147,44 +156,8 @@ fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     let broken = |error: &str| ImageFileError::Broken { format: "Radiance HDR", error: error.into() };
     let ([width, height], pixels) = read.map_err(broken)?;
     size?;
-    let plane = |k: usize| pixels.iter().map(|pixel| pixel[k]).collect();
-    let planes = ["R", "G", "B"].iter().enumerate().map(|(k, &name)| (name.to_owned(), plane(k))).collect();
+    let planes = [0, 1, 2].map(|k| pixels.iter().map(|pixel| pixel[k]).collect()).into();
     Ok(ImageFile { width, height, planes, floats: true })
-}
-
-fn decode_exr(bytes: Vec<u8>) -> Result<ImageFile, ImageFileError> {
-    let broken =
-        |error: exr::error::Error| ImageFileError::Broken { format: "OpenEXR file", error: error.into() };
-    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
-    for header in &meta.headers {
-        let (width, height) = (header.layer_size.0, header.layer_size.1);
-        check_size(width, height, header.channels.bytes_per_pixel, bytes.len())?;
-        // Every chunk has its place in a table of eight bytes each.
-        if header.chunk_count.saturating_mul(8) > bytes.len() {
-            return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
-        }
-    }
-    let image = exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(broken)?;
-    let layer = image.layer_data;
-    let planes: Vec<(String, Vec<f32>)> = layer
-        .channel_data
-        .list
-        .iter()
-        .filter(|channel| !channel.name.eq_case_insensitive("a"))
-        .map(|channel| (channel.name.to_string(), channel.sample_data.values_as_f32().collect()))
-        .collect();
-    if planes.is_empty() {
-        return Err(ImageFileError::OnlyAlpha);
-    }
-    Ok(ImageFile { width: layer.size.0, height: layer.size.1, planes, floats: true })
 }
 
 /// Why a file is not an image of data.
@@ -206,6 +179,22 @@ pub enum ImageFileError {
     Truncated { width: usize, height: usize, bytes: usize },
     #[error("the image has no channel but alpha")]
     OnlyAlpha,
+    #[error("the image has no colors: its channels are {channels}")]
+    NoColors { channels: String },
+    #[error("a normal map needs the channels R, G, B or X, Y, Z, got {channels}")]
+    NoNormals { channels: String },
+    #[error("the image has several layers and none is named as the picture: {layers}")]
+    SeveralLayers { layers: String },
+    #[error(
+        "its colors are luminance and chroma (Y, RY, BY), which are not supported: save it with R, G and B"
+    )]
+    LuminanceChroma,
+    #[error(
+        "its channels have fewer samples than pixels, which is not supported: save it without subsampling"
+    )]
+    Subsampled,
+    #[error("it is a cube map, which is not supported: convert it to latitude and longitude")]
+    CubeMap,
     /// The file breaks its format, as the decoder has it.
     #[error("the {format} cannot be decoded: {error}")]
     Broken {
@@ -241,19 +230,21 @@ mod tests {
     #[test]
     fn grey_with_alpha_keeps_its_grey_and_colours_their_planes() {
         let grey = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
-        assert_eq!(ImageFile::decode(grey).unwrap().planes, [("Y".to_owned(), vec![1.0, 0.2])]);
+        assert_eq!(ImageFile::decode(grey, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
         let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
-        let image = ImageFile::decode(encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba)).unwrap();
-        let [r, g, b] = image.components(&[["n.X", "n.Y", "n.Z"], ["R", "G", "B"]]).unwrap();
+        let rgba = encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba);
+        let image = ImageFile::decode(rgba, Content::Normals).unwrap();
+        let [r, g, b] = image.colors();
         assert_eq!((r[0], g[0], b[0]), (65_280.0 / 65_535.0, 0.0, 51.0 / 65_535.0));
         assert_eq!(image.grey(), [(r[0] + b[0]) / 3.0]);
     }
 
     #[test]
     fn light_of_a_radiance_file_is_linear() {
-        let image = ImageFile::decode(b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec()).unwrap();
+        let bytes = b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec();
+        let image = ImageFile::decode(bytes, Content::Colors).unwrap();
         assert_eq!((image.floats, image.grey().len()), (true, 1));
-        assert_eq!(image.components(&[["R", "G", "B"]]).unwrap()[0], [128.5 / 128.0]);
+        assert_eq!(image.colors()[0], [128.5 / 128.0]);
     }
 
     #[test]
@@ -264,7 +255,7 @@ mod tests {
             ([8, 9], "the PNG cannot be decoded"),
         ] {
             let header = encode(size, ColorType::Grayscale, BitDepth::Eight, &[]);
-            let error = ImageFile::decode(header).unwrap_err().to_string();
+            let error = ImageFile::decode(header, Content::Colors).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");
         }
     }
@@ -273,8 +264,8 @@ mod tests {
     fn textures_read_back_and_without_data_are_refused() {
         let texels = vec![0.25, f32::MAX, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0];
         let good = exr(4, 2, [("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
-        let image = ImageFile::decode(good.clone()).unwrap();
-        assert_eq!((image.width, image.height, image.planes), (4, 2, vec![("Y".to_owned(), texels)]));
+        let image = ImageFile::decode(good.clone(), Content::Colors).unwrap();
+        assert_eq!((image.width, image.height, image.planes), (4, 2, vec![texels]));
         let claiming = |width: i32, height: i32| {
             let mut bytes = good.clone();
             for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {
@@ -300,7 +291,7 @@ mod tests {
             ),
             (Vec::new(), "the file is empty"),
         ] {
-            let error = ImageFile::decode(bytes).unwrap_err().to_string();
+            let error = ImageFile::decode(bytes, Content::Colors).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");
         }
     }

@@ -4,6 +4,7 @@ use std::io::Write;
 
 use block_compression::encode::compress_rgba8;
 use block_compression::{BC7Settings, CompressionVariant};
+use exr::prelude::f16;
 use ktx2::dfd::{Basic, Block};
 use ktx2::{Format, Header, Index, LevelIndex};
 use rayon::prelude::*;
@@ -18,8 +19,8 @@ use crate::failure::Result;
 enum Texels {
     /// Blocks of 4 × 4 texels.
     Blocks(CompressionVariant),
-    /// 16 bits: in eight, slopes of heights would be stairs.
-    Words,
+    /// Half floats: in eight bits, slopes of heights would be stairs, and loaders for the web do not read `R16_UNORM`.
+    Halves,
 }
 
 /// The format of a map, and its texels.
@@ -35,7 +36,7 @@ fn form(map: Map) -> (Format, Texels) {
         Map::Roughness | Map::Metallic | Map::Occlusion => {
             (Format::BC4_UNORM_BLOCK, Texels::Blocks(CompressionVariant::BC4))
         }
-        Map::Height => (Format::R16_UNORM, Texels::Words),
+        Map::Height => (Format::R16_SFLOAT, Texels::Halves),
     }
 }
 
@@ -47,7 +48,7 @@ impl Texels {
                 let padded = side.next_multiple_of(4) as u32;
                 variant.blocks_byte_size(padded, padded) as u64
             }
-            Self::Words => 2 * (side * side) as u64,
+            Self::Halves => 2 * (side * side) as u64,
         }
     }
 
@@ -55,7 +56,7 @@ impl Texels {
     fn alignment(self) -> u64 {
         match self {
             Self::Blocks(_) => self.bytes(4),
-            Self::Words => 4,
+            Self::Halves => 4,
         }
     }
 }
@@ -113,8 +114,9 @@ pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
         for row in (0..side).step_by(BAND) {
             let rows = map.rows(level, row, BAND.min(side - row))?;
             match texels {
-                Texels::Words => {
-                    let bytes: Vec<u8> = rows.iter().flat_map(|word| word.to_le_bytes()).collect();
+                Texels::Halves => {
+                    let half = |&word: &u16| f16::from_f32(f32::from(word) / 65_535.0).to_le_bytes();
+                    let bytes: Vec<u8> = rows.iter().flat_map(half).collect();
                     file.write_all(&bytes)?;
                 }
                 Texels::Blocks(variant) => {

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use asperity_render::image::{Image, read::ImageFile, tone::linear};
+use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::{Image, tone::linear};
 use glam::Vec3;
 
 use crate::cargo::cargo;
@@ -87,9 +88,9 @@ fn cells(row: &str) -> Vec<String> {
 
 /// The linear light of an sRGB picture.
 fn image(path: &Path) -> Result<Image> {
-    let file = ImageFile::open(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let [r, g, b] =
-        file.components(&[["R", "G", "B"]]).ok_or_else(|| format!("{} has no colours", path.display()))?;
+    let file =
+        ImageFile::open(path, Content::Colors).map_err(|error| format!("{}: {error}", path.display()))?;
+    let [r, g, b] = file.colors();
     let at = |x: u32, y: u32| y as usize * file.width + x as usize;
     Ok(Image::from_fn(file.width as u32, file.height as u32, |x, y| {
         let i = at(x, y);
@@ -114,8 +115,9 @@ mod tests {
         for subject in ["teapot", "plane", "textured", "materials"] {
             let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));
             let [before, after] = [
-                ImageFile::open(&path).unwrap(),
-                ImageFile::decode(image(&path).unwrap().encode(Format::Png).unwrap()).unwrap(),
+                ImageFile::open(&path, Content::Colors).unwrap(),
+                ImageFile::decode(image(&path).unwrap().encode(Format::Png).unwrap(), Content::Colors)
+                    .unwrap(),
             ];
             assert_eq!(before, after, "{subject}");
         }

@@ -1,0 +1,394 @@
+//! OpenEXR: which part and which channels of a file are the picture, within its display window.
+
+use std::io::Cursor;
+
+use exr::{
+    error::{Error, Result as ExrResult},
+    image::read::any_channels::ReadAnyChannels,
+    image::read::samples::ReadFlatSamples,
+    meta::{MetaData, attribute::EnvironmentMap, header::Header},
+    prelude::{ReadChannels, ReadLayers, Vec2},
+};
+
+use crate::image::read::{Content, ImageFile, ImageFileError, check_size};
+
+/// Pixels of a display window that a small file may fill with black around its data.
+const MOST_FRAME: usize = 1 << 24;
+
+/// Reads the channels of a content, black outside the data window.
+pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<ImageFile, ImageFileError> {
+    let broken = |error: Error| ImageFileError::Broken { format: "OpenEXR file", error: error.into() };
+    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
+    for header in &meta.headers {
+        let (width, height) = (header.layer_size.0, header.layer_size.1);
+        check_size(width, height, header.channels.bytes_per_pixel, bytes.len())?;
+        // Every chunk has its place in a table of eight bytes each.
+        if header.chunk_count.saturating_mul(8) > bytes.len() {
+            return Err(ImageFileError::Truncated { width, height, bytes: bytes.len() });
+        }
+    }
+    let chosen = choose(&meta.headers, content)?;
+    let header = &meta.headers[chosen.part];
+    if content == Content::Colors && header.own_attributes.environment_map == Some(EnvironmentMap::Cube) {
+        return Err(ImageFileError::CubeMap);
+    }
+    if header.channels.list.iter().any(|channel| channel.sampling != Vec2(1, 1)) {
+        return Err(ImageFileError::Subsampled);
+    }
+    let frame = header.shared_attributes.display_window;
+    let (width, height) = (frame.size.0, frame.size.1);
+    if width.checked_mul(height).is_none_or(|pixels| pixels > MOST_FRAME) {
+        check_size(width, height, 4 * chosen.channels.len(), bytes.len())?;
+    }
+    let all = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
+    let image = OnePart { all, header }
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(&bytes))
+        .map_err(broken)?;
+    let layer = image.layer_data;
+    let data = [layer.size.0, layer.size.1];
+    let position = layer.attributes.layer_position;
+    let offset = [position.0, position.1].map(i64::from);
+    let offset = [offset[0] - i64::from(frame.position.0), offset[1] - i64::from(frame.position.1)];
+    let planes = chosen.channels.iter().map(|&k| {
+        let samples: Vec<f32> = layer.channel_data.list[k].sample_data.values_as_f32().collect();
+        framed(samples, data, offset, [width, height])
+    });
+    Ok(ImageFile { width, height, planes: planes.collect(), floats: true })
+}
+
+/// A plane in its frame: 0 outside the data.
+fn framed(samples: Vec<f32>, data: [usize; 2], offset: [i64; 2], frame: [usize; 2]) -> Vec<f32> {
+    if offset == [0; 2] && data == frame {
+        return samples;
+    }
+    let mut plane = vec![0.0; frame[0] * frame[1]];
+    let inside = |from: i64, count: usize, frame: usize| {
+        let first = (-from).clamp(0, count as i64);
+        first as usize..(frame as i64 - from).clamp(first, count as i64) as usize
+    };
+    let columns = inside(offset[0], data[0], frame[0]);
+    for row in inside(offset[1], data[1], frame[1]).filter(|_| !columns.is_empty()) {
+        let to = (row as i64 + offset[1]) as usize * frame[0] + (columns.start as i64 + offset[0]) as usize;
+        let from = &samples[row * data[0]..][columns.clone()];
+        plane[to..to + from.len()].copy_from_slice(from);
+    }
+    plane
+}
+
+/// A reader of one part of the file.
+struct OnePart<'h> {
+    all: ReadAnyChannels<ReadFlatSamples>,
+    header: &'h Header,
+}
+
+impl<'s> ReadChannels<'s> for OnePart<'_> {
+    type Reader = <ReadAnyChannels<ReadFlatSamples> as ReadChannels<'s>>::Reader;
+
+    fn create_channels_reader(&'s self, header: &Header) -> ExrResult<Self::Reader> {
+        if header != self.header {
+            return Err(Error::NotSupported("another part".into()));
+        }
+        self.all.create_channels_reader(header)
+    }
+}
+
+/// Channels of a part that are a picture.
+#[derive(Clone)]
+struct Candidate {
+    part: usize,
+    /// The part's name, if there are several, and the layer's.
+    layer: String,
+    /// Places in the part's list.
+    channels: Vec<usize>,
+}
+
+impl Candidate {
+    /// The last word of the layer: `Combined` of `View Layer.Combined`.
+    fn name(&self) -> &str {
+        self.layer.rsplit('.').next().unwrap_or_default()
+    }
+}
+
+/// Names of channels, the best first.
+const COLORS: &[&[&str]] = &[&["r", "g", "b"], &["red", "green", "blue"]];
+const GRAY: &[&[&str]] = &[&["y"], &["l"], &["gray"], &["grey"], &["luminance"], &["v"]];
+const NORMALS: &[&[&str]] = &[
+    &["x", "y", "z"],
+    &["nx", "ny", "nz"],
+    &["r", "g", "b"],
+    &["red", "green", "blue"],
+    &["x", "y"],
+    &["nx", "ny"],
+    &["r", "g"],
+];
+
+/// Names of layers that renderers give to the picture, and to normals.
+const PICTURES: &[&str] =
+    &["", "rgba", "rgb", "combined", "beauty", "composite", "color", "colour", "c", "ci", "main", "image"];
+const NORMAL_LAYERS: &[&str] = &["normal", "normals", "n", "nrm", "normalmap", "normal_map", ""];
+
+/// Channels that are not shown.
+const HIDDEN: [&str; 9] = ["a", "alpha", "ar", "ag", "ab", "z", "zback", "depth", "id"];
+
+/// The part and the channels of a content.
+fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileError> {
+    let flat = || headers.iter().enumerate().filter(|(_, header)| !header.deep);
+    let every = flat().flat_map(|(_, header)| &header.channels.list);
+    let names = every.map(|channel| channel.name.to_string()).collect::<Vec<_>>();
+    let channels = names.iter().map(|name| name.chars().filter(|c| !c.is_control()).take(40).collect());
+    let channels = channels.take(12).collect::<Vec<String>>().join(", ");
+    let (kinds, layers): (&[_], _) = match content {
+        Content::Colors => (&[COLORS, GRAY], PICTURES),
+        Content::Normals => (&[NORMALS], NORMAL_LAYERS),
+    };
+    for names in kinds {
+        let found = candidates(headers, names);
+        let named = |name: &&str| found.iter().find(|candidate| candidate.name().eq_ignore_ascii_case(name));
+        let Some(best) = layers.iter().find_map(named).or(found.first()) else { continue };
+        let is_named = layers.iter().any(|name| best.name().eq_ignore_ascii_case(name));
+        if !is_named && found.iter().any(|other| other.layer != best.layer) {
+            let mut layers: Vec<_> = found.iter().map(|candidate| candidate.layer.clone()).collect();
+            layers.dedup();
+            layers.truncate(12);
+            return Err(ImageFileError::SeveralLayers { layers: layers.join(", ") });
+        }
+        let of_layer = |suffix: &str| channel(&headers[best.part], &best.layer, headers.len() > 1, suffix);
+        if best.channels.len() == 1 && (of_layer("ry").is_some() || of_layer("by").is_some()) {
+            return Err(ImageFileError::LuminanceChroma);
+        }
+        return Ok(best.clone());
+    }
+    if content == Content::Normals {
+        return Err(ImageFileError::NoNormals { channels });
+    }
+    // A single channel of any other name is a picture in gray.
+    let mut shown = flat().flat_map(|(part, header)| {
+        let all = header.channels.list.iter().enumerate();
+        let shown =
+            all.filter(|(_, channel)| !HIDDEN.iter().any(|name| suffix_is(&channel.name.to_string(), name)));
+        shown.map(move |(k, _)| Candidate { part, layer: String::new(), channels: vec![k] })
+    });
+    match (shown.next(), shown.next()) {
+        (Some(one), None) => Ok(one),
+        (None, _) if names.iter().all(|name| suffix_is(name, "a")) => Err(ImageFileError::OnlyAlpha),
+        _ => Err(ImageFileError::NoColors { channels }),
+    }
+}
+
+/// Every layer of every part that has all channels of one of the sets, the sets in their order.
+fn candidates(headers: &[Header], sets: &[&[&str]]) -> Vec<Candidate> {
+    let several = headers.len() > 1;
+    let mut found: Vec<Candidate> = Vec::new();
+    for set in sets {
+        for (part, header) in headers.iter().enumerate().filter(|(_, header)| !header.deep) {
+            for name in &header.channels.list {
+                let name = name.name.to_string();
+                if !suffix_is(&name, set[0]) {
+                    continue;
+                }
+                let layer = layer_of(header, several, &name);
+                let channels: Option<Vec<usize>> =
+                    set.iter().map(|suffix| channel(header, &layer, several, suffix)).collect();
+                if let Some(channels) = channels {
+                    found.push(Candidate { part, layer, channels });
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether the name's last word is this one, in any case.
+fn suffix_is(name: &str, suffix: &str) -> bool {
+    name.rsplit('.').next().is_some_and(|last| last.eq_ignore_ascii_case(suffix))
+}
+
+/// The layer of a channel, behind the name of its part, if there are several.
+fn layer_of(header: &Header, several: bool, name: &str) -> String {
+    let own = name.rsplit_once('.').map_or("", |(layer, _)| layer);
+    let part = header.own_attributes.layer_name.as_ref().map(ToString::to_string);
+    match part.filter(|_| several) {
+        Some(part) if own.is_empty() => part,
+        Some(part) if own != part && !own.starts_with(&format!("{part}.")) => format!("{part}.{own}"),
+        _ => own.to_owned(),
+    }
+}
+
+/// The place of a layer's channel in its part.
+fn channel(header: &Header, layer: &str, several: bool, suffix: &str) -> Option<usize> {
+    header.channels.list.iter().position(|channel| {
+        let name = channel.name.to_string();
+        suffix_is(&name, suffix) && layer_of(header, several, &name) == layer
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use exr::prelude::{
+        AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, IntegerBounds, Layer,
+        LayerAttributes, Text, WritableImage,
+    };
+
+    use super::*;
+    use crate::image::formats::exr;
+
+    macro_rules! file {
+        ($name:literal) => {
+            include_bytes!(concat!("../../tests/data/images/", $name)).to_vec()
+        };
+    }
+
+    fn colors(bytes: Vec<u8>) -> ImageFile {
+        decode(bytes, Content::Colors).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    fn refused(bytes: Vec<u8>, content: Content) -> String {
+        decode(bytes, content).unwrap_err().to_string()
+    }
+
+    /// A file with channels of these values.
+    fn file(channels: &[(&str, f32)]) -> Vec<u8> {
+        exr(2, 1, channels.iter().map(|&(name, value)| (name, vec![value; 2]))).unwrap()
+    }
+
+    /// A file of several parts.
+    fn parts(parts: &[(&str, &[(&str, f32)])]) -> Vec<u8> {
+        let size = Vec2(2, 1);
+        let layer = |&(name, channels): &(&str, &[(&str, f32)])| {
+            let channel =
+                |&(name, value): &(&str, f32)| AnyChannel::new(name, FlatSamples::F32(vec![value; 2]));
+            let attributes = LayerAttributes::named(Text::new_or_panic(name));
+            let channels = AnyChannels::sort(channels.iter().map(channel).collect());
+            Layer::new(size, attributes, Encoding::UNCOMPRESSED, channels)
+        };
+        let attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
+        let mut bytes = Cursor::new(Vec::new());
+        let layers: Vec<_> = parts.iter().map(layer).collect();
+        Image::from_layers(attributes, layers).write().non_parallel().to_buffered(&mut bytes).unwrap();
+        bytes.into_inner()
+    }
+
+    #[test]
+    fn exr_data_window_is_placed_in_the_display_window() {
+        assert_eq!(colors(file!("crop.exr")), colors(file!("crop-expected.exr")));
+        assert_eq!(colors(file!("overscan.exr")), colors(file!("overscan-expected.exr")));
+    }
+
+    #[test]
+    fn framed_clips_and_fills_on_every_side() {
+        let data: Vec<f32> = (1..=6_u8).map(f32::from).collect();
+        for (offset, expected) in [
+            ([0, 0], [[1.0, 2.0, 3.0, 0.0], [4.0, 5.0, 6.0, 0.0]]),
+            ([1, 1], [[0.0; 4], [0.0, 1.0, 2.0, 3.0]]),
+            ([2, -1], [[0.0, 0.0, 4.0, 5.0], [0.0; 4]]),
+            ([-1, 0], [[2.0, 3.0, 0.0, 0.0], [5.0, 6.0, 0.0, 0.0]]),
+            ([4, 0], [[0.0; 4]; 2]),
+            ([-3, 0], [[0.0; 4]; 2]),
+            ([0, 2], [[0.0; 4]; 2]),
+            ([i64::from(i32::MIN), i64::from(i32::MAX)], [[0.0; 4]; 2]),
+        ] {
+            assert_eq!(framed(data.clone(), [3, 2], offset, [4, 2]), expected.as_flattened(), "{offset:?}");
+        }
+    }
+
+    #[test]
+    fn exr_colors_may_be_in_a_layer() {
+        let combined = colors(file!("blender-multilayer.exr"));
+        let layer = colors(file!("prefix.exr"));
+        assert_eq!((combined.planes.len(), layer.planes.len()), (3, 3));
+        for (channels, expected) in [
+            (
+                &[
+                    ("R", 1.0),
+                    ("G", 2.0),
+                    ("B", 3.0),
+                    ("diffuse.R", 9.0),
+                    ("diffuse.G", 9.0),
+                    ("diffuse.B", 9.0),
+                ][..],
+                [1.0, 2.0, 3.0],
+            ),
+            (&[("red", 1.0), ("green", 2.0), ("blue", 3.0), ("Z", 9.0)], [1.0, 2.0, 3.0]),
+            (&[("r", 1.0), ("g", 2.0), ("b", 3.0), ("a", 9.0)], [1.0, 2.0, 3.0]),
+            (&[("Y", 4.0), ("Z", 9.0), ("A", 9.0)], [4.0; 3]),
+            (
+                &[
+                    ("RenderLayer.Combined.R", 1.0),
+                    ("RenderLayer.Combined.G", 2.0),
+                    ("RenderLayer.Combined.B", 3.0),
+                    ("RenderLayer.Diffuse.R", 9.0),
+                    ("RenderLayer.Diffuse.G", 9.0),
+                    ("RenderLayer.Diffuse.B", 9.0),
+                ],
+                [1.0, 2.0, 3.0],
+            ),
+            (&[("density", 5.0), ("A", 9.0), ("Z", 9.0)], [5.0; 3]),
+        ] {
+            let image = colors(file(channels));
+            assert_eq!(image.colors().map(|plane| plane[0]), expected, "{channels:?}");
+        }
+    }
+
+    #[test]
+    fn exr_colors_may_be_in_any_part() {
+        let rgb: &[(&str, f32)] = &[("R", 1.0), ("G", 2.0), ("B", 3.0)];
+        let other: &[(&str, f32)] = &[("R", 9.0), ("G", 9.0), ("B", 9.0)];
+        let prefixed: &[(&str, f32)] = &[("beauty.R", 1.0), ("beauty.G", 2.0), ("beauty.B", 3.0)];
+        let depth: &[(&str, f32)] = &[("Z", 9.0)];
+        for of in [
+            parts(&[("depth", depth), ("rgba", rgb)]),
+            parts(&[("depth", depth), ("picture", rgb)]),
+            parts(&[("diffuse", other), ("beauty", rgb)]),
+            parts(&[("diffuse", other), ("beauty", prefixed)]),
+        ] {
+            assert_eq!(colors(of).colors().map(|plane| plane[0]), [1.0, 2.0, 3.0]);
+        }
+        assert_eq!(colors(file!("multipart-depth-first.exr")).planes.len(), 3);
+        let unnamed = refused(parts(&[("one", rgb), ("two", other)]), Content::Colors);
+        assert_eq!(unnamed, "the image has several layers and none is named as the picture: one, two");
+    }
+
+    #[test]
+    fn exr_without_colors_is_refused() {
+        for (channels, message) in [
+            (&[("Z", 1.0)][..], "the image has no colors: its channels are Z"),
+            (&[("R", 1.0), ("G", 1.0)], "the image has no colors: its channels are G, R"),
+            (&[("A", 1.0)], "the image has no channel but alpha"),
+            (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)], "its colors are luminance and chroma"),
+        ] {
+            let got = refused(file(channels), Content::Colors);
+            assert!(got.contains(message), "{got}");
+        }
+        assert!(refused(file!("luminance-chroma.exr"), Content::Colors).contains("luminance and chroma"));
+        assert!(refused(file!("cube-attr.exr"), Content::Colors).contains("it is a cube map"));
+    }
+
+    #[test]
+    fn exr_normals_are_taken_from_their_layer() {
+        let picture = [("R", 9.0), ("G", 9.0), ("B", 9.0), ("Z", 9.0)];
+        for normals in [
+            &[("N.X", 1.0), ("N.Y", 2.0), ("N.Z", 3.0), ("P.X", 9.0), ("P.Y", 9.0), ("P.Z", 9.0)][..],
+            &[("View Layer.Normal.X", 1.0), ("View Layer.Normal.Y", 2.0), ("View Layer.Normal.Z", 3.0)],
+            &[("normal.r", 1.0), ("normal.g", 2.0), ("normal.b", 3.0)],
+        ] {
+            let image = decode(file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
+            assert_eq!(image.colors().map(|plane| plane[0]), [1.0, 2.0, 3.0], "{normals:?}");
+        }
+        let two = decode(file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
+        assert_eq!(two.planes, [[1.0; 2], [2.0; 2]]);
+        let gray = refused(file(&[("Y", 1.0)]), Content::Normals);
+        assert_eq!(gray, "a normal map needs the channels R, G, B or X, Y, Z, got Y");
+    }
+
+    #[test]
+    fn exr_small_file_cannot_claim_a_large_display_window() {
+        let mut bytes = file(&[("Y", 1.0)]);
+        let name = b"displayWindow\0box2i\0";
+        let at = bytes.windows(name.len()).position(|window| window == name).unwrap() + name.len() + 12;
+        bytes[at..at + 4].copy_from_slice(&((1 << 25) - 1_i32).to_le_bytes());
+        assert!(refused(bytes, Content::Colors).contains("cannot hold the 33554432 × 1 pixels"));
+    }
+}
