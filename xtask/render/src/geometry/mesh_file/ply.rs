@@ -28,6 +28,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let of_corners = faces.list(&["vertex_indices", "vertex_index"]);
     let of_corners = of_corners.ok_or(MeshFileError::Lacks { what: "property `vertex_indices`" })?;
     let per_corner = faces.list(&["texcoord"]);
+    // With a line for each row, other programs' columns at its end do no harm.
+    let lines =
+        || rest.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
+    let rows = elements.iter().map(|element| element.count).fold(0, usize::saturating_add);
+    let by_lines = matches!(encoding, Encoding::Text) && lines().count() == rows;
+    let encoding = if by_lines { Encoding::Lines } else { encoding };
     let mut soup = TriangleSoup::default();
     let (mut polygons, mut wedges) = (Vec::new(), Vec::new());
     for element in &elements {
@@ -133,6 +139,8 @@ fn corners(element: &Element, encoding: Encoding, rest: &mut &[u8]) -> Result<Ve
 #[derive(Clone, Copy)]
 enum Encoding {
     Text,
+    /// Text with a line for each row.
+    Lines,
     LittleEndian,
     BigEndian,
 }
@@ -173,7 +181,7 @@ impl Type {
 
     /// A number off the front of the body.
     fn take(self, encoding: Encoding, rest: &mut &[u8]) -> Option<f64> {
-        if matches!(encoding, Encoding::Text) {
+        if matches!(encoding, Encoding::Text | Encoding::Lines) {
             *rest = rest.trim_ascii_start();
             let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
             let (word, behind) = rest.split_at(end);
@@ -261,6 +269,10 @@ impl Element {
                 values.push(property.of.take(encoding, rest).ok_or_else(ends)?);
             }
             to(k, &values);
+        }
+        if matches!(encoding, Encoding::Lines) {
+            let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+            *rest = &rest[end..];
         }
         Ok(())
     }

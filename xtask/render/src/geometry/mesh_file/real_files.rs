@@ -138,6 +138,7 @@ fn stl_keywords_in_any_case_and_names_of_any_words() {
         let named = text.replacen("solid", &format!("Solid {name}"), 1);
         stl_as_cube(name, named.replace("endsolid", &format!("endsolid {name}")).as_bytes());
     }
+    stl_as_cube("color", text.replacen("solid", "solid name\ncolor 1 0 0", 1).as_bytes());
     let twice = read(&stl::parse, format!("{text}\n{text}").as_bytes());
     assert_eq!(twice.mesh.triangles.len(), 24);
 }
@@ -183,6 +184,13 @@ fn ply_header_lines_that_are_not_of_the_format_are_ignored() {
         &read(&obj::parse, CUBE.as_bytes()),
         1.0,
     );
+}
+
+#[test]
+fn ply_rows_of_text_may_have_more_columns_or_be_wrapped() {
+    let (head, body) = CUBE_PLY.split_once("end_header\n").unwrap();
+    ply_as_cube("more", format!("{head}end_header\n{}", body.replace(" 200", " 200 7 8")).as_bytes());
+    ply_as_cube("wrapped", format!("{head}end_header\n{}", body.replace(" 200", "\n200")).as_bytes());
 }
 
 #[test]

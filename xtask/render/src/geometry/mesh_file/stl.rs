@@ -46,15 +46,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// Whether the file begins with the word `solid` and goes on with `facet` or ends.
+/// Whether the file begins with the word `solid` and has no zero bytes, which numbers of binary files have.
 fn is_text(text: &str) -> bool {
-    let begins = |line: &str, word: &str| {
-        line.trim_start().get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
-    };
-    let mut lines = text.trim_start().split(['\n', '\r']).filter(|line| !line.trim().is_empty());
-    let first = lines.next().unwrap_or_default();
-    let goes_on = lines.next().is_none_or(|line| ["facet", "end", "vertex"].iter().any(|w| begins(line, w)));
-    begins(first, "solid") && !first.contains('\0') && (goes_on || one_line(first).is_some())
+    let start = text.trim_start();
+    let solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
+    solid && !start.bytes().take(4096).any(|byte| byte == 0)
 }
 
 /// The facets behind the name of a solid in the same line.
