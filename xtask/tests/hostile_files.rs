@@ -263,7 +263,12 @@ fn scenes_without_end_or_from_elsewhere() {
         ("nested.gltf", [vec![b'['; 100_000], vec![b']'; 100_000]].concat(), "the glTF"),
         (
             "nested-nodes.gltf",
-            format!("{{\"nodes\":{}{}}}", "[".repeat(100_000), "]".repeat(100_000)).into(),
+            format!(
+                "{{\"asset\": {{\"version\": \"2.0\"}}, \"nodes\":{}{}}}",
+                "[".repeat(100_000),
+                "]".repeat(100_000)
+            )
+            .into(),
             "the glTF cannot be read",
         ),
         ("up.gltf", buffer("../../../../../../etc/passwd"), elsewhere),

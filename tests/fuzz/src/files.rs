@@ -9,18 +9,19 @@ use crate::within;
 
 const MIB: usize = 1 << 20;
 
-fn image(bytes: Vec<u8>) {
+/// An image, for which its reader may allocate so many samples whatever the file's size.
+fn image(bytes: Vec<u8>, least: usize) {
     // The samples that a reader admits, once as bytes, once as planes, and once as the decoder has them in between; a sample of a
     // byte becomes four.
-    let most = 16 * MIB + 12 * (1032 * bytes.len()).max(4 * MIB);
+    let most = 16 * MIB + 12 * (1032 * bytes.len()).max(least);
     match within(most, || ImageFile::decode(bytes, Content::Colors)) {
         Ok(image) => {
             assert!(image.width > 0 && image.height > 0 && !image.planes.is_empty());
-            let all = |plane: &(String, Vec<f32>)| plane.1.len() == image.width * image.height;
+            let all = |plane: &Vec<f32>| plane.len() == image.width * image.height;
             assert!(image.planes.iter().all(all));
             if !image.floats {
                 let share = |x: &f32| (0.0..=1.0).contains(x);
-                assert!(image.planes.iter().all(|plane| plane.1.iter().all(share)));
+                assert!(image.planes.iter().all(|plane| plane.iter().all(share)));
             }
             assert_eq!(image.grey().len(), image.width * image.height);
         }
@@ -41,16 +42,17 @@ fn beginning(magic: &[u8], data: &[u8]) -> Vec<u8> {
 }
 
 pub(crate) fn png(data: &[u8]) {
-    image(beginning(b"\x89PNG\r\n\x1a\n", data));
+    image(beginning(b"\x89PNG\r\n\x1a\n", data), 4 * MIB);
 }
 
 pub(crate) fn exr(data: &[u8]) {
-    image(beginning(b"\x76\x2f\x31\x01\x02\0\0", data));
+    // The frame of a display window, of which the file fills a part.
+    image(beginning(b"\x76\x2f\x31\x01\x02\0\0", data), 16 * MIB);
 }
 
 /// JPEG, WebP and Radiance HDR, and what is none of them.
 pub(crate) fn picture(data: &[u8]) {
-    image(data.to_vec());
+    image(data.to_vec(), 4 * MIB);
 }
 
 fn mesh_of(format: Format, bytes: &[u8], up: Up) {
