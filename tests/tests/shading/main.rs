@@ -5,6 +5,7 @@ mod bad_input;
 mod bsdf;
 mod checked;
 mod environment;
+mod footprints;
 mod fresnel;
 mod golden;
 mod golden_materials;

@@ -11,7 +11,7 @@ use asperity_shading::ndf_sampling::{
 };
 use asperity_shading::reflectance::{Bsdf, Coat, Lobe, RoughDielectric};
 use asperity_shading::{Brdf, Dielectric, Ggx, Lambert};
-use asperity_shading::{Footprint, Material, SurfacePoint};
+use asperity_shading::{Footprint, Material, Ndf, SurfacePoint};
 use asperity_tests::assert_abs_diff_eq;
 use asperity_tests::random::Random;
 use asperity_tests::reference::{numbers, read, rows};
@@ -76,6 +76,54 @@ fn values_meet_another_renderer_s() {
             worst = worst.max(error);
         }
         println!("{} {alpha:?} {index}: {worst:.1e}", item["distribution"]);
+    }
+}
+
+/// Reflectance of a facet of glass seen from inside, in `f64`.
+fn inner_reflectance(index: f64, wi: DVec3, wo: DVec3) -> f64 {
+    let c = wi.dot((wi + wo).normalize()).abs();
+    let left = 1.0 / (index * index) - 1.0 + c * c;
+    if left <= 0.0 {
+        return 1.0;
+    }
+    let g = left.sqrt();
+    let s = (g - c) / (g + c);
+    let p = s * (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+    0.5 * (s * s + p * p)
+}
+
+#[test]
+fn rough_dielectric_value_next_to_the_critical_angle() {
+    let ggx = Ggx::isotropic(0.5).expect(VALID);
+    for index in [1.05_f32, 1.5] {
+        let glass = RoughDielectric::new(ggx, Dielectric::new(index).expect(VALID));
+        let mut random = Random(4);
+        let [mut near, mut elsewhere] = [0.0_f64; 2];
+        let critical = (1.0 - 1.0 / f64::from(index).powi(2)).sqrt();
+        for k in 0..200_000 {
+            // Mirrored by a facet at an angle from near the critical one to any.
+            let h = ggx.sample(Vec2::new(random.uniform() as f32, random.uniform() as f32)).as_dvec3();
+            let off = 10.0_f64.powf(-7.0 * random.uniform()) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let c = (critical + off).clamp(0.05, 0.999);
+            let across = h.any_orthonormal_vector();
+            let turn = TAU * random.uniform();
+            let side = across * turn.cos() + h.cross(across) * turn.sin();
+            let [wi, wo] = [1.0, -1.0].map(|sign| (side * (sign * (1.0 - c * c).sqrt()) - h * c).as_vec3());
+            if wi.z > -0.02 || wo.z > -0.02 {
+                continue;
+            }
+            let h = -(wi + wo).normalize();
+            let facets = ggx.density(h) * ggx.g1(-wi) * ggx.g1(-wo) / (4.0 * wi.z * wo.z);
+            let exact = inner_reflectance(f64::from(index), wi.as_dvec3(), wo.as_dvec3());
+            let error = (f64::from(glass.value(wi, wo).x) / (f64::from(facets) * exact) - 1.0).abs();
+            let worst = if off.abs() < 1e-4 { &mut near } else { &mut elsewhere };
+            *worst = worst.max(error);
+        }
+        println!("{index}: {near:.1e} within 1e-4 of the critical cosine, {elsewhere:.1e} elsewhere");
+        // 1 − F is 4 √(2 δ/c) next to the critical cosine c for s-polarized light. A few roundings of the cosine make δ = 3e-7.
+        let bound = 4.0 * (6e-7 / critical).sqrt();
+        assert!(near < bound && near > elsewhere, "{index}: {near}, {elsewhere}");
+        assert!(elsewhere < 2e-4, "{index}: {elsewhere}");
     }
 }
 

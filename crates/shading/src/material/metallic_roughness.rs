@@ -6,18 +6,30 @@ use crate::math::{clamp_to, sqrt};
 use crate::normal_map::SlopeMoments;
 use crate::reflectance::{Bsdf, LobePart};
 
-/// A point of a surface as the metallic–roughness model has it: one diffuse lobe of a dielectric, or one lobe of a metal, or between.
+/// A point of a surface in the metallic–roughness model of glTF 2.0.
 ///
 /// ```text
-/// diffuse = base (1 − metallic) (1 − F₀),   F₀ = 0.04 (1 − metallic) + base · metallic
+/// diffuse  = (1 − F₀) lerp(base, 0, metallic)
+/// specular = F₀ = lerp(0.04, base, metallic)
 /// ```
 ///
-/// Diffuse lobes of a [`Bsdf`] and the reflectances at normal incidence of its glossy ones give base colour and metallic by the rule
-/// of Khronos's extension KHR_materials_pbrSpecularGlossiness. Slopes are those of all facets by the share of light that their lobes send on,
-/// and `alpha2` is the mean of Beckmann's α² about them, so that `alpha2` plus the trace of their covariance is that of the whole. A
-/// varnish is the dielectric's own lobe over what is matt, and a clear coat over what is glossy. A matt surface has α = 1.
+/// `diffuse` is the albedo of all diffuse lobes of a [`Bsdf`] and `specular` the reflectance of all glossy lobes at normal incidence,
+/// in each channel. [`of`](Self::of) inverts the model: a surface of these lobes has its base color and metallic again, and the lobes are
+/// those of the result to 3·10⁻⁷. Where all channels of the base color are at most 0.04, two pairs have the same lobes: the result is the
+/// less metallic one.
 ///
-/// Light that is sent whatever the light, sparkles and counted flakes are left out, and the roughness of diffuse lobes is.
+/// A surface with other lobes, such as [`MetallicPaint`](crate::MetallicPaint), gets the base color and the metallic with the least
+/// squared difference of `diffuse/(1 − specular)` and of `specular` over the channels. A surface without glossy lobes has the metallic 0 and
+/// its albedo as the base color, also under a varnish. Its diffuse light is multiplied by 1 − F twice, and that of the model once, so the
+/// model is brighter by 4 % for an index of 1.5.
+///
+/// Slopes are means over all facets, weighted by the light of their lobes, and `alpha2` is the mean of Beckmann's α² about the facets,
+/// so `alpha2` plus the trace of the slopes' covariance is that of the whole surface. A varnish is the dielectric's own lobe over a
+/// diffuse surface, and a clear coat over a glossy surface. A diffuse surface has α = 1.
+///
+/// Emitted light, sparkles, counted flakes and the roughness of diffuse lobes are left out.
+///
+/// Khronos Group 2021, *glTF 2.0 Specification*, Appendix B.
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
@@ -48,13 +60,13 @@ pub struct MetallicRoughness {
 }
 
 /// Reflectance of a dielectric at normal incidence in the model.
-const DIELECTRIC: f32 = 0.04;
+const DIELECTRIC: f64 = 0.04;
 
 impl MetallicRoughness {
     /// The model's parameters of a BSDF; none of one without lobes, one that transmits, and one with a lobe that has no colours.
     #[must_use]
     pub fn of(bsdf: &Bsdf<'_>) -> Option<Self> {
-        let (mut diffuse, mut specular) = (Vec3::ZERO, Vec3::ZERO);
+        let (mut diffuse, mut specular, mut facets) = (Vec3::ZERO, Vec3::ZERO, false);
         let (mut matt, mut glossy, mut varnish) = (Mean::default(), Mean::default(), Mean::default());
         for (share, normal, part) in bsdf.parts() {
             let slope = Vec2::new(normal.x, normal.y) / normal.z.max(1e-3);
@@ -65,6 +77,7 @@ impl MetallicRoughness {
                 }
                 LobePart::Glossy(colour, alpha2) => {
                     specular += share * colour;
+                    facets = true;
                     glossy.add(share * brightness(colour), slope, alpha2);
                 }
                 LobePart::Varnish(alpha2) => varnish.add(share, slope, alpha2),
@@ -76,11 +89,14 @@ impl MetallicRoughness {
             (false, true) => (varnish, None),
             (false, false) => (matt, None),
         };
-        let (base_colour, metallic) = base_colour(diffuse, specular);
-        let unit = Vec3::from_array(base_colour.to_array().map(|x| clamp_to(x, 1.0)));
+        let (base_colour, metallic) = if facets {
+            base_colour(diffuse, specular)
+        } else {
+            (Vec3::from_array(diffuse.to_array().map(|x| clamp_to(x, 1.0))), 0.0)
+        };
         let any = shown.weight > 0.0 || matt.weight > 0.0 || bsdf.parts().next().is_some();
         any.then_some(Self {
-            base_colour: unit,
+            base_colour,
             metallic,
             slopes: shown.slopes,
             alpha2: if shown.weight > 0.0 { clamp_to(shown.alpha2, 1.0) } else { 1.0 },
@@ -113,28 +129,76 @@ fn brightness(colour: Vec3) -> f32 {
     sqrt((colour * colour).dot(Vec3::new(0.299, 0.587, 0.114)).max(0.0))
 }
 
-/// Base colour and metallic of a surface that sends on so much from below and so much from its facets.
+/// Base color and metallic of the nearest surface of the glTF 2.0 model.
+///
+/// With `c = diffuse/(1 − specular)`, the square of the difference is least for the base color
 ///
 /// ```text
-/// 0.04 m² + b m + (0.04 − s) = 0,   b = d (1 − max s)/(1 − 0.04) + s − 2 · 0.04
+/// b(t) = (t c + (1 − t) (s − 0.04 t))/(t² + (1 − t)²),   t = 1 − metallic
 /// ```
 ///
-/// d and s the brightness of either; from there base colours of both parts, the metal's with the share m².
+/// in each channel, within [0, 1]. The difference of one channel is 0 at the roots of `0.04 t² − (c + s) t + c`. The search for the least
+/// sum over all channels starts at the best of these roots and of a few steps.
 fn base_colour(diffuse: Vec3, specular: Vec3) -> (Vec3, f32) {
-    let (d, s) = (brightness(diffuse), brightness(specular));
-    let left = 1.0 - specular.max_element();
-    if s < DIELECTRIC {
-        return (diffuse, 0.0);
+    let lobes: [[f64; 2]; 3] = core::array::from_fn(|i| {
+        let specular = f64::from(clamp_to(specular[i], 1.0));
+        let left = 1.0 - specular;
+        let diffuse = f64::from(clamp_to(diffuse[i], 1.0));
+        [if diffuse < left { diffuse / left } else { f64::from(u8::from(diffuse > 0.0)) }, specular]
+    });
+    let base = |t: f64, [c, s]: [f64; 2]| {
+        ((t * c + (1.0 - t) * (s - DIELECTRIC * t)) / (t * t + (1.0 - t) * (1.0 - t))).clamp(0.0, 1.0)
+    };
+    let apart = |t: f64| {
+        let of = |[c, s]: [f64; 2]| {
+            let b = base(t, [c, s]);
+            let [diffuse, specular] = [b * t - c, DIELECTRIC * t + b * (1.0 - t) - s];
+            diffuse * diffuse + specular * specular
+        };
+        lobes.into_iter().map(of).sum::<f64>()
+    };
+    let roots = lobes.into_iter().flat_map(|[c, s]| {
+        let root = f64::from(sqrt(((c + s) * (c + s) - 4.0 * DIELECTRIC * c).max(0.0) as f32));
+        let sum = c + s + root;
+        [if sum > 0.0 { 2.0 * c / sum } else { 0.0 }, sum / (2.0 * DIELECTRIC)].map(|t| t.min(1.0))
+    });
+    let steps = (0..=STEPS).rev().map(|k| f64::from(k) / f64::from(STEPS));
+    // The less metallic of two surfaces with the same lobes.
+    let start = steps.chain(roots).fold((0.0, f64::INFINITY), |best, t| {
+        let next = apart(t);
+        let nearer = if t > best.0 { next < best.1 + SAME } else { next < best.1 - SAME };
+        if nearer { (t, next) } else { best }
+    });
+    let t = least(apart, start.0, 1.0 / f64::from(STEPS));
+    let colour = Vec3::from_array(lobes.map(|lobe| base(t, lobe) as f32));
+    (colour, (1.0 - t) as f32)
+}
+
+/// Starts of the search, next to the roots.
+const STEPS: u8 = 16;
+/// The squared difference of lobes that are equal up to the rounding of `f32`.
+const SAME: f64 = 1e-13;
+
+/// The minimum of a function within `step` of a start and within [0, 1], by the golden section.
+fn least(f: impl Fn(f64) -> f64, best: f64, step: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let [mut low, mut high] = [(best - step).max(0.0), (best + step).min(1.0)];
+    let (mut place, mut value) = (best, f(best));
+    for _ in 0..40 {
+        let [a, b] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        let [at_a, at_b] = [f(a), f(b)];
+        for (t, at) in [(a, at_a), (b, at_b)] {
+            if at < value {
+                (place, value) = (t, at);
+            }
+        }
+        if at_a < at_b {
+            high = b;
+        } else {
+            low = a;
+        }
     }
-    if d <= 0.0 {
-        return (specular, 1.0);
-    }
-    let b = d * left / (1.0 - DIELECTRIC) + s - 2.0 * DIELECTRIC;
-    let root = sqrt((b * b - 4.0 * DIELECTRIC * (DIELECTRIC - s)).max(0.0));
-    let metallic = clamp_to((root - b) / (2.0 * DIELECTRIC), 1.0);
-    let from_diffuse = diffuse * (left / (1.0 - DIELECTRIC) / (1.0 - metallic).max(1e-4));
-    let from_specular = (specular - DIELECTRIC * (1.0 - metallic)) / metallic.max(1e-4);
-    (from_diffuse.lerp(from_specular, metallic * metallic), metallic)
+    place
 }
 
 #[cfg(test)]
@@ -177,16 +241,70 @@ mod tests {
         assert_abs_diff_eq!(coated.coat.unwrap(), 0.1, epsilon = 1e-6);
     }
 
+    /// The diffuse albedo and the specular color of the glTF 2.0 model.
+    fn model(base: Vec3, metallic: f32) -> [Vec3; 2] {
+        let specular = Vec3::splat(DIELECTRIC as f32).lerp(base, metallic);
+        [base * (1.0 - metallic) * (Vec3::ONE - specular), specular]
+    }
+
+    fn of_lobes([diffuse, specular]: [Vec3; 2]) -> MetallicRoughness {
+        let chalk = EnergyPreservingOrenNayar::clamped(diffuse, 0.0);
+        MetallicRoughness::of(&Bsdf::new(Vec3::Z).with([Facet::FLAT], [glossy(specular, 0.3), chalk.into()]))
+            .unwrap()
+    }
+
     #[test]
-    fn the_model_sends_on_as_much_as_the_surface() {
-        for (d, s) in [(0.5, 0.04), (0.3, 0.2), (0.1, 0.6), (0.02, 0.9)] {
-            let (diffuse, specular) = (Vec3::splat(d), Vec3::splat(s));
-            let (base, metallic) = base_colour(diffuse, specular);
-            let below = base * ((1.0 - metallic) * (1.0 - DIELECTRIC));
-            let facets = Vec3::splat(DIELECTRIC).lerp(base, metallic);
-            // The model's diffuse part lies below its facets.
-            assert_abs_diff_eq!(below, diffuse * (1.0 - s), epsilon = 2e-3, "{d}, {s}: {base}, {metallic}");
-            assert_abs_diff_eq!(facets, specular, epsilon = 2e-3, "{d}, {s}: {base}, {metallic}");
+    fn metallic_roughness_of_inverts_the_gltf_model() {
+        let steps: [f32; 11] = core::array::from_fn(|k| k as f32 / 10.0);
+        let levels = [0.0, 0.003, 0.02, 0.04, 0.1, 0.3, 0.5, 0.77, 1.0];
+        for &metallic in &steps {
+            for k in 0..levels.len().pow(3) {
+                let base = Vec3::from([1, 9, 81].map(|stride| levels[k / stride % 9]));
+                let lobes = model(base, metallic);
+                let seen = of_lobes(lobes);
+                let again = model(seen.base_colour, seen.metallic);
+                // Five roundings of numbers up to 1.
+                let light = (again[0] - lobes[0]).abs().max((again[1] - lobes[1]).abs()).max_element();
+                assert!(light < 3e-7, "{base}, {metallic}: {again:?} of {lobes:?}, {seen:?}");
+                // Otherwise (0.04 (1 − m), 1 − b/0.04) has the lobes of (b, m).
+                if base.max_element() > DIELECTRIC as f32 {
+                    // Two roundings by the slope b − 0.04 t of the polynomial, at least 0.06.
+                    let apart = (seen.base_colour - base).abs().max_element();
+                    let worst = apart.max((seen.metallic - metallic).abs());
+                    assert!(worst < 2e-6, "{base}, {metallic}: {seen:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn metallic_roughness_of_other_lobes_is_the_nearest_of_the_model() {
+        let apart = |lobes: [Vec3; 2], base: Vec3, metallic: f32| {
+            let [below, specular] = [base * (1.0 - metallic), Vec3::splat(0.04).lerp(base, metallic)];
+            let below = below - lobes[0] / (Vec3::ONE - lobes[1]);
+            below.length_squared() + (specular - lobes[1]).length_squared()
+        };
+        let colours = [Vec3::new(0.02, 0.05, 0.14), Vec3::new(0.3, 0.02, 0.1), Vec3::splat(0.39)];
+        let facets = [Vec3::new(0.25, 0.35, 0.6), Vec3::splat(0.02), Vec3::splat(0.5)];
+        for lobes in colours.into_iter().flat_map(|colour| facets.map(|facet| [colour, facet])) {
+            let seen = of_lobes(lobes);
+            let found = apart(lobes, seen.base_colour, seen.metallic);
+            for metallic in (0..=100).map(|k| k as f32 / 100.0) {
+                // The best base color of each channel on a grid.
+                let best = Vec3::from([0, 1, 2].map(|channel| {
+                    let of = |k: u16| {
+                        apart(
+                            lobes.map(|lobe| Vec3::splat(lobe[channel])),
+                            Vec3::splat(f32::from(k) / 100.0),
+                            metallic,
+                        )
+                    };
+                    let best = (0..=100).min_by(|a, b| of(*a).total_cmp(&of(*b)));
+                    f32::from(best.unwrap()) / 100.0
+                }));
+                let other = apart(lobes, best, metallic);
+                assert!(found < other + 1e-6, "{lobes:?}: {seen:?} {found}, {best} {metallic} {other}");
+            }
         }
     }
 

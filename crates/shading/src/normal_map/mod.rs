@@ -1,5 +1,6 @@
 //! Normal maps made by hand, filtered by their slopes: what a pixel resolves of them is a mean, and the rest is roughness.
 
+mod bilinear;
 mod levels;
 mod slope_lobes;
 mod slope_moments;

@@ -52,7 +52,7 @@ impl<const K: usize> SlopePyramid<K> {
     pub fn new(width: usize, height: usize, slopes: Vec<Vec2>) -> Result<Self, ImageError> {
         check_slopes(width, height, &slopes)?;
         let mut lobes = vec![SlopeLobes::default(); SlopePyramidRef::<K>::lobes_len(width, height)];
-        let (size, centres) = ([width, height], centres(&slopes));
+        let (size, centres) = ([width, height], centres([width, height], &slopes));
         fill(size, &slopes, &centres, &mut lobes);
         Ok(Self { size, slopes, centres, lobes })
     }

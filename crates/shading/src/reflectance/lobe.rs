@@ -55,6 +55,8 @@ enum Kind<'a> {
         base: CookTorrance<Beckmann, Vec3>,
         flake: Vec3,
         colour: Vec3,
+        /// The weight of the flake, and the mean of it around.
+        weights: [f32; 2],
     },
     Resolved {
         ndf: &'a dyn Ndf,
@@ -132,9 +134,14 @@ impl<'a> Lobe<'a> {
         Self { kind: Kind::Counted { all, flakes, position, footprint }, weight: Vec3::ONE }
     }
 
-    /// A glossy lobe, or that of a flake of this normal and colour where the flake is nearer to the half vector.
-    pub(crate) fn sparkling(base: CookTorrance<Beckmann, Vec3>, flake: Vec3, colour: Vec3) -> Self {
-        Self { kind: Kind::Sparkling { base, flake, colour }, weight: Vec3::ONE }
+    /// A glossy lobe, and what a flake of this normal and color adds to it, by its weight over the mean of the weight around.
+    pub(crate) fn sparkling(
+        base: CookTorrance<Beckmann, Vec3>,
+        flake: Vec3,
+        colour: Vec3,
+        weights: [f32; 2],
+    ) -> Self {
+        Self { kind: Kind::Sparkling { base, flake, colour, weights }, weight: Vec3::ONE }
     }
 
     /// The lobe times a colour, component by component; what is not positive counts as 0.
@@ -192,16 +199,16 @@ impl Brdf for Lobe<'_> {
             Kind::Counted { all, flakes, position, footprint } => {
                 all.value(wi, wo) * flakes.relative(h, *position, *footprint)
             }
-            Kind::Sparkling { base, flake, colour } => {
-                if flake.dot(h) > h.z {
-                    let frame = Frame::from_normal(*flake);
-                    let (i, o) = (frame.to_local(wi), frame.to_local(wo));
-                    // The cosine with the flake instead of the surface.
-                    let white = CookTorrance::new(*base.facets(), *colour);
-                    white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0)
-                } else {
-                    base.value(wi, wo)
-                }
+            Kind::Sparkling { base, flake, colour, weights: [weight, mean] } => {
+                let even = base.value(wi, wo);
+                let frame = Frame::from_normal(*flake);
+                let (i, o) = (frame.to_local(wi), frame.to_local(wo));
+                // The cosine with the flake instead of the surface.
+                let white = CookTorrance::new(*base.facets(), *colour);
+                let bright = white.value(i, o) * (i.z.max(0.0) / wi.z.max(1e-3)).min(4.0);
+                // The points around give at most half of their light.
+                let most = even * (0.5 / mean.max(1e-6));
+                even + (bright - even).max(Vec3::ZERO).min(most) * (weight - mean)
             }
             Kind::Resolved { ndf, rule, coordinates } => facets(rule.radiance(*ndf, h, *coordinates)),
             Kind::Slopes(slopes) => facets(slopes.density(h)),

@@ -20,8 +20,8 @@ impl Brick {
     /// The facets of the wall within the box about a pixel of its plane: the share of each, brick 1 or mortar 0, and its slope.
     ///
     /// The shares add up to 1. A lighting model's mean over the facets is what the pixel shows: of a steep groove, the model at the
-    /// [mean slope](Self::filtered) shows something else. A flank that the box cuts is two facets, a whole one too, with the slopes
-    /// 0.6 and 1.5 of its mean; a box over the whole wall has 50. A box is read as [`filtered`](Self::filtered) reads it; coordinates that
+    /// [mean slope](Self::filtered) shows something else. A flank within the box is two facets. Those of a whole flank have the slopes
+    /// 0.6 and 1.5 of its mean, and facets of a cut flank change to these over the last fifth; a box over the whole wall has 50. A box is read as [`filtered`](Self::filtered) reads it; coordinates that
     /// are not finite are one facet of mortar.
     ///
     /// ```
@@ -96,20 +96,19 @@ impl Pulse {
                     if to > from {
                         let share = (to - from) / width;
                         flanks += share;
-                        if to - from >= 0.99 * m {
-                            whole_flank(share, sign / m, &mut visit);
-                        } else {
-                            // Two points of Gauss.
-                            for at in [0.211_324_87, 0.788_675_1] {
-                                let x = from + at * (to - from);
-                                let value = self.at(x - floor(x));
-                                visit(Part {
-                                    share: 0.5 * share,
-                                    step: 0.0,
-                                    round: value.round,
-                                    slope: value.slope,
-                                });
-                            }
+                        // Two points of Gauss, which become those of a whole flank over its last fifth.
+                        let whole = (5.0 * (to - from) / m - 4.0).clamp(0.0, 1.0);
+                        for (at, share_of_whole, slope_of_whole) in
+                            [(0.211_324_87, 5.0 / 9.0, 0.6), (0.788_675_1, 4.0 / 9.0, 1.5)]
+                        {
+                            let x = from + at * (to - from);
+                            let value = self.at(x - floor(x));
+                            visit(Part {
+                                share: share * (0.5 + whole * (share_of_whole - 0.5)),
+                                step: 0.0,
+                                round: value.round + whole * (0.5 - value.round),
+                                slope: value.slope + whole * (slope_of_whole * sign / m - value.slope),
+                            });
                         }
                     }
                 }

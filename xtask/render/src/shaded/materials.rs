@@ -54,7 +54,7 @@ pub fn materials() -> Vec<Subject> {
     let peel =
         MetallicPaintParameters { coat_index: 1.5, orange_peel_strength: 0.03, specular: Vec3::ZERO, ..bare };
     let passive = MetallicPaintParameters { passive_flake_strength: 0.3, flake_roughness: 0.3, ..bare };
-    // Sparkles are counted: those of a fixed width in pixels have no mean that would not depend on the zoom.
+    // Flakes are counted. Sparkles of a fixed width in pixels cover less of the surface from nearby.
     let counted = PaintFlakes::Counted { spacing: 4e-5, bin: 1.0 };
     let flakes = MetallicPaintParameters {
         specular: Vec3::splat(0.5),

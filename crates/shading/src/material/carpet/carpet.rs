@@ -1,8 +1,5 @@
 //! The carpet of a car: threads, seams, dark areas, roughness and light along the rim.
 
-use core::f32::consts::FRAC_1_PI;
-
-use asperity_noise::removed_share;
 use glam::{Vec2, Vec3};
 
 use crate::bump::{bumped_normal, tangential};
@@ -91,7 +88,8 @@ parameters! {
 /// Each noise fades to its own mean with the footprint of the pixel. All factors are independent of one another, so the mean
 /// colour over a surface is the same from every distance, as long as the strength of the diffuse threads is at most the diffuse
 /// colour and no colour is cut off at 1: clamps change what is seen from nearby. Slopes that fade are facets of
-/// the [`Bsdf`]: by these, the mean radiance from afar differs from that of nearby by up to 2 % at 60°, measured with the defaults.
+/// the [`Bsdf`]: by these, the mean radiance from afar differs from that of nearby by up to 0.3 % for light at 37°, 0.8 % at 53° and 3 %
+/// at 74°, measured with the defaults and each pattern of seams.
 ///
 /// - **Deviations:** the slope of seams does not depend on the scale of the texture, nor that of threads on their size: a
 ///   strength of 0.5 is a slope of about a half. The thesis gives no scale. Creases of seams are rounded, see [`Seams::filtered`].
@@ -196,16 +194,11 @@ impl Carpet {
             (along * crease.slope.x + other * crease.slope.y) * (p.seams_bump_strength * (1.0 - disturb));
         let thread_bump = tangential(n, threads.gradient) * p.diffuse_thread_bump_strength;
         let bump2 = p.diffuse_thread_bump_strength * p.diffuse_thread_bump_strength;
-        // Slopes of |sin| have mean square ½; so much as the pixel takes across.
-        let removed = removed_share(widths[0].max(widths[1]), FRAC_1_PI);
-        let seam2 =
-            0.5 * p.seams_bump_strength * p.seams_bump_strength * removed * (1.0 - disturb) * (1.0 - disturb);
-        // Of a grid half of it is along either axis.
-        let (ridges, even) = match p.seams_pattern {
-            SeamPattern::None => (Vec3::ZERO, 0.0),
-            SeamPattern::Lines => (along * sqrt(seam2), 0.0),
-            SeamPattern::Grid => (Vec3::ZERO, 0.5 * seam2),
-        };
+        let steep = p.seams_bump_strength * (1.0 - disturb);
+        let [first, second] =
+            self.seams.removed_slopes(widths.into()).map(|variance| steep * steep * variance);
+        let even = first.min(second);
+        let ridges = if first > second { along * sqrt(first - even) } else { other * sqrt(second - even) };
         GlossySurface {
             diffuse: lit(p.diffuse, p.diffuse_thread_strength * threads.value),
             specular: lit(p.specular, p.specular_thread_strength * shine),

@@ -75,6 +75,47 @@ pub fn flake_patch_printed(table: &ChainedTable, position: Vec3, size: f32) -> O
 /// ```
 #[must_use]
 pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u32) -> Option<FlakePatch> {
+    let (flake, off) = nearest_flake(position, cell, width, scatter, seed)?;
+    off.cmple(0.5 * width).all().then_some(flake)
+}
+
+/// The flake of the cell of a point, and the share of a pixel on the point that it covers.
+///
+/// ```text
+/// cover = Π_i clamp((widthᵢ/2 − |dᵢ|)/edgeᵢ + ½, 0, 1)
+/// ```
+///
+/// with `d` of [`flake_patch`]: the box of the flake, filtered by a box of sides `edge`. The edges are at most the width, and at most
+/// what is left of the cell, so that the flake stays in the cell. The mean of the cover over a plane across axis i is then
+/// `Π_j widthⱼ/cell` of the other two axes, if the width along axis i is the cell.
+///
+/// - **Domain:** `cell` > 0, each width at most `cell`. `None` for a point with |pᵢ| ≥ 2²³ cells and where the position or the cell is not
+///   finite.
+pub(super) fn covered_flake(
+    position: Vec3,
+    cell: f32,
+    width: Vec3,
+    edge: f32,
+    seed: u32,
+) -> Option<(FlakePatch, f32)> {
+    let edges = width.min(Vec3::splat(cell) - width).min(Vec3::splat(edge)).max(Vec3::ZERO);
+    let (flake, off) = nearest_flake(position, cell, width + edges, 1.0, seed)?;
+    let along = |axis: usize| match edges[axis] > 0.0 {
+        true => clamp_to((0.5 * width[axis] - off[axis]) / edges[axis] + 0.5, 1.0),
+        // As wide as the cell, or without any width.
+        false => f32::from(u8::from(width[axis] > 0.0)),
+    };
+    Some((flake, along(0) * along(1) * along(2)))
+}
+
+/// The flake of the cell of a point, and the distance of the point from its center along each axis.
+fn nearest_flake(
+    position: Vec3,
+    cell: f32,
+    width: Vec3,
+    scatter: f32,
+    seed: u32,
+) -> Option<(FlakePatch, Vec3)> {
     const FARTHEST: f32 = 8_388_608.0;
     let place = position / cell;
     // Written so that NaN is none.
@@ -87,11 +128,12 @@ pub fn flake_patch(position: Vec3, cell: f32, width: Vec3, scatter: f32, seed: u
     let room = (Vec3::ONE - width / cell).clamp(Vec3::ZERO, Vec3::ONE) * clamp_to(scatter, 1.0);
     let middle = Vec3::splat(0.5) + (Vec3::new(random(4), random(5), random(6)) - 0.5) * room;
     let off = ((place - corner) - middle).abs() * cell;
-    off.cmple(0.5 * width).all().then(|| FlakePatch {
+    let flake = FlakePatch {
         value: random(0),
         centre: (corner + middle) * cell,
         tilt: ball([random(1), random(2), random(3)]),
-    })
+    };
+    Some((flake, off))
 }
 
 /// A vector uniform in the unit ball.

@@ -81,8 +81,19 @@ pub enum PaintFlakes {
 /// Orange peel tilts the normal of the clear coat; sparkling flakes tilt that of the layer under it, where they make a highlight
 /// stronger; passive flakes vary the specular colour. The coat mirrors by its own normal: flakes would make it diffuse.
 ///
-/// Nilsson 2008, §4.3 and Appendix B. For a base layer that keeps its energy at every distance take a
-/// [`GlintField`] for the sparkles.
+/// # Level of detail
+///
+/// A sparkle takes the light that it adds from the cell around it:
+///
+/// ```text
+/// light = base + (w − w̄) g,   g = min(max(flake − base, 0), base/(2 w̄)) in each channel
+/// ```
+///
+/// with the weight w of [`Sparkles`] and its mean w̄ over the cell. The mean over every cell is `base`, whatever the light, and the light of a
+/// point is continuous in the footprint. Between sparkles at least half of the base is left, so where sparkles are dense they are dimmer than
+/// the thesis's.
+///
+/// Nilsson 2008, §4.3 and Appendix B. For sparkles that are counted by their number within the pixel take a [`GlintField`].
 ///
 /// ```
 /// use asperity_shading::glam::Vec3;
@@ -166,7 +177,7 @@ impl MetallicPaint {
 }
 
 impl Material for MetallicPaint {
-    /// Flakes over a pigment under a clear coat. Sparkles are those of the lamp or the sample of light: the brighter of both normals.
+    /// Flakes over a pigment under a clear coat. The light of a sparkle is that of the brighter of both normals.
     fn bsdf(&self, point: &SurfacePoint, wo: Vec3) -> Bsdf<'_> {
         let (p, frame, n) = (&self.parameters, point.frame(), point.normal);
         let (at, footprint) = (point.position, point.footprint());
@@ -176,7 +187,8 @@ impl Material for MetallicPaint {
             (Some(field), _) => Lobe::counted(all, field, at, footprint),
             (None, Some(flake)) => {
                 let boosted = boosted(specular, p.flake_sparkle_boost_target, p.flake_sparkle_boost);
-                Lobe::sparkling(all, frame.to_local(flake.normal(n)), boosted)
+                let weights = [flake.weight, flake.mean_weight];
+                Lobe::sparkling(all, frame.to_local(flake.normal(n)), boosted, weights)
             }
             (None, None) => all.into(),
         };
@@ -207,9 +219,14 @@ mod tests {
     #[test]
     fn sparkles_are_boosted_and_seen_where_they_are_brighter() {
         let paint = MetallicPaint::new(flaky()).unwrap();
-        // The middle of a cell of 0.001, in a flake of more than half its width.
-        let point = SurfacePoint::new(Vec3::splat(0.0405), Vec3::Z, Footprint::from_width(2.5e-4));
-        let flake = paint.sparkles.flake(point.position, Vec3::Z, point.footprint()).unwrap();
+        // A place in a cell of 0.001 that its flake covers.
+        let places = (0..400_u16)
+            .map(|k| Vec3::new(0.04, 0.04, 0.0405) + 5e-5 * Vec3::new((k % 20).into(), (k / 20).into(), 0.0));
+        let at = |p: Vec3| SurfacePoint::new(p, Vec3::Z, Footprint::from_width(1.2e-4));
+        let sparkle = |p: Vec3| paint.sparkles.flake(p, Vec3::Z, at(p).footprint()).unwrap();
+        let point = at(places.max_by(|a, b| sparkle(*a).weight.total_cmp(&sparkle(*b).weight)).unwrap());
+        let flake = sparkle(point.position);
+        assert!(flake.weight > 0.9 && flake.mean_weight < 0.06, "{flake:?}");
         // A lamp that the flake mirrors is brighter than without the flake.
         let even = MetallicPaint::new(MetallicPaintParameters { flake_sparkle_elimination: 1.0, ..flaky() })
             .unwrap();

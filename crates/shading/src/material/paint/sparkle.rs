@@ -4,7 +4,7 @@ use asperity_noise::removed_share;
 use glam::Vec3;
 
 use crate::direction::reflect;
-use crate::material::paint::flake_patch::flake_patch;
+use crate::material::paint::flake_patch::covered_flake;
 use crate::math::clamp_to;
 use crate::parameter::{ParameterError, as_share, as_size, within};
 use crate::pixel::Footprint;
@@ -32,21 +32,29 @@ pub enum Elimination {
 /// Sparkling flakes: patches of a fixed width in pixels that tilt the normal.
 ///
 /// ```text
-/// width = min(pixel size · footprint, physical size),   one flake to a cell of the physical size
-/// n′    = normalize(n + fade · variation · tilt),   fade = 1 − smoothstep(0.2, 0.6, pixel size · footprint/physical size)
+/// width  = min(pixel size · footprint, physical size),   one flake to a cell of the physical size
+/// n′     = normalize(n + fade · variation · tilt),   fade = 1 − smoothstep(0.2, 0.6, pixel size · footprint/physical size)
+/// weight = cover · fade,   cover the share of the pixel under the flake
 /// ```
 ///
 /// From nearby flakes are few pixels wide and far apart; as the viewer goes away they close up, and fade where they would
 /// overlap. A flake is left out if the random number of its *centre* is below the elimination: by its normal, whole
-/// directions would have no flakes. Which of both normals is seen is decided by [`brighter_normal`] or
+/// directions would have no flakes. The light of a flake is that of the brighter of both normals, as of [`brighter_normal`] and
 /// [`brighter_reflection`].
 ///
-/// - **Deviations:** flakes are scattered in their cells, see [`flake_patch`]. The footprint is one width; the thesis takes one
-///   along each axis of space. Along the axis next to the normal a flake is as wide as its cell: the thesis's cubes are missed
+/// # Level of detail
+///
+/// The weight is continuous in the position and in the footprint. Its mean over the flake's cell is `fade · (width/physical size)²`, so a
+/// material can take from the cell what the flake adds: see [`MetallicPaint`](crate::MetallicPaint).
+///
+/// - **Deviations:** flakes are scattered in their cells, see [`flake_patch`](fn@crate::material::flake_patch), and have soft edges, one
+///   footprint wide; those of the thesis pop where their edge meets a point. Flakes that
+///   [`Elimination::Adaptive`] returns fade in together; in the thesis they appear one by one. The footprint is one width; the thesis
+///   takes one along each axis of space. Along the axis next to the normal a flake is as wide as its cell: the thesis's cubes are missed
 ///   by most surfaces between them, ever more as they get smaller, while here a surface has `(width/physical size)²` of its
 ///   area under flakes wherever it lies.
 ///
-/// Nilsson 2008, §4.3.4. For flakes that keep the light's energy see [`GlintField`](crate::material::GlintField).
+/// Nilsson 2008, §4.3.4. For flakes that are counted see [`GlintField`](crate::material::GlintField).
 ///
 /// ```
 /// use asperity_shading::material::{Elimination, Sparkles};
@@ -55,7 +63,7 @@ pub enum Elimination {
 /// let sparkles = Sparkles::new(2.0, 0.01, 0.3, 0.0, Elimination::Fixed, 1)?;
 /// let centre = Vec3::splat(0.005);
 /// let near = sparkles.flake(centre, Vec3::Z, Footprint::from_width(2.5e-3)).unwrap();
-/// assert!(near.fade < 1.0);
+/// assert!(near.fade < 1.0 && near.weight > near.mean_weight);
 /// assert_eq!(sparkles.flake(centre, Vec3::Z, Footprint::from_width(1.0)), None);
 /// # Ok::<(), asperity_shading::ParameterError>(())
 /// ```
@@ -76,6 +84,10 @@ pub struct Sparkle {
     pub tilt: Vec3,
     /// Share of the tilt that is left at this distance, in (0, 1]; contained in `tilt`.
     pub fade: f32,
+    /// The weight of the flake at the point, in [0, 1]: its cover of the pixel, times `fade`.
+    pub weight: f32,
+    /// The mean of the weight over the flake's cell.
+    pub mean_weight: f32,
 }
 
 impl Sparkle {
@@ -125,18 +137,17 @@ impl Sparkles {
     /// The share of flakes that are left out at this footprint.
     #[must_use]
     pub fn elimination(&self, footprint: Footprint) -> f32 {
-        match self.rule {
-            Elimination::Fixed => self.elimination,
-            Elimination::Adaptive { unit } => {
-                self.elimination * (1.0 - removed_share(footprint.width() * self.pixel_size, 1.0 / unit))
-            }
-        }
+        self.elimination * (1.0 - self.returned(footprint))
     }
 
-    /// The flake at a point of a surface of normal `n`, if there is one; none where a coordinate is not finite.
+    /// The flake of the cell of a point of a surface of normal `n`, with its weight there.
+    ///
+    /// `None` where the footprint leaves no flakes, where the cell's flake is left out, and where a coordinate is not finite. The weight is 0
+    /// between flakes.
     #[must_use]
     pub fn flake(&self, position: Vec3, n: Vec3, footprint: Footprint) -> Option<Sparkle> {
-        let width = footprint.width() * self.pixel_size;
+        let pixel = footprint.width();
+        let width = pixel * self.pixel_size;
         let fade = 1.0 - removed_share(width, 1.0 / self.physical_size);
         if fade <= 0.0 {
             return None;
@@ -150,10 +161,26 @@ impl Sparkles {
         } else {
             Vec3::Z
         };
-        let width = Vec3::splat(width.min(self.physical_size)).max(across * self.physical_size);
-        let flake = flake_patch(position, self.physical_size, width, 1.0, self.seed)?;
-        let sparkle = Sparkle { tilt: flake.tilt * (self.variation * fade), fade };
-        (flake.value >= self.elimination(footprint)).then_some(sparkle)
+        let width = width.min(self.physical_size);
+        let widths = Vec3::splat(width).max(across * self.physical_size);
+        let (flake, cover) = covered_flake(position, self.physical_size, widths, pixel, self.seed)?;
+        let kept = if flake.value < self.elimination { self.returned(footprint) } else { 1.0 };
+        let (share, most) = (width / self.physical_size, fade * kept);
+        let tilt = flake.tilt * (self.variation * fade);
+        (most > 0.0).then_some(Sparkle {
+            tilt,
+            fade,
+            weight: cover * most,
+            mean_weight: share * share * most,
+        })
+    }
+
+    /// How much of a flake that is left out from nearby is there at this footprint.
+    fn returned(&self, footprint: Footprint) -> f32 {
+        match self.rule {
+            Elimination::Fixed => 0.0,
+            Elimination::Adaptive { unit } => removed_share(footprint.width() * self.pixel_size, 1.0 / unit),
+        }
     }
 }
 
@@ -164,7 +191,7 @@ impl Sparkles {
 /// ```
 ///
 /// `ddx` and `ddy` are the changes of the position from one pixel to the next; parts that are NaN are left out. It is a width for
-/// [`flake_patch`]. [`Sparkles`] takes the footprint for all of them.
+/// [`flake_patch`](fn@crate::material::flake_patch). [`Sparkles`] takes the footprint for all of them.
 ///
 /// Nilsson 2008, §4.3.4, `new_sparkle_size`.
 ///
@@ -239,14 +266,41 @@ pub fn boosted(specular: Vec3, target: Vec3, boost: f32) -> Vec3 {
 mod tests {
     use super::*;
 
-    /// The share of points on a plane with a flake.
+    /// The share of a plane that flakes cover.
     fn cover(sparkles: &Sparkles, width: f32) -> f32 {
-        let mut flakes = 0_u16;
+        let mut flakes = 0.0;
         for i in 0..20_000_u16 {
             let p = Vec3::new(0.87, f32::from(i % 141) * 0.317, f32::from(i / 141) * 0.283);
-            flakes += u16::from(sparkles.flake(p, Vec3::X, Footprint::from_width(width)).is_some());
+            let flake = sparkles.flake(p, Vec3::X, Footprint::from_width(width));
+            flakes += flake.map_or(0.0, |flake| flake.weight / flake.fade);
         }
-        f32::from(flakes) / 20_000.0
+        flakes / 20_000.0
+    }
+
+    #[test]
+    fn sparkle_weight_has_its_mean_over_each_cell_and_is_continuous() {
+        let sparkles = Sparkles::new(2.0, 1.0, 0.3, 0.5, Elimination::Adaptive { unit: 0.7 }, 1).unwrap();
+        for (cell, width) in (0..40_u8).zip([0.02, 0.07, 0.13, 0.2, 0.25, 0.29].into_iter().cycle()) {
+            let footprint = Footprint::from_width(width);
+            let at = |x: f32, y: f32| {
+                let p = Vec3::new(0.87, f32::from(cell) + x, y);
+                sparkles.flake(p, Vec3::X, footprint)
+            };
+            let Some(any) = at(0.5, 0.5) else { continue };
+            let (mut sum, mut before) = (0.0, [0.0; 2]);
+            for k in 0..90_000_u32 {
+                let [x, y] = [k % 300, k / 300].map(|i| (i as f32 + 0.5) / 300.0);
+                let flake = at(x, y).unwrap();
+                assert_eq!((flake.tilt, flake.mean_weight), (any.tilt, any.mean_weight));
+                sum += flake.weight;
+                before = if k % 300 == 0 { [flake.weight; 2] } else { [before[1], flake.weight] };
+                // A 300th of the cell, over an edge as wide as the pixel or as what is left of the cell.
+                let edge = width.min(1.0 - 2.0 * width);
+                assert!((before[1] - before[0]).abs() < 1.001 / 300.0 / edge + 1e-5, "{width}: {before:?}");
+            }
+            // The rule of midpoints over four creases along each axis.
+            assert_abs_diff_eq!(sum / 90_000.0, any.mean_weight, epsilon = 1e-4, "{cell}, {width}");
+        }
     }
 
     #[test]

@@ -103,13 +103,18 @@ fn brick_part(m: f32, low: f32, high: f32, k: u32) -> BrickPart {
         return brick_no_part();
     }
     let share = (cut.y - cut.x) / width;
-    if cut.y - cut.x >= 0.99 * m {
-        return brick_flank_part(m, share, select(-1.0, 1.0, (k & 2u) == 0u), k & 1u);
-    }
-    // Two points of Gauss.
+    // Two points of Gauss, which become those of a whole flank over its last fifth.
+    let whole = clamp(5.0 * (cut.y - cut.x) / m - 4.0, 0.0, 1.0);
     let x = cut.x + select(0.7886751, 0.21132487, (k & 1u) == 0u) * (cut.y - cut.x);
     let value = brick_pulse(m, x - floor(x));
-    return BrickPart(0.5 * share, 0.0, value.round, value.slope);
+    let of_whole = select(vec2<f32>(0.44444445, 1.5), vec2<f32>(0.5555556, 0.6), (k & 1u) == 0u);
+    let sign = select(-1.0, 1.0, (k & 2u) == 0u);
+    return BrickPart(
+        share * (0.5 + whole * (of_whole.x - 0.5)),
+        0.0,
+        value.round + whole * (0.5 - value.round),
+        value.slope + whole * (of_whole.y * sign / m - value.slope),
+    );
 }
 
 // The number of parts over an interval of this width, those of no share among them.

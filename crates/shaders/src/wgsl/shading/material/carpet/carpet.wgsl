@@ -129,12 +129,10 @@ fn carpet_surface(carpet: Carpet, point: SurfacePoint) -> Glossy {
     let seam_bump = (along * crease.y + other * crease.z) * (carpet.seams_bump * (1.0 - disturb));
     let thread_bump = surface_gradient_tangential(n, threads.gradient) * carpet.thread_bump;
     let fibre_bump = surface_point_slope(point, fibre.slope) * carpet.fibre_bump;
-    // Slopes of |sin| have mean square 1/2; so much as the pixel takes across.
-    let removed = frequency_clamp_removed_share(max(widths.x, widths.y), 0.31830987);
-    let lost = 0.5 * carpet.seams_bump * carpet.seams_bump * removed * (1.0 - disturb) * (1.0 - disturb);
-    // Of a grid half of it is along either axis.
-    let ridges = select(vec3<f32>(0.0), along * sqrt(lost), carpet.seams_pattern == SEAMS_LINES);
-    let even = select(0.0, 0.5 * lost, carpet.seams_pattern == SEAMS_GRID);
+    let steep = carpet.seams_bump * (1.0 - disturb);
+    let lost = seams_removed_slopes(carpet.seams_pattern, widths) * (steep * steep);
+    let even = min(lost.x, lost.y);
+    let ridges = select(other * sqrt(lost.y - even), along * sqrt(lost.x - even), lost.x > lost.y);
     let variance = carpet.thread_bump * carpet.thread_bump * fbm_removed_slope(carpet.threads, footprint, FBM_SLOPE_VARIANCE)
         + even
         + carpet.fibre_bump * carpet.fibre_bump * fibre_slope;

@@ -133,3 +133,19 @@ fn seams_crease(pattern: u32, direction: vec2<f32>, uv: vec2<f32>, widths: vec2<
     }
     return vec3<f32>(1.0, 0.0, 0.0);
 }
+
+// The variances of the slopes along both directions that a pixel of these widths in phases does not resolve: `Seams::removed_slopes`.
+fn seams_removed_slopes(pattern: u32, widths: vec2<f32>) -> vec2<f32> {
+    let w = sqrt(widths * widths + vec2<f32>(SEAMS_LEAST_SQUARED)) / SEAMS_PI;
+    let left = 1.0 - min(w, vec2<f32>(1.0));
+    let square = left * left;
+    if pattern == SEAMS_LINES {
+        let kept = square.x * (1.05 + (0.6 - 0.65 * left.x) * left.x);
+        return vec2<f32>(max(0.5 * (0.932620938 - kept), 0.0), 0.0);
+    }
+    if pattern == SEAMS_GRID {
+        let kept = square * (0.9 + (0.5 * left - 0.4) * left) * (0.76 + 0.24 * square.yx);
+        return max(0.35132118 * (0.856041782 - kept), vec2<f32>(0.0));
+    }
+    return vec2<f32>(0.0);
+}

@@ -14,19 +14,24 @@ fn flake_patch_random(terms: u32, key: u32) -> f32 {
     return f32(integer_hash_word(terms, key) >> 8u) / 16777216.0;
 }
 
-// The flake that a point lies in; keys are those of seed ^ k * 0x9e3779b9, for k = 0 to 3 and 4 to 6.
-fn flake_patch(
+// The flake of the cell of a point, and the distance of the point from its center along each axis.
+struct FlakePatchNearest {
+    flake: FlakePatch,
+    off: vec3<f32>,
+}
+
+// Keys are those of seed ^ k * 0x9e3779b9, for k = 0 to 3 and 4 to 6. There is no flake where cells cannot be told apart.
+fn flake_patch_nearest(
     position: vec3<f32>,
     cell: f32,
     width: vec3<f32>,
     scatter: f32,
     keys: vec4<u32>,
     more_keys: vec4<u32>,
-) -> FlakePatch {
-    let none = FlakePatch(false, 0.0, vec3<f32>(0.0));
+) -> FlakePatchNearest {
     let place = position / cell;
     if !direction_is_finite(place) || !(max(abs(place.x), max(abs(place.y), abs(place.z))) < 8388608.0) {
-        return none;
+        return FlakePatchNearest(FlakePatch(false, 0.0, vec3<f32>(0.0)), vec3<f32>(0.0));
     }
     let corner = floor(place);
     let cells = vec3<i32>(corner);
@@ -37,9 +42,6 @@ fn flake_patch(
     );
     let middle = vec3<f32>(0.5) + (random - 0.5) * room;
     let off = abs((place - corner) - middle) * cell;
-    if !all(off <= 0.5 * width) {
-        return none;
-    }
     let z = 1.0 - 2.0 * flake_patch_random(terms, keys.y);
     let across = sqrt(max(1.0 - z * z, 0.0));
     let turn = elementary_cos_sin_turns(flake_patch_random(terms, keys.z));
@@ -48,5 +50,53 @@ fn flake_patch(
     if w > 0.0 {
         radius = elementary_exp(elementary_ln(w) * 0.33333334);
     }
-    return FlakePatch(true, flake_patch_random(terms, keys.x), vec3<f32>(across * turn.x, across * turn.y, z) * radius);
+    let tilt = vec3<f32>(across * turn.x, across * turn.y, z) * radius;
+    return FlakePatchNearest(FlakePatch(true, flake_patch_random(terms, keys.x), tilt), off);
+}
+
+// The flake that a point lies in.
+fn flake_patch(
+    position: vec3<f32>,
+    cell: f32,
+    width: vec3<f32>,
+    scatter: f32,
+    keys: vec4<u32>,
+    more_keys: vec4<u32>,
+) -> FlakePatch {
+    let nearest = flake_patch_nearest(position, cell, width, scatter, keys, more_keys);
+    if nearest.flake.there && all(nearest.off <= 0.5 * width) {
+        return nearest.flake;
+    }
+    return FlakePatch(false, 0.0, vec3<f32>(0.0));
+}
+
+// The flake of the cell of a point, and the share of a pixel on the point that it covers.
+struct FlakePatchCovered {
+    flake: FlakePatch,
+    cover: f32,
+}
+
+// The cover along one axis, of a flake as wide as the cell where the edge is 0.
+fn flake_patch_cover(width: f32, edge: f32, off: f32) -> f32 {
+    if edge > 0.0 {
+        return math_clamped((0.5 * width - off) / edge + 0.5, 1.0);
+    }
+    return select(0.0, 1.0, width > 0.0);
+}
+
+// Scattered over the cell, with edges as wide as the pixel, at most as the flake and as what is left of the cell.
+fn flake_patch_covered(
+    position: vec3<f32>,
+    cell: f32,
+    width: vec3<f32>,
+    edge: f32,
+    keys: vec4<u32>,
+    more_keys: vec4<u32>,
+) -> FlakePatchCovered {
+    let edges = max(min(min(width, vec3<f32>(cell) - width), vec3<f32>(edge)), vec3<f32>(0.0));
+    let nearest = flake_patch_nearest(position, cell, width + edges, 1.0, keys, more_keys);
+    let cover = flake_patch_cover(width.x, edges.x, nearest.off.x)
+        * flake_patch_cover(width.y, edges.y, nearest.off.y)
+        * flake_patch_cover(width.z, edges.z, nearest.off.z);
+    return FlakePatchCovered(nearest.flake, cover);
 }

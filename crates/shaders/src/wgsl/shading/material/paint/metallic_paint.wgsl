@@ -1,19 +1,22 @@
 // Metallic paint whose flakes sparkle, under a bumpy clear coat: `asperity_shading::MetallicPaint`.
 
-// A sparkle at a point.
+// The sparkle of a cell at a point.
 struct MetallicPaintSparkle {
     there: bool,
     tilt: vec3<f32>,
+    // The weight at the point, and the mean over the cell.
+    weight: f32,
+    mean_weight: f32,
 }
 
-// The flake that sparkles at a point whose pixel is so wide: `Sparkles::flake`.
+// The flake that sparkles around a point whose pixel is so wide: `Sparkles::flake`.
 fn metallic_paint_sparkle(
     paint: MetallicPaint,
     position: vec3<f32>,
     n: vec3<f32>,
     footprint: f32,
 ) -> MetallicPaintSparkle {
-    let none = MetallicPaintSparkle(false, vec3<f32>(0.0));
+    let none = MetallicPaintSparkle(false, vec3<f32>(0.0), 0.0, 0.0);
     let pixel = footprint * paint.pixel_size;
     let fade = 1.0 - frequency_clamp_removed_share(pixel, 1.0 / paint.physical_size);
     if !(fade > 0.0) {
@@ -21,7 +24,8 @@ fn metallic_paint_sparkle(
     }
     // As long along the axis nearest to the normal as a cell.
     let m = abs(n);
-    var width = vec3<f32>(min(pixel, paint.physical_size));
+    let across = min(pixel, paint.physical_size);
+    var width = vec3<f32>(across);
     if m.x > max(m.y, m.z) {
         width.x = paint.physical_size;
     } else if m.y > m.z {
@@ -29,12 +33,22 @@ fn metallic_paint_sparkle(
     } else {
         width.z = paint.physical_size;
     }
-    let flake = flake_patch(position, paint.physical_size, width, 1.0, paint.keys, paint.more_keys);
-    var eliminated = paint.elimination;
-    if paint.per_unit > 0.0 {
-        eliminated *= 1.0 - frequency_clamp_removed_share(pixel, paint.per_unit);
+    let covered = flake_patch_covered(position, paint.physical_size, width, footprint, paint.keys, paint.more_keys);
+    var kept = 1.0;
+    if covered.flake.value < paint.elimination {
+        kept = 0.0;
+        if paint.per_unit > 0.0 {
+            kept = frequency_clamp_removed_share(pixel, paint.per_unit);
+        }
     }
-    return MetallicPaintSparkle(flake.there && flake.value >= eliminated, flake.tilt * (paint.variation * fade));
+    let most = fade * kept;
+    let share = across / paint.physical_size;
+    return MetallicPaintSparkle(
+        covered.flake.there && most > 0.0,
+        covered.flake.tilt * (paint.variation * fade),
+        covered.cover * most,
+        share * share * most,
+    );
 }
 
 // Reflectance times cosine, `Bsdf::scattered` of a point of paint whose flakes sparkle; wo and wi are in its frame,
@@ -46,22 +60,22 @@ fn metallic_paint_scattered(paint: MetallicPaint, point: SurfacePoint, wo: vec3<
     let frame = surface_point_frame(point);
     let footprint = point.pixel.widths.x;
     let specular = metallic_paint_specular(paint, point);
-    let h = direction_half(wi, wo);
     let sparkle = metallic_paint_sparkle(paint, point.position, point.normal, footprint);
     var tilted = direction_unit_or_zero(point.normal + sparkle.tilt);
     if tilted.x == 0.0 && tilted.y == 0.0 && tilted.z == 0.0 {
         tilted = point.normal;
     }
     let flake = frame_to_local(frame, tilted);
-    var flakes = vec3<f32>(0.0);
-    if sparkle.there && dot(flake, h) > h.z {
+    var flakes = metallic_paint_flakes(paint, specular, wi, wo);
+    if sparkle.there {
         let own = frame_from_normal(flake);
         let i = frame_to_local(own, wi);
         let boosted = specular + (paint.boost_target - specular) * math_clamped(paint.boost, 1.0);
         // The cosine with the flake instead of the surface.
-        flakes = metallic_paint_flakes(paint, boosted, i, frame_to_local(own, wo)) * min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
-    } else {
-        flakes = metallic_paint_flakes(paint, specular, wi, wo);
+        let bright = metallic_paint_flakes(paint, boosted, i, frame_to_local(own, wo)) * min(max(i.z, 0.0) / max(wi.z, 0.001), 4.0);
+        // The points around give at most half of their light.
+        let most = flakes * (0.5 / max(sparkle.mean_weight, 1e-6));
+        flakes += min(max(bright - flakes, vec3<f32>(0.0)), most) * (sparkle.weight - sparkle.mean_weight);
     }
     return metallic_paint_coated(paint, point, specular, flakes, wo, wi);
 }
