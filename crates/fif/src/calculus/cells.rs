@@ -150,7 +150,9 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
             self.tiling.steps = if steps > self.tiling.steps { steps } else { self.tiling.steps };
             let (first, below) = next(&mut lower, pieces, 0);
             let (last, above) = next(&mut upper, pieces, pieces.len());
-            self.tiling.drift += self.of_step * tile.width;
+            // Each end rounds relative to its distance from the left knot of its child.
+            let widest = [first, last].map(|j| pieces.get(j).map_or(0.0, |piece| piece.map().a));
+            self.tiling.drift += self.of_step * tile.width * widest[0].max(widest[1]);
             if first == last {
                 let (Some(piece), Cut::Inside { .. }) = (pieces.get(first), &above) else { return };
                 (tile, lower, upper) = (tile.child(piece), below, above);

@@ -3,8 +3,9 @@
 use core::cell::Cell as CoreCell;
 
 use crate::calculus::cells::{Tile, directed};
+use crate::math::sqrt;
 use crate::numeric::estimate::Estimate;
-use crate::numeric::interval::Bounded;
+use crate::numeric::interval::{Bounded, Interval};
 use crate::numeric::polynomial::{LEAST, UNIT, horner, magnitude};
 use crate::system::error::SystemError;
 use crate::system::fif::System;
@@ -243,7 +244,31 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             }
             Some((piece.map().alpha / a, q))
         };
-        System::from_lists(self.pieces().len(), |j| self.knot(j), map)
+        let maps = self.pieces().len();
+        match System::from_lists(maps, |j| self.knot(j), map) {
+            // Near-critical factors: ordinates from one equation each would not join up within rounding.
+            Err(first @ SystemError::JoinUp { .. }) => {
+                let domain = self.domain();
+                let [y0, y_end] = end_ordinates(maps, domain, map);
+                let ordinate = |j: usize| match j.checked_sub(1) {
+                    None => y0,
+                    Some(last) if last + 1 == maps => y_end,
+                    Some(before) => {
+                        map(before).map_or(0.0, |(alpha, q)| alpha * y_end + horner(&q, domain.hi))
+                    }
+                };
+                let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
+                System::assemble(maps, |j| self.knot(j), ordinate, alpha, |j| map(j).map(|(_, q)| q))
+                    .map_err(|_| first)
+            }
+            other => other,
+        }
+    }
+
+    /// Bound of what the ordinates of a [`System::derivative`] are off by; they come from its maps.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn ordinate_error(&self) -> f64 {
+        1.01 * self.gain * (self.noise + 8.0 * UNIT * self.range().magnitude())
     }
 }
 
@@ -255,6 +280,44 @@ struct Sums {
     bound: f64,
     length: f64,
     length_bound: f64,
+}
+
+/// The ordinates at both ends of a system, by least squares over all conditions of the join-up.
+///
+/// ```text
+/// (1 − α_1) y_0 = q_1(x_0)    α_{j+1} y_0 − α_j y_N = q_j(x_N) − q_{j+1}(x_0)    (1 − α_N) y_N = q_N(x_N)
+/// ```
+///
+/// Rotations keep the digits that normal equations would lose where factors are near 1.
+fn end_ordinates<const K: usize>(
+    maps: usize,
+    domain: Interval,
+    map: impl Fn(usize) -> Option<(f64, [f64; K])>,
+) -> [f64; 2] {
+    // The upper triangle of the rotated equations, with their right sides.
+    let mut rows = [[0.0_f64; 3]; 2];
+    let mut add = |mut row: [f64; 3]| {
+        for (k, kept) in rows.iter_mut().enumerate() {
+            let length = sqrt(kept[k] * kept[k] + row[k] * row[k]);
+            if length > 0.0 {
+                let (c, s) = (kept[k] / length, row[k] / length);
+                let both = [0, 1, 2].map(|i| [c * kept[i] + s * row[i], c * row[i] - s * kept[i]]);
+                *kept = both.map(|[kept, _]| kept);
+                row = both.map(|[_, row]| row);
+            }
+        }
+    };
+    let at = |j: usize, x: f64| map(j).map_or(0.0, |(_, q)| horner(&q, x));
+    let alpha = |j: usize| map(j).map_or(0.0, |(alpha, _)| alpha);
+    let last = maps.saturating_sub(1);
+    add([1.0 - alpha(0), 0.0, at(0, domain.lo)]);
+    for j in 0..last {
+        add([alpha(j + 1), -alpha(j), at(j, domain.hi) - at(j + 1, domain.lo)]);
+    }
+    add([0.0, 1.0 - alpha(last), at(last, domain.hi)]);
+    let [[a, b, d], [_, c, e]] = rows;
+    let y_end = e / c;
+    [(d - b * y_end) / a, y_end]
 }
 
 /// `∫ Σ c_i sⁱ` over `[0, 1]`.
