@@ -3,6 +3,7 @@
 mod area;
 mod bounds;
 mod calculus;
+mod certain;
 mod errors;
 mod exact;
 mod fast;
