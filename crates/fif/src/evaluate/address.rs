@@ -285,11 +285,11 @@ mod tests {
 
     #[test]
     fn long_positions_keep_a_hundred_bits() {
-        use crate::Fif;
+        use crate::FixedFif;
         // L(x) = x/3 over the left part: three steps down and back up.
         for scale in [1.0, 2f64.powi(1000), 2f64.powi(-900)] {
             let x = [0.0, 1.0, 3.0].map(|x| x * scale);
-            let f = Fif::affine(&x, &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
+            let f = FixedFif::<2, 2>::affine(&x, &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
             let mut point = LongPosition::new(0.125 * scale, f.domain());
             for want in [0.375, 1.125, 0.1875] {
                 let step = point.step(f.pieces());
