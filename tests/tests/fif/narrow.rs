@@ -34,10 +34,8 @@ impl Report {
     }
 
     fn finish(self) {
-        for line in self.0.iter().take(40) {
-            println!("{line}");
-        }
-        assert!(self.0.is_empty(), "{} of {} bounds do not hold", self.0.len(), self.1);
+        let first = self.0.iter().take(40).map(String::as_str).collect::<Vec<_>>().join("\n");
+        assert!(self.0.is_empty(), "{} of {} bounds do not hold:\n{first}", self.0.len(), self.1);
     }
 }
 
@@ -66,7 +64,7 @@ fn intervals(x: &[f64], random: &mut Random, count: usize) -> Vec<[f64; 2]> {
 
 fn knots(random: &mut Random, maps: usize, kind: usize) -> (Vec<f64>, bool) {
     let start = [0.0, -1.0, 4.0 * random.uniform() - 2.0, 1000.1][kind % 4];
-    if kind % 3 == 0 {
+    if kind.is_multiple_of(3) {
         let width = [1.0, 3.7][kind / 3 % 2];
         return ((0..=maps).map(|j| start + width * (j as f64 / maps as f64)).collect(), true);
     }
