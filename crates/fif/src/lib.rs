@@ -2,7 +2,7 @@
 //!
 //! Fractal interpolation functions: curves that pass through given points and consist of smaller copies of themselves.
 //! They are evaluated to a stated tolerance, integrated exactly, bounded rigorously, and multiplied to height fields
-//! whose normals are exact and whose ray hits are guaranteed.
+//! with exact normals. No ray hit is missed, and a hit reports whether it is certain to be the first.
 //!
 //! ```
 //! use asperity_fif::{FixedFif, HeightField, Intersect, Ray, glam::DVec3};
@@ -45,7 +45,7 @@
 //! | [`HeightField::area_means`] | means of heights and slopes over a rectangle, in closed form |
 //! | [`HeightField::normal_distribution`] | the density of the normals over a rectangle, as an image |
 //! | [`Surface`] | any surface over a rectangle, and its bounds |
-//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to the rounding error or a tolerance |
+//! | [`Intersect::first_hit`], [`Intersect::first_hit_within`] | the first point of a [`Ray`] on a surface, to a tolerance or the rounding error, which is 10⁻¹² of the domain on rough surfaces |
 //! | [`Intersect::hits_any`], [`Intersect::first_hits`] | any hit, and many rays |
 //! | [`HeightField::tabulated`], [`SelfAffine::tabulated`] | tables of bounds: faster hits |
 //! | [`Torus`] | a periodic surface without grain, through heights with gradients |

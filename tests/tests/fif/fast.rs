@@ -1,7 +1,7 @@
 //! Values from tables of composites: against exact rationals, and against the evaluation map by map.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its reference has failed")]
 
-use asperity_fif::Fif;
+use asperity_fif::{Fif, SystemError};
 use asperity_tests::even_systems;
 use asperity_tests::fif_systems::Reference;
 use proptest::prelude::*;
@@ -192,4 +192,23 @@ proptest! {
         let taken = f.extrema_over(x - near, x + near, 1e-9).unwrap().enclosure().inflated(got.bound);
         prop_assert!(taken.contains(got.value), "{x}: {got:?} {taken:?}");
     }
+}
+
+#[test]
+fn table_value_at_knots_of_narrow_cells() {
+    for width in [1e-301, 1e-290, 1e-100, 1e-30, 1e-16_f64] {
+        for x in [[0.0, width, 1.0], [0.0, 1.0, 1.0 + width.max(f64::EPSILON)], [-width, 0.0, 1.0]] {
+            let f: Fif<2> = Fif::affine(&x, &[0.0, 1.0, 0.25], &[0.8, -0.5]).unwrap();
+            let table = f.table(1e-6).unwrap();
+            for (at, want) in x.into_iter().zip([0.0, 1.0, 0.25]) {
+                assert_eq!([table.value(at), f.evaluate(at, 0.0).value], [want; 2], "{x:?} at {at:e}");
+            }
+            // f(width / 2) = 0.8 f(1/2) + …, both within their bounds of each other.
+            let half = x[0] + 0.5 * (x[1] - x[0]);
+            let [a, b] = [table.evaluate(half), f.evaluate(half, 0.0)];
+            assert!((a.value - b.value).abs() <= a.bound + b.bound, "{x:?}: {a:?} {b:?}");
+        }
+    }
+    let error = Fif::affine(&[0.0, 5e-324, 1.0], &[0.0, 1.0, 0.25], &[0.8, -0.9]).unwrap_err();
+    assert!(matches!(error, SystemError::NarrowCell { map: 1, .. }), "{error}");
 }

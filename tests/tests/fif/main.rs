@@ -3,13 +3,16 @@
 mod area;
 mod bounds;
 mod calculus;
+mod certain;
 mod errors;
+mod exact;
 mod fast;
 mod fit;
 mod folded;
 mod golden;
 mod hard_rays;
 mod jets;
+mod narrow;
 mod oscillation;
 mod properties;
 mod rays;

@@ -150,7 +150,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             return f64::NAN;
         }
         let domain = self.domain();
-        let largest = self.pieces().iter().fold(0.0_f64, |a, piece| a.max(piece.s[1] - piece.s[0]));
+        let largest = self.pieces().iter().fold(0.0_f64, |a, piece| a.max(piece.map().a));
         let levels = (1.0 / (1.0 - largest)).min(crate::evaluate::value::MAX_DEPTH as f64);
         let orbit = match self.spacing() {
             Spacing::Uniform => 0.0,
@@ -252,11 +252,7 @@ fn measures<const C: usize>(piece: &Piece<C>) -> (f64, f64, f64) {
     let pairs = piece.bernstein.iter().zip(piece.bernstein.iter().skip(1));
     let steepest = pairs.fold(0.0_f64, |m, (b, next)| m.max((next - b).abs()));
     // Markov's inequality for the error of the coefficients.
-    (
-        piece.s[1] - piece.s[0],
-        piece.map().alpha.abs(),
-        degree * steepest + 2.0 * degree * degree * piece.slack,
-    )
+    (piece.map().a, piece.map().alpha.abs(), degree * steepest + 2.0 * degree * degree * piece.slack)
 }
 
 #[cfg(test)]

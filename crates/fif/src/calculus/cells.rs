@@ -1,9 +1,9 @@
 //! An interval as a union of cells, each of which is a small copy of the whole.
 
-use crate::evaluate::address::{LongFraction, Orbit, Position, Step};
+use crate::evaluate::address::{Distance, LongFraction, LongPosition, Orbit, Step};
 use crate::evaluate::value::MAX_DEPTH;
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
@@ -19,7 +19,7 @@ pub(crate) struct Tile<const C: usize> {
 impl<const C: usize> Tile<C> {
     fn child(&self, piece: &Piece<C>) -> Self {
         let left = self.left + self.width * piece.s[0];
-        Self { cell: self.cell.child(piece), left, width: self.width * (piece.s[1] - piece.s[0]) }
+        Self { cell: self.cell.child(piece), left, width: self.width * piece.map().a }
     }
 }
 
@@ -36,6 +36,13 @@ impl<O> Cut<O> {
         match self {
             Self::Border => border,
             Self::Inside { s, .. } => *s,
+        }
+    }
+
+    fn orbit(&self) -> Option<&O> {
+        match self {
+            Self::Border => None,
+            Self::Inside { orbit, .. } => Some(orbit),
         }
     }
 }
@@ -55,35 +62,50 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     /// long one. Each end then splits off the cells between it and the middle. What is left where the function varies by
     /// less than the rounding error becomes a cell of its own, over which the fractal part is a constant.
     pub(crate) fn tile(&self, l: f64, r: f64, visit: &mut impl FnMut(&Tile<C>)) -> Tiling {
+        let domain = self.domain();
         match self.spacing() {
-            Spacing::Uniform => self.tile_with(l, r, LongFraction::new, visit),
-            Spacing::Nonuniform => self.tile_with(l, r, Position::new, visit),
+            Spacing::Uniform => {
+                let cut = |x: f64| {
+                    let t = LongPosition::new(x, domain).place();
+                    (LongFraction::new_double(t), t.hi)
+                };
+                // Nothing rounds when the domain begins at 0 and its width is a power of two.
+                let exact =
+                    domain.lo == 0.0 && domain.hi.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
+                self.tile_with([l, r], cut, if exact { 0.0 } else { LongPosition::ROUNDING }, 0.0, visit)
+            }
+            Spacing::Nonuniform => {
+                let cut = |x: f64| {
+                    let point = LongPosition::new(x, domain);
+                    (point, point.place().hi)
+                };
+                self.tile_with([l, r], cut, 0.0, LongPosition::ROUNDING, visit)
+            }
         }
     }
 
-    fn tile_with<O: Orbit + Copy>(
+    /// The rounding of the ends is relative to their distances from the left end, that of a step to the cell.
+    fn tile_with<O: Orbit + Distance + Copy>(
         &self,
-        l: f64,
-        r: f64,
-        orbit: impl Fn(f64) -> O,
+        ends: [f64; 2],
+        cut: impl Fn(f64) -> (O, f64),
+        of_ends: f64,
+        of_step: f64,
         visit: &mut impl FnMut(&Tile<C>),
     ) -> Tiling {
         let domain = self.domain();
-        let cut = |x: f64| {
-            let s = (x - domain.lo) / domain.width();
-            if s <= 0.0 || s >= 1.0 { Cut::Border } else { Cut::Inside { orbit: orbit(s), s } }
-        };
-        let root = Tile { cell: Cell::root(), left: 0.0, width: 1.0 };
-        let mut walk = Walk { fif: self, visit, tiling: Tiling { drift: 0.0, steps: 0.0 }, least: 0.0 };
-        let (lower, upper) = (cut(l), cut(r));
-        // Nothing rounds when the domain begins at 0 and its width is a power of two.
-        let exact = domain.lo == 0.0 && domain.hi.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
-        for cut in [lower, upper] {
-            if let (Cut::Inside { s, .. }, false) = (cut, exact) {
-                // The difference and the quotient; the width rounds too.
-                walk.tiling.drift += 3.0 * UNIT * s;
+        let mut drift = 0.0;
+        let [lower, upper] = ends.map(|x| {
+            if x <= domain.lo || x >= domain.hi {
+                return Cut::Border;
             }
-        }
+            let (orbit, s) = cut(x);
+            // Numbers under 2⁻⁹⁰⁰ of the domain have no second half.
+            drift += of_ends * s + if of_ends + of_step > 0.0 { 16.0 * LEAST } else { 0.0 };
+            Cut::Inside { orbit, s }
+        });
+        let root = Tile { cell: Cell::root(), left: 0.0, width: 1.0 };
+        let mut walk = Walk { fif: self, visit, tiling: Tiling { drift, steps: 0.0 }, of_step, least: 0.0 };
         walk.run(root, lower, upper, 0.0);
         walk.tiling
     }
@@ -93,13 +115,15 @@ struct Walk<'a, S, V, const C: usize> {
     fif: &'a System<S, C>,
     visit: &'a mut V,
     tiling: Tiling,
+    /// Rounding of a step in units of the cell.
+    of_step: f64,
     /// Width times variation of a cell that is not divided any more; 0 until the ends have parted.
     least: f64,
 }
 
 impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C> {
     /// Recurs once, where the ends part.
-    fn run<O: Orbit + Copy>(
+    fn run<O: Orbit + Distance + Copy>(
         &mut self,
         mut tile: Tile<C>,
         mut lower: Cut<O>,
@@ -109,10 +133,10 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
         let pieces = self.fif.pieces();
         let radius = 0.5 * self.fif.range().width();
         while steps < MAX_DEPTH as f64 {
-            let (from, to) = (lower.or(0.0), upper.or(1.0));
+            let length = O::between(lower.orbit(), upper.orbit());
             let done = match (&lower, &upper) {
                 (Cut::Border, Cut::Border) => true,
-                (Cut::Inside { .. }, Cut::Inside { .. }) => from >= to,
+                (Cut::Inside { .. }, Cut::Inside { .. }) => length <= 0.0,
                 // A position that has been rounded to the border is still on this side of it.
                 _ => false,
             };
@@ -126,9 +150,9 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
             self.tiling.steps = if steps > self.tiling.steps { steps } else { self.tiling.steps };
             let (first, below) = next(&mut lower, pieces, 0);
             let (last, above) = next(&mut upper, pieces, pieces.len());
-            if self.fif.spacing() == Spacing::Nonuniform {
-                self.tiling.drift += 3.0 * UNIT * tile.width;
-            }
+            // Each end rounds relative to its distance from the left knot of its child.
+            let widest = [first, last].map(|j| pieces.get(j).map_or(0.0, |piece| piece.map().a));
+            self.tiling.drift += self.of_step * tile.width * widest[0].max(widest[1]);
             if first == last {
                 let (Some(piece), Cut::Inside { .. }) = (pieces.get(first), &above) else { return };
                 (tile, lower, upper) = (tile.child(piece), below, above);
@@ -136,7 +160,7 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
             }
             if self.least == 0.0 {
                 let scale = tile.cell.range(self.fif.range()).magnitude();
-                self.least = 0.03125 * UNIT * tile.width * (to - from) * scale;
+                self.least = 0.03125 * UNIT * tile.width * length * scale;
             }
             // The parts of the first and of the last cell, and everything between.
             let start = match below {
@@ -165,25 +189,23 @@ impl<S: AsRef<[Piece<C>]>, V: FnMut(&Tile<C>), const C: usize> Walk<'_, S, V, C>
         self.rest(&tile, &lower, &upper);
     }
 
-    fn rest<O>(&mut self, tile: &Tile<C>, lower: &Cut<O>, upper: &Cut<O>) {
+    fn rest<O: Distance>(&mut self, tile: &Tile<C>, lower: &Cut<O>, upper: &Cut<O>) {
         if let (Cut::Border, Cut::Border) = (lower, upper) {
             (self.visit)(tile);
             return;
         }
-        let (from, to) = (lower.or(0.0), upper.or(1.0));
-        if from < to {
+        let length = O::between(lower.orbit(), upper.orbit());
+        if length > 0.0 {
+            let from = lower.or(0.0);
+            let to = upper.or(1.0).max(from);
             let cell = tile.cell.levelled(self.fif.range(), from, to);
-            (self.visit)(&Tile {
-                cell,
-                left: tile.left + tile.width * from,
-                width: tile.width * (to - from),
-            });
+            (self.visit)(&Tile { cell, left: tile.left + tile.width * from, width: tile.width * length });
         }
     }
 }
 
 /// The cell that an end lies in, and where in it; the border when it is that cell's left knot.
-fn next<O: Orbit + Copy, const C: usize>(
+fn next<O: Orbit + Distance + Copy, const C: usize>(
     cut: &mut Cut<O>,
     pieces: &[Piece<C>],
     border: usize,

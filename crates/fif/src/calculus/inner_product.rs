@@ -5,7 +5,7 @@ use crate::calculus::moment_basis::{MAX_MOMENT_DEGREE, MomentBasis};
 use crate::numeric::bernstein::{Form, rounding};
 use crate::numeric::estimate::Estimate;
 use crate::numeric::interval::Interval;
-use crate::numeric::polynomial::{UNIT, hull};
+use crate::numeric::polynomial::{LEAST, UNIT, hull};
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -47,7 +47,7 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let [f_range, g_range] = [self.range().magnitude(), other.range().magnitude()];
         let (mut sum, mut magnitude, mut bound, mut rest) = (0.0, 0.0, 0.0, 1.0);
         for (p, r) in self.pieces().iter().zip(other.pieces()) {
-            let a = p.s[1] - p.s[0];
+            let a = p.map().a;
             let (alpha, beta) = (p.map().alpha, r.map().alpha);
             let (q_form, r_form) = (Form::from_bernstein(&p.bernstein), Form::from_bernstein(&r.bernstein));
             let (q_size, r_size) = (hull(&p.bernstein).magnitude(), hull(&r.bernstein).magnitude());
@@ -72,9 +72,10 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         let knots = 8.0 * maps * UNIT * f_range * g_range;
         bound += (rounding(degree) + maps * UNIT) * magnitude + 2.0 * knots;
         let width = self.domain().width();
+        bound += 16.0 * maps * (degree as f64 + 2.0) * LEAST * (1.0 + f_range + g_range);
         let value = sum / rest;
         let error = bound / rest + (maps + 4.0) * UNIT * value.abs() / rest;
-        Ok(Estimate::new(width * value, width * magnitude / rest, 1.02 * width * error))
+        Ok(Estimate::new(width * value, width * magnitude / rest, 1.02 * width * error + 4.0 * LEAST))
     }
 
     /// `max |f|` over the domain, the supremum norm, in a bracket that is `width` wide where [`System::extrema`] allows that.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::system::error::SystemError;
+use crate::system::error::{SystemError, check_cells};
 use crate::system::fif::System;
 use crate::system::map::{JOIN_TOLERANCE, Map, Piece};
 use crate::system::storage::Storage;
@@ -145,6 +145,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             (_, Some(map)) if j < count => map.a * x_end + map.b,
             _ => x_end,
         };
+        check_cells(count, knot)?;
         Self::from_lists(count, knot, |j| maps.get(j).map(|map| (map.alpha, map.q)))
     }
 

@@ -4,7 +4,8 @@ use crate::calculus::cells::{Tile, directed};
 use crate::calculus::moment_basis::{MomentBasis, MomentError};
 use crate::numeric::bernstein::{Form, power, rounding};
 use crate::numeric::estimate::Estimate;
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::interval::{Bounded, Interval};
+use crate::numeric::polynomial::{LEAST, UNIT};
 use crate::system::cell::Cell;
 use crate::system::fif::System;
 use crate::system::map::Piece;
@@ -104,15 +105,27 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
     pub fn mean_square(&self, l: f64, r: f64) -> Result<Estimate, MomentError> {
         let Some((l, r, _)) = directed(l, r, self.domain()) else { return Ok(Estimate::NAN) };
         let (sum, length) = self.weighted(0, 2, l, r, |_| 1.0)?;
-        if length > 0.0 {
-            return Ok(sum.scaled(1.0 / (self.domain().width() * length)));
+        let range = self.range();
+        let squares = Interval::new(0.0, power(range.magnitude(), 2).next_up());
+        if length.value > 0.0 {
+            let whole = self.domain().width() * length.value;
+            let mean = sum.scaled(1.0 / whole);
+            // The widths of the cells round, and their ends move, in the denominator as well.
+            let bound = mean.bound + squares.hi * length.bound / length.value + 4.0 * UNIT * mean.value;
+            let Bounded { value, bound } = Bounded { value: mean.value, bound: 1.01 * bound }.within(squares);
+            return Ok(Estimate { value, bound, ..mean });
         }
-        let value = Estimate::of(self.evaluate(l, 0.0));
+        let value = if l < r {
+            Bounded::around(self.enclosure(l, r, 0.0).unwrap_or(range))
+        } else {
+            self.evaluate(l, 0.0)
+        };
+        let value = Estimate::of(value);
         Ok(value.product(value))
     }
 
     /// `∫ wᵏ fᵖ` over `[l, r]` for a linear `w`, given by its values at fractions of the domain, and the length of the cells that
-    /// it was added over, in units of the domain.
+    /// it was added over, in units of the domain, with its error.
     fn weighted(
         &self,
         k: usize,
@@ -120,18 +133,21 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
         l: f64,
         r: f64,
         weight: impl Fn(f64) -> f64,
-    ) -> Result<(Estimate, f64), MomentError> {
+    ) -> Result<(Estimate, Bounded), MomentError> {
         let basis = MomentBasis::new(self, k, p)?;
         if l >= r {
-            return Ok((Estimate::new(0.0, 0.0, 0.0), 0.0));
+            return Ok((Estimate::new(0.0, 0.0, 0.0), Bounded { value: 0.0, bound: 0.0 }));
         }
         let domain = self.domain();
         let range = self.range().magnitude();
         let (mut sum, mut magnitude, mut bound) = (0.0, 0.0, 0.0);
-        let (mut tiles, mut length, mut heaviest) = (0.0, 0.0, 0.0_f64);
+        let (mut tiles, mut length) = (0.0, 0.0);
+        let far = domain.magnitude();
+        let part = |x: f64| (x - domain.lo) / domain.width();
+        let mut heaviest = weight(part(l)).abs().max(weight(part(r)).abs()) + 16.0 * UNIT * far;
         let tiling = self.tile(l, r, &mut |tile: &Tile<C>| {
             let ends = [weight(tile.left), weight(tile.left + tile.width)];
-            let part = Part::new(&basis, &tile.cell, ends, domain.magnitude(), [k, p], range);
+            let part = Part::new(&basis, &tile.cell, ends, far, [k, p], range);
             sum += tile.width * part.value;
             magnitude += tile.width * part.magnitude;
             bound += tile.width * part.bound;
@@ -139,11 +155,14 @@ impl<S: AsRef<[Piece<C>]>, const C: usize> System<S, C> {
             tiles += 1.0;
             length += tile.width;
         });
-        // Widths are products of one factor per map.
-        bound += (tiles + 3.0 * tiling.steps) * UNIT * magnitude;
-        bound += 2.0 * tiling.drift * power(heaviest, k) * power(range, p);
+        // A width is a product of one factor per map, each with three roundings, and its own.
+        let widths = (tiles + 4.0 * tiling.steps + 4.0) * UNIT;
+        let least = 2.0 * (tiles + 1.0) * (tiling.steps + 2.0) * LEAST;
+        let largest = power(heaviest, k) * power(range, p);
+        bound += widths * magnitude + 2.0 * tiling.drift * largest + least * (1.0 + largest);
         let width = domain.width();
-        let bound = 1.01 * width * bound + UNIT * (width * sum).abs();
+        let bound = 1.01 * width * bound + 4.0 * UNIT * (width * sum).abs() + 2.0 * LEAST;
+        let length = Bounded { value: length, bound: widths * length + 2.0 * tiling.drift + least };
         Ok((Estimate::new(width * sum, width * magnitude, bound), length))
     }
 }
@@ -186,7 +205,8 @@ impl Part {
         bound += (rounding(k + p * polynomial.degree) + p as f64 * UNIT) * magnitude;
         bound += p as f64 * power(heaviest, k) * power(whole, p.saturating_sub(1)) * cell_error;
         bound += k as f64
-            * (8.0 * UNIT + cell.product_error())
+            * 2.0
+            * (8.0 * UNIT + 4.0 * cell.product_error())
             * far
             * power(heaviest, k.saturating_sub(1))
             * power(whole, p);

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::numeric::bernstein::{Form, SIZE, binomials, power, rounding};
 use crate::numeric::elimination::solve;
-use crate::numeric::polynomial::{UNIT, hull};
+use crate::numeric::polynomial::{LEAST, UNIT, hull};
 use crate::system::fif::System;
 use crate::system::map::Piece;
 
@@ -76,7 +76,7 @@ impl MomentBasis {
         for (out, choose) in basis.values[0].iter_mut().zip(binomials(top)) {
             *out = 1.0 / ((top + 1) as f64 * choose);
         }
-        basis.errors[0] = 2.0 * UNIT;
+        basis.errors[0] = 2.0 * UNIT + 8.0 * SIZE as f64 * LEAST;
         for m in 1..=p {
             basis.solve(fif, m);
         }
@@ -100,7 +100,7 @@ impl MomentBasis {
         let (mut own, mut inherited, mut largest) = (0.0, 0.0, 0.0_f64);
         for piece in fif.pieces() {
             let (alpha, [s0, s1]) = (piece.map().alpha, piece.s);
-            let a = s1 - s0;
+            let a = piece.map().a;
             let q = Form::from_bernstein(&piece.bernstein);
             let q_size = hull(&piece.bernstein).magnitude();
             // Σ_m C(p, m) α^m ∫ q^(p−m) f^m against every u^l w^(n−l).
@@ -138,7 +138,8 @@ impl MomentBasis {
             residual += choose * sum.abs();
         }
         // The entries' own roundings, and those of the knots in units of the domain.
-        let entries = (rounding(self.top) + 4.0 * (fif.pieces().len() + n) as f64 * UNIT) * 2.0 * largest;
+        let entries = (rounding(self.top) + 4.0 * (fif.pieces().len() + n) as f64 * UNIT) * 2.0 * largest
+            + 8.0 * (fif.pieces().len() * SIZE * (p + 1)) as f64 * LEAST;
         self.errors[p] = (residual + entries + inherited) / (1.0 - own).max(f64::MIN_POSITIVE) * 1.01;
         self.values[p] = solution;
     }

@@ -1,6 +1,7 @@
 //! The orbit of a point under the inverse maps: its address, one index per step.
 
 use crate::numeric::double::Double;
+use crate::numeric::interval::Interval;
 use crate::system::map::Piece;
 
 /// One inverse step: the map, and where in the domain its inverse sends the point.
@@ -14,6 +15,12 @@ pub(crate) struct Step {
 
 pub(crate) trait Orbit {
     fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step;
+}
+
+/// Points whose distances lose no digits, however near they are.
+pub(crate) trait Distance: Sized {
+    /// From one point to the other in units of the domain, rounded; `None` for the left and for the right end of the domain.
+    fn between(from: Option<&Self>, to: Option<&Self>) -> f64;
 }
 
 /// A point on equally spaced knots, 2⁻⁷⁵ of the domain or more from its left end: a 128-bit fraction of the domain,
@@ -100,6 +107,44 @@ impl LongFraction {
     }
 }
 
+impl LongFraction {
+    /// `t` in `(0, 1)`, exact: both parts have all their bits.
+    pub(crate) fn new_double(t: Double) -> Self {
+        let (mut all, part) = (Self::new(t.hi), Self::new(t.lo.abs()));
+        let mut carry = false;
+        for (word, part) in all.words.iter_mut().zip(part.words) {
+            let step = |a: u64, b: u64| if t.lo < 0.0 { a.overflowing_sub(b) } else { a.overflowing_add(b) };
+            let (sum, first) = step(*word, part);
+            let (sum, second) = step(sum, u64::from(carry));
+            (*word, carry) = (sum, first || second);
+        }
+        all
+    }
+}
+
+impl Distance for LongFraction {
+    fn between(from: Option<&Self>, to: Option<&Self>) -> f64 {
+        const BASE: f64 = 18_446_744_073_709_551_616.0;
+        let words = |point: Option<&Self>| point.map_or([0; Self::WORDS], |point| point.words);
+        let (mut rest, mut borrow) = (words(to), false);
+        for (word, less) in rest.iter_mut().zip(words(from)) {
+            let (part, first) = word.overflowing_sub(less);
+            let (part, second) = part.overflowing_sub(u64::from(borrow));
+            (*word, borrow) = (part, first || second);
+        }
+        // The right end is one whole more than no words; a negative distance has borrowed one.
+        let whole = f64::from(u8::from(to.is_none())) - f64::from(u8::from(borrow));
+        if whole < 0.0 {
+            return -Self::between(to, from);
+        }
+        if whole > 0.0 {
+            return whole;
+        }
+        // From the least word up, each part is rounded once relative to the sum.
+        rest.iter().fold(0.0, |sum, word| sum / BASE + *word as f64 / BASE)
+    }
+}
+
 impl Orbit for LongFraction {
     fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step {
         const ULP: f64 = 1.0 / 18_446_744_073_709_551_616.0;
@@ -139,6 +184,63 @@ impl Orbit for Position {
     }
 }
 
+/// A point on any knots to a hundred bits: its distance from the left end, in units that make the domain about one wide.
+#[derive(Clone, Copy)]
+pub(crate) struct LongPosition {
+    at: Double,
+    width: Double,
+    origin: f64,
+    scale: f64,
+}
+
+impl LongPosition {
+    /// More than the rounding of one step, in units of the domain.
+    pub(crate) const ROUNDING: f64 = f64::EPSILON * f64::EPSILON * 64.0;
+
+    /// `x` in the domain.
+    pub(crate) fn new(x: f64, domain: Interval) -> Self {
+        const MANTISSA: u32 = 52;
+        // A power of two, so that nothing rounds but what is under 2⁻¹⁰⁰⁰ of the domain.
+        let exponent = (domain.width().to_bits() >> MANTISSA) as i64 & 0x7FF;
+        let scale = f64::from_bits(((2046 - exponent).clamp(1, 2046) as u64) << MANTISSA);
+        let mut point = Self { at: Double::from(0.0), width: Double::from(1.0), origin: domain.lo, scale };
+        (point.at, point.width) = (point.offset(x), point.offset(domain.hi));
+        point
+    }
+
+    /// The distance of a place from the left end.
+    fn offset(&self, x: f64) -> Double {
+        Double::two_sum(x, -self.origin).scaled(self.scale)
+    }
+
+    /// In units of the domain.
+    pub(crate) fn place(&self) -> Double {
+        self.at.quotient(self.width)
+    }
+}
+
+impl Distance for LongPosition {
+    fn between(from: Option<&Self>, to: Option<&Self>) -> f64 {
+        let Some(width) = to.or(from).map(|point| point.width) else { return 1.0 };
+        let at = from.map_or(Double::from(0.0), |point| point.at);
+        to.map_or(width, |point| point.at).minus(at).hi / width.hi
+    }
+}
+
+impl Orbit for LongPosition {
+    fn step<const C: usize>(&mut self, pieces: &[Piece<C>]) -> Step {
+        let right = pieces.partition_point(|piece| self.offset(piece.x()[0]) <= self.at);
+        let index = right.saturating_sub(1);
+        let Some(piece) = pieces.get(index) else { return Step { index, s: 0.0, at_knot: false } };
+        let [left, right] = piece.x();
+        let within = self.at.minus(self.offset(left));
+        let at_knot = within.hi <= 0.0;
+        let narrow = Double::two_sum(right, -left).scaled(self.scale);
+        self.at = within.times(self.width).quotient(narrow).max(Double::from(0.0)).min(self.width);
+        Step { index, s: self.at.hi / self.width.hi, at_knot }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,6 +261,44 @@ mod tests {
         assert_eq!(Fraction::new(f64::NAN).high, 0);
         let least = Fraction::new(Fraction::LEAST * (1.0 + f64::EPSILON));
         assert_eq!((least.high, least.low), (0, (1 << 53) + 2));
+    }
+
+    #[test]
+    fn long_fractions_hold_both_parts_of_a_double() {
+        for (hi, lo) in
+            [(0.5, 2f64.powi(-80)), (0.5, -(2f64.powi(-80))), (2f64.powi(-500), -(2f64.powi(-600)))]
+        {
+            let (all, whole, part) = (
+                LongFraction::new_double(Double { hi, lo }),
+                LongFraction::new(hi),
+                LongFraction::new(lo.abs()),
+            );
+            let [less, more] = if lo < 0.0 { [all, whole] } else { [whole, all] };
+            let mut carry = 0_u128;
+            for ((a, b), c) in less.words.iter().zip(part.words).zip(more.words) {
+                carry += u128::from(*a) + u128::from(b);
+                assert_eq!(carry as u64, c, "{hi:e} {lo:e}");
+                carry >>= 64;
+            }
+        }
+    }
+
+    #[test]
+    fn long_positions_keep_a_hundred_bits() {
+        use crate::FixedFif;
+        // L(x) = x/3 over the left part: three steps down and back up.
+        for scale in [1.0, 2f64.powi(1000), 2f64.powi(-900)] {
+            let x = [0.0, 1.0, 3.0].map(|x| x * scale);
+            let f = FixedFif::<2, 2>::affine(&x, &[0.0, 1.0, 0.0], &[0.5, 0.5]).unwrap();
+            let mut point = LongPosition::new(0.125 * scale, f.domain());
+            for want in [0.375, 1.125, 0.1875] {
+                let step = point.step(f.pieces());
+                assert!((step.s * 3.0 - want).abs() < 1e-15, "{scale:e}: {} {want}", step.s);
+                let rest = point.at.quotient(point.width).times(Double::from(3.0)).minus(Double::from(want));
+                assert!(rest.hi.abs() < 4.0 * LongPosition::ROUNDING, "{scale:e}: {rest:?}");
+            }
+            assert!(LongPosition::new(scale, f.domain()).step(f.pieces()).at_knot);
+        }
     }
 
     #[test]

@@ -23,7 +23,7 @@ impl Double {
 
     /// The exact `a + b` of doubles.
     #[inline]
-    fn two_sum(a: f64, b: f64) -> Self {
+    pub(crate) fn two_sum(a: f64, b: f64) -> Self {
         let sum = a + b;
         let part = sum - a;
         Self::sane(sum, (a - (sum - part)) + (b - part))
@@ -78,6 +78,18 @@ impl Double {
         Self::two_sum(first, if second.is_finite() { second } else { 0.0 })
     }
 
+    /// `a / b` of doubles, to 2⁻¹⁰⁰ relative.
+    pub(crate) fn quotient(self, divisor: Self) -> Self {
+        let first = self.hi / divisor.hi;
+        let rest = self.minus(divisor.times(Self::from(first)));
+        let second = rest.hi / divisor.hi;
+        let rest = rest.minus(divisor.times(Self::from(second)));
+        let third = rest.hi / divisor.hi;
+        let [second, third] = [second, third].map(|part| if part.is_finite() { part } else { 0.0 });
+        let sum = Self::two_sum(first, second);
+        Self::two_sum(sum.hi, sum.lo + third)
+    }
+
     #[inline]
     pub(crate) fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
@@ -103,5 +115,9 @@ mod tests {
         let near = Double::from(0.1).plus(Double::from(2f64.powi(-90)));
         assert!(near > Double::from(0.1) && near.hi == 0.1 && near.max(Double::from(0.1)) == near);
         assert_eq!(Double::ratio(1.0, 0.0).hi, f64::INFINITY);
+        // (1/3) / (1/7) = 7/3.
+        let quotient = third.quotient(Double::ratio(1.0, 7.0));
+        let rest = quotient.times(Double::from(3.0)).minus(Double::from(7.0));
+        assert!(rest.hi.abs() < 2f64.powi(-98), "{rest:?}");
     }
 }

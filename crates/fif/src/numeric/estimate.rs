@@ -1,7 +1,7 @@
 //! A number of the calculus with a bound of its error and its conditioning.
 
 use crate::numeric::interval::{Bounded, Interval};
-use crate::numeric::polynomial::UNIT;
+use crate::numeric::polynomial::{LEAST, UNIT};
 
 /// An integral, a moment or a mean, with what is known about its error.
 ///
@@ -63,7 +63,11 @@ impl Estimate {
     /// The estimate times a number.
     pub(crate) fn scaled(self, factor: f64) -> Self {
         let value = self.value * factor;
-        Self { value, bound: 1.0001 * self.bound * factor.abs() + UNIT * value.abs(), ..self }
+        if factor.abs() == 1.0 {
+            return Self { value, ..self };
+        }
+        let bound = 1.0001 * self.bound * factor.abs() + UNIT * value.abs() + 2.0 * LEAST;
+        Self { value, bound, ..self }
     }
 }
 

@@ -193,13 +193,22 @@ impl Bounded {
         Interval { lo: self.value, hi: self.value }.inflated(self.bound)
     }
 
+    /// The value that is known to lie in `range` as well: itself, unless the range says more.
+    pub(crate) fn within(self, range: Interval) -> Self {
+        let value = range.nearest(self.value);
+        let farthest = (range.hi - value).max(value - range.lo).next_up();
+        // NaN stays.
+        let bound = if self.bound > farthest { farthest } else { self.bound };
+        if self.value.is_nan() { Self::NAN } else { Self { value, bound } }
+    }
+
     /// The product of two values, `|f g| ≤ |f| δ_g + |g| δ_f + δ_f δ_g`.
     #[inline]
     pub(crate) fn product(self, other: Self) -> Self {
         let value = self.value * other.value;
         let bound =
             self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
-        Self { value, bound: 1.0001 * bound + 0.5 * f64::EPSILON * value.abs() }
+        Self { value, bound: 1.0001 * bound + 0.5 * f64::EPSILON * value.abs() + 4.0 * f64::from_bits(1) }
     }
 }
 

@@ -130,14 +130,15 @@ pub(crate) fn restrict<const C: usize>(b: &[f64; C], s0: f64, s1: f64) -> [f64; 
 
 /// Bound of the error of [`restrict`], relative to the largest coefficient.
 ///
-/// One linear interpolation rounds its two products and its sum, and its parameter counts with up to two roundings of
-/// its own in each weight: 7 units. Halving is exact but for the sum.
+/// One linear interpolation rounds its two products, its sum and the difference in its first weight, 3 units. Its
+/// parameter is a knot in units of the domain, with two roundings, or a quotient of two such knots, with five; each
+/// counts in both weights: 13 units. Halving is exact but for the sum.
 #[must_use]
 pub(crate) fn restriction_error<const C: usize>(s0: f64, s1: f64) -> f64 {
     let split = |t: f64| match t {
         0.0 | 1.0 => 0.0,
         0.5 => 1.0,
-        _ => 7.0,
+        _ => 13.0,
     };
     C.saturating_sub(1) as f64 * UNIT * (split(s1) + split(s0 / s1))
 }

@@ -31,7 +31,7 @@ const LOST: u32 = 15;
 const BEHIND: u32 = 1 << 12;
 
 /// Levels after which heights are looked at again.
-const EVERY: u32 = 16;
+const EVERY: u32 = 4;
 
 /// Side of the surface on which the ray is, as far as it is known.
 struct Sight {

@@ -29,8 +29,9 @@ pub trait Intersect: Surface {
     /// least t ≥ 0 with o_z + t d_z = f(o_x + t d_x, o_y + t d_y) over the closed domain
     /// ```
     ///
-    /// `None` is a proof that there is none. A hit is the first one if it is [`certain`](Hit::certain), but for others within
-    /// the rounding error before it; one that is not stands for "unknown". Rays that are no rays hit nothing.
+    /// `None` is a proof that there is none. If a hit is [`certain`](Hit::certain), no earlier intersection exists beyond
+    /// rounding error, which is 10⁻¹² of the domain before the hit. Otherwise an earlier one may have been missed. A ray with
+    /// a zero or non-finite component where none is allowed returns `None`.
     #[must_use]
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         self.first_hit_within(ray, Interval::new(0.0, f64::INFINITY), 0.0)
@@ -46,9 +47,11 @@ pub trait Intersect: Surface {
     /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
     /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. A stretch
     /// without one is split on, down to 10⁻¹² of the domain, until its bounds exclude that the ray dips in and out
-    /// again; where they do not, the hit behind it is not certain, or the stretch itself is an uncertain one. So a certain hit
-    /// lies within `tolerance` of a root before which there is none. 0, negative and NaN stand for a root to the
-    /// rounding error. A ray takes at most 2¹⁶ evaluations, of which bounds of a stretch count as two; beyond, no hit is certain.
+    /// again. Over a surface without slopes every half is bounded anew, down to 1.6·10⁻¹⁴ of the domain. Where the bounds do
+    /// not exclude it, a hit more than 10⁻¹² of the domain behind is not certain, or the stretch itself is an uncertain one.
+    /// So a certain hit lies within `tolerance` of a root before which there is none but within 10⁻¹² of the domain. 0,
+    /// negative and NaN stand for a root to the rounding error, which is up to 1.6·10⁻¹¹ of the domain where rounding hides
+    /// the side of the surface for that long. A ray takes at most 2¹⁶ evaluations, of which bounds of a stretch count as two; beyond, no hit is certain.
     ///
     /// A negative or NaN lower end of `t` stands for 0; `None` when the upper end is NaN or less.
     #[must_use]

@@ -12,6 +12,9 @@ const WAITING: usize = 64;
 /// Splits after which the slopes are bounded anew.
 const SPLITS: u32 = 8;
 
+/// Length of the shortest stretch over a rough surface, in parts of the shortest over a smooth one.
+const ROUGH_PART: f64 = 1.0 / 64.0;
+
 /// Evaluations that one search for a single root makes at most.
 const EVALUATIONS: u32 = 100;
 
@@ -58,6 +61,12 @@ impl Stretches {
             let Stretch { span: Interval { lo, hi }, rate, clear, splits } = stretch;
             let width = hi - lo;
             let speed = rate.magnitude();
+            let rough = !speed.is_finite();
+            if rough && aim == Aim::First && width > way.close && way.budget > 0 {
+                // Heights at the ends exclude nothing in between; bounds of the parts do.
+                self.split(way, stretch);
+                continue;
+            }
             let coarse = if speed.is_finite() { 0.0625 * speed * width } else { way.surface.range().width() };
             let low = if clear[0] == 0.0 { distance(way, lo, coarse) } else { clear[0] };
             if low == 0.0 {
@@ -90,7 +99,8 @@ impl Stretches {
             if from > to {
                 continue;
             }
-            if width <= way.finest || way.budget == 0 {
+            let finest = if rough { ROUGH_PART * way.finest } else { way.finest };
+            if width <= finest || way.budget == 0 {
                 // Nothing may tell whether the ray dips in and out again.
                 if way.lost.is_none() && bounded(way, stretch).is_some() {
                     way.lost = Some(lo);
@@ -126,7 +136,7 @@ impl Stretches {
         ];
         for (half, clear) in halves {
             let part = Stretch { span: half, rate, clear, splits: splits + 1 };
-            if (splits + 1).is_multiple_of(SPLITS) {
+            if !rate.magnitude().is_finite() || (splits + 1).is_multiple_of(SPLITS) {
                 if let Some(part) = bounded(way, part) {
                     self.push(part);
                 }

@@ -137,9 +137,10 @@ impl<S: Surface + ?Sized> Way<'_, S> {
             return self.vertical(span);
         }
         let found = self.descend(squares, span, aim);
-        let certain = self.lost.is_none();
-        let found = found.map(|root| Root { certain: root.certain && certain, ..root });
-        found.or(self.lost.map(|t| Root { t, certain }))
+        // What is left undecided just before a root is as near to it as rounding may put another.
+        let near = |t: f64| self.lost.is_none_or(|lost| t - lost <= self.finest);
+        let found = found.map(|root| Root { certain: root.certain && near(root.t), ..root });
+        found.or(self.lost.map(|t| Root { t, certain: false }))
     }
 }
 

@@ -33,14 +33,17 @@ pub struct Hit {
     pub x: f64,
     /// Position along the second axis, within the domain.
     pub y: f64,
-    /// The surface's height at `(x, y)`.
+    /// The surface's height at `(x, y)`. It differs from the ray's by what the surface changes over the rounding error of
+    /// `t`, which is large next to spikes of rough surfaces.
     pub height: f64,
     /// `(∂h/∂x, ∂h/∂y)`, where the surface is differentiable.
     pub gradient: Option<DVec2>,
     /// The upward unit normal, where the surface is differentiable.
     pub normal: Option<DVec3>,
-    /// Whether this is the first hit for certain. `false`: the ray grazes the surface here within the rounding error, or a
-    /// limit has bound and a hit may lie before; a ray that surely passes through the surface somewhere hits there.
+    /// Whether this is the first hit, but for others up to 10⁻¹² of the domain before it.
+    ///
+    /// `false`: the ray grazes the surface here within the rounding error, or a search limit was reached and an earlier hit
+    /// may exist. A guaranteed crossing is always reported.
     pub certain: bool,
 }
 

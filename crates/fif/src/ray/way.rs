@@ -104,7 +104,8 @@ impl<'a, S: Surface + ?Sized> Way<'a, S> {
 
     /// The root, certain if the signs nearby tell so.
     pub(crate) fn proven(&self, t: f64) -> Root {
-        const NEARBY: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
+        // Where rounding hides the sign for longer than the shortest stretch, farther.
+        const NEARBY: [f64; 6] = [1e-3, 1e-2, 1e-1, 1.0, 4.0, 16.0];
         let apart = |near: f64| {
             let [a, b] = [t - near, t + near].map(|t| self.above(t, 0.0));
             a.value.abs() > a.bound && b.value.abs() > b.bound && (a.value < 0.0) != (b.value < 0.0)

@@ -102,7 +102,7 @@ impl<const C: usize> Recurrent<C> {
             let a = image / width;
             let (ends, values) = ([value(x, j), value(x, j + 1)], [value(y, j), value(y, j + 1)]);
             let of = [value(y, from), value(y, to)];
-            let piece = Piece::new(alpha, q, source, ends, values, [0.0, a]).joined(j + 1, source, of)?;
+            let piece = Piece::new(alpha, q, source, ends, values, [0.0, a], a).joined(j + 1, source, of)?;
             (steepest, widest) = (steepest.max(alpha.abs()), widest.max(a));
             links.push(Link { piece, from, to, start: source[0], width, range: Interval::ENTIRE });
         }

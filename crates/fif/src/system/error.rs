@@ -51,6 +51,15 @@ pub enum SystemError {
         /// The knot.
         right: f64,
     },
+    /// A cell is narrower than [`NARROWEST`](crate::system::NARROWEST) of the domain.
+    NarrowCell {
+        /// Which map, from 1.
+        map: usize,
+        /// Width of its cell.
+        width: f64,
+        /// Width of the domain.
+        domain: f64,
+    },
     /// A vertical factor is not in `(−1, 1)`.
     VerticalFactor {
         /// Which map, from 1.
@@ -126,6 +135,14 @@ impl fmt::Display for SystemError {
             Self::KnotOrder { knot, left, right } => {
                 write!(f, "`x[{knot}]` must be right of {left}, got {right}")
             }
+            Self::NarrowCell { map, width, domain } => {
+                let left = map.saturating_sub(1);
+                write!(
+                    f,
+                    "cell is too narrow: `x[{map}]` - `x[{left}]` = {width:e} (at least {:e})",
+                    domain * NARROWEST
+                )
+            }
             Self::VerticalFactor { map, alpha } => {
                 write!(f, "`alpha` of map {map} must be in (-1, 1), got {alpha}")
             }
@@ -155,6 +172,9 @@ impl fmt::Display for SystemError {
 impl core::error::Error for SystemError {}
 
 /// The number of maps.
+/// Width of the narrowest cell that constructors accept, in units of the domain: 2⁻¹⁰⁰⁰, so that the reciprocal is finite.
+pub const NARROWEST: f64 = f64::from_bits((1023 - 1000) << 52);
+
 pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
     if x.len() < 3 {
         return Err(SystemError::TooFew { parameter: "x", least: 3, got: x.len() });
@@ -165,7 +185,22 @@ pub(crate) fn check_knots(x: &[f64]) -> Result<usize, SystemError> {
             return Err(SystemError::KnotOrder { knot, left, right });
         }
     }
-    Ok(x.len() - 1)
+    let maps = x.len() - 1;
+    check_cells(maps, |j| x.get(j).copied().unwrap_or(0.0))?;
+    Ok(maps)
+}
+
+/// Knots are in order.
+pub(crate) fn check_cells(maps: usize, x: impl Fn(usize) -> f64) -> Result<(), SystemError> {
+    // Half of it, which does not overflow.
+    let half = 0.5 * x(maps) - 0.5 * x(0);
+    for map in 1..=maps {
+        let width = x(map) - x(map - 1);
+        if width <= 2.0 * (half * NARROWEST) {
+            return Err(SystemError::NarrowCell { map, width, domain: 2.0 * half });
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn check_length(parameter: &'static str, expected: usize, got: usize) -> Result<(), SystemError> {
@@ -233,6 +268,20 @@ mod tests {
         says(affine(&[0.0, 1.0, f64::INFINITY], &Y, &ALPHA), "`x[2]` must be finite, got inf");
         says(affine(&[0.0, 1.0, 1.0], &Y, &ALPHA), "`x[2]` must be right of 1, got 1");
         says(affine(&[0.0, 3.0, 2.0], &Y, &ALPHA), "`x[2]` must be right of 3, got 2");
+    }
+
+    #[test]
+    fn cells_of_subnormal_width_are_refused() {
+        let error = affine(&[0.0, 5e-324, 1.0], &Y, &ALPHA);
+        assert_eq!(error, SystemError::NarrowCell { map: 1, width: 5e-324, domain: 1.0 });
+        let text = "cell is too narrow: `x[1]` - `x[0]` = 5e-324 (at least 9.332636185032189e-302)";
+        assert_eq!(error.to_string(), text);
+        // In units of a domain that is as small, no cell is narrow; in a large one, others are.
+        assert!(FixedFif::<2, 2>::affine(&[0.0, 1e-250, 2e-250], &Y, &ALPHA).is_ok());
+        for x in [[-1e300, 0.0, 1e-10], [0.0, 1e-302, 1.0], [0.0, 1.0, f64::MAX]] {
+            assert!(matches!(affine(&x, &Y, &ALPHA), SystemError::NarrowCell { .. }), "{x:?}");
+        }
+        assert!(FixedFif::<2, 2>::affine(&[0.0, 1e-301, 1.0], &Y, &ALPHA).is_ok());
     }
 
     #[test]

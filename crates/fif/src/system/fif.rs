@@ -127,6 +127,10 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             Spacing::Uniform => j as f64 / maps as f64,
             Spacing::Nonuniform => (x(j) - domain[0]) / width,
         };
+        let share = |j: usize| match spacing {
+            Spacing::Uniform => 1.0 / maps as f64,
+            Spacing::Nonuniform => (x(j + 1) - x(j)) / width,
+        };
         let mut noise = 0.0_f64;
         let mut steepest = 0.0_f64;
         let (y0, y_end) = (y(0), y(maps));
@@ -135,7 +139,7 @@ impl<S: Storage<C>, const C: usize> System<S, C> {
             let q = q(j).unwrap_or([0.0; C]);
             let ends = [x(j), x(j + 1)];
             let part = [position(j), position(j + 1)];
-            let built = Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], part).joined(
+            let built = Piece::new(alpha, q, domain, ends, [y(j), y(j + 1)], part, share(j)).joined(
                 j + 1,
                 domain,
                 [y0, y_end],

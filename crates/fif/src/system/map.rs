@@ -100,7 +100,8 @@ impl<const C: usize> Piece<C> {
         rounding: 0.0,
     };
 
-    /// `domain` is `[x_0, x_N]`; `s` is the piece's interval in units of it.
+    /// `domain` is `[x_0, x_N]`; `s` is the piece's interval in units of it, and `a` its width, which the difference of
+    /// the rounded ends would not hold where the interval is narrow.
     pub(crate) fn new(
         alpha: f64,
         q: [f64; C],
@@ -108,9 +109,9 @@ impl<const C: usize> Piece<C> {
         x: [f64; 2],
         y: [f64; 2],
         s: [f64; 2],
+        a: f64,
     ) -> Self {
         let width = domain[1] - domain[0];
-        let a = s[1] - s[0];
         let local = substitute(&q, width, domain[0]);
         // At most 2C roundings for each of the two changes of basis and of the width, on numbers of this scale.
         let scale = magnitude(&q, domain[0].abs() + width);
@@ -120,7 +121,7 @@ impl<const C: usize> Piece<C> {
             x,
             y,
             s,
-            stretch: 1.0 / a,
+            stretch: 1.0 / (s[1] - s[0]),
             local,
             bernstein: bernstein(&local),
             slack,

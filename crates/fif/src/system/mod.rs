@@ -11,6 +11,6 @@ pub(crate) mod range;
 pub(crate) mod serde;
 pub(crate) mod storage;
 
-pub use error::End;
+pub use error::{End, NARROWEST};
 pub use map::{JOIN_TOLERANCE, Piece};
 pub use storage::Storage;

@@ -160,7 +160,8 @@ impl<const C: usize> Table<C> {
     /// Value, slope and integral at `x`, each within the bound that [`Table::evaluate_jet`] reports.
     ///
     /// - **Domain:** points outside the domain are clamped to it, slopes there are those of its ends; NaN gives NaN. The
-    ///   slope of a function without a continuous [`derivative`](System::derivative) is NaN. Values at knots are exact.
+    ///   slope of a function without a continuous [`derivative`](System::derivative) is NaN, else finite, however near to 1
+    ///   its factors are. Values at knots are exact.
     /// - **Accuracy:** as [`Table::value`]; the slope is that of [`System::derivative`].
     /// - **Speed:** from the table where the function is smooth, its knots equally spaced and its slope's factors not near
     ///   one; else by [`System::evaluate`] and [`System::integral_over`], in microseconds. A rough function's
@@ -185,7 +186,7 @@ impl<const C: usize> Table<C> {
         }
     }
 
-    /// [`Table::jet`] with the bounds of the errors: NaN for NaN, 0 for values at knots.
+    /// [`Table::jet`] with the bounds of the errors: NaN for NaN, 0 for values at knots. Slopes at knots are rounded.
     #[must_use]
     pub fn evaluate_jet(&self, x: f64) -> Jet<Bounded> {
         let Some(jets) = &self.jets else { return self.jet_elsewhere(x) };
@@ -246,7 +247,7 @@ impl<const C: usize> Table<C> {
         by_rows.unwrap_or_else(|| {
             core::array::from_fn(|m| match m.checked_sub(1) {
                 None => self.system.evaluate(x, 0.0),
-                Some(m) => self.derivatives.get(m).map_or(Bounded::NAN, |f| f.evaluate(x, 0.0)),
+                Some(m) => self.derivatives.get(m).map_or(Bounded::NAN, |f| derivative_at(f, x)),
             })
         })
     }
@@ -287,7 +288,7 @@ impl<const C: usize> Table<C> {
 
     #[cold]
     fn jet_elsewhere(&self, x: f64) -> Jet<Bounded> {
-        let slope = self.derivatives.first().map_or(Bounded::NAN, |f| f.evaluate(x, 0.0));
+        let slope = self.derivatives.first().map_or(Bounded::NAN, |f| derivative_at(f, x));
         let integral = match &self.jets {
             Some(jets) => jets.integral_at(x),
             None => {
@@ -297,6 +298,12 @@ impl<const C: usize> Table<C> {
         };
         Jet { value: self.system.evaluate(x, 0.0), slope, integral }
     }
+}
+
+/// The value of a derivative, whose ordinates at knots are rounded.
+fn derivative_at<const C: usize>(f: &Fif<C>, x: f64) -> Bounded {
+    let Bounded { value, bound } = f.evaluate(x, 0.0);
+    Bounded { value, bound: bound + f.ordinate_error() }
 }
 
 #[cfg(test)]
@@ -344,6 +351,57 @@ mod tests {
         assert_eq!(y, [9.0; 2]);
         f.values(&[1.0, 0.3], &mut y).unwrap();
         assert_eq!(y, [1.0, f.value(0.3)]);
+    }
+
+    #[test]
+    fn jet_slope_factor_near_one_is_finite() {
+        let (y, slopes) = ([0.3, 1.0, -0.5, 0.25, 0.7], [1.0, 0.0, -1.0, 0.5, 0.3]);
+        let knots: [&[f64]; 4] =
+            [&[0.0, 1.0, 2.0], &[0.0, 0.4, 1.0], &[0.0, 1.0, 2.0, 3.0], &[0.0, 0.25, 0.5, 0.75, 1.0]];
+        for part in [0.9999, 0.99999, 0.999_999, 0.999_999_99, 1.0 - 1e-12] {
+            for x in knots {
+                let maps = x.len() - 1;
+                let alternating = |j: usize| if j % 2 == 1 { 0.5 } else { part };
+                let each: [&dyn Fn(usize) -> f64; 3] = [&|_| part, &|_| -part, &alternating];
+                for alpha in each {
+                    let list: Vec<f64> =
+                        (0..maps).map(|j| alpha(j) * (x[j + 1] - x[j]) / (x[maps] - x[0])).collect();
+                    let f = Fif::hermite(x, &y[..=maps], &slopes[..=maps], &list).unwrap();
+                    let table = f.table(1e-6).unwrap();
+                    for at in [0.3, 0.777, 1e-9] {
+                        let slope = table.evaluate_jet(at).slope;
+                        assert!(
+                            slope.value.is_finite() && slope.bound.is_finite(),
+                            "{x:?} {list:?}: {slope:?}"
+                        );
+                        assert!(table.jet(at).slope.is_finite());
+                    }
+                    for (&at, want) in x.iter().zip(slopes) {
+                        let slope = table.evaluate_jet(at).slope;
+                        assert!(
+                            (slope.value - want).abs() <= slope.bound,
+                            "{x:?} {list:?}: {slope:?} {want}"
+                        );
+                    }
+                    // The slope of an integral is the function.
+                    let list: Vec<f64> = (0..maps).map(alpha).collect();
+                    let f = Fif::affine(x, &y[..=maps], &list).unwrap();
+                    let table = f.integral::<Vec<_>, 3>(0.0).unwrap().table(1e300).unwrap();
+                    for at in [0.3, 0.777] {
+                        let (slope, want) = (table.evaluate_jet(at).slope, f.evaluate(at, 0.0));
+                        let error = (slope.value - want.value).abs();
+                        assert!(error <= slope.bound + want.bound, "{x:?} {list:?}: {slope:?} {want:?}");
+                    }
+                    for (&at, want) in x.iter().zip(y) {
+                        let slope = table.evaluate_jet(at).slope;
+                        assert!(
+                            (slope.value - want).abs() <= slope.bound,
+                            "{x:?} {list:?}: {slope:?} {want}"
+                        );
+                    }
+                }
+            }
+        }
     }
 
     #[test]

@@ -216,7 +216,11 @@ impl<F: Function> Curve<F> {
         // ∫ f f′ = (f(r)² − f(l)²)/2 = (f(r) + f(l))/2 · ∫ f′: the second form does not cancel.
         let [a, b] = [l, r].map(|x| self.function.evaluate(x, 0.0));
         let (sum, size) = (0.5 * (a.value + b.value), 0.5 * (a.value.abs() + b.value.abs()));
-        let ends = Estimate::new(sum, size, a.bound + b.bound);
+        // Values belong to points within eight units in the last place.
+        let domain = self.function.domain();
+        let far = domain.magnitude() + domain.width();
+        let moved = 16.0 * f64::EPSILON * far * derivative.range().magnitude();
+        let ends = Estimate::new(sum, size, a.bound + b.bound + moved);
         let slope = [slope, derivative.mean_square(l, r)?, ends.product(slope)];
         Ok(LineMeans { value, value_squared, slope: Some(slope) })
     }
