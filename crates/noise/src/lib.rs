@@ -98,7 +98,7 @@
 //! | feature | does |
 //! |---|---|
 //! | `std` (default) | √ of the standard library, and detection of the machine's SIMD levels; `alloc` |
-//! | `alloc` | fields in `Box`, `Rc` and `Arc` |
+//! | `alloc` | [`Field`] for `Box`, `Rc` and, on targets with atomic pointers, `Arc` |
 //! | `simd` (default) | lanes by `fearless_simd`; without `std` those that the program is compiled for |
 //! | `libm` | √ of `libm`, without `std`; wins when both are on; the same bits |
 //! | `approx` | the traits of `approx` for [`Sample`] and [`SecondOrder`] |

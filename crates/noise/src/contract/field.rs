@@ -214,4 +214,4 @@ macro_rules! pointer {
 pointer!(&F);
 pointer!(#[cfg(feature = "alloc")] alloc::boxed::Box<F>);
 pointer!(#[cfg(feature = "alloc")] alloc::rc::Rc<F>);
-pointer!(#[cfg(feature = "alloc")] alloc::sync::Arc<F>);
+pointer!(#[cfg(all(feature = "alloc", target_has_atomic = "ptr"))] alloc::sync::Arc<F>);
