@@ -4,7 +4,7 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
-use super::{bits, dependencies, firmware, no_std, packages, tidy};
+use super::{bits, blocks, dependencies, firmware, no_std, packages, tidy};
 use crate::cargo::{cargo, run};
 use crate::cli::Ci;
 use crate::failure::{Failure, Interrupted};
@@ -32,7 +32,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 16] = [
+const GATES: [Gate; 17] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -44,6 +44,7 @@ const GATES: [Gate; 16] = [
         run(docs.env("RUSTDOCFLAGS", "-D warnings"))
     }),
     ("tests under each feature set", tests),
+    ("documentation examples", blocks::examples),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("oldest packages", packages::oldest_packages),

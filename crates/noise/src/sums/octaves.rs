@@ -431,15 +431,16 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     ///   the precision of points there.
     /// - **Domain:** an octave of which the anchor has a coordinate of 2⁵⁸ cells or more, or none, is 0.
     ///
+    /// An anchor is an array of `f64`, or glam's `DVec2` to `DVec4` if your glam has its feature `f64`.
+    ///
     /// An anchored sum has its octaves: another seed or rotation is chosen before. A noise that repeats is not compiled here: move its
     /// anchor by whole periods.
     ///
     /// ```
-    /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::{DVec3, Vec3}};
+    /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::Vec3};
     ///
     /// let sum = Octaves::new(Simplex::new(7), Spectrum::default());
-    /// let far = DVec3::new(1e12, -3e11, 5e10);
-    /// let [here, there] = [far, far + DVec3::X].map(|anchor| sum.anchored(anchor));
+    /// let [here, there] = [1e12, 1e12 + 1.0].map(|x| sum.anchored([x, -3e11, 5e10]));
     /// // From either anchor the same place, and a thousandth of a cell beside it another value.
     /// let p = Vec3::new(0.25, 0.5, 0.75);
     /// assert!((here.value(p + Vec3::X) - there.value(p)).abs() < 1e-3);
