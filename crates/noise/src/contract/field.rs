@@ -64,7 +64,9 @@ pub trait Field<V: Point> {
         self.sample(p).value
     }
 
-    /// Lower and upper bound of all values, as they are documented; ±∞ where none is known.
+    /// Lower and upper bound of all values, ±∞ where none is known.
+    ///
+    /// For fields of this crate every value is within it at every point, rounding included, so it can scale an index.
     #[must_use]
     fn range(&self) -> [f32; 2] {
         [f32::NEG_INFINITY, f32::INFINITY]

@@ -122,6 +122,15 @@ struct Active {
     range: [f32; 2],
 }
 
+impl Active {
+    /// The sum where every octave is at this bound: a bound of the sum, as rounded additions and products keep the order.
+    #[inline]
+    fn of_bound(&self, bound: f32) -> f32 {
+        let amplitudes = self.amplitudes.iter().take(self.count);
+        amplitudes.fold(self.constant, |sum, amplitude| sum + amplitude * bound) * self.factor
+    }
+}
+
 /// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
 #[inline]
 fn lone_whole(octaves: f32) -> f32 {
@@ -160,7 +169,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             }
         };
         active.factor = if norm > 0.0 { 1.0 / norm } else { 0.0 };
-        active.range = active.range.map(|bound| (active.constant + bound * sum) * active.factor);
+        active.range = active.range.map(|bound| active.of_bound(bound));
         active
     }
 
@@ -190,6 +199,10 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             frequency *= self.spectrum.lacunarity();
         }
         active.count = active.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
+        // The range of the whole sum, so that it does not depend on the footprint; rounding may add to it.
+        let ([low, high], bounds) = (active.range, self.bounds());
+        let [lower, upper] = bounds.map(|bound| active.of_bound(bound));
+        active.range = [low.min(lower), high.max(upper)];
         active
     }
 
