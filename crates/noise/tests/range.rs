@@ -61,7 +61,8 @@ where
     let distance = |words, p: [f32; N]| {
         let field = field(words);
         let ([low, high], value) = (field.range(), field.value(V::from_coordinates(p)));
-        (value - high).max(low - value)
+        // NaN is as bad as it gets.
+        if value.is_nan() { f32::INFINITY } else { (value - high).max(low - value) }
     };
     let (mut worst, mut place) = (f32::NEG_INFINITY, String::new());
     for _ in 0..200 {
@@ -76,17 +77,16 @@ where
                 1 => q[axis] = random.coordinate(),
                 2 => q[axis] += (f64::from(random.word()) / 4_294_967_296.0 - 0.5) as f32 * 0.1,
                 _ => {
-                    q[axis] =
-                        f32::from_bits(q[axis].to_bits().wrapping_add(random.word() % 9).wrapping_sub(4))
+                    let bits = q[axis].to_bits().wrapping_add(random.word() % 9).wrapping_sub(4);
+                    q[axis] = f32::from_bits(bits);
                 }
             }
             let found = distance(w, q);
-            // NaN is as bad as it gets.
-            if !(found < best) {
+            if found >= best {
                 (words, p, best) = (w, q, found);
             }
         }
-        if !(best <= worst) {
+        if best > worst {
             (worst, place) = (best, format!("{p:?} on {:x?}", &words[..corners as usize]));
         }
     }
@@ -101,7 +101,7 @@ macro_rules! search {
     (@ $random:ident, $found:ident, $name:expr, $field:expr, $($point:ident $n:literal),*) => {
         $({
             let (excess, place) = excess::<$point, _, $n>(&mut $random, $field);
-            if !(excess <= 0.0) {
+            if excess > 0.0 {
                 $found.push(format!("{} {}-D: {excess:e} beyond the range at {place}", $name, $n));
             }
         })*
@@ -150,7 +150,7 @@ fn sums<T: Shape>(random: &mut Random, found: &mut Vec<String>, shape: T) {
         let footprint = [0.0, 0.05, 0.3][random.below(3)];
         let sum = Octaves::<_, 2>::new(
             White::new(0).with_lattice(Chosen([word; 256])),
-            Spectrum::new(2.0, gain, 10).unwrap(),
+            Spectrum::new(2.0, gain, 10).expect("a gain below 1"),
         )
         .with_shape(shape)
         .with_normalisation(normalisation)
