@@ -12,8 +12,6 @@ pub mod noise_kinds;
 pub mod noise_reference;
 pub mod pinned;
 pub use asperity_render::sampling::random;
-#[cfg(doctest)]
-pub mod readme;
 pub mod reference;
 pub mod sphere_bins;
 pub mod surface_patches;

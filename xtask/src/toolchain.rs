@@ -43,9 +43,18 @@ impl Toolchain {
 
     /// A build in a folder for a target, which builds these libraries of Rust itself where there are only their sources.
     pub(crate) fn build(&self, folder: &Path, target: &str, libraries: &str) -> Command {
+        self.command("build", folder, target, libraries)
+    }
+
+    /// A check in a folder for a target, like [`build`](Self::build) but without a linker.
+    pub(crate) fn check(&self, folder: &Path, target: &str, libraries: &str) -> Command {
+        self.command("check", folder, target, libraries)
+    }
+
+    fn command(&self, verb: &str, folder: &Path, target: &str, libraries: &str) -> Command {
         let mut build = Command::new(&self.cargo);
         build
-            .args(["build", "--quiet", "--locked", "--release", "--target", target])
+            .args([verb, "--quiet", "--locked", "--release", "--target", target])
             .current_dir(folder)
             .env("RUSTC", &self.rustc)
             .env_remove("RUSTUP_TOOLCHAIN")

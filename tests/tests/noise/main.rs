@@ -12,6 +12,7 @@ mod independence;
 mod lattices;
 mod lecture;
 mod moments;
+mod precision;
 mod robustness;
 mod shapes;
 mod spectrum;

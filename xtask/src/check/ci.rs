@@ -4,7 +4,7 @@ use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
-use super::{bits, dependencies, firmware, no_std, packages, tidy};
+use super::{bits, blocks, dependencies, firmware, no_std, packages, tidy};
 use crate::cargo::{cargo, run};
 use crate::cli::Ci;
 use crate::failure::{Failure, Interrupted};
@@ -32,7 +32,7 @@ const LEAST: [&str; 2] = ["std", "libm,approx,serde"];
 
 type Gate = (&'static str, fn(&Path) -> Result<(), Failure>);
 
-const GATES: [Gate; 11] = [
+const GATES: [Gate; 12] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
@@ -43,6 +43,7 @@ const GATES: [Gate; 11] = [
         let mut docs = cargo(root, "doc --workspace --no-deps --document-private-items --quiet");
         run(docs.env("RUSTDOCFLAGS", "-D warnings"))
     }),
+    ("documentation examples", blocks::examples),
     ("examples and benches", examples_and_benches),
     ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
     ("oldest packages", packages::oldest_packages),
@@ -146,14 +147,12 @@ fn test(root: &Path, name: &str, of: &str) -> Result<(), Failure> {
     run(&mut test)
 }
 
-/// Unit and golden tests under each set; examples in docs run with all features in the workspace's tests, and here with
-/// those that a user has by default.
+/// Unit and golden tests under each set.
 fn tests(root: &Path) -> Result<(), Failure> {
     for (name, sets) in SETS {
         for set in sets {
             test(root, name, &format!("--tests --no-default-features --features {set}"))?;
         }
-        test(root, name, "--doc")?;
     }
     Ok(())
 }

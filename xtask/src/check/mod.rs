@@ -1,6 +1,7 @@
 //! Checks that stand between a change and `main`.
 
 pub(crate) mod bits;
+mod blocks;
 pub(crate) mod ci;
 pub(crate) mod coverage;
 pub(crate) mod density;

@@ -4,9 +4,17 @@ use std::{path::Path, process::Command};
 
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
+use crate::toolchain::Toolchain;
 
-/// Builds and, where the platform allows it, links and runs the probe in `tests/no-std`.
+/// A Cortex-M0, which has no atomic pointers: `alloc::sync` does not exist there.
+const WITHOUT_ATOMIC_POINTERS: &str = "thumbv6m-none-eabi";
+
+/// Builds and, where the platform allows it, links and runs the probe in `tests/no-std`, then checks it for a small target.
 pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
+    Ok(format!("{}; {}", linked(root)?, without_atomic_pointers(root)?))
+}
+
+fn linked(root: &Path) -> Result<String, Failure> {
     let folder = root.join("tests/no-std");
     let build = |words: &str| {
         run(cargo(&folder, words).env_remove("CARGO_TARGET_DIR").env_remove("RUSTFLAGS"))
@@ -33,4 +41,18 @@ pub(crate) fn probe(root: &Path) -> Result<String, Failure> {
                 .into())
         }
     }
+}
+
+/// Checks every crate with `alloc` for a target without atomic pointers, if a toolchain can.
+fn without_atomic_pointers(root: &Path) -> Result<String, Failure> {
+    let target = WITHOUT_ATOMIC_POINTERS;
+    // A check links nothing.
+    let Some(toolchain) = Toolchain::of(target, true) else {
+        return Ok(format!(
+            "skipped {target}: no toolchain has its libraries or their sources (`rustup target add {target}`)"
+        ));
+    };
+    let mut check = toolchain.check(&root.join("tests/no-std"), target, "core,alloc");
+    run(check.args(["--lib", "--features", "alloc"])).map_err(|error| format!("{target}: {error}"))?;
+    Ok(format!("every crate compiles with `libm` and `alloc` for {target}, which has no atomic pointers"))
 }

@@ -1,6 +1,8 @@
 //! `cargo xtask tables`: every table of the project, in formats that others read, each with a picture.
 
 mod density;
+#[cfg(test)]
+mod documented;
 mod fif;
 mod made;
 mod noise;

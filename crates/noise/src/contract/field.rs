@@ -64,7 +64,9 @@ pub trait Field<V: Point> {
         self.sample(p).value
     }
 
-    /// Lower and upper bound of all values, as they are documented; ±∞ where none is known.
+    /// Lower and upper bound of all values, ±∞ where none is known.
+    ///
+    /// For fields of this crate every value is within it at every point, rounding included, so it can scale an index.
     #[must_use]
     fn range(&self) -> [f32; 2] {
         [f32::NEG_INFINITY, f32::INFINITY]
@@ -214,4 +216,4 @@ macro_rules! pointer {
 pointer!(&F);
 pointer!(#[cfg(feature = "alloc")] alloc::boxed::Box<F>);
 pointer!(#[cfg(feature = "alloc")] alloc::rc::Rc<F>);
-pointer!(#[cfg(feature = "alloc")] alloc::sync::Arc<F>);
+pointer!(#[cfg(all(feature = "alloc", target_has_atomic = "ptr"))] alloc::sync::Arc<F>);

@@ -23,7 +23,8 @@ use crate::{
 ///
 /// In 1 to 4 dimensions, v uniform in (−1, 1).
 ///
-/// - **Range:** [−1, 1], since the weights are positive and sum to 1. v is short of 1 by 2e-6, which keeps rounding inside.
+/// - **Range:** [−1, 1], since the weights are positive and sum to 1. Next to the upper border of a cell a rounded weight
+///   exceeds 1 by up to 1.1e-6, so the value is clamped.
 /// - **Flat** at every lattice point: there the gradient is 0 and |n| most spread, with variance 1/3.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling"; weights of Perlin 2002.
@@ -83,6 +84,7 @@ const SCALE_CATMULL_ROM: [f32; 4] = [MARGIN * 0.8, MARGIN * 0.64, MARGIN * 0.512
 
 impl<L: Lattice, const N: usize> CellNoise<N> for Value<L> {
     const UPPER_BITS: bool = true;
+    const CLAMPED: bool = true;
     const HAS_GRADIENT: bool = false;
     const UNIT: f32 = MARGIN / 2_147_483_648.0;
 

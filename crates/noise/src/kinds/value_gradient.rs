@@ -27,7 +27,8 @@ use crate::{
 /// In 1 to 4 dimensions, v uniform in (−1, 1), g uniform on the circle or sphere and ±1 in 1-D, independent of v. The weight
 /// μ is that of gradient noise: at 0 this is [`Value`](crate::Value) noise with other numbers.
 ///
-/// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres.
+/// - **Range:** [−1, 1] for every μ: either part attains 1 in cell centres. The value is clamped to it, as that of
+///   [`Value`](crate::Value).
 /// - **Variance:** σ² = (1 − μ)² σ_v² + μ² σ_g² at every point, as v and g are independent.
 ///
 /// Ebert (ed.) 1994, "Texturing and Modeling", `vgnoise`; weights of Perlin 2002. [`Vgnoise`](crate::printed::Vgnoise) is the
@@ -74,6 +75,8 @@ impl<L> ValueGradient<L> {
 }
 
 impl<L: Lattice, const N: usize> CellNoise<N> for ValueGradient<L> {
+    const CLAMPED: bool = true;
+
     #[inline(always)]
     fn corner<S: Lanes>(&self, s: S, word: S::U) -> Corner<S, N> {
         Corner {

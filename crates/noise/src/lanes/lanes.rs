@@ -155,6 +155,12 @@ pub trait Lanes: Copy + sealed::Sealed {
         a * b
     }
 
+    /// x clamped to [−1, 1].
+    #[inline(always)]
+    fn within_one(self, x: Self::F) -> Self::F {
+        self.min(self.max(x, self.float(-1.0)), self.float(1.0))
+    }
+
     /// x where it is above `limit`, else 0.
     #[inline(always)]
     fn above(self, x: Self::F, limit: f32) -> Self::F {

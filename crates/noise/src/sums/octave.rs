@@ -182,7 +182,7 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 /// are not told here.
 ///
 /// ```
-/// use asperity_noise::{Octaves, Perlin2002, Spectrum, glam::DVec2};
+/// use asperity_noise::{Octaves, Perlin2002, Spectrum};
 ///
 /// let sum = Octaves::new(Perlin2002::new(5), Spectrum::default()).first(1.0);
 /// let octave = sum.octave(0);
@@ -191,7 +191,7 @@ impl<S: Lanes, const N: usize> Map<S, N> {
 /// assert!((x.hypot(y) - 5.0).abs() < 1e-5 && octave.cell == [0, 0]);
 ///
 /// // Seen from an anchor it has the cell there.
-/// let far = sum.anchored(DVec2::new(1e9, 0.0)).octave(0);
+/// let far = sum.anchored([1e9, 0.0]).octave(0);
 /// assert!(far.key == octave.key && far.cell != [0, 0] && far.matrix == octave.matrix);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

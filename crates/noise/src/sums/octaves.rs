@@ -122,6 +122,15 @@ struct Active {
     range: [f32; 2],
 }
 
+impl Active {
+    /// The sum where every octave is at this bound: a bound of the sum, as rounded additions and products keep the order.
+    #[inline]
+    fn of_bound(&self, bound: f32) -> f32 {
+        let amplitudes = self.amplitudes.iter().take(self.count);
+        amplitudes.fold(self.constant, |sum, amplitude| sum + amplitude * bound) * self.factor
+    }
+}
+
 /// The count with a lone octave made whole: its weight cancels against the normalisation, or underflows in it.
 #[inline]
 fn lone_whole(octaves: f32) -> f32 {
@@ -160,7 +169,7 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             }
         };
         active.factor = if norm > 0.0 { 1.0 / norm } else { 0.0 };
-        active.range = active.range.map(|bound| (active.constant + bound * sum) * active.factor);
+        active.range = active.range.map(|bound| active.of_bound(bound));
         active
     }
 
@@ -190,6 +199,10 @@ impl<K: Kernel<N>, const N: usize, T: Shape> Terms<K, N, T> {
             frequency *= self.spectrum.lacunarity();
         }
         active.count = active.amplitudes.iter().take_while(|&&amplitude| amplitude > 0.0).count();
+        // The range of the whole sum, so that it does not depend on the footprint; rounding may add to it.
+        let ([low, high], bounds) = (active.range, self.bounds());
+        let [lower, upper] = bounds.map(|bound| active.of_bound(bound));
+        active.range = [low.min(lower), high.max(upper)];
         active
     }
 
@@ -431,15 +444,16 @@ impl<K: Anchor<N>, const N: usize, T: Shape> Octaves<K, N, T> {
     ///   the precision of points there.
     /// - **Domain:** an octave of which the anchor has a coordinate of 2⁵⁸ cells or more, or none, is 0.
     ///
+    /// An anchor is an array of `f64`, or glam's `DVec2` to `DVec4` if your glam has its feature `f64`.
+    ///
     /// An anchored sum has its octaves: another seed or rotation is chosen before. A noise that repeats is not compiled here: move its
     /// anchor by whole periods.
     ///
     /// ```
-    /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::{DVec3, Vec3}};
+    /// use asperity_noise::{Field, Octaves, Simplex, Spectrum, glam::Vec3};
     ///
     /// let sum = Octaves::new(Simplex::new(7), Spectrum::default());
-    /// let far = DVec3::new(1e12, -3e11, 5e10);
-    /// let [here, there] = [far, far + DVec3::X].map(|anchor| sum.anchored(anchor));
+    /// let [here, there] = [1e12, 1e12 + 1.0].map(|x| sum.anchored([x, -3e11, 5e10]));
     /// // From either anchor the same place, and a thousandth of a cell beside it another value.
     /// let p = Vec3::new(0.25, 0.5, 0.75);
     /// assert!((here.value(p + Vec3::X) - there.value(p)).abs() < 1e-3);

@@ -125,7 +125,9 @@ impl<V: Point<Coordinates = [f32; N]>, K: Kernel<N>, const N: usize> Field<V> fo
     }
 
     fn range(&self) -> [f32; 2] {
-        Field::<V>::range(&self.octaves)
+        let ([low, high], passes) = (Field::<V>::range(&self.octaves), self.octaves.parts());
+        // A weak octave adds less than one that stands alone, and never less than 0.
+        [low.min(passes.constant * passes.factor), high]
     }
 
     fn fill(&self, points: &Points<'_, V>, mut target: Target<'_, V>) {

@@ -146,7 +146,13 @@ pub struct Blend<A, B, T>(
 impl<A, B, T> Combine<2> for Blend<A, B, T> {
     #[inline(always)]
     fn combined(&self, a: f32, [b, t]: [f32; 2]) -> f32 {
-        a + t * (b - a)
+        let (blend, low, high) = (a + t * (b - a), a.min(b), a.max(b));
+        // Rounding may leave the interval between both, and so the range.
+        match (0.0..=1.0).contains(&t) {
+            true if blend < low => low,
+            true if blend > high => high,
+            _ => blend,
+        }
     }
     #[inline(always)]
     fn slope(&self, a: f32, [b, t]: [f32; 2], da: f32, [db, dt]: [f32; 2]) -> f32 {

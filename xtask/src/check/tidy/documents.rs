@@ -135,18 +135,13 @@ fn code_of_other_libraries_in_the_guide_is_compiled_beside_them() {
 }
 
 #[test]
-fn the_book_has_every_chapter_and_every_chapter_is_run() {
+fn book_lists_every_page_of_the_guide() {
     let docs = root().join("docs");
     let summary = fs::read_to_string(docs.join("SUMMARY.md")).unwrap();
-    let run = fs::read_to_string(root().join("tests/src/readme.rs")).unwrap();
     let listed: Vec<&str> = links(&summary).collect();
     for entry in fs::read_dir(docs.join("guide")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         assert!(listed.contains(&format!("guide/{name}").as_str()), "SUMMARY.md has no {name}");
-        assert!(
-            name == "README.md" || run.contains(&format!("\"../../docs/guide/{name}\"")),
-            "nothing runs {name}"
-        );
     }
     for chapter in listed {
         let place = docs.join(chapter);

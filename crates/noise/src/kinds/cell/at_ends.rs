@@ -142,7 +142,7 @@ pub(crate) fn at_ends_of<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIE
             [_, gradient[axis]] = along_second::<K, S, N>(s, &derivative, ways[1], second);
         }
     }
-    let sample = (value, gradient);
+    let sample = (if K::CLAMPED { s.within_one(value) } else { value }, gradient);
     let variance =
         if K::NORMALISED { place.variance(s).at::<GRADIENTS>(axis_variance(s, first)) } else { sample };
     Ends {

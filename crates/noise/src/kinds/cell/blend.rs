@@ -161,5 +161,5 @@ pub(crate) fn blend<K: CellNoise<N>, S: Lanes, const N: usize, const GRADIENTS: 
             gradient[axis] = across::<K, S, N>(s, lines, along);
         }
     }
-    (value, gradient)
+    (if K::CLAMPED { s.within_one(value) } else { value }, gradient)
 }

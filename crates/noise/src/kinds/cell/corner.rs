@@ -37,6 +37,8 @@ pub(crate) trait CellNoise<const N: usize>: OnLattice + Measured<N> {
     const UPPER_BITS: bool = false;
     /// Unit of the values of corners, where they have no gradients.
     const UNIT: f32 = 1.0;
+    /// Whether values are clamped to [−1, 1], which rounding of the weights would leave.
+    const CLAMPED: bool = false;
     /// Whether corners have values other than 0.
     const HAS_VALUE: bool = true;
     /// Whether corners have gradients other than 0.

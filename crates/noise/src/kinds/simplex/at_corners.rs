@@ -155,7 +155,7 @@ impl<S: Lanes, const N: usize> Around<S, N> {
                 }
             }
         }
-        (value, gradient)
+        (Scalar.within_one(value), gradient)
     }
 
     /// Value, gradient and Hessian.

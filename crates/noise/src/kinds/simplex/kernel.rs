@@ -52,6 +52,7 @@ fn one_by_one<L: Lattice, const N: usize>(noise: &Simplex<L>, p: [f32; N], seed:
             }
         },
     );
+    jet.value = Scalar.within_one(jet.value);
     mirror(&mut jet.hessian);
     jet
 }
@@ -105,7 +106,7 @@ impl<L: Lattice, const N: usize> Kernel<N> for Simplex<L> {
                 }
             },
         );
-        (value, gradient)
+        (s.within_one(value), gradient)
     }
 
     #[inline(always)]

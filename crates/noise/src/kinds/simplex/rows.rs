@@ -90,6 +90,9 @@ impl<const N: usize> Sums<N> {
             } else {
                 self.by_points::<L, S, GRADIENTS>(s, noise, &part.row, part.seed, part.values.len());
             }
+            if splats {
+                self.clamp(s, part.values.len());
+            }
             copy(&self.values, part.values);
             for axis in 0..if GRADIENTS { N } else { 0 } {
                 copy(&self.gradients[axis], part.gradients[axis]);
@@ -117,6 +120,14 @@ impl<const N: usize> Sums<N> {
                     s.store(gradient[axis], &mut self.gradients[axis][b][k..]);
                 }
             }
+        }
+    }
+
+    /// Clamps the first `points` sums, as [`Simplex`] does at a point.
+    #[inline(always)]
+    fn clamp<S: Lanes>(&mut self, s: S, points: usize) {
+        for values in self.values.as_flattened_mut().chunks_exact_mut(S::LEN).take(points.div_ceil(S::LEN)) {
+            s.store(s.within_one(s.load(values)), values);
         }
     }
 

@@ -49,7 +49,7 @@ const SPECTRUM: usize = 8;
 /// | 4 | four rows, offset, anchor's cell, key, 3 of padding |
 ///
 /// ```
-/// use asperity_noise::{Gaussian, GaussianOctaves, Spectrum, glam::DVec3};
+/// use asperity_noise::{Gaussian, GaussianOctaves, Spectrum};
 /// use asperity_shaders::noise::sums::OctavesUniform;
 ///
 /// let sum = GaussianOctaves::<3>::new(Gaussian::new(7), Spectrum::default());
@@ -63,7 +63,7 @@ const SPECTRUM: usize = 8;
 /// assert_eq!(uniform[264..528], words);
 ///
 /// // From an anchor only offsets and cells differ.
-/// let far = OctavesUniform::new(&sum.anchored(DVec3::new(1e6, -3.0, 0.25))).words();
+/// let far = OctavesUniform::new(&sum.anchored([1e6, -3.0, 0.25])).words();
 /// let differing = (8..264).filter(|i| far[*i] != words[*i]);
 /// assert!(differing.into_iter().all(|i| [3, 7, 11, 12, 13, 14].contains(&((i - 8) % 16))));
 /// ```

@@ -1,4 +1,4 @@
-// Value noise with quintic weights, `asperity_noise::Value`. Values are in [-1, 1].
+// Value noise with quintic weights, `asperity_noise::Value`. Values are clamped to [-1, 1].
 //
 // The corners of a cell at one end of the third axis are a vector: low and low, high and low, low and high, high and high along the
 // first two.
@@ -32,7 +32,7 @@ fn value_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, key: u32) -> Sample2d {
     let corners = value_numbers(integer_hash_keyed(ends, key));
     let edges = value_along(corners, w.x);
     return Sample2d(
-        value_across(edges, w.y),
+        clamp(value_across(edges, w.y), -1.0, 1.0),
         vec2<f32>(value_across(value_along_slope(corners, slope.x), w.y), slope.y * (edges.y - edges.x)),
     );
 }
@@ -48,7 +48,7 @@ fn value_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, key: u32) -> Sample3d {
     let corners = low + w.z * rise;
     let edges = value_along(corners, w.x);
     return Sample3d(
-        value_across(edges, w.y),
+        clamp(value_across(edges, w.y), -1.0, 1.0),
         vec3<f32>(
             value_across(value_along_slope(corners, slope.x), w.y),
             slope.y * (edges.y - edges.x),
@@ -74,7 +74,7 @@ fn value_in_cell_4d(cell: vec4<i32>, t: vec4<f32>, key: u32) -> Sample4d {
     let along_third = start + w.w * (slope.z * after_rise - start);
     let edges = value_along(corners, w.x);
     return Sample4d(
-        value_across(edges, w.y),
+        clamp(value_across(edges, w.y), -1.0, 1.0),
         vec4<f32>(
             value_across(value_along_slope(corners, slope.x), w.y),
             slope.y * (edges.y - edges.x),

@@ -1,4 +1,4 @@
-// Value-gradient noise, `asperity_noise::ValueGradient`: both on one lattice, the gradients' weight in [0, 1]. Values are in [-1, 1].
+// Value-gradient noise, `asperity_noise::ValueGradient`: both on one lattice, the gradients' weight in [0, 1]. Values are clamped to [-1, 1].
 
 const VALUE_GRADIENT_SCALE: vec3<f32> = vec3<f32>(0.999998, 1.4142107, 1.1546981);
 
@@ -18,7 +18,8 @@ fn value_gradient_in_cell_2d(cell: vec2<i32>, t: vec2<f32>, weight: f32, key: u3
     let slope = fade_quintic_slope(vec4<f32>(t, 0.0, 0.0));
     let words = integer_hash_words(integer_hash_joined(integer_hash_ends_2d(cell)), key);
     let g = variate_directions_2d(words, VALUE_GRADIENT_SCALE.y * weight);
-    return columns_blend(Columns(value_gradient_values(words, weight), g.x, g.y), t, w.xy, slope.xy);
+    let blend = columns_blend(Columns(value_gradient_values(words, weight), g.x, g.y), t, w.xy, slope.xy);
+    return Sample2d(clamp(blend.value, -1.0, 1.0), blend.gradient);
 }
 
 // At a place in [0, 1]^3 of a cell.
@@ -29,7 +30,8 @@ fn value_gradient_in_cell_3d(cell: vec3<i32>, t: vec3<f32>, weight: f32, key: u3
     let joined = integer_hash_joined(ends);
     let low = value_gradient_corners_3d(joined ^ vec4<u32>(ends.low.z), weight, key);
     let high = value_gradient_corners_3d(joined ^ vec4<u32>(ends.high.z), weight, key);
-    return corners_blend_3d(low, high, t, w.xyz, slope.xyz);
+    let blend = corners_blend_3d(low, high, t, w.xyz, slope.xyz);
+    return Sample3d(clamp(blend.value, -1.0, 1.0), blend.gradient);
 }
 
 // At any point; 0 where a coordinate is not finite.

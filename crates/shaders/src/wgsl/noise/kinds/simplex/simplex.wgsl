@@ -1,4 +1,4 @@
-// Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are in [-1, 1].
+// Simplex noise, `asperity_noise::Simplex`: gradient noise on the simplicial lattice. Values are clamped to [-1, 1].
 //
 // `simplex_*` have kernels of r^2 = 1/2, which end where they should; `simplex_wide_*` the customary 0.6, by which the noise leaps at
 // the faces of simplices, as `asperity_noise::Simplex::wide` does. Corners are lanes. From |x| + |y| + ... = 2^22 on the noise is 0.
@@ -76,7 +76,7 @@ fn simplex_sum_2d(cell: vec2<i32>, p: vec2<f32>, radius_squared: f32, scale: f32
     let value = kernel * s;
     let x = g.x * kernel - dx * pull;
     let y = g.y * kernel - dy * pull;
-    return Sample2d((value.x + value.y) + value.z, vec2<f32>((x.x + x.y) + x.z, (y.x + y.y) + y.z));
+    return Sample2d(clamp((value.x + value.y) + value.z, -1.0, 1.0), vec2<f32>((x.x + x.y) + x.z, (y.x + y.y) + y.z));
 }
 
 fn simplex_added(v: vec4<f32>) -> f32 {
@@ -117,7 +117,7 @@ fn simplex_sum_3d(cell: vec3<i32>, p: vec3<f32>, radius_squared: f32, scale: f32
     let kernel = simplex_kernel(t);
     let pull = simplex_pull(t, s);
     return Sample3d(
-        simplex_added(kernel * s),
+        clamp(simplex_added(kernel * s), -1.0, 1.0),
         vec3<f32>(
             simplex_added(gx * kernel - dx * pull),
             simplex_added(gy * kernel - dy * pull),
@@ -209,7 +209,7 @@ fn simplex_sum_4d(cell: vec4<i32>, p: vec4<f32>, radius_squared: f32, scale: f32
         vec4<f32>(d.x), vec4<f32>(d.y), vec4<f32>(d.z), vec4<f32>(d.w), vec4<u32>(word), radius_squared, scale,
     );
     return Sample4d(
-        simplex_added(four.value) + last.value.x,
+        clamp(simplex_added(four.value) + last.value.x, -1.0, 1.0),
         vec4<f32>(
             simplex_added(four.x) + last.x.x,
             simplex_added(four.y) + last.y.x,

@@ -1,0 +1,82 @@
+//! The table "Precision" of the crate page: largest errors of value and gradient against an `f64` evaluation.
+
+use asperity_noise::{
+    Gaussian, IntegerHash, Perlin1985, Perlin2002, Simplex, Sparse, Value, ValueCatmullRom, ValueGradient,
+};
+use asperity_tests::{
+    noise_any::{AnyNoise, VisitAny, any_dimension},
+    noise_kinds::AnyKind,
+    noise_reference::Kind,
+    random::Random,
+};
+
+const PAGE: &str = include_str!("../../../crates/noise/src/lib.rs");
+
+/// Points in each dimension.
+const POINTS: u32 = 100_000;
+
+/// The largest errors of a kind over all dimensions.
+struct Worst {
+    kind: Kind,
+    reach: f64,
+    errors: [f64; 2],
+}
+
+impl VisitAny for Worst {
+    fn visit<const N: usize>(&mut self, _: &str, noise: &dyn AnyNoise<N>) {
+        let (scale, mut random) = (self.kind.scales()[N - 1], Random(7));
+        let words = |cell: [i32; N], seed| self.kind.word(&IntegerHash, cell, seed);
+        // The reference takes 3ⁿ or 4ⁿ lattice points a dozen times for a gradient.
+        let many = matches!(self.kind, Kind::CatmullRom | Kind::Sparse(_));
+        let points = if many && N > 2 { POINTS / [3, 30][N - 3] } else { POINTS };
+        for seed in 0..points {
+            let p = [(); N].map(|()| ((2.0 * random.uniform() - 1.0) * self.reach) as f32);
+            let (wide, sample) = (p.map(f64::from), noise.sample(p, seed));
+            let value = scale * self.kind.value_on(&words, wide, seed);
+            self.errors[0] = self.errors[0].max((f64::from(sample.value) - value).abs());
+            let Some(gradient) = self.kind.gradient_on(&words, wide, seed) else { continue };
+            for (got, expected) in sample.gradient.into_iter().zip(gradient) {
+                self.errors[1] = self.errors[1].max((f64::from(got) - scale * expected).abs());
+            }
+        }
+    }
+}
+
+/// The errors that the page states for a kind.
+fn stated(name: &str) -> Option<[f64; 2]> {
+    let section = PAGE.split("//! # Precision").nth(1)?.split("//! # ").next()?;
+    let row = section.lines().find_map(|line| line.strip_prefix(&format!("//! | {name} | ")))?;
+    let mut cells = row.split(" | ").map(|cell| cell.trim_end_matches(" |").parse().ok());
+    Some([cells.next()??, cells.next()??])
+}
+
+#[test]
+fn precision_table_of_the_page_bounds_the_errors_of_every_kind() {
+    fn measured<K: AnyKind>(noise: K, kind: Kind, reach: f64) -> [f64; 2] {
+        let mut worst = Worst { kind, reach, errors: [0.0; 2] };
+        any_dimension(&mut worst, "", noise);
+        worst.errors
+    }
+    let rows = [
+        ("Perlin 1985", measured(Perlin1985::new(0), Kind::Perlin1985, 64.0)),
+        ("Perlin 2002", measured(Perlin2002::new(0), Kind::Perlin2002, 64.0)),
+        ("value, quintic", measured(Value::new(0), Kind::Value, 64.0)),
+        ("value, Catmull–Rom", measured(ValueCatmullRom::new(0), Kind::CatmullRom, 64.0)),
+        ("value-gradient, equal weights", measured(ValueGradient::new(0), Kind::ValueGradient(0.5), 64.0)),
+        ("simplex, r² = 0.5", measured(Simplex::new(0), Kind::Simplex(0.5), 4.0)),
+        ("simplex, r² = 0.6", measured(Simplex::wide(0), Kind::Simplex(f64::from(0.6_f32)), 4.0)),
+        ("sparse, one impulse", measured(Sparse::new(0), Kind::Sparse(1), 64.0)),
+        ("Gaussian", measured(Gaussian::new(0), Kind::Gaussian(0), 64.0)),
+    ];
+    let mut wrong = Vec::new();
+    for (name, errors) in rows {
+        // Points, seeds and bits are fixed, so that an error is at most the stated one, which is rounded up to two digits.
+        let holds = |stated: [f64; 2]| {
+            stated.into_iter().zip(errors).all(|(stated, error)| error <= stated && stated < 1.15 * error)
+        };
+        if !stated(name).is_some_and(holds) {
+            wrong.push(format!("| {name} | {:e} | {:e} | and not {:?}", errors[0], errors[1], stated(name)));
+        }
+    }
+    assert!(wrong.is_empty(), "measured:\n{}", wrong.join("\n"));
+}
