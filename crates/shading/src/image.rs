@@ -6,7 +6,10 @@ use glam::Vec3;
 
 /// Why numbers are no image: no environment, or no normal map with levels.
 ///
-/// ```
+/// The example needs the feature `alloc`.
+///
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shading::{EnvironmentMap, ImageError, glam::Vec3};
 ///
 /// let error = EnvironmentMap::new(1, 2, vec![Vec3::ONE, Vec3::NEG_X]).unwrap_err();

@@ -147,11 +147,14 @@ fn test(root: &Path, name: &str, of: &str) -> Result<(), Failure> {
     run(&mut test)
 }
 
-/// Unit and golden tests under each set.
+/// Unit and golden tests under each set, and all examples under the smallest: one that needs a feature says so.
 fn tests(root: &Path) -> Result<(), Failure> {
     for (name, sets) in SETS {
         for set in sets {
             test(root, name, &format!("--tests --no-default-features --features {set}"))?;
+        }
+        for of in ["--doc", "--examples"] {
+            test(root, name, &format!("{of} --no-default-features --features libm"))?;
         }
     }
     Ok(())

@@ -9,9 +9,10 @@ use crate::surface::bounds::Surface;
 /// Rays against a [`Surface`]; an `impl Intersect for X {}` gives them to one of your own.
 ///
 /// [`HeightField`](crate::HeightField) and [`Tabulated`](crate::Tabulated) have rays of their own, the latter much faster;
-/// `tabulated()` makes either.
+/// `tabulated()` makes either. The example needs the feature `alloc`.
 ///
-/// ```
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_fif::{Intersect, Ray, Torus, glam::DVec3};
 /// let z = [0.0, 1.0, -0.5, 0.25];
 /// let surface = Torus::new(2, [[2, -1], [1, 2]], 0.375, &z, &[[3.0, -1.0]; 4])?;

@@ -24,7 +24,10 @@ pub const SLOPE_PYRAMID_WIDTH: u32 = 2048;
 
 /// The words of the structure `SlopePyramid`: width, height, the last level, groups.
 ///
-/// ```
+/// The example needs the feature `alloc`.
+///
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shaders::shading::normal_map::{slope_pyramid_numbers, slope_pyramid_words};
 /// use asperity_shading::{SlopePyramid, glam::Vec2};
 ///

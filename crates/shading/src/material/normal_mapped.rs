@@ -18,7 +18,10 @@ use crate::reflectance::{Bsdf, Lobe};
 ///
 /// The map lies along the tangents of the surface: texture coordinates of the points are those of the map.
 ///
-/// ```
+/// The example needs the feature `alloc`.
+///
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shading::glam::{Vec2, Vec3};
 /// use asperity_shading::material::NormalMapped;
 /// use asperity_shading::{Beckmann, Footprint, Material, SlopePyramid, SurfacePoint};

@@ -107,7 +107,10 @@ fn colour_words(colour: Vec3) -> [u32; 3] {
 /// | 4–7 | reflectance of the facets, at least 0; Beckmann's α along x |
 /// | 8–11 | α along y; 0, 0, 0 |
 ///
-/// ```
+/// The example needs the feature `alloc`.
+///
+#[cfg_attr(feature = "alloc", doc = "```")]
+#[cfg_attr(not(feature = "alloc"), doc = "```ignore")]
 /// use asperity_shaders::shading::material::NormalMappedUniform;
 /// use asperity_shading::material::NormalMapped;
 /// use asperity_shading::{Beckmann, SlopePyramid, glam::{Vec2, Vec3}};
