@@ -88,7 +88,7 @@ parameters! {
 /// Each noise fades to its own mean with the footprint of the pixel. All factors are independent of one another, so the mean
 /// colour over a surface is the same from every distance, as long as the strength of the diffuse threads is at most the diffuse
 /// colour and no colour is cut off at 1: clamps change what is seen from nearby. Slopes that fade are facets of
-/// the [`Bsdf`]: by these, the mean radiance from afar differs from that of nearby by up to 0.3 % for light at 37°, 0.8 % at 53° and 3 %
+/// the [`Bsdf`]: by these, the mean radiance from afar differs from that of nearby by up to 0.4 % for light at 37°, 0.8 % at 53° and 3 %
 /// at 74°, measured with the defaults and each pattern of seams.
 ///
 /// - **Deviations:** the slope of seams does not depend on the scale of the texture, nor that of threads on their size: a
