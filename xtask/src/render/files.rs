@@ -31,7 +31,7 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
         progress::note(&format!("mesh `{name}`: its points and lines are not drawn"));
     }
     if left_out {
-        progress::note(&format!("mesh `{name}`: triangles with indices that do not exist are not drawn"));
+        progress::note(&format!("mesh `{name}`: incomplete triangles, or with vertices that do not exist, are not drawn"));
     }
     if !normals {
         progress::note(&format!(
@@ -76,7 +76,7 @@ pub(super) fn surroundings(file: &Path) -> Result<EnvironmentMap> {
     if wrong > 0 {
         let share = 100.0 * wrong as f32 / texels.len() as f32;
         progress::note(&format!(
-            "light `{name}`: {wrong} texels ({share:.3} %) below 0 or beyond 65504 were cut off"
+            "light `{name}`: {wrong} texels ({share:.3} %) that are NaN, below 0 or beyond 65504 were cut off"
         ));
     }
     EnvironmentMap::new(image.width, image.height, texels).map_err(|error| fail(&error))

@@ -31,8 +31,8 @@ pub enum MeshFileError {
         error: Failure,
     },
     /// A face of an OBJ file names something that is not there.
-    #[error("line {line}: {what} {index} does not exist, there are {count}")]
-    NoSuchIndex { line: usize, what: &'static str, index: i64, count: usize },
+    #[error("line {line}: vertex {index} does not exist, there are {count}")]
+    NoSuchIndex { line: usize, index: i64, count: usize },
     /// The PLY header lacks an element or property, or the glTF a scene.
     #[error("the file has no {what}")]
     Lacks { what: &'static str },
@@ -75,8 +75,8 @@ pub enum MeshFileError {
     #[error("a face has corner {index}, counted from 0, but there are {count} vertices")]
     NoSuchVertex { index: u64, count: usize },
     /// A number is NaN, infinite, or beyond single precision.
-    #[error("{what} {index}, counted from 0, is not finite")]
-    NotFinite { what: &'static str, index: usize },
+    #[error("vertex {index}, counted from 0, is not finite")]
+    NotFinite { index: usize },
     #[error("a polygon that is not convex has at most {MOST_CORNERS} corners, got {corners}")]
     PolygonTooLarge { corners: usize },
     #[error("a mesh has at most {MOST_TRIANGLES} triangles, and three times as many vertices")]

@@ -15,7 +15,7 @@ use crate::input_file::{number, text};
 /// Reads the faces of all objects. Materials, groups, vertex colors and weights are ignored, free-form surfaces are refused.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let text = text(bytes);
-    // A broken vertex matters only to the faces that use it.
+    // A broken vertex matters only to the faces that use it, and broken or absent normals and texture coordinates to none.
     let mut places: Vec<Result<DVec3, MeshFileError>> = Vec::new();
     let (mut uvs, mut normals): (Vec<Vec2>, Vec<Vec3>) = (Vec::new(), Vec::new());
     let mut soup = TriangleSoup::default();
@@ -27,10 +27,13 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
         match keyword {
             "v" => places.push(numbers(line, "vertex", 3, words).map(DVec3::from_array)),
             "vt" => {
-                let [u, v, _] = numbers(line, "texture coordinate", 1, words)?;
+                let [u, v, _] = numbers(line, "texture coordinate", 1, words).unwrap_or_default();
                 uvs.push(Vec2::new(u as f32, v as f32));
             }
-            "vn" => normals.push(DVec3::from_array(numbers(line, "normal", 3, words)?).as_vec3()),
+            "vn" => {
+                let normal = numbers(line, "normal", 3, words).unwrap_or_default();
+                normals.push(DVec3::from_array(normal).as_vec3());
+            }
             "f" | "fo" => {
                 let (first, counts) = (corners.len(), [places.len(), uvs.len(), normals.len()]);
                 for word in words {
@@ -45,22 +48,20 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
             _ => {}
         }
     }
-    soup.thin |= faces.is_empty() && !places.is_empty();
-    // Many exporters number texture coordinates and normals that they do not write.
-    let counts = [places.len(), uvs.len(), normals.len()];
-    let kept = [true, !uvs.is_empty(), !normals.is_empty()];
+    if places.is_empty() && faces.is_empty() {
+        return Err(MeshFileError::Lacks { what: "vertices" });
+    }
+    soup.thin |= faces.is_empty();
     let mut known: HashMap<[u32; 3], u32> = HashMap::new();
     let mut polygon = Vec::new();
     for (line, range) in faces {
         polygon.clear();
-        for indices in &corners[range] {
-            let indices = std::array::from_fn(|k| if kept[k] { indices[k] } else { ABSENT });
-            if let Some(k) = (0..3).find(|&k| indices[k] != ABSENT && indices[k] as usize >= counts[k]) {
-                return Err(no_such(line, k, i64::from(indices[k]) + 1, counts[k]));
-            }
+        for &indices in &corners[range] {
             let [v, vt, vn] = indices.map(|i| i as usize);
-            if places[v].is_err() {
-                return places.swap_remove(v).map(|_| soup);
+            match places.get(v) {
+                None => return Err(no_such(line, v as i64 + 1, places.len())),
+                Some(Err(_)) => return places.swap_remove(v).map(|_| soup),
+                Some(Ok(_)) => {}
             }
             polygon.push(*known.entry(indices).or_insert_with(|| {
                 soup.corners.push(Corner {
@@ -79,29 +80,31 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
 /// An index that a corner does not have.
 const ABSENT: u32 = u32::MAX;
 
-/// Statements with the numbers of their lines, without comments; lines that end in a backslash are joined.
+/// Statements with the numbers of their lines, without comments. Lines that end in a backslash are joined where the statement
+/// is read: names may be paths of Windows.
 fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
-    // Files of the classic Mac OS have no line feeds.
-    let end = if text.contains('\n') { '\n' } else { '\r' };
-    let mut lines = text.split(end).enumerate();
+    let text = text.replace("\r\n", "\n");
+    let lines: Vec<String> = text.split(['\n', '\r']).map(|line| trimmed(line).to_owned()).collect();
+    let mut lines = lines.into_iter().enumerate();
     std::iter::from_fn(move || {
-        let (k, line) = lines.next()?;
-        let mut statement = without_comment(line).to_owned();
-        while statement.ends_with('\\') {
+        let (k, mut statement) = lines.next()?;
+        let read = ["v", "vt", "vn", "f", "fo", "l", "p"];
+        while statement.ends_with('\\')
+            && statement.split_whitespace().next().is_some_and(|w| read.contains(&w))
+        {
             statement.pop();
             let Some((_, next)) = lines.next() else { break };
             statement.push(' ');
-            statement.push_str(without_comment(next));
+            statement.push_str(&next);
         }
         Some((k + 1, statement))
     })
 }
 
-/// The line up to a number sign. A path of Windows at its end joins nothing.
-fn without_comment(line: &str) -> &str {
-    let line = line.split('#').next().unwrap_or_default().trim();
-    let name = ["o ", "g ", "mtllib ", "usemtl "].iter().any(|word| line.starts_with(word));
-    if name { line.trim_end_matches('\\') } else { line }
+/// The line up to a number sign, without blanks, zero bytes and byte order marks of files that were joined.
+fn trimmed(line: &str) -> &str {
+    let line = line.split('#').next().unwrap_or_default();
+    line.trim_matches(|c: char| c.is_whitespace() || c == '\0' || c == '\u{feff}')
 }
 
 /// At least so many numbers of a statement, up to three; those that are not given are 0.
@@ -123,7 +126,8 @@ fn numbers<'a>(
     Ok(values)
 }
 
-/// The indices `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 0, where so many are above.
+/// The indices `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 0, where so many are above. Texture coordinates and normals that
+/// do not exist are absent: many exporters number what they do not write.
 fn corner(line: usize, word: &str, above: [usize; 3]) -> Result<[u32; 3], MeshFileError> {
     let mut indices = [ABSENT; 3];
     for (k, text) in word.split('/').enumerate().take(3) {
@@ -132,23 +136,17 @@ fn corner(line: usize, word: &str, above: [usize; 3]) -> Result<[u32; 3], MeshFi
         }
         let index: i64 = text.parse().map_err(|_| broken(line, format!("`{word}` is not a face corner")))?;
         let from_0 = if index < 0 { index.saturating_add(above[k] as i64) } else { index - 1 };
-        // An index beyond all lists is refused with the others.
-        let found = u32::try_from(from_0.min(i64::from(ABSENT) - 1));
-        match found {
-            Ok(found) => indices[k] = found,
-            // Of what the file does not have at all, every index is ignored.
-            Err(_) if k > 0 && above[k] == 0 && index != 0 => {}
-            Err(_) => return Err(no_such(line, k, index, above[k])),
-        }
-        if i64::from(indices[k]) < from_0 {
-            return Err(no_such(line, k, index, above[k]));
+        match u32::try_from(from_0).ok().filter(|&found| found != ABSENT) {
+            Some(found) => indices[k] = found,
+            None if k > 0 => {}
+            None => return Err(no_such(line, index, above[k])),
         }
     }
     Ok(indices)
 }
 
-fn no_such(line: usize, k: usize, index: i64, count: usize) -> MeshFileError {
-    MeshFileError::NoSuchIndex { line, what: ["vertex", "texture coordinate", "normal"][k], index, count }
+fn no_such(line: usize, index: i64, count: usize) -> MeshFileError {
+    MeshFileError::NoSuchIndex { line, index, count }
 }
 
 fn broken(line: usize, error: String) -> MeshFileError {

@@ -17,30 +17,60 @@ use crate::input_file::{number, utf8};
 /// list of corners and optionally a list `texcoord` for them, or `tristrips` with strips that −1 ends. Other elements are skipped.
 pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     let bytes = utf8(bytes);
-    let (encoding, elements, mut rest) = header(&bytes)?;
+    let (encoding, elements, rest) = header(&bytes)?;
     let element = |name| elements.iter().find(|element| element.name == name);
     let vertices = element("vertex").ok_or(MeshFileError::Lacks { what: "element `vertex`" })?;
-    let faces = ["face", "tristrips"].iter().find_map(|&name| element(name));
-    let faces = faces.ok_or(MeshFileError::Lacks { what: "element `face`" })?;
-    for (name, what) in [("x", "property `x`"), ("y", "property `y`"), ("z", "property `z`")] {
-        vertices.scalar(&[name]).ok_or(MeshFileError::Lacks { what })?;
+    let faces = ["face", "tristrips"].map(element).into_iter().flatten();
+    let faces = faces
+        .max_by_key(|element| element.count > 0)
+        .ok_or(MeshFileError::Lacks { what: "element `face`" })?;
+    for (names, what) in PLACES {
+        vertices.scalar(names).ok_or(MeshFileError::Lacks { what })?;
     }
     let of_corners = faces.list(&["vertex_indices", "vertex_index"]);
     let of_corners = of_corners.ok_or(MeshFileError::Lacks { what: "property `vertex_indices`" })?;
-    let per_corner = faces.list(&["texcoord"]);
-    // With a line for each row, other programs' columns at its end do no harm.
-    let lines =
-        || rest.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
+    let per_corner = faces.list(&["texcoord", "texcoords"]);
+    let body = Body { elements: &elements, vertices, faces, of_corners, per_corner };
+    if !matches!(encoding, Encoding::Text) {
+        return body.read(encoding, rest);
+    }
+    // With a line for each row, other programs' columns at its end do no harm; rows may also be wrapped.
+    let lines = rest.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
     let rows = elements.iter().map(|element| element.count).fold(0, usize::saturating_add);
-    let by_lines = matches!(encoding, Encoding::Text) && lines().count() == rows;
-    let encoding = if by_lines { Encoding::Lines } else { encoding };
-    let mut soup = TriangleSoup::default();
-    let (mut polygons, mut wedges) = (Vec::new(), Vec::new());
-    for element in &elements {
-        element.check_count(rest.len())?;
-        if std::ptr::eq(element, vertices) {
-            soup.corners = corners(element, encoding, &mut rest)?;
-        } else {
+    let lines = lines.count();
+    if lines < rows && lines > 1 {
+        body.elements.iter().try_for_each(|element| element.check_count(rest.len()))?;
+        return Err(broken(format!("it has {lines} lines for the {rows} rows that its header claims")));
+    }
+    let by_lines = || body.read(Encoding::Lines, rest);
+    if lines == rows {
+        by_lines()
+    } else {
+        body.read(Encoding::Text, rest).or_else(|error| by_lines().map_err(|_| error))
+    }
+}
+
+/// The elements behind a header, and those that are read.
+struct Body<'a> {
+    elements: &'a [Element],
+    vertices: &'a Element,
+    faces: &'a Element,
+    /// The places of the lists of a face.
+    of_corners: usize,
+    per_corner: Option<usize>,
+}
+
+impl Body<'_> {
+    fn read(&self, encoding: Encoding, mut rest: &[u8]) -> Result<TriangleSoup, MeshFileError> {
+        let &Self { elements, vertices, faces, of_corners, per_corner } = self;
+        let mut soup = TriangleSoup::default();
+        let (mut polygons, mut wedges) = (Vec::new(), Vec::new());
+        for element in elements {
+            element.check_count(rest.len())?;
+            if std::ptr::eq(element, vertices) {
+                soup.corners = corners(element, encoding, &mut rest)?;
+                continue;
+            }
             for row in 0..element.count {
                 let (mut polygon, mut wedge) = (Vec::new(), Vec::new());
                 element.row(row, encoding, &mut rest, |k, values| {
@@ -51,36 +81,45 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
                     }
                 })?;
                 if std::ptr::eq(element, faces) {
-                    polygons.push(polygon.into_iter().map(index).collect::<Result<Vec<u32>, _>>()?);
+                    let strips = faces.name == "tristrips";
+                    let corners = polygon.into_iter().map(|corner| index(corner, strips));
+                    polygons.push(corners.collect::<Result<Vec<u32>, _>>()?);
                     wedges.push(wedge);
                 }
             }
         }
-    }
-    if faces.name == "tristrips" {
-        for strip_corners in polygons.iter().flat_map(|all| all.split(|&corner| corner == END)) {
-            strip(strip_corners).into_iter().try_for_each(|triangle| soup.push(triangle))?;
-        }
-        return Ok(soup);
-    }
-    let mut known = HashMap::new();
-    for (mut polygon, wedge) in polygons.into_iter().zip(wedges) {
-        if wedge.len() == 2 * polygon.len() {
-            for (corner, &[u, v]) in polygon.iter_mut().zip(wedge.as_chunks().0) {
-                *corner = with_uv(&mut soup, &mut known, *corner, Vec2::new(u as f32, v as f32))?;
+        if faces.name == "tristrips" {
+            for strip_corners in polygons.iter().flat_map(|all| all.split(|&corner| corner == END)) {
+                strip(strip_corners).into_iter().try_for_each(|triangle| soup.push(triangle))?;
             }
+            return Ok(soup);
         }
-        soup.push_polygon(&polygon)?;
+        let mut known = HashMap::new();
+        for (mut polygon, wedge) in polygons.into_iter().zip(wedges) {
+            if wedge.len() == 2 * polygon.len() {
+                for (corner, &[u, v]) in polygon.iter_mut().zip(wedge.as_chunks().0) {
+                    *corner = with_uv(&mut soup, &mut known, *corner, Vec2::new(u as f32, v as f32))?;
+                }
+            }
+            soup.push_polygon(&polygon)?;
+        }
+        Ok(soup)
     }
-    Ok(soup)
 }
+
+/// Names of coordinates.
+const PLACES: [(&[&str], &str); 3] = [
+    (&["x", "px", "posx"], "property `x`"),
+    (&["y", "py", "posy"], "property `y`"),
+    (&["z", "pz", "posz"], "property `z`"),
+];
 
 /// The end of a strip.
 const END: u32 = u32::MAX;
 
-/// A whole number from −1 on.
-fn index(value: f64) -> Result<u32, MeshFileError> {
-    if value == -1.0 {
+/// A whole number; −1 ends a strip.
+fn index(value: f64, strips: bool) -> Result<u32, MeshFileError> {
+    if strips && value == -1.0 {
         return Ok(END);
     }
     let whole = value >= 0.0 && value < f64::from(END) && value.fract() == 0.0;
@@ -103,14 +142,14 @@ fn with_uv(
 
 fn corners(element: &Element, encoding: Encoding, rest: &mut &[u8]) -> Result<Vec<Corner>, MeshFileError> {
     const NAMES: [&[&str]; 8] = [
-        &["x"],
-        &["y"],
-        &["z"],
-        &["nx"],
-        &["ny"],
-        &["nz"],
-        &["u", "s", "texture_u", "texcoord_u"],
-        &["v", "t", "texture_v", "texcoord_v"],
+        PLACES[0].0,
+        PLACES[1].0,
+        PLACES[2].0,
+        &["nx", "normalx"],
+        &["ny", "normaly"],
+        &["nz", "normalz"],
+        &["u", "s", "tx", "texture_u", "texture_s", "texcoord_u", "texcoord_x", "s0", "u0"],
+        &["v", "t", "ty", "texture_v", "texture_t", "texcoord_v", "texcoord_y", "t0", "v0"],
     ];
     let mut place_of = vec![None; element.properties.len()];
     for (place, names) in NAMES.iter().enumerate() {
@@ -280,21 +319,13 @@ impl Element {
 
 /// The encoding, the elements, and the bytes behind the header. Lines that are not of the format are ignored, as comments are.
 fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), MeshFileError> {
-    let not_ply = || broken("it does not begin with `ply`");
-    let mut rest = bytes.strip_prefix(b"ply").ok_or_else(not_ply)?;
-    let blanks = rest.iter().take_while(|&&byte| byte == b' ' || byte == b'\t').count();
-    let end: &[u8] = match &rest[blanks..] {
-        [b'\r', b'\n', ..] => b"\r\n",
-        [b'\r', ..] => b"\r",
-        [b'\n', ..] => b"\n",
-        _ => return Err(not_ply()),
-    };
+    let mut rest = bytes.strip_prefix(b"ply").ok_or_else(|| broken("it does not begin with `ply`"))?;
     let (mut encoding, mut elements) = (None, Vec::<Element>::new());
     loop {
-        let length = rest.windows(end.len()).position(|window| window == end);
+        let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
         let length = length.ok_or_else(|| broken("its header has no line `end_header`"))?;
         let line = String::from_utf8_lossy(&rest[..length]).into_owned();
-        rest = &rest[length + end.len()..];
+        rest = rest[length..].strip_prefix(b"\r\n").unwrap_or(&rest[length + 1..]);
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["format", name, ..] => {

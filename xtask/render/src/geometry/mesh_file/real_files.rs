@@ -70,7 +70,9 @@ fn obj_lines_may_be_continued() {
         obj(joint, CUBE.replace("f 1 4 ", &format!("f 1 4 {joint}")));
         obj(joint, CUBE.replace("v 1 1 ", &format!("v 1 1 {joint}")));
     }
-    obj("path", CUBE.replacen("f ", "mtllib C:\\models\\\nf ", 1));
+    for statement in ["mtllib", "maplib", "shadow_obj"] {
+        obj(statement, CUBE.replacen("f ", &format!("{statement} C:\\models\\\nf "), 1));
+    }
 }
 
 #[test]
@@ -81,6 +83,10 @@ fn obj_text_encodings_and_line_ends() {
     obj("utf-16", utf16);
     obj("classic Mac OS", CUBE.replace('\n', "\r"));
     obj("Windows", CUBE.replace('\n', "\r\n"));
+    obj("mixed", CUBE.replacen("\nv", "\rv", 3).replacen("\nf", "\r\nf", 3));
+    obj("classic Mac OS and a line feed", format!("{}\n", CUBE.replace('\n', "\r")));
+    obj("joined files", format!("# a\n\u{feff}{CUBE}"));
+    obj("zero bytes", format!("{}\0\0\0\n", CUBE.trim_end()));
     obj("latin-1", [b"o caf\xe9\n", CUBE.as_bytes()].concat());
     // With an unused vertex, one that is lost would move all corners by one.
     let one_more = CUBE.replacen("f ", "v 9 9 9\nf ", 1);
@@ -97,6 +103,11 @@ fn obj_texture_coordinates_may_have_one_number() {
 fn obj_indices_of_absent_lists_are_ignored() {
     obj("vt and vn", CUBE.replace("f 1 4 3 2", "f 1/7/9 4/-1/2 3//5 2/3/"));
     obj("empty", CUBE.replace("f 1 4 3 2", "f 1/ 4/ 3// 2"));
+    obj("zero", CUBE.replace("f 1 4 3 2", "f 1/0/0 4/0/0 3/0/0 2/0/0"));
+    obj("beyond", CUBE.replace("f 1 4 3 2", "vt 0 0\nvn 0 0 1\nf 1/9/9 4/-7/-7 3/1 2/1"));
+    for statement in ["vt", "vn", "vn 0 1", "vt abc 1", "vn x y z"] {
+        obj(statement, CUBE.replacen("f ", &format!("{statement}\nf "), 1));
+    }
 }
 
 #[test]
@@ -138,6 +149,17 @@ fn stl_keywords_in_any_case_and_names_of_any_words() {
         let named = text.replacen("solid", &format!("Solid {name}"), 1);
         stl_as_cube(name, named.replace("endsolid", &format!("endsolid {name}")).as_bytes());
     }
+    for name in ["my facet normal 1 vertex x", "a\0b"] {
+        stl_as_cube(name, text.replacen("solid", &format!("solid {name}"), 1).as_bytes());
+    }
+    stl_as_cube("padded", format!("{text}\0\0\0").as_bytes());
+    assert!(!read(&stl::parse, text.as_bytes()).left_out);
+    assert!(read(&stl::parse, text.replace("endsolid", "").as_bytes()).left_out);
+    for text in ["v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(9), format!("; made\n{text}")] {
+        assert!(
+            refusal(&stl::parse, text.as_bytes()).contains("it is text that does not begin with `solid`")
+        );
+    }
     stl_as_cube("color", text.replacen("solid", "solid name\ncolor 1 0 0", 1).as_bytes());
     let twice = read(&stl::parse, format!("{text}\n{text}").as_bytes());
     assert_eq!(twice.mesh.triangles.len(), 24);
@@ -157,6 +179,10 @@ fn stl_binary_that_begins_with_solid() {
     let mut streamed = binary.clone();
     streamed[80..84].fill(0);
     stl_as_cube("count of a stream", &streamed);
+    let mut fewer = binary.clone();
+    fewer[80] = 3;
+    let fewer = read(&stl::parse, &fewer);
+    assert!(fewer.left_out && fewer.mesh.triangles.len() == 3);
     let got = refusal(&stl::parse, &binary[..binary.len() - 10]);
     assert!(got.contains("674 bytes hold 11 of the 12 triangles that it claims"), "{got}");
     let file = include_bytes!("../../../tests/data/meshes/binary-solid-trailing.stl");
@@ -187,9 +213,39 @@ fn ply_header_lines_that_are_not_of_the_format_are_ignored() {
 }
 
 #[test]
+fn ply_names_and_elements_of_other_programs() {
+    for [x, y, z] in [["px", "py", "pz"], ["posx", "posy", "posz"]] {
+        let named =
+            CUBE_PLY.replace("float x", &format!("float {x}")).replace("double y", &format!("double {y}"));
+        ply_as_cube(x, named.replace("float z", &format!("float {z}")).as_bytes());
+    }
+    ply_as_cube("mixed line ends", CUBE_PLY.replacen('\n', "\r\n", 1).as_bytes());
+    let empty = CUBE_PLY
+        .replace("element face", "element tristrips 0\nproperty list int int vertex_indices\nelement face");
+    ply_as_cube("empty strips", empty.as_bytes());
+    let strips = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nproperty list uchar int vertex_indices\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    assert_eq!(read(&ply::parse, strips.as_bytes()).mesh.triangles.len(), 1);
+    let short = CUBE_PLY.replace("vertex 8", "vertex 9");
+    let got = refusal(&ply::parse, short.as_bytes());
+    assert!(got.contains("it has 15 lines for the 16 rows that its header claims"), "{got}");
+    let negative = CUBE_PLY.replace("4 0 4 6 2", "4 0 4 6 -1");
+    assert!(refusal(&ply::parse, negative.as_bytes()).contains("a face has corner -1"));
+}
+
+#[test]
+fn texture_coordinates_that_are_not_finite_are_0() {
+    let file = obj("vt nan", CUBE.replace("f 1 4 3 2", "vt nan inf\nf 1/1 4/1 3/1 2/1"));
+    assert!(!file.uv && file.mesh.vertices.iter().all(|v| v.uv == Vec2::ZERO));
+}
+
+#[test]
 fn ply_rows_of_text_may_have_more_columns_or_be_wrapped() {
     let (head, body) = CUBE_PLY.split_once("end_header\n").unwrap();
     ply_as_cube("more", format!("{head}end_header\n{}", body.replace(" 200", " 200 7 8")).as_bytes());
+    ply_as_cube(
+        "more and a last line",
+        format!("{head}end_header\n{}\nend\n", body.replace(" 200", " 200 7 8")).as_bytes(),
+    );
     ply_as_cube("wrapped", format!("{head}end_header\n{}", body.replace(" 200", "\n200")).as_bytes());
 }
 
@@ -237,6 +293,12 @@ fn gltf_skinned_mesh_ignores_the_transform_of_its_node() {
     let joint = json["skins"][0]["joints"][0].as_u64().unwrap() as usize;
     json["nodes"][joint] = json!({"translation": [3, 4, 5], "scale": [2, 2, 2]});
     same("moved joint", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 1e-6);
+    let count = json["skins"][0]["joints"].as_array().unwrap().len();
+    let joints = json["skins"][0]["joints"].take();
+    json["skins"][0]["joints"] = json!([]);
+    let got = refusal(&gltf_alone, &glb(&json, &bin));
+    assert_eq!(got, "the glTF has no joint 0, counted from 0, there are 0", "of {count}");
+    json["skins"][0]["joints"] = joints;
     json["nodes"][joint] = json!({"scale": [1, 1, 4]});
     let tall = read(&gltf_alone, &glb(&json, &bin));
     let height = tall.mesh.vertices.iter().map(|v| v.position.z.abs()).fold(0.0, f32::max);
@@ -295,6 +357,9 @@ fn gltf_instances_rotate_and_scale() {
 #[test]
 fn gltf_unknown_required_extensions_are_refused() {
     let (mut json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
+    json["extensionsRequired"] = json!(["KHR_texture_transform", "KHR_node_selectability"]);
+    same("harmless", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
+    json["extensionsRequired"] = json!([]);
     json["extensionsUsed"] = json!(["ACME_fur"]);
     same("used", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
     json["extensionsRequired"] = json!(["ACME_fur"]);
@@ -314,6 +379,9 @@ fn gltf_default_morph_weights_are_of_the_rest_pose() {
     json["nodes"][0]["weights"] = json!([1.0]);
     json["meshes"][0]["weights"] = json!([0.0]);
     assert_eq!(triangles(&read(&gltf_alone, &glb(&json, &bin))), morphed);
+    json["meshes"][0]["weights"] = json!([1.0]);
+    json["nodes"][0]["weights"] = json!([]);
+    assert_eq!(triangles(&read(&gltf_alone, &glb(&json, &bin))), morphed);
 }
 
 #[test]
@@ -324,6 +392,63 @@ fn gltf_hidden_nodes_are_not_drawn() {
     json["nodes"] =
         json!([{"mesh": 0}, {"extensions": hidden, "children": [2]}, {"mesh": 0, "translation": [9, 0, 0]}]);
     same("hidden", &read(&gltf_alone, &glb(&json, &bin)), &plain(), 0.0);
+}
+
+#[test]
+fn gltf_json_as_javascript_takes_it() {
+    let (json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
+    let with = |pointer: &str, name: &str, value: Value| {
+        let mut json = json.clone();
+        json.pointer_mut(pointer).unwrap()[name] = value;
+        read(&gltf_alone, &glb(&json, &bin))
+    };
+    let count = json["accessors"][0]["count"].as_f64().unwrap();
+    for (pointer, name, value) in [
+        ("/nodes/0", "children", json!(null)),
+        ("/nodes/0", "extensions", json!(null)),
+        ("/accessors/0", "byteOffset", json!(null)),
+        ("/accessors/0", "count", json!(count)),
+        ("/meshes/0/primitives/0", "mode", json!(4.0)),
+        ("", "extensionsRequired", json!(null)),
+    ] {
+        same(name, &with(pointer, name, value), &plain(), 0.0);
+    }
+    let mut marked = json.clone();
+    marked["buffers"][0]["uri"] = json!(tests::data_uri(&bin));
+    for text in [format!("\u{feff}{marked}"), format!("{marked}\0\0"), format!("{marked} \n")] {
+        same(&text, &read(&gltf_alone, text.as_bytes()), &plain(), 0.0);
+    }
+}
+
+#[test]
+fn gltf_parts_that_are_not_drawn_may_be_broken() {
+    let (json, bin) = parts(include_bytes!("../../../tests/data/meshes/plain.glb"));
+    let with = |nodes: Value| {
+        let mut json = json.clone();
+        json["nodes"] = nodes;
+        read(&gltf_alone, &glb(&json, &bin))
+    };
+    for nodes in [
+        json!([{"mesh": 0}, {"children": [0]}]),
+        json!([{"mesh": 0}, {"children": [7]}]),
+        json!([{"mesh": 0}, {"children": [3]}, {"children": [3]}, {}]),
+    ] {
+        same("nodes", &with(nodes), &plain(), 0.0);
+    }
+    // A primitive of no vertices next to the cube.
+    let mut empty = json.clone();
+    let accessors = empty["accessors"].as_array_mut().unwrap();
+    accessors.push(json!({"bufferView": 0, "componentType": 5126, "count": 0, "type": "VEC3"}));
+    let last = accessors.len() - 1;
+    empty["meshes"][0]["primitives"].as_array_mut().unwrap().push(json!({"attributes": {"POSITION": last}}));
+    same("empty", &read(&gltf_alone, &glb(&empty, &bin)), &plain(), 0.0);
+    let mut mode = json.clone();
+    mode["meshes"][0]["primitives"][0]["mode"] = json!(9);
+    assert!(refusal(&gltf_alone, &glb(&mode, &bin)).contains("primitive mode 9 does not exist"));
+    let mut meshopt = json.clone();
+    meshopt["bufferViews"][0]["byteLength"] = json!(1 << 20);
+    meshopt["bufferViews"][0]["extensions"] = json!({"EXT_meshopt_compression": {}});
+    assert!(refusal(&gltf_alone, &glb(&meshopt, &bin)).contains("compressed by EXT_meshopt_compression"));
 }
 
 #[test]
@@ -371,6 +496,7 @@ fn faces_without_area_do_not_enlarge_the_frame() {
         ("point", "v 900 0 0\nf 9 9 9\n"),
         ("line", "v 900 0 0\nv 900.1 0.3 0.7\nv 900.3 0.9 2.1\nf 9 10 11\n"),
         ("twice", "v 900 0 0\nv 900 1 0\nf 9 10 9\n"),
+        ("collapsed", "v 900 0 0\nv 900.000000001 0 0\nv 900 0.000000001 0\nf 9 10 11\n"),
     ] {
         obj(name, format!("{CUBE}{faces}"));
     }

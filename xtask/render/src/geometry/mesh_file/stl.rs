@@ -24,6 +24,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     if !exact && is_text(&as_text) {
         return facets(&as_text);
     }
+    // A header may have any bytes, but text goes on behind it.
+    let printed = |&byte: &u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
+    if bytes.len() > HEADER && !exact && bytes.iter().take(512).all(printed) {
+        return Err(MeshFileError::broken("STL", "it is text that does not begin with `solid`"));
+    }
     if bytes.len() < HEADER {
         let error = "it neither begins with `solid` nor has a header of 84 bytes";
         return Err(MeshFileError::broken("STL", error));
@@ -34,7 +39,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     }
     // Streaming writers leave the count at 0.
     let count = if count == 0 { holds } else { count };
-    let mut soup = TriangleSoup::default();
+    let mut soup = TriangleSoup { left_out: holds > count, ..TriangleSoup::default() };
     for triangle in bytes[HEADER..].chunks_exact(TRIANGLE).take(count) {
         let corners = triangle[12..48].as_chunks::<12>().0;
         let coordinate = |corner: &[u8; 12], k: usize| {
@@ -46,19 +51,20 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
     Ok(soup)
 }
 
-/// Whether the file begins with the word `solid` and has no zero bytes, which numbers of binary files have.
+/// Whether the file begins with the word `solid` and has no zero bytes, which numbers of binary files have, or words of facets.
 fn is_text(text: &str) -> bool {
     let start = text.trim_start();
     let solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
-    solid && !start.bytes().take(4096).any(|byte| byte == 0)
+    let head: String = start.chars().take(4096).map(|c| c.to_ascii_lowercase()).collect();
+    solid && (!head.contains('\0') || head.contains("facet") && head.contains("vertex"))
 }
 
-/// The facets behind the name of a solid in the same line.
+/// The facets behind the name of a solid in the same line: the name may have every word.
 fn one_line(line: &str) -> Option<&str> {
     let lower = line.to_ascii_lowercase();
     lower.match_indices("facet").map(|(at, _)| at).find_map(|at| {
         let mut words = lower[at..].split_whitespace().skip(1);
-        let facet = words.next() == Some("normal") && words.next().and_then(number).is_some();
+        let facet = words.next() == Some("normal") && words.by_ref().take(3).filter_map(number).count() == 3;
         facet.then(|| &line[at..])
     })
 }
@@ -67,9 +73,12 @@ fn one_line(line: &str) -> Option<&str> {
 fn facets(text: &str) -> Result<TriangleSoup, MeshFileError> {
     let mut soup = TriangleSoup::default();
     let (mut corners, mut vertices) = (Vec::new(), 0_usize);
+    // A file that was cut off has no end.
+    soup.left_out = true;
     for line in text.split(['\n', '\r']) {
         let first = line.split_whitespace().next().unwrap_or_default();
         let named = ["solid", "endsolid"].iter().any(|word| first.eq_ignore_ascii_case(word));
+        soup.left_out &= !line.to_ascii_lowercase().contains("endsolid");
         let line = if named { one_line(line).unwrap_or_default() } else { line };
         let mut words = line.split_whitespace();
         while let Some(word) = words.next() {

@@ -39,7 +39,7 @@ pub struct MeshFile {
     pub uv: bool,
     /// The file also has points or lines, which are not drawn.
     pub thin: bool,
-    /// Some triangles are not drawn: their corners are not finite, do not exist, or are not three.
+    /// Some triangles are not drawn: the file is incomplete, or their corners do not exist.
     pub left_out: bool,
 }
 
@@ -88,8 +88,13 @@ impl TriangleSoup {
     }
 
     /// The mesh, turned so that `up` is z, and into the unit ball.
-    pub(super) fn into_mesh(self, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
-        self.check_numbers()?;
+    pub(super) fn into_mesh(mut self, reading: MeshReading) -> Result<MeshFile, MeshFileError> {
+        self.check_places()?;
+        // Only patterns need texture coordinates.
+        self.corners
+            .iter_mut()
+            .filter(|corner| !corner.uv.is_finite())
+            .for_each(|corner| corner.uv = Vec2::ZERO);
         let nothing = || match self.thin {
             true => MeshFileError::OnlyPointsAndLines,
             false if self.triangles.is_empty() => MeshFileError::Nothing,
@@ -131,15 +136,11 @@ impl TriangleSoup {
         Ok(MeshFile { mesh, normals, uv, thin: self.thin, left_out: self.left_out })
     }
 
-    /// Refuses numbers that are not finite in corners of triangles; unused vertices may have any.
-    fn check_numbers(&self) -> Result<(), MeshFileError> {
-        let used = || self.triangles.iter().flatten().map(|&i| (i as usize, &self.corners[i as usize]));
-        let check = |what, finite: fn(&Corner) -> bool| match used().find(|(_, corner)| !finite(corner)) {
-            Some((index, _)) => Err(MeshFileError::NotFinite { what, index }),
-            None => Ok(()),
-        };
-        check("vertex", |c| c.position.as_vec3().is_finite())?;
-        check("texture coordinate", |c| c.uv.is_finite())
+    /// Refuses positions that are not finite in corners of triangles; unused vertices may have any.
+    fn check_places(&self) -> Result<(), MeshFileError> {
+        let mut used = self.triangles.iter().flatten().map(|&i| i as usize);
+        let broken = used.find(|&i| !self.corners[i].position.as_vec3().is_finite());
+        broken.map_or(Ok(()), |index| Err(MeshFileError::NotFinite { index }))
     }
 
     /// Center of the box around all triangles that have an area, and the distance of the farthest corner.
@@ -163,6 +164,10 @@ impl TriangleSoup {
         let [a, b, c] = triangle.map(|i| self.corners[i as usize].position);
         let edges = [b - a, c - b, a - c];
         let scale = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
+        // A part that was scaled to a point somewhere else, by the rounding of transforms.
+        if scale <= 1e-11 * a.abs().max_element() {
+            return true;
+        }
         let edges = edges.map(|edge| edge / scale);
         let longest = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
         let height = edges[0].cross(edges[2]).length() / longest;

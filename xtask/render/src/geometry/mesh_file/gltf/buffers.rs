@@ -1,7 +1,6 @@
 //! Numbers of a glTF's accessors, and the bytes behind them.
 
 use std::{
-    borrow::Cow,
     cell::Cell,
     path::{Component, Path},
 };
@@ -52,16 +51,19 @@ impl Gltf {
     pub(super) fn read(bytes: &[u8], folder: &Path) -> Result<Self, MeshFileError> {
         let (json, mut bin) = match bytes {
             [b'g', b'l', b'T', b'F', ..] => container(bytes)?,
-            _ => (input_file::utf8(bytes), None),
+            _ => (bytes, None),
         };
+        let json = input_file::utf8(json);
+        let end = json.iter().rposition(|byte| !matches!(byte, 0 | b' ' | b'\t' | b'\r' | b'\n'));
+        let json = &json[..end.map_or(0, |end| end + 1)];
         if !json.trim_ascii_start().starts_with(b"{") {
             return Err(MeshFileError::broken("glTF", "it is neither JSON nor a binary container"));
         }
-        let document = Document::parse(&json)?;
+        let document = Document::parse(json)?;
         let (mut buffers, mut all) = (Vec::new(), bytes.len());
         for buffer in &document.buffers {
             let buffer = match &buffer.uri {
-                None => bin.take().unwrap_or_default().to_vec(),
+                None => bin.take().map(<[u8]>::to_vec).unwrap_or_default(),
                 Some(uri) => fetched(uri, folder)?,
             };
             all += buffer.len();
@@ -105,7 +107,13 @@ impl Gltf {
 
     /// The bytes of all items, one behind the other.
     fn items(&self, index: usize, accessor: &Accessor, size: usize) -> Result<Vec<u8>, MeshFileError> {
-        let outside = || MeshFileError::Accessor { accessor: index, wanted: "within its buffer" };
+        let view = accessor.buffer_view.and_then(|view| self.document.buffer_views.get(view));
+        let compressed =
+            view.and_then(|view| view.extensions.keys().find(|name| name.ends_with("_meshopt_compression")));
+        let outside = || match compressed {
+            Some(extension) => MeshFileError::Compressed { extension: shown(extension) },
+            None => MeshFileError::Accessor { accessor: index, wanted: "within its buffer" },
+        };
         let count = accessor.count;
         let mut items = match accessor.buffer_view {
             Some(view) => self.run(view, accessor.byte_offset, size, count)?.ok_or_else(outside)?,
@@ -144,7 +152,10 @@ impl Gltf {
     ) -> Result<Option<Vec<u8>>, MeshFileError> {
         let view = item(&self.document.buffer_views, "buffer view", view)?;
         let stride = view.byte_stride.filter(|&stride| stride > 0).unwrap_or(size);
-        let length = count.checked_sub(1).and_then(|n| stride.checked_mul(n)?.checked_add(size));
+        if count == 0 {
+            return Ok(Some(Vec::new()));
+        }
+        let length = stride.checked_mul(count - 1).and_then(|length| length.checked_add(size));
         let bytes = || self.within(view)?.get(offset..)?.get(..length?).filter(|_| stride >= size);
         Ok(bytes().map(|bytes| bytes.chunks(stride).flat_map(|item| &item[..size]).copied().collect()))
     }
@@ -157,7 +168,7 @@ impl Gltf {
 }
 
 /// The JSON of a binary container, and its buffer.
-fn container(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, Option<&[u8]>), MeshFileError> {
+fn container(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), MeshFileError> {
     let broken = |error: String| MeshFileError::broken("glTF container", error);
     let word = |at: usize| Some(number(bytes.get(at..at + 4)?));
     match word(4) {
@@ -181,7 +192,7 @@ fn container(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, Option<&[u8]>), MeshFileErr
         // Chunks are padded to four bytes; their lengths say so already.
         rest = &behind[chunk.len()..];
     }
-    Ok((json.ok_or_else(|| broken("it has no JSON".into()))?.into(), bin))
+    Ok((json.ok_or_else(|| broken("it has no JSON".into()))?, bin))
 }
 
 /// The component of an accessor that has these bits.
@@ -228,6 +239,8 @@ fn fetched(uri: &str, folder: &Path) -> Result<Vec<u8>, MeshFileError> {
     let is_below = |step: Component<'_>| matches!(step, Component::Normal(_) | Component::CurDir);
     let name = String::from_utf8(unescaped(uri))
         .ok()
+        // Windows programs write backslashes, which browsers turn.
+        .map(|name| name.replace('\\', "/"))
         .filter(|name| !name.contains(':') && Path::new(name).components().all(is_below));
     let file =
         name.map(|name| folder.join(name)).ok_or_else(|| MeshFileError::Elsewhere { uri: shown(uri) })?;

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use glam::{DMat4, DQuat, DVec3};
-use serde::Deserialize;
+use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::Value;
 
 use crate::geometry::mesh_file::error::MeshFileError;
@@ -161,6 +161,8 @@ pub(super) struct BufferView {
     pub(super) byte_offset: usize,
     pub(super) byte_length: usize,
     pub(super) byte_stride: Option<usize>,
+    #[serde(default)]
+    pub(super) extensions: BTreeMap<String, Value>,
 }
 
 #[derive(Deserialize)]
@@ -174,15 +176,25 @@ const READ: [&str; 4] =
     ["EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression", "KHR_mesh_quantization", "KHR_node_visibility"];
 
 /// Beginnings of the names of extensions that leave triangles where they are.
-const OF_APPEARANCE: [&str; 13] = [
+const OF_APPEARANCE: [&str; 23] = [
+    "AGI_",
     "ADOBE_materials_",
+    "CESIUM_primitive_outline",
+    "EXT_feature_metadata",
+    "EXT_instance_features",
     "EXT_lights_",
     "EXT_mesh_features",
+    "EXT_mesh_manifold",
     "EXT_structural_metadata",
     "EXT_texture_",
+    "GODOT_",
     "KHR_animation_",
+    "KHR_audio",
+    "KHR_interactivity",
     "KHR_lights_",
     "KHR_materials_",
+    "KHR_node_hoverability",
+    "KHR_node_selectability",
     "KHR_technique",
     "KHR_texture_",
     "KHR_xmp",
@@ -193,7 +205,7 @@ const OF_APPEARANCE: [&str; 13] = [
 impl Document {
     /// Reads a document of glTF 2 that requires no other extensions than those that are read.
     pub(super) fn parse(json: &[u8]) -> Result<Self, MeshFileError> {
-        let Head { asset, extensions_required } = serde_json::from_slice(json).map_err(broken)?;
+        let Head { asset, extensions_required } = read(json)?;
         let version = match asset.and_then(|asset| asset.version) {
             Some(Value::String(version)) => version,
             other => other.map(|other| other.to_string()).unwrap_or_default(),
@@ -210,7 +222,7 @@ impl Document {
                 return Err(MeshFileError::Extension { extension: shown(&name) });
             }
         }
-        serde_json::from_slice(json).map_err(broken)
+        read(json)
     }
 
     /// The nodes of the default scene, or of the first.
@@ -247,6 +259,29 @@ pub(super) fn trs(translation: DVec3, rotation: DQuat, scale: DVec3) -> DMat4 {
 /// An item of a list of the document.
 pub(super) fn item<'a, T>(list: &'a [T], what: &'static str, index: usize) -> Result<&'a T, MeshFileError> {
     list.get(index).ok_or(MeshFileError::NoSuchItem { what, index, count: list.len() })
+}
+
+/// Reads JSON, also such as JavaScript takes: null for what is absent, and whole numbers with a fraction of 0.
+fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, MeshFileError> {
+    serde_json::from_slice(json).or_else(|error| {
+        let loose = || serde_json::from_value(tidied(serde_json::from_slice(json).ok()?)).ok();
+        loose().ok_or_else(|| broken(error))
+    })
+}
+
+/// The value without nulls in objects, its whole numbers as integers.
+fn tidied(value: Value) -> Value {
+    match value {
+        Value::Object(fields) => {
+            fields.into_iter().filter(|(_, v)| !v.is_null()).map(|(name, v)| (name, tidied(v))).collect()
+        }
+        Value::Array(items) => items.into_iter().map(tidied).collect(),
+        Value::Number(number) => match number.as_f64() {
+            Some(x) if number.is_f64() && x.fract() == 0.0 && (0.0..1e15).contains(&x) => (x as u64).into(),
+            _ => number.into(),
+        },
+        other => other,
+    }
 }
 
 /// The words of the JSON reader, with types as JSON has them.

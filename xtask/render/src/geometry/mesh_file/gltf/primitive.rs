@@ -60,6 +60,9 @@ pub(super) fn geometry(
         triangles: Vec::new(),
         left_out: false,
     };
+    if let Some(mode @ 7..) = primitive.mode {
+        return Err(MeshFileError::broken("glTF", format!("primitive mode {mode} does not exist")));
+    }
     for (target, &weight) in primitive.targets.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
         morph(gltf, &mut geometry, target, weight as f32)?;
     }

@@ -21,7 +21,11 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
         let Some(mesh) = node.mesh.map(|mesh| item(&document.meshes, "mesh", mesh)).transpose()? else {
             continue;
         };
-        let weights = node.weights.as_ref().or(mesh.weights.as_ref()).map_or(&[][..], Vec::as_slice);
+        // The node's weights take the place of the mesh's, as far as there are any.
+        let mut weights = mesh.weights.clone().unwrap_or_default();
+        let own = node.weights.as_deref().unwrap_or_default();
+        weights.resize(weights.len().max(own.len()), 0.0);
+        weights[..own.len()].copy_from_slice(own);
         let joints = node.skin.map(|skin| joints(gltf, skin, &placed)).transpose()?;
         let instances = instances(gltf, node)?;
         for primitive in &mesh.primitives {
@@ -29,8 +33,11 @@ pub(super) fn soup(gltf: &Gltf) -> Result<TriangleSoup, MeshFileError> {
                 soup.thin = true;
                 continue;
             }
-            let Some(geometry) = geometry(gltf, primitive, weights, joints.is_some())? else { continue };
+            let Some(geometry) = geometry(gltf, primitive, &weights, joints.is_some())? else { continue };
             soup.left_out |= geometry.left_out;
+            if let Some(joints) = &joints {
+                check_joints(joints.len(), &geometry)?;
+            }
             for instance in &instances {
                 let place = placed.world[index] * *instance;
                 append(&mut soup, &geometry, |vertex| match &joints {
@@ -59,12 +66,19 @@ impl Placed {
         let mut seen = vec![false; nodes.len()];
         let roots = document.roots()?.iter().map(|&node| (node, DMat4::IDENTITY, true));
         placed.descend(nodes, roots.rev().collect(), &mut seen)?;
+        // Nodes outside the scene matter only as joints.
         let mut is_child = vec![false; nodes.len()];
         for &child in nodes.iter().flat_map(|node| &node.children) {
-            *is_child.get_mut(child).ok_or_else(|| no_node(child, nodes.len()))? = true;
+            if let Some(is_child) = is_child.get_mut(child) {
+                *is_child = true;
+            }
         }
-        let others = (0..nodes.len()).filter(|&node| !is_child[node] && !seen[node]);
-        placed.descend(nodes, others.map(|node| (node, DMat4::IDENTITY, false)).collect(), &mut seen)?;
+        for node in (0..nodes.len()).filter(|&node| !is_child[node]) {
+            if !seen[node] {
+                // A fault there breaks nothing that is drawn.
+                let _ = placed.descend(nodes, vec![(node, DMat4::IDENTITY, false)], &mut seen);
+            }
+        }
         Ok(placed)
     }
 
@@ -109,6 +123,21 @@ fn joints(gltf: &Gltf, skin: usize, placed: &Placed) -> Result<Vec<DMat4>, MeshF
     skin.joints.iter().enumerate().map(|(k, joint)| Ok(world(joint)? * bind(k))).collect()
 }
 
+fn check_joints(count: usize, geometry: &Geometry) -> Result<(), MeshFileError> {
+    for set in &geometry.influences {
+        let used = set
+            .joints
+            .iter()
+            .flatten()
+            .zip(set.weights.iter().flatten())
+            .filter(|(_, weight)| **weight != 0.0);
+        if let Some((&joint, _)) = used.into_iter().find(|(joint, _)| **joint as usize >= count) {
+            return Err(MeshFileError::NoSuchItem { what: "joint", index: joint as usize, count });
+        }
+    }
+    Ok(())
+}
+
 /// The blend of joints at a vertex; none where no joint has a weight.
 fn skinned(joints: &[DMat4], geometry: &Geometry, vertex: usize) -> Option<DMat4> {
     let (mut blend, mut sum) = (DMat4::ZERO, 0.0);
@@ -134,8 +163,12 @@ fn instances(gltf: &Gltf, node: &Node) -> Result<Vec<DMat4>, MeshFileError> {
         rotations.as_ref().map(Vec::len),
         scales.as_ref().map(Vec::len),
     ];
-    // By the extension all have the same count.
-    let count = counts.into_iter().flatten().min().unwrap_or(1);
+    let mut counts = counts.into_iter().flatten();
+    let count = counts.next().unwrap_or(1);
+    if let Some(other) = counts.find(|&other| other != count) {
+        let error = format!("a node has {count} and {other} instances by different attributes");
+        return Err(MeshFileError::broken("glTF", error));
+    }
     let vector = |all: &Option<Vec<[f32; 3]>>, k: usize, usual| {
         all.as_ref().map_or(usual, |all| Vec3::from(all[k]).as_dvec3())
     };
