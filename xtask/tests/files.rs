@@ -14,7 +14,8 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::content::Content;
+use asperity_render::image::read::ImageFile;
 use asperity_render::sampling::random::Random;
 
 /// Files by their path in a folder.

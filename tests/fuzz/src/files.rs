@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use asperity_render::geometry::mesh_file::{self, Format, MeshFileError, MeshReading, Up};
-use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::content::Content;
+use asperity_render::image::read::ImageFile;
 
 use crate::within;
 

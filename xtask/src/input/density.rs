@@ -8,7 +8,8 @@ use asperity_ndf_sampling::{
     glam::Vec3,
     normal_map::{Blue, NormalMapFormat},
 };
-use asperity_render::image::read::{Content, ImageFile, ImageFileError};
+use asperity_render::image::content::{Content, ImageFileError};
+use asperity_render::image::read::ImageFile;
 use asperity_render::materials::SharedNdf;
 
 use crate::cli::Images;
@@ -162,40 +163,74 @@ fn image_density(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
 
 /// The density of a normal map's normals: integers unsigned, floats signed.
 fn estimated(path: &Path, reading: Images) -> Result<NdfMap, Failure> {
+    let note = |text: &str| progress::note(&format!("normal map `{}`: {text}", path.display()));
     let image = ImageFile::open(path, Content::Normals)?;
-    let scale = if image.floats { 1.0 } else { 2.0 };
-    let signed = |c: f32| c * scale - (scale - 1.0);
     let texel = |i: usize| {
-        let value = |k: usize| image.planes.get(k).map(|plane| signed(plane[i]));
+        let value = |k: usize| image.planes.get(k).map(|plane| plane[i]);
         Some([value(0)?, value(1)?, value(2).unwrap_or(0.0)])
     };
     let texels: Option<Vec<[f32; 3]>> = (0..image.width * image.height).map(texel).collect();
-    let texels = texels.ok_or("a normal map needs the channels R, G, B or X, Y, Z, got gray")?;
+    let mut texels = texels.ok_or("a normal map needs the channels R, G, B or X, Y, Z, got gray")?;
+    let signed =
+        |texels: &[[f32; 3]]| texels.iter().map(|texel| texel.map(|c| 2.0 * c - 1.0)).collect::<Vec<_>>();
+    if image.floats {
+        // No normals, such as outside the data of an OpenEXR file.
+        texels.retain(|texel| image.planes.len() == 2 || *texel != [0.0; 3]);
+        let unsigned = texels.as_flattened().iter().all(|c| (0.0..=1.0).contains(c));
+        if unsigned
+            && image.planes.len() == 3
+            && off_unit(&signed(&texels)) < LENGTH
+            && off_unit(&texels) > LENGTH
+        {
+            note("its floats are from 0 to 1, so 0.5 stands for 0");
+            texels = signed(&texels);
+        }
+    } else {
+        texels = signed(&texels);
+        let [red, green, blue] = [0, 1, 2].map(|k| spread(&texels, k));
+        let off = off_unit(&texels) > LENGTH;
+        let gray = texels.iter().all(|[x, y, z]| x == y && y == z);
+        if off && (gray && green[1] > 0.0 || red[1] < CONSTANT && red[0].abs() > 0.9 && green[1] > blue[1]) {
+            return Err("x is not in red: maps with x in alpha (DXT5nm) are not supported".into());
+        }
+    }
     let blue = match reading.blue {
         Some(blue) => blue,
         None if image.planes.len() == 2 => Blue::Reconstructed,
-        None if is_unused(texels.iter().map(|texel| texel[2]), &texels) => {
-            progress::note(&format!(
-                "normal map `{}`: blue is constant, so z follows from x and y; --blue sets it",
-                path.display()
-            ));
+        None if spread(&texels, 2)[1] < CONSTANT && off_unit(&texels) > LENGTH => {
+            note("blue is constant, so z follows from x and y; --blue sets it");
             Blue::Reconstructed
         }
         None => Blue::Read,
     };
+    if blue == Blue::Read && off_unit(&texels) > 0.25 {
+        note("its vectors are far from unit length; is it a normal map?");
+    }
     let tangent_space = reading.tangent_space.unwrap_or_default();
     let format = NormalMapFormat { tangent_space, blue, ..NormalMapFormat::default() };
     let normals: Vec<Vec3> = texels.into_iter().map(|texel| format.decode_signed(texel)).collect();
     Ok(estimate_ndf(&normals)?)
 }
 
-/// Whether z is constant although x and y vary, and makes no unit normals with them: a map of two channels.
-fn is_unused(mut z: impl Iterator<Item = f32>, texels: &[[f32; 3]]) -> bool {
-    let first = z.next();
-    let constant = z.all(|other| Some(other) == first);
-    let off = |&[x, y, z]: &[f32; 3]| ((x * x + y * y + z * z).sqrt() - 1.0).abs();
-    // Eight bits move the length by at most 0.007.
-    constant && texels.iter().map(off).sum::<f32>() > 0.02 * texels.len() as f32
+/// The mean error of length from which on vectors are not unit normals: 8 bits alone move a length by at most 0.007.
+const LENGTH: f32 = 0.02;
+
+/// The standard deviation of a channel that is constant, by the noise of JPEG and WebP.
+const CONSTANT: f32 = 0.04;
+
+/// The mean of | |n| − 1 |.
+fn off_unit(texels: &[[f32; 3]]) -> f32 {
+    let off = |&[x, y, z]: &[f32; 3]| f64::from(((x * x + y * y + z * z).sqrt() - 1.0).abs());
+    (texels.iter().map(off).sum::<f64>() / texels.len().max(1) as f64) as f32
+}
+
+/// Mean and standard deviation of a channel.
+fn spread(texels: &[[f32; 3]], channel: usize) -> [f32; 2] {
+    let mean = |of: &dyn Fn(f64) -> f64| {
+        texels.iter().map(|texel| of(texel[channel].into())).sum::<f64>() / texels.len().max(1) as f64
+    };
+    let center = mean(&|c| c);
+    [center as f32, mean(&|c| (c - center).powi(2)).sqrt() as f32]
 }
 
 #[cfg(test)]
@@ -296,6 +331,24 @@ mod tests {
             let rim = Density::parse(&spec, read).unwrap().ndf.density(up);
             assert!(name == "half.png" || rim != got, "{name}: {rim}");
         }
+        // Lossy compression leaves a blue that is nearly constant.
+        let noisy = Image::from_fn(64, 64, |_, y| hex(flat[y as usize / 16])).encode(Format::Jpeg).unwrap();
+        let spec = format!("{NORMAL_MAP}{}", file(&folder, "noisy.jpg", &noisy));
+        let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+        let read = Density::parse(&spec, Images { blue: Some(Blue::Read), ..Images::USUAL }).unwrap();
+        assert!(got > 2.0 * read.ndf.density(up), "{got}");
+        // Floats from 0 to 1, and pixels outside the data.
+        let unsigned =
+            [("R", vec![0.5; 4]), ("G", vec![0.8, 0.8, 0.5, 0.5]), ("B", vec![0.9, 0.9, 1.0, 1.0])];
+        let signed = [("R", vec![0.0; 4]), ("G", vec![0.6, 0.6, 0.0, 0.0]), ("B", vec![0.8, 0.8, 1.0, 0.0])];
+        for (name, channels) in [("unsigned.exr", unsigned), ("signed.exr", signed)] {
+            let spec = format!("{NORMAL_MAP}{}", file(&folder, name, &exr(2, 2, channels).unwrap()));
+            let got = Density::parse(&spec, Images::USUAL).unwrap().ndf.density(up);
+            assert!(got > 0.3 * lean && got < lean, "{name}: {got} of {lean}");
+        }
+        let swizzled = file(&folder, "dxt5nm.png", &png(2, &[0xff_cc00, 0xff_8000, 0xff_4000]));
+        let swizzled = refused(&format!("{NORMAL_MAP}{swizzled}"));
+        assert!(swizzled.contains("DXT5nm"), "{swizzled}");
         let grey = exr(1, 1, [("Y", vec![0.5])]).unwrap();
         let grey = refused(&format!("{NORMAL_MAP}{}", file(&folder, "grey.exr", &grey)));
         assert!(grey.contains("R, G, B"), "{grey}");

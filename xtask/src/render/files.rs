@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use asperity_render::geometry::{mesh::TracedMesh, mesh_file};
-use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::content::Content;
+use asperity_render::image::read::ImageFile;
 use asperity_render::image::tone::linear;
 use asperity_shading::EnvironmentMap;
 use glam::Vec3;
@@ -31,7 +32,9 @@ pub(super) fn opened(file: &Path, wanted: &Render, patterned: bool) -> Result<(T
         progress::note(&format!("mesh `{name}`: its points and lines are not drawn"));
     }
     if left_out {
-        progress::note(&format!("mesh `{name}`: incomplete triangles, or with vertices that do not exist, are not drawn"));
+        progress::note(&format!(
+            "mesh `{name}`: incomplete triangles, or with vertices that do not exist, are not drawn"
+        ));
     }
     if !normals {
         progress::note(&format!(

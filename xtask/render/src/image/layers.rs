@@ -10,13 +10,16 @@ use exr::{
     prelude::{ReadChannels, ReadLayers, Vec2},
 };
 
-use crate::image::read::{Content, ImageFile, ImageFileError, check_size};
+use crate::image::content::{Content, ImageFileError, check_size};
 
 /// Pixels of a display window that a small file may fill with black around its data.
 const MOST_FRAME: usize = 1 << 24;
 
+/// A picture's width and height, and its planes.
+type Planes = ([usize; 2], Vec<Vec<f32>>);
+
 /// Reads the channels of a content, black outside the data window.
-pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<ImageFile, ImageFileError> {
+pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<Planes, ImageFileError> {
     let broken = |error: Error| ImageFileError::Broken { format: "OpenEXR file", error: error.into() };
     let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
     for header in &meta.headers {
@@ -56,7 +59,7 @@ pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<ImageFile, Imag
         let samples: Vec<f32> = layer.channel_data.list[k].sample_data.values_as_f32().collect();
         framed(samples, data, offset, [width, height])
     });
-    Ok(ImageFile { width, height, planes: planes.collect(), floats: true })
+    Ok(([width, height], planes.collect()))
 }
 
 /// A plane in its frame: 0 outside the data.
@@ -113,8 +116,8 @@ impl Candidate {
 }
 
 /// Names of channels, the best first.
-const COLORS: &[&[&str]] = &[&["r", "g", "b"], &["red", "green", "blue"]];
-const GRAY: &[&[&str]] = &[&["y"], &["l"], &["gray"], &["grey"], &["luminance"], &["v"]];
+const COLORS: &[&[&str]] =
+    &[&["r", "g", "b"], &["red", "green", "blue"], &["y"], &["l"], &["gray"], &["grey"], &["luminance"]];
 const NORMALS: &[&[&str]] = &[
     &["x", "y", "z"],
     &["nx", "ny", "nz"],
@@ -125,57 +128,104 @@ const NORMALS: &[&[&str]] = &[
     &["r", "g"],
 ];
 
-/// Names of layers that renderers give to the picture, and to normals.
-const PICTURES: &[&str] =
-    &["", "rgba", "rgb", "combined", "beauty", "composite", "color", "colour", "c", "ci", "main", "image"];
+/// Names of layers that renderers give to the picture, and to normals; the first view of a stereo pair is the left one.
+const PICTURES: &[&str] = &[
+    "",
+    "rgba",
+    "rgb",
+    "combined",
+    "beauty",
+    "composite",
+    "color",
+    "colour",
+    "c",
+    "ci",
+    "main",
+    "image",
+    "left",
+];
 const NORMAL_LAYERS: &[&str] = &["normal", "normals", "n", "nrm", "normalmap", "normal_map", ""];
+
+/// Layers of data, which are no picture: words in their names, and whole names.
+const DATA_WORDS: [&str; 9] =
+    ["crypto", "depth", "mist", "motion", "normal", "position", "vector", "velocity", "object"];
+const DATA: [&str; 8] = ["id", "n", "nn", "p", "st", "uv", "world", "z"];
 
 /// Channels that are not shown.
 const HIDDEN: [&str; 9] = ["a", "alpha", "ar", "ag", "ab", "z", "zback", "depth", "id"];
 
 /// The part and the channels of a content.
 fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileError> {
-    let flat = || headers.iter().enumerate().filter(|(_, header)| !header.deep);
-    let every = flat().flat_map(|(_, header)| &header.channels.list);
+    if headers.iter().any(|header| header.deep) {
+        return Err(ImageFileError::DeepData);
+    }
+    let several = headers.len() > 1;
+    let every = headers.iter().flat_map(|header| &header.channels.list);
     let names = every.map(|channel| channel.name.to_string()).collect::<Vec<_>>();
-    let channels = names.iter().map(|name| name.chars().filter(|c| !c.is_control()).take(40).collect());
-    let channels = channels.take(12).collect::<Vec<String>>().join(", ");
-    let (kinds, layers): (&[_], _) = match content {
-        Content::Colors => (&[COLORS, GRAY], PICTURES),
-        Content::Normals => (&[NORMALS], NORMAL_LAYERS),
+    let shown = names.iter().map(|name| name.chars().filter(|c| !c.is_control()).take(40).collect());
+    let shown = shown.take(12).collect::<Vec<String>>().join(", ");
+    let (kinds, layers) = match content {
+        Content::Colors => (COLORS, PICTURES),
+        Content::Normals => (NORMALS, NORMAL_LAYERS),
     };
-    for names in kinds {
-        let found = candidates(headers, names);
-        let named = |name: &&str| found.iter().find(|candidate| candidate.name().eq_ignore_ascii_case(name));
-        let Some(best) = layers.iter().find_map(named).or(found.first()) else { continue };
-        let is_named = layers.iter().any(|name| best.name().eq_ignore_ascii_case(name));
-        if !is_named && found.iter().any(|other| other.layer != best.layer) {
-            let mut layers: Vec<_> = found.iter().map(|candidate| candidate.layer.clone()).collect();
-            layers.dedup();
-            layers.truncate(12);
-            return Err(ImageFileError::SeveralLayers { layers: layers.join(", ") });
-        }
-        let of_layer = |suffix: &str| channel(&headers[best.part], &best.layer, headers.len() > 1, suffix);
-        if best.channels.len() == 1 && (of_layer("ry").is_some() || of_layer("by").is_some()) {
+    let has = |of: &Candidate, suffix: &str| channel(&headers[of.part], &of.layer, several, suffix).is_some();
+    let mut found = candidates(headers, kinds);
+    if content == Content::Colors {
+        // Y next to X or Z is a coordinate.
+        found.retain(|of| of.channels.len() == 3 || !has(of, "x") && !(has(of, "z") && !of.layer.is_empty()));
+        found.retain(|of| !is_data(of.name()));
+    }
+    let named = |name: &&str| {
+        let of_name: Vec<_> = found.iter().filter(|of| of.name().eq_ignore_ascii_case(name)).collect();
+        let first = *of_name.first()?;
+        let whole = of_name.iter().find(|of| of.layer.eq_ignore_ascii_case(name));
+        let composite = of_name.iter().find(|of| of.layer.to_ascii_lowercase().starts_with("composite"));
+        let one = of_name.iter().all(|of| of.layer == first.layer).then_some(first);
+        // Of several layers of one name, none is the picture.
+        Some(whole.or(composite).copied().or(one).cloned())
+    };
+    let best = match layers.iter().find_map(named) {
+        Some(best) => best,
+        None => found.first().filter(|first| found.iter().all(|of| of.layer == first.layer)).cloned(),
+    };
+    if let Some(best) = best {
+        if best.channels.len() == 1 && (has(&best, "ry") || has(&best, "by")) {
             return Err(ImageFileError::LuminanceChroma);
         }
-        return Ok(best.clone());
+        return Ok(best);
+    }
+    if !found.is_empty() {
+        let mut layers: Vec<_> = found.iter().map(|candidate| candidate.layer.clone()).collect();
+        layers.sort();
+        layers.dedup();
+        layers.truncate(12);
+        return Err(ImageFileError::SeveralLayers { layers: layers.join(", ") });
     }
     if content == Content::Normals {
-        return Err(ImageFileError::NoNormals { channels });
+        return Err(ImageFileError::NoNormals { channels: shown });
     }
     // A single channel of any other name is a picture in gray.
-    let mut shown = flat().flat_map(|(part, header)| {
+    let mut others = headers.iter().enumerate().flat_map(|(part, header)| {
         let all = header.channels.list.iter().enumerate();
-        let shown =
-            all.filter(|(_, channel)| !HIDDEN.iter().any(|name| suffix_is(&channel.name.to_string(), name)));
-        shown.map(move |(k, _)| Candidate { part, layer: String::new(), channels: vec![k] })
+        let picture = all.filter(move |(_, channel)| {
+            let name = channel.name.to_string();
+            let layer = layer_of(header, several, &name);
+            let last = layer.rsplit('.').next().unwrap_or_default();
+            !HIDDEN.iter().any(|hidden| suffix_is(&name, hidden)) && !is_data(last)
+        });
+        picture.map(move |(k, _)| Candidate { part, layer: String::new(), channels: vec![k] })
     });
-    match (shown.next(), shown.next()) {
+    match (others.next(), others.next()) {
         (Some(one), None) => Ok(one),
         (None, _) if names.iter().all(|name| suffix_is(name, "a")) => Err(ImageFileError::OnlyAlpha),
-        _ => Err(ImageFileError::NoColors { channels }),
+        _ => Err(ImageFileError::NoColors { channels: shown }),
     }
+}
+
+/// Whether a layer of this name holds depth, normals and such.
+fn is_data(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    DATA.contains(&&*name) || DATA_WORDS.iter().any(|word| name.contains(word))
 }
 
 /// Every layer of every part that has all channels of one of the sets, the sets in their order.
@@ -183,7 +233,7 @@ fn candidates(headers: &[Header], sets: &[&[&str]]) -> Vec<Candidate> {
     let several = headers.len() > 1;
     let mut found: Vec<Candidate> = Vec::new();
     for set in sets {
-        for (part, header) in headers.iter().enumerate().filter(|(_, header)| !header.deep) {
+        for (part, header) in headers.iter().enumerate() {
             for name in &header.channels.list {
                 let name = name.name.to_string();
                 if !suffix_is(&name, set[0]) {
@@ -234,6 +284,7 @@ mod tests {
 
     use super::*;
     use crate::image::formats::exr;
+    use crate::image::read::ImageFile;
 
     macro_rules! file {
         ($name:literal) => {
@@ -242,7 +293,7 @@ mod tests {
     }
 
     fn colors(bytes: Vec<u8>) -> ImageFile {
-        decode(bytes, Content::Colors).unwrap_or_else(|error| panic!("{error}"))
+        ImageFile::decode(bytes, Content::Colors).unwrap_or_else(|error| panic!("{error}"))
     }
 
     fn refused(bytes: Vec<u8>, content: Content) -> String {
@@ -326,6 +377,41 @@ mod tests {
                 [1.0, 2.0, 3.0],
             ),
             (&[("density", 5.0), ("A", 9.0), ("Z", 9.0)], [5.0; 3]),
+            (&[("Y", 4.0), ("normal.R", 9.0), ("normal.G", 9.0), ("normal.B", 9.0)], [4.0; 3]),
+            (&[("Y", 4.0), ("Crypto00.R", 9.0), ("Crypto00.G", 9.0), ("Crypto00.B", 9.0)], [4.0; 3]),
+            (
+                &[
+                    ("diffuse.R", 1.0),
+                    ("diffuse.G", 2.0),
+                    ("diffuse.B", 3.0),
+                    ("N.R", 9.0),
+                    ("N.G", 9.0),
+                    ("N.B", 9.0),
+                ],
+                [1.0, 2.0, 3.0],
+            ),
+            (
+                &[
+                    ("Composite.Combined.R", 1.0),
+                    ("Composite.Combined.G", 2.0),
+                    ("Composite.Combined.B", 3.0),
+                    ("Back.Combined.R", 9.0),
+                    ("Back.Combined.G", 9.0),
+                    ("Back.Combined.B", 9.0),
+                ],
+                [1.0, 2.0, 3.0],
+            ),
+            (
+                &[
+                    ("left.R", 1.0),
+                    ("left.G", 2.0),
+                    ("left.B", 3.0),
+                    ("right.R", 9.0),
+                    ("right.G", 9.0),
+                    ("right.B", 9.0),
+                ],
+                [1.0, 2.0, 3.0],
+            ),
         ] {
             let image = colors(file(channels));
             assert_eq!(image.colors().map(|plane| plane[0]), expected, "{channels:?}");
@@ -357,6 +443,23 @@ mod tests {
             (&[("Z", 1.0)][..], "the image has no colors: its channels are Z"),
             (&[("R", 1.0), ("G", 1.0)], "the image has no colors: its channels are G, R"),
             (&[("A", 1.0)], "the image has no channel but alpha"),
+            (&[("Depth.V", 1.0)], "the image has no colors"),
+            (&[("Depth.R", 1.0), ("Depth.G", 1.0), ("Depth.B", 1.0)], "the image has no colors"),
+            (&[("X", 1.0), ("Y", 1.0), ("Z", 1.0)], "the image has no colors"),
+            (&[("P.X", 1.0), ("P.Y", 1.0), ("P.Z", 1.0)], "the image has no colors"),
+            (&[("UV.U", 1.0), ("UV.V", 1.0)], "the image has no colors"),
+            (&[("H", 1.0), ("S", 1.0), ("V", 1.0)], "the image has no colors"),
+            (
+                &[
+                    ("A.Combined.R", 1.0),
+                    ("A.Combined.G", 1.0),
+                    ("A.Combined.B", 1.0),
+                    ("B.Combined.R", 1.0),
+                    ("B.Combined.G", 1.0),
+                    ("B.Combined.B", 1.0),
+                ],
+                "none is named as the picture: A.Combined, B.Combined",
+            ),
             (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)], "its colors are luminance and chroma"),
         ] {
             let got = refused(file(channels), Content::Colors);
@@ -374,10 +477,10 @@ mod tests {
             &[("View Layer.Normal.X", 1.0), ("View Layer.Normal.Y", 2.0), ("View Layer.Normal.Z", 3.0)],
             &[("normal.r", 1.0), ("normal.g", 2.0), ("normal.b", 3.0)],
         ] {
-            let image = decode(file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
+            let image = ImageFile::decode(file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
             assert_eq!(image.colors().map(|plane| plane[0]), [1.0, 2.0, 3.0], "{normals:?}");
         }
-        let two = decode(file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
+        let two = ImageFile::decode(file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
         assert_eq!(two.planes, [[1.0; 2], [2.0; 2]]);
         let gray = refused(file(&[("Y", 1.0)]), Content::Normals);
         assert_eq!(gray, "a normal map needs the channels R, G, B or X, Y, Z, got Y");

@@ -1,5 +1,6 @@
 //! An image of linear radiance, row by row from the top left, and its way to a file.
 
+pub mod content;
 pub mod formats;
 mod layers;
 mod radiance;
@@ -137,7 +138,8 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     use super::*;
-    use crate::image::read::{Content, ImageFile};
+    use crate::image::content::Content;
+    use crate::image::read::ImageFile;
 
     #[test]
     fn a_written_picture_reads_back_in_the_format_of_its_name() {

@@ -11,21 +11,20 @@ pub(super) fn decode(
     check: impl FnOnce(usize, usize) -> bool,
 ) -> Result<([usize; 2], Vec<[f32; 3]>), &'static str> {
     let mut rest = bytes;
-    let mut scale = 1.0;
+    let mut scale = [1.0; 3];
     loop {
         let line = line(&mut rest).ok_or("the header has no end")?;
-        match line.split_once('=').map(|(name, value)| (name.trim(), value.trim())) {
+        // Headers of the files that a picture was made of are indented.
+        match line.split_once('=').map(|(name, value)| (name.trim_end(), value.trim())) {
             None if line.trim().is_empty() => break,
-            Some(("FORMAT", format)) if format != "32-bit_rle_rgbe" => {
+            Some(("FORMAT", format)) if !format.eq_ignore_ascii_case("32-bit_rle_rgbe") => {
                 return Err("its colours are not RGB: only 32-bit_rle_rgbe is read");
             }
             // Every program on the way multiplied the picture by its own. FreeImage writes 0 where it knows none.
-            Some(("EXPOSURE", value)) => {
-                let exposure: f32 = value.parse().unwrap_or(1.0);
-                let factor = scale * exposure;
-                if exposure > 0.0 && factor > 0.0 && factor.is_finite() {
-                    scale = factor;
-                }
+            Some(("EXPOSURE", value)) => multiply(&mut scale, [first_number(value); 3]),
+            Some(("COLORCORR", value)) => {
+                let mut words = value.split_whitespace().map(first_number);
+                multiply(&mut scale, [(); 3].map(|()| words.next().flatten()));
             }
             _ => {}
         }
@@ -59,10 +58,28 @@ pub(super) fn decode(
             if slow == "+Y" || fast == "+Y" {
                 y = height - 1 - y;
             }
-            pixels[y * width + x] = linear(texel).map(|c| c / scale);
+            pixels[y * width + x] = {
+                let [r, g, b] = linear(texel);
+                [r / scale[0], g / scale[1], b / scale[2]]
+            };
         }
     }
     Ok(([width, height], pixels))
+}
+
+/// Multiplies by factors, if all of them and the products are positive and finite.
+fn multiply(scale: &mut [f32; 3], by: [Option<f32>; 3]) {
+    let products =
+        [0, 1, 2].map(|k| by[k].filter(|factor| *factor > 0.0).map_or(0.0, |factor| scale[k] * factor));
+    if products.iter().all(|product| *product > 0.0 && product.is_finite()) {
+        *scale = products;
+    }
+}
+
+/// The number at the beginning of a text, as C reads it.
+fn first_number(text: &str) -> Option<f32> {
+    let end = text.find(|c: char| !c.is_ascii_digit() && !"+-.eE".contains(c)).unwrap_or(text.len());
+    text[..end].parse().ok()
 }
 
 /// Text up to the end of a line, which is taken off.
@@ -163,7 +180,12 @@ mod tests {
             assert_eq!(of(exposure), of("1"), "{exposure}");
         }
         assert_eq!(of("1e-30\nEXPOSURE=1e-30"), of("1e-30"));
-        assert_eq!(of("2")[0][0], of("1")[0][0] / 2.0);
+        for exposure in
+            ["2", "2 # twice", "2,0", "1\nCOLORCORR= 2 2 2", "2\n\tEXPOSURE=8", "2\nCOLORCORR= 4 0 1"]
+        {
+            assert_eq!(of(exposure)[0][0], of("1")[0][0] / 2.0, "{exposure}");
+        }
+        assert_eq!(of("1\nCOLORCORR=4 2 1")[0], [4.0, 2.0, 1.0].map(|by| of("1")[0][0] / by));
     }
 
     #[test]

@@ -9,29 +9,13 @@ use zune_jpeg::{
 };
 
 use crate::{
-    failure::Failure,
+    image::content::{Content, ImageFileError, check_size},
     image::{layers, radiance},
     input_file,
 };
 
-/// Pixels of surroundings of 16k by 8k.
-const MOST_PIXELS: usize = 1 << 27;
 /// A file of as many bytes as its greatest picture has as `f32`.
 const MOST_BYTES: u64 = 1 << 31;
-/// No deflated data grows by more than this: a header that claims more than its file could hold is wrong. Other codings could
-/// repeat one colour for ever; what grows by more than this is taken for an attack, unless it is small.
-const MOST_INFLATED: usize = 1032;
-const SMALL: usize = 1 << 22;
-
-/// The content of an image: OpenEXR files have channels of both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Content {
-    /// Red, green and blue, or gray.
-    Colors,
-    /// Coordinates of normals: three, or x and y.
-    Normals,
-}
-
 /// An image by planes, each row by row from the top left.
 #[derive(Debug, PartialEq)]
 pub struct ImageFile {
@@ -55,7 +39,10 @@ impl ImageFile {
         match bytes[..] {
             [] => Err(ImageFileError::Empty),
             [0x89, b'P', b'N', b'G', ..] => decode_png(&bytes),
-            [0x76, 0x2f, 0x31, 0x01, ..] => layers::decode(bytes, content),
+            [0x76, 0x2f, 0x31, 0x01, ..] => {
+                let ([width, height], planes) = layers::decode(bytes, content)?;
+                Ok(Self { width, height, planes, floats: true })
+            }
             [0xff, 0xd8, 0xff, ..] => decode_jpeg(&bytes),
             [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(&bytes),
             [b'#', b'?', ..] => decode_radiance(&bytes),
@@ -86,21 +73,6 @@ impl ImageFile {
         }
         r.iter().zip(g).zip(b).map(|((r, g), b)| (r + g + b) / 3.0).collect()
     }
-}
-
-/// Refuses sizes beyond reason, and beyond what a file of so many `bytes` can hold in pixels of so many, before anything is allocated.
-pub(super) fn check_size(
-    width: usize,
-    height: usize,
-    pixel: usize,
-    bytes: usize,
-) -> Result<(), ImageFileError> {
-    let pixels = width.checked_mul(height).filter(|pixels| (1..=MOST_PIXELS).contains(pixels));
-    let all = pixels.ok_or(ImageFileError::Size { width, height })?.saturating_mul(pixel);
-    if all > bytes.saturating_mul(MOST_INFLATED).max(SMALL) {
-        return Err(ImageFileError::Truncated { width, height, bytes });
-    }
-    Ok(())
 }
 
 fn decode_png(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
@@ -158,50 +130,6 @@ fn decode_radiance(bytes: &[u8]) -> Result<ImageFile, ImageFileError> {
     size?;
     let planes = [0, 1, 2].map(|k| pixels.iter().map(|pixel| pixel[k]).collect()).into();
     Ok(ImageFile { width, height, planes, floats: true })
-}
-
-/// Why a file is not an image of data.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ImageFileError {
-    #[error("the file cannot be read: {error}")]
-    Unreadable {
-        #[source]
-        error: std::io::Error,
-    },
-    #[error("the file is empty")]
-    Empty,
-    #[error("the file is none of PNG, JPEG, WebP, Radiance HDR and OpenEXR")]
-    UnknownFormat,
-    #[error("an image must have 1 to {MOST_PIXELS} pixels, got {width} × {height}")]
-    Size { width: usize, height: usize },
-    #[error("{bytes} bytes cannot hold the {width} × {height} pixels that the header claims")]
-    Truncated { width: usize, height: usize, bytes: usize },
-    #[error("the image has no channel but alpha")]
-    OnlyAlpha,
-    #[error("the image has no colors: its channels are {channels}")]
-    NoColors { channels: String },
-    #[error("a normal map needs the channels R, G, B or X, Y, Z, got {channels}")]
-    NoNormals { channels: String },
-    #[error("the image has several layers and none is named as the picture: {layers}")]
-    SeveralLayers { layers: String },
-    #[error(
-        "its colors are luminance and chroma (Y, RY, BY), which are not supported: save it with R, G and B"
-    )]
-    LuminanceChroma,
-    #[error(
-        "its channels have fewer samples than pixels, which is not supported: save it without subsampling"
-    )]
-    Subsampled,
-    #[error("it is a cube map, which is not supported: convert it to latitude and longitude")]
-    CubeMap,
-    /// The file breaks its format, as the decoder has it.
-    #[error("the {format} cannot be decoded: {error}")]
-    Broken {
-        format: &'static str,
-        #[source]
-        error: Failure,
-    },
 }
 
 #[cfg(test)]

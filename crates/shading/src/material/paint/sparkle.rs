@@ -175,7 +175,7 @@ impl Sparkles {
         })
     }
 
-    /// How much of a flake that is left out from nearby is there at this footprint.
+    /// The weight that a flake eliminated from nearby has at this footprint.
     fn returned(&self, footprint: Footprint) -> f32 {
         match self.rule {
             Elimination::Fixed => 0.0,

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use asperity_render::image::read::{Content, ImageFile};
+use asperity_render::image::content::Content;
+use asperity_render::image::read::ImageFile;
 use asperity_render::image::{Image, tone::linear};
 use glam::Vec3;
 
