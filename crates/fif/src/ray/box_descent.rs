@@ -24,11 +24,16 @@ const DEEPER_FOR_ANY: u32 = 1 << 7;
 const PROBES: u32 = 16;
 const PART: f64 = 1.0 / 32.0;
 
-/// Heights that are looked at behind a place that is left open, the farthest 10⁻¹² of the domain from it, each half as far.
-const LOST: u32 = 15;
+/// Stretches behind a place that is left open in which heights are looked at, the farthest ending 10⁻¹² of the domain from
+/// it, each half as long, and the heights in each.
+const LOST: u32 = 24;
+const PLACES: u32 = 16;
 
 /// Boxes visited at most behind such a place.
 const BEHIND: u32 = 1 << 12;
+
+/// Boxes, each within the last, by which a place of the surface beyond the ray is looked for.
+const DIVE: u32 = 48;
 
 /// Levels after which heights are looked at again.
 const EVERY: u32 = 4;
@@ -216,7 +221,7 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             if short {
                 self.deeper = self.deeper.saturating_sub(1);
                 let now = (x.depth + y.depth).is_multiple_of(EVERY) || ends || span.lo >= self.probed;
-                if now && self.probe([lo, hi], [x.value, y.value]) {
+                if now && (self.dive(x, y, [lo, hi]) || self.probe([lo, hi], [x.value, y.value])) {
                     return true;
                 }
             }
@@ -251,6 +256,43 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         [0, parts].into_iter().chain(1..parts).any(|k| self.looked(at(k), tolerances))
     }
 
+    /// Follows the child that reaches farthest beyond the ray, level by level, and looks at the height there: whether that
+    /// ends the search.
+    fn dive(&mut self, x: &Level<F>, y: &Level<G>, mut span: [Double; 2]) -> bool {
+        let (side, ray) = (self.sight.side, self.way.ray);
+        if side == 0.0 {
+            return false;
+        }
+        let reach = |x: Interval, y: Interval, t: Double| {
+            let (height, z) = (x.product(y), ray.origin.z + t.hi * ray.direction.z);
+            if side > 0.0 { height.hi - z } else { z - height.lo }
+        };
+        let (mut x, mut y) = (x.clone(), y.clone());
+        for _ in 0..DIVE {
+            let (x_ends, y_ends) = (self.x.ends(&x), self.y.ends(&y));
+            if (x_ends && y_ends) || span[1].minus(span[0]).hi <= self.thin {
+                break;
+            }
+            let beyond = if y_ends || (!x_ends && x.size >= y.size) {
+                let next = farthest(self.x, &x, span, |value, t| reach(value, y.value, t));
+                next.map(|(far, part, stretch)| {
+                    (x, span) = (part, stretch);
+                    far
+                })
+            } else {
+                let next = farthest(self.y, &y, span, |value, t| reach(x.value, value, t));
+                next.map(|(far, part, stretch)| {
+                    (y, span) = (part, stretch);
+                    far
+                })
+            };
+            if beyond.is_none_or(|far| far <= 0.0) {
+                return false;
+            }
+        }
+        self.looked(span[0].plus(span[1]).scaled(0.5), [0.0; 2])
+    }
+
     /// Looks at the height at `t` over a rough surface: whether that ends the search.
     fn looked(&mut self, t: Double, [x, y]: [f64; 2]) -> bool {
         if t == self.seen || t > self.end {
@@ -278,9 +320,13 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
             return true;
         }
         self.deeper = self.deeper.min(BEHIND);
-        (0..=LOST).rev().any(|k| {
-            let near = Double::from(self.sight.close).scaled(1.0 / f64::from(1_u32 << k));
-            self.looked(t.plus(near), [0.0; 2])
+        // Past a root a rough surface is now on one side of the ray, now on the other.
+        (0..LOST).any(|k| {
+            let far = self.sight.close / f64::from(1_u32 << k);
+            (0..PLACES).any(|i| {
+                let near = far * (1.0 - f64::from(i) / f64::from(2 * PLACES));
+                self.looked(t.plus(Double::from(near)), [0.0; 2])
+            })
         })
     }
 
@@ -362,4 +408,24 @@ impl<F: Function, G: Function> Descent<'_, '_, F, G> {
         }
         0.5 * t0 + 0.5 * t1
     }
+}
+
+/// The child with the maximum of `reach` of its values and of the time, with this maximum and the child's stretch of the ray.
+fn farthest<F: Function>(
+    axis: &Axis<'_, F>,
+    level: &Level<F>,
+    span: [Double; 2],
+    reach: impl Fn(Interval, Double) -> f64,
+) -> Option<(f64, Level<F>, [Double; 2])> {
+    let mut best: Option<(f64, Level<F>, [Double; 2])> = None;
+    for (part, [lo, hi]) in axis.children(level, span) {
+        if lo < hi {
+            let part = part();
+            let far = reach(part.value, lo);
+            if best.as_ref().is_none_or(|(most, ..)| far > *most) {
+                best = Some((far, part, [lo, hi]));
+            }
+        }
+    }
+    best
 }

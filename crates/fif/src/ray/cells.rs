@@ -25,6 +25,7 @@ pub(crate) struct Axis<'a, F: Function> {
 }
 
 /// A cell of one axis: where it lies and what bounds the function there.
+#[derive(Clone)]
 pub(crate) struct Level<F: Function> {
     cell: Cell<Below<F>>,
     /// The left end and the width, as places or as times; the latter also as a length, rounded.

@@ -40,7 +40,7 @@ use crate::surface::normal::upward_normal;
 /// No hit is passed by: `None` and `false` are proofs. A hit is [`certain`](Hit::certain) unless the ray grazes nearer than the
 /// rounding error of `h`, or a limit binds: a ray, or what tables leave of one stretch, visits 2¹⁶ boxes, 2¹³ of
 /// these below 10⁻¹² of the domain (2¹⁴ for a ray along an axis), and a box is split 192 times per axis. Rough surfaces of Hölder
-/// exponents near 1/4 reach them: three of five slanted rays at g(x) g(y) hit without being certain that nothing lies
+/// exponents near 1/4 reach them: one of twenty slanted rays at g(x) g(y) hits without being certain that nothing lies
 /// before, most rays along an axis are certain. The height of the hit differs from that of the ray by up to what the surface
 /// changes over 10⁻¹² of the domain, see [`System::modulus`](crate::System::modulus): measured 4·10⁻⁴ of the range for g(x) g(y),
 /// under 10⁻⁹ for smooth axes. Certain there means that nothing lies before it that is as wide as 2⁻⁹⁴ of the

@@ -10,6 +10,7 @@ pub(crate) mod range;
 #[cfg(feature = "serde")]
 pub(crate) mod serde;
 pub(crate) mod storage;
+pub(crate) mod support;
 
 pub use error::{End, NARROWEST};
 pub use map::{JOIN_TOLERANCE, Piece};

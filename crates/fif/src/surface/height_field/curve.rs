@@ -9,6 +9,7 @@ use crate::surface::height_field::axis_tables::AxisTables;
 use crate::surface::height_field::function::Function;
 #[cfg(feature = "alloc")]
 use crate::surface::height_field::range_table::RangeTable;
+use crate::system::support::Support;
 
 /// A function along an axis of a [`HeightField`](crate::HeightField) with its derivative, where that is continuous, and
 /// with tables, where it was [`tabulated`](crate::HeightField::tabulated).
@@ -16,6 +17,8 @@ use crate::surface::height_field::range_table::RangeTable;
 pub struct Curve<F: Function> {
     function: F,
     derivative: Option<F::Derivative>,
+    /// Of a function that is only continuous.
+    support: Option<Support>,
     #[cfg(feature = "alloc")]
     levels: Option<Levels<F>>,
 }
@@ -52,8 +55,10 @@ pub(crate) enum Cell<B> {
 
 impl<F: Function> Curve<F> {
     pub(crate) fn new(function: F) -> Self {
+        let derivative = function.differentiated();
         Self {
-            derivative: function.differentiated(),
+            support: if derivative.is_none() { function.support() } else { None },
+            derivative,
             function,
             #[cfg(feature = "alloc")]
             levels: None,
@@ -203,7 +208,11 @@ impl<F: Function> Curve<F> {
     #[inline]
     pub(crate) fn bounds_below(&self, cell: &Below<F>) -> [Interval; 2] {
         let slope = self.derivative.as_ref().map_or(Interval::ENTIRE, |slope| slope.cell_range(&cell.slope));
-        [self.function.cell_range(&cell.value), slope]
+        let value = match &self.support {
+            Some(support) => self.function.supported_range(&cell.value, support),
+            None => self.function.cell_range(&cell.value),
+        };
+        [value, slope]
     }
 
     /// Means over the interval between `l` and `r`, clamped to the domain; the values at `l` when both are equal.

