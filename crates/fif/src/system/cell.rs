@@ -3,7 +3,6 @@
 use crate::numeric::interval::Interval;
 use crate::numeric::polynomial::{UNIT, hull, restrict, restriction_error};
 use crate::system::map::Piece;
-use crate::system::support::Support;
 
 /// Over the image of `L_i ∘ L_j ∘ …`, scaled to `[0, 1]`: `f = A f(·) + p(·)`, within `error`.
 ///
@@ -12,10 +11,10 @@ use crate::system::support::Support;
 pub struct Cell<const C: usize> {
     /// Product of the vertical factors.
     pub(crate) product: f64,
-    polynomial: [f64; C],
-    error: f64,
+    pub(super) polynomial: [f64; C],
+    pub(super) error: f64,
     /// Roundings in `product`.
-    steps: f64,
+    pub(super) steps: f64,
 }
 
 impl<const C: usize> Cell<C> {
@@ -48,38 +47,6 @@ impl<const C: usize> Cell<C> {
         let p = self.polynomial_range();
         let f = domain.scaled(self.product);
         p.sum(f).inflated(1.01 * self.error + (self.steps + 4.0) * UNIT * f.magnitude())
-    }
-
-    /// An enclosure of `f` and a line over the cell, from enclosures of `f` and lines over the domain.
-    #[inline]
-    pub(crate) fn tilted_range(&self, support: &Support, [from, to]: [f64; 2]) -> Interval {
-        let first = self.polynomial.first().copied().unwrap_or(0.0);
-        let last = self.polynomial.last().copied().unwrap_or(0.0);
-        let rise = last - first;
-        // What the polynomial adds to its chord.
-        let mut rest = Interval::new(0.0, 0.0);
-        let mut largest = from.abs() + to.abs();
-        for (i, &b) in self.polynomial.iter().enumerate() {
-            let off = b - (first + rise * (i as f64 / (C.max(2) - 1) as f64));
-            rest = rest.hull(Interval::new(off, off));
-            largest = if b.abs() > largest { b.abs() } else { largest };
-        }
-        let size = self.product.abs();
-        let (base, line) = (first + from, rise + (to - from));
-        let (slope, flat) = (line / size, support.range(0.0));
-        let flipped = |range: Interval| {
-            if self.product > 0.0 { range } else { Interval::new(-range.hi, -range.lo) }
-        };
-        let range = if slope.is_finite() {
-            flipped(support.range(if self.product > 0.0 { slope } else { -slope }))
-        } else {
-            // The quotient is infinite or NaN, so the line is bounded on its own.
-            rest = rest.sum(Interval::new(line.min(0.0), line.max(0.0)));
-            flipped(flat)
-        };
-        let slack =
-            1.01 * self.error + (self.steps + 64.0) * UNIT * (size * support.magnitude() + 4.0 * largest);
-        Interval::new(base + size * range.lo + rest.lo, base + size * range.hi + rest.hi).inflated(slack)
     }
 
     /// The part `[from, to]` of the cell, in units of its width, with the middle of the range for the fractal part.

@@ -51,7 +51,7 @@ pub enum SystemError {
         /// The knot.
         right: f64,
     },
-    /// A cell is narrower than [`NARROWEST`](crate::system::NARROWEST) of the domain.
+    /// A cell is narrower than [`NARROWEST`] of the domain.
     NarrowCell {
         /// Which map, from 1.
         map: usize,

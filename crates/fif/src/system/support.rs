@@ -1,6 +1,7 @@
 //! Ranges of a rough function with a line added, which bound cells more tightly than those of either.
 
 use crate::numeric::interval::Interval;
+use crate::numeric::polynomial::UNIT;
 use crate::system::cell::Cell;
 use crate::system::map::Piece;
 
@@ -72,7 +73,7 @@ impl Support {
         if depth == 0 {
             for (i, hull) in hulls.iter_mut().enumerate() {
                 let k = self.slope(i);
-                let range = cell.tilted_range(self, [k * from, k * to]);
+                let range = self.tilted_range(cell, [k * from, k * to]);
                 *hull = hull.hull(range.inflated(64.0 * f64::EPSILON * k.abs()));
             }
             return;
@@ -91,6 +92,38 @@ impl Support {
     /// More than the magnitude of numbers in a range at a slope of at most the steepest.
     pub(crate) fn magnitude(&self) -> f64 {
         2.0 * self.steepest + self.ranges[NODES / 2].magnitude()
+    }
+
+    /// An enclosure of `f` and a line over the cell, from enclosures of `f` and lines over the domain.
+    #[inline]
+    pub(crate) fn tilted_range<const C: usize>(&self, cell: &Cell<C>, [from, to]: [f64; 2]) -> Interval {
+        let first = cell.polynomial.first().copied().unwrap_or(0.0);
+        let last = cell.polynomial.last().copied().unwrap_or(0.0);
+        let rise = last - first;
+        // What the polynomial adds to its chord.
+        let mut rest = Interval::new(0.0, 0.0);
+        let mut largest = from.abs() + to.abs();
+        for (i, &b) in cell.polynomial.iter().enumerate() {
+            let off = b - (first + rise * (i as f64 / (C.max(2) - 1) as f64));
+            rest = rest.hull(Interval::new(off, off));
+            largest = if b.abs() > largest { b.abs() } else { largest };
+        }
+        let size = cell.product.abs();
+        let (base, line) = (first + from, rise + (to - from));
+        let (slope, flat) = (line / size, self.range(0.0));
+        let flipped = |range: Interval| {
+            if cell.product > 0.0 { range } else { Interval::new(-range.hi, -range.lo) }
+        };
+        let range = if slope.is_finite() {
+            flipped(self.range(if cell.product > 0.0 { slope } else { -slope }))
+        } else {
+            // The quotient is infinite or NaN, so the line is bounded on its own.
+            rest = rest.sum(Interval::new(line.min(0.0), line.max(0.0)));
+            flipped(flat)
+        };
+        let slack =
+            1.01 * cell.error + (cell.steps + 64.0) * UNIT * (size * self.magnitude() + 4.0 * largest);
+        Interval::new(base + size * range.lo + rest.lo, base + size * range.hi + rest.hi).inflated(slack)
     }
 
     /// An enclosure of `{f + k u}`, but for rounding relative to its magnitude and that of `k`.

@@ -197,7 +197,7 @@ impl<S: Lower<C>, const C: usize> Function for System<S, C> {
 
     #[inline]
     fn supported_range(&self, cell: &Self::Cell, support: &Support) -> Interval {
-        cell.tilted_range(support, [0.0; 2]).intersection(cell.range(self.range()))
+        support.tilted_range(cell, [0.0; 2]).intersection(cell.range(self.range()))
     }
 
     #[cfg(feature = "alloc")]
