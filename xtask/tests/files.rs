@@ -143,7 +143,7 @@ fn aged(files: &Files) -> Files {
 fn assert_whole(case: &Case, found: &Files, versions: &[&Files], what: &str) {
     for (name, bytes) in found {
         // A picture is written anew as it grows finer.
-        let coarse = case.name == "render" && ImageFile::decode(bytes.clone(), Content::Colors).is_ok();
+        let coarse = case.name == "render" && ImageFile::decode(bytes, Content::Colors).is_ok();
         let right = coarse || versions.iter().any(|files| files.get(name) == Some(bytes));
         assert!(right, "{}, {what}: {name} of {} bytes is half a file", case.name, bytes.len());
     }

@@ -15,7 +15,7 @@ fn image(bytes: Vec<u8>, least: usize) {
     // The samples that a reader admits, once as bytes, once as planes, and once as the decoder has them in between; a sample of a
     // byte becomes four.
     let most = 16 * MIB + 12 * (1032 * bytes.len()).max(least);
-    match within(most, || ImageFile::decode(bytes, Content::Colors)) {
+    match within(most, || ImageFile::decode(&bytes, Content::Colors)) {
         Ok(image) => {
             assert!(image.width > 0 && image.height > 0 && !image.planes.is_empty());
             let all = |plane: &Vec<f32>| plane.len() == image.width * image.height;

@@ -1,5 +1,4 @@
 //! Model files of other programs: Debian's package `assimp-testmodels`, where it is installed.
-#![expect(clippy::print_stderr, reason = "a test that is skipped reports it")]
 
 use std::path::{Path, PathBuf};
 

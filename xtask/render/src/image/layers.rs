@@ -19,9 +19,9 @@ const MOST_FRAME: usize = 1 << 24;
 type Planes = ([usize; 2], Vec<Vec<f32>>);
 
 /// Reads the channels of a content, black outside the data window.
-pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<Planes, ImageFileError> {
+pub(super) fn decode(bytes: &[u8], content: Content) -> Result<Planes, ImageFileError> {
     let broken = |error: Error| ImageFileError::Broken { format: "OpenEXR file", error: error.into() };
-    let meta = MetaData::read_from_buffered(Cursor::new(&bytes), false).map_err(broken)?;
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(broken)?;
     for header in &meta.headers {
         let (width, height) = (header.layer_size.0, header.layer_size.1);
         check_size(width, height, header.channels.bytes_per_pixel, bytes.len())?;
@@ -48,7 +48,7 @@ pub(super) fn decode(bytes: Vec<u8>, content: Content) -> Result<Planes, ImageFi
         .first_valid_layer()
         .all_attributes()
         .non_parallel()
-        .from_buffered(Cursor::new(&bytes))
+        .from_buffered(Cursor::new(bytes))
         .map_err(broken)?;
     let layer = image.layer_data;
     let data = [layer.size.0, layer.size.1];
@@ -172,7 +172,8 @@ fn choose(headers: &[Header], content: Content) -> Result<Candidate, ImageFileEr
     let mut found = candidates(headers, kinds);
     if content == Content::Colors {
         // Y next to X or Z is a coordinate.
-        found.retain(|of| of.channels.len() == 3 || !has(of, "x") && !(has(of, "z") && !of.layer.is_empty()));
+        let coordinate = |of: &Candidate| has(of, "x") || has(of, "z") && !of.layer.is_empty();
+        found.retain(|of| of.channels.len() == 3 || !coordinate(of));
         found.retain(|of| !is_data(of.name()));
     }
     let named = |name: &&str| {
@@ -292,11 +293,11 @@ mod tests {
         };
     }
 
-    fn colors(bytes: Vec<u8>) -> ImageFile {
+    fn colors(bytes: &[u8]) -> ImageFile {
         ImageFile::decode(bytes, Content::Colors).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    fn refused(bytes: Vec<u8>, content: Content) -> String {
+    fn refused(bytes: &[u8], content: Content) -> String {
         decode(bytes, content).unwrap_err().to_string()
     }
 
@@ -324,8 +325,8 @@ mod tests {
 
     #[test]
     fn exr_data_window_is_placed_in_the_display_window() {
-        assert_eq!(colors(file!("crop.exr")), colors(file!("crop-expected.exr")));
-        assert_eq!(colors(file!("overscan.exr")), colors(file!("overscan-expected.exr")));
+        assert_eq!(colors(&file!("crop.exr")), colors(&file!("crop-expected.exr")));
+        assert_eq!(colors(&file!("overscan.exr")), colors(&file!("overscan-expected.exr")));
     }
 
     #[test]
@@ -347,8 +348,8 @@ mod tests {
 
     #[test]
     fn exr_colors_may_be_in_a_layer() {
-        let combined = colors(file!("blender-multilayer.exr"));
-        let layer = colors(file!("prefix.exr"));
+        let combined = colors(&file!("blender-multilayer.exr"));
+        let layer = colors(&file!("prefix.exr"));
         assert_eq!((combined.planes.len(), layer.planes.len()), (3, 3));
         for (channels, expected) in [
             (
@@ -413,7 +414,7 @@ mod tests {
                 [1.0, 2.0, 3.0],
             ),
         ] {
-            let image = colors(file(channels));
+            let image = colors(&file(channels));
             assert_eq!(image.colors().map(|plane| plane[0]), expected, "{channels:?}");
         }
     }
@@ -430,10 +431,10 @@ mod tests {
             parts(&[("diffuse", other), ("beauty", rgb)]),
             parts(&[("diffuse", other), ("beauty", prefixed)]),
         ] {
-            assert_eq!(colors(of).colors().map(|plane| plane[0]), [1.0, 2.0, 3.0]);
+            assert_eq!(colors(&of).colors().map(|plane| plane[0]), [1.0, 2.0, 3.0]);
         }
-        assert_eq!(colors(file!("multipart-depth-first.exr")).planes.len(), 3);
-        let unnamed = refused(parts(&[("one", rgb), ("two", other)]), Content::Colors);
+        assert_eq!(colors(&file!("multipart-depth-first.exr")).planes.len(), 3);
+        let unnamed = refused(&parts(&[("one", rgb), ("two", other)]), Content::Colors);
         assert_eq!(unnamed, "the image has several layers and none is named as the picture: one, two");
     }
 
@@ -462,11 +463,11 @@ mod tests {
             ),
             (&[("Y", 1.0), ("RY", 0.0), ("BY", 0.0)], "its colors are luminance and chroma"),
         ] {
-            let got = refused(file(channels), Content::Colors);
+            let got = refused(&file(channels), Content::Colors);
             assert!(got.contains(message), "{got}");
         }
-        assert!(refused(file!("luminance-chroma.exr"), Content::Colors).contains("luminance and chroma"));
-        assert!(refused(file!("cube-attr.exr"), Content::Colors).contains("it is a cube map"));
+        assert!(refused(&file!("luminance-chroma.exr"), Content::Colors).contains("luminance and chroma"));
+        assert!(refused(&file!("cube-attr.exr"), Content::Colors).contains("it is a cube map"));
     }
 
     #[test]
@@ -477,12 +478,13 @@ mod tests {
             &[("View Layer.Normal.X", 1.0), ("View Layer.Normal.Y", 2.0), ("View Layer.Normal.Z", 3.0)],
             &[("normal.r", 1.0), ("normal.g", 2.0), ("normal.b", 3.0)],
         ] {
-            let image = ImageFile::decode(file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
+            let image =
+                ImageFile::decode(&file(&[&picture[..], normals].concat()), Content::Normals).unwrap();
             assert_eq!(image.colors().map(|plane| plane[0]), [1.0, 2.0, 3.0], "{normals:?}");
         }
-        let two = ImageFile::decode(file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
+        let two = ImageFile::decode(&file(&[("R", 1.0), ("G", 2.0)]), Content::Normals).unwrap();
         assert_eq!(two.planes, [[1.0; 2], [2.0; 2]]);
-        let gray = refused(file(&[("Y", 1.0)]), Content::Normals);
+        let gray = refused(&file(&[("Y", 1.0)]), Content::Normals);
         assert_eq!(gray, "a normal map needs the channels R, G, B or X, Y, Z, got Y");
     }
 
@@ -492,6 +494,6 @@ mod tests {
         let name = b"displayWindow\0box2i\0";
         let at = bytes.windows(name.len()).position(|window| window == name).unwrap() + name.len() + 12;
         bytes[at..at + 4].copy_from_slice(&((1 << 25) - 1_i32).to_le_bytes());
-        assert!(refused(bytes, Content::Colors).contains("cannot hold the 33554432 × 1 pixels"));
+        assert!(refused(&bytes, Content::Colors).contains("cannot hold the 33554432 × 1 pixels"));
     }
 }

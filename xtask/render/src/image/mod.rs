@@ -152,7 +152,7 @@ mod tests {
         ] {
             let bytes = image.encode(Format::of(Path::new(name)).unwrap()).unwrap();
             assert!(bytes.starts_with(first), "{name}");
-            let planes = ImageFile::decode(bytes, Content::Colors).unwrap().planes.into_iter().flatten();
+            let planes = ImageFile::decode(&bytes, Content::Colors).unwrap().planes.into_iter().flatten();
             let expected =
                 [[0.0, 188.0, 255.0].repeat(2), [[0.0; 3], [255.0; 3]].concat(), vec![0.0; 6]].concat();
             // libjpeg is off by 3 here at this quality.
@@ -161,7 +161,7 @@ mod tests {
             }
         }
         let exr = image.encode(Format::of(Path::new("e.exr")).unwrap()).unwrap();
-        let exr = ImageFile::decode(exr, Content::Colors).unwrap();
+        let exr = ImageFile::decode(&exr, Content::Colors).unwrap();
         assert_eq!(exr.colors()[0], [0.0, 0.5, 1.0].repeat(2));
         assert_eq!(["x.gif", "png", "x"].map(|name| Format::of(Path::new(name))), [None; 3]);
         assert_eq!(image.pixels[3 + 1].y, 1.0);

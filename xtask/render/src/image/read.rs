@@ -31,21 +31,21 @@ impl ImageFile {
     /// Reads a file.
     pub fn open(path: &Path, content: Content) -> Result<Self, ImageFileError> {
         let bytes = input_file::read(path, MOST_BYTES);
-        Self::decode(bytes.map_err(|error| ImageFileError::Unreadable { error })?, content)
+        Self::decode(&bytes.map_err(|error| ImageFileError::Unreadable { error })?, content)
     }
 
     /// Decodes a file's bytes. Nothing is allocated for pixels that the bytes cannot hold.
-    pub fn decode(bytes: Vec<u8>, content: Content) -> Result<Self, ImageFileError> {
-        match bytes[..] {
+    pub fn decode(bytes: &[u8], content: Content) -> Result<Self, ImageFileError> {
+        match *bytes {
             [] => Err(ImageFileError::Empty),
-            [0x89, b'P', b'N', b'G', ..] => decode_png(&bytes),
+            [0x89, b'P', b'N', b'G', ..] => decode_png(bytes),
             [0x76, 0x2f, 0x31, 0x01, ..] => {
                 let ([width, height], planes) = layers::decode(bytes, content)?;
                 Ok(Self { width, height, planes, floats: true })
             }
-            [0xff, 0xd8, 0xff, ..] => decode_jpeg(&bytes),
-            [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(&bytes),
-            [b'#', b'?', ..] => decode_radiance(&bytes),
+            [0xff, 0xd8, 0xff, ..] => decode_jpeg(bytes),
+            [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => decode_webp(bytes),
+            [b'#', b'?', ..] => decode_radiance(bytes),
             _ => Err(ImageFileError::UnknownFormat),
         }
     }
@@ -158,10 +158,10 @@ mod tests {
     #[test]
     fn grey_with_alpha_keeps_its_grey_and_colours_their_planes() {
         let grey = encode([2, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[255, 0, 51, 9]);
-        assert_eq!(ImageFile::decode(grey, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
+        assert_eq!(ImageFile::decode(&grey, Content::Colors).unwrap().planes, [[1.0, 0.2]]);
         let rgba = [[255, 0], [0, 0], [0, 51], [7, 7]].concat();
         let rgba = encode([1, 1], ColorType::Rgba, BitDepth::Sixteen, &rgba);
-        let image = ImageFile::decode(rgba, Content::Normals).unwrap();
+        let image = ImageFile::decode(&rgba, Content::Normals).unwrap();
         let [r, g, b] = image.colors();
         assert_eq!((r[0], g[0], b[0]), (65_280.0 / 65_535.0, 0.0, 51.0 / 65_535.0));
         assert_eq!(image.grey(), [(r[0] + b[0]) / 3.0]);
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn light_of_a_radiance_file_is_linear() {
         let bytes = b"#?RGBE\n\n-Y 1 +X 1\n\x80\x40\x00\x81".to_vec();
-        let image = ImageFile::decode(bytes, Content::Colors).unwrap();
+        let image = ImageFile::decode(&bytes, Content::Colors).unwrap();
         assert_eq!((image.floats, image.grey().len()), (true, 1));
         assert_eq!(image.colors()[0], [128.5 / 128.0]);
     }
@@ -183,7 +183,7 @@ mod tests {
             ([8, 9], "the PNG cannot be decoded"),
         ] {
             let header = encode(size, ColorType::Grayscale, BitDepth::Eight, &[]);
-            let error = ImageFile::decode(header, Content::Colors).unwrap_err().to_string();
+            let error = ImageFile::decode(&header, Content::Colors).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");
         }
     }
@@ -192,7 +192,7 @@ mod tests {
     fn textures_read_back_and_without_data_are_refused() {
         let texels = vec![0.25, f32::MAX, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0];
         let good = exr(4, 2, [("Y", texels.clone()), ("A", vec![1.0; 8])]).unwrap();
-        let image = ImageFile::decode(good.clone(), Content::Colors).unwrap();
+        let image = ImageFile::decode(&good.clone(), Content::Colors).unwrap();
         assert_eq!((image.width, image.height, image.planes), (4, 2, vec![texels]));
         let claiming = |width: i32, height: i32| {
             let mut bytes = good.clone();
@@ -219,7 +219,7 @@ mod tests {
             ),
             (Vec::new(), "the file is empty"),
         ] {
-            let error = ImageFile::decode(bytes, Content::Colors).unwrap_err().to_string();
+            let error = ImageFile::decode(&bytes, Content::Colors).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");
         }
     }

@@ -43,7 +43,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
             }
             "l" | "p" => soup.thin = true,
             "surf" | "bzp" | "bsp" | "cdc" | "cdp" | "call" => {
-                return Err(broken(line, format!("`{keyword}` is not supported, only polygons are")));
+                return Err(broken(line, &format!("`{keyword}` is not supported, only polygons are")));
             }
             _ => {}
         }
@@ -116,12 +116,12 @@ fn numbers<'a>(
 ) -> Result<[f64; 3], MeshFileError> {
     let (mut values, mut count) = ([0.0; 3], 0);
     for (value, word) in values.iter_mut().zip(words) {
-        *value = number(word).ok_or_else(|| broken(line, format!("`{word}` is not a number")))?;
+        *value = number(word).ok_or_else(|| broken(line, &format!("`{word}` is not a number")))?;
         count += 1;
     }
     if count < least {
         let numbers = if least == 1 { "1 number".into() } else { format!("{least} numbers") };
-        return Err(broken(line, format!("a {what} must have {numbers}, got {count}")));
+        return Err(broken(line, &format!("a {what} must have {numbers}, got {count}")));
     }
     Ok(values)
 }
@@ -134,7 +134,7 @@ fn corner(line: usize, word: &str, above: [usize; 3]) -> Result<[u32; 3], MeshFi
         if text.is_empty() && k > 0 {
             continue;
         }
-        let index: i64 = text.parse().map_err(|_| broken(line, format!("`{word}` is not a face corner")))?;
+        let index: i64 = text.parse().map_err(|_| broken(line, &format!("`{word}` is not a face corner")))?;
         let from_0 = if index < 0 { index.saturating_add(above[k] as i64) } else { index - 1 };
         match u32::try_from(from_0).ok().filter(|&found| found != ABSENT) {
             Some(found) => indices[k] = found,
@@ -149,6 +149,6 @@ fn no_such(line: usize, index: i64, count: usize) -> MeshFileError {
     MeshFileError::NoSuchIndex { line, index, count }
 }
 
-fn broken(line: usize, error: String) -> MeshFileError {
+fn broken(line: usize, error: &str) -> MeshFileError {
     MeshFileError::broken("OBJ", format!("line {line}: {error}"))
 }

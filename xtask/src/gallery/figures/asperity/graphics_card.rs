@@ -117,7 +117,7 @@ mod tests {
             let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));
             let [before, after] = [
                 ImageFile::open(&path, Content::Colors).unwrap(),
-                ImageFile::decode(image(&path).unwrap().encode(Format::Png).unwrap(), Content::Colors)
+                ImageFile::decode(&image(&path).unwrap().encode(Format::Png).unwrap(), Content::Colors)
                     .unwrap(),
             ];
             assert_eq!(before, after, "{subject}");

@@ -265,7 +265,7 @@ pub(super) fn item<'a, T>(list: &'a [T], what: &'static str, index: usize) -> Re
 fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, MeshFileError> {
     serde_json::from_slice(json).or_else(|error| {
         let loose = || serde_json::from_value(tidied(serde_json::from_slice(json).ok()?)).ok();
-        loose().ok_or_else(|| broken(error))
+        loose().ok_or_else(|| broken(&error))
     })
 }
 
@@ -285,7 +285,7 @@ fn tidied(value: Value) -> Value {
 }
 
 /// The words of the JSON reader, with types as JSON has them.
-fn broken(error: serde_json::Error) -> MeshFileError {
+fn broken(error: &serde_json::Error) -> MeshFileError {
     let words = error.to_string();
     let named = [("usize", "an index"), ("u32", "an integer"), ("u8", "an integer"), ("f64", "a number")];
     let named = named.into_iter().chain([("a sequence", "an array"), ("map", "an object")]);
