@@ -48,7 +48,7 @@ pub trait Intersect: Surface {
     /// root must be; where they exclude 0, two evaluations decide, and an interval Newton search finds the root. What is left
     /// is split and bounded anew, until a stretch is no longer than the tolerance: a change of sign there is a hit. A stretch
     /// without one is split on, down to 10⁻¹² of the domain, until its bounds exclude that the ray dips in and out
-    /// again. Over a surface without slopes every half is bounded anew, down to 1.6·10⁻¹⁴ of the domain. Where the bounds do
+    /// again. Over a surface without slopes every half is bounded again, down to 1.6·10⁻¹⁴ of the domain. Where the bounds do
     /// not exclude it, a hit more than 10⁻¹² of the domain behind is not certain, or the stretch itself is an uncertain one.
     /// So a certain hit lies within `tolerance` of a root before which there is none but within 10⁻¹² of the domain. 0,
     /// negative and NaN stand for a root to the rounding error, which is up to 1.6·10⁻¹¹ of the domain where rounding hides

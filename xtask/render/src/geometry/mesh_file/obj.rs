@@ -2,7 +2,7 @@
 //!
 //! Specification: Wavefront Technologies 1995, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
 
-use std::collections::HashMap;
+use std::{borrow::Cow, collections::HashMap};
 
 use glam::{DVec3, Vec2, Vec3};
 
@@ -58,14 +58,14 @@ pub(super) fn parse(bytes: &[u8]) -> Result<TriangleSoup, MeshFileError> {
         polygon.clear();
         for &indices in &corners[range] {
             let [v, vt, vn] = indices.map(|i| i as usize);
-            match places.get(v) {
-                None => return Err(no_such(line, v as i64 + 1, places.len())),
+            let position = match places.get(v) {
+                Some(Ok(place)) => *place,
                 Some(Err(_)) => return places.swap_remove(v).map(|_| soup),
-                Some(Ok(_)) => {}
-            }
+                None => return Err(no_such(line, v as i64 + 1, places.len())),
+            };
             polygon.push(*known.entry(indices).or_insert_with(|| {
                 soup.corners.push(Corner {
-                    position: *places[v].as_ref().unwrap_or(&DVec3::NAN),
+                    position,
                     normal: normals.get(vn).copied().unwrap_or_default(),
                     uv: uvs.get(vt).copied().unwrap_or_default(),
                 });
@@ -82,20 +82,20 @@ const ABSENT: u32 = u32::MAX;
 
 /// Statements with the numbers of their lines, without comments. Lines that end in a backslash are joined where the statement
 /// is read: names may be paths of Windows.
-fn statements(text: &str) -> impl Iterator<Item = (usize, String)> {
-    let text = text.replace("\r\n", "\n");
-    let lines: Vec<String> = text.split(['\n', '\r']).map(|line| trimmed(line).to_owned()).collect();
-    let mut lines = lines.into_iter().enumerate();
+fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+    let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
+    let mut lines = lines.map(trimmed).enumerate();
     std::iter::from_fn(move || {
-        let (k, mut statement) = lines.next()?;
+        let (k, line) = lines.next()?;
+        let mut statement = Cow::Borrowed(line);
         let read = ["v", "vt", "vn", "f", "fo", "l", "p"];
-        while statement.ends_with('\\')
-            && statement.split_whitespace().next().is_some_and(|w| read.contains(&w))
-        {
-            statement.pop();
+        let is_read = line.split_whitespace().next().is_some_and(|word| read.contains(&word));
+        while is_read && statement.ends_with('\\') {
+            let joined = statement.to_mut();
+            joined.pop();
             let Some((_, next)) = lines.next() else { break };
-            statement.push(' ');
-            statement.push_str(&next);
+            joined.push(' ');
+            joined.push_str(next);
         }
         Some((k + 1, statement))
     })

@@ -95,12 +95,14 @@ impl TriangleSoup {
             .iter_mut()
             .filter(|corner| !corner.uv.is_finite())
             .for_each(|corner| corner.uv = Vec2::ZERO);
-        let nothing = || match self.thin {
+        let nothing = match self.thin {
             true => MeshFileError::OnlyPointsAndLines,
             false if self.triangles.is_empty() => MeshFileError::Nothing,
             false => MeshFileError::NoTriangles,
         };
-        let (center, radius) = self.ball().ok_or_else(nothing)?;
+        let corners = &self.corners;
+        self.triangles.retain(|triangle| !is_line(triangle.map(|i| corners[i as usize].position)));
+        let Some((center, radius)) = self.ball() else { return Err(nothing) };
         let turned = |v: DVec3| match reading.up {
             Up::Y => DVec3::new(v.x, -v.z, v.y),
             Up::Z => v,
@@ -110,7 +112,7 @@ impl TriangleSoup {
         let mut own = vec![u32::MAX; self.corners.len()];
         for &triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| place(i).as_dvec3());
-            if self.is_line(triangle) || (b - a).cross(c - a) == DVec3::ZERO {
+            if (b - a).cross(c - a) == DVec3::ZERO {
                 continue;
             }
             mesh.triangles.push(triangle.map(|i| {
@@ -125,7 +127,7 @@ impl TriangleSoup {
             }));
         }
         if mesh.triangles.is_empty() {
-            return Err(nothing());
+            return Err(nothing);
         }
         let normals = mesh.vertices.iter().all(|v| v.normal != Vec3::ZERO);
         if !normals {
@@ -143,37 +145,30 @@ impl TriangleSoup {
         broken.map_or(Ok(()), |index| Err(MeshFileError::NotFinite { index }))
     }
 
-    /// Center of the box around all triangles that have an area, and the distance of the farthest corner.
+    /// Center of the box around all triangles, and the distance of the farthest corner.
     fn ball(&self) -> Option<(DVec3, f64)> {
-        let corners: Vec<DVec3> = self
-            .triangles
-            .iter()
-            .filter(|triangle| !self.is_line(**triangle))
-            .flatten()
-            .map(|&i| self.corners[i as usize].position)
-            .collect();
-        let low = corners.iter().copied().reduce(DVec3::min)?;
-        let high = corners.iter().copied().reduce(DVec3::max)?;
+        let corners = || self.triangles.iter().flatten().map(|&i| self.corners[i as usize].position);
+        let low = corners().reduce(DVec3::min)?;
+        let high = corners().reduce(DVec3::max)?;
         let center = 0.5 * (low + high);
-        let radius = corners.iter().map(|p| p.distance(center)).fold(0.0, f64::max);
+        let radius = corners().map(|p| p.distance(center)).fold(0.0, f64::max);
         (radius > 0.0).then_some((center, radius))
     }
+}
 
-    /// Whether the corners are on a line, within the rounding of coordinates in `f32`: modelers hide parts by scaling them to 0.
-    fn is_line(&self, triangle: [u32; 3]) -> bool {
-        let [a, b, c] = triangle.map(|i| self.corners[i as usize].position);
-        let edges = [b - a, c - b, a - c];
-        let scale = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
-        // A part that was scaled to a point somewhere else, by the rounding of transforms.
-        if scale <= 1e-11 * a.abs().max_element() {
-            return true;
-        }
-        let edges = edges.map(|edge| edge / scale);
-        let longest = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
-        let height = edges[0].cross(edges[2]).length() / longest;
-        // All three in one place: NaN.
-        height.is_nan() || height <= f64::from(f32::EPSILON)
+/// Whether corners are on a line, within the rounding of coordinates in `f32`: modelers hide parts by scaling them to 0.
+fn is_line([a, b, c]: [DVec3; 3]) -> bool {
+    let edges = [b - a, c - b, a - c];
+    let scale = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
+    // A part that was scaled to a point somewhere else, by the rounding of transforms.
+    if scale <= 1e-11 * a.abs().max_element() {
+        return true;
     }
+    let edges = edges.map(|edge| edge / scale);
+    let longest = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
+    let height = edges[0].cross(edges[2]).length() / longest;
+    // All three in one place: NaN.
+    height.is_nan() || height <= f64::from(f32::EPSILON)
 }
 
 /// The angle at the first of three points.

@@ -286,10 +286,18 @@ fn tidied(value: Value) -> Value {
 
 /// The words of the JSON reader, with types as JSON has them.
 fn broken(error: &serde_json::Error) -> MeshFileError {
-    let words = error.to_string();
-    let named = [("usize", "an index"), ("u32", "an integer"), ("u8", "an integer"), ("f64", "a number")];
-    let named = named.into_iter().chain([("a sequence", "an array"), ("map", "an object")]);
-    MeshFileError::broken("glTF", named.fold(words, |words, (from, to)| words.replace(from, to)))
+    let named = [
+        ("expected usize", "expected an index"),
+        ("expected u32", "expected an integer"),
+        ("expected u8", "expected an integer"),
+        ("expected f64", "expected a number"),
+        ("expected a sequence", "expected an array"),
+        ("expected a map", "expected an object"),
+        ("invalid type: sequence", "invalid type: an array"),
+        ("invalid type: map", "invalid type: an object"),
+    ];
+    let words = named.into_iter().fold(error.to_string(), |words, (from, to)| words.replace(from, to));
+    MeshFileError::broken("glTF", words)
 }
 
 /// The beginning of a name.

@@ -60,9 +60,6 @@ pub(super) fn geometry(
         triangles: Vec::new(),
         left_out: false,
     };
-    if let Some(mode @ 7..) = primitive.mode {
-        return Err(MeshFileError::broken("glTF", format!("primitive mode {mode} does not exist")));
-    }
     for (target, &weight) in primitive.targets.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
         morph(gltf, &mut geometry, target, weight as f32)?;
     }
@@ -80,6 +77,9 @@ pub(super) fn geometry(
     geometry.triangles = match primitive.mode {
         Some(5) if compressed.is_none() => strip(&corners),
         Some(6) if compressed.is_none() => fan(&corners),
+        Some(mode @ 7..) => {
+            return Err(MeshFileError::broken("glTF", format!("primitive mode {mode} does not exist")));
+        }
         _ => {
             let (triangles, rest) = corners.as_chunks::<3>();
             geometry.left_out = !rest.is_empty();
@@ -89,8 +89,8 @@ pub(super) fn geometry(
     let read = geometry.triangles.len();
     geometry.triangles.retain(|triangle| triangle.iter().all(|&i| (i as usize) < count));
     geometry.left_out |= geometry.triangles.len() < read;
-    if let (Some(&index), true) = (corners.first(), geometry.triangles.is_empty() && read > 0) {
-        let index = corners.iter().copied().find(|&i| i as usize >= count).unwrap_or(index).into();
+    if geometry.triangles.is_empty() && read > 0 {
+        let index = corners.into_iter().find(|&i| i as usize >= count).unwrap_or_default().into();
         return Err(MeshFileError::NoSuchVertex { index, count });
     }
     Ok(Some(geometry))
