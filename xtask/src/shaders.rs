@@ -3,22 +3,19 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
-use std::sync::atomic::AtomicBool;
 
 use crate::cargo;
 use crate::cli::Shaders;
 use crate::drivers::{PROGRAM, program, with_drivers};
-use crate::failure::{Failure, Interrupted};
-use crate::output::Output;
-use crate::progress;
+use crate::failure::Failure;
+use crate::report::say;
 
 /// Runs what was asked for.
-pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+pub(crate) fn run(wanted: &Shaders, root: &Path) -> Result<(), Failure> {
     if wanted.costs {
         let mut costs = program(root, "costs");
         costs.args(wanted.adapter.iter().flat_map(|name| ["--adapter", name]));
         let ran = cargo::run(costs.arg("--out").arg(root.join("docs/shaders/costs.md")));
-        Interrupted::check(interrupted)?;
         return ran;
     }
     let only: Vec<&str> = wanted.part.iter().flat_map(|part| ["--only", part]).collect();
@@ -29,20 +26,16 @@ pub(crate) fn run(wanted: &Shaders, root: &Path, interrupted: &AtomicBool) -> Re
             let mut export = program(root, "export");
             export.args(&only).arg("--check").arg("--out").arg(std::path::absolute(&wanted.out)?);
             let written = cargo::run(&mut export);
-            Interrupted::check(interrupted)?;
             written?;
         }
         let ran = cargo::run(&mut parity);
-        Interrupted::check(interrupted)?;
         return ran;
     }
     let mut export = program(root, "export");
     // The program runs in a folder of its own.
     export.args(&only).arg("--out").arg(folder(&wanted.out)?);
     export.args(wanted.dialect.iter().flat_map(|name| ["--dialect", name]));
-    let ran = cargo::run(&mut export);
-    Interrupted::check(interrupted)?;
-    ran
+    cargo::run(&mut export)
 }
 
 /// The gate: every bound on every adapter, every file read by the validators, and the examples' pictures; a line each of what there is, or
@@ -75,7 +68,7 @@ pub(crate) fn on_drivers(root: &Path) -> Result<(), Failure> {
             return Err(format!("the shaders are not what they should be:\n{said}").into());
         }
         driver &= !said.contains("no driver is tried");
-        said.lines().filter(|line| is_line(line)).for_each(|line| progress::say(&format!("  {line}")));
+        said.lines().filter(|line| is_line(line)).for_each(|line| say(&format!("  {line}")));
     }
     Ok(())
 }
@@ -86,7 +79,7 @@ fn is_machine(line: &str) -> bool {
 }
 
 fn folder(path: &Path) -> Result<PathBuf, Failure> {
-    Output::new(path)?;
+    std::fs::create_dir_all(path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
     Ok(std::path::absolute(path)?)
 }
 

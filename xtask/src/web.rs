@@ -3,14 +3,12 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::AtomicBool;
 
 use crate::cargo::{self, cargo};
 use crate::cli::Web;
 use crate::drivers::program;
-use crate::failure::{Failure, Interrupted};
-use crate::output::Output;
-use crate::progress;
+use crate::failure::Failure;
+use crate::report::say;
 use crate::toolchain::{Toolchain, output, rust_lld};
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -20,14 +18,12 @@ const FOLDER: &str = "web";
 const TARGETS: &str = "target/module";
 
 /// Builds the page, and serves it where that is asked for.
-pub(crate) fn run(wanted: &Web, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+pub(crate) fn run(wanted: &Web, root: &Path) -> Result<(), Failure> {
     let out = folder(&wanted.out)?;
     let module = module(root)?;
-    Interrupted::check(interrupted)?;
-    progress::say("the page's shaders in both languages");
+    say("the page's shaders in both languages");
     let mut build = builder(root, "build");
     cargo::run(build.arg("--wasm").arg(module).arg("--out").arg(&out))?;
-    Interrupted::check(interrupted)?;
     let Some(port) = wanted.serve else { return Ok(()) };
     let mut serve = builder(root, "serve");
     cargo::run(serve.arg(out.join("hosted")).arg("--port").arg(port.to_string()))
@@ -37,7 +33,7 @@ pub(crate) fn run(wanted: &Web, root: &Path, interrupted: &AtomicBool) -> Result
 /// the crates do, and stands wrong input; the programs it gives to copy run; the gallery's drawings are alone what they are in its pages;
 /// one line of what there is, or lacks.
 pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
-    let tell = |line: &str| progress::say(&format!("  {line}"));
+    let tell = |line: &str| say(&format!("  {line}"));
     cargo::run(&mut cargo(&root.join(FOLDER), "test --quiet --locked"))?;
     let module = match module(root) {
         Ok(module) => module,
@@ -75,8 +71,8 @@ pub(crate) fn in_browsers(root: &Path) -> Result<(), Failure> {
     told(program(root, "page").arg(&screens))?.lines().for_each(tell);
     let gallery = root.join("target/asperity/drawings");
     // As small as may be, drawings are as large as ever. Means over zooms take as long as all others together; the rest have none.
-    let mut draw = Command::new(std::env::current_exe()?);
-    draw.args(["gallery", "--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
+    let mut draw = cargo(root, "run --quiet --release --package asperity-gallery --");
+    draw.args(["--quality", "draft", "--size", "32", "--spp", "1", "--out"]).arg(&gallery);
     for figures in ["asperity-mean-radiance", "cochran", "ndf", "noise"] {
         draw.args(["--only", figures]);
     }
@@ -108,7 +104,7 @@ fn module(root: &Path) -> Result<PathBuf, Failure> {
         )
         .into());
     };
-    progress::say("the crates as a WebAssembly module, some minutes the first time");
+    say("the crates as a WebAssembly module, some minutes the first time");
     let folder = root.join(FOLDER);
     let mut build = toolchain.build(&folder, TARGET, "core,alloc");
     build
@@ -138,6 +134,6 @@ fn builder(root: &Path, command: impl AsRef<OsStr>) -> Command {
 }
 
 fn folder(path: &Path) -> Result<PathBuf, Failure> {
-    Output::new(path)?;
+    std::fs::create_dir_all(path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
     Ok(std::path::absolute(path)?)
 }

@@ -2,25 +2,25 @@
 
 #![expect(clippy::missing_panics_doc, clippy::unwrap_used, reason = "an attack that succeeds is a failure")]
 
-#[path = "../../../xtask/src/cli.rs"]
+#[path = "../../../tools/asperity/src/cli.rs"]
 #[allow(dead_code, reason = "the builder's own, of which the parsers are called")]
 mod cli;
-#[path = "../../../xtask/src/failure.rs"]
+#[path = "../../../tools/asperity/src/failure.rs"]
 #[allow(unused, reason = "the builder's own, of which the parsers are called")]
 mod failure;
 mod input;
 /// A function of the output that the input needs.
 mod output {
-    pub(crate) fn sha256(bytes: &[u8]) -> String {
+    pub fn sha256(bytes: &[u8]) -> String {
         use sha2::{Digest, Sha256};
         Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 }
 /// Notes are not printed.
 mod progress {
-    pub(crate) const fn note(_: &str) {}
+    pub const fn note(_: &str) {}
 }
-#[path = "../../../xtask/src/quality.rs"]
+#[path = "../../../tools/asperity/src/quality.rs"]
 #[allow(dead_code, reason = "the builder's own, of which the parsers are called")]
 mod quality;
 

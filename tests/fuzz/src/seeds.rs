@@ -30,9 +30,9 @@ pub fn of(attack: &str) -> Vec<Vec<u8>> {
 /// A seed: the attack and the bytes.
 type Seed = (&'static str, Vec<u8>);
 
-const CUBE_OBJ: &[u8] = include_bytes!("../../../xtask/render/tests/data/cube.obj");
-const CUBE_PLY: &[u8] = include_bytes!("../../../xtask/render/tests/data/cube.ply");
-const CUBE_GLB: &[u8] = include_bytes!("../../../xtask/render/tests/data/cube.glb");
+const CUBE_OBJ: &[u8] = include_bytes!("../../../tools/render/tests/data/cube.obj");
+const CUBE_PLY: &[u8] = include_bytes!("../../../tools/render/tests/data/cube.ply");
+const CUBE_GLB: &[u8] = include_bytes!("../../../tools/render/tests/data/cube.glb");
 
 fn all() -> Vec<Seed> {
     let mut all = Vec::new();

@@ -16,8 +16,8 @@ use glam::{Vec2, Vec3};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::cli::{Cli, Images};
-use crate::input::{density::Density, fif_system::System};
+use crate::cli::Cli;
+use crate::input::{density::Density, fif_system::System, images::Images};
 
 /// A value of the text, which is the same when it is written and read again, or words why there is none.
 fn read<T: DeserializeOwned + Serialize>(text: &[u8]) -> Option<T> {
@@ -89,7 +89,7 @@ pub(crate) fn words(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let words = text.split('\n').map(str::to_owned);
     COMMAND.with_borrow_mut(|command| {
-        let words = ["cargo xtask".to_owned()].into_iter().chain(words);
+        let words = ["asperity".to_owned()].into_iter().chain(words);
         let read = command.try_get_matches_from_mut(words);
         if let Err(error) = read.and_then(|matches| Cli::from_arg_matches(&matches)) {
             assert!([0, 2].contains(&error.exit_code()), "{error}");

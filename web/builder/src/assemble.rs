@@ -17,7 +17,7 @@ const INDEX: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
 /// What a browser without graphics shows: the page's first scene as the page drew it.
 const PICTURE: &[u8] = include_bytes!("../../page/bumps.webp");
-const TEAPOT: &str = include_str!("../../../xtask/render/data/teapot.json");
+const TEAPOT: &str = include_str!("../../../tools/render/data/teapot.json");
 
 /// Modules in the order of their needs; names at their top level are unique, since one file holds all in one scope.
 const MODULES: &[(&str, &str)] = &[

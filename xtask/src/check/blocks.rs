@@ -8,7 +8,7 @@ use cargo_metadata::{MetadataCommand, Package};
 
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
-use crate::progress;
+use crate::report::say;
 
 /// The generated workspace.
 const FOLDER: &str = "target/blocks";
@@ -58,7 +58,7 @@ pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
     if !failed.is_empty() {
         return Err(format!("examples of {} in {FOLDER} fail", failed.join(", ")).into());
     }
-    progress::say(&format!("  the examples of {} crates and {count} blocks of pages", crates.len()));
+    say(&format!("  the examples of {} crates and {count} blocks of pages", crates.len()));
     Ok(())
 }
 

@@ -1,14 +1,15 @@
 //! `cargo xtask ci`: every gate that stands between a change and `main`.
 
-use std::{path::Path, sync::atomic::AtomicBool, time::Instant};
+use std::{path::Path, time::Instant};
 
 use cargo_metadata::{MetadataCommand, Package};
 
 use super::{bits, blocks, dependencies, firmware, no_std, packages, tidy};
 use crate::cargo::{cargo, run};
 use crate::cli::Ci;
-use crate::failure::{Failure, Interrupted};
-use crate::{progress, shaders, tables, web};
+use crate::failure::Failure;
+use crate::report::say;
+use crate::{shaders, web};
 
 /// The crates that compute.
 pub(crate) const CRATES: [&str; 4] =
@@ -36,7 +37,9 @@ const GATES: [Gate; 12] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
-    ("generated tables", tables::check),
+    ("generated tables", |root| {
+        run(&mut cargo(root, "run --quiet --release --package asperity-tables -- --check"))
+    }),
     ("clippy", clippy),
     ("no float backend is one clear error", neither_backend),
     ("docs", |root| {
@@ -45,7 +48,7 @@ const GATES: [Gate; 12] = [
     }),
     ("documentation examples", blocks::examples),
     ("examples and benches", examples_and_benches),
-    ("no_std probe", |root| no_std::probe(root).map(|line| progress::say(&format!("  {line}")))),
+    ("no_std probe", |root| no_std::probe(root).map(|line| say(&format!("  {line}")))),
     ("oldest packages", packages::oldest_packages),
     ("packages", packages::packages),
 ];
@@ -56,8 +59,8 @@ const WEEKLY: [Gate; 9] = [
     ("shaders on drivers", shaders::on_drivers),
     ("live page", web::in_browsers),
     ("the same bits", bits::gate),
-    ("firmware", |root| firmware::check(root).map(|line| progress::say(&format!("  {line}")))),
-    ("bits of every platform", |root| bits::table(root).map(|table| progress::say(&table))),
+    ("firmware", |root| firmware::check(root).map(|line| say(&format!("  {line}")))),
+    ("bits of every platform", |root| bits::table(root).map(|table| say(&table))),
     ("pairs of features", pairs_of_features),
     ("packages of a stranger", packages::of_a_stranger),
     ("attacks", |root| {
@@ -68,7 +71,7 @@ const WEEKLY: [Gate; 9] = [
 
 /// Runs the gates whose names contain one of those wanted, or all that are not weekly, or all, in order, and stops at the first
 /// that fails.
-pub(crate) fn gates(wanted: &Ci, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+pub(crate) fn gates(wanted: &Ci, root: &Path) -> Result<(), Failure> {
     let named = |name: &str| wanted.only.iter().any(|part| name.contains(part.as_str()));
     let mut gates: Vec<Gate> = GATES.into_iter().chain(WEEKLY).collect();
     if !wanted.only.is_empty() {
@@ -84,12 +87,11 @@ pub(crate) fn gates(wanted: &Ci, root: &Path, interrupted: &AtomicBool) -> Resul
     }
     let all = Instant::now();
     for (name, gate) in gates {
-        Interrupted::check(interrupted)?;
         let start = Instant::now();
         gate(root).map_err(|error| format!("gate `{name}`: {error}"))?;
-        progress::say(&format!("ok {name:<38} {:6.1} s", start.elapsed().as_secs_f64()));
+        say(&format!("ok {name:<38} {:6.1} s", start.elapsed().as_secs_f64()));
     }
-    progress::say(&format!("every gate passed in {:.1} s", all.elapsed().as_secs_f64()));
+    say(&format!("every gate passed in {:.1} s", all.elapsed().as_secs_f64()));
     Ok(())
 }
 
@@ -113,7 +115,7 @@ fn pairs_of_features(root: &Path) -> Result<(), Failure> {
             sets += 1;
         }
     }
-    progress::say(&format!("  {sets} sets of features"));
+    say(&format!("  {sets} sets of features"));
     Ok(())
 }
 

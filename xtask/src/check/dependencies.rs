@@ -10,7 +10,7 @@ use cargo_metadata::{Metadata, MetadataCommand};
 use spdx::{Expression, ParseMode};
 
 use crate::failure::Failure;
-use crate::progress;
+use crate::report::say;
 
 /// The one place that packages come from.
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
@@ -33,12 +33,12 @@ pub(crate) fn dependencies(root: &Path) -> Result<(), Failure> {
         page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | ")).map(|(name, _)| name);
     let gone = rows.filter(|name| !direct.contains_key(*name) && !name.starts_with("asperity-"));
     gone.for_each(|name| {
-        progress::note(&format!("docs/dependencies.md has `{name}`, on which nothing depends"));
+        crate::report::note(&format!("docs/dependencies.md has `{name}`, on which nothing depends"));
     });
     if !offences.is_empty() {
         return Err(offences.join("\n       ").into());
     }
-    progress::say(&format!("  {} packages in {} lockfiles", seen.len(), locks.len()));
+    say(&format!("  {} packages in {} lockfiles", seen.len(), locks.len()));
     Ok(())
 }
 

@@ -3,14 +3,12 @@
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::{fs, io};
 
 use crate::cargo::{cargo, run};
 use crate::cli::Fuzz;
-use crate::failure::{Failure, Interrupted};
-use crate::output::Output;
-use crate::progress;
+use crate::failure::Failure;
+use crate::report::{say, write};
 use crate::toolchain::host;
 
 /// Coverage that libFuzzer steers by. The flags are those of LLVM, so that no nightly toolchain is needed; `fuzzing` lets
@@ -25,7 +23,7 @@ const READERS: [&str; 7] = ["png", "exr", "picture", "mesh", "gltf", "json", "wo
 /// Seconds from which on an input is a finding, on a machine that does other things beside.
 const TIMEOUT: u32 = 10;
 const MIB: u32 = 2048;
-const TABLE: (&str, &str) = ("docs/trust", "fuzz-runs.md");
+const TABLE: &str = "docs/trust/fuzz-runs.md";
 
 /// The figures of an attack.
 struct Run {
@@ -40,7 +38,7 @@ struct Run {
 }
 
 /// Builds the attacks and lets each run for a while.
-pub(crate) fn fuzz(wanted: &Fuzz, root: &Path, interrupted: &AtomicBool) -> Result<(), Failure> {
+pub(crate) fn fuzz(wanted: &Fuzz, root: &Path) -> Result<(), Failure> {
     let (folder, target) = (root.join("tests/fuzz"), host().ok_or("the compiler does not name its machine")?);
     let (corpus, findings) = (folder.join("target/corpus"), folder.join("target/findings"));
     fs::create_dir_all(&findings)?;
@@ -63,7 +61,7 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path, interrupted: &AtomicBool) -> Resu
     let programs = folder.join("target").join(target).join("release");
     let mut runs = Vec::new();
     for attack in attacks {
-        progress::say(&format!("{attack}, for {} s", wanted.seconds));
+        say(&format!("{attack}, for {} s", wanted.seconds));
         let (mut program, seeds) = (Command::new(programs.join(&attack)), corpus.join(&attack));
         fs::create_dir_all(&seeds)?;
         program
@@ -82,14 +80,11 @@ pub(crate) fn fuzz(wanted: &Fuzz, root: &Path, interrupted: &AtomicBool) -> Resu
         let output = program.output()?;
         let said = String::from_utf8_lossy(&output.stderr);
         let run = Run::read(attack, &said, !output.status.success());
-        progress::say(&run.row());
+        say(&run.row());
         runs.push(run);
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(Interrupted.into());
-        }
     }
     if wanted.ship {
-        Output::new(root.join(TABLE.0))?.write(TABLE.1, table(&runs).as_bytes())?;
+        write(&root.join(TABLE), table(&runs).as_bytes())?;
     }
     let found = runs.iter().filter(|run| run.finding.is_some()).count();
     if found > 0 {

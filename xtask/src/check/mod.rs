@@ -4,7 +4,6 @@ pub(crate) mod bits;
 mod blocks;
 pub(crate) mod ci;
 pub(crate) mod coverage;
-pub(crate) mod density;
 mod dependencies;
 pub(crate) mod firmware;
 pub(crate) mod fuzz;

@@ -7,7 +7,7 @@ use cargo_metadata::{Metadata, MetadataCommand, Package};
 use super::stranger;
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
-use crate::progress;
+use crate::report::say;
 
 /// Files that every package holds.
 const FILES: [&str; 5] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/lib.rs"];
@@ -74,7 +74,7 @@ pub(crate) fn packages(root: &Path) -> Result<(), Failure> {
                 format!("the package of {} has {bytes} bytes, more than {LARGEST}", package.name).into()
             );
         }
-        progress::say(&format!("  {} {}: {} kB packed", package.name, package.version, bytes.div_ceil(1000)));
+        say(&format!("  {} {}: {} kB packed", package.name, package.version, bytes.div_ceil(1000)));
     }
     Ok(())
 }

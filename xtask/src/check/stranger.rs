@@ -11,7 +11,7 @@ use cargo_metadata::{DependencyKind, Package};
 
 use crate::cargo::{cargo, run};
 use crate::failure::Failure;
-use crate::progress;
+use crate::report::say;
 
 /// Builds a program on every package, out of the sight of this workspace, and runs it.
 ///
@@ -32,10 +32,7 @@ pub(super) fn builds(root: &Path, packed: &Path, members: &[&Package]) -> Result
         let example = program(root, away.path(), &source, package, &patches)?;
         let mut start = cargo(&away.path().join(format!("on-{}", package.name)), "run --quiet");
         run(start.arg("--target-dir").arg(&target).stdout(std::process::Stdio::null()))?;
-        progress::say(&format!(
-            "  {} in an empty workspace: documentation, and `{example}` runs",
-            package.name
-        ));
+        say(&format!("  {} in an empty workspace: documentation, and `{example}` runs", package.name));
     }
     Ok(())
 }

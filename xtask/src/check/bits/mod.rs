@@ -7,8 +7,7 @@ mod table;
 use std::path::Path;
 
 use crate::failure::Result;
-use crate::output::Output;
-use crate::progress;
+use crate::report::{say, write};
 use platform::Column;
 use report::Report;
 
@@ -29,7 +28,7 @@ pub(crate) fn table(root: &Path) -> Result<String> {
 /// The gate: the platforms that take little time, and a line of what ran and what did not.
 pub(crate) fn gate(root: &Path) -> Result<()> {
     let (columns, golden) = compared(root, false)?;
-    table::in_short(&columns, &golden).iter().for_each(|line| progress::say(&format!("  {line}")));
+    table::in_short(&columns, &golden).iter().for_each(|line| say(&format!("  {line}")));
     Ok(())
 }
 
@@ -38,7 +37,7 @@ fn compared(root: &Path, all: bool) -> Result<(Vec<Column>, Report)> {
     let columns = platform::columns(&root.join(PROBE), all)?;
     let differences = table::differences(&columns, &golden);
     let Some(first) = differences.first() else { return Ok((columns, golden)) };
-    progress::say(&table::markdown(&columns, &golden));
+    say(&table::markdown(&columns, &golden));
     Err(format!(
         "{} digests are other than golden; the first is {first}. A change of values is value-breaking: `cargo xtask bits --ship` makes \
          the new ones golden",
@@ -56,8 +55,7 @@ pub(crate) fn ship(root: &Path) -> Result<String> {
         return Err(format!("platforms differ, so nothing is golden: {first}").into());
     }
     let page = table::markdown(&columns, golden);
-    Output::new(root.join(PROBE))?.write(GOLDEN, golden.text().as_bytes())?;
-    let output = Output::new(root.join(SHIPPED))?;
-    output.write(PAGE, page.as_bytes())?;
-    Ok(format!("{page}\nthe table: {}", output.place(PAGE)))
+    write(&root.join(PROBE).join(GOLDEN), golden.text().as_bytes())?;
+    write(&root.join(SHIPPED).join(PAGE), page.as_bytes())?;
+    Ok(page)
 }

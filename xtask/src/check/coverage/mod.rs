@@ -13,8 +13,7 @@ use super::ci::CRATES;
 use crate::cargo::{cargo, run};
 use crate::cli::Coverage;
 use crate::failure::Result;
-use crate::output::Output;
-use crate::progress;
+use crate::report::{say, write};
 use crate::toolchain::{output, rustc, tools};
 
 /// The folder of its builds and counts, apart from others.
@@ -52,11 +51,9 @@ pub(crate) fn report(wanted: &Coverage, root: &Path) -> Result<()> {
     let files =
         lcov::read(&lcov).into_iter().filter_map(|file| lcov::of_sources(&file, &crates)).collect::<Vec<_>>();
     let text = page::markdown(&packages, &files);
-    progress::say(&text);
+    say(&text);
     if wanted.ship {
-        let output = Output::new(root.join(SHIPPED))?;
-        output.write(PAGE, text.as_bytes())?;
-        progress::say(&format!("the table: {}", output.place(PAGE)));
+        write(&root.join(SHIPPED).join(PAGE), text.as_bytes())?;
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo, run};
 use crate::failure::Result;
-use crate::output::Output;
+use crate::report::write;
 use program::{Device, Drawn, Program};
 
 const FOLDER: &str = "tests/firmware";
@@ -47,15 +47,16 @@ pub(crate) fn check(root: &Path) -> Result<String> {
 /// Writes the table, the picture, and the page with what functions cost.
 pub(crate) fn ship(root: &Path) -> Result<String> {
     let folder = root.join(FOLDER);
-    Output::new(&folder)?.write(TABLE, &table(&folder)?)?;
+    write(&folder.join(TABLE), &table(&folder)?)?;
     let device = Device::find(&folder)?;
     let drawn = draw(&folder, &device)?;
     let costs =
         page::FUNCTIONS.iter().map(|function| device.cost(function.feature)).collect::<Result<Vec<_>>>()?;
-    let output = Output::new(root.join(SHIPPED))?;
-    output.write("firmware.png", &page::png(&drawn.picture)?)?;
-    output.write("firmware.md", page::markdown(&drawn, &device.cost("device")?, &costs).as_bytes())?;
-    Ok(format!("the page: {}", output.place("firmware.md")))
+    let shipped = root.join(SHIPPED);
+    write(&shipped.join("firmware.png"), &page::png(&drawn.picture)?)?;
+    let page = page::markdown(&drawn, &device.cost("device")?, &costs);
+    write(&shipped.join("firmware.md"), page.as_bytes())?;
+    Ok("the table, the picture and the page are written".into())
 }
 
 /// The packed map in flash, made by the crates.

@@ -121,7 +121,7 @@ fn lists_are_expanded_and_paths_that_lead_nowhere_are_named() {
 
 #[test]
 fn code_of_other_libraries_in_the_guide_is_compiled_beside_them() {
-    let compiled = fs::read_to_string(root().join("xtask/peers/examples/seven_tasks/noise_rs.rs")).unwrap();
+    let compiled = fs::read_to_string(root().join("tools/peers/examples/seven_tasks/noise_rs.rs")).unwrap();
     let mut blocks = 0;
     for entry in fs::read_dir(root().join("docs/guide")).unwrap() {
         let page = fs::read_to_string(entry.unwrap().path()).unwrap();

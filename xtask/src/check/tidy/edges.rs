@@ -25,21 +25,29 @@ const EDGES: [(&str, &[&str], &[&str]); 7] = [
 ];
 
 /// The members that may use everything and that nothing may use.
-const TOPS: [&str; 3] = ["xtask", "asperity-tests", "asperity-shader-tests"];
+const TOPS: [&str; 4] = ["asperity-gallery", "asperity-tables", "asperity-tests", "asperity-shader-tests"];
 
-/// The member that may use everything and that only the tops may use.
-const RENDER: &str = "asperity-render";
+/// The members that may use everything and that only the tops and one another may use.
+const TOOLS: [&str; 2] = ["asperity-render", "asperity"];
+
+/// The task runner, which uses no crate of this workspace.
+const XTASK: &str = "xtask";
 
 /// The rule against a dependency, for development or not; none if it is allowed.
 pub(super) fn forbidden(from: &str, to: &str, development: bool) -> Option<String> {
-    if TOPS.contains(&to) {
+    if TOPS.contains(&to) || to == XTASK {
         return Some(format!("{from} -> {to}: nothing uses {to}"));
     }
-    if TOPS.contains(&from) || from == RENDER {
+    if from == XTASK {
+        return to
+            .starts_with("asperity")
+            .then(|| format!("{from} -> {to}: it builds without this workspace's crates"));
+    }
+    if TOPS.contains(&from) || TOOLS.contains(&from) {
         return None;
     }
-    if to == RENDER {
-        return Some(format!("{from} -> {to}: only the builder and the tests use {to}"));
+    if TOOLS.contains(&to) {
+        return Some(format!("{from} -> {to}: only tools and tests use {to}"));
     }
     let Some((_, normal, dev)) = EDGES.iter().find(|(name, ..)| *name == from) else {
         return Some(format!("{from}: a crate that the rules do not know"));
@@ -72,7 +80,10 @@ mod tests {
             ("a-new-crate", "glam", false, false),
             ("asperity-noise", "criterion", true, true),
             ("asperity-shading", "asperity-noise", false, true),
-            ("xtask", "serde", false, true),
+            ("xtask", "serde_json", false, true),
+            ("xtask", "asperity-output", false, false),
+            ("asperity-gallery", "asperity", false, true),
+            ("asperity-fif", "asperity", true, false),
         ] {
             assert_eq!(forbidden(from, to, development).is_none(), allowed, "{from} -> {to}");
         }

@@ -50,7 +50,7 @@ pub(super) const HOUSES: &[House] = &[
     },
     House {
         name: "render",
-        sources: "xtask/render/src",
+        sources: "tools/render/src",
         rooms: "failure input_file interpolation sampling → image → geometry → light → materials → scene integrator → \
                 scenes → shaded",
         face: None,
@@ -62,10 +62,27 @@ pub(super) const HOUSES: &[House] = &[
         face: None,
     },
     House {
+        name: "asperity",
+        sources: "tools/asperity/src",
+        rooms: "failure output progress html quality → input → cli → tables job → render → bake check",
+        face: None,
+    },
+    House {
+        name: "gallery",
+        sources: "tools/gallery/src",
+        rooms: "cli captions drivers power_spectrum → figure page → panels plot → figures → draw",
+        face: None,
+    },
+    House {
+        name: "tables",
+        sources: "tools/tables/src",
+        rooms: "noise_means → noise_cdf → noise_cellular noise_levels noise_pictures → shipped documented",
+        face: None,
+    },
+    House {
         name: "xtask",
         sources: "xtask/src",
-        rooms: "failure cli quality progress output cargo drivers toolchain job → input → render gallery → gallery/figures → tables → check bake bench \
-                shaders web",
+        rooms: "failure report cli → cargo drivers → toolchain → shaders web → check",
         face: None,
     },
 ];

@@ -1,0 +1,28 @@
+//! The files of a set: each map in each format, and the documents that name them.
+
+use rayon::prelude::*;
+
+use crate::bake::formats::{exr, ktx2, png};
+use crate::bake::set::Set;
+use crate::bake::{gltf, materialx, provenance};
+use asperity::cli::BakedFormat as Format;
+use asperity::failure::Result;
+use asperity::output::Output;
+
+/// Writes all files, each whole or not at all.
+pub(super) fn write(set: &Set<'_>, output: &Output) -> Result<()> {
+    let maps = set.maps();
+    let files: Vec<_> =
+        maps.iter().flat_map(|map| set.formats.iter().map(move |format| (map, *format))).collect();
+    set.bar.set_length(files.iter().map(|(map, format)| map.texels_of(*format)).sum());
+    files.par_iter().with_max_len(1).try_for_each(|(map, format)| {
+        output.stream(&map.file(*format), |file| match format {
+            Format::Png => png::write(file, map),
+            Format::Exr => exr::write(file, map),
+            Format::Ktx2 => ktx2::write(file, map),
+        })
+    })?;
+    gltf::write(set, output)?;
+    materialx::write(set, output)?;
+    provenance::write(set, output)
+}

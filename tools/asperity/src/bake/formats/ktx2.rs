@@ -1,0 +1,158 @@
+//! KTX2 with all levels in compressed blocks, as graphics cards read them.
+
+use std::io::Write;
+
+use block_compression::encode::compress_rgba8;
+use block_compression::{BC7Settings, CompressionVariant};
+use exr::prelude::f16;
+use ktx2::dfd::{Basic, Block};
+use ktx2::{Format, Header, Index, LevelIndex};
+use rayon::prelude::*;
+
+use crate::bake::maps::Map;
+use crate::bake::scratch::BAND;
+use crate::bake::set::MapLevels;
+use asperity::failure::Result;
+
+/// Numbers of a texel on a graphics card.
+#[derive(Clone, Copy)]
+enum Texels {
+    /// Blocks of 4 × 4 texels.
+    Blocks(CompressionVariant),
+    /// Half floats: in eight bits, slopes of heights would be stairs, and loaders for the web do not read `R16_UNORM`.
+    Halves,
+}
+
+/// The format of a map, and its texels.
+fn form(map: Map) -> (Format, Texels) {
+    let bc7 = CompressionVariant::BC7(BC7Settings::opaque_very_fast());
+    match map {
+        Map::BaseColour => (Format::BC7_SRGB_BLOCK, Texels::Blocks(bc7)),
+        Map::Packed => (Format::BC7_UNORM_BLOCK, Texels::Blocks(bc7)),
+        // z follows from x and y.
+        Map::NormalOpenGl | Map::NormalDirectX => {
+            (Format::BC5_UNORM_BLOCK, Texels::Blocks(CompressionVariant::BC5))
+        }
+        Map::Roughness | Map::Metallic | Map::Occlusion => {
+            (Format::BC4_UNORM_BLOCK, Texels::Blocks(CompressionVariant::BC4))
+        }
+        Map::Height => (Format::R16_SFLOAT, Texels::Halves),
+    }
+}
+
+impl Texels {
+    /// Bytes of a level of this side.
+    fn bytes(self, side: usize) -> u64 {
+        match self {
+            Self::Blocks(variant) => {
+                let padded = side.next_multiple_of(4) as u32;
+                variant.blocks_byte_size(padded, padded) as u64
+            }
+            Self::Halves => 2 * (side * side) as u64,
+        }
+    }
+
+    /// Places of levels are multiples of it: of 4, and of a block.
+    fn alignment(self) -> u64 {
+        match self {
+            Self::Blocks(_) => self.bytes(4),
+            Self::Halves => 4,
+        }
+    }
+}
+
+/// Writes all levels of a map.
+pub(crate) fn write(file: &mut impl Write, map: &MapLevels<'_>) -> Result<()> {
+    let (format, texels) = form(map.map);
+    let (description, type_size) = Basic::from_format(format).map_err(|error| format!("{error:?}"))?;
+    let block = Block::Basic(description).to_vec();
+    let description = [&(block.len() as u32 + 4).to_le_bytes()[..], &block].concat();
+    let fields = [("KTXorientation", "rd"), ("KTXwriter", concat!("asperity ", env!("CARGO_PKG_VERSION")))];
+    let notes: Vec<u8> = fields.iter().flat_map(|(key, value)| note(key, value)).collect();
+    let count = map.last() + 1;
+    let first = Header::LENGTH + LevelIndex::LENGTH * count as usize;
+    let end = (first + description.len() + notes.len()) as u64;
+    let header = Header {
+        format: Some(format),
+        type_size,
+        pixel_width: map.side(0) as u32,
+        pixel_height: map.side(0) as u32,
+        pixel_depth: 0,
+        layer_count: 0,
+        face_count: 1,
+        level_count: count,
+        supercompression_scheme: None,
+        index: Index {
+            dfd_byte_offset: first as u32,
+            dfd_byte_length: description.len() as u32,
+            kvd_byte_offset: (first + description.len()) as u32,
+            kvd_byte_length: notes.len() as u32,
+            sgd_byte_offset: 0,
+            sgd_byte_length: 0,
+        },
+    };
+    // The smallest level is the first in the file, and the last in the list.
+    let (mut places, mut at) = (Vec::new(), end);
+    for level in (0..count).rev() {
+        at = at.next_multiple_of(texels.alignment());
+        places.push(LevelIndex {
+            byte_offset: at,
+            byte_length: texels.bytes(map.side(level)),
+            uncompressed_byte_length: texels.bytes(map.side(level)),
+        });
+        at += texels.bytes(map.side(level));
+    }
+    file.write_all(&header.as_bytes())?;
+    places.iter().rev().try_for_each(|place| file.write_all(&place.as_bytes()))?;
+    file.write_all(&description)?;
+    file.write_all(&notes)?;
+    let mut at = end;
+    for (level, place) in (0..count).rev().zip(&places) {
+        file.write_all(&vec![0; (place.byte_offset - at) as usize])?;
+        at = place.byte_offset + place.byte_length;
+        let side = map.side(level);
+        for row in (0..side).step_by(BAND) {
+            let rows = map.rows(level, row, BAND.min(side - row))?;
+            match texels {
+                Texels::Halves => {
+                    let half = |&word: &u16| f16::from_f32(f32::from(word) / 65_535.0).to_le_bytes();
+                    let bytes: Vec<u8> = rows.iter().flat_map(half).collect();
+                    file.write_all(&bytes)?;
+                }
+                Texels::Blocks(variant) => {
+                    file.write_all(&compressed(&rows, map.map.channels(), side, variant))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A key with its value, padded to four bytes.
+fn note(key: &str, value: &str) -> Vec<u8> {
+    let text = format!("{key}\0{value}\0");
+    let mut bytes = (text.len() as u32).to_le_bytes().to_vec();
+    bytes.extend_from_slice(text.as_bytes());
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    bytes
+}
+
+/// Blocks of rows of texels; what lies beyond a level smaller than a block is its last texel.
+fn compressed(words: &[u16], channels: usize, side: usize, variant: CompressionVariant) -> Vec<u8> {
+    let rows = words.len() / channels / side;
+    let width = side.next_multiple_of(4);
+    let of_row = |first: usize| {
+        let texel = |k: usize| {
+            let [row, column] = [first + k / width, k % width].map(|i| i.min(side - 1));
+            let at = (row.min(rows - 1) * side + column) * channels;
+            let byte =
+                |channel: usize| ((u32::from(words[at + channel.min(channels - 1)]) + 128) / 257) as u8;
+            [byte(0), byte(1), byte(2), 255]
+        };
+        let rgba: Vec<u8> = (0..4 * width).flat_map(texel).collect();
+        let mut blocks = vec![0; variant.blocks_byte_size(width as u32, 4)];
+        compress_rgba8(variant, &rgba, &mut blocks, width as u32, 4, 4 * width as u32);
+        blocks
+    };
+    (0..rows.div_ceil(4)).into_par_iter().flat_map_iter(|row| of_row(4 * row)).collect()
+}

@@ -1,0 +1,53 @@
+//! A bake for many machines: parts as tasks, or tiles, and the set when all of them are there.
+
+use crate::bake::options;
+use crate::bake::plan::Plan;
+use crate::job::{self, Step};
+use asperity::cli::Bake;
+use asperity::failure::Result;
+use asperity::progress;
+
+/// Writes the job: a task for every part, or one for every tile and the step that joins them, in a folder that all machines share.
+pub(super) fn write(wanted: &Bake, plan: &Plan, file: &std::path::Path) -> Result<()> {
+    if plan.part.of > 1 {
+        return parts(wanted, file);
+    }
+    let all = plan.tiles() * plan.tiles();
+    let [first, last] = plan.some(wanted.tiles)?;
+    let arguments = arguments(wanted)?;
+    let mut of_tile = arguments.clone();
+    of_tile.extend(["--tiles".into(), job::number("Tile")]);
+    let tiles = Step {
+        name: "Tiles",
+        tasks: Some(("Tile", format!("{first}-{last}"))),
+        arguments: of_tile,
+        after: None,
+    };
+    let set = Step { name: "Set", tasks: None, arguments, after: Some("Tiles") };
+    let place = job::write(file, "asperity-bake", &[tiles, set])?;
+    progress::say(&format!(
+        "the job: {place} ({} of {all} tiles, then the set; `openjd run` or a farm carries it out)",
+        last - first + 1
+    ));
+    Ok(())
+}
+
+fn parts(wanted: &Bake, file: &std::path::Path) -> Result<()> {
+    let [first, last] = options::parts(wanted)?;
+    let mut arguments = arguments(wanted)?;
+    arguments.extend(["--part".into(), job::number("Part")]);
+    let tasks = Some(("Part", format!("{first}-{last}")));
+    let place = job::write(file, "asperity-bake", &[Step { name: "Parts", tasks, arguments, after: None }])?;
+    progress::say(&format!(
+        "the job: {place} ({} parts; `openjd run` or a farm carries it out)",
+        last - first + 1
+    ));
+    Ok(())
+}
+
+/// The arguments that all tasks have.
+fn arguments(wanted: &Bake) -> Result<Vec<String>> {
+    let mut arguments = job::arguments(std::env::args().skip(1), &["--job", "--tiles", "--part", "--out"])?;
+    arguments.extend(["--out".into(), std::path::absolute(&wanted.out)?.display().to_string()]);
+    Ok(arguments)
+}

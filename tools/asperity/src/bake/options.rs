@@ -1,0 +1,124 @@
+//! The plan that a command line asks for.
+
+use asperity_render::image::tone::hex;
+
+use crate::bake::plan::{LEAST_TILE, MOST_TEXELS, Part, Plan};
+use crate::bake::source::Source;
+use crate::bake::sources::{density, finish::Finish, fractal, material::Flat, noise};
+use crate::render::materials::{Chosen, Parameters};
+use asperity::cli::{Bake, BakedFractal, BakedNoise, Material};
+use asperity::failure::Result;
+use asperity::input::density::Density;
+
+/// The first and the last of the wanted parts, counted from 1; that of a whole texture is the only one.
+pub(super) fn parts(wanted: &Bake) -> Result<[u32; 2]> {
+    let side = wanted.parts.unwrap_or(1);
+    let all = side * side;
+    match wanted.part {
+        Some([_, last]) if last > all => Err(format!("part {last}: the last one is {all}").into()),
+        part => Ok(part.unwrap_or([1, all])),
+    }
+}
+
+/// The plan of a part of what a command line asks for.
+pub(super) fn plan(wanted: &Bake, part: u32) -> Result<Plan> {
+    let (size, tile) = (wanted.size, wanted.tile.min(wanted.size));
+    for (name, number) in [("--size", size), ("--tile", wanted.tile)] {
+        if !number.is_power_of_two() || number < LEAST_TILE {
+            return Err(format!("`{name}` must be a power of two from {LEAST_TILE} on, got {number}").into());
+        }
+    }
+    if wanted.samples != 1 && !wanted.samples.is_multiple_of(2) {
+        return Err(format!("`--samples` must be 1 or even, got {}", wanted.samples).into());
+    }
+    let part = Part::numbered(part, wanted.parts.unwrap_or(1));
+    if size.checked_mul(part.of).is_none_or(|whole| whole > MOST_TEXELS) {
+        return Err(format!(
+            "`--parts`: {} × {size} texels along a side, places are told apart up to {MOST_TEXELS}",
+            part.of
+        )
+        .into());
+    }
+    let reach = (f64::from(wanted.occlusion.unwrap_or(0.015_625)) * f64::from(size)).round() as u32;
+    let source = source(wanted)?;
+    Plan { source, part, size, tile, samples: wanted.samples, reach, tileable: wanted.tileable }.checked()
+}
+
+fn source(wanted: &Bake) -> Result<Box<dyn Source>> {
+    if let Some(chosen) = wanted.material {
+        return of_material(wanted, chosen);
+    }
+    let tint = hex(wanted.tint.unwrap_or(0xb4_b0a8));
+    let low = wanted.low_tint.map_or(tint, hex);
+    let roughness = wanted.roughness;
+    let finish = |usual: f32| Finish {
+        colours: [tint, low],
+        alpha: roughness.unwrap_or(usual).powi(2),
+        metallic: wanted.metallic.unwrap_or(0.0),
+    };
+    // Octaves that tile have whole periods; those that need not are turned against one another.
+    let lacunarity = wanted.lacunarity.unwrap_or(if wanted.tileable { 2.0 } else { 2.17 });
+    let (cells, octaves) = (wanted.cells.unwrap_or(8), wanted.octaves.unwrap_or(6));
+    let (gain, height) = (wanted.gain.unwrap_or(0.5), wanted.height.unwrap_or(0.01));
+    let Bake { seed, tileable, .. } = *wanted;
+    if let Some(spec) = &wanted.ndf {
+        used(
+            wanted,
+            "bumps of a density",
+            &["--cells", "--octaves", "--lacunarity", "--gain", "--metallic"],
+        )?;
+        let Density { spec, ndf, .. } = Density::parse(spec, wanted.images)?;
+        let parameters = density::Parameters { spec, ndf, cells, octaves, lacunarity, gain, seed, tileable };
+        return Ok(Box::new(density::Bumps::new(parameters, finish(0.0))?));
+    }
+    let relief = ["--cells", "--height", "--occlusion", "--low-tint", "--metallic"];
+    if let Some(BakedFractal::Torus) = wanted.fractal {
+        used(wanted, "a fractal surface", &[&relief[..], &["--factor"]].concat())?;
+        let factor = wanted.factor.unwrap_or(0.375);
+        let parameters = fractal::Parameters { nodes: cells, factor, height, seed };
+        return Ok(Box::new(fractal::Fractal::new(parameters, finish(0.6))?));
+    }
+    used(wanted, "noise", &[&relief[..], &["--octaves", "--lacunarity", "--gain"]].concat())?;
+    let kind = wanted.noise.unwrap_or(BakedNoise::Gaussian);
+    let parameters = noise::Parameters { kind, cells, octaves, lacunarity, gain, height, seed, tileable };
+    Ok(Box::new(noise::Noise::new(parameters, finish(0.6))?))
+}
+
+/// Refuses options that are not of the surface: they would change nothing.
+fn used(wanted: &Bake, surface: &str, options: &[&str]) -> Result<()> {
+    let given = [
+        ("--cells", wanted.cells.is_some()),
+        ("--octaves", wanted.octaves.is_some()),
+        ("--lacunarity", wanted.lacunarity.is_some()),
+        ("--gain", wanted.gain.is_some()),
+        ("--factor", wanted.factor.is_some()),
+        ("--height", wanted.height.is_some()),
+        ("--occlusion", wanted.occlusion.is_some()),
+        ("--low-tint", wanted.low_tint.is_some()),
+        ("--metallic", wanted.metallic.is_some()),
+    ];
+    match given.iter().find(|(option, given)| *given && !options.contains(option)) {
+        Some((option, _)) => Err(format!("{option} would change nothing of {surface}").into()),
+        None => Ok(()),
+    }
+}
+
+/// A material of `render`.
+fn of_material(wanted: &Bake, material: Material) -> Result<Box<dyn Source>> {
+    let name = format!("{material:?}").to_lowercase();
+    if material == Material::Bumps {
+        return Err("bumps are baked by `--ndf`".into());
+    }
+    let Bake { tint, roughness, seed, .. } = *wanted;
+    let parameters = Parameters::chosen(material, &Chosen { tint, roughness, seed, set: &wanted.set })?;
+    let values = parameters.values().clone();
+    let made = parameters.make(material, 1.0, false)?;
+    let relief = made.surface.height_range().is_some();
+    used(wanted, &name, if relief { &["--occlusion"] } else { &[] })
+        .map_err(|error| format!("{error}; see `asperity render --help-material {name}`"))?;
+    if made.body.is_some() {
+        return Err(format!("{name} is no surface that has a base colour: light goes through it").into());
+    }
+    let flat = Flat::new(name, values, made.surface, wanted.side)?;
+    Ok(Box::new(flat))
+}

@@ -1,0 +1,120 @@
+//! A fractal surface: the torus Hermite surface, periodic by its nature.
+
+use asperity_fif::{Torus, glam::DVec2};
+use asperity_shading::normal_map::SlopeMoments;
+use glam::Vec2;
+use serde_json::{Value, json};
+
+use crate::bake::source::{Row, Source, Varies};
+use crate::bake::sources::finish::Finish;
+use crate::bake::texel::Texel;
+use asperity::failure::Result;
+use asperity::output::sha256;
+
+/// Parameters of the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Parameters {
+    /// Nodes along a side.
+    pub(crate) nodes: u32,
+    /// The vertical factor s, the roughness of the surface: |s| < 1/√5.
+    pub(crate) factor: f32,
+    /// Standard deviation of the heights, in sides.
+    pub(crate) height: f32,
+    pub(crate) seed: u32,
+}
+
+/// The surface.
+pub(crate) struct Fractal {
+    parameters: Parameters,
+    finish: Finish,
+    torus: Torus,
+    /// Mean and factor of its heights.
+    mean: f64,
+    scale: f64,
+}
+
+/// Heights along a side that tell their variance.
+const GRID: usize = 128;
+
+impl Fractal {
+    /// The surface of these parameters.
+    pub(crate) fn new(parameters: Parameters, finish: Finish) -> Result<Self> {
+        let Parameters { nodes, factor, height, seed } = parameters;
+        let count = (nodes as usize).saturating_mul(nodes as usize).min(1 << 20);
+        // From −1 to 1, by the digest of seed and index.
+        let random = |k: usize| {
+            let digest = sha256(format!("{seed} {k}").as_bytes());
+            let word = u32::from_str_radix(&digest[..8], 16).unwrap_or_default();
+            f64::from(word) / 2_147_483_648.0 - 1.0
+        };
+        let z: Vec<f64> = (0..count).map(random).collect();
+        let steep = f64::from(nodes);
+        let d: Vec<[f64; 2]> =
+            (0..count).map(|k| [1, 2].map(|part| steep * random(part * count + k))).collect();
+        let torus = Torus::new(nodes as usize, [[2, -1], [1, 2]], f64::from(factor), &z, &d)?.narrowed();
+        let heights: Vec<f64> = (0..GRID * GRID)
+            .map(|k| [k % GRID, k / GRID].map(|i| (i as f64 + 0.5) / GRID as f64))
+            .map(|[x, y]| torus.evaluate(x, y, 1e-4).value)
+            .collect();
+        let mean = torus.mean().value;
+        let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / heights.len() as f64;
+        let scale = f64::from(height) / variance.sqrt();
+        Ok(Self { parameters, finish, torus, mean, scale })
+    }
+
+    fn height(&self, [x, y]: [f64; 2]) -> f32 {
+        // A thousandth of a texel of 16 bits.
+        (self.scale * (self.torus.evaluate(x, y, 1e-8).value - self.mean)) as f32
+    }
+
+    fn slope(&self, [x, y]: [f64; 2]) -> Vec2 {
+        let [dx, dy] = self.torus.evaluate_gradient(x, y, 1e-4);
+        (-self.scale * DVec2::new(dx.value, dy.value)).as_vec2()
+    }
+}
+
+impl Source for Fractal {
+    fn describe(&self) -> Value {
+        let Parameters { nodes, factor, height, seed } = self.parameters;
+        json!({
+            "fractal": "torus", "nodes": nodes, "factor": factor, "height": height, "seed": seed,
+            "finish": self.finish.describe(),
+        })
+    }
+
+    fn varies(&self) -> Varies {
+        Varies { colour: self.finish.is_coloured(), metallic: false, height: true }
+    }
+
+    fn texels(&self, row: &Row, texels: &mut [Texel]) {
+        let share = 1.0 / (row.samples * row.samples) as f32;
+        let deviation = self.parameters.height;
+        for (k, texel) in texels.iter_mut().enumerate() {
+            let (mut height, mut colour) = (0.0, glam::Vec3::ZERO);
+            let slopes = SlopeMoments::mixed(row.points(k).map(|at| {
+                let own = self.height(at);
+                height += share * own;
+                colour += share * self.finish.colour(own / deviation);
+                (1.0, SlopeMoments::point(self.slope(at)))
+            }));
+            *texel = Texel {
+                slopes,
+                alpha2: self.finish.alpha * self.finish.alpha,
+                height,
+                colour,
+                metallic: self.finish.metallic,
+                occlusion: 1.0,
+            };
+        }
+    }
+
+    fn heights(&self, row: &Row, heights: &mut [f32]) {
+        for (k, height) in heights.iter_mut().enumerate() {
+            *height = self.height(row.middle(k));
+        }
+    }
+
+    fn point(&self, at: [f64; 2]) -> Texel {
+        Texel { height: self.height(at), slopes: SlopeMoments::point(self.slope(at)), ..Texel::default() }
+    }
+}

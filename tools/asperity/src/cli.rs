@@ -1,0 +1,529 @@
+//! The command line: what can be asked, in the words of `--help`.
+
+use std::path::PathBuf;
+
+use crate::input::images::Images;
+use crate::input::words::{Words, one_of};
+use crate::quality::Quality;
+use asperity_render::{geometry::mesh_file::Up, materials::field::NoiseKind, scenes::Set};
+use asperity_shading::LevelOfDetail;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Renders meshes, bakes textures and exports tables of Asperity's noises, densities, fractal functions and materials.
+#[derive(Debug, Parser)]
+#[command(name = "asperity", version, disable_help_subcommand = true)]
+pub struct Cli {
+    /// The command.
+    #[command(subcommand)]
+    pub command: Command,
+    /// Worker threads; all cores if not given.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Export tables: lattices, noise CDFs, densities, normal tables, fractal interpolation functions.
+    #[command(after_help = "Examples:
+  asperity tables
+  asperity tables --ndf ggx:0.1,0.5 --ndf painted.png --measure solid-angle
+  asperity tables --normal-map bricks.png --tangent-space directx
+  asperity tables --fif system.json --out my-tables
+  asperity tables --check")]
+    Tables(Tables),
+    /// Render a scene or a mesh with a chosen material and light to a PNG, JPEG, WebP or OpenEXR file.
+    #[command(after_help = "Examples:
+  asperity render --scene teapot --ndf ggx:0.1,0.4 --zoom 4
+  asperity render --scene car --material paint --quality draft
+  asperity render --scene room --material carpet --tone plain --out carpet.exr
+  asperity render --scene sphere --material glass --light studio.exr
+  asperity render --scene sphere --ndf beckmann:0.3 --rule fractal --zoom 16 --size 1024
+  asperity render --mesh bunny.ply --ndf ward:0.1,0.3 --size 768
+  asperity render --mesh house.obj --up z --material brick --light sky.hdr --noise 0.02
+  asperity render --mesh part.stl --material paint --tint b02a1e --set orange_peel_strength=0.03
+  asperity render --frames 24 --out frames/####.png
+  asperity render --frames 4000 --zoom-to 10000 --out frames/####.exr --job job.yaml
+  asperity render --help-material paint
+
+The picture appears at once, coarse, and is written anew as it grows finer: watch the file, stop with Ctrl-C at will.
+--ndf, --normal-map, --rule, --octaves, --frequency, --gain and --bump-noise are of bumps; what another material would pass over is refused.")]
+    Render(Render),
+    /// Bake a noise, a density, a fractal surface or a material to the textures of a material, for engines.
+    #[command(after_help = "Examples:
+  asperity bake --noise perlin --tileable --size 4096
+  asperity bake --noise cellular --cells 16 --octaves 1 --height 0.01 --tint d9a066 --low-tint 3a2f28
+  asperity bake --material brick --side 1.04 --set depth=0.01 --format png,ktx2
+  asperity bake --ndf ggx:0.1,0.4 --metallic 1 --tint e4c07a --tileable
+  asperity bake --fractal torus --tileable --size 2048 --height 0.03
+  asperity bake --noise perlin --tileable --size 16384 --tile 1024 --format png,exr,ktx2 --out rock
+  asperity bake --noise perlin --tileable --size 16384 --out /shared/rock --job rock.yaml
+  asperity bake --noise perlin --cells 512 --size 4096 --parts 16 --part 1-3 --out land
+
+Base colour, normals for OpenGL and DirectX, height, roughness, metallic and ambient occlusion are written, with a glTF and a
+MaterialX material and a record of all parameters. Tiles are kept until the set is whole: a run that was stopped goes on when it is called again, and memory is
+that of one tile. A map that is the same everywhere has 4 × 4 texels.")]
+    Bake(Bake),
+    /// Check a density's normalisation, samples, map and inverse map, and print a report.
+    #[command(after_help = "Examples:
+  asperity check-ndf --ndf ggx:0.1,0.5
+  asperity check-ndf --ndf painted.png --measure solid-angle --seed 7")]
+    CheckNdf(CheckNdf),
+}
+
+/// Options of `check-ndf`.
+#[derive(Debug, Args)]
+pub struct CheckNdf {
+    /// The density, in the words of `tables`; may be given again.
+    #[arg(long, value_name = "NDF", required = true)]
+    pub ndf: Vec<String>,
+    /// Options for images.
+    #[command(flatten)]
+    pub images: Images,
+    /// Seed of the samples.
+    #[arg(long, default_value_t = 0)]
+    pub seed: u32,
+}
+
+/// Options of `tables`.
+#[derive(Debug, Args)]
+pub struct Tables {
+    /// Tables of one density instead of the default set: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`,
+    /// `student-t:AX,AY,GAMMA`, `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file.
+    #[arg(long, value_name = "NDF")]
+    pub ndf: Vec<String>,
+    /// Tables of the density that a normal map's normals have.
+    #[arg(long, value_name = "FILE")]
+    pub normal_map: Vec<PathBuf>,
+    /// Options for images.
+    #[command(flatten)]
+    pub images: Images,
+    /// Tables of a fractal interpolation function instead of the default set: a JSON file with `knots`, `alpha`, `q`.
+    #[arg(long, value_name = "FILE")]
+    pub fif: Vec<PathBuf>,
+    /// Write nothing: compare every file in the folder with the one that the same command writes.
+    #[arg(long)]
+    pub check: bool,
+    /// Folder of the tables.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/tables")]
+    pub out: PathBuf,
+}
+
+/// Options of `render`.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// The scene.
+    #[arg(long, value_parser = one_of(SCENES), default_value = "teapot")]
+    pub scene: Set,
+    /// See the mesh of this file instead, centred and scaled to fill the picture: .obj, .ply, .stl, .glb or .gltf.
+    #[arg(long, value_name = "FILE", conflicts_with = "scene")]
+    pub mesh: Option<PathBuf>,
+    /// Which way is up in the mesh's file [default: z of .stl, else y].
+    #[arg(long, value_parser = one_of(UPS), requires = "mesh")]
+    pub up: Option<Up>,
+    /// Angle between triangles from which on there is an edge, in degrees, where a file has no normals [default: 40].
+    #[arg(long, value_name = "DEGREES", requires = "mesh", value_parser = degrees)]
+    pub crease: Option<f32>,
+    /// The material of the subject [default: what suits the scene].
+    #[arg(long, value_enum)]
+    pub material: Option<Material>,
+    /// Colour of the material, sRGB in hexadecimal.
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub tint: Option<u32>,
+    /// Roughness of the material, between 0 and 1; of bumps that of a GGX density.
+    #[arg(long, value_parser = share, conflicts_with_all = ["ndf", "normal_map"])]
+    pub roughness: Option<f32>,
+    /// Size of the material's pattern over the usual one.
+    #[arg(long, value_parser = positive)]
+    pub scale: Option<f32>,
+    /// Set a parameter of the material; may be given again. `--help-material` lists them.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    pub set: Vec<(String, String)>,
+    /// List the parameters of a material and stop.
+    #[arg(long, value_enum, value_name = "MATERIAL", exclusive = true)]
+    pub help_material: Option<Material>,
+    /// The light: `lamps` (from single directions, without shadows; for bumps alone), `studio`, `day`, or an image of the
+    /// surroundings by longitude and latitude: Radiance HDR, OpenEXR, PNG, JPEG, WebP [default: `lamps` for bumps, else `studio`].
+    #[arg(long, value_name = "LIGHT")]
+    pub light: Option<String>,
+    /// Background of the subject: `light`, or a colour [default: a light that is given, else dark grey].
+    #[arg(long, value_name = "light|RRGGBB", value_parser = behind)]
+    pub background: Option<Background>,
+    /// Tone curve [default: filmic]; OpenEXR files have the radiance itself.
+    #[arg(long, value_enum)]
+    pub tone: Option<Tone>,
+    /// The density of normals of bumps: `ggx:AX[,AY]`, `beckmann:AX[,AY]`, `ward:AX[,AY]`, `student-t:AX,AY,GAMMA`,
+    /// `blinn-phong:N`, `ashikhmin-shirley:NU,NV`, `painted`, or an image file [default: ggx:0.2,0.4].
+    #[arg(long)]
+    pub ndf: Option<String>,
+    /// Take the density of this normal map's normals.
+    #[arg(long, value_name = "FILE", conflicts_with = "ndf")]
+    pub normal_map: Option<PathBuf>,
+    /// Options for images.
+    #[command(flatten)]
+    pub images: Images,
+    /// The level-of-detail rule of bumps [default: exact].
+    #[arg(long, value_parser = one_of(RULES))]
+    pub rule: Option<LevelOfDetail>,
+    /// Magnification: 1 shows the whole object.
+    #[arg(long, default_value_t = 1.0, value_parser = positive)]
+    pub zoom: f32,
+    /// The most octaves of bumps, up to 16 [default: 16].
+    #[arg(long, value_parser = whole(0, 16))]
+    pub octaves: Option<u32>,
+    /// Lattice cells of the bumps' first octave per unit of length [default: what suits the scene].
+    #[arg(long, value_parser = positive)]
+    pub frequency: Option<f32>,
+    /// Amplitude of each octave of bumps over the one before, above 0, at most 1 [default: 0.8].
+    #[arg(long, value_parser = share)]
+    pub gain: Option<f32>,
+    /// The noise that bumps are made of [default: gaussian].
+    #[arg(long, value_parser = one_of(NOISES))]
+    pub bump_noise: Option<NoiseKind>,
+    /// Exposure [default: 1.45, of an image of the surroundings what suits its brightness].
+    #[arg(long, value_parser = positive)]
+    pub exposure: Option<f32>,
+    /// Fineness of the picture; --size, --spp and --noise set it one by one.
+    #[arg(long, value_enum, default_value_t)]
+    pub quality: Quality,
+    /// Side of the picture in pixels, from 16 to 8192 [default: 512; of a draft 256, for a book 2048].
+    #[arg(long, value_parser = whole(16, 8192))]
+    pub size: Option<u32>,
+    /// The most samples per pixel, up to 65536; alone, exactly so many [default: 1024; of a draft 128, for a book 8192].
+    #[arg(long, value_parser = whole(1, 65_536))]
+    pub spp: Option<u32>,
+    /// Grain at which the picture is done: its standard deviation, where white is 1 [default: 0.008; of a draft 0.03, for a book 0.004].
+    #[arg(long, value_parser = share)]
+    pub noise: Option<f32>,
+    /// Seed of every random choice.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// The picture's file, in the format of its ending: .png, .jpg, .webp or .exr; written anew as it grows finer. Of frames its name
+    /// has a row of `#` for their numbers.
+    #[arg(long, value_name = "FILE", default_value = "target/asperity/render.png")]
+    pub out: PathBuf,
+    /// Draw so many frames: once round the subject, or nearer.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub frames: Option<u32>,
+    /// Draw these frames alone, counted from 1.
+    #[arg(long, value_name = "N|N-N", requires = "frames", value_parser = numbers)]
+    pub frame: Option<[u32; 2]>,
+    /// Degrees that the camera goes round while the frames pass [default: 360, with --zoom-to 0].
+    #[arg(long, value_name = "DEGREES", requires = "frames", conflicts_with = "zoom_to", allow_negative_numbers = true, value_parser = turned)]
+    pub turn: Option<f32>,
+    /// Magnification of the last frame.
+    #[arg(long, value_name = "ZOOM", requires = "frames", value_parser = positive)]
+    pub zoom_to: Option<f32>,
+    /// Write the frames as a job for many machines in place of drawing them: a template of Open Job Description, .yaml or .json.
+    #[arg(long, value_name = "FILE", requires = "frames")]
+    pub job: Option<PathBuf>,
+}
+
+/// Options of `bake`.
+#[derive(Debug, Args)]
+pub struct Bake {
+    /// A height field of octaves of this noise [default: gaussian].
+    #[arg(long, group = "surface", value_parser = one_of(BAKED_NOISES))]
+    pub noise: Option<BakedNoise>,
+    /// Bumps whose normals have this density, in the words of `tables`: they have normals, but no heights.
+    #[arg(long, group = "surface")]
+    pub ndf: Option<String>,
+    /// A fractal surface.
+    #[arg(long, group = "surface", value_enum)]
+    pub fractal: Option<BakedFractal>,
+    /// A material of `render`, on a flat square.
+    #[arg(long, group = "surface", value_enum)]
+    pub material: Option<Material>,
+    /// Set a parameter of the material; may be given again. `render --help-material` lists them.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, requires = "material")]
+    pub set: Vec<(String, String)>,
+    /// Side of the square that a material is seen on, in metres.
+    #[arg(long, default_value_t = 0.25, value_parser = positive, requires = "material")]
+    pub side: f32,
+    /// Options for images.
+    #[command(flatten)]
+    pub images: Images,
+    /// Texels along a side, a power of two.
+    #[arg(long, default_value_t = 1024, value_parser = whole(64, 65_536))]
+    pub size: u32,
+    /// Texels along the side of a tile, a power of two: what is in memory at once.
+    #[arg(long, default_value_t = 1024, value_parser = whole(64, 4096))]
+    pub tile: u32,
+    /// Samples along the side of a texel, 1 or an even number.
+    #[arg(long, default_value_t = 2, value_parser = whole(1, 16))]
+    pub samples: u32,
+    /// Let opposite edges meet without a seam, or say why they cannot.
+    #[arg(long)]
+    pub tileable: bool,
+    /// Lattice cells, or nodes of a fractal surface, along a side [default: 8].
+    #[arg(long, value_parser = whole(1, 65_536))]
+    pub cells: Option<u32>,
+    /// Octaves of noise, up to 16 [default: 6].
+    #[arg(long, value_parser = whole(1, 16))]
+    pub octaves: Option<u32>,
+    /// Frequency of each octave over that of the one before [default: 2 if tileable, else 2.17].
+    #[arg(long, value_parser = positive)]
+    pub lacunarity: Option<f32>,
+    /// Amplitude of each octave over that of the one before, above 0, at most 1 [default: 0.5].
+    #[arg(long, value_parser = share)]
+    pub gain: Option<f32>,
+    /// Vertical factor of a fractal surface, its roughness: below 0.447 [default: 0.375].
+    #[arg(long, value_parser = share)]
+    pub factor: Option<f32>,
+    /// Standard deviation of the heights, in sides of the texture [default: 0.01].
+    #[arg(long, value_parser = positive)]
+    pub height: Option<f32>,
+    /// Distance up to which the surroundings take light away, in sides of the texture, or of each of its --parts [default: 0.015625].
+    #[arg(long, value_parser = share)]
+    pub occlusion: Option<f32>,
+    /// Colour, sRGB in hexadecimal [default: b4b0a8].
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub tint: Option<u32>,
+    /// Colour of low parts, where it is another.
+    #[arg(long, value_name = "RRGGBB", value_parser = colour)]
+    pub low_tint: Option<u32>,
+    /// Roughness √α of the surface between its bumps [default: 0.6; of a density 0].
+    #[arg(long, value_parser = share)]
+    pub roughness: Option<f32>,
+    /// Metal: 0 or 1, or between [default: 0].
+    #[arg(long, value_parser = fraction)]
+    pub metallic: Option<f32>,
+    /// Seed of every random choice.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Formats of the maps, with commas between them.
+    #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]
+    pub format: Vec<BakedFormat>,
+    /// Bake these tiles alone, counted from 1 row by row; a run without it writes the set when all are there.
+    #[arg(long, value_name = "N|N-N", value_parser = numbers)]
+    pub tiles: Option<[u32; 2]>,
+    /// Cut the texture into so many parts along a side, each of --size texels and a set of its own in a folder of its own, `u1_v1`
+    /// the lower left; cells, heights and metres are those of the whole.
+    #[arg(long, value_name = "N", value_parser = whole(2, 16_384), conflicts_with = "tiles")]
+    pub parts: Option<u32>,
+    /// Bake these parts alone, counted from 1 row by row.
+    #[arg(long, value_name = "N|N-N", requires = "parts", value_parser = numbers)]
+    pub part: Option<[u32; 2]>,
+    /// Write the tiles, or the parts, as a job for many machines in place of baking them: a template of Open Job Description, .yaml or
+    /// .json.
+    #[arg(long, value_name = "FILE")]
+    pub job: Option<PathBuf>,
+    /// Folder of the set.
+    #[arg(long, value_name = "DIR", default_value = "target/asperity/bake")]
+    pub out: PathBuf,
+}
+
+const SCENES: &Words<Set> = &[
+    ("teapot", "The Utah teapot", Set::Teapot),
+    ("sphere", "A sphere", Set::Sphere),
+    ("plane", "A plane, seen at an angle; of other materials than bumps, to the horizon", Set::Plane),
+    ("car", "A smooth car-like body", Set::Car),
+    ("room", "The corner of a room", Set::Room),
+    ("wall", "A wall, seen along it", Set::Wall),
+    ("vase", "A turned vase on a table", Set::Vase),
+];
+
+const UPS: &Words<Up> = &[
+    ("y", "The convention of glTF and of most other formats", Up::Y),
+    ("z", "The convention of files of buildings and maps", Up::Z),
+];
+
+const RULES: &Words<LevelOfDetail> = &[
+    ("exact", "Keeps the mean at every zoom", LevelOfDetail::Exact),
+    ("fractal", "The paper's: every facet is shaded with the whole density", LevelOfDetail::Fractal),
+];
+
+const NOISES: &Words<NoiseKind> = &[
+    ("gaussian", "Exactly Gaussian value-gradient noise", NoiseKind::Gaussian),
+    ("perlin", "Perlin's noise of 2002 through its measured distribution", NoiseKind::Perlin2002),
+    ("simplex", "Simplex noise through its measured distribution", NoiseKind::Simplex),
+];
+
+const BAKED_NOISES: &Words<BakedNoise> = &[
+    ("gaussian", "Exactly Gaussian value-gradient noise", BakedNoise::Gaussian),
+    ("perlin", "Perlin's noise of 2002", BakedNoise::Perlin),
+    (
+        "simplex",
+        "Simplex noise; tileable by a slice of space, with a multiple of 3 cells",
+        BakedNoise::Simplex,
+    ),
+    ("value", "Value noise", BakedNoise::Value),
+    ("sparse", "Sparse convolution noise", BakedNoise::Sparse),
+    ("cellular", "Worley's cellular noise", BakedNoise::Cellular),
+];
+
+const BAKED_FORMATS: &Words<BakedFormat> = &[
+    ("png", "16 bits a channel, with a glTF material", BakedFormat::Png),
+    ("exr", "OpenEXR in tiles, half floats, with all levels", BakedFormat::Exr),
+    ("ktx2", "Blocks of graphics cards, with all levels: BC7, BC5, BC4", BakedFormat::Ktx2),
+];
+
+/// The noises of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BakedNoise {
+    Gaussian,
+    Perlin,
+    Simplex,
+    Value,
+    Sparse,
+    Cellular,
+}
+
+/// The formats of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BakedFormat {
+    Png,
+    Exr,
+    Ktx2,
+}
+
+/// The fractal surfaces of `bake`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BakedFractal {
+    /// The torus surface: periodic, and no product of curves.
+    Torus,
+}
+
+/// The materials of `render`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Material {
+    /// Bumps of the density `--ndf`.
+    Bumps,
+    /// The carpet of a car.
+    Carpet,
+    /// Metallic paint with sparkles.
+    Paint,
+    /// Metallic paint whose flakes are counted.
+    Flakes,
+    /// Tempered glass: a body that refracts.
+    Glass,
+    /// Rough glass: a body that refracts to all sides.
+    Frosted,
+    /// Plastic with blemishes and dents.
+    Plastic,
+    /// Scratched metal.
+    Scratched,
+    /// A polished metal.
+    Chrome,
+    /// Bricks and mortar.
+    Brick,
+    /// Blue marble.
+    Marble,
+    /// Stars on paper.
+    Wallpaper,
+}
+
+/// Tone curves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Tone {
+    /// A curve with a toe and a shoulder, as film has.
+    Filmic,
+    /// None: cut off at white.
+    Plain,
+}
+
+/// Background of the subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Background {
+    /// The light.
+    Light,
+    /// A colour.
+    Colour(u32),
+}
+
+fn behind(text: &str) -> Result<Background, &'static str> {
+    let given = || colour(text).map(Background::Colour);
+    if text == "light" {
+        Ok(Background::Light)
+    } else {
+        given().map_err(|_| "must be `light` or six hexadecimal digits")
+    }
+}
+
+fn assignment(text: &str) -> Result<(String, String), &'static str> {
+    let parts = text.split_once('=').ok_or("must be NAME=VALUE, as in coat_roughness=0.1")?;
+    Ok((parts.0.trim().into(), parts.1.trim().into()))
+}
+
+/// A parser of whole numbers of a range.
+fn whole(least: u32, most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync {
+    move |text| {
+        let number = text.parse().ok().filter(|n| (least..=most).contains(n));
+        number.ok_or_else(|| format!("must be a whole number from {least} to {most}, written in digits"))
+    }
+}
+
+fn degrees(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| (0.0..=180.0).contains(x));
+    number.ok_or("must be a number of degrees from 0 to 180")
+}
+
+fn turned(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| x.abs() <= 36_000.0);
+    number.ok_or("must be a number of degrees, at most a hundred turns")
+}
+
+/// A number from 1, or a range of them, first and last.
+fn numbers(text: &str) -> Result<[u32; 2], &'static str> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    match [first, last].map(str::parse) {
+        [Ok(first), Ok(last)] if 1 <= first && first <= last => Ok([first, last]),
+        _ => Err("must be a number from 1, or two, as in 13-24"),
+    }
+}
+
+fn positive(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0);
+    number.ok_or("must be a number above 0")
+}
+
+fn fraction(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| (0.0..=1.0).contains(x));
+    number.ok_or("must be a number from 0 to 1")
+}
+
+fn share(text: &str) -> Result<f32, &'static str> {
+    positive(text).ok().filter(|x| *x <= 1.0).ok_or("must be a number above 0, at most 1")
+}
+
+fn colour(text: &str) -> Result<u32, &'static str> {
+    let digits = text.trim_start_matches('#');
+    match u32::from_str_radix(digits, 16) {
+        Ok(rgb) if digits.len() == 6 => Ok(rgb),
+        _ => Err("must be six hexadecimal digits, as in d9a066"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrong_values_are_usage_errors() {
+        for line in [
+            "asperity render --zoom 0",
+            "asperity render --zoom nan",
+            "asperity render --gain 1.5",
+            "asperity render --gain 2",
+            "asperity render --tint f2b18",
+            "asperity render --background sky",
+            "asperity render --set gain",
+            "asperity render --octaves 17",
+            "asperity render --roughness 0.2 --ndf ggx:0.2",
+            "asperity render --crease 30",
+            "asperity render --mesh a.obj --crease 181",
+            "asperity render --scene barn",
+            "asperity render --mesh a.obj --scene plane",
+            "asperity render --up z",
+            "asperity render --mesh a.obj --up x",
+            "asperity check-ndf",
+            "asperity render --jobs 0",
+            "asperity nothing",
+        ] {
+            let error = Cli::try_parse_from(line.split(' ')).unwrap_err();
+            assert_eq!(error.exit_code(), 2, "{line}");
+        }
+        let error = Cli::try_parse_from(["asperity", "render", "--size", "1e3"]).unwrap_err().to_string();
+        assert!(error.contains("must be a whole number from 16 to 8192, written in digits"), "{error}");
+    }
+}

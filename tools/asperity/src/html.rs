@@ -1,0 +1,40 @@
+//! The frame of the pages that programs write: style, title, heading, no network, no script.
+
+const STYLE: &str = include_str!("page.css");
+
+/// A colour of the page by its name, as it is in the light and in the dark.
+pub fn colour(name: &str) -> [&'static str; 2] {
+    let name = format!("--{name}: ");
+    let value = |rest: &'static str| rest.split(';').next();
+    let mut values = STYLE.split(name.as_str()).skip(1).filter_map(value);
+    [(); 2].map(|()| values.next().unwrap_or("currentColor"))
+}
+
+/// Text made safe for element content and quoted attributes.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A whole page that the builder writes: its title, its heading with a few words, and what follows.
+pub fn page(title: &str, heading: &str, about: &str, rest: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <div class=\"wide\"><header><h1>{}</h1>\n<p>{}</p></header></div>\n{rest}</body>\n</html>\n",
+        escape(title),
+        escape(heading),
+        escape(about),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_colour_has_a_light_and_a_dark_value() {
+        assert_eq!(colour("card"), ["#ffffff", "#1b1d1f"]);
+        assert_eq!(colour("series-4"), ["#8a3b8f", "#d394dc"]);
+    }
+}

@@ -1,0 +1,129 @@
+//! The program `asperity`: renders meshes, bakes textures, exports tables, checks densities.
+
+mod bake;
+mod check;
+mod job;
+mod render;
+
+use std::io::Write;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use asperity::failure::Failure;
+use asperity::output::Output;
+use asperity::{progress, tables};
+use clap::Parser;
+
+use asperity::cli::{Cli, Command};
+
+fn main() -> ExitCode {
+    match run(Cli::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(&error.to_string()));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(cli: Cli) -> Result<(), Failure> {
+    if let Some(jobs) = cli.jobs {
+        rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global()?;
+    }
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+    perform(cli.command, &interrupted)
+}
+
+fn perform(command: Command, interrupted: &AtomicBool) -> Result<(), Failure> {
+    match command {
+        Command::Render(wanted) => render::render(&wanted, interrupted),
+        Command::Bake(wanted) => bake::bake(&wanted, interrupted),
+        Command::CheckNdf(wanted) => check::check(&wanted),
+        Command::Tables(wanted) => {
+            let sets = tables::chosen_sets(&wanted.ndf, &wanted.normal_map, wanted.images, &wanted.fif)?;
+            if wanted.check {
+                tables::compare(&sets, &wanted.out, interrupted)?;
+                progress::say(&format!("the tables in {} are up to date", wanted.out.display()));
+                return Ok(());
+            }
+            let output = Output::new(&wanted.out)?;
+            tables::build(&sets, &output, interrupted)?;
+            progress::say(&format!("the tables: {}", output.place("index.html")));
+            Ok(())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{fs, path::Path};
+
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn every_command_explains_itself() {
+        let said = Cli::command().render_help().to_string();
+        for command in ["render", "bake", "tables", "check-ndf"] {
+            assert!(said.contains(&format!("\n  {command} ")), "{command} is missing in:\n{said}");
+        }
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn commands_of_the_readme_and_the_guide_are_understood() {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+        let guides = fs::read_dir(root.join("docs/guide")).unwrap().map(|entry| entry.unwrap().path());
+        let mut commands = 0;
+        for path in guides.chain([root.join("README.md")]) {
+            let page = fs::read_to_string(&path).unwrap();
+            for line in page.lines().filter_map(|line| line.strip_prefix("asperity ")) {
+                let words = line.split('#').next().unwrap().split_whitespace();
+                let parsed = Cli::try_parse_from(["asperity"].into_iter().chain(words));
+                assert!(parsed.is_ok(), "{}: {line}: {}", path.display(), parsed.unwrap_err());
+                commands += 1;
+            }
+        }
+        assert!(commands > 4);
+    }
+
+    #[test]
+    fn a_command_that_cannot_be_done_says_in_one_line_why() {
+        let refused = [
+            ("tables --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("check-ndf --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("tables --ndf ggx:0", "density `ggx:0`: alpha_x must be "),
+            (
+                "tables --normal-map nowhere.png",
+                "density `normal-map:nowhere.png`: the file cannot be read: ",
+            ),
+            ("tables --fif nowhere.json", "system `nowhere.json`: "),
+            ("tables --fif Cargo.toml", "system `Cargo.toml`: "),
+            ("tables --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("render --mesh nowhere.3ds", "mesh `nowhere.3ds`: the name of a mesh file ends in "),
+            ("render --light nowhere.exr", "light `nowhere.exr`: the file cannot be read: "),
+            ("render --light lamps --scene car", "lamps light the teapot, the sphere and the plane only; "),
+            ("render --out src", "`src` is a folder; "),
+            ("render --out a.gif", "picture `a.gif`: its name must end in .png, .jpg, .webp or .exr"),
+            ("render --out Cargo.toml/a.png", "cannot write "),
+            ("bake --out Cargo.toml/x", "cannot write Cargo.toml/x: "),
+            ("bake --tiles 2", "tile 2: the last one is 1"),
+            ("bake --job rock.txt", "job `rock.txt`: its name must end in .yaml or .json"),
+            ("bake --size 1000", "`--size` must be a power of two from 64 on, got 1000"),
+            ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
+            ("bake --tileable --lacunarity 2.17", "`--tileable`: `periods[0]` times `lacunarity` "),
+            ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
+            ("bake --ndf velvet", "density `velvet`: neither `ggx:AX[,AY]`, "),
+            ("bake --fractal torus --factor 0.5", "`factor` must be under 0.447"),
+        ];
+        for (line, said) in refused {
+            let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();
+            let error = perform(cli.command, &AtomicBool::new(false)).unwrap_err().to_string();
+            assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
+        }
+    }
+}

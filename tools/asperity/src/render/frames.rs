@@ -1,0 +1,142 @@
+//! A sequence of pictures: the camera goes round the subject, or comes nearer.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::job::{self, Step};
+use crate::render::picture::Picture;
+use asperity::cli::Render;
+use asperity::failure::{Interrupted, Result};
+use asperity::output::Output;
+use asperity::progress;
+
+/// The way of a sequence.
+pub(crate) struct Frames {
+    count: u32,
+    /// Degrees about the vertical, the last of which would be the first frame again.
+    turn: f32,
+    /// Magnification of the first and of the last frame.
+    zoom: [f32; 2],
+}
+
+impl Frames {
+    /// The way that was asked for, if it was.
+    pub(super) fn of(wanted: &Render) -> Result<Option<Self>> {
+        let Some(count) = wanted.frames else { return Ok(None) };
+        let turn = wanted.turn.unwrap_or(if wanted.zoom_to.is_some() { 0.0 } else { 360.0 });
+        if turn != 0.0 && wanted.zoom != 1.0 {
+            return Err(
+                "--zoom leads to a point on the side that the camera sees first: take --turn 0 or --zoom-to"
+                    .into(),
+            );
+        }
+        let zoom = [wanted.zoom, wanted.zoom_to.unwrap_or(wanted.zoom)];
+        Ok(Some(Self { count, turn, zoom }))
+    }
+
+    /// Degrees and magnification of a frame, counted from 1.
+    fn seen(&self, frame: u32) -> (f32, f32) {
+        let done = frame.saturating_sub(1) as f32;
+        let share = done / self.count.saturating_sub(1).max(1) as f32;
+        let [first, last] = self.zoom;
+        (self.turn * done / self.count.max(1) as f32, first * (last / first).powf(share))
+    }
+}
+
+/// The name of a frame: its number, with zeros before it, in place of the row of `#`.
+fn name(pattern: &str, frame: u32) -> Option<String> {
+    let begin = pattern.find('#')?;
+    let digits = pattern[begin..].bytes().take_while(|&byte| byte == b'#').count();
+    let (before, after) = (&pattern[..begin], &pattern[begin + digits..]);
+    let number = frame.to_string();
+    let zeros = "0".repeat(digits.saturating_sub(number.len()));
+    (!after.contains('#')).then(|| format!("{before}{zeros}{number}{after}"))
+}
+
+/// Draws the frames that were asked for, each written whole, or writes them as a job.
+pub(super) fn draw(wanted: &Render, frames: &Frames, interrupted: &AtomicBool) -> Result<()> {
+    let mut picture = Picture::new(wanted)?;
+    let pattern = picture.name.clone();
+    let [first, last] = wanted.frame.unwrap_or([1, frames.count]);
+    if last > frames.count {
+        return Err(format!("frame {last}: there are {} frames", frames.count).into());
+    }
+    let name = |frame: u32| {
+        name(&pattern, frame).ok_or_else(|| {
+            format!(
+                "frames `{}`: the name needs one row of `#` for their numbers, such as frame-####.png",
+                wanted.out.display()
+            )
+        })
+    };
+    name(first)?;
+    if let Some(file) = &wanted.job {
+        let mut arguments = job::arguments(std::env::args().skip(1), &["--job", "--frame", "--out"])?;
+        let out = std::path::absolute(&wanted.out)?.display().to_string();
+        arguments.extend(["--out".into(), out, "--frame".into(), job::number("Frame")]);
+        let tasks = Some(("Frame", format!("{first}-{last}")));
+        let place =
+            job::write(file, "asperity-frames", &[Step { name: "Frames", tasks, arguments, after: None }])?;
+        progress::say(&format!(
+            "the job: {place} ({} tasks; `openjd run` or a farm carries it out)",
+            last - first + 1
+        ));
+        return Ok(());
+    }
+    let output = Output::new(picture.folder.clone())?;
+    for frame in first..=last {
+        let (degrees, zoom) = frames.seen(frame);
+        picture.from(degrees, zoom);
+        let bar = progress::bar(&format!("frame {frame} of {first}–{last}"));
+        let mut image = None;
+        let result = picture.refined(&bar, interrupted, &mut |drawn, _, _| {
+            image = Some(drawn);
+            bar.set_length(0);
+            bar.set_position(0);
+            Ok(())
+        });
+        bar.finish_and_clear();
+        match result {
+            Err(error) if error.is::<Interrupted>() => {
+                progress::say(&format!(
+                    "{} frames are drawn; `--frame {frame}-{last}` goes on",
+                    frame - first
+                ));
+                return Err(error);
+            }
+            result => result?,
+        }
+        if let Some(image) = image {
+            let image = picture.developed(image);
+            output.stream(&name(frame)?, |file| image.write(picture.format, file))?;
+        }
+    }
+    let count = last - first + 1;
+    let frames = if count == 1 { "1 frame".into() } else { format!("{count} frames") };
+    progress::say(&format!("{frames}: {}", output.place(&pattern)));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_named_by_their_row_of_signs() {
+        assert_eq!(name("frame-####.png", 7).as_deref(), Some("frame-0007.png"));
+        assert_eq!(name("#.png", 123).as_deref(), Some("123.png"));
+        assert_eq!((name("a.png", 1), name("#-#.png", 1)), (None, None));
+        // More than the width of a formatted number may be.
+        assert_eq!(name(&"#".repeat(70_000), 1).map(|name| name.len()), Some(70_000));
+    }
+
+    #[test]
+    fn a_turn_ends_before_it_begins_again_and_a_zoom_grows_by_a_factor() {
+        let frames = Frames { count: 4, turn: 360.0, zoom: [1.0, 8.0] };
+        let seen = [1, 2, 3, 4].map(|frame| frames.seen(frame));
+        assert_eq!(seen.map(|(turn, _)| turn), [0.0, 90.0, 180.0, 270.0]);
+        for ((_, zoom), wanted) in seen.into_iter().zip([1.0, 2.0, 4.0, 8.0]) {
+            assert!((zoom / wanted - 1.0).abs() < 1e-6, "{zoom}");
+        }
+        assert_eq!(Frames { count: 1, turn: 360.0, zoom: [2.0, 2.0] }.seen(1), (0.0, 2.0));
+    }
+}

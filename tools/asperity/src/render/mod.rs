@@ -1,0 +1,71 @@
+//! `asperity render`: one picture of one object with chosen parameters.
+
+mod files;
+mod frames;
+pub(crate) mod materials;
+mod options;
+mod picture;
+
+use std::sync::atomic::AtomicBool;
+
+use crate::render::frames::Frames;
+use crate::render::materials::Parameters;
+use crate::render::picture::Picture;
+use asperity::cli::{Material, Render};
+use asperity::failure::{Interrupted, Result};
+use asperity::output::Output;
+use asperity::progress;
+
+/// Draws what was asked for, over and over as it grows finer, and tells where it lies.
+pub(crate) fn render(wanted: &Render, interrupted: &AtomicBool) -> Result<()> {
+    if let Some(material) = wanted.help_material {
+        return help(material);
+    }
+    if let Some(frames) = Frames::of(wanted)? {
+        return frames::draw(wanted, &frames, interrupted);
+    }
+    let picture = Picture::new(wanted)?;
+    let output = Output::new(picture.folder.clone())?;
+    let bar = progress::bar("render");
+    let mut drawn = None;
+    let result = picture.refined(&bar, interrupted, &mut |image, samples, noise| {
+        let image = picture.developed(image);
+        output.stream(&picture.name, |file| image.write(picture.format, file))?;
+        let grain = if noise.is_finite() { format!(", grain {noise:.4}") } else { String::new() };
+        let count = if samples == 1 { "1 sample".into() } else { format!("{samples} samples") };
+        let progress = format!("{count} a pixel{grain}");
+        bar.set_prefix(progress.clone());
+        bar.set_length(0);
+        bar.set_position(0);
+        drawn = Some(progress);
+        Ok(())
+    });
+    bar.finish_and_clear();
+    let Some(progress) = drawn else { return result };
+    match result {
+        // What was drawn until then is there.
+        Err(error) if error.is::<Interrupted>() => {}
+        result => result?,
+    }
+    progress::say(&format!("the picture: {} ({progress})", output.place(&picture.name)));
+    Ok(())
+}
+
+/// Lists the parameters of a material.
+fn help(material: Material) -> Result<()> {
+    let own = Parameters::usual(material)?;
+    let options = match material {
+        Material::Bumps => {
+            "--tint, --roughness or --ndf or --normal-map, --scale, --rule, --octaves, --frequency, --gain, --bump-noise"
+        }
+        Material::Chrome => "--tint, --roughness",
+        _ => "--tint, --roughness, --scale",
+    };
+    progress::say(&format!("options: {options}"));
+    let mut lines = own.lines().peekable();
+    if lines.peek().is_some() {
+        progress::say("parameters, as in --set name=value; colours are linear r,g,b or '#rrggbb':");
+    }
+    lines.for_each(|line| progress::say(&line));
+    Ok(())
+}

@@ -1,0 +1,164 @@
+//! Options that would change nothing of a picture.
+
+use asperity_render::image::Format;
+use asperity_render::scenes::Set;
+
+use asperity::cli::{Background, Material, Render};
+use asperity::failure::Result;
+use asperity::input::images::Images;
+
+/// Refuses options that would change nothing.
+pub(super) fn refuse_idle(wanted: &Render, material: Material, lamps: bool, format: Format) -> Result<()> {
+    let bumps = material == Material::Bumps;
+    if lamps && !matches!(wanted.scene, Set::Teapot | Set::Sphere | Set::Plane) {
+        return Err("lamps light the teapot, the sphere and the plane only; take `--light studio`".into());
+    }
+    if lamps && !bumps {
+        return Err("lamps light bumps only; take `--light studio`".into());
+    }
+    let exr = format == Format::Exr;
+    let image = wanted.ndf.as_ref().is_some_and(|ndf| ndf != "painted" && !ndf.contains(':'));
+    let Images { measure, reconstruction, tangent_space, blue } = wanted.images;
+    let given = [
+        ("--ndf", wanted.ndf.is_some(), bumps, "it is of bumps"),
+        ("--normal-map", wanted.normal_map.is_some(), bumps, "it is of bumps"),
+        ("--rule", wanted.rule.is_some(), bumps, "it is of bumps"),
+        ("--octaves", wanted.octaves.is_some(), bumps, "it is of bumps"),
+        ("--frequency", wanted.frequency.is_some(), bumps, "it is of bumps"),
+        ("--gain", wanted.gain.is_some(), bumps, "it is of bumps"),
+        ("--bump-noise", wanted.bump_noise.is_some(), bumps, "it is of bumps"),
+        ("--measure", measure.is_some(), bumps && image, "it is of an image given by --ndf"),
+        ("--reconstruction", reconstruction.is_some(), bumps && image, "it is of an image given by --ndf"),
+        ("--tangent-space", tangent_space.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
+        ("--blue", blue.is_some(), wanted.normal_map.is_some(), "it is of --normal-map"),
+        ("--set", !wanted.set.is_empty(), !bumps, "bumps are set by options of their own"),
+        ("--scale", wanted.scale.is_some(), material != Material::Chrome, "chrome has no pattern"),
+        ("--tone", wanted.tone.is_some(), !exr, "an OpenEXR file has the radiance itself"),
+        ("--exposure", wanted.exposure.is_some(), !exr || lamps, "an OpenEXR file has the radiance itself"),
+        (
+            "--background",
+            wanted.background == Some(Background::Light),
+            !lamps,
+            "lamps are not seen; take a colour, or `--light studio`",
+        ),
+    ];
+    let idle = given.iter().find(|(_, given, used, _)| *given && !*used);
+    idle.map_or(Ok(()), |(option, .., why)| {
+        let name = format!("{material:?}").to_lowercase();
+        Err(format!("{option} would change nothing of {name}: {why}; see `--help-material {name}`").into())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use clap::Parser;
+    use indicatif::ProgressBar;
+
+    use super::*;
+    use crate::render::picture::Picture;
+    use asperity::cli::{Cli, Command};
+
+    /// The file of a command line.
+    fn bytes(line: &str) -> Result<Vec<u8>> {
+        let cli = Cli::try_parse_from(["asperity", "render"].into_iter().chain(line.split_whitespace()))?;
+        let Command::Render(wanted) = cli.command else { return Err("another command".into()) };
+        let (picture, mut bytes) = (Picture::new(&wanted)?, Vec::new());
+        picture.refined(&ProgressBar::hidden(), &AtomicBool::new(false), &mut |image, _, _| {
+            bytes = picture.developed(image).encode(picture.format)?;
+            Ok(())
+        })?;
+        Ok(bytes)
+    }
+
+    #[test]
+    fn every_option_changes_the_picture_of_every_material_or_is_refused() {
+        let bumps_alone = [
+            "--ndf ggx:0.5",
+            "--rule fractal",
+            "--octaves 2",
+            "--frequency 3",
+            "--gain 0.5",
+            "--bump-noise simplex",
+        ];
+        let all = [
+            "--tint 3060c0",
+            "--roughness 0.6",
+            "--scale 30",
+            "--seed 7",
+            "--zoom 2",
+            "--size 20",
+            "--spp 2",
+            "--noise 1",
+            "--exposure 3",
+            "--tone plain",
+            "--background 204060",
+            "--background light",
+            "--light day",
+            "--scene teapot",
+            "--out a.jpg",
+        ];
+        // Of images and of meshes that are not there.
+        let idle = ["--measure normals", "--reconstruction bilinear", "--tangent-space directx"];
+        for (material, set) in [
+            ("bumps", "gain=0.5"),
+            ("carpet", "seams_pattern=grid"),
+            ("paint", "coat_roughness=0.3"),
+            ("flakes", "flakes.counted.bin=0.5"),
+            ("glass", "index=1.2"),
+            ("frosted", "index=1.2"),
+            ("plastic", "dent_strength=0.9"),
+            ("scratched", "specular=0.9,0.1,0.1"),
+            ("chrome", "colour=#204060"),
+            ("brick", "mortar_colour=#ffffff"),
+            ("marble", "veins=9"),
+            ("wallpaper", "points=3"),
+        ] {
+            // From afar bumps are too fine to be seen.
+            let frequency = if material == "bumps" { "--frequency 1" } else { "" };
+            let own = [
+                "--scene sphere",
+                "--light studio",
+                "--background 808080",
+                "--size 16",
+                "--spp 4",
+                frequency,
+            ];
+            let line = |but: &str| {
+                let kept: Vec<_> = own.iter().copied().filter(|own| !own.starts_with(but)).collect();
+                format!("{} --material {material}", kept.join(" "))
+            };
+            let plain = bytes(&line("none")).unwrap();
+            let set = format!("--set {set}");
+            for option in all.iter().chain(&bumps_alone).chain(&idle).copied().chain([set.as_str()]) {
+                let word = option.split(' ').next().unwrap();
+                // An option is not given twice.
+                let got = bytes(&format!("{} {option}", line(word)));
+                let refused = match material {
+                    "bumps" => idle.contains(&option) || word == "--set",
+                    "chrome" if word == "--scale" => true,
+                    _ => idle.contains(&option) || bumps_alone.contains(&option),
+                };
+                match got {
+                    Ok(got) => assert!(!refused && got != plain, "{material} {option}: the same picture"),
+                    Err(error) => {
+                        let said = error.to_string();
+                        assert!(refused && said.lines().count() == 1, "{material} {option}: {said}");
+                    }
+                }
+            }
+        }
+        for line in [
+            "--out a.exr --tone plain --material paint",
+            "--out a.exr --exposure 2 --material paint",
+            "--background light",
+            "--set coat=1 --material paint",
+            "--set coat_index=9 --material paint",
+            "--set seams_pattern=dots --material carpet",
+            "--mesh render/tests/data/cube.glb --crease 20",
+        ] {
+            assert!(bytes(line).is_err(), "{line}");
+        }
+    }
+}

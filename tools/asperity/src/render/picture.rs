@@ -1,0 +1,278 @@
+//! A picture as it was asked for, drawn in passes.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use asperity_render::geometry::{camera::Camera, shape::Shape};
+use asperity_render::image::tone::{filmic, hex, srgb};
+use asperity_render::image::{Format, Image};
+use asperity_render::integrator::pixels::Sampling;
+use asperity_render::light::environments::{Studio, Surroundings};
+use asperity_render::materials::Facets;
+use asperity_render::materials::field::{Bumps, NoiseKind};
+use asperity_render::scene::{Backdrop, Light, Object, Scene};
+use asperity_render::scenes::{RenderRequest, Set, View, backdrop, ground};
+use asperity_shading::{LevelOfDetail, material::BumpMapped};
+use glam::{DVec3, Vec3};
+use indicatif::ProgressBar;
+
+use crate::render::files::{opened, surroundings};
+use crate::render::materials::{Made, Parameters};
+use crate::render::options::refuse_idle;
+use asperity::cli::{Background, Material, Render, Tone};
+use asperity::failure::Result;
+use asperity::input::density::{Density, NORMAL_MAP};
+use asperity::progress;
+use asperity::quality::Fineness;
+
+/// Exposure that suits the studio, and the mean radiance of what has it.
+const EXPOSURE: f32 = 1.45;
+const BRIGHTNESS: f32 = 0.5;
+/// Copper.
+const TINT: u32 = 0xf2_b184;
+
+/// Light of the picture.
+enum Lit {
+    Lamps,
+    Around(Box<dyn Surroundings>),
+}
+
+/// A request that was checked, with its files read.
+pub(super) struct Picture<'a> {
+    wanted: &'a Render,
+    pub(super) folder: PathBuf,
+    pub(super) name: String,
+    pub(super) format: Format,
+    material: Material,
+    density: Density,
+    mesh: Option<Arc<Shape>>,
+    /// A pattern is laid on by position.
+    projected: bool,
+    light: Lit,
+    exposure: f32,
+    /// Degrees about the vertical.
+    turn: f32,
+    zoom: f32,
+}
+
+impl<'a> Picture<'a> {
+    pub(super) fn new(wanted: &'a Render) -> Result<Self> {
+        let path = std::path::absolute(&wanted.out)?;
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        let (Some(folder), Some(name), false) = (path.parent(), name, path.is_dir()) else {
+            return Err(format!("`{}` is a folder; name a file in it", wanted.out.display()).into());
+        };
+        let format = Format::of(&path).ok_or_else(|| {
+            format!("picture `{}`: its name must end in .png, .jpg, .webp or .exr", wanted.out.display())
+        })?;
+        let material = wanted.material.unwrap_or(match wanted.scene {
+            Set::Teapot | Set::Sphere | Set::Plane => Material::Bumps,
+            Set::Car => Material::Paint,
+            Set::Room => Material::Carpet,
+            Set::Wall => Material::Brick,
+            Set::Vase => Material::Marble,
+        });
+        let lamps = wanted.light.as_ref().map_or(material == Material::Bumps, |light| light == "lamps");
+        refuse_idle(wanted, material, lamps, format)?;
+        let spec = match (&wanted.normal_map, &wanted.ndf, wanted.roughness) {
+            (Some(file), ..) => format!("{NORMAL_MAP}{}", file.display()),
+            (_, Some(spec), _) => spec.clone(),
+            (.., Some(alpha)) if material == Material::Bumps => format!("ggx:{alpha}"),
+            _ => "ggx:0.2,0.4".into(),
+        };
+        let density = Density::parse(&spec, wanted.images)?;
+        let patterned = matches!(
+            material,
+            Material::Carpet | Material::Scratched | Material::Brick | Material::Wallpaper
+        );
+        let (mesh, projected) = match &wanted.mesh {
+            Some(file) => {
+                let (mesh, uv) = opened(file, wanted, patterned)?;
+                (Some(Arc::new(Shape::Mesh(mesh))), patterned && !uv)
+            }
+            None => (None, false),
+        };
+        let (light, exposure) = match wanted.light.as_deref() {
+            _ if lamps => (Lit::Lamps, EXPOSURE),
+            None | Some("studio") => (Lit::Around(Box::new(Studio::new(1.0))), EXPOSURE),
+            Some("day") => (Lit::Around(Box::new(Studio::day(1.0))), EXPOSURE),
+            Some(file) => {
+                let map = surroundings(Path::new(file))?;
+                let mean = map.as_ref().total() / (4.0 * std::f32::consts::PI);
+                let exposure = if mean > 0.0 { EXPOSURE * BRIGHTNESS / mean } else { EXPOSURE };
+                if wanted.exposure.is_none() && format != Format::Exr {
+                    progress::note(&format!(
+                        "light `{file}`: exposure {exposure:.3} by its mean; --exposure sets it"
+                    ));
+                }
+                (Lit::Around(Box::new(map)), exposure)
+            }
+        };
+        let (folder, exposure) = (folder.to_owned(), wanted.exposure.unwrap_or(exposure));
+        Ok(Self {
+            wanted,
+            folder,
+            name,
+            format,
+            material,
+            density,
+            mesh,
+            projected,
+            light,
+            exposure,
+            turn: 0.0,
+            zoom: wanted.zoom,
+        })
+    }
+
+    /// Turns and moves the camera: degrees about the vertical, magnification.
+    pub(super) fn from(&mut self, turn: f32, zoom: f32) {
+        (self.turn, self.zoom) = (turn, zoom);
+    }
+
+    /// Draws it in passes, each handed over with its samples of a pixel and its grain.
+    pub(super) fn refined(
+        &self,
+        bar: &ProgressBar,
+        interrupted: &AtomicBool,
+        pass: &mut dyn FnMut(Image, u32, f32) -> Result<()>,
+    ) -> Result<()> {
+        let &Render { quality, size, spp, noise, seed, .. } = self.wanted;
+        let Fineness { side, grain: (grain, most), .. } = quality.fineness();
+        let side = size.unwrap_or(side);
+        let sampling = Sampling { width: side, height: side, samples_per_pixel: spp.unwrap_or(most), seed };
+        let goal = noise.unwrap_or(if spp.is_some() { 0.0 } else { grain });
+        let mut draw = |scene: &Scene<'_, '_>, camera: Camera| {
+            let goal = (goal, |x| self.shown(x));
+            scene.refine(sampling, &camera, goal, bar, interrupted, &mut *pass)
+        };
+        match &self.light {
+            Lit::Lamps => self.by_lamps(sampling, &mut draw),
+            Lit::Around(light) => self.staged(light.as_ref(), sampling, &mut draw),
+        }
+    }
+
+    /// Bumps by the source's shading, under lamps without shadows.
+    fn by_lamps(
+        &self,
+        sampling: Sampling,
+        draw: &mut dyn FnMut(&Scene<'_, '_>, Camera) -> Result<()>,
+    ) -> Result<()> {
+        let wanted = self.wanted;
+        let mut request = RenderRequest::new(wanted.scene, self.density.ndf.as_ref(), sampling);
+        if let Some(Shape::Mesh(mesh)) = self.mesh.as_deref() {
+            (request.view, request.bumps.frequency) = (View::of_mesh(mesh), 24.0);
+        }
+        request.facets = Facets::Consistent(wanted.rule.unwrap_or(LevelOfDetail::Exact));
+        (request.zoom, request.view) = (self.zoom, request.view.turned(self.turn));
+        request.bumps = self.bumps(request.bumps);
+        request.tint = hex(wanted.tint.unwrap_or(TINT));
+        request.exposure = self.exposure;
+        let shape = self.mesh.clone().unwrap_or_else(|| RenderRequest::shape(wanted.scene));
+        let mut scene = request.scene(&shape)?;
+        if let Some(Background::Colour(rgb)) = wanted.background {
+            scene.backdrop = Backdrop::Colour(hex(rgb));
+        }
+        draw(&scene, request.camera())
+    }
+
+    /// Any material in light from all around, with shadows.
+    fn staged(
+        &self,
+        light: &dyn Surroundings,
+        sampling: Sampling,
+        draw: &mut dyn FnMut(&Scene<'_, '_>, Camera) -> Result<()>,
+    ) -> Result<()> {
+        let (wanted, set) = (self.wanted, self.wanted.scene);
+        let around = wanted.light.is_some() || set == Set::Plane && self.mesh.is_none();
+        let colour = match wanted.background {
+            Some(Background::Colour(rgb)) => Some(hex(rgb)),
+            None if !around => Some(backdrop()),
+            _ => None,
+        };
+        // A colour is that of the picture, whatever its exposure.
+        let colour = colour.map(|colour| colour * EXPOSURE / self.exposure);
+        let behind = |direction: Vec3| colour.unwrap_or_else(|| light.radiance(direction));
+        // A mesh is as large as shows a pattern well.
+        let metres = match (&self.mesh, self.material) {
+            (None, _) => set.metres(),
+            (_, Material::Brick) => 1.2,
+            (_, Material::Wallpaper) => 0.4,
+            _ => Set::Sphere.metres(),
+        };
+        let view = match self.mesh.as_deref() {
+            Some(Shape::Mesh(mesh)) => View::of_mesh(mesh),
+            _ => set.view(),
+        };
+        let view = view.turned(self.turn);
+        let focus = view.focus.as_dvec3();
+        // Windows of the car are places of the world.
+        let world = self.material != Material::Bumps || self.mesh.is_none() && set == Set::Car;
+        let anchor = if world { DVec3::ZERO } else { focus };
+        let Made { surface, body } = self.subject(metres, anchor)?;
+        let mut objects = match &self.mesh {
+            Some(shape) => {
+                let Shape::Mesh(mesh) = shape.as_ref() else { return Err("no mesh".into()) };
+                vec![Object::new(Arc::clone(shape), surface), ground(mesh.bottom(), &behind)?]
+            }
+            None => set.objects(surface, &behind)?,
+        };
+        objects[0].anchor = anchor;
+        if matches!(self.material, Material::Glass | Material::Frosted) {
+            (objects[0].passes, objects[0].body) = (1.0, body);
+        }
+        let backdrop = colour.map_or(Backdrop::Light, Backdrop::Colour);
+        let scene = Scene::new(objects, Light::Around(light), backdrop).about(focus);
+        draw(&scene, view.camera(self.zoom, sampling))
+    }
+
+    fn bumps(&self, usual: Bumps) -> Bumps {
+        let wanted = self.wanted;
+        Bumps {
+            kind: wanted.bump_noise.unwrap_or(usual.kind),
+            octaves: wanted.octaves.unwrap_or(usual.octaves),
+            frequency: wanted.frequency.unwrap_or(usual.frequency) / wanted.scale.unwrap_or(1.0),
+            gain: wanted.gain.unwrap_or(usual.gain),
+        }
+    }
+
+    /// The material of the subject, where a unit of the scene is so many metres; bumps are told positions from an anchor on.
+    fn subject(&self, metres: f32, anchor: DVec3) -> Result<Made<'_>> {
+        let wanted = self.wanted;
+        if self.material != Material::Bumps {
+            let parameters = Parameters::of(wanted, self.material)?;
+            return parameters.make(self.material, metres / wanted.scale.unwrap_or(1.0), self.projected);
+        }
+        let usual = Bumps { frequency: 24.0, gain: 0.8, kind: NoiseKind::Gaussian, octaves: 16 };
+        let (bumps, ndf) = (self.bumps(usual).field(wanted.seed, anchor)?, self.density.ndf.as_ref());
+        let (rule, colour) = (wanted.rule.unwrap_or(LevelOfDetail::Exact), hex(wanted.tint.unwrap_or(TINT)));
+        Ok(Made { surface: Box::new(BumpMapped { ndf, bumps, rule, colour }), body: None })
+    }
+
+    /// The channel as a screen shows it.
+    fn shown(&self, radiance: f32) -> f32 {
+        let exposed = radiance * self.exposure;
+        srgb(
+            match (&self.light, self.wanted.tone) {
+                // The lamps' exposure is in their brightness.
+                (Lit::Lamps, Some(Tone::Plain)) => radiance,
+                (Lit::Lamps, _) => filmic(radiance),
+                (Lit::Around(_), Some(Tone::Plain)) => exposed,
+                (Lit::Around(_), _) => filmic(exposed),
+            }
+            .clamp(0.0, 1.0),
+        )
+    }
+
+    /// The image as its file has it.
+    pub(super) fn developed(&self, image: Image) -> Image {
+        match (&self.light, self.wanted.tone) {
+            _ if self.format == Format::Exr => image,
+            (Lit::Lamps, Some(Tone::Plain)) => image,
+            (Lit::Lamps, _) => image.filmic(1.0),
+            (Lit::Around(_), Some(Tone::Plain)) => image.map(|p| p * self.exposure),
+            (Lit::Around(_), _) => image.filmic(self.exposure),
+        }
+    }
+}

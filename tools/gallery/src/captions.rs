@@ -1,0 +1,71 @@
+//! The words of the gallery, read from `captions.md`: pages, their sections, titles, sources and captions.
+
+use std::{collections::BTreeMap, sync::LazyLock};
+
+use asperity::failure::Result;
+
+/// One page of the gallery.
+pub(crate) struct Page {
+    /// The file beside the pictures.
+    pub(crate) file: &'static str,
+    pub(crate) title: &'static str,
+    /// Link text on the other pages.
+    pub(crate) name: &'static str,
+    pub(crate) about: String,
+}
+
+/// The words of one figure.
+pub(crate) struct Caption {
+    /// The file of its page.
+    pub(crate) page: &'static str,
+    /// The heading above it.
+    pub(crate) section: &'static str,
+    pub(crate) title: &'static str,
+    /// The figure of the source that it reproduces, or `Asperity`.
+    pub(crate) source: &'static str,
+    /// Description of the picture; two to four sentences, plain text.
+    pub(crate) text: String,
+}
+
+/// All words.
+pub(crate) struct Captions {
+    pub(crate) pages: Vec<Page>,
+    pub(crate) figures: BTreeMap<&'static str, Caption>,
+}
+
+/// The words of the gallery.
+pub(crate) static CAPTIONS: LazyLock<Captions> =
+    LazyLock::new(|| Captions::read(include_str!("captions.md")));
+
+impl Captions {
+    /// The words of a figure.
+    pub(crate) fn of(&self, figure: &str) -> Result<&Caption> {
+        self.figures.get(figure).ok_or_else(|| format!("captions.md has no words for `{figure}`").into())
+    }
+
+    /// Reads `# file: title (name)`, `## section` and `### figure`, each with its lines.
+    fn read(text: &'static str) -> Self {
+        let (mut pages, mut figures) = (Vec::<Page>::new(), BTreeMap::new());
+        let mut section = "";
+        for block in text.split("\n#").skip(1) {
+            let (head, lines) = block.split_once('\n').unwrap_or((block, ""));
+            if let Some(figure) = head.strip_prefix("## ") {
+                let (title, rest) = lines.split_once('\n').unwrap_or((lines, ""));
+                let (source, rest) = rest.split_once('\n').unwrap_or((rest, ""));
+                let page = pages.last().map_or("", |page| page.file);
+                figures.insert(figure, Caption { page, section, title, source, text: joined(rest) });
+            } else if let Some(heading) = head.strip_prefix("# ") {
+                section = heading;
+            } else if let Some((file, title)) = head.trim().split_once(": ") {
+                let (title, name) = title.trim_end_matches(')').split_once(" (").unwrap_or((title, title));
+                pages.push(Page { file, title, name, about: joined(lines) });
+            }
+        }
+        Self { pages, figures }
+    }
+}
+
+/// Lines as one paragraph.
+fn joined(lines: &str) -> String {
+    lines.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,115 @@
+//! Draws figures and writes the pages over all that were drawn.
+
+use std::{sync::atomic::AtomicBool, time::Instant};
+
+use asperity_render::image::Format;
+use rayon::prelude::*;
+
+use crate::captions::CAPTIONS;
+use crate::cli::Gallery;
+use crate::figure::{Context, Drawn, Figure, Panel, Picture};
+use crate::page::{LIVE, Record, Stored, TABLES};
+use asperity::failure::Result;
+use asperity::output::{Output, sha256};
+use asperity::progress;
+use asperity::quality::Fineness;
+
+/// The figures whose names contain one of the words; every word must match one.
+pub(crate) fn chosen<'a>(all: &[&'a Figure], only: &[String]) -> Result<Vec<&'a Figure>> {
+    for word in only {
+        if !all.iter().any(|figure| figure.name.contains(word.as_str())) {
+            let names: Vec<_> = all.iter().map(|figure| figure.name).collect();
+            return Err(format!("no figure is called `{word}`; there are {}", names.join(", ")).into());
+        }
+    }
+    let wanted = |figure: &&Figure| only.is_empty() || only.iter().any(|w| figure.name.contains(w.as_str()));
+    Ok(all.iter().copied().filter(wanted).collect())
+}
+
+/// Says the name, the title and the source of the chosen figures.
+pub(crate) fn list(all: &[&Figure], only: &[String]) -> Result<()> {
+    for figure in chosen(all, only)? {
+        let words = CAPTIONS.of(figure.name)?;
+        progress::say(&format!("{:<26} {} ({})", figure.name, words.title, words.source));
+    }
+    Ok(())
+}
+
+/// Draws the chosen figures into `output` and writes the pages over all that are there, of which it names the first.
+pub(crate) fn draw(
+    all: &[&Figure],
+    wanted: &Gallery,
+    output: &Output,
+    interrupted: &AtomicBool,
+) -> Result<()> {
+    let &Gallery { quality, seed, .. } = wanted;
+    let usual = quality.fineness();
+    let samples_per_pixel = wanted.spp.unwrap_or(usual.samples_per_pixel);
+    let size = wanted.size.unwrap_or(usual.size);
+    let goal = Fineness { samples_per_pixel, ..usual }.goal();
+    // A picture is up to date only if this very program drew it.
+    let program = sha256(&std::fs::read(std::env::current_exe()?)?);
+    let key = format!("{program} size {size} spp {samples_per_pixel} error {} seed {seed}", goal.error);
+    let figures = chosen(all, &wanted.only)?;
+    for (index, figure) in figures.iter().enumerate() {
+        let place = format!("{:>2}/{} {:<26}", index + 1, figures.len(), figure.name);
+        if !wanted.afresh && recorded(figure, output).is_some_and(|r| r.key == key) {
+            progress::say(&format!("{place} already drawn"));
+            continue;
+        }
+        let bar = progress::bar(&place);
+        let context = Context { size, samples_per_pixel, goal, seed, progress: &bar, interrupted };
+        let start = Instant::now();
+        let drawn = (figure.draw)(&context);
+        bar.finish_and_clear();
+        let drawn = drawn?;
+        let seconds = start.elapsed().as_secs_f64();
+        let (name, drawn) = (figure.name.to_owned(), store(figure, drawn, output)?);
+        let record = Record { name, seed, seconds, key: key.clone(), drawn };
+        output.write(&format!("{}.json", figure.name), &serde_json::to_vec_pretty(&record)?)?;
+        progress::say(&format!("{place} {seconds:6.1} s"));
+    }
+    let records: Vec<_> = all.iter().filter_map(|figure| recorded(figure, output)).collect();
+    let drawing = |file: &str| String::from_utf8(output.read(file).unwrap_or_default()).unwrap_or_default();
+    let beside = [TABLES, LIVE].map(|file| output.read(file).map(|_| file));
+    let mut first = None;
+    for page in CAPTIONS.pages.iter().filter(|page| page.shows(&records)) {
+        output.write(page.file, page.gallery(&records, beside, drawing).as_bytes())?;
+        first = first.or(Some(page.file));
+    }
+    first.into_iter().for_each(|file| progress::say(&format!("the gallery: {}", output.place(file))));
+    Ok(())
+}
+
+/// The record of an earlier run, if all of its pictures are still as they were.
+fn recorded(figure: &Figure, output: &Output) -> Option<Record> {
+    let record: Record = serde_json::from_slice(&output.read(&format!("{}.json", figure.name))?).ok()?;
+    let is = |file: &str, hash: &str| output.read(file).is_some_and(|bytes| sha256(&bytes) == hash);
+    let whole =
+        |p: &Stored| is(&p.file, &p.sha256) && p.light.as_ref().is_none_or(|(file, hash)| is(file, hash));
+    record.drawn.panels.iter().all(|panel| whole(&panel.picture)).then_some(record)
+}
+
+/// Writes the pictures of a figure.
+fn store(figure: &Figure, drawn: Drawn, output: &Output) -> Result<Drawn<Stored>> {
+    let write = |stem: &str, ending: &str, bytes: &[u8]| -> Result<(String, String)> {
+        let file = format!("{}-{stem}.{ending}", figure.name);
+        output.write(&file, bytes)?;
+        Ok((file, sha256(bytes)))
+    };
+    let stored = |Panel { stem, label, alt, span, picture }| {
+        let ((file, sha256), light, pixels) = match picture {
+            Picture::Raster(image) => {
+                let (png, jpeg) = (image.encode(Format::Png)?, image.encode(Format::Jpeg)?);
+                // Of few colours the one that loses nothing is the smaller one.
+                let light = (2 * jpeg.len() < png.len()).then(|| write(&stem, "jpg", &jpeg)).transpose()?;
+                (write(&stem, "png", &png)?, light, Some((image.width, image.height)))
+            }
+            Picture::Vector(svg) => (write(&stem, "svg", svg.as_bytes())?, None, None),
+        };
+        Ok(Panel { stem, label, alt, span, picture: Stored { file, sha256, light, pixels } })
+    };
+    let Drawn { columns, panels, parameters, table } = drawn;
+    let panels = panels.into_par_iter().map(stored).collect::<Result<_>>()?;
+    Ok(Drawn { columns, panels, parameters, table })
+}

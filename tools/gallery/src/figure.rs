@@ -1,0 +1,224 @@
+//! A figure of the gallery: its name, the function that draws it, and what that hands back.
+
+use std::sync::atomic::AtomicBool;
+
+use asperity_render::integrator::adaptive::{Goal, Grain, render_until};
+use asperity_render::integrator::pixels::{Sampling, render, rows};
+use asperity_render::sampling::sampler::Sampler;
+use asperity_render::{geometry::camera::Camera, image::Image, scene::Scene};
+use glam::Vec3;
+use indicatif::ProgressBar;
+use serde::{Deserialize, Serialize};
+
+use asperity::failure::{Interrupted, Result};
+
+/// One figure of the gallery.
+#[derive(Clone, Copy)]
+pub(crate) struct Figure {
+    /// Name on the command line and stem of the files, `kautz-1-sphere`.
+    pub(crate) name: &'static str,
+    /// Draws it.
+    pub(crate) draw: fn(&Context<'_>) -> Result<Drawn>,
+}
+
+/// A figure of a name and the function that draws it.
+pub(crate) const fn figure(name: &'static str, draw: fn(&Context<'_>) -> Result<Drawn>) -> Figure {
+    Figure { name, draw }
+}
+
+/// A function of a place, of which a figure shows several.
+pub(crate) type Shown<'a, P, T> = &'a (dyn Fn(P) -> T + Sync);
+
+/// Settings of a figure, from the command line.
+pub(crate) struct Context<'a> {
+    /// Side in pixels of a square panel; other panels scale with it.
+    pub(crate) size: u32,
+    /// Samples per pixel; a figure may multiply it.
+    pub(crate) samples_per_pixel: u32,
+    /// Grain of still lifes.
+    pub(crate) goal: Goal,
+    /// Seed of every random choice.
+    pub(crate) seed: u32,
+    /// The figure's progress; hidden when no terminal looks on.
+    pub(crate) progress: &'a ProgressBar,
+    /// Set when the user interrupts: long loops call [`Context::checkpoint`] once a row.
+    pub(crate) interrupted: &'a AtomicBool,
+}
+
+impl Context<'_> {
+    /// Returns [`Interrupted`] once the user has pressed Ctrl-C.
+    pub(crate) fn checkpoint(&self) -> Result<(), Interrupted> {
+        Interrupted::check(self.interrupted)
+    }
+
+    /// A square panel of the figure's size.
+    pub(crate) fn square(&self) -> Sampling {
+        self.sampling([12, 12], 1)
+    }
+
+    /// A panel of these shares of the figure's size, in twelfths, with so many times its samples.
+    pub(crate) fn sampling(&self, [width, height]: [u32; 2], times: u32) -> Sampling {
+        Sampling {
+            width: self.size * width / 12,
+            height: self.size * height / 12,
+            samples_per_pixel: self.samples_per_pixel.saturating_mul(times),
+            seed: self.seed,
+        }
+    }
+
+    /// The mean of a radiance over each pixel, at points in pixels from the top left.
+    pub(crate) fn render(
+        &self,
+        sampling: Sampling,
+        radiance: impl Fn(f32, f32) -> Vec3 + Sync,
+    ) -> Result<Image> {
+        render(sampling, self.progress, self.interrupted, radiance)
+    }
+
+    /// A picture of a scene, in linear radiance.
+    pub(crate) fn draw(&self, scene: &Scene<'_, '_>, sampling: Sampling, camera: &Camera) -> Result<Image> {
+        scene.draw(sampling, camera, self.progress, self.interrupted)
+    }
+
+    /// A picture of a scene without grain, in linear radiance.
+    pub(crate) fn still(
+        &self,
+        scene: &Scene<'_, '_>,
+        sampling: Sampling,
+        camera: &Camera,
+    ) -> Result<(Image, Grain)> {
+        scene.draw_until(sampling, &self.goal, camera, self.progress, self.interrupted)
+    }
+
+    /// The mean of a radiance over each pixel without grain, at points in pixels from the top left.
+    pub(crate) fn still_of(
+        &self,
+        sampling: Sampling,
+        radiance: impl Fn(f32, f32, &mut Sampler) -> Vec3 + Sync,
+    ) -> Result<(Image, Grain)> {
+        render_until(sampling, &self.goal, self.progress, self.interrupted, radiance)
+    }
+
+    /// A picture of a scene from an eye towards a target, over this angle in radians.
+    pub(crate) fn look(
+        &self,
+        scene: &Scene<'_, '_>,
+        sampling: Sampling,
+        [eye, target]: [Vec3; 2],
+        field: f32,
+    ) -> Result<Image> {
+        self.draw(scene, sampling, &Camera::new(eye, target, field, sampling.width, sampling.height))
+    }
+
+    /// Rows one below the other, made on all threads, in their order whatever the number of threads.
+    pub(crate) fn rows<T: Send, R: IntoIterator<Item = T>>(
+        &self,
+        count: usize,
+        row: impl Fn(usize) -> R + Sync,
+    ) -> Result<Vec<T>> {
+        rows(count, self.progress, self.interrupted, row)
+    }
+}
+
+/// A drawn figure: panels, parameters and a table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Drawn<P = Picture> {
+    /// Square panels side by side on a wide page.
+    pub(crate) columns: u32,
+    /// The pictures, in reading order.
+    pub(crate) panels: Vec<Panel<P>>,
+    /// Parameters by name, shown under the caption.
+    pub(crate) parameters: Vec<(String, String)>,
+    /// Measured figures, shown as a table: header, then rows.
+    pub(crate) table: Option<(Vec<String>, Vec<Vec<String>>)>,
+}
+
+impl Drawn {
+    /// Panels in so many columns, without parameters and table.
+    pub(crate) fn new(columns: u32, panels: Vec<Panel>) -> Self {
+        Self { columns, panels, parameters: Vec::new(), table: None }
+    }
+
+    /// A picture of each case by its words, those of [`Panel::new`].
+    pub(crate) fn pictures<W: Into<String>, C>(
+        columns: u32,
+        cases: impl IntoIterator<Item = ([W; 3], C)>,
+        mut picture: impl FnMut(C) -> Result<Image>,
+    ) -> Result<Self> {
+        let mut panels = Vec::new();
+        for ([stem, label, alt], case) in cases {
+            panels.push(Panel::new(stem, label, alt, picture(case)?));
+        }
+        Ok(Self::new(columns, panels))
+    }
+
+    /// One more parameter.
+    #[expect(clippy::needless_pass_by_value, reason = "numbers are given as they are")]
+    pub(crate) fn fact(mut self, name: &str, value: impl ToString) -> Self {
+        self.parameters.push((name.to_owned(), value.to_string()));
+        self
+    }
+
+    /// With the grain of its pictures, from the finest to the coarsest.
+    pub(crate) fn grain(self, grains: &[Grain]) -> Self {
+        let range = |of: fn(&Grain) -> f32| {
+            let ends = grains.iter().map(of).fold([f32::INFINITY, 0.0_f32], |[a, b], x| [a.min(x), b.max(x)]);
+            let [low, high] = ends.map(|end| format!("{end:.1}"));
+            if low == high { low } else { format!("{low} to {high}") }
+        };
+        self.fact("relative error of a pixel as shown, median", range(|grain| 100.0 * grain.median) + " %")
+            .fact("samples per pixel, mean", range(|grain| grain.samples))
+    }
+
+    /// With a table of measured values.
+    pub(crate) fn table(
+        self,
+        head: impl IntoIterator<Item = impl Into<String>>,
+        rows: impl IntoIterator<Item = impl Into<Vec<String>>>,
+    ) -> Self {
+        let head = head.into_iter().map(Into::into).collect();
+        Self { table: Some((head, rows.into_iter().map(Into::into).collect())), ..self }
+    }
+}
+
+/// One picture of a figure.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Panel<P = Picture> {
+    /// Stem of its file, unique in the figure: `zoom-4`.
+    pub(crate) stem: String,
+    /// A few words under the picture.
+    pub(crate) label: String,
+    /// The picture in words, for those who cannot see it.
+    pub(crate) alt: String,
+    /// Relative width in its row: 1 for a square panel, 2 for twice as wide.
+    pub(crate) span: u32,
+    /// The picture itself.
+    #[serde(flatten)]
+    pub(crate) picture: P,
+}
+
+impl Panel {
+    /// A picture of one column with its words: the stem of its file, a few for all, and those for who cannot see it.
+    pub(crate) fn new(
+        stem: impl Into<String>,
+        label: impl Into<String>,
+        alt: impl Into<String>,
+        picture: impl Into<Picture>,
+    ) -> Self {
+        Self { stem: stem.into(), label: label.into(), alt: alt.into(), span: 1, picture: picture.into() }
+    }
+}
+
+/// Pixels or curves.
+pub(crate) enum Picture {
+    /// Linear pixels, written as an sRGB PNG.
+    Raster(Image),
+    /// A complete `<svg>` element whose colours are the page's custom properties.
+    Vector(String),
+}
+
+impl From<Image> for Picture {
+    fn from(image: Image) -> Self {
+        Self::Raster(image)
+    }
+}

@@ -1,0 +1,125 @@
+//! The shaders on the graphics card that there is, beside the crates.
+
+use std::path::Path;
+
+use asperity_render::image::content::Content;
+use asperity_render::image::read::ImageFile;
+use asperity_render::image::{Image, tone::linear};
+use glam::Vec3;
+
+use crate::drivers::{PROGRAM, cargo, program};
+use crate::figure::{Context, Drawn, Panel};
+use asperity::failure::{Failure, Result};
+use asperity::progress;
+
+pub(crate) fn draw_teapot(context: &Context<'_>) -> Result<Drawn> {
+    let alt = "A copper teapot, from the whole of it to single bumps, twice the same.";
+    draw(context, "teapot", "×1, ×10, ×100, ×10⁴", alt)
+}
+
+pub(crate) fn draw_plane(context: &Context<'_>) -> Result<Drawn> {
+    let alt =
+        "A copper plane to the horizon with a broad highlight that dissolves into bumps, twice the same.";
+    draw(context, "plane", "×1, ×10, ×100, ×10⁴", alt)
+}
+
+pub(crate) fn draw_textured(context: &Context<'_>) -> Result<Drawn> {
+    let alt = "A teapot and a plane at two zooms; below the same with bumps that are a little sharper.";
+    draw(context, "textured", "teapot and plane at ×1, then at ×10", alt)
+}
+
+pub(crate) fn draw_materials(context: &Context<'_>) -> Result<Drawn> {
+    let alt = "Floors of carpet, paint, scratched and dented metal, glass, brick, tiles and bumps, each twice the same.";
+    draw(context, "materials", "by the shader, and below it by the crates", alt)
+}
+
+/// The program's picture and table; where it cannot be built or finds no adapter, the picture that comes with the sources.
+fn draw(context: &Context<'_>, subject: &str, label: &str, alt: &str) -> Result<Drawn> {
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let folder = tempfile::tempdir()?;
+    let file = format!("gpu-{subject}.png");
+    let found = on_adapter(context, root, subject, folder.path())?;
+    context.checkpoint()?;
+    let (path, said) = match &found {
+        Ok(said) => (folder.path().join(&file), said.as_str()),
+        Err(why) => {
+            progress::say(&format!("  {file} is the one that comes with the sources: {why}"));
+            (root.join("docs/pictures").join(&file), "drawn before, by llvmpipe")
+        }
+    };
+    let picture = image(&path)?;
+    let mut panel = Panel::new(subject, label, alt, picture);
+    panel.span = 4;
+    let mut lines = said.lines().filter(|line| !line.is_empty());
+    let drawn = Drawn::new(4, vec![panel]).fact("adapter", lines.next().unwrap_or_default());
+    let mut rows = lines.filter(|line| line.starts_with("| ")).map(cells);
+    Ok(match rows.next() {
+        Some(head) => drawn.table(head, rows),
+        None => drawn,
+    })
+}
+
+/// The program's words on a picture; or why there is no picture to be had.
+fn on_adapter(
+    context: &Context<'_>,
+    root: &Path,
+    subject: &str,
+    folder: &Path,
+) -> Result<Result<String, String>> {
+    let built = cargo(&root.join(PROGRAM), "build --quiet --release --locked").output()?;
+    if !built.status.success() {
+        return Ok(Err(format!("`cargo build` in {PROGRAM} failed")));
+    }
+    let mut pictures = program(root, "pictures");
+    pictures.args(["--fastest", "--only", subject, "--size", &context.size.to_string(), "--out"]).arg(folder);
+    let output = pictures.output()?;
+    let error = String::from_utf8_lossy(&output.stderr);
+    let error = error.lines().rev().find_map(|line| line.strip_prefix("error: ")).unwrap_or_default();
+    match (output.status.success(), error) {
+        (true, _) => Ok(Ok(String::from_utf8_lossy(&output.stdout).into_owned())),
+        (false, none) if none.starts_with("no adapter") => Ok(Err(none.to_owned())),
+        (false, broken) => Err(Failure::from(format!("the shaders' {subject}: {broken}"))),
+    }
+}
+
+fn cells(row: &str) -> Vec<String> {
+    row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+}
+
+/// The linear light of an sRGB picture.
+fn image(path: &Path) -> Result<Image> {
+    let file =
+        ImageFile::open(path, Content::Colors).map_err(|error| format!("{}: {error}", path.display()))?;
+    let [r, g, b] = file.colors();
+    let at = |x: u32, y: u32| y as usize * file.width + x as usize;
+    Ok(Image::from_fn(file.width as u32, file.height as u32, |x, y| {
+        let i = at(x, y);
+        Vec3::new(linear(r[i]), linear(g[i]), linear(b[i]))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_render::image::Format;
+
+    use super::*;
+
+    #[test]
+    fn rows_of_the_program_are_cells() {
+        assert_eq!(cells("| teapot-1 | 0.001 % | 0.00 | 227 |"), ["teapot-1", "0.001 %", "0.00", "227"]);
+    }
+
+    #[test]
+    fn pictures_that_come_with_the_sources_keep_their_bytes() {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+        for subject in ["teapot", "plane", "textured", "materials"] {
+            let path = root.join("docs/pictures").join(format!("gpu-{subject}.png"));
+            let [before, after] = [
+                ImageFile::open(&path, Content::Colors).unwrap(),
+                ImageFile::decode(&image(&path).unwrap().encode(Format::Png).unwrap(), Content::Colors)
+                    .unwrap(),
+            ];
+            assert_eq!(before, after, "{subject}");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Cellular noise in three metrics: the distance to the nearest feature point, to the borders between regions, and the regions.
+
+use asperity_noise::{Basis, Cellular, Field, Metric};
+use glam::Vec2;
+
+use crate::figure::{Context, Drawn, Panel};
+use crate::figures::noise::plane::{Window, grey};
+use asperity::failure::Result;
+
+/// Cells along a side of each picture.
+const CELLS: f32 = 8.0;
+
+const PANELS: [(Basis, Metric, [f32; 2], [&str; 3]); 6] = [
+    (
+        Basis::F1,
+        Metric::Euclidean,
+        [0.0, 1.0],
+        ["f1", "F₁", "Dark round spots with a bright crease halfway between neighbours."],
+    ),
+    (
+        Basis::F2,
+        Metric::Euclidean,
+        [0.0, 1.3],
+        ["f2", "F₂", "Dark spots joined by dark bridges, bright creases between."],
+    ),
+    (
+        Basis::F2MinusF1,
+        Metric::Euclidean,
+        [0.0, 0.8],
+        ["f2-f1", "F₂ − F₁", "Bright irregular polygons parted by thin black lines."],
+    ),
+    (Basis::Cell, Metric::Euclidean, [-1.0, 1.0], ["cell", "cell", "Irregular polygons, each of one grey."]),
+    (
+        Basis::F2MinusF1,
+        Metric::Manhattan,
+        [0.0, 0.9],
+        [
+            "manhattan",
+            "F₂ − F₁, Manhattan",
+            "Regions with borders along axes and diagonals, like tangled streets.",
+        ],
+    ),
+    (
+        Basis::F1,
+        Metric::Chebyshev,
+        [0.0, 0.9],
+        ["chebyshev", "F₁, Chebyshev", "Dark square pyramids that cut one another."],
+    ),
+];
+
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
+    let panel = |(basis, metric, [black, white], words): (Basis, Metric, [f32; 2], [&str; 3])| {
+        let noise = Cellular::new(context.seed).with_basis(basis).with_metric(metric);
+        let shade = |p: Vec2| grey((noise.value(p) - black) / (white - black));
+        Window::new(context, CELLS).draw(context, words, shade)
+    };
+    let panels: Vec<Panel> = PANELS.into_iter().map(panel).collect::<Result<_>>()?;
+    Ok(Drawn::new(3, panels).fact("picture", format!("{CELLS} × {CELLS} cells, jitter 1")))
+}

@@ -1,0 +1,97 @@
+//! The basic noise patterns of Nilsson's thesis, and two of Musgrave's; and noises that repeat, laid out two by two.
+
+use asperity_noise::{
+    Billow, Field, Gaussian, IntegerHash, Normalisation, Octaves, Perlin2002, Plasma, Power,
+    RidgedMultifractal, Simplex, Sparse, Spectrum, Tiled, TiledSimplex, Turbulence, Value,
+};
+use glam::{Vec2, Vec3};
+
+use crate::figure::{Context, Drawn, Panel, Shown};
+use crate::figures::noise::plane::{Window, grey, slanted};
+use asperity::failure::Result;
+
+/// Cells of the first octave along a side.
+const CELLS: f32 = 4.0;
+/// Cells along a side of the threads, which have three octaves only.
+const THREAD_CELLS: f32 = 8.0;
+const OCTAVES: f32 = 8.0;
+
+const CLOUD: [&str; 3] = ["cloud", "cloud: Σ aᵢ nᵢ", "Soft light and dark patches at all sizes."];
+const TURBULENCE: [&str; 3] = ["turbulence", "turbulence: Σ aᵢ |nᵢ|", "Bright billows parted by dark veins."];
+const PLASMA: [&str; 3] =
+    ["plasma", "plasma: 1 − turbulence", "Bright branching veins on dark ground, like discharges."];
+const PILE: [&str; 3] = ["pile", "pile: cloud with gain 1", "A rough, even surface, as of tufts of wool."];
+const ENTANGLED: [&str; 3] = ["entangled", "plasma with gain 1", "Dense entangled light veins."];
+const SEVENTH: [&str; 3] = ["threads", "threads: its seventh power", "Single light threads on black."];
+const BILLOW: [&str; 3] =
+    ["billow", "billow: Σ aᵢ (2|nᵢ| − 1)", "Round bright pads with creases between them."];
+const RIDGED: [&str; 3] = [
+    "ridged",
+    "ridged multifractal, feedback 2",
+    "Bright rough ridges around smooth dark valleys, like mountains from above.",
+];
+
+pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
+    let noise = Simplex::wide(context.seed);
+    let sum = |spectrum| Octaves::<_, 3>::new(noise, spectrum).with_normalisation(Normalisation::Range);
+    let (clouds, threads) = (sum(Spectrum::CLOUD).first(OCTAVES), sum(Spectrum::THREADS));
+    let (turbulence, plasma) = (clouds.with_shape(Turbulence), clouds.with_shape(Plasma));
+    let billow = clouds.with_shape(Billow);
+    let entangled = threads.with_shape(Plasma);
+    let ridges = RidgedMultifractal::<_, 3>::new(noise, Spectrum::CLOUD, 2.0)?.first(OCTAVES);
+    let seventh = Power(entangled, 7);
+    let panel = |cells, value: Shown<'_, Vec3, f32>, [black, white]: [f32; 2], words| {
+        let shade = |p| grey((value(slanted(p)) - black) / (white - black));
+        Window::new(context, cells).draw(context, words, shade)
+    };
+    let panels = vec![
+        panel(CELLS, &|p| clouds.value(p), [-0.5, 0.5], CLOUD)?,
+        panel(CELLS, &|p| turbulence.value(p), [0.0, 0.6], TURBULENCE)?,
+        panel(CELLS, &|p| plasma.value(p), [0.4, 1.0], PLASMA)?,
+        panel(THREAD_CELLS, &|p| threads.value(p), [-0.6, 0.6], PILE)?,
+        panel(THREAD_CELLS, &|p| entangled.value(p), [0.2, 1.0], ENTANGLED)?,
+        panel(THREAD_CELLS, &|p| seventh.value(p), [0.0, 0.6], SEVENTH)?,
+        panel(CELLS, &|p| billow.value(p), [-1.0, 0.2], BILLOW)?,
+        panel(CELLS, &|p| ridges.value(p), [0.0, 0.8], RIDGED)?,
+    ];
+    Ok(Drawn::new(4, panels)
+        .fact("noise", "simplex, r² = 0.6, on a slanted plane through space")
+        .fact("octaves", format!("{OCTAVES}, gain 0.5; threads 3, gain 1; lacunarity 2"))
+        .fact(
+            "picture",
+            format!("{CELLS} cells a side, threads {THREAD_CELLS}; grey stretched over the values"),
+        ))
+}
+
+/// Cells of a tile along its side.
+const PERIOD: u32 = 6;
+
+pub(crate) fn draw_tiles(context: &Context<'_>) -> Result<Drawn> {
+    let lattice = Tiled::new(IntegerHash, [PERIOD; 2])?;
+    let seed = context.seed;
+    let space = TiledSimplex::new(Simplex::new(seed), [PERIOD; 3])?;
+    let (sparse, seams) = (Sparse::new(seed).with_lattice(lattice), Perlin2002::new(seed));
+    let perlin = seams.with_lattice(lattice);
+    let side = (context.size / 2) as usize;
+    let tile = Window { corner: Vec2::new(0.21, 0.35), cells: PERIOD as f32, side };
+    let whole = Window { side: 2 * side, ..tile };
+    let panel = |stem, label, value: Shown<'_, Vec2, f32>, white: f32| -> Result<Panel> {
+        let values = tile.map(context, value)?;
+        let seam = if stem == "seams" { "with a cross of seams" } else { "without a seam" };
+        let alt = format!("Four copies of a square of noise, {seam}.");
+        Ok(whole.panel([stem, label, &alt], |i| {
+            let (x, y) = (i % (2 * side) % side, i / (2 * side) % side);
+            grey(0.5 + 0.5 * values[y * side + x] / white)
+        }))
+    };
+    let panels = vec![
+        panel("seams", "Perlin 2002, not tiled", &|p| seams.value(p), 0.76)?,
+        panel("perlin-2002", "Perlin 2002, tiled", &|p| perlin.value(p), 0.76)?,
+        panel("value", "value, tiled", &|p| Value::new(seed).with_lattice(lattice).value(p), 0.9)?,
+        panel("sparse", "sparse convolution, tiled", &|p| sparse.value(p), 2.5)?,
+        panel("gaussian", "Gaussian, tiled", &|p| Gaussian::new(seed).with_lattice(lattice).value(p), 2.5)?,
+        panel("simplex", "simplex in space, tiled, a slice", &|p| space.value(p.extend(0.4)), 1.0)?,
+    ];
+    let period = format!("{PERIOD} × {PERIOD} cells, {PERIOD} × {PERIOD} × {PERIOD} in space");
+    Ok(Drawn::new(3, panels).fact("period", period).fact("picture", "2 × 2 copies of one tile"))
+}
